@@ -66,16 +66,16 @@ impl Actuation {
         self.effectiveness.column(k) * self.min_square[k]
     }
 
-    /// Centre and generators of the healthy vehicle's zonotope: the wrench with every rotor at its lowest speed, and
+    /// Offset and generators of the healthy vehicle's zonotope: the wrench with every rotor at its lowest speed, and
     /// for each rotor the difference between full thrust and lowest speed. N and N m.
     pub fn healthy(&self) -> (Wrench, Vec<Wrench>) {
         let rotors = 0..self.rotors();
         (rotors.clone().map(|k| self.idle(k)).sum(), rotors.map(|k| self.full(k) - self.idle(k)).collect())
     }
 
-    /// Centre and generators of the zonotope of a fault mode, like [`Actuation::healthy`]: both contributions of rotor
+    /// Offset and generators of the zonotope of a fault mode, like [`Actuation::healthy`]: both contributions of rotor
     /// k are multiplied by its capacity theta_k of (32), so that a lost rotor gives nothing even if it may not stop.
-    /// The generator of a stuck rotor is zero, and its constant wrench is part of the centre.
+    /// The generator of a stuck rotor is zero, and its constant wrench is part of the offset.
     ///
     /// # Panics
     /// If the mode has fewer entries than the vehicle has rotors.

@@ -55,9 +55,9 @@ impl AdmissibleSet {
     fn new(model: &Model, index: Option<usize>) -> Self {
         let actuation = Actuation::of(&model.vehicle);
         let fault = index.map(|i| &model.modes[i]);
-        let (center, generators) = fault.map_or_else(|| actuation.healthy(), |f| actuation.under(f));
+        let (offset, generators) = fault.map_or_else(|| actuation.healthy(), |f| actuation.under(f));
         let (mode, name) = (index.map_or(0, |i| i + 1), fault.map_or(HEALTHY, |f| &f.name));
-        let zonotope = Zonotope { center, generators };
+        let zonotope = Zonotope { offset, generators };
         let mut description = zonotope.facets();
         let rank = 4 - description.equalities.len();
         let allocation = model.vehicle.allocation;

@@ -1,5 +1,5 @@
-//! Why there is no plan: an irreducible set of statements that cannot hold together, and changes that were tried and
-//! give a plan.
+//! Why there is no plan: an irreducible set of statements for which together none exists or none was found, and
+//! changes that were tried and give a plan.
 //!
 //! Whether statements can hold together is decided by an [`Oracle`], the only interface to planners here.
 

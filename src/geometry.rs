@@ -4,6 +4,7 @@
 //! This module is independent of vehicles and units: `D` is the dimension (4 for wrenches, 3 for yaw-free wrenches),
 //! and lengths are in whatever units the caller uses. The method is described in `docs/method.md`, sections 2 and 3.
 
+pub mod body;
 mod cone;
 mod least_squares;
 mod nearest;

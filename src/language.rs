@@ -90,6 +90,8 @@ pub enum Group {
     /// The clauses of `start` and `waypoint`.
     Waypoint,
     Limits,
+    /// The fields of `keep_in` and `keep_out`.
+    Volume,
     Plan,
     Simulate,
     /// The clauses of `fault` in `simulate`.
@@ -101,7 +103,7 @@ pub enum Group {
 
 impl Group {
     /// Every group that has entries.
-    pub const ALL: [Group; 13] = [
+    pub const ALL: [Group; 14] = [
         Group::Top,
         Group::Vehicle,
         Group::Rotor,
@@ -111,6 +113,7 @@ impl Group {
         Group::CurveHead,
         Group::Waypoint,
         Group::Limits,
+        Group::Volume,
         Group::Plan,
         Group::Simulate,
         Group::Strike,
@@ -126,6 +129,7 @@ impl Group {
             Place::Mode | Place::Every => Group::Mode,
             Place::Curve => Group::Curve,
             Place::Limits => Group::Limits,
+            Place::KeepIn | Place::KeepOut => Group::Volume,
             Place::Plan => Group::Plan,
             Place::Simulate => Group::Simulate,
             Place::Campaign => Group::Campaign,
@@ -155,6 +159,7 @@ impl Group {
             Place::Rotor => &[Group::Rotor],
             Place::Mode | Place::Every => &[Group::Mode],
             Place::Limits => &[Group::Limits],
+            Place::KeepIn | Place::KeepOut => &[Group::Volume],
             Place::Plan => &[Group::Plan],
             Place::Campaign => &[Group::Campaign],
             Place::Faults | Place::Unknown => &[],
@@ -173,6 +178,7 @@ impl Group {
             Group::CurveHead => table::curve_head::ENTRIES,
             Group::Waypoint => table::waypoint::ENTRIES,
             Group::Limits => table::limits::ENTRIES,
+            Group::Volume => table::volume::ENTRIES,
             Group::Plan => table::plan::ENTRIES,
             Group::Simulate => table::simulate::ENTRIES,
             Group::Strike => table::strike::ENTRIES,

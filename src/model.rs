@@ -39,7 +39,9 @@ mod understanding;
 mod unreadable;
 mod vehicle;
 pub mod vocabulary;
+mod volume;
 
+pub use crate::geometry::body::Body;
 pub use crate::input::MAX_TABLE_BYTES;
 pub use elaborate::{elaborate, elaborate_for, understand};
 pub use flight_blocks::FlightBlocks;
@@ -57,10 +59,12 @@ pub use plan::{MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH};
 pub use plan_settings::{MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
+pub use volume::{Boundary, Bounded, Side as VolumeSide, Volume};
 
 use crate::language::Entry;
 use crate::source::Span;
 use grid::Spacing;
+use std::sync::Arc;
 
 /// A checked spec. A changed copy is not checked again.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,6 +119,10 @@ pub struct Vehicle {
     pub mass_spread: Spread,
     /// Diagonal of the inertia matrix J: Ixx, Iyy, Izz, kg m^2.
     pub inertia: [f64; 3],
+    /// Radius of a propeller, m, if the spec gives it.
+    pub propeller_radius: Option<f64>,
+    /// Radius about the centre of gravity within which the vehicle stays, m, if the spec gives it; see [`Vehicle::radius`].
+    pub size: Option<f64>,
     /// In the order of the spec: rotor k of the language is `rotors[k - 1]`.
     pub rotors: Vec<Rotor>,
     /// How a commanded wrench becomes rotor speeds, in flights and in the admissible sets of plans.
@@ -213,7 +221,9 @@ pub struct Mission {
     pub start_at_rest: bool,
     /// Whether the mission ends at rest; `false` with `end moving`.
     pub end_at_rest: bool,
+    /// The limits of the `limits` block, then those that `volumes` impose on this vehicle.
     pub limits: Vec<Limit>,
+    pub volumes: Vec<Volume>,
     pub span: Span,
 }
 
@@ -302,17 +312,26 @@ pub enum LimitKind {
     YawRate,
     YawAcceleration,
     Tilt,
+    /// The position along the normal of a face of a `keep_in`.
+    Face,
+    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one.
+    Distance,
+    /// The distance from a body of a `keep_out`: a lower bound, and the only limit that is not convex.
+    Clearance,
 }
 
 /// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only an
 /// `upper` bound. So do `Climb` and `Descent`, which bound the upward and the downward speed by a value that is not
 /// negative. A single `<=` on `YawRate` or `YawAcceleration` bounds both directions (lower = -upper).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
     pub kind: LimitKind,
     pub lower: Option<f64>,
     pub upper: Option<f64>,
     pub span: Span,
+    /// The volume that imposes this limit; `None` for a limit of the `limits` block. `Face`, `Distance` and `Clearance`
+    /// always have one.
+    pub volume: Option<Arc<Boundary>>,
 }
 
 impl Limit {

@@ -20,6 +20,7 @@ mod read;
 mod schedule;
 pub mod series;
 pub mod sets;
+mod volumes;
 pub mod wrench;
 
 use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord};
@@ -130,7 +131,7 @@ fn megabytes(bytes: u64) -> u64 {
 }
 
 /// Where a row is shown to hold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Scope {
     /// At the nodes given by the spec's samples.
     Nodes,
@@ -167,6 +168,17 @@ impl Reach {
     fn violated(worst: Failure, measure: Measure) -> Self {
         let beyond = Beyond { violation: worst.violation, at: worst.at, measure, throughout: false };
         Reach { scope: Scope::Nodes, beyond: Some(beyond) }
+    }
+
+    /// The weaker of two: the one with the larger violation, or the smaller scope.
+    fn weakest(self, other: Reach) -> Reach {
+        let size = |reach: &Reach| reach.beyond.map_or(f64::NEG_INFINITY, |beyond| beyond.violation);
+        match size(&self).total_cmp(&size(&other)) {
+            std::cmp::Ordering::Greater => self,
+            std::cmp::Ordering::Less => other,
+            std::cmp::Ordering::Equal if self.scope < other.scope => self,
+            std::cmp::Ordering::Equal => other,
+        }
     }
 
     /// Why a statement is weaker than the spec requires, if it is.

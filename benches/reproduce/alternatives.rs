@@ -25,7 +25,7 @@ pub fn torque_with_thrust_held(model: &Model, set: &AdmissibleSet) -> f64 {
     const HEAVY: f64 = 1e4;
     let weigh = |w: &Wrench| Wrench::new(HEAVY * w[0], w[1], w[2], w[3]);
     let zonotope = Zonotope {
-        center: weigh(&set.zonotope.center),
+        offset: weigh(&set.zonotope.offset),
         generators: set.zonotope.generators.iter().map(weigh).collect(),
     };
     let u = weigh(&hover(model));

@@ -13,7 +13,8 @@
    :language 'mav :feature 'string
    '((text) @font-lock-string-face)
    :language 'mav :feature 'keyword
-   '((["use" "let" "require" "vehicle" "faults" "mission" "plan" "simulate" "campaign" "limits" "mode" "every"
+   '((["use" "let" "require" "vehicle" "faults" "mission" "plan" "simulate" "campaign" "limits"
+       "keep_in" "keep_out" "mode" "every"
        "curve" "rotor" "rotors" "start" "end" "moving" "waypoint" "waypoints" "from" "hold" "fault" "where" "in" "as"
        "reduced" "to" "stuck" "at"]
       @font-lock-keyword-face)
@@ -21,6 +22,7 @@
    :language 'mav :feature 'definition
    '((vehicle name: (name) @font-lock-type-face)
      (mission name: (name) @font-lock-type-face)
+     (volume name: (name) @font-lock-constant-face)
      (mode name: (name) @font-lock-constant-face)
      (every name: (name) @font-lock-constant-face)
      (binding name: (name) @font-lock-variable-name-face))

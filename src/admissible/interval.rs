@@ -36,7 +36,7 @@ impl Middle {
     /// empty.
     fn of(model: &Model, set: &AdmissibleSet, thrusts: impl Fn(&Rotor) -> [f64; 2]) -> Option<Self> {
         let fault = set.mode.checked_sub(1).map(|i| &model.modes[i]);
-        let mut zonotope = Zonotope { center: Wrench::zeros(), generators: Vec::new() };
+        let mut zonotope = Zonotope { offset: Wrench::zeros(), generators: Vec::new() };
         let (mut deviations, mut delta) = (Vec::new(), 0.0_f64);
         for (k, rotor) in model.vehicle.rotors.iter().enumerate() {
             let ratio = rotor.drag_coefficient / rotor.thrust_coefficient;
@@ -48,7 +48,7 @@ impl Middle {
             if let Some(share) = fault.and_then(|f| f.stuck[k]) {
                 let full = share * rotor.max_thrust();
                 let spread = rotor.spread.full_thrust;
-                zonotope.center += each * (0.5 * (spread.high + spread.low) * full);
+                zonotope.offset += each * (0.5 * (spread.high + spread.low) * full);
                 deviations.push(each * (0.5 * (spread.high - spread.low) * full));
                 zonotope.generators.push(Wrench::zeros());
                 continue;
@@ -58,7 +58,7 @@ impl Middle {
             if idle > full {
                 return None;
             }
-            zonotope.center += each * (capacity * idle);
+            zonotope.offset += each * (capacity * idle);
             zonotope.generators.push(each * (capacity * (full - idle)));
         }
         Some(Middle { zonotope, deviations, delta })

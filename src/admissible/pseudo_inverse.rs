@@ -1,5 +1,5 @@
 //! The pseudo-inverse allocation (42), and the polytope of wrenches that it produces without clipping
-//! (`docs/method.md`, section 3, "What the pseudo-inverse reaches").
+//! (`docs/method.md`, section 3, "The set reached by the pseudo-inverse").
 
 use crate::actuation::{Actuation, Wrench};
 use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};
@@ -69,7 +69,7 @@ pub(super) fn facets(
     }
     let whole = Polytope { equalities: equalities.to_vec(), facets };
     // If the lowest speeds leave no wrench at all, the rows are infeasible together and none of them is redundant.
-    let middle = zonotope.center + 0.5 * zonotope.generators.iter().sum::<Wrench>();
+    let middle = zonotope.offset + 0.5 * zonotope.generators.iter().sum::<Wrench>();
     let Some(inside) = whole.nearest(&middle) else { return whole.facets };
     let merged = |f: Facet<4, Vec<Spanning>>| Facet {
         normal: f.normal,

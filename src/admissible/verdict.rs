@@ -207,8 +207,8 @@ impl Reach {
             // If the lowest speeds leave the pseudo-inverse no unclipped wrench, the wrench of all rotors at their
             // lowest speeds is used.
             Reach {
-                nearest: inside.unwrap_or(set.zonotope.center),
-                nearest3: yaw_free.nearest(hover3).unwrap_or(shadow.center),
+                nearest: inside.unwrap_or(set.zonotope.offset),
+                nearest3: yaw_free.nearest(hover3).unwrap_or(shadow.offset),
                 yaw_free,
             }
         };
@@ -222,7 +222,7 @@ impl Reach {
 /// The yaw-free set: the projection of the zonotope on (T, tau_x, tau_y), with tau_z left free.
 pub fn without_yaw(zonotope: &Zonotope<4>) -> Zonotope<3> {
     let drop = |w: &Wrench| Vector3::new(w[0], w[1], w[2]);
-    Zonotope { center: drop(&zonotope.center), generators: zonotope.generators.iter().map(drop).collect() }
+    Zonotope { offset: drop(&zonotope.offset), generators: zonotope.generators.iter().map(drop).collect() }
 }
 
 /// The residual with rounding errors set to zero.
@@ -258,7 +258,7 @@ fn unreached_share(set: &AdmissibleSet) -> Option<f64> {
     if set.allocation == Allocation::Bounded || !set.polytope.equalities.is_empty() {
         return None;
     }
-    let middle = set.zonotope.center + 0.5 * set.zonotope.generators.iter().sum::<Wrench>();
+    let middle = set.zonotope.offset + 0.5 * set.zonotope.generators.iter().sum::<Wrench>();
     let kept = match set.polytope.nearest(&middle) {
         Some(inside) => set.polytope.volume(&inside, &set.zonotope.scale()),
         None => 0.0,

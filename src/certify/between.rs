@@ -38,7 +38,7 @@ const PAST: [f64; 3] = [1e-6, 1e-5, MOST_PAST_LIMIT];
 pub struct Between {
     /// `wrench`: the facets imposed on the wrench; `commands`: the same on the commanded wrench of lagging rotors; otherwise
     /// the limited quantity, in words.
-    pub rows: &'static str,
+    pub rows: String,
     pub shown: Shown,
     /// Points per interval, if a grid was checked.
     pub points: Option<usize>,
@@ -110,7 +110,7 @@ fn kept_facets(
     trajectory: &Trajectory,
     violation: impl Fn(usize, &NodeState) -> f64,
 ) -> Between {
-    let rows = if held == Held::Wrench { WRENCH } else { COMMANDS };
+    let rows = if held == Held::Wrench { WRENCH } else { COMMANDS }.to_string();
     let family = wrench_family(dynamics, held, planes);
     let mut purse = Purse(WORK.max(WORK_EACH * (planes.len() * trajectory.intervals()) as u64));
     let proved = throughout(&family, motion, MOST_OUTSIDE, &mut purse).into_iter().filter(|&proved| proved).count();
@@ -123,7 +123,7 @@ fn kept_facets(
 
 /// The result for a limit: the first bound of [`PAST`] that is proved, otherwise what a grid shows.
 fn kept_limit(motion: &Motion, limit: &Limit, trajectory: &Trajectory, gravity: f64) -> Between {
-    let rows = limit.kind.name_and_unit().0;
+    let rows = limit.name().to_string();
     let family = limits::family(limit, gravity);
     let seen = seen(trajectory, |_, state| past_as_checked(limit, state, gravity));
     // Bounds that the grid disproves are not tried.

@@ -129,7 +129,11 @@ fn wider(questions: &mut Questions, statement: Statement) -> Option<Fix> {
 fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
     match statement {
         Statement::Limit(limit) => {
-            let Limit { kind, lower, upper, .. } = questions.mission.limits[limit];
+            let Limit { kind, lower, upper, volume, .. } = &questions.mission.limits[limit];
+            let (kind, lower, upper) = (*kind, *lower, *upper);
+            if volume.is_some() {
+                return None;
+            }
             let upper = upper.filter(|u| *u > 0.0 && (lower.is_none() || lower == Some(-u)))?;
             if matches!(kind, LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw) {
                 return None;

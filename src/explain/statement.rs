@@ -161,7 +161,7 @@ impl Statement {
 pub(super) fn written(limit: &Limit) -> String {
     let both_ways = limit.lower.is_some() && limit.lower == limit.upper.map(|upper| -upper);
     let lower = limit.lower.filter(|_| !both_ways);
-    Limit { lower, ..*limit }.to_string()
+    Limit { lower, ..limit.clone() }.to_string()
 }
 
 /// A tolerance as an author writes it: in centimetres below a metre.

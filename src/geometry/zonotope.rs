@@ -12,11 +12,11 @@ const DEPENDENT: f64 = 1e-7;
 /// A generator lies in the plane of a facet if the component of its unit direction along the normal is at most this.
 const IN_PLANE: f64 = 1e-8;
 
-/// The set `{ center + sum_k t_k generators[k] : 0 <= t_k <= 1 }`, with at most 64 generators.
+/// The set `{ offset + sum_k t_k generators[k] : 0 <= t_k <= 1 }`, with at most 64 generators.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Zonotope<const D: usize> {
     /// The vertex at t = 0; not the centre of symmetry.
-    pub center: SVector<f64, D>,
+    pub offset: SVector<f64, D>,
     /// One for each rotor in this crate; zero for a rotor without freedom.
     pub generators: Vec<SVector<f64, D>>,
 }
@@ -38,12 +38,12 @@ impl Spanning {
 impl<const D: usize> Zonotope<D> {
     /// The support function: the largest `n.w` over the set.
     pub fn support(&self, n: &SVector<f64, D>) -> f64 {
-        n.dot(&self.center) + self.generators.iter().map(|g| n.dot(g).max(0.0)).sum::<f64>()
+        n.dot(&self.offset) + self.generators.iter().map(|g| n.dot(g).max(0.0)).sum::<f64>()
     }
 
     /// A vertex that minimises `n.w`.
     pub fn lowest(&self, n: &SVector<f64, D>) -> SVector<f64, D> {
-        self.generators.iter().filter(|g| n.dot(g) < 0.0).fold(self.center, |sum, g| sum + g)
+        self.generators.iter().filter(|g| n.dot(g) < 0.0).fold(self.offset, |sum, g| sum + g)
     }
 
     /// The width along n: the largest minus the smallest `n.w` over the set.
@@ -62,8 +62,8 @@ impl<const D: usize> Zonotope<D> {
     /// The point of the set nearest to `w` in the plain Euclidean norm.
     pub fn nearest(&self, w: &SVector<f64, D>) -> SVector<f64, D> {
         let size = self.generators.iter().map(nalgebra::Matrix::norm).sum::<f64>() + w.norm();
-        let shifted = Zonotope { center: self.center - w, generators: self.generators.clone() };
-        let start = shifted.lowest(&shifted.center);
+        let shifted = Zonotope { offset: self.offset - w, generators: self.generators.clone() };
+        let start = shifted.lowest(&shifted.offset);
         w + super::nearest::nearest_to_origin(start, |v| shifted.lowest(v), 1e-13 * size)
     }
 
@@ -134,7 +134,7 @@ impl<const D: usize> Zonotope<D> {
             .iter()
             .map(|c| {
                 let normal = c.component_div(&scale).normalize();
-                Equality { normal, offset: normal.dot(&self.center) }
+                Equality { normal, offset: normal.dot(&self.offset) }
             })
             .collect();
         let mut planes: Vec<(u64, SVector<f64, D>)> = Vec::new();
@@ -164,7 +164,7 @@ impl<const D: usize> Zonotope<D> {
     /// The support function without the generators in the plane, which would only add rounding errors.
     fn support_outside(&self, n: &SVector<f64, D>, plane: u64) -> f64 {
         let outside = self.generators.iter().enumerate().filter(|(k, _)| plane >> k & 1 == 0);
-        n.dot(&self.center) + outside.map(|(_, g)| n.dot(g).max(0.0)).sum::<f64>()
+        n.dot(&self.offset) + outside.map(|(_, g)| n.dot(g).max(0.0)).sum::<f64>()
     }
 
     /// Extends `rows` by every subset of `more` generators out of `used` and collects the planes that they span.

@@ -13,6 +13,7 @@ pub fn markdown(group: Group) -> String {
         Group::CurveHead => "after the range of a curve",
         Group::Waypoint | Group::Strike => "clause",
         Group::Limits => "limit",
+        Group::Volume => "of a volume",
         Group::Nothing => "",
     };
     if group == Group::Limits {

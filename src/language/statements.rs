@@ -29,6 +29,8 @@ pub const BLOCKS: &[BlockEntry] = &[
     block("rotors", Place::Rotors, false, Place::Vehicle),
     block("mode", Place::Mode, true, Place::Faults),
     block("limits", Place::Limits, false, Place::Mission),
+    block("keep_in", Place::KeepIn, true, Place::Mission),
+    block("keep_out", Place::KeepOut, true, Place::Mission),
 ];
 
 /// The words that begin a statement in each place, other than fields.
@@ -38,7 +40,7 @@ pub const OPENERS: &[(Place, &[&str])] = &[
     (Place::Rotors, &["rotor"]),
     (Place::Faults, &["every", "mode"]),
     (Place::Mode, &["rotor", "rotors"]),
-    (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits"]),
+    (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits", "keep_in", "keep_out"]),
     (Place::Plan, &["require"]),
     (Place::Simulate, &["fault"]),
 ];
@@ -131,6 +133,12 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
                 "limits",
                 "limits { }",
                 "bounds on the motion of the whole mission, such as `speed <= 8 m/s` ([limits](#limits))",
+            ),
+            statement("keep_in", "keep_in NAME { }", "a volume in which the whole vehicle stays ([volumes](#volumes))"),
+            statement(
+                "keep_out",
+                "keep_out NAME { }",
+                "a volume that no part of the vehicle enters ([volumes](#volumes))",
             ),
         ],
     ),

@@ -43,6 +43,10 @@ group! {
         "the radius of a ring, from the centre of gravity to each rotor";
     MASS "mass", Quantity("kg", Positive), Needed,
         "the mass of the whole vehicle in flight, including its payload";
+    PROPELLER_RADIUS "propeller_radius", Quantity("m", Positive), Otherwise("unknown"),
+        "the radius of a propeller";
+    SIZE "size", Quantity("m", Positive), Otherwise("the largest arm plus the propeller's radius"),
+        "the radius about the centre of gravity within which the whole vehicle stays; [volumes](#volumes) keep this distance";
     INERTIA "inertia", Vector("kg*m^2", Positive), Needed,
         "the moments of inertia `[Ixx, Iyy, Izz]` about the centre of gravity";
     ALLOCATION "allocation", Words(&["bounded", "pseudo_inverse"]), Written("bounded", "reaches all that the rotors can give"),
@@ -160,6 +164,29 @@ group! {
     YAW_ACCELERATION "yaw_acceleration", Bound("deg/s^2", RATE_FORMS), NO_DEFAULT,
         "bounds how fast the yaw rate changes; `<=` bounds both directions";
     TILT "tilt", Bound("deg", NORM), NO_DEFAULT, "bounds the angle between the thrust and the vertical; the bound is below 90 deg";
+}
+
+group! {
+    /// The fields of `keep_in { }` and `keep_out { }`.
+    volume:
+    SHAPE "shape", Words(&["box", "cylinder", "polygon", "sphere", "half_space"]), Needed, "the shape of the volume";
+    FROM "from", Vector("m", Any), Otherwise("required for a box"), "the lowest corner `[x, y, z]` of a box";
+    TO "to", Vector("m", Any), Otherwise("required for a box"), "the highest corner `[x, y, z]` of a box";
+    TURN "turn", Quantity("deg", Any), Value(0.0, "0 deg", "the sides of the box point along x and y"),
+        "how far a box is turned about the vertical axis through its centre, counter-clockwise";
+    CENTRE "centre", Vector("m", Any), Otherwise("required for a cylinder or sphere"),
+        "the centre of a sphere, or of the lower end of a cylinder";
+    RADIUS "radius", Quantity("m", Positive), Otherwise("required for a cylinder or sphere"), "the radius of a cylinder or sphere";
+    HEIGHT "height", Quantity("m", Positive), Otherwise("required for a cylinder"), "the height of a cylinder";
+    CORNERS "corners", Names(&[]), Otherwise("required for a polygon"),
+        "the corners `[[x, y], [x, y], ...] m` of a polygon, in order along its edge";
+    BOTTOM "bottom", Quantity("m", Any), Otherwise("required for a polygon"), "the height of the lower end of a polygon";
+    TOP "top", Quantity("m", Any), Otherwise("required for a polygon"), "the height of the upper end of a polygon";
+    POINT "point", Vector("m", Any), Otherwise("required for a half space"), "a point on the boundary of a half space";
+    NORMAL "normal", Vector("1", Any), Otherwise("required for a half space"),
+        "the direction `[x, y, z]` from the boundary out of a half space";
+    CLEARANCE "clearance", Quantity("m", NotNegative), Value(0.0, "0 m", "the vehicle's `size` alone is kept"),
+        "the distance from the boundary that the vehicle keeps, in addition to its `size`";
 }
 
 group! {

@@ -15,7 +15,7 @@ const IDLE: &str = "mavc::allow::idle";
 
 /// The warnings that `allow` can suppress: those about what is written. The results of an analysis (`mavc::analysis`) and
 /// errors cannot be suppressed.
-const WARNINGS: [&str; 30] = [
+const WARNINGS: [&str; 31] = [
     "mavc::sense::thrust_to_weight",
     "mavc::sense::inertia",
     "mavc::sense::arm",
@@ -43,6 +43,7 @@ const WARNINGS: [&str; 30] = [
     "mavc::plan::few_samples",
     "mavc::plan::listed_twice",
     "mavc::mission::close_waypoints",
+    "mavc::volume::unknown_size",
     "mavc::simulate::no_drag",
     "mavc::campaign::no_modes",
     "mavc::campaign::listed_twice",

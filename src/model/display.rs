@@ -191,6 +191,9 @@ impl LimitKind {
             LimitKind::YawRate => ("yaw_rate", "deg/s", degree),
             LimitKind::YawAcceleration => ("yaw_acceleration", "deg/s^2", degree),
             LimitKind::Tilt => ("tilt", "deg", degree),
+            LimitKind::Face => ("along the normal", "m", 1.0),
+            LimitKind::Distance => ("distance from the centre", "m", 1.0),
+            LimitKind::Clearance => ("distance from the body", "m", 1.0),
         }
     }
 }
@@ -200,6 +203,9 @@ impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (name, unit, scale) = self.kind.words();
         let shown = |x: f64| if scale == 1.0 { number(x) } else { degrees(x) };
+        if let Some(volume) = &self.volume {
+            write!(f, "{}: ", volume.name)?;
+        }
         match (self.lower, self.upper) {
             (Some(low), Some(high)) => write!(f, "{name} in {} .. {} {unit}", shown(low), shown(high)),
             (Some(low), None) => write!(f, "{name} >= {} {unit}", shown(low)),

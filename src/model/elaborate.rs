@@ -10,7 +10,7 @@ use super::overrides::{Override, apply};
 use super::plan::{Draft, against};
 use super::simulate::Around;
 use super::understanding::Understanding;
-use super::{DefaultUsed, FaultMode, Model, Vehicle, lag, mission, sense, vehicle};
+use super::{DefaultUsed, FaultMode, Model, Vehicle, lag, mission, sense, vehicle, volume};
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::number::number;
 use crate::source::{Span, Spanned};
@@ -130,7 +130,10 @@ fn whole<'a>(
 
     let fallback = mission.map(|m| m.span).or(vehicle.map(|v| v.span)).unwrap_or_default();
     let incomplete = modes.incomplete || vehicle.is_none();
-    let flown = mission.and_then(|m| m.mission.as_ref());
+    let known = vehicle.and_then(|v| v.vehicle.as_ref());
+    let mut flown = mission.and_then(|m| m.mission.clone());
+    let volumes_fit = flown.as_mut().zip(known).is_none_or(|(flown, vehicle)| volume::impose(cx, flown, vehicle));
+    let flown = flown.as_ref();
     let (names_modes, empty_against) = (draft.names_modes(), draft.empty_against());
     let draft_span = draft.span;
     let (plan, plan_time, plan_defaults) = draft.finish(cx, &modes, incomplete, flown, fallback);
@@ -141,8 +144,9 @@ fn whole<'a>(
     if let Some(flown) = flown {
         sense::check_pace(cx, &flown.waypoints, plan_time);
     }
-    let known = vehicle.and_then(|v| v.vehicle.as_ref());
     let lags_known = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| lag::check(cx, plan, vehicle));
+    let model_fits =
+        plan.as_ref().zip(flown).is_none_or(|(plan, mission)| volume::only_in_the_exact_model(cx, plan, mission));
     let around = Around {
         modes: &modes.modes,
         families: &modes.families,
@@ -154,7 +158,7 @@ fn whole<'a>(
     };
     let flight_blocks = [&blocks.simulations, &blocks.campaigns].map(|blocks| blocks.first().copied());
     let (simulation, campaign) = flight_blocks::read(cx, flight_blocks, flights, &around, &mut defaults);
-    let plan = plan.filter(|_| manner_fine && lags_known)?;
+    let plan = plan.filter(|_| manner_fine && lags_known && volumes_fit && model_fits)?;
     let (simulation, campaign) = (simulation?, campaign?);
     if mission.is_some() && flown.is_none() {
         return None;

@@ -61,6 +61,9 @@ impl LimitKind {
             LimitKind::YawRate => ("yaw rate", "deg/s", degrees),
             LimitKind::YawAcceleration => ("yaw acceleration", "deg/s^2", degrees),
             LimitKind::Tilt => ("tilt", "deg", degrees),
+            LimitKind::Face => ("position across a face", "m", 1.0),
+            LimitKind::Distance => ("distance from the centre", "m", 1.0),
+            LimitKind::Clearance => ("distance from a body", "m", 1.0),
         }
     }
 }
@@ -228,7 +231,7 @@ fn one<'a>(
         cx.report(error.here("out of range").help(help));
         return None;
     }
-    Some(Limit { kind, lower, upper, span })
+    Some(Limit { kind, lower, upper, span, volume: None })
 }
 
 /// `1 .. 30 m` for `30 .. 1 m`: a unit that applies to both ends stays at the end.

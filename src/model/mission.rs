@@ -13,7 +13,7 @@ use super::fields::Fields;
 use super::grid::Spacing;
 use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
-use super::{Mission, Waypoint, edits, limits, sense, survey};
+use super::{Mission, Waypoint, edits, limits, sense, survey, volume};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::curve_head::POINTS;
@@ -134,6 +134,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     };
     let (mut start_at_rest, mut end_at_rest) = (true, true);
     let mut limit_block: Option<&Block> = None;
+    let mut volume_blocks: Vec<&Block> = Vec::new();
     let (mut limits, mut limits_whole) = (Vec::new(), true);
     // The number of waypoints before the first statement with an error: these are certain.
     let mut sure = None;
@@ -167,6 +168,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
             },
             Statement::Hold { duration, span } => hold(cx, duration, *span, &mut route),
             Statement::Moving { end, .. } => *if end.value { &mut end_at_rest } else { &mut start_at_rest } = false,
+            Statement::Block(inner) if volume::is_one(inner) => volume_blocks.push(inner),
             Statement::Block(inner) => match limit_block {
                 Some(first) => {
                     let message = "a mission may have only one `limits` block";
@@ -199,6 +201,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
             sure.get_or_insert(before.saturating_sub(usize::from(holds)));
         }
     }
+    let (volumes, volumes_whole) = volume::read(cx, &volume_blocks);
     let mut sure = sure.unwrap_or(route.waypoints.len());
     if route.waypoints.len() < 2 && !route.broken {
         let message = format!("mission `{name}` needs at least two waypoints");
@@ -224,7 +227,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     limits::check(cx, &limits, &route.waypoints, &numbers, sure);
     route.broken |= !in_order;
     let legs = shares(&route.waypoints, &route.curves, manner.timing);
-    let mission = (limits_whole && !route.broken).then(|| Mission {
+    let mission = (limits_whole && volumes_whole && !route.broken).then(|| Mission {
         name: name.clone(),
         doc: block.doc.clone(),
         waypoints: route.waypoints,
@@ -233,6 +236,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         start_at_rest,
         end_at_rest,
         limits,
+        volumes,
         span,
     });
     Outline { name, span, mission, yaw_defaulted }

@@ -11,8 +11,8 @@ use super::fields::Fields;
 use super::sense::{Written, check_vehicle};
 use super::{Allocation, DefaultUsed, Spin, Vehicle};
 use crate::diagnostic::Diagnostic;
-use crate::language::Group;
 use crate::language::table::{placed_rotor, vehicle as table};
+use crate::language::{Entry, Group};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
@@ -85,6 +85,11 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
         _ => None,
     };
+    let mut length = |entry: &'static Entry| match fields.get(entry.name) {
+        Some(expr) => cx.quantity(entry, expr, POSITIVE).map(Some),
+        None => Some(None),
+    };
+    let (propeller_radius, size) = (length(&table::PROPELLER_RADIUS), length(&table::SIZE));
     let allocation = match fields.word(cx, "mavc::vehicle::allocation", &table::ALLOCATION) {
         Some(word) => ALLOCATIONS.into_iter().find(|a| Some(a.name()) == word),
         None => Some(Allocation::Bounded),
@@ -94,21 +99,27 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         false => vec![DefaultUsed::of("vehicle", &table::ALLOCATION)],
     };
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let vehicle = match (mass.zip(allocation), inertia, rotors, mass_expr) {
-        (Some(((mass, mass_spread), allocation)), Some(inertia), Some(rotors), Some(mass_expr)) if !broken => {
-            Some(Vehicle {
-                name: name.clone(),
-                doc: block.doc.clone(),
-                layout,
-                mass,
-                mass_spread,
-                inertia,
-                rotors,
-                allocation,
-                span,
-                mass_span: mass_expr.span,
-            })
-        }
+    let lengths = propeller_radius.zip(size);
+    let vehicle = match (mass.zip(allocation).zip(lengths), inertia, rotors, mass_expr) {
+        (
+            Some((((mass, mass_spread), allocation), (propeller_radius, size))),
+            Some(inertia),
+            Some(rotors),
+            Some(mass_expr),
+        ) if !broken => Some(Vehicle {
+            name: name.clone(),
+            doc: block.doc.clone(),
+            layout,
+            mass,
+            mass_spread,
+            inertia,
+            propeller_radius,
+            size,
+            rotors,
+            allocation,
+            span,
+            mass_span: mass_expr.span,
+        }),
         _ => None,
     };
     let mut vehicle_fits = true;

@@ -78,6 +78,9 @@ pub fn past(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
         LimitKind::AccelerationHorizontal => norm(&[X, Y], 2),
         LimitKind::Jerk => norm(&[X, Y, Z], 3),
         LimitKind::Tilt => tilt(state, gravity),
+        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => {
+            limit.value_at([state[X][0], state[Y][0], state[Z][0]]).unwrap_or(0.0)
+        }
     };
     let over = limit.upper.map_or(f64::NEG_INFINITY, |u| value - u);
     let under = limit.lower.map_or(f64::NEG_INFINITY, |l| l - value);

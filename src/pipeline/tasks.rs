@@ -71,8 +71,8 @@ pub fn compare(spec: &Spec) -> Result<Comparison, Refusal> {
     Ok(Task::to_compare(spec)?.compare(&Silent))
 }
 
-/// Explains why no plan was found: nearby times (s) at which there is one; or an irreducible set of statements of the spec that
-/// cannot hold together, with changes of single statements that were tried and give a plan (docs/method.md, section 9).
+/// Explains why no plan was found: nearby times (s) at which there is one; or an irreducible set of statements of the spec for
+/// which together no plan was found or none exists, with changes of single statements that were tried and give a plan (docs/method.md, section 9).
 ///
 /// `planning` is the outcome of [`plan`] for this spec. If it is a plan, both parts of the result are empty.
 ///
@@ -233,7 +233,7 @@ impl Planning {
 pub struct Explained {
     /// Times below and above the spec's at which the planner found a plan. If there is one, no statement is blamed.
     pub nearby: Nearby,
-    /// Statements that cannot hold together, and changes that give a plan.
+    /// Statements for which together there is no plan or none was found, and changes that give a plan.
     pub conflict: Option<Explanation>,
 }
 

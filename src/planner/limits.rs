@@ -1,13 +1,14 @@
 //! A mission's limits as rows: linear for one axis, second-order cones for norms.
 
-use crate::model::{Limit, LimitKind};
+use crate::geometry::body::{Body, Separation};
+use crate::model::{Bounded as Position, Limit, LimitKind};
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::transcription::{Transcription, UPRIGHT};
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 
 /// What a limit bounds: `sign` times one derivative of one axis, or the norm of some.
-enum Bounded {
+enum Bounded<'l> {
     Axis {
         axis: usize,
         order: usize,
@@ -21,12 +22,19 @@ enum Bounded {
     Tilt,
     /// |(x''', y''', z''')|, where z''' is constant over an interval.
     Jerk,
+    /// `normal . (x, y, z)`.
+    Along([f64; 3]),
+    /// The distance of the first coordinates from a point.
+    From(&'l [f64]),
+    /// The distance of (x, y, z) from a convex body.
+    FromBody(&'l Body),
+    Nothing,
 }
 
-fn bounded(kind: LimitKind) -> Bounded {
+fn bounded(limit: &Limit) -> Bounded<'_> {
     let axis = |axis, order, sign| Bounded::Axis { axis, order, sign };
     let norm = |axes, order| Bounded::Norm { axes, order };
-    match kind {
+    match limit.kind {
         LimitKind::X => axis(X, 0, 1.0),
         LimitKind::Y => axis(Y, 0, 1.0),
         LimitKind::Z => axis(Z, 0, 1.0),
@@ -41,12 +49,22 @@ fn bounded(kind: LimitKind) -> Bounded {
         LimitKind::AccelerationHorizontal => norm(&[X, Y], 2),
         LimitKind::Tilt => Bounded::Tilt,
         LimitKind::Jerk => Bounded::Jerk,
+        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => {
+            match limit.volume.as_deref().map(|volume| &volume.quantity) {
+                Some(Position::Along(normal)) => Bounded::Along(*normal),
+                Some(Position::From(centre)) => Bounded::From(centre),
+                Some(Position::FromAxis(centre)) => Bounded::From(centre),
+                Some(Position::FromBody(body)) => Bounded::FromBody(body),
+                Some(Position::Coordinate) | None => Bounded::Nothing,
+            }
+        }
     }
 }
 
-/// Whether a limit bounds a place (x, y, z or yaw), and so does not depend on time.
+/// Whether a limit bounds a place (x, y, z, yaw or a volume), and so does not depend on time.
 pub(super) fn place(kind: LimitKind) -> bool {
-    matches!(kind, LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw)
+    use LimitKind::{Clearance, Distance, Face, X, Y, Yaw, Z};
+    matches!(kind, X | Y | Z | Yaw | Face | Distance | Clearance)
 }
 
 /// By how much bounds are widened in a program.
@@ -56,17 +74,24 @@ pub(super) struct Widening {
     /// The relative change delta of the duration: derivatives of order m then shrink by (1 + delta)^m, so that bounds on them, in
     /// the old time, grow by at least m delta.
     duration_change: Affine,
+    /// How much further inside the bounds of volumes the position stays, m; see [`Transcription::room`].
+    room: f64,
 }
 
 impl Widening {
     /// Each bound wider by this share of itself, the duration unchanged.
     pub fn by(share: &Affine) -> Self {
-        Widening { share: share.clone(), duration_change: Affine::default() }
+        Widening { share: share.clone(), duration_change: Affine::default(), room: 0.0 }
     }
 
     /// The same with a relative change of the duration.
     pub fn with_duration_change(self, change: &Affine) -> Self {
         Widening { duration_change: change.clone(), ..self }
+    }
+
+    /// The same with volumes kept by this much more, m.
+    pub fn with_room(self, room: f64) -> Self {
+        Widening { room, ..self }
     }
 
     /// A bound on a derivative of the given order; `side` is 1 for upper bounds, -1 for lower ones.
@@ -76,6 +101,23 @@ impl Widening {
         wider.add(&self.duration_change, bound * order as f64);
         wider
     }
+
+    /// A lower bound on the distance from a body, m. It is not convex, so the share applies to it: [`CLEARANCE_UNIT`] a unit.
+    fn clearance(&self, lower: f64) -> Affine {
+        let mut wider = Affine::constant(lower);
+        wider.add(&self.share, -CLEARANCE_UNIT);
+        wider
+    }
+}
+
+/// A violation of one unit of a distance from a body, m.
+const CLEARANCE_UNIT: f64 = 1.0;
+
+/// `normal . p`.
+fn along(normal: [f64; 3], p: &[Affine]) -> Affine {
+    let mut sum = Affine::default();
+    normal.iter().zip(p).for_each(|(n, part)| sum.add(part, *n));
+    sum
 }
 
 /// How much wider a bound becomes per unit of share: by itself, or not at all if it bounds a position.
@@ -87,6 +129,8 @@ impl Transcription<'_> {
     /// Adds one limit's rows at one instant.
     pub(super) fn limit(&self, builder: &mut Builder, index: usize, instant: usize, widening: &Widening) {
         let limit = &self.mission.limits[index];
+        let room = if limit.volume.is_some() { widening.room } else { 0.0 };
+        let (lower, upper) = (limit.lower.map(|bound| bound + room), limit.upper.map(|bound| bound - room));
         let origin = RowOrigin::Limit { limit: index, node: instant / self.parts };
         let parts = |axes: &[usize], order: usize| -> Vec<Affine> {
             axes.iter().map(|&a| self.derivative(instant, a, order)).collect()
@@ -94,10 +138,10 @@ impl Transcription<'_> {
         let mut cone = |reach: Affine, parts: Vec<Affine>| {
             builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
         };
-        match (self.bounded(limit.kind), limit.upper) {
+        match (self.bounded(limit), upper) {
             (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
                 let value = self.derivative(instant, axis, order).times(sign);
-                for (bound, side) in [(limit.upper, 1.0), (limit.lower, -1.0)] {
+                for (bound, side) in [(upper, 1.0), (lower, -1.0)] {
                     let Some(bound) = bound else { continue };
                     let mut row = widening.bound(bound, order, side).times(side);
                     row.add(&value, -side);
@@ -121,8 +165,37 @@ impl Transcription<'_> {
                     cone(widening.bound(upper, 3, 1.0), parts);
                 }
             }
+            (Bounded::Along(normal), Some(upper)) if self.plans(X) => {
+                let mut row = widening.bound(upper, 0, 1.0);
+                row.add(&along(normal, &parts(&[X, Y, Z], 0)), -1.0);
+                builder.nonnegative(row, origin);
+            }
+            (Bounded::From(centre), Some(upper)) if self.plans(X) => {
+                let coordinates = parts(&[X, Y, Z][..centre.len()], 0);
+                let from_centre = coordinates.into_iter().zip(centre).map(|(part, c)| part.plus_constant(-c)).collect();
+                cone(widening.bound(upper, 0, 1.0), from_centre);
+            }
+            // The distance is at least that from the plane that separates the body from a position nearby. Without such a
+            // position there is no row, and the program is a relaxation.
+            (Bounded::FromBody(body), None) if self.plans(X) => {
+                let near = self.positions.and_then(|positions| positions.get(instant));
+                let (Some(&near), Some(lower)) = (near, lower) else { return };
+                let Separation { normal, support, .. } = body.separation(near);
+                let mut row = along(normal, &parts(&[X, Y, Z], 0)).plus_constant(-support);
+                row.add(&widening.clearance(lower), -1.0);
+                builder.nonnegative(row, origin);
+            }
             _ => {}
         }
+    }
+
+    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion with an acceleration g may move away
+    /// from the line through two neighbouring instants, `g delta^2 / 8` with delta the time between them.
+    pub(super) fn room(&self, instant: usize) -> f64 {
+        let interval = (instant / self.parts).min(self.grid.intervals() - 1);
+        let times = &self.grid.node_times;
+        let apart = (times[interval + 1] - times[interval]) / self.parts as f64;
+        self.model.gravity * apart * apart / 4.0
     }
 
     /// The row (68): z'' + g >= [`UPRIGHT`] g.
@@ -138,8 +211,8 @@ impl Transcription<'_> {
     }
 
     /// What a limit bounds, given the integrators: the jerk along z is a state or the slope of the input.
-    fn bounded(&self, kind: LimitKind) -> Bounded {
-        match bounded(kind) {
+    fn bounded<'l>(&self, limit: &'l Limit) -> Bounded<'l> {
+        match bounded(limit) {
             Bounded::Jerk if self.orders[Z] > 2 => Bounded::Norm { axes: &[X, Y, Z], order: 3 },
             other => other,
         }
@@ -149,7 +222,7 @@ impl Transcription<'_> {
     /// yaw); negative inside.
     pub(super) fn limit_violation(&self, limit: &Limit, states: &[NodeState], node: usize, sigma: f64) -> f64 {
         let mut state = states[node];
-        if let Bounded::Jerk = self.bounded(limit.kind) {
+        if let Bounded::Jerk = self.bounded(limit) {
             let slope = |(interval, step): (usize, f64)| (states[interval + 1][Z][2] - states[interval][Z][2]) / step;
             state[Z][3] = self.intervals_beside(node).map(slope).fold(0.0, |m: f64, s| m.max(s.abs()));
         }
@@ -160,7 +233,8 @@ impl Transcription<'_> {
     pub(super) fn violation_of(&self, limit: &Limit, state: &NodeState, sigma: f64) -> f64 {
         let length = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
         let share = |violation: f64, scale: f64| if scale > 0.0 { violation / scale - sigma } else { violation };
-        match (bounded(limit.kind), limit.upper) {
+        let position = [state[X][0], state[Y][0], state[Z][0]];
+        match (bounded(limit), limit.upper) {
             (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
                 let value = sign * state[axis][order];
                 let over = limit.upper.map(|upper| share(value - upper, widens(order, upper)));
@@ -173,6 +247,13 @@ impl Transcription<'_> {
                 share(length(&[X, Y], 2) - tan * (g + state[Z][2]), g * tan)
             }
             (Bounded::Jerk, Some(upper)) if self.plans(X) => share(length(&[X, Y, Z], 3) - upper, upper),
+            (Bounded::Along(_) | Bounded::From(_), Some(upper)) if self.plans(X) => {
+                limit.value_at(position).map_or(f64::NEG_INFINITY, |value| value - upper)
+            }
+            (Bounded::FromBody(body), None) if self.plans(X) => {
+                let short = limit.lower.map(|lower| lower - body.separation(position).distance);
+                short.map_or(f64::NEG_INFINITY, |short| share(short, CLEARANCE_UNIT))
+            }
             _ => f64::NEG_INFINITY,
         }
     }

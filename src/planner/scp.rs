@@ -25,6 +25,7 @@ mod stopping;
 mod subproblem;
 mod tightening;
 mod violation;
+mod way_around;
 
 pub use exact::ExactPlanner;
 pub use given_time::NOT_FOUND;
@@ -303,8 +304,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             local_tightening: &local_tightening,
             commands: commands.as_ref(),
         };
-        let stages = self.transcription(&iterate.grid, &linear.maps);
-        let splines = known.map(|known| self.transcription(&iterate.grid, &linear.maps).in_these(known));
+        let positions = self.positions(iterate);
+        let form = || self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
+        let (stages, splines) = (form(), known.map(|known| form().in_these(known)));
         let most = settings.subproblem.max_stiffness * self.cost(iterate);
         let splines = splines.filter(|form| form.stiffness() <= most);
         // Tried in turn until one is solved: splines with the solver's scaling, stage variables without it and then with it.

@@ -82,6 +82,8 @@ pub struct Transcription<'a> {
     pub parts: usize,
     /// Of a stop: the state in which the fault strikes. See [`crate::planner::stop`].
     pub struck: Option<NodeState>,
+    /// The position at each instant (m) about which distances from bodies are linearised.
+    pub positions: Option<&'a [[f64; 3]]>,
     /// Unit of time of the scaled variables at each node, s.
     taus: Vec<f64>,
     form: Form,
@@ -121,6 +123,7 @@ impl<'a> Transcription<'a> {
             orders: ORDER,
             parts: 1,
             struck: None,
+            positions: None,
             taus: units::units_of_time(grid),
             form: Form::Stages,
         }
@@ -139,6 +142,11 @@ impl<'a> Transcription<'a> {
     /// The same from the state in which a fault strikes, if one does, to rest.
     pub(super) fn stopping_from(self, struck: Option<NodeState>) -> Self {
         Transcription { struck, ..self }
+    }
+
+    /// The same with distances from bodies linearised about these positions (m), one per instant.
+    pub(super) fn about(self, positions: Option<&'a [[f64; 3]]>) -> Self {
+        Transcription { positions, ..self }
     }
 
     /// The same program for other bounds: limits and tolerances of `mission`, rows of `set`, each as many as before.

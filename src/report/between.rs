@@ -23,11 +23,17 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
         proved.extend(by_proof);
         checked.extend(on_grid);
     }
-    let exceeded: Vec<usize> = exceeded_limits(model, solved).iter().map(|violation| violation.limit).collect();
+    // A volume, which may have several limits, holds as the weakest of these does.
+    let exceeded = exceeded_limits(model, solved);
+    let of_volume = |i: usize| model.mission.as_ref().is_some_and(|mission| mission.limits[i].volume.is_some());
+    let are_one = |i: usize, j: usize| i == j || of_volume(i) && of_volume(j) && limits[i].rows == limits[j].rows;
+    let is_exceeded = |i: usize| exceeded.iter().any(|violation| are_one(i, violation.limit));
+    let is_checked = |i: usize| (0..limits.len()).any(|j| are_one(i, j) && limits[j].shown == Shown::Checked);
     let satisfied = |shown: Shown| {
-        let satisfied = limits.iter().enumerate().filter(|(i, b)| b.shown == shown && !exceeded.contains(i));
-        let mut names: Vec<&str> = satisfied.map(|(_, b)| b.rows).collect();
-        // Two statements may bound the same quantity, from above and from below.
+        let holds = |(i, _): &(usize, &&Between)| !is_exceeded(*i) && (shown == Shown::Checked) == is_checked(*i);
+        let satisfied = limits.iter().enumerate().filter(holds);
+        let mut names: Vec<&str> = satisfied.map(|(_, b)| b.rows.as_str()).collect();
+        // Two statements may bound the same quantity, from above and from below, and a volume has several limits.
         names.dedup();
         match names[..] {
             [] => None,

@@ -62,6 +62,7 @@ fn record(model: &Model, mission: &Mission, statement: Statement, time_saved_s: 
             let limit = &mission.limits[limit];
             let relaxed_by = match limit.kind {
                 LimitKind::X | LimitKind::Y | LimitKind::Z => "10 cm",
+                LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => "10 cm",
                 LimitKind::Yaw => "1 deg",
                 _ => "1 %",
             };
@@ -86,8 +87,11 @@ fn place(mission: &Mission, waypoint: usize) -> String {
     mission.waypoints[waypoint].name.clone().unwrap_or_else(|| format!("waypoint {}", waypoint + 1))
 }
 
-/// `climb <= 4 m/s`
+/// `climb <= 4 m/s`, `keep_in field`
 fn bound(limit: &Limit) -> String {
+    if let Some(volume) = &limit.volume {
+        return volume.name.clone();
+    }
     let (name, unit, factor) = limit.kind.name_and_unit();
     let value = |bound: f64| number(bound * factor);
     match (limit.lower, limit.upper) {

@@ -12,7 +12,7 @@ use serde::Serialize;
 pub struct Caveat {
     pub kind: CaveatKind,
     /// The exceeded limit, in words.
-    pub limit: Option<&'static str>,
+    pub limit: Option<String>,
     /// SI: by how much a limit is exceeded, the number of legs with fewer pieces, the speed, the tilt (rad), the thrust (N).
     pub value: f64,
     /// The worst instant, s since the start.
@@ -84,10 +84,11 @@ fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
 pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
     let exceeded = exceeded_limits(model, solved).into_iter().map(|e| {
-        let (name, unit, factor) = limits[e.limit].kind.name_and_unit();
+        let (_, unit, factor) = limits[e.limit].kind.name_and_unit();
+        let name = limits[e.limit].name();
         Caveat {
             kind: CaveatKind::LimitBetweenSamples,
-            limit: Some(name),
+            limit: Some(name.to_string()),
             value: e.by,
             at_s: e.at,
             message: format!(

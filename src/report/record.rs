@@ -6,6 +6,7 @@ use super::conflict_record::ConflictRecord;
 use super::least_time;
 use super::terminal::counted;
 use super::verdict_text::statement;
+use super::volumes::{self, VolumeRecord};
 use super::waypoints::{WaypointRecord, waypoints};
 use crate::certify::between::Between;
 use crate::model::{Mission, Model};
@@ -150,6 +151,9 @@ pub struct PlannerRecord {
     pub check: Option<CheckRecord>,
     /// The constraints that limit the time of each leg, if `mavc plan` searched for the time; empty otherwise.
     pub limited_by: Vec<BindingRecord>,
+    /// How near the plan comes to the boundaries of volumes; omitted without volumes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub volumes: Vec<VolumeRecord>,
     /// To what extent the plan's rows are shown to hold between nodes, if `mavc plan` wrote the report.
     pub between_nodes: Option<Vec<Between>>,
 }
@@ -299,6 +303,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             record.risk = rated_risk(&rates(model), &solved.committed);
             record.warnings = caveats(model, solved);
             record.limited_by = binding::records(model, mission, solved);
+            record.volumes = volumes::records(model, mission, solved);
             record.modes = comparison
                 .modes
                 .iter()

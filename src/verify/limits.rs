@@ -4,6 +4,7 @@ use super::cost::OF_A_LIMIT;
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
+use super::volumes;
 use crate::model::{Limit, LimitKind};
 
 /// Value and rate of change.
@@ -22,6 +23,7 @@ pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
         };
         let series = wanted.iter().filter_map(|&m| sides.get(m)).map(|side| match kind {
             LimitKind::Tilt => tilted(side),
+            LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => volumes::past(limit, state, *side),
             _ => plain(side),
         });
         series.map(|s| Rated { value: s.value(), rate: s.slope() }).collect()
@@ -43,7 +45,7 @@ fn measure(kind: LimitKind) -> Measure {
 /// The limited quantity; tilt is handled separately above.
 fn bounded(kind: LimitKind, state: &State) -> Series {
     match kind {
-        LimitKind::X => series(&state[X], 0),
+        LimitKind::X | LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => series(&state[X], 0),
         LimitKind::Y => series(&state[Y], 0),
         LimitKind::Z => series(&state[Z], 0),
         LimitKind::Yaw => series(&state[YAW], 0),

@@ -53,7 +53,7 @@ pub fn along(normal: &[Interval; 4], vector: &[Interval; 4]) -> Interval {
 /// The exact wrenches of a mode.
 #[derive(Debug, Clone)]
 pub struct Generators {
-    center: Exact,
+    offset: Exact,
     /// One per rotor; zero if it cannot vary.
     own: Vec<Exact>,
     /// Generators of the healthy vehicle.
@@ -122,20 +122,20 @@ impl Generators {
             (idle, full)
         };
         let healthy = vehicle.rotors.iter().map(nominal).map(|(idle, full)| difference(&full, &idle)).collect();
-        let mut center = zero();
+        let mut offset = zero();
         let mut own = Vec::new();
         for (k, rotor) in vehicle.rotors.iter().enumerate() {
             let known = Known::of(rotor);
             match mode.and_then(|m| m.stuck.get(k).copied().flatten()) {
                 // Stuck at a share of full thrust.
                 Some(share) => {
-                    center = sum(&center, &scaled(&known.middle, share));
+                    offset = sum(&offset, &scaled(&known.middle, share));
                     own.push(zero());
                 }
                 // From the lowest speed to the highest, times the capacity.
                 None => {
                     let capacity = mode.and_then(|m| m.capacity.get(k).copied()).unwrap_or(1.0);
-                    center = sum(&center, &scaled(&known.idle, capacity));
+                    offset = sum(&offset, &scaled(&known.idle, capacity));
                     own.push(scaled(&difference(&known.full, &known.idle), capacity));
                 }
             }
@@ -143,7 +143,7 @@ impl Generators {
         let mut hover = zero();
         hover[0] = Dyadic::of(vehicle.mass).times(&Dyadic::of(gravity));
         Generators {
-            center,
+            offset,
             own,
             healthy,
             hover,
@@ -304,7 +304,7 @@ impl Generators {
     /// n.c + sum of max(0, n.g_k), exactly.
     fn support(&self, normal: &Exact) -> Dyadic {
         let reach = self.own.iter().map(|g| dot(normal, g)).filter(|v| v.sign() == Ordering::Greater);
-        reach.fold(dot(normal, &self.center), |sum, v| sum.plus(&v))
+        reach.fold(dot(normal, &self.offset), |sum, v| sum.plus(&v))
     }
 
     /// n.w <= e after shrinking by intervals.

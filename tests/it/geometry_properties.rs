@@ -61,20 +61,20 @@ fn capacities() -> impl Strategy<Value = Vec<f64>> {
 fn generators(model: &Model, capacity: &[f64]) -> Set {
     let actuation = Actuation::of(&model.vehicle);
     let generators = (0..actuation.rotors()).map(|k| actuation.full(k) * capacity[k]).collect();
-    Zonotope { center: Wrench::zeros(), generators }
+    Zonotope { offset: Wrench::zeros(), generators }
 }
 
 fn set() -> impl Strategy<Value = Set> {
     (vehicle(10), capacities(), prop::array::uniform4(-1.0..1.0f64)).prop_map(|(model, capacity, c)| {
         let mut set = generators(&model, &capacity);
-        set.center = Wrench::from(c).component_mul(&Wrench::new(5.0, 0.5, 0.5, 0.05));
+        set.offset = Wrench::from(c).component_mul(&Wrench::new(5.0, 0.5, 0.5, 0.05));
         set
     })
 }
 
 /// All 2^n sums.
 fn corners(set: &Set) -> Vec<Wrench> {
-    set.generators.iter().fold(vec![set.center], |all, g| {
+    set.generators.iter().fold(vec![set.offset], |all, g| {
         let shifted: Vec<Wrench> = all.iter().map(|w| w + g).collect();
         all.into_iter().chain(shifted).collect()
     })
@@ -86,12 +86,12 @@ fn rank(points: &[Wrench], scale: &Wrench) -> usize {
 }
 
 fn size(set: &Set) -> f64 {
-    set.center.norm() + set.generators.iter().map(nalgebra::Matrix::norm).sum::<f64>()
+    set.offset.norm() + set.generators.iter().map(nalgebra::Matrix::norm).sum::<f64>()
 }
 
 /// A point of the box around the set, a little larger than it.
 fn around(set: &Set, at: &[f64; 4]) -> Wrench {
-    let (mut low, mut high) = (set.center, set.center);
+    let (mut low, mut high) = (set.offset, set.offset);
     for g in &set.generators {
         low += g.map(|v| v.min(0.0));
         high += g.map(|v| v.max(0.0));
@@ -178,7 +178,7 @@ proptest! {
         share in 0.0..0.95f64,
     ) {
         let polytope = set.facets();
-        let middle = set.generators.iter().fold(set.center, |c, g| c + 0.5 * g);
+        let middle = set.generators.iter().fold(set.offset, |c, g| c + 0.5 * g);
         let shrunk = polytope.shrink_about(&middle, share);
         let w = around(&set, &at);
         let stretched = middle + (w - middle) / (1.0 - share);
@@ -230,7 +230,7 @@ proptest! {
         shares in prop::collection::vec(prop_oneof![Just(0.0), Just(1.0), Just(0.5), 0.0..1.0f64], 12),
     ) {
         let set = generators(&model, &capacity);
-        let w = set.generators.iter().zip(&shares).fold(set.center, |sum, (g, t)| sum + g * *t);
+        let w = set.generators.iter().zip(&shares).fold(set.offset, |sum, (g, t)| sum + g * *t);
         let apart = (set.nearest(&w) - w).norm();
         prop_assert!(apart <= 1e-9 * size(&set), "{apart:e}");
     }
@@ -248,7 +248,7 @@ proptest! {
         let sets: Vec<Set> = capacity.iter().map(|c| generators(&model, c)).collect();
         let least: Vec<f64> = (0..12).map(|k| capacity.iter().map(|c| c[k]).fold(1.0, f64::min)).collect();
         let core = generators(&model, &least);
-        let inside = core.generators.iter().fold(core.center, |c, g| c + 0.5 * g);
+        let inside = core.generators.iter().fold(core.offset, |c, g| c + 0.5 * g);
         let polytopes: Vec<_> = sets.iter().map(Zonotope::facets).collect();
         let scale = generators(&model, &[1.0; 12]).scale();
         let joint = intersect(&polytopes.iter().collect::<Vec<_>>(), &inside, &scale);

@@ -62,7 +62,7 @@ proptest! {
         model.modes.push(mode);
         let set = AdmissibleSet::of_mode(&model, 0);
         let corners = corners(&model, 0);
-        let size = set.zonotope.scale()[0] + set.zonotope.center.norm();
+        let size = set.zonotope.scale()[0] + set.zonotope.offset.norm();
         for w in &corners {
             prop_assert!(set.polytope.contains(w, 1e-9 * size));
         }
@@ -79,9 +79,9 @@ fn a_lost_rotor_gives_wrenches_that_the_healthy_vehicle_cannot() {
     model.modes.push(lost(&model, &[1]));
     let [healthy, without] = [AdmissibleSet::healthy(&model), AdmissibleSet::of_mode(&model, 0)];
     // All others at their lowest: less thrust than the healthy vehicle has at least.
-    let least = without.zonotope.center;
+    let least = without.zonotope.offset;
     let idle = model.vehicle.rotors[0].idle_thrust();
-    assert!((least[0] - 7.0 * idle).abs() < 1e-12 && (healthy.zonotope.center[0] - 8.0 * idle).abs() < 1e-12);
+    assert!((least[0] - 7.0 * idle).abs() < 1e-12 && (healthy.zonotope.offset[0] - 8.0 * idle).abs() < 1e-12);
     assert!(without.polytope.contains(&least, 1e-9) && !healthy.polytope.contains(&least, 1e-3));
 }
 

@@ -83,7 +83,7 @@ proptest! {
         let planned = set.guaranteed(&model);
         let possible = possible(&model, &set);
         let scale = set.zonotope.scale();
-        let middle = set.zonotope.center + 0.5 * set.zonotope.generators.iter().sum::<Wrench>();
+        let middle = set.zonotope.offset + 0.5 * set.zonotope.generators.iter().sum::<Wrench>();
         for (mass, places) in &values {
             let other = at(&model, *mass, places);
             let there = AdmissibleSet::of_mode(&other, 0);
@@ -91,7 +91,7 @@ proptest! {
             for (shares, along) in &points {
                 // Any wrench about the set, moved into what is guaranteed where that is not empty.
                 let any: Wrench =
-                    set.zonotope.generators.iter().zip(shares).map(|(g, t)| g * *t).sum::<Wrench>() + set.zonotope.center;
+                    set.zonotope.generators.iter().zip(shares).map(|(g, t)| g * *t).sum::<Wrench>() + set.zonotope.offset;
                 if let Some(inside) = sure.as_ref().and_then(|rows| rows.nearest(&any)) {
                     prop_assert!(there.polytope.contains(&inside, 1e-9 * scale[0]), "{inside}");
                 }

@@ -30,6 +30,7 @@ fn tables() -> Vec<(&'static str, String)> {
         ("curve", markdown(Group::Curve)),
         ("head of a curve", markdown(Group::CurveHead)),
         ("limits", markdown(Group::Limits)),
+        ("volume", markdown(Group::Volume)),
         ("plan", markdown(Group::Plan)),
         ("strike", markdown(Group::Strike)),
         ("simulate", markdown(Group::Simulate)),

@@ -18,6 +18,7 @@ mod geometry_properties;
 mod hostile;
 mod idle_rotors;
 mod intervals;
+mod keep_volumes;
 mod lag;
 mod language;
 mod lsp;

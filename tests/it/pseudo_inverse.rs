@@ -78,7 +78,7 @@ proptest! {
         let zonotope = &set.zonotope;
         let (bounded, bounded_size) = (zonotope.facets(), zonotope.scale()[0]);
         for shares in &points {
-            let w = zonotope.generators.iter().zip(shares).map(|(g, t)| g * *t).sum::<Wrench>() + zonotope.center;
+            let w = zonotope.generators.iter().zip(shares).map(|(g, t)| g * *t).sum::<Wrench>() + zonotope.offset;
             let room = room(&model, 0, &w);
             prop_assume!(room.abs() > 1e-6);
             prop_assert_eq!(set.polytope.contains(&w, 0.0), room > 0.0, "{}", room);
@@ -126,8 +126,8 @@ fn the_share_that_is_unreached_is_what_sampling_finds() {
     let set = AdmissibleSet::of_mode(&model, 0);
     let share = analyze(&model, &set).unreached_share.unwrap();
     let bounded = set.zonotope.facets();
-    let (scale, center) = (set.zonotope.scale(), set.zonotope.center);
-    let middle = center + 0.5 * set.zonotope.generators.iter().sum::<Wrench>();
+    let (scale, offset) = (set.zonotope.scale(), set.zonotope.offset);
+    let middle = offset + 0.5 * set.zonotope.generators.iter().sum::<Wrench>();
     // A rank-1 lattice of the box around the set (Korobov): far more even than random points.
     let (mut inside, mut reached) = (0.0, 0.0);
     let points = 200_003_u64;

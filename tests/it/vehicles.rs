@@ -33,6 +33,8 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             mass,
             mass_spread: Spread::NONE,
             inertia,
+            propeller_radius: None,
+            size: None,
             rotors,
             allocation: Allocation::Bounded,
             span,
@@ -130,12 +132,13 @@ pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
         start_at_rest: true,
         end_at_rest: true,
         limits: Vec::new(),
+        volumes: Vec::new(),
         span: Span::default(),
     }
 }
 
 pub fn limit(kind: LimitKind, upper: f64) -> Limit {
-    Limit { kind, lower: None, upper: Some(upper), span: Span::default() }
+    Limit { kind, lower: None, upper: Some(upper), span: Span::default(), volume: None }
 }
 
 /// Viviani's curve of section 5.4 with a = 4 m: 21 points evenly spaced in s and time.

@@ -13,7 +13,7 @@ fn zonotope() -> impl Strategy<Value = Zonotope<4>> {
     let anywhere = prop::array::uniform4(-2.0..2.0f64).prop_map(Wrench::from);
     let generators = prop_oneof![prop::collection::vec(raster, 4..8), prop::collection::vec(anywhere, 4..8)];
     (prop::array::uniform4(-2.0..2.0f64), generators)
-        .prop_map(|(center, generators)| Zonotope { center: Wrench::from(center), generators })
+        .prop_map(|(offset, generators)| Zonotope { offset: Wrench::from(offset), generators })
 }
 
 /// `n.x <= offset` with a normal of any length.
@@ -58,7 +58,7 @@ fn by_all_faces(set: &Zonotope<4>, w: &Wrench) -> f64 {
         if free.len() > 4 {
             continue; // a face's point needs no more than four between
         }
-        let corner = (0..n).filter(|&k| place(k) == 1).fold(set.center, |sum, k| sum + set.generators[k]);
+        let corner = (0..n).filter(|&k| place(k) == 1).fold(set.offset, |sum, k| sum + set.generators[k]);
         let mut point = corner;
         if !free.is_empty() {
             let columns = DMatrix::from_fn(4, free.len(), |r, c| set.generators[free[c]][r]);
@@ -78,7 +78,7 @@ proptest! {
 
     #[test]
     fn zonotopes_and_their_facets_have_one_volume(set in zonotope()) {
-        let middle = set.center + 0.5 * set.generators.iter().sum::<Wrench>();
+        let middle = set.offset + 0.5 * set.generators.iter().sum::<Wrench>();
         let tiled = set.volume();
         let by_rows = set.facets().volume(&middle, &set.scale());
         let size: f64 = set.generators.iter().map(nalgebra::Matrix::norm).sum();
@@ -105,7 +105,7 @@ proptest! {
 
     #[test]
     fn shadows_by_rows_are_those_by_generators(set in zonotope()) {
-        let middle = set.center + 0.5 * set.generators.iter().sum::<Wrench>();
+        let middle = set.offset + 0.5 * set.generators.iter().sum::<Wrench>();
         let by_rows = set.facets().shadow(Some(&middle), &set.scale());
         let by_generators = without_yaw(&set).facets();
         let size: f64 = set.generators.iter().map(nalgebra::Matrix::norm).sum();

@@ -16,7 +16,7 @@
 ["use" "waypoints" "from"] @keyword.import
 
 [
-  "let" "require" "vehicle" "faults" "mission" "plan" "simulate" "campaign" "limits" "mode" "every" "curve" "rotor"
+  "let" "require" "vehicle" "faults" "mission" "plan" "simulate" "campaign" "limits" "keep_in" "keep_out" "mode" "every" "curve" "rotor"
   "rotors" "start" "end" "moving" "waypoint" "hold" "fault" "where" "in" "as" "reduced" "to" "stuck" "at"
 ] @keyword
 
@@ -30,6 +30,7 @@
 (mode name: (name) @constant)
 (every name: (name) @constant)
 (strike mode: (name) @constant)
+(volume name: (name) @label)
 (waypoint name: (name) @label)
 (binding name: (name) @variable)
 (curve parameter: (name) @variable.parameter)
@@ -48,8 +49,9 @@
 ; Words that some fields take.
 ((field value: (reference (name) @constant.builtin))
   (#any-of? @constant.builtin
-    "all" "bounded" "continue" "distance" "estimator" "exact" "geometric" "hold" "hover" "instant" "lagging" "land"
-    "minimum" "never" "off" "optimal" "pd" "proportional" "pseudo_inverse" "rcp" "rip" "rsp" "uniform"))
+    "all" "bounded" "box" "continue" "cylinder" "distance" "estimator" "exact" "geometric" "half_space" "hold"
+    "hover" "instant" "lagging" "land" "minimum" "never" "off" "optimal" "pd" "polygon" "proportional"
+    "pseudo_inverse" "rcp" "rip" "rsp" "sphere" "uniform"))
 ((field value: (list (reference (name) @constant.builtin)))
   (#any-of? @constant.builtin "rcp" "rip" "rsp"))
 ((clause value: (reference (name) @constant.builtin))

@@ -55,8 +55,9 @@ pub fn warn_of_dependence(cx: &mut Context, samples: usize, given: Option<&Expr>
         return;
     }
     let enough = (needed as f64 / MOST_NEEDED).ceil() as usize;
-    let message =
-        format!("the shortest time may depend on `samples`: of {samples}, legs and holds need at least {needed}, more than 60 %");
+    let message = format!(
+        "the shortest time may depend on `samples`: of {samples}, legs and holds need at least {needed}, more than 60 %"
+    );
     let warning = Diagnostic::warning("mavc::plan::coarse_grid", span, message).here("few for a search over times");
     let warning = warning.also(mission.span, "this mission").help(format!("write `samples = {enough}` or more"));
     cx.report(match given {

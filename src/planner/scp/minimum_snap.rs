@@ -1,6 +1,7 @@
 //! The minimum-snap initial guess: the least cost through the waypoints, without the set.
 
 use super::*;
+use crate::model::LimitKind;
 use crate::planner::limits::Widening;
 use crate::planner::transcription::Purpose;
 use crate::qp::QuadraticProgram;
@@ -28,12 +29,38 @@ impl Transcription<'_> {
 impl ScpPlanner<'_, '_> {
     /// The minimum-snap motion through the waypoints: the least cost with positions in their limits, without the set. Where an
     /// end is free, [`Transcription::gentleness`] is added to the cost. `None` if the solver gives no point.
+    ///
+    /// If it enters a volume that it must keep out of, it is led around all of them: their distances are linearised about a
+    /// way around, and then about the motion that follows.
     pub(super) fn minimum_snap(&mut self, grid: &TimeGrid) -> Option<Iterate> {
+        let direct = self.minimum_snap_about(grid, None)?;
+        let Some(way) = self.way_around(&direct) else { return Some(direct) };
+        let mut around = self.minimum_snap_about(grid, Some(way.as_slice()))?;
+        for _ in 0..self.settings.guidance.ways {
+            let positions = self.positions(&around);
+            match self.minimum_snap_about(grid, positions.as_deref()) {
+                Some(next) => around = next,
+                None => break,
+            }
+        }
+        Some(around)
+    }
+
+    fn minimum_snap_about(&mut self, grid: &TimeGrid, positions: Option<&[[f64; 3]]>) -> Option<Iterate> {
         // On long legs snap is so small that the solver's tolerance leaves noise in it: the legs are scaled to a mean of 1 s.
         let slower = (grid.total / grid.segments.len() as f64).max(1.0);
         let quick = grid.with_durations_times(|_| 1.0 / slower);
-        let form = self.transcription(&quick, &[]);
-        let places: Vec<RowAt> = self.places(grid).into_iter().collect();
+        let form = self.transcription(&quick, &[]).about(positions);
+        let mut places = self.places(grid);
+        // A coarse grid would cut the corners of a way around.
+        if positions.is_some() {
+            let volumes = self.hover.mission.limits.iter().enumerate().filter(|(_, l)| l.kind == LimitKind::Clearance);
+            let instants = (0..=grid.intervals() * PARTS).step_by(self.settings.guidance.instants);
+            let rows =
+                volumes.flat_map(|(i, _)| instants.clone().map(move |instant| RowAt { row: Row::Limit(i), instant }));
+            places.extend(rows);
+        }
+        let places: Vec<RowAt> = places.into_iter().collect();
         let program = match form.free_ends().next().is_some() {
             true => form.minimum_snap_program(&places),
             false => form.relaxed_program(Purpose::Plan { slack: 0.0 }, &places, f64::INFINITY),

@@ -12,7 +12,7 @@ use crate::qp::RowOrigin;
 /// The unit by which limits and tolerances are relaxed, as a share of themselves, and sets, as a share of the healthy set's width.
 pub const SHARE: f64 = 0.01;
 
-/// The unit by which limits on x, y and z are relaxed, m.
+/// The unit by which limits on x, y and z, and volumes, are relaxed, m.
 pub const PLACE: f64 = 0.1;
 /// The unit by which limits on yaw are relaxed, rad: 1 degree.
 pub const YAW_PLACE: f64 = std::f64::consts::PI / 180.0;
@@ -54,6 +54,7 @@ fn relaxed(mission: &Mission) -> Mission {
     for limit in &mut mission.limits {
         let room = |bound: f64| match limit.kind {
             LimitKind::X | LimitKind::Y | LimitKind::Z => PLACE,
+            LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => PLACE,
             LimitKind::Yaw => YAW_PLACE,
             _ => SHARE * bound.abs(),
         };
@@ -97,7 +98,8 @@ impl ScpPlanner<'_, '_> {
             local_tightening: &vec![0.0; chosen.len()],
             commands: commands.as_ref(),
         };
-        let form = self.transcription(&iterate.grid, &linear.maps);
+        let positions = self.positions(&iterate);
+        let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
         let (program, _) = form.step_program(&step, &chosen);
         let solved = [false, true].into_iter().find_map(|scaled| {
             let (approached, effort) = solve_step(&program, scaled);
@@ -108,7 +110,8 @@ impl ScpPlanner<'_, '_> {
         let mission = relaxed(self.hover.mission);
         let mut set = self.set.clone();
         set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset += SHARE);
-        let form = self.transcription(&iterate.grid, &linear.maps).of_statements(&mission, &set);
+        let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
+        let form = form.of_statements(&mission, &set);
         let (wider, _) = form.step_program(&step, &chosen);
         let given = wider.slack(&x).into_iter().zip(program.slack(&x)).map(|(wide, narrow)| wide - narrow);
         let mut found: BTreeMap<(usize, Statement), f64> = BTreeMap::new();

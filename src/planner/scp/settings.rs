@@ -358,6 +358,10 @@ pub struct GuidanceSettings {
     pub lengths: f64,
     /// Tolerance of the yaw, rad. 20.
     pub yaw: f64,
+    /// How often the first motion around a volume is solved again with separating planes about itself. 3.
+    pub ways: usize,
+    /// Every which instant that motion keeps the volumes. 4.
+    pub instants: usize,
 }
 
 impl ScpSettings {
@@ -465,7 +469,7 @@ impl ScpSettings {
             intervals_per_part: 5,
             min_duration: 0.4,
         },
-        guidance: GuidanceSettings { weight: 0.01, min_distance: 100.0, lengths: 3.0, yaw: 20.0 },
+        guidance: GuidanceSettings { weight: 0.01, min_distance: 100.0, lengths: 3.0, yaw: 20.0, ways: 3, instants: 4 },
     };
 }
 

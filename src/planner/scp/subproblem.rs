@@ -131,7 +131,8 @@ impl Transcription<'_> {
         let margin = step.settings.tightening.margin;
         let widening = |instant: usize, tightening: f64| {
             let free = violation.clone().plus_constant(-margin - tightening);
-            Widening::by(&free).with_duration_change(&self.duration_change(step, self.leg_of(instant)))
+            let change = self.duration_change(step, self.leg_of(instant));
+            Widening::by(&free).with_duration_change(&change).with_room(self.room(instant))
         };
         let mut places = Vec::with_capacity(chosen.len());
         for (&RowAt { row, instant }, &local) in chosen.iter().zip(step.local_tightening) {

@@ -45,7 +45,17 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
     ) -> impl Iterator<Item = (usize, f64)> + 's {
         let local_tightening = self.local_tightening.get(&instant);
         let at = move |place: usize| local_tightening.and_then(|b| b.get(&place)).copied().unwrap_or(0.0);
-        self.violations(form, state).enumerate().map(move |(place, violation)| (place, violation + at(place)))
+        // Half of the room that rows keep: it covers what a motion does between instants.
+        let room = 0.5 * form.room(instant);
+        let of_volume = move |place: usize| if self.is_of_volume(place) { room } else { 0.0 };
+        let with_its_own = move |(place, violation)| (place, violation + at(place) + of_volume(place));
+        self.violations(form, state).enumerate().map(with_its_own)
+    }
+
+    /// Whether the row at a place is that of a volume.
+    pub(super) fn is_of_volume(&self, place: usize) -> bool {
+        let limit = place.checked_sub(self.set.rows.len()).and_then(|limit| self.hover.mission.limits.get(limit));
+        limit.is_some_and(|limit| limit.volume.is_some())
     }
 
     /// The largest violation of facets and limits at an instant.

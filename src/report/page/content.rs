@@ -182,7 +182,7 @@ fn extents(model: &Model) -> [[f64; 2]; 4] {
     let zonotope = AdmissibleSet::healthy(model).zonotope;
     [0, 1, 2, 3].map(|axis| {
         let ends = |pick: fn(f64, f64) -> f64| zonotope.generators.iter().map(|g| pick(g[axis], 0.0)).sum::<f64>();
-        [zonotope.center[axis] + ends(f64::min), zonotope.center[axis] + ends(f64::max)].map(rounded)
+        [zonotope.offset[axis] + ends(f64::min), zonotope.offset[axis] + ends(f64::max)].map(rounded)
     })
 }
 

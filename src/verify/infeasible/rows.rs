@@ -6,7 +6,7 @@ use super::super::premise::Premise;
 use super::super::sets::Plane;
 use super::Rows;
 use crate::certificate::{DynamicModel, Multiplier, RowRecord, Side};
-use crate::model::{Limit, LimitKind};
+use crate::model::{Bounded, Limit, LimitKind};
 
 /// A plan may miss a waypoint by this much more than its tolerance, m; yaw in proportion.
 const FEASIBLE: f64 = 1e-6;
@@ -195,6 +195,15 @@ impl Rows<'_> {
         };
         let with = |reach: Expression, parts: Vec<Expression>| Some(std::iter::once(reach).chain(parts).collect());
         let reach = Expression::constant(upper);
+        if let Some(volume) = &limit.volume {
+            let centre = match &volume.quantity {
+                Bounded::From(centre) => &centre[..],
+                Bounded::FromAxis(centre) => &centre[..],
+                Bounded::Coordinate | Bounded::Along(_) | Bounded::FromBody(_) => return None,
+            };
+            let part = |(axis, c): (usize, &f64)| Expression::of(node, axis, 0).minus(Interval::point(*c));
+            return with(reach, [X, Y, Z].into_iter().zip(centre).map(part).collect());
+        }
         match limit.kind {
             LimitKind::Speed => with(reach, parts(&[X, Y, Z], 1)),
             LimitKind::SpeedHorizontal => with(reach, parts(&[X, Y], 1)),
@@ -224,6 +233,12 @@ impl Rows<'_> {
 
 /// A bound on one coordinate or rate; `None` if the limit has no such bound on that side.
 fn one_sided(limit: &Limit, node: usize, side: Side) -> Option<Expression> {
+    if let Some(Bounded::Along(normal)) = limit.volume.as_deref().map(|volume| &volume.quantity) {
+        let upper = limit.upper.filter(|_| side == Side::Upper)?;
+        let parts = [X, Y, Z].into_iter().zip(normal);
+        let slack = Expression::constant(Interval::point(upper));
+        return Some(parts.fold(slack, |row, (axis, n)| row.plus(node, axis, 0, Interval::point(-n))));
+    }
     let (axis, order, sign) = match limit.kind {
         LimitKind::X => (X, 0, 1.0),
         LimitKind::Y => (Y, 0, 1.0),

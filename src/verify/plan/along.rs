@@ -13,7 +13,7 @@ use super::super::wrench::{Dynamics, Held};
 use super::super::{Reach, Rejection, Scope, Shown};
 use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
 use crate::certificate::DynamicModel;
-use crate::model::LimitKind;
+use crate::model::{Limit, LimitKind};
 use crate::number::number;
 use std::collections::BTreeSet;
 
@@ -33,7 +33,7 @@ impl<'a> Setting<'a> {
             let family = limits::family(limit, self.model.gravity);
             let most = MOST_PAST_LIMIT * limit.size();
             if let Some(failure) = above_at_nodes(&family, motion, most) {
-                let claim = format!("limit {} ({})", index + 1, limit.kind.name_and_unit().0);
+                let claim = format!("limit {} ({})", index + 1, limit.name());
                 return Err(Rejection { span: Some(limit.span), ..violated(claim, &failure, family.measure, most) });
             }
         }
@@ -92,6 +92,16 @@ impl<'a> Setting<'a> {
     }
 }
 
+/// Whether two limits are parts of one volume, which is one statement of the spec.
+fn same_volume(a: &Limit, b: &Limit) -> bool {
+    a.volume.is_some() && a.span == b.span
+}
+
+/// A limit as the subject of a statement.
+fn limited(limit: &Limit) -> String {
+    if limit.volume.is_some() { limit.name().to_string() } else { format!("limit on {}", limit.name()) }
+}
+
 /// The rejection for a row that is violated at a node.
 fn violated(claim: String, failure: &Failure, measure: Measure, most: f64) -> Rejection {
     let of = measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
@@ -138,10 +148,14 @@ impl Checked<'_> {
     pub(super) fn between(&self, purse: &mut Purse, found: &mut Found) {
         let setting = self.setting;
         let before = purse.0;
-        for limit in &setting.mission.limits {
-            let family = limits::family(limit, setting.model.gravity);
-            let reach = self.reach(&family, MOST_PAST_LIMIT * limit.size(), limit.size(), purse);
-            found.add(format!("limit on {}", limit.kind.name_and_unit().0), reach);
+        for limits in setting.mission.limits.chunk_by(same_volume) {
+            let reach = |limit: &Limit| {
+                let family = limits::family(limit, setting.model.gravity);
+                self.reach(&family, MOST_PAST_LIMIT * limit.size(), limit.size(), purse)
+            };
+            if let Some(reach) = limits.iter().map(reach).reduce(Reach::weakest) {
+                found.add(limited(&limits[0]), reach);
+            }
         }
         if setting.dynamics.model == DynamicModel::Exact {
             let reach = self.reach(&upright(setting.model.gravity), MOST_PAST_LIMIT, 1.0, purse);
@@ -169,8 +183,8 @@ impl Checked<'_> {
 
     /// Adds the statements that a check of the nodes alone shows.
     pub(super) fn nodes_only(&self, found: &mut Found) {
-        for limit in &self.setting.mission.limits {
-            found.add(format!("limit on {}", limit.kind.name_and_unit().0), Reach::NODES);
+        for limits in self.setting.mission.limits.chunk_by(same_volume) {
+            found.add(limited(&limits[0]), Reach::NODES);
         }
         for group in &self.groups {
             found.shown.push(Shown::new(self.statement(group, Held::Wrench), Reach::NODES));

@@ -28,12 +28,12 @@ pub struct Inverse {
 impl Inverse {
     pub(super) fn of(vehicle: &Vehicle, mode: Option<&FaultMode>) -> Self {
         let one = Dyadic::of(1.0);
-        let mut center = zero();
+        let mut offset = zero();
         let mut columns = Vec::new();
         for (k, rotor) in vehicle.rotors.iter().enumerate() {
             match mode.and_then(|m| m.stuck.get(k).copied().flatten()) {
                 Some(share) => {
-                    center = sum(&center, &scaled(&wrench_at(rotor, rotor.max_speed, &one, &one), share));
+                    offset = sum(&offset, &scaled(&wrench_at(rotor, rotor.max_speed, &one, &one), share));
                     columns.push(zero());
                 }
                 None => {
@@ -59,7 +59,7 @@ impl Inverse {
             let normal: Exact = adjugate.each_ref().map(|row| dot(row, column));
             let [least, most] = [vehicle.rotors[k].min_speed, vehicle.rotors[k].max_speed].map(|speed| {
                 let speed = Dyadic::of(speed);
-                determinant.times(&speed).times(&speed).plus(&dot(&normal, &center))
+                determinant.times(&speed).times(&speed).plus(&dot(&normal, &offset))
             });
             let opposite = normal.each_ref().map(Dyadic::negated);
             (k + 1, (normal, most), (opposite, least.negated()))

@@ -160,7 +160,7 @@ fn what_does_not_hold_is_not_proved() {
     hurry(plan, 0.3);
     let found = told(&model, &comparison);
     assert_true(&model, &comparison, &found);
-    let passed: Vec<&str> = found.iter().filter(|b| b.shown == Shown::Checked).map(|b| b.rows).collect();
+    let passed: Vec<&str> = found.iter().filter(|b| b.shown == Shown::Checked).map(|b| b.rows.as_str()).collect();
     assert!(passed.contains(&WRENCH) && passed.contains(&"speed"), "{found:?}");
     let text = words::between(&model, solved(&comparison), &found);
     assert!(text.contains("Checked on a grid of 64 points per interval"), "{text}");

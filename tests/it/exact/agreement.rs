@@ -109,11 +109,11 @@ fn a_comparison_shows_the_plan() {
     one_plan_at_a_time(Scope::Everything, &[PlannerKind::Rip, PlannerKind::Rcp, PlannerKind::Rsp]);
 }
 
-/// Three random missions.
+/// Two random missions.
 #[test]
 #[ignore = "long"]
 fn every_command_finds_the_same_times_in_the_order_of_the_sets() {
-    (0..3).into_par_iter().for_each(|seed| commands_agree(&random_mission(seed)));
+    (0..2).into_par_iter().for_each(|seed| commands_agree(&random_mission(seed)));
 }
 
 /// Times 1.02 to 2 times the shortest, without lower bounds on rates. `benches/longer.py` tries 200 missions.
@@ -130,6 +130,6 @@ fn longer_times_have_plans() {
         };
         [1.02, 1.05, 1.1, 1.3, 2.0].into_iter().filter(is_missed).map(|factor| (seed, factor)).collect()
     };
-    let missed: Vec<(u64, f64)> = (0..6).into_par_iter().flat_map(asked).collect();
-    assert!(missed.is_empty(), "of 30 times: {missed:?}");
+    let missed: Vec<(u64, f64)> = (0..4).into_par_iter().flat_map(asked).collect();
+    assert!(missed.is_empty(), "of 20 times: {missed:?}");
 }

@@ -58,7 +58,8 @@ fn figures_are_what_relaxed_specs_give_back() {
     for (to, governing) in governed {
         let flown = |factor: f64| {
             let mut mission = mission(vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint(to, 0.0)]);
-            mission.limits = vec![mavc::model::Limit { upper: governing.upper.map(|u| factor * u), ..governing }];
+            mission.limits =
+                vec![mavc::model::Limit { upper: governing.upper.map(|u| factor * u), ..governing.clone() }];
             planned(mission, false)
         };
         let plan = flown(1.0);

@@ -1,0 +1,79 @@
+//! Imposes the volumes of a mission on the vehicle that flies it, and reports what geometry alone excludes.
+
+use super::Side;
+use crate::diagnostic::Diagnostic;
+use crate::model::context::Context;
+use crate::model::{Limit, Mission, Plan, PlanModel, Vehicle, Waypoint};
+use crate::number::significant;
+
+const OUTSIDE: &str = "mavc::volume::waypoint";
+
+/// Adds the limits of the mission's volumes; whether the waypoints keep them.
+pub fn impose(cx: &mut Context, mission: &mut Mission, vehicle: &Vehicle) -> bool {
+    if mission.volumes.is_empty() {
+        return true;
+    }
+    let size = vehicle.radius();
+    if vehicle.size.is_none() && vehicle.propeller_radius.is_none() {
+        let message = format!(
+            "the size of vehicle `{}` is not known: volumes keep its largest arm, {} m, without the propellers",
+            vehicle.name,
+            significant(size, 3)
+        );
+        let warning = Diagnostic::warning("mavc::volume::unknown_size", vehicle.span, message);
+        let first = mission.volumes[0].span;
+        let warning = warning.here("neither `size` nor `propeller_radius`").also(first, "a volume that keeps it");
+        cx.report(warning.help("add `propeller_radius = 12 cm` or `size = 40 cm` to the vehicle, with its own values"));
+    }
+    let mut fits = true;
+    for volume in &mission.volumes {
+        let limits = volume.limits(size);
+        fits &= keeps_waypoints(cx, &limits, &mission.waypoints, volume.side, volume.clearance + size);
+        mission.limits.extend(limits);
+    }
+    fits
+}
+
+/// Reports the first waypoint that violates a limit of a volume.
+fn keeps_waypoints(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint], side: Side, margin: f64) -> bool {
+    for limit in limits {
+        for (index, waypoint) in waypoints.iter().enumerate() {
+            let Some(value) = limit.value_at(waypoint.position) else { continue };
+            let over = limit.upper.map_or(f64::NEG_INFINITY, |upper| value - upper);
+            let violation = over.max(limit.lower.map_or(f64::NEG_INFINITY, |lower| lower - value));
+            if violation <= 1e-9 {
+                continue;
+            }
+            let which = match &waypoint.name {
+                Some(name) => format!("waypoint `{name}`"),
+                None if index == 0 => "the start".to_string(),
+                None => format!("waypoint {}", index + 1),
+            };
+            let (place, apart) = match side {
+                Side::KeepIn if violation > margin => ("outside", String::new()),
+                Side::KeepIn => ("too near the boundary of", format!(" by {} m", significant(violation, 3))),
+                Side::KeepOut if violation > margin => ("inside", String::new()),
+                Side::KeepOut => ("too near", format!(" by {} m", significant(violation, 3))),
+            };
+            let message = format!("{which} is {place} `{}`{apart}", limit.name());
+            let error = Diagnostic::error(OUTSIDE, waypoint.span, message);
+            let kept = format!("the vehicle keeps {} m from its boundary", significant(margin, 3));
+            let error = error.here("the centre of gravity passes here").also(limit.span, kept);
+            cx.report(error.help("move the waypoint or change the volume"));
+            return false;
+        }
+    }
+    true
+}
+
+/// Reports `keep_out` volumes in a plan of the hover model, whose programs are convex.
+pub fn only_in_the_exact_model(cx: &mut Context, plan: &Plan, mission: &Mission) -> bool {
+    let Some(volume) = mission.volumes.iter().find(|v| v.side == Side::KeepOut) else { return true };
+    if plan.model == PlanModel::Exact {
+        return true;
+    }
+    let message = format!("`model = hover` cannot keep out of volumes, and the mission has `keep_out {}`", volume.name);
+    let error = Diagnostic::error("mavc::volume::model", volume.span, message).here("not a convex constraint");
+    cx.report(error.help("write `model = exact` in `plan`, or remove the volume"));
+    false
+}

@@ -1,0 +1,196 @@
+//! Volumes: plans stay inside `keep_in` and outside `keep_out`, by closed forms that share nothing with the code.
+
+use crate::cli::mavc;
+use mavc::model::{Limit, LimitKind};
+use mavc::verify::interval::Interval;
+use mavc::verify::limits;
+use proptest::prelude::*;
+use std::path::Path;
+
+type Point = [f64; 3];
+
+/// The distance of p from an axis-aligned box.
+fn from_box(p: Point, low: Point, high: Point) -> f64 {
+    let out = |i: usize| (low[i] - p[i]).max(p[i] - high[i]).max(0.0);
+    (0..3).map(|i| out(i).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The distance of p from an upright cylinder.
+fn from_cylinder(p: Point, centre: [f64; 2], radius: f64, bottom: f64, top: f64) -> f64 {
+    let across = ((p[0] - centre[0]).hypot(p[1] - centre[1]) - radius).max(0.0);
+    across.hypot((bottom - p[2]).max(p[2] - top).max(0.0))
+}
+
+/// By how much p is inside all edges of a counter-clockwise polygon.
+fn inside(p: Point, corners: &[[f64; 2]]) -> f64 {
+    let edge = |(a, b): (&[f64; 2], &[f64; 2])| {
+        let (x, y) = (b[0] - a[0], b[1] - a[1]);
+        (x * (p[1] - a[1]) - y * (p[0] - a[0])) / x.hypot(y)
+    };
+    corners.iter().zip(corners.iter().cycle().skip(1)).map(edge).fold(f64::INFINITY, f64::min)
+}
+
+fn run(args: &[&str]) -> (Option<i32>, String) {
+    let output = mavc(args);
+    (output.status.code(), String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap())
+}
+
+/// Positions of a trajectory at 500 Hz.
+fn positions(csv: &Path) -> Vec<Point> {
+    let mut reader = csv::Reader::from_path(csv).unwrap();
+    let columns: Vec<usize> =
+        ["x", "y", "z"].map(|name| reader.headers().unwrap().iter().position(|h| h == name).unwrap()).to_vec();
+    let row = |row: csv::StringRecord| [0, 1, 2].map(|i| row[columns[i]].parse().unwrap());
+    reader.records().map(|r| row(r.unwrap())).collect()
+}
+
+/// The shipped mission: the distances of the plan from every volume, at 500 Hz, and the certificate.
+#[test]
+fn a_plan_keeps_its_volumes() {
+    let folder = tempfile::tempdir().unwrap();
+    let [csv, proof] = ["plan.csv", "proof.json"].map(|name| folder.path().join(name));
+    let spec = "specs/missions/mast_octo.mav";
+    let settings = ["--set", "plan.planner=rip", "--set", "plan.samples=80"];
+    let outputs = ["-o", csv.to_str().unwrap(), "--rate", "500Hz", "--certificate", proof.to_str().unwrap()];
+    let (code, text) = run(&[&["plan", spec, "--report", "-"], &settings[..], &outputs].concat());
+    assert_eq!(code, Some(0), "{text}");
+    let report: serde_json::Value = serde_json::from_str(&text).unwrap();
+    // The vehicle: the arm and the propeller.
+    let size = 0.211 + 0.13;
+    let field = [[-5.0, -15.0], [40.0, -15.0], [40.0, 20.0], [30.0, 30.0], [-5.0, 30.0]];
+    let distances = |p: Point| {
+        let shed = [
+            [[24.0, 7.0, 0.0], [34.0, 10.0, 9.0]],
+            [[24.0, 10.0, 0.0], [27.0, 13.0, 9.0]],
+            [[24.0, 13.0, 0.0], [34.0, 16.0, 9.0]],
+        ];
+        let from_shed = shed.iter().map(|[low, high]| from_box(p, *low, *high)).fold(f64::INFINITY, f64::min);
+        let from_mast = from_cylinder(p, [15.0, 0.3], 0.4, 0.0, 30.0);
+        let in_field = inside(p, &field).min(p[2]).min(25.0 - p[2]);
+        [in_field - size, from_mast - size, from_shed - size]
+    };
+    let path = positions(&csv);
+    assert!(path.len() > 3000, "{}", path.len());
+    let nearest = path.iter().map(|p| distances(*p)).reduce(|a, b| [0, 1, 2].map(|i| a[i].min(b[i]))).unwrap();
+    for (i, due) in [0.0, 2.0, 0.5].into_iter().enumerate() {
+        assert!(nearest[i] >= due - 1e-6, "volume {i}: {nearest:?}");
+        let told = report["planners"][0]["volumes"][i]["distance_m"].as_f64().unwrap();
+        assert!((told - nearest[i]).abs() < 2e-3, "volume {i}: {told} {nearest:?}");
+    }
+    // The mast stands in the way, and the plan passes it as near as it may.
+    assert!(nearest[1] < 2.05, "{nearest:?}");
+    let (code, text) = run(&[&["verify", proof.to_str().unwrap(), spec], &settings[..]].concat());
+    assert_eq!(code, Some(0), "{text}");
+    for volume in ["keep_in field", "keep_out mast", "keep_out shed"] {
+        let line = text.lines().find(|line| line.starts_with(volume)).unwrap_or_else(|| panic!("{text}"));
+        assert!(line.ends_with("proved at every instant"), "{line}");
+    }
+    // The same motion is no plan where the mast is thicker.
+    let certificate = std::fs::read_to_string(&proof).unwrap();
+    let thicker = std::fs::read_to_string(spec)
+        .unwrap()
+        .replace("radius    = 40 cm", "radius    = 50 cm")
+        .replace("planner = rsp", "planner = rip; samples = 80");
+    let other = folder.path().join("thicker.mav");
+    std::fs::write(&other, thicker).unwrap();
+    let other_spec = mavc::Compiler::new().file(&other).unwrap().into_result().unwrap();
+    let mut forged: serde_json::Value = serde_json::from_str(&certificate).unwrap();
+    forged["spec_sha256"] = other_spec.sha256().into();
+    let refused = mavc::verify(forged.to_string().as_bytes(), &other_spec).map(|verdict| verdict.headline);
+    assert!(format!("{refused:?}").contains("keep_out mast"), "{refused:?}");
+}
+
+/// A turn in a narrow room takes longer than one without walls, and that it takes longer is proved by the walls' own rows.
+#[test]
+fn rooms_make_missions_longer_and_proofs_use_their_walls() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = |room: &str, time: &str| {
+        let path = folder.path().join("turn.mav");
+        let text = format!(
+            "vehicle octo {{
+    layout = \"PPNNPPNN\"; arm = 0.211 m; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2; size = 0.3 m
+    rotor {{ max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }}
+}}
+mission turn {{
+    start at [0, 0, 5] m
+    waypoint at [8, 8, 5] m
+    waypoint at [0, 0, 5] m
+    {room}
+    limits {{ tilt <= 30 deg; speed <= 6 m/s }}
+}}
+plan {{ model = hover; planner = rip; time = {time}; samples = 40; timing = proportional }}
+"
+        );
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_string()
+    };
+    let shortest = |room: &str| {
+        let (code, text) = run(&["plan", &spec(room, "minimum"), "--report", "-"]);
+        assert_eq!(code, Some(0), "{text}");
+        serde_json::from_str::<serde_json::Value>(&text).unwrap()["planners"][0]["time_s"].as_f64().unwrap()
+    };
+    let free = shortest("");
+    for room in [
+        "keep_in room { shape = box; from = [-2.1, 2, 0] m; to = [10.1, 6, 12] m; turn = 45 deg; clearance = 0.1 m }",
+        "keep_in room { shape = cylinder; centre = [4, 4, 0] m; radius = 6.1 m; height = 12 m }",
+        "keep_in room { shape = sphere; centre = [4, 4, 5] m; radius = 6.1 m }",
+        "keep_in room { shape = half_space; point = [8, 8.5, 0] m; normal = [1, 1, 0.1] }",
+    ] {
+        let walled = shortest(room);
+        assert!(walled > free + 0.1, "{room}: {walled} {free}");
+        let proof = folder.path().join("proof.json");
+        let proof = proof.to_str().unwrap();
+        let between = spec(room, &format!("{} s", 0.5 * (walled + free)));
+        let (code, text) = run(&["plan", &between, "--certificate", proof]);
+        assert_eq!(code, Some(3), "{room}: {text}");
+        let (code, text) = run(&["verify", proof, &between]);
+        assert_eq!(code, Some(0), "{room}: {text}");
+    }
+}
+
+/// A limit of one volume of a spec.
+fn limit(volume: &str, kind: LimitKind) -> Limit {
+    let text = format!(
+        "use \"tests/specs/parts/quad.mav\"
+allow = [unknown_size]
+mission m {{ start at [40, 40, 40] m; waypoint at [50, 40, 40] m; {volume} }}"
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let quad = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/parts/quad.mav");
+    std::fs::copy(quad, folder.path().join("quad.mav")).unwrap();
+    let path = folder.path().join("one.mav");
+    std::fs::write(&path, text.replace("tests/specs/parts/", "")).unwrap();
+    let spec = mavc::Compiler::new().file(&path).unwrap().into_result().unwrap();
+    let mission = spec.model().mission.clone().unwrap();
+    mission.limits.into_iter().find(|limit| limit.kind == kind).unwrap()
+}
+
+proptest! {
+    /// The checker's bound on the distance holds over boxes of positions, and is sharp at points outside.
+    #[test]
+    fn the_checker_bounds_distances_from_below(p in prop::array::uniform3(-9.0..9.0f64), half in 0.0..0.5f64, at in prop::array::uniform3(-1.0..1.0f64)) {
+        let cylinder = limit("keep_out c { shape = cylinder; centre = [1, -2, 0] m; radius = 1.5 m; height = 5 m }", LimitKind::Clearance);
+        let cuboid = limit("keep_out c { shape = box; from = [-1, -3, 0] m; to = [2, 3, 4] m }", LimitKind::Clearance);
+        type Distance = fn(Point) -> f64;
+        let known: [(&Limit, Distance); 2] = [
+            (&cylinder, |p| from_cylinder(p, [1.0, -2.0], 1.5, 0.0, 5.0)),
+            (&cuboid, |p| from_box(p, [-1.0, -3.0, 0.0], [2.0, 3.0, 4.0])),
+        ];
+        for (limit, distance) in known {
+            let margin = limit.lower.unwrap();
+            let family = limits::family(limit, 9.81);
+            let violation = |half: f64| {
+                let mut state: mavc::verify::motion::State = [[Interval::ZERO; 6]; 4];
+                for axis in 0..3 {
+                    state[axis][0] = Interval::new(p[axis] - half, p[axis] + half);
+                }
+                (family.evaluate)(&state, &[0])[0].value.high
+            };
+            let q = [0, 1, 2].map(|i| p[i] + half * at[i]);
+            prop_assert!(margin - distance(q) <= violation(half) + 1e-12);
+            if distance(p) > 1e-6 {
+                prop_assert!((violation(0.0) - (margin - distance(p))).abs() < 1e-9, "{} {}", violation(0.0), distance(p));
+            }
+        }
+    }
+}
