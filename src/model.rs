@@ -31,6 +31,7 @@ mod near_files;
 mod overrides;
 mod plan;
 mod plan_settings;
+mod problem;
 mod sense;
 mod simulate;
 mod slip;
@@ -55,6 +56,7 @@ pub use near_files::{List, entries};
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use plan::{MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH};
 pub use plan_settings::{MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
+pub use problem::Problem;
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
 
