@@ -10,7 +10,7 @@ use criterion::Criterion;
 use mavc::actuation::Wrench;
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::flight::{Sortie, fly};
-use mavc::model::{Allocation, Controller, Detection, Mission, Model, PlannerKind, Strike};
+use mavc::model::{Allocation, Controller, Detection, Model, PlannerKind, Problem, Strike};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::hover::{Decision, HoverPlanner};
 use mavc::planner::scp::ScpPlanner;
@@ -64,9 +64,15 @@ fn sets(criterion: &mut Criterion) {
 fn plans(criterion: &mut Criterion) {
     let model = paper_case(PlannerKind::Rip, &[]);
     let (healthy, set) = healthy_set(&model);
-    let mission = model.mission.as_ref().expect("a mission");
     criterion.bench_function("RIP plan of case 1 at 20 s", |b| {
-        b.iter(|| HoverPlanner::new(&model, mission, &healthy).decide(20.0, 200, &set, &mut WorkingSet::default()));
+        b.iter(|| {
+            HoverPlanner::new(Problem::of(&model).unwrap(), &healthy).decide(
+                20.0,
+                200,
+                &set,
+                &mut WorkingSet::default(),
+            )
+        });
     });
 }
 
@@ -110,9 +116,8 @@ fn by_samples() {
     );
     let model = paper_case(PlannerKind::Rip, &[]);
     let (healthy, set) = healthy_set(&model);
-    let mission = model.mission.as_ref().expect("a mission");
     for samples in [200, 500, 1_000, 2_000, 5_000, 10_000] {
-        let mut planner = HoverPlanner::new(&model, mission, &healthy);
+        let mut planner = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
         let decision = planner.decide(20.0, samples, &set, &mut WorkingSet::default());
         let verdict = if let Decision::Feasible(_) = decision { "" } else { "  no plan" };
         let (solves, iterations) = (planner.effort.solves, planner.effort.iterations);
@@ -126,12 +131,13 @@ fn by_samples() {
 }
 
 /// Sixteen rotors on a ring with every double loss, and a climbing square.
-fn sixteen_rotors() -> (Model, Mission) {
+fn sixteen_rotors() -> Model {
     let mut model = ring_model(&"PN".repeat(8), 4.5, [0.2, 0.2, 0.35], 8.5485e-6, 1.3678e-7, 874.0);
     let pairs = (1..=16).flat_map(|i| (i + 1..=16).map(move |j| [i, j]));
     model.modes = pairs.map(|pair| lost(&model, &pair)).collect();
     let corners = [[0.0, 0.0, 2.0], [6.0, 0.0, 3.0], [6.0, 6.0, 4.0], [0.0, 6.0, 3.0], [0.0, 0.0, 2.0]];
-    (model, mission(corners.map(|corner| waypoint(corner, 0.0)).to_vec()))
+    model.mission = Some(mission(corners.map(|corner| waypoint(corner, 0.0)).to_vec()));
+    model
 }
 
 /// The modes whose admissible set contains hover in its interior.
@@ -146,7 +152,7 @@ fn by_modes() {
     println!(
         "\nRCP around a square in the shortest time, 16 rotors, 200 samples\n  modes  rows at a node  sets s  plan s  solves  rows used"
     );
-    let (model, square) = sixteen_rotors();
+    let model = sixteen_rotors();
     let healthy = AdmissibleSet::healthy(&model);
     let able = able(&model);
     for share in [8, 4, 2, 1] {
@@ -156,7 +162,7 @@ fn by_modes() {
         let set = PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy);
         let sets_took = begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let mut planner = HoverPlanner::new(&model, &square, &healthy);
+        let mut planner = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
         let rows = match planner.shortest(&set, Hint::default(), &mut WorkingSet::default()) {
             Ok(shortest) => shortest.planned.rows.to_string(),
             Err(_) => "no plan".into(),
@@ -173,8 +179,7 @@ fn by_flight() {
     println!("\nA flight of 20 s, 20,000 steps\n  what                       ms  simulated s a second  ns a step");
     let model = paper_case(PlannerKind::Rip, &[0]);
     let (healthy, set) = healthy_set(&model);
-    let mission = model.mission.as_ref().expect("a mission");
-    let mut planner = HoverPlanner::new(&model, mission, &healthy);
+    let mut planner = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
     let Decision::Feasible(planned) = planner.decide(20.0, 200, &set, &mut WorkingSet::default()) else {
         println!("  no plan");
         return;
@@ -229,8 +234,7 @@ fn exact_by_samples() {
     let (healthy, set) = healthy_set(&model);
     for samples in [100, 200, 400, 800, 1_600] {
         model.plan.samples = samples;
-        let mission = model.mission.as_ref().expect("a mission");
-        let mut planner = HoverPlanner::new(&model, mission, &healthy);
+        let mut planner = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
         let begin = thread_seconds();
         let decision = ScpPlanner::new(&mut planner, WrenchModel::Exact, &set).decide(24.0, &[]);
         let seconds = thread_seconds() - begin;
@@ -250,7 +254,7 @@ fn exact_by_modes() {
         "\nRCP around a square in the exact model at {SQUARE} s, 16 rotors, 200 samples; seconds of the thread's own\n  \
          modes  rows at a node  sets s  plan s  solves  iterations  rows used  of"
     );
-    let (model, square) = sixteen_rotors();
+    let model = sixteen_rotors();
     let healthy = AdmissibleSet::healthy(&model);
     let able = able(&model);
     for count in [1, 15, 30, 60, 120] {
@@ -260,7 +264,7 @@ fn exact_by_modes() {
         let set = PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy);
         let sets_took = thread_seconds() - begin;
         let begin = thread_seconds();
-        let mut planner = HoverPlanner::new(&model, &square, &healthy);
+        let mut planner = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
         let decision = ScpPlanner::new(&mut planner, WrenchModel::Exact, &set).decide(SQUARE, &[]);
         let plan_took = thread_seconds() - begin;
         let rows = match decision {

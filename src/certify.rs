@@ -8,7 +8,7 @@ mod infeasible;
 mod witness;
 
 use crate::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
-use crate::model::{Mission, MissionTime, Model, PlanModel};
+use crate::model::{MissionTime, PlanModel, Problem};
 use crate::motion::time_grid::determined;
 use crate::planner::studies::{Comparison, PlanOutcome, Proof, Verification};
 use crate::planner::timing::kinematics::{ROUNDING, least_time_within};
@@ -20,19 +20,15 @@ pub use check::{check, check_rounds, is_plan};
 ///
 /// # Errors
 /// The reason if there is no certificate.
-pub fn of(
-    model: &Model,
-    mission: &Mission,
-    comparison: &Comparison,
-    spec_sha256: String,
-) -> Result<Certificate, String> {
+pub fn of(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Result<Certificate, String> {
+    let (model, mission) = (problem.model(), problem.mission());
     match comparison.runs.last().map(|run| (run, &run.outcome)) {
         Some((_, PlanOutcome::Planned(solved))) => {
             let mut certificate = witness::certificate(&solved.trajectory, &comparison.selected_by, spec_sha256);
             if let Claim::Plan(claim) = &mut certificate.claim {
                 // A time that the spec fixes needs no bound.
                 let is_open = determined(mission).is_none();
-                claim.least_time_s = is_open.then(|| least_time_within(model, mission).seconds);
+                claim.least_time_s = is_open.then(|| least_time_within(problem).seconds);
             }
             // A plan that passed the check of plans is not verified again.
             if solved.verification == Verification::Passed {
@@ -43,10 +39,10 @@ pub fn of(
                 Err(refusal) => Err(refusal.sentence()),
             }
         }
-        Some((_, PlanOutcome::Infeasible(Proof { at, .. }))) if least_time_within(model, mission).is_above(*at) => {
-            too_early(model, mission, spec_sha256)
+        Some((_, PlanOutcome::Infeasible(Proof { at, .. }))) if least_time_within(problem).is_above(*at) => {
+            too_early(problem, spec_sha256)
         }
-        _ => by_multipliers(model, mission, comparison, spec_sha256),
+        _ => by_multipliers(problem, comparison, spec_sha256),
     }
 }
 
@@ -54,15 +50,10 @@ pub fn of(
 ///
 /// # Errors
 /// The reason if there is no certificate.
-pub fn by_multipliers(
-    model: &Model,
-    mission: &Mission,
-    comparison: &Comparison,
-    spec_sha256: String,
-) -> Result<Certificate, String> {
+pub fn by_multipliers(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Result<Certificate, String> {
     match comparison.runs.last().map(|run| (run, &run.outcome)) {
-        Some((run, PlanOutcome::Infeasible(Proof { at, .. }))) if has_one_time(model, mission) => {
-            infeasible::certificate(model, mission, run, *at, (&comparison.selected_by, spec_sha256))
+        Some((run, PlanOutcome::Infeasible(Proof { at, .. }))) if has_one_time(problem) => {
+            infeasible::certificate(problem, run, *at, (&comparison.selected_by, spec_sha256))
         }
         Some((_, PlanOutcome::Infeasible(Proof { .. }))) => {
             Err("a certificate cannot show that there is no plan at several times".into())
@@ -72,13 +63,15 @@ pub fn by_multipliers(
 }
 
 /// Whether the spec allows only one mission time, so that infeasibility at that time is infeasibility of the spec.
-fn has_one_time(model: &Model, mission: &Mission) -> bool {
+fn has_one_time(problem: Problem) -> bool {
+    let (model, mission) = (problem.model(), problem.mission());
     matches!(model.plan.time, MissionTime::Fixed(_)) || mission.waypoints.last().is_some_and(|w| w.time.is_some())
 }
 
 /// The certificate that a waypoint is due before any motion within the limits can be there.
-fn too_early(model: &Model, mission: &Mission, spec_sha256: String) -> Result<Certificate, String> {
-    let least = least_time_within(model, mission);
+fn too_early(problem: Problem, spec_sha256: String) -> Result<Certificate, String> {
+    let (model, mission) = (problem.model(), problem.mission());
+    let least = least_time_within(problem);
     let hold = mission.waypoints.last().map_or(0.0, |w| w.hold);
     let (waypoint, soonest) = least.too_early.unwrap_or((mission.waypoints.len() - 1, least.seconds - hold));
     let claim = Claim::TooEarly(TooEarlyClaim { waypoint: waypoint + 1, soonest_s: (1.0 - ROUNDING) * soonest });

@@ -18,7 +18,7 @@ pub use oracle::{Answer, Oracle, Part};
 pub use remedy::{Change, Fix};
 pub use statement::Statement;
 
-use crate::model::{Mission, Model, PlanModel};
+use crate::model::{PlanModel, Problem};
 use crate::verdict::Verdict;
 use question::Questions;
 
@@ -72,13 +72,13 @@ pub struct Explanation {
 /// Algorithm: the deletion filter of J. W. Chinneck, *Feasibility and Infeasibility in Optimization* (2008), over the
 /// statements of a spec: statements without rows first, the others by increasing weight in the multipliers that prove the
 /// remaining statements infeasible.
-pub fn explain(model: &Model, mission: &Mission, oracle: &mut dyn Oracle) -> Option<Explanation> {
-    let [most_questions, most_tries] = match model.plan.model {
+pub fn explain(problem: Problem, oracle: &mut dyn Oracle) -> Option<Explanation> {
+    let [most_questions, most_tries] = match problem.model().plan.model {
         PlanModel::Hover => [MOST_QUESTIONS, MOST_TRIES],
         PlanModel::Exact => MOST_ATTEMPTS,
     };
-    let mut questions = Questions::new(model, mission, oracle, most_questions);
-    let conflict = filter::filter(&mut questions, &statement::statements(model, mission))?;
+    let mut questions = Questions::new(problem, oracle, most_questions);
+    let conflict = filter::filter(&mut questions, &statement::statements(problem))?;
     questions.allow(most_tries);
     let fixes = remedy::fixes(&mut questions, &conflict);
     Some(Explanation { conflict, fixes, questions: questions.asked() })

@@ -20,7 +20,7 @@ mod wrench_expression;
 pub mod yaw;
 
 use crate::admissible::AdmissibleSet;
-use crate::model::{Mission, Model, PlanModel};
+use crate::model::{Model, PlanModel, Problem};
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 use hover::HoverPlanner;
@@ -73,13 +73,12 @@ pub trait Planner {
 
 /// The planner of the model that the spec plans with. `on_progress` receives each mission time, s, before it is tried.
 pub fn planner<'a>(
-    model: &'a Model,
-    mission: &'a Mission,
+    problem: Problem<'a>,
     healthy: &'a AdmissibleSet,
     on_progress: Option<&'a (dyn Fn(f64) + Sync)>,
 ) -> Box<dyn Planner + 'a> {
-    let hover = HoverPlanner { on_progress, ..HoverPlanner::new(model, mission, healthy) };
-    match model.plan.model {
+    let hover = HoverPlanner { on_progress, ..HoverPlanner::new(problem, healthy) };
+    match problem.model().plan.model {
         PlanModel::Hover => Box::new(hover),
         PlanModel::Exact => Box::new(ExactPlanner::new(hover)),
     }

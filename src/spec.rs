@@ -3,7 +3,8 @@
 use crate::diagnostic::{Diagnostic, Severity, render_human, sort};
 use crate::input::read_named;
 use crate::model::{
-    FileSet, FlightBlocks, Mission, Model, OVERRIDE, Override, elaborate_for, entries, load_among, parse_override,
+    FileSet, FlightBlocks, Mission, Model, OVERRIDE, Override, Problem, elaborate_for, entries, load_among,
+    parse_override,
 };
 use crate::observer::{Observer, Silent, timed};
 use crate::source::SourceMap;
@@ -37,6 +38,11 @@ impl Spec {
     /// The mission; `None` if the spec describes only vehicles or faults.
     pub fn mission(&self) -> Option<&Mission> {
         self.model.mission.as_ref()
+    }
+
+    /// The model with its mission; `None` if the spec has no mission.
+    pub fn problem(&self) -> Option<Problem<'_>> {
+        Problem::of(&self.model)
     }
 
     /// The texts that the spec was read from.

@@ -25,7 +25,7 @@ pub mod wrench;
 
 use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Allocation, FaultMode, Mission, Model, PlanModel, PlannerKind};
+use crate::model::{Allocation, FaultMode, Model, PlanModel, PlannerKind, Problem};
 use crate::number::{down, number};
 use crate::source::Span;
 use cost::{Budget, Estimate};
@@ -293,7 +293,7 @@ pub fn decide_at_nodes(certificate: &Certificate, model: &Model, settings: Setti
 }
 
 fn decided(certificate: &Certificate, model: &Model, settings: Settings, between: bool) -> Result<Verdict, Refusal> {
-    let Some(mission) = &model.mission else {
+    let Some(problem) = Problem::of(model) else {
         return Err(Rejection::new("the mission", "the spec has none").into());
     };
     let required = match model.plan.model {
@@ -311,28 +311,28 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
         };
         return Err(Rejection::new("the model", why).into());
     }
-    let setting = Setting::new(model, mission, certificate.model, settings.premises);
+    let setting = Setting::new(problem, certificate.model, settings.premises);
     match &certificate.claim {
         Claim::Plan(claim) => {
             let mut found = setting.decide(claim, settings.budget, between)?;
             if let Some(least) = claim.least_time_s {
                 if settings.premises.has(Premise::LeastTime) {
-                    least_time::bound(model, mission, least)?;
+                    least_time::bound(problem, least)?;
                 }
                 let least = down(least, 4);
-                let within = match mission.waypoints.iter().skip(1).any(|w| w.time.is_some()) {
+                let within = match problem.mission().waypoints.iter().skip(1).any(|w| w.time.is_some()) {
                     true => "within the limits and at the fixed times",
                     false => "within the limits",
                 };
                 let statement = format!("no motion {within} takes less than {least} s");
                 found.shown.push(Shown { statement, reach: None });
             }
-            let headline = plan_headline(model, mission, found.total, &claim.selected_by);
+            let headline = plan_headline(problem, found.total, &claim.selected_by);
             Ok(Verdict { headline, shown: found.shown, weaker: found.weaker, undecided: found.undecided })
         }
         Claim::TooEarly(claim) => {
             let headline = match settings.premises.has(Premise::LeastTime) {
-                true => least_time::too_early(model, mission, claim)?,
+                true => least_time::too_early(problem, claim)?,
                 false => String::new(),
             };
             Ok(Verdict { headline, shown: Vec::new(), weaker: Vec::new(), undecided: Vec::new() })
@@ -342,7 +342,8 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
 }
 
 /// The claim of an accepted plan in one sentence.
-fn plan_headline(model: &Model, mission: &Mission, total: f64, selected_by: &[MotionRecord]) -> String {
+fn plan_headline(problem: Problem, total: f64, selected_by: &[MotionRecord]) -> String {
+    let (model, mission) = (problem.model(), problem.mission());
     let planner = model.plan.planner.name().to_uppercase();
     // If the spec leaves the time free, RSP selects facets at a time different from its own.
     let selects_at = selected_by.first().and_then(|motion| motion.times_s.last()).copied().unwrap_or(total);

@@ -4,7 +4,7 @@
 use super::witness::{model_of, motion};
 use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
-use crate::model::{Limit, Mission, Model};
+use crate::model::{Limit, Problem};
 use crate::motion::checks::past_as_checked;
 use crate::motion::{NodeState, Trajectory};
 use crate::planner::studies::{MissionPlan, PlannerRun};
@@ -68,10 +68,11 @@ pub const COMMANDS: &str = "commands";
 /// Results for the wrench, then each limit in the spec's order, then the commands of lagging rotors. Rows that are linear
 /// over each piece (hover model with one yaw) are decided at the nodes; all others are proved in interval arithmetic or
 /// checked on a grid. The tolerances are those of `mavc verify`, so that both report the same.
-pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &MissionPlan) -> Vec<Between> {
+pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<Between> {
+    let (model, mission) = (problem.model(), problem.mission());
     let trajectory = &solved.trajectory;
     let kind = model_of(trajectory);
-    let setting = Setting::new(model, mission, kind, Premises::default());
+    let setting = Setting::new(problem, kind, Premises::default());
     let Ok(motion) = setting.motion(&motion(trajectory)) else { return Vec::new() };
     let rows = &run.set.rows;
     let plane = |side: f64, row: &SetRow| Plane {

@@ -1,7 +1,7 @@
 //! The check of plans: every trajectory found is verified at the nodes before it is called a plan.
 
 use super::witness::certificate;
-use crate::model::{Mission, MissionTime, Model, Plan, PlannerKind};
+use crate::model::{MissionTime, Model, Plan, PlannerKind, Problem};
 use crate::motion::Trajectory;
 use crate::planner::studies::rounds::Round;
 use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run, Verification};
@@ -9,18 +9,18 @@ use crate::verify::{self, Refusal, Settings};
 
 /// Checks every plan of a comparison. A trajectory that fails is not a plan: the outcome of its run becomes
 /// [`NotFound::Check`] with the reason.
-pub fn check(model: &Model, mission: &Mission, comparison: &mut Comparison) {
+pub fn check(problem: Problem, comparison: &mut Comparison) {
     let risk_required = !comparison.trade_off.is_empty();
     for run in &mut comparison.runs {
-        let planned = as_planned(model, mission, run, risk_required);
+        let planned = as_planned(problem, run, risk_required);
         let selected_by = if run.planner == PlannerKind::Rsp { &comparison.selected_by[..] } else { &[] };
         decide(&planned, &mut run.outcome, selected_by);
     }
 }
 
 /// Checks the plans of every number of rounds, like [`check`].
-pub fn check_rounds(model: &Model, mission: &Mission, rounds: &mut [Round]) {
-    let mut planned = Model { mission: Some(mission.clone()), ..model.clone() };
+pub fn check_rounds(problem: Problem, rounds: &mut [Round]) {
+    let mut planned = problem.model().clone();
     planned.plan.planner = PlannerKind::Rsp;
     planned.plan.require_risk = None;
     for round in rounds {
@@ -32,8 +32,8 @@ pub fn check_rounds(model: &Model, mission: &Mission, rounds: &mut [Round]) {
 }
 
 /// Whether a trajectory of `time` s passes the check as a plan of the mission. An undecided check counts as passed.
-pub fn is_plan(model: &Model, mission: &Mission, time: f64, motion: &Trajectory, selected_by: &[Trajectory]) -> bool {
-    let mut planned = Model { mission: Some(mission.clone()), ..model.clone() };
+pub fn is_plan(problem: Problem, time: f64, motion: &Trajectory, selected_by: &[Trajectory]) -> bool {
+    let mut planned = problem.model().clone();
     planned.plan.time = MissionTime::Fixed(time);
     planned.plan.require_risk = None;
     // Variants of a spec are planned with one round.
@@ -57,8 +57,9 @@ fn decide(planned: &Model, outcome: &mut PlanOutcome, selected_by: &[Trajectory]
 }
 
 /// The spec as one run of a comparison planned it.
-fn as_planned(model: &Model, mission: &Mission, run: &PlannerRun, risk_required: bool) -> Model {
-    let mut planned = Model { mission: Some(mission.clone()), ..model.clone() };
+fn as_planned(problem: Problem, run: &PlannerRun, risk_required: bool) -> Model {
+    let model = problem.model();
+    let mut planned = model.clone();
     planned.plan.planner = run.planner;
     let named = |&mode: &usize| model.modes.get(mode).is_some_and(|m| run.against.contains(&m.name));
     planned.plan.against.retain(named);

@@ -10,7 +10,7 @@ use crate::certificate::{
     Certificate, Claim, DynamicModel, FacetRecord, FacetWeight, InfeasibleClaim, MAX_FACETS, MAX_MULTIPLIERS,
     Multiplier, RowRecord, SCHEMA, Side,
 };
-use crate::model::{LimitKind, Mission, Model, PlanModel};
+use crate::model::{LimitKind, Mission, Model, PlanModel, Problem};
 use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{Trajectory, YAW};
@@ -50,14 +50,14 @@ struct Overshoot {
 /// The mission does not begin or end as the checker requires, yaw changes in the hover model, some facet cannot be named by
 /// rotors, or the multipliers found do not prove the claim.
 pub fn certificate(
-    model: &Model,
-    mission: &Mission,
+    problem: Problem,
     run: &PlannerRun,
     total: f64,
     (selected_by, sha256): (&[Trajectory], String),
 ) -> Result<Certificate, String> {
+    let (model, mission) = (problem.model(), problem.mission());
     let healthy = AdmissibleSet::healthy(model);
-    let mut planner = HoverPlanner::new(model, mission, &healthy);
+    let mut planner = HoverPlanner::new(problem, &healthy);
     let (kind, overshoot) = match model.plan.model {
         PlanModel::Hover => (DynamicModel::Hover, about_hover(&mut planner, run, total)?),
         PlanModel::Exact => (DynamicModel::Exact, relaxed(&mut planner, run, total)?),
@@ -102,7 +102,7 @@ pub fn certificate(
 
 /// The hover model's program, with the overshoot of waypoint tolerances as its objective.
 fn about_hover(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Overshoot, String> {
-    let (model, mission) = (planner.model, planner.mission);
+    let model = planner.model();
     let layout = match planner.layout(total, model.plan.samples) {
         Ok(Some(layout)) => layout,
         Ok(None) => return Err(NO_TIME.into()),
@@ -113,7 +113,7 @@ fn about_hover(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Resu
     };
     let maps = layout.yaw.maps(model, layout.flown.nodes());
     let commands = layout.commands(model);
-    let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes())
+    let form = Transcription::new(planner.problem, &layout.flown, &run.set, &maps, layout.yaw.axes())
         .with_commands(commands.as_ref());
     Ok(Overshoot {
         program: form.full_program(Purpose::Overshoot { epsilon: COST }),
@@ -124,7 +124,7 @@ fn about_hover(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Resu
 
 /// The exact model's relaxation, with the same objective.
 fn relaxed(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Overshoot, String> {
-    let flown = time_grid(planner.mission, total, planner.model.plan.samples).ok_or(NO_TIME)?.flown();
+    let flown = time_grid(planner.mission(), total, planner.model().plan.samples).ok_or(NO_TIME)?.flown();
     let Relaxed { program, taus, thrust } =
         ScpPlanner::new(planner, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
     Ok(Overshoot { program, taus, thrust: thrust.weights })

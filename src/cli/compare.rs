@@ -27,19 +27,19 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     };
     let mut comparison = task.compare(&watch);
     let rounds = wanted.map(|wanted| task.rounds(&mut comparison, wanted, &watch));
-    let (model, mission) = (task.model(), task.mission());
+    let problem = task.problem();
     let record = task.comparison_report(&comparison, rounds.as_deref());
     let mut results = Results::new(&places);
     results.report(&record)?;
     results.page(|| page::plans(Kind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record));
-    results.print(&comparison_text::compare(model, mission, &comparison, results.are_coloured()))?;
+    results.print(&comparison_text::compare(problem, &comparison, results.are_coloured()))?;
     if let Some(rounds) = &rounds {
-        results.print(&comparison_text::rounds(model, mission, &comparison, rounds))?;
+        results.print(&comparison_text::rounds(problem, &comparison, rounds))?;
     }
     results.charts(&subject(&task, &[]), &comparison)?;
     results.write()?;
     results.note_page(options)?;
-    Ok(plan::code(comparison.verdict(model, mission)))
+    Ok(plan::code(comparison.verdict(problem)))
 }
 
 /// Reads `0..5` or `3`; both ends are included.

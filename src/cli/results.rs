@@ -68,9 +68,8 @@ impl<'a> Places<'a> {
         let record = Record::refused(spec.model(), spec.sha256().into());
         let mut results = Results::new(self);
         results.report(&record)?;
-        if let Some(mission) = spec.mission() {
-            let subject =
-                Subject { model: spec.model(), mission, sources: spec.sources(), diagnostics: &findings.diagnostics };
+        if let Some(problem) = spec.problem() {
+            let subject = Subject { problem, sources: spec.sources(), diagnostics: &findings.diagnostics };
             results.page(|| page::refused(&subject, &record));
         }
         results.write()?;
@@ -229,5 +228,5 @@ pub fn compact_json(record: &impl Serialize) -> Result<String, Problem> {
 
 /// The subject of a page.
 pub fn subject<'a>(task: &Task<'a>, diagnostics: &'a [Diagnostic]) -> Subject<'a> {
-    Subject { model: task.model(), mission: task.mission(), sources: task.spec().sources(), diagnostics }
+    Subject { problem: task.problem(), sources: task.spec().sources(), diagnostics }
 }

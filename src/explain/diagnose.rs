@@ -2,7 +2,7 @@
 
 use super::{Explanation, Statement};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Mission, MissionTime, Model, is_override};
+use crate::model::{MissionTime, Problem, is_override};
 use crate::motion::time_grid::determined;
 use crate::number::number;
 use crate::planner::timing::kinematics::least_time_within;
@@ -14,7 +14,8 @@ pub const CONFLICT: &str = "mavc::plan::conflict";
 
 /// The conflict as an error, with a label at each of its statements and the changes that give a plan. Statements at the same
 /// place count as one, so that the headline's number is that of the labels.
-pub fn diagnose(explanation: &Explanation, model: &Model, mission: &Mission, sources: &SourceMap) -> Diagnostic {
+pub fn diagnose(explanation: &Explanation, problem: Problem, sources: &SourceMap) -> Diagnostic {
+    let (model, mission) = (problem.model(), problem.mission());
     let conflict = &explanation.conflict;
     // Statements that an author would rather change come first.
     let rank = |s: &Statement| match s {
@@ -31,7 +32,7 @@ pub fn diagnose(explanation: &Explanation, model: &Model, mission: &Mission, sou
     let mut ranked = conflict.statements.clone();
     ranked.sort_by_key(rank);
     for statement in &ranked {
-        let (span, mut label) = (statement.span(model, mission), statement.label(model, mission));
+        let (span, mut label) = (statement.span(problem), statement.label(problem));
         let is_set = matches!(statement, Statement::Mode(_)) && is_override(sources, model.plan.against_span);
         if is_set || is_override(sources, span) {
             label.push_str(", set by `--set`");
@@ -43,15 +44,16 @@ pub fn diagnose(explanation: &Explanation, model: &Model, mission: &Mission, sou
     }
     // The spec's own text first, so that its labels share one excerpt.
     labels.sort_by_key(|(span, _)| is_override(sources, *span));
-    let headline = headline(explanation, labels.len(), model, mission);
+    let headline = headline(explanation, labels.len(), problem);
     let mut labels = labels.into_iter();
     let (span, label) = labels.next().unwrap_or((mission.span, String::new()));
     let error = Diagnostic::error(CONFLICT, span, headline).here(label);
-    labels.fold(error, |error, (span, label)| error.also(span, label)).help(help(explanation, model, mission, sources))
+    labels.fold(error, |error, (span, label)| error.also(span, label)).help(help(explanation, problem, sources))
 }
 
 /// The mission time that the spec fixes, s.
-fn required_time(model: &Model, mission: &Mission) -> Option<f64> {
+fn required_time(problem: Problem) -> Option<f64> {
+    let (model, mission) = (problem.model(), problem.mission());
     determined(mission).or(match model.plan.time {
         MissionTime::Fixed(time) => Some(time),
         MissionTime::Minimum => None,
@@ -60,8 +62,9 @@ fn required_time(model: &Model, mission: &Mission) -> Option<f64> {
 
 /// The headline; `places` is the number of labels. A proof is for the spec's samples unless distances and limits suffice,
 /// and under RSP for the selected facets.
-fn headline(explanation: &Explanation, places: usize, model: &Model, mission: &Mission) -> String {
-    let required_time = required_time(model, mission);
+fn headline(explanation: &Explanation, places: usize, problem: Problem) -> String {
+    let model = problem.model();
+    let required_time = required_time(problem);
     let conflict = &explanation.conflict;
     let verdict = conflict.verdict();
     // If a waypoint has a fixed time, the mission time is a different one.
@@ -69,7 +72,7 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, mission: &M
         true => ("a mission of ", "it"),
         false => ("", "this mission"),
     };
-    let is_of_all = !conflict.only_for_samples && least_time_within(model, mission).too_early.is_some();
+    let is_of_all = !conflict.only_for_samples && least_time_within(problem).too_early.is_some();
     let time = match (conflict.time_is_free && !is_of_all, required_time.filter(|time| *time < conflict.time)) {
         // Proved or tried only for this time: at another time the same samples are different instants.
         (true, Some(required)) => {
@@ -98,8 +101,8 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, mission: &M
     }
 }
 
-fn help(explanation: &Explanation, model: &Model, mission: &Mission, sources: &SourceMap) -> String {
-    let mut fixes = explanation.fixes.iter().map(|fix| fix.change.instruction(model, mission, sources));
+fn help(explanation: &Explanation, problem: Problem, sources: &SourceMap) -> String {
+    let mut fixes = explanation.fixes.iter().map(|fix| fix.change.instruction(problem, sources));
     let changes = match (fixes.next(), fixes.next()) {
         (None, _) if explanation.conflict.statements.len() == 1 => {
             "change this statement; none of the changes that were tried is sufficient".into()
@@ -112,7 +115,7 @@ fn help(explanation: &Explanation, model: &Model, mission: &Mission, sources: &S
         }
     };
     // Variants of a spec are planned without its required risk.
-    let changes = match model.plan.require_risk.is_some() && !explanation.fixes.is_empty() {
+    let changes = match problem.model().plan.require_risk.is_some() && !explanation.fixes.is_empty() {
         true => format!("{changes}\nWhether such a plan meets the required risk was not checked"),
         false => changes,
     };

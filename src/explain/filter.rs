@@ -4,6 +4,7 @@ use super::Conflict;
 use super::oracle::{Answer, Part};
 use super::question::Questions;
 use super::statement::Statement;
+use crate::model::Problem;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Statements whose weight is below this share of the largest are left out together, if possible.
@@ -48,8 +49,8 @@ pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Opt
     let irreducible = filter.check(statements);
     let Filter { questions, left_out, proved, only_for_selection, only_for_samples, .. } = filter;
     let kept: Vec<Statement> = statements.iter().copied().filter(|s| !left_out.contains(s)).collect();
-    let (model, mission) = questions.variant(&left_out);
-    let (time, time_is_free) = questions.time_of(&model, &mission);
+    let variant = questions.variant(&left_out);
+    let (time, time_is_free) = questions.time_of(Problem::of(&variant)?);
     let conflict =
         Conflict { statements: kept, proved, only_for_selection, only_for_samples, irreducible, time, time_is_free };
     (!conflict.statements.is_empty()).then_some(conflict)

@@ -2,13 +2,14 @@
 
 use super::remedy::Change;
 use super::statement::{length, written};
-use crate::model::{Mission, MissionTime, Model, is_override};
+use crate::model::{MissionTime, Problem, is_override};
 use crate::number::number;
 use crate::source::{SourceMap, Span};
 
 impl Change {
     /// What to do, in the words of the language. A value set by `--set` is changed there.
-    pub fn instruction(self, model: &Model, mission: &Mission, sources: &SourceMap) -> String {
+    pub fn instruction(self, problem: Problem, sources: &SourceMap) -> String {
+        let (model, mission) = (problem.model(), problem.mission());
         let at = |i: usize| match &mission.waypoints[i].name {
             Some(name) => format!("waypoint `{name}`"),
             None => format!("waypoint {}", i + 1),

@@ -2,7 +2,7 @@
 //! one, no statement of the spec is blamed.
 
 use crate::certify;
-use crate::model::{Mission, MissionTime, Model};
+use crate::model::{MissionTime, Problem};
 use crate::motion::time_grid::determined;
 use crate::planner::scp::NOT_FOUND;
 use crate::planner::studies::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, Scope, compare};
@@ -27,7 +27,8 @@ impl Nearby {
 }
 
 /// The required time, if no plan was found and nothing was proved; otherwise `None`.
-fn required_time(model: &Model, mission: &Mission, comparison: &Comparison) -> Option<f64> {
+fn required_time(problem: Problem, comparison: &Comparison) -> Option<f64> {
+    let (model, mission) = (problem.model(), problem.mission());
     let MissionTime::Fixed(time) = model.plan.time else { return None };
     let is_open = match &comparison.runs.last()?.outcome {
         PlanOutcome::NotFound(NotFound::Search { status, .. }) => status == NOT_FOUND,
@@ -39,20 +40,16 @@ fn required_time(model: &Model, mission: &Mission, comparison: &Comparison) -> O
 }
 
 /// Searches for plans at times near the spec's, if the planner found none there. `on_progress` is called with each time, s.
-pub fn nearby(
-    model: &Model,
-    mission: &Mission,
-    comparison: &Comparison,
-    on_progress: &dyn Fn(f64),
-) -> (Nearby, Effort) {
+pub fn nearby(problem: Problem, comparison: &Comparison, on_progress: &dyn Fn(f64)) -> (Nearby, Effort) {
     let mut effort = Effort::default();
-    let Some(required) = required_time(model, mission, comparison) else { return (Nearby::default(), effort) };
+    let Some(required) = required_time(problem, comparison) else { return (Nearby::default(), effort) };
     let mut plan_at = |time: MissionTime| {
-        let mut other = model.clone();
+        let mut other = problem.model().clone();
         other.plan.time = time;
-        let mut found = compare(&other, mission, Scope::Plan, None);
+        let other = Problem::of(&other)?;
+        let mut found = compare(other, Scope::Plan, None);
         effort += found.effort;
-        certify::check(&other, mission, &mut found);
+        certify::check(other, &mut found);
         found.runs.last().and_then(|run| run.outcome.plan()).map(|solved| solved.time)
     };
     on_progress(required);

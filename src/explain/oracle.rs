@@ -1,8 +1,8 @@
 //! The interface to planners: oracle queries and answers.
 
-use crate::model::{Mission, Model};
+use crate::model::Problem;
 
-/// A part of a program to which multipliers can be assigned. Indices are those in [`Model`] and [`Mission`].
+/// A part of a program to which multipliers can be assigned. Indices are those in [`crate::model::Model`] and [`crate::model::Mission`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Part {
     /// `Mission::waypoints[i]`, its position and yaw.
@@ -36,10 +36,10 @@ pub enum Answer {
 
 /// A planner as an oracle.
 pub trait Oracle {
-    /// Whether `mission` has a plan that takes `time` seconds, including holds, with the planner, the modes, the reserve and
-    /// the samples of `model.plan`; its `time` and the mission of `model` are ignored.
+    /// Whether the problem's mission has a plan that takes `time` seconds, including holds, with the planner, the modes, the
+    /// reserve and the samples of its `plan`, whose `time` is ignored.
     ///
     /// A limit without bounds is no constraint, and neither is a waypoint whose tolerances are
     /// [`crate::planner::transcription::UNBOUNDED`] and whose weight is zero.
-    fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer;
+    fn ask(&mut self, problem: Problem, time: f64) -> Answer;
 }

@@ -2,7 +2,7 @@
 
 use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
-use crate::model::{LimitKind, Mission, Model, PlannerKind, Vehicle};
+use crate::model::{LimitKind, Mission, Model, PlannerKind, Problem, Vehicle};
 use crate::motion::checks::{past, peak};
 use crate::motion::time_grid::time_grid;
 use crate::planner::hover::{Decision, Planned};
@@ -66,26 +66,27 @@ impl Sets {
 }
 
 impl Oracle for Planners<'_> {
-    fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
+    fn ask(&mut self, problem: Problem, time: f64) -> Answer {
+        let (model, mission) = (problem.model(), problem.mission());
         if let Some(on_progress) = &self.on_progress {
             on_progress(time);
         }
         // This bound holds for every division of the time, every grid and every planner.
-        if model.plan.chooses_times && least_time_within(model, mission).is_above(time) {
+        if model.plan.chooses_times && least_time_within(problem).is_above(time) {
             return Answer::Infeasible { weights: Vec::new(), only_for_selection: false, only_for_samples: false };
         }
         let known = self.sets.take().filter(|sets| sets.are_of(model));
         let mut sets = known.unwrap_or_else(|| Sets::new(model));
         let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.working_sets);
-        let mut planner = planner(model, mission, &sets.imposed.healthy, None);
+        let mut planner = planner(problem, &sets.imposed.healthy, None);
         let mut decide = |set: &PlanningSet, working_set: &mut WorkingSet, minimise: bool| {
             let Attempt { decision, weights } = planner.attempt_at(time, set, minimise, working_set);
-            let decision = match proofs_are_about(model, mission) {
+            let decision = match proofs_are_about(problem) {
                 // Without weights, the proof is about the yaw waypoints alone, or does not involve yaw.
                 Some(about) if about == THESE_TIMES || !weights.is_empty() => not_for_all(decision),
                 _ => decision,
             };
-            (decision, weighed(set, weights, model, mission, time))
+            (decision, weighed(set, weights, problem, time))
         };
         let (mut only_for_selection, mut selected_by) = (false, Vec::new());
         let (decision, parts) = match model.plan.planner {
@@ -118,12 +119,10 @@ impl Oracle for Planners<'_> {
                 Answer::NotFound(Vec::new())
             }
             // A change is offered only if it gives what `mavc plan` would call a plan.
-            Decision::Feasible(planned) => {
-                match certify::is_plan(model, mission, time, &planned.trajectory(), &selected_by) {
-                    true => Answer::Feasible,
-                    false => Answer::NotFound(Vec::new()),
-                }
-            }
+            Decision::Feasible(planned) => match certify::is_plan(problem, time, &planned.trajectory(), &selected_by) {
+                true => Answer::Feasible,
+                false => Answer::NotFound(Vec::new()),
+            },
             Decision::Infeasible => Answer::Infeasible { weights: parts, only_for_selection, only_for_samples: true },
             Decision::Inconclusive(_) => Answer::NotFound(parts),
         }
@@ -162,13 +161,8 @@ fn exceeds_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
 }
 
 /// The weights of rows, assigned to parts. A facet that several modes share counts for each of them.
-fn weighed(
-    set: &PlanningSet,
-    weights: Vec<(RowOrigin, f64)>,
-    model: &Model,
-    mission: &Mission,
-    time: f64,
-) -> Vec<(Part, f64)> {
+fn weighed(set: &PlanningSet, weights: Vec<(RowOrigin, f64)>, problem: Problem, time: f64) -> Vec<(Part, f64)> {
+    let (model, mission) = (problem.model(), problem.mission());
     let last = time_grid(mission, time, model.plan.samples).map(|p| p.flown().nodes() - 1);
     let mut parts = Vec::new();
     for (origin, weight) in weights {

@@ -1,8 +1,8 @@
 //! Queries to the oracle: variants of one spec, the mission time of each query, and their largest number.
 
-use super::oracle::{Answer, Oracle, Part};
+use super::oracle::{Answer, Oracle};
 use super::statement::Statement;
-use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::time_grid::{determined, earliest};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,8 +17,7 @@ const LONGER: f64 = 1.5;
 const LONGEST: f64 = 100_000.0;
 
 pub(super) struct Questions<'a> {
-    pub model: &'a Model,
-    pub mission: &'a Mission,
+    pub problem: Problem<'a>,
     oracle: &'a mut dyn Oracle,
     /// Answers by the statements left out.
     answers: BTreeMap<BTreeSet<Statement>, Answer>,
@@ -27,8 +26,8 @@ pub(super) struct Questions<'a> {
 }
 
 impl<'a> Questions<'a> {
-    pub fn new(model: &'a Model, mission: &'a Mission, oracle: &'a mut dyn Oracle, most: usize) -> Self {
-        Questions { model, mission, oracle, answers: BTreeMap::new(), asked: 0, most }
+    pub fn new(problem: Problem<'a>, oracle: &'a mut dyn Oracle, most: usize) -> Self {
+        Questions { problem, oracle, answers: BTreeMap::new(), asked: 0, most }
     }
 
     pub fn asked(&self) -> usize {
@@ -43,25 +42,26 @@ impl<'a> Questions<'a> {
     /// A mission time that is long for a variant of the mission, s. It depends on the variant's fixed times and holds and on
     /// all limits of the spec, so that variants with the same times and holds are queried at the same mission time.
     fn long_for(&self, variant: &Mission) -> f64 {
-        let fixed = match self.model.plan.time {
+        let fixed = match self.problem.model().plan.time {
             MissionTime::Fixed(time) => time,
             MissionTime::Minimum => 0.0,
         };
         let earliest = earliest(variant);
         let last_fixed = variant.waypoints.iter().rposition(|w| w.time.is_some()).unwrap_or(0);
-        let unhurried = unhurried(self.mission, last_fixed, self.model.gravity);
+        let unhurried = unhurried(self.problem.mission(), last_fixed, self.problem.model().gravity);
         (earliest + (LONG * unhurried).max(LONGER * (fixed - earliest))).ceil().min(LONGEST)
     }
 
     /// A mission time that is long for the mission with and without its fixed times, s.
     pub fn long(&self) -> f64 {
-        let mut free = self.mission.clone();
+        let mut free = self.problem.mission().clone();
         free.waypoints.iter_mut().for_each(|w| w.time = None);
-        self.long_for(&free).max(self.long_for(self.mission))
+        self.long_for(&free).max(self.long_for(self.problem.mission()))
     }
 
     /// The mission time of the query for a variant, s, and whether the variant leaves it free.
-    pub fn time_of(&self, model: &Model, mission: &Mission) -> (f64, bool) {
+    pub fn time_of(&self, problem: Problem) -> (f64, bool) {
+        let (model, mission) = (problem.model(), problem.mission());
         match (determined(mission), model.plan.time) {
             (Some(time), _) | (None, MissionTime::Fixed(time)) => (time, false),
             (None, MissionTime::Minimum) => (self.long_for(mission), true),
@@ -69,10 +69,10 @@ impl<'a> Questions<'a> {
     }
 
     /// The spec with some statements left out.
-    pub fn variant(&self, left_out: &BTreeSet<Statement>) -> (Model, Mission) {
-        let (mut model, mut mission) = (self.model.clone(), self.mission.clone());
-        left_out.iter().for_each(|s| s.leave_out(&mut model, &mut mission));
-        (model, mission)
+    pub fn variant(&self, left_out: &BTreeSet<Statement>) -> Model {
+        let mut model = self.problem.model().clone();
+        left_out.iter().for_each(|s| s.leave_out(&mut model));
+        model
     }
 
     /// The oracle's answer for the spec with some statements left out; `None` if there were too many queries.
@@ -83,8 +83,8 @@ impl<'a> Questions<'a> {
         let answer = match self.implied(left_out) {
             Some(answer) => answer,
             None => {
-                let (model, mission) = self.variant(left_out);
-                self.ask(model, &mission)?
+                let model = self.variant(left_out);
+                self.ask(Problem::of(&model)?)?
             }
         };
         self.answers.insert(left_out.clone(), answer.clone());
@@ -96,8 +96,8 @@ impl<'a> Questions<'a> {
     /// hold moves waypoints. Nothing is implied if other things move too: facets that follow from a plan (RSP), and yaw that
     /// is planned before the rest.
     fn implied(&self, left_out: &BTreeSet<Statement>) -> Option<Answer> {
-        let moves = self.model.plan.model == PlanModel::Hover && !self.mission.has_one_yaw();
-        if moves || self.model.plan.planner == PlannerKind::Rsp {
+        let moves = self.problem.model().plan.model == PlanModel::Hover && !self.problem.mission().has_one_yaw();
+        if moves || self.problem.model().plan.planner == PlannerKind::Rsp {
             return None;
         }
         let same_times = |a: &BTreeSet<Statement>, b: &BTreeSet<Statement>| {
@@ -115,32 +115,36 @@ impl<'a> Questions<'a> {
     }
 
     /// The oracle's answer for any variant; `None` if there were too many queries.
-    pub fn ask(&mut self, mut model: Model, mission: &Mission) -> Option<Answer> {
+    pub fn ask(&mut self, problem: Problem) -> Option<Answer> {
         if self.asked >= self.most {
             return None;
         }
         self.asked += 1;
-        let (time, free) = self.time_of(&model, mission);
+        let (time, free) = self.time_of(problem);
         // RSP selects its facets at a shortest time of RCP, and if RCP has a plan, RSP has one.
-        let asks_rcp = free && model.plan.planner == PlannerKind::Rsp && self.model.plan.time == MissionTime::Minimum;
-        if asks_rcp {
-            model.plan.planner = PlannerKind::Rcp;
+        let is_rsp = problem.model().plan.planner == PlannerKind::Rsp;
+        if !(free && is_rsp && self.problem.model().plan.time == MissionTime::Minimum) {
+            return Some(self.oracle.ask(problem, time));
         }
-        match self.oracle.ask(&model, mission, time) {
-            Answer::Infeasible { weights, .. } if asks_rcp => Some(self.without_modes(model, mission, time, weights)),
+        match self.ask_of(PlannerKind::Rcp, problem, time)? {
+            // RCP's sets are smaller, so this proves nothing about RSP; but RIP's sets are larger, so a proof for RIP is a
+            // proof for RSP.
+            Answer::Infeasible { weights, .. } => {
+                self.asked += 1;
+                match self.ask_of(PlannerKind::Rip, problem, time)? {
+                    proof @ Answer::Infeasible { .. } => Some(proof),
+                    _ => Some(Answer::NotFound(weights)),
+                }
+            }
             answer => Some(answer),
         }
     }
 
-    /// The answer for RSP after a proof for RCP, which was queried in its place. RCP's sets are smaller, so this proves nothing
-    /// about RSP; but RIP's sets are larger, so a proof for RIP is a proof for RSP.
-    fn without_modes(&mut self, mut model: Model, mission: &Mission, time: f64, of_rcp: Vec<(Part, f64)>) -> Answer {
-        self.asked += 1;
-        model.plan.planner = PlannerKind::Rip;
-        match self.oracle.ask(&model, mission, time) {
-            proof @ Answer::Infeasible { .. } => proof,
-            _ => Answer::NotFound(of_rcp),
-        }
+    /// The oracle's answer for a variant with another planner than the spec's.
+    fn ask_of(&mut self, planner: PlannerKind, problem: Problem, time: f64) -> Option<Answer> {
+        let mut model = problem.model().clone();
+        model.plan.planner = planner;
+        Some(self.oracle.ask(Problem::of(&model)?, time))
     }
 }
 

@@ -7,7 +7,7 @@ use super::question::Questions;
 use super::statement::Statement;
 use crate::admissible::diagnose::diagnose;
 use crate::diagnostic::Severity;
-use crate::model::{Limit, LimitKind, Mission, MissionTime, Model};
+use crate::model::{Limit, LimitKind, MissionTime, Model, Problem};
 
 /// A change to a spec. Numbers are SI and have two significant digits in the unit of the spec.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,9 +56,9 @@ const MOST_TILT: f64 = 89.0;
 /// Changes that give the whole spec a plan, cheapest first: changes that cost time, then accuracy, then limits and reserve,
 /// then removed statements, then a different vehicle.
 pub(super) fn fixes(questions: &mut Questions, conflict: &Conflict) -> Vec<Fix> {
-    let (model, mission) = (questions.model, questions.mission);
+    let model = questions.problem.model();
     let mut found = Vec::new();
-    let needed = mission.samples_needed();
+    let needed = questions.problem.mission().samples_needed();
     if model.plan.samples < needed {
         found.extend(attempt(questions, Change::Samples(needed)));
     }
@@ -90,7 +90,7 @@ pub(super) fn fixes(questions: &mut Questions, conflict: &Conflict) -> Vec<Fix> 
 
 /// A later time, of the plan or of a waypoint.
 fn longer(questions: &mut Questions, statement: Statement) -> Option<Fix> {
-    let (model, mission) = (questions.model, questions.mission);
+    let (model, mission) = (questions.problem.model(), questions.problem.mission());
     match (statement, model.plan.time) {
         (Statement::Time, MissionTime::Fixed(time)) => seek(questions, &between(time, questions.long()), Change::Time),
         (Statement::Arrival(waypoint), _) => {
@@ -114,7 +114,7 @@ fn wider(questions: &mut Questions, statement: Statement) -> Option<Fix> {
     if last == 0 {
         return None;
     }
-    let points = &questions.mission.waypoints;
+    let points = &questions.problem.mission().waypoints;
     let apart =
         |i: usize| (0..3).map(|k| (points[i].position[k] - points[i + 1].position[k]).powi(2)).sum::<f64>().sqrt();
     let beside = first.saturating_sub(1)..(last + 1).min(points.len() - 1);
@@ -129,7 +129,7 @@ fn wider(questions: &mut Questions, statement: Statement) -> Option<Fix> {
 fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
     match statement {
         Statement::Limit(limit) => {
-            let Limit { kind, lower, upper, volume, .. } = &questions.mission.limits[limit];
+            let Limit { kind, lower, upper, volume, .. } = &questions.problem.mission().limits[limit];
             let (kind, lower, upper) = (*kind, *lower, *upper);
             if volume.is_some() {
                 return None;
@@ -145,7 +145,7 @@ fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
         }
         Statement::Reserve => {
             let shares: Vec<f64> =
-                (0..(100.0 * questions.model.plan.reserve).ceil() as i32).rev().map(f64::from).collect();
+                (0..(100.0 * questions.problem.model().plan.reserve).ceil() as i32).rev().map(f64::from).collect();
             seek(questions, &shares, |share| Change::Reserve(share / 100.0))
         }
         _ => None,
@@ -198,27 +198,29 @@ fn less(statement: Statement) -> Option<Change> {
 
 /// Tries one change.
 fn attempt(questions: &mut Questions, change: Change) -> Option<Fix> {
-    let (mut model, mut mission) = (questions.model.clone(), questions.mission.clone());
-    change.apply(&mut model, &mut mission);
+    let mut model = questions.problem.model().clone();
+    change.apply(&mut model);
     if matches!(change, Change::Mass(_)) && diagnose(&model).iter().any(|d| d.severity == Severity::Error) {
         return None;
     }
-    let (time, _) = questions.time_of(&model, &mission);
-    (questions.ask(model, &mission)? == Answer::Feasible).then_some(Fix { change, time })
+    let problem = Problem::of(&model)?;
+    let (time, _) = questions.time_of(problem);
+    (questions.ask(problem)? == Answer::Feasible).then_some(Fix { change, time })
 }
 
 impl Change {
-    /// Applies the change to a spec.
-    pub fn apply(self, model: &mut Model, mission: &mut Mission) {
+    /// Applies the change to a spec; without a mission there is nothing to change.
+    pub fn apply(self, model: &mut Model) {
+        let Model { mission: Some(mission), plan, vehicle, .. } = model else { return };
         match self {
-            Change::Samples(samples) => model.plan.samples = samples,
-            Change::Time(time) => model.plan.time = MissionTime::Fixed(time),
+            Change::Samples(samples) => plan.samples = samples,
+            Change::Time(time) => plan.time = MissionTime::Fixed(time),
             Change::Arrival { waypoint, time } => {
                 let last = waypoint + 1 == mission.waypoints.len();
                 let waypoint = &mut mission.waypoints[waypoint];
                 waypoint.time = Some(time);
-                if last && matches!(model.plan.time, MissionTime::Fixed(_)) {
-                    model.plan.time = MissionTime::Fixed(time + waypoint.hold);
+                if last && matches!(plan.time, MissionTime::Fixed(_)) {
+                    plan.time = MissionTime::Fixed(time + waypoint.hold);
                 }
             }
             Change::Within { first, last, within } => {
@@ -229,11 +231,11 @@ impl Change {
                 limit.upper = Some(upper);
                 limit.lower = limit.lower.map(|_| -upper);
             }
-            Change::Reserve(reserve) => model.plan.reserve = reserve,
-            Change::NoLimit(limit) => Statement::Limit(limit).leave_out(model, mission),
-            Change::NoHold(waypoint) => Statement::Hold(waypoint).leave_out(model, mission),
-            Change::NoMode(mode) => Statement::Mode(mode).leave_out(model, mission),
-            Change::Mass(mass) => model.vehicle.mass = mass,
+            Change::Reserve(reserve) => plan.reserve = reserve,
+            Change::NoLimit(limit) => Statement::Limit(limit).leave_out(model),
+            Change::NoHold(waypoint) => Statement::Hold(waypoint).leave_out(model),
+            Change::NoMode(mode) => Statement::Mode(mode).leave_out(model),
+            Change::Mass(mass) => vehicle.mass = mass,
         }
     }
 

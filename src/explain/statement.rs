@@ -1,7 +1,7 @@
 //! The statements of a spec that a plan must satisfy.
 
 use super::oracle::Part;
-use crate::model::{Limit, Mission, MissionTime, Model, PlannerKind};
+use crate::model::{Limit, MissionTime, Model, PlannerKind, Problem};
 use crate::number::{number, part_of_all};
 use crate::planner::transcription::UNBOUNDED;
 use crate::source::Span;
@@ -29,7 +29,8 @@ pub enum Statement {
 }
 
 /// Every statement that a plan of this planner must satisfy, in the order of flight.
-pub fn statements(model: &Model, mission: &Mission) -> Vec<Statement> {
+pub fn statements(problem: Problem) -> Vec<Statement> {
+    let (model, mission) = (problem.model(), problem.mission());
     let plan = &model.plan;
     let mut all = Vec::new();
     let mut first = 0;
@@ -71,8 +72,9 @@ impl Statement {
         }
     }
 
-    /// Leaves it out. The waypoint times of the other statements do not change, except those that it fixed.
-    pub fn leave_out(self, model: &mut Model, mission: &mut Mission) {
+    /// Leaves it out of a spec. The waypoint times of the other statements do not change, except those that it fixed.
+    pub fn leave_out(self, model: &mut Model) {
+        let Model { mission: Some(mission), plan, .. } = model else { return };
         match self {
             Statement::Waypoints { first, last } => {
                 for waypoint in &mut mission.waypoints[first..=last] {
@@ -84,14 +86,15 @@ impl Statement {
             Statement::RestAtStart => mission.start_at_rest = false,
             Statement::RestAtEnd => mission.end_at_rest = false,
             Statement::Limit(i) => (mission.limits[i].lower, mission.limits[i].upper) = (None, None),
-            Statement::Mode(mode) => model.plan.against.retain(|&other| other != mode),
-            Statement::Reserve => model.plan.reserve = 0.0,
-            Statement::Time => model.plan.time = MissionTime::Minimum,
+            Statement::Mode(mode) => plan.against.retain(|&other| other != mode),
+            Statement::Reserve => plan.reserve = 0.0,
+            Statement::Time => plan.time = MissionTime::Minimum,
         }
     }
 
     /// Its place; for a default, the block to which it belongs.
-    pub fn span(self, model: &Model, mission: &Mission) -> Span {
+    pub fn span(self, problem: Problem) -> Span {
+        let (model, mission) = (problem.model(), problem.mission());
         let waypoint = |i: usize| &mission.waypoints[i];
         match self {
             Statement::Waypoints { first, .. } => waypoint(first).span,
@@ -122,7 +125,8 @@ impl Statement {
     }
 
     /// Its requirement, as a label at its place.
-    pub fn label(self, model: &Model, mission: &Mission) -> String {
+    pub fn label(self, problem: Problem) -> String {
+        let (model, mission) = (problem.model(), problem.mission());
         match self {
             Statement::Waypoints { first, last } => {
                 let points = &mission.waypoints[first..=last];

@@ -33,8 +33,8 @@ const MOST_ESCAPED: usize = 1 << 20;
 /// ```
 pub fn certify(spec: &Spec, planning: &Planning) -> Result<Certificate, Uncertified> {
     planning.check_spec(spec).map_err(Uncertified::OtherSpec)?;
-    let Some(mission) = spec.mission() else { return Err(Uncertified::Other("the spec has no mission".into())) };
-    write::of(spec.model(), mission, planning.comparison(), spec.sha256().into()).map_err(Uncertified::Other)
+    let Some(problem) = spec.problem() else { return Err(Uncertified::Other("the spec has no mission".into())) };
+    write::of(problem, planning.comparison(), spec.sha256().into()).map_err(Uncertified::Other)
 }
 
 /// Why an outcome has no certificate.

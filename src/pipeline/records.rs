@@ -15,9 +15,9 @@ use crate::spec::Spec;
 impl Task<'_> {
     /// The report of a plan: `mavc plan --report`.
     pub fn report(&self, planning: &Planning, explained: &Explained, between: Option<Vec<Between>>) -> Record {
-        let (model, mission, sources) = (self.model(), self.mission(), self.spec().sources());
-        let mut record = Record::new(model, mission, planning.comparison(), self.spec().sha256().into());
-        record.conflict = explained.conflict.as_ref().map(|why| ConflictRecord::new(why, model, mission, sources));
+        let (problem, sources) = (self.problem(), self.spec().sources());
+        let mut record = Record::new(problem, planning.comparison(), self.spec().sha256().into());
+        record.conflict = explained.conflict.as_ref().map(|why| ConflictRecord::new(why, problem, sources));
         record.found_at_s = explained.nearby.times().collect();
         if let Some(planner) = record.planners.last_mut() {
             planner.between_nodes = between;
@@ -27,24 +27,23 @@ impl Task<'_> {
 
     /// The report of a plan for people: the text of `mavc plan`, with the colours of a terminal if `color` is set.
     pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>, color: bool) -> String {
-        let (model, mission) = (self.model(), self.mission());
-        let mut text = terminal::plan(model, mission, planning.comparison(), color);
-        text.push_str(&terminal::elsewhere(model, &explained.nearby.times().collect::<Vec<_>>()));
+        let mut text = terminal::plan(self.problem(), planning.comparison(), color);
+        text.push_str(&terminal::elsewhere(self.model(), &explained.nearby.times().collect::<Vec<_>>()));
         if let (Some(plan), Some(found)) = (planning.plan(), between) {
-            text.push_str(&report::between::between(model, plan, found));
+            text.push_str(&report::between::between(self.model(), plan, found));
         }
         text
     }
 
     /// The conflict as a diagnostic of the spec that labels each of its statements.
     pub fn diagnose(&self, explained: &Explained) -> Option<Diagnostic> {
-        let diagnostic = |why| diagnose(why, self.model(), self.mission(), self.spec().sources());
+        let diagnostic = |why| diagnose(why, self.problem(), self.spec().sources());
         explained.conflict.as_ref().map(diagnostic)
     }
 
     /// The report of a comparison: `mavc compare --report`.
     pub fn comparison_report(&self, comparison: &Comparison, rounds: Option<&[Round]>) -> Record {
-        let mut record = Record::new(self.model(), self.mission(), comparison, self.spec().sha256().into());
+        let mut record = Record::new(self.problem(), comparison, self.spec().sha256().into());
         let of_round = |round: &Round| RoundRecord::new(self.mission(), round);
         record.rounds = rounds.map(|all| all.iter().map(of_round).collect());
         record

@@ -88,13 +88,13 @@ impl Task<'_> {
     /// The program of the hover model, with every row, at the mission time of an outcome. `None` if the mission has no time
     /// grid over that time.
     pub fn program(&self, planning: &Planning) -> Option<Program> {
-        let (model, mission, time_s) = (self.model(), self.mission(), planning.time());
+        let (problem, model, time_s) = (self.problem(), self.model(), planning.time());
         let healthy = AdmissibleSet::healthy(model);
-        let mut planner = HoverPlanner::new(model, mission, &healthy);
+        let mut planner = HoverPlanner::new(problem, &healthy);
         let layout = planner.layout(time_s, model.plan.samples).ok()??;
         let maps = layout.yaw.maps(model, layout.flown.nodes());
         let commands = layout.commands(model);
-        let transcription = Transcription::new(model, mission, &layout.flown, planning.set(), &maps, layout.yaw.axes());
+        let transcription = Transcription::new(problem, &layout.flown, planning.set(), &maps, layout.yaw.axes());
         let program = transcription.with_commands(commands.as_ref()).full_program(Purpose::Plan { slack: FEASIBLE });
         Some(Program { schema: 1, time_s, program })
     }

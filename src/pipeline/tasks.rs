@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::nearby::{self, Nearby};
 use crate::explain::planners::Planners;
 use crate::explain::{self, Explanation};
-use crate::model::{MAX_SAMPLES_OF_A_SEARCH, Mission, Model};
+use crate::model::{MAX_SAMPLES_OF_A_SEARCH, Mission, Model, Problem};
 use crate::observer::{Observer, Silent, timed};
 use crate::planner::studies::rounds::{Round, rounds};
 use crate::planner::studies::{
@@ -171,7 +171,7 @@ impl Error for Refusal {}
 #[derive(Debug, Clone)]
 pub struct Task<'s> {
     spec: &'s Spec,
-    mission: &'s Mission,
+    problem: Problem<'s>,
     remarks: Vec<Diagnostic>,
 }
 
@@ -217,7 +217,7 @@ impl Planning {
         observer.begins("looking for a proof of every instant");
         Ok(timed(observer, "prove", || {
             let run = self.run();
-            run.outcome.plan().map(|plan| between(task.model(), task.mission, run, plan))
+            run.outcome.plan().map(|plan| between(task.problem, run, plan))
         }))
     }
 
@@ -252,11 +252,11 @@ impl<'s> Task<'s> {
         let mut remarks = answers;
         remarks.extend(no_mission(model));
         sort(&mut remarks);
-        match &model.mission {
+        match spec.problem() {
             _ if is_too_large => Err(Refusal::TooLarge(remarks)),
             None => Err(Refusal::NoMission(remarks)),
             Some(_) if is_intolerable => Err(Refusal::Intolerable(remarks)),
-            Some(mission) => Ok(Task { spec, mission, remarks }),
+            Some(problem) => Ok(Task { spec, problem, remarks }),
         }
     }
 
@@ -275,12 +275,17 @@ impl<'s> Task<'s> {
         self.spec
     }
 
+    /// The spec's model and mission.
+    pub fn problem(&self) -> Problem<'s> {
+        self.problem
+    }
+
     pub fn model(&self) -> &'s Model {
-        self.spec.model()
+        self.problem.model()
     }
 
     pub fn mission(&self) -> &'s Mission {
-        self.mission
+        self.problem.mission()
     }
 
     /// Warnings about the sets of modes, such as hover on an edge.
@@ -307,18 +312,17 @@ impl<'s> Task<'s> {
     pub fn rounds(&self, comparison: &mut Comparison, wanted: (usize, usize), observer: &dyn Observer) -> Vec<Round> {
         let tries = |round: &str, time: f64| observer.tries(round, time);
         timed(observer, "rounds", || {
-            let mut found = rounds(self.model(), self.mission, comparison, wanted, Some(&tries));
-            certify::check_rounds(self.model(), self.mission, &mut found);
+            let mut found = rounds(self.problem, comparison, wanted, Some(&tries));
+            certify::check_rounds(self.problem, &mut found);
             found
         })
     }
 
     fn run(&self, scope: Scope, observer: &dyn Observer) -> Comparison {
-        let (model, mission) = (self.model(), self.mission);
         let tries = |planner: &str, time: f64| observer.tries(planner, time);
         observer.begins("building the admissible sets");
-        let mut comparison = timed(observer, "plan", || compare_planners(model, mission, scope, Some(&tries)));
-        timed(observer, "check", || certify::check(model, mission, &mut comparison));
+        let mut comparison = timed(observer, "plan", || compare_planners(self.problem, scope, Some(&tries)));
+        timed(observer, "check", || certify::check(self.problem, &mut comparison));
         observer.solved(&comparison.effort);
         comparison
     }
@@ -346,7 +350,7 @@ impl<'s> Task<'s> {
             observer.begins(&format!("no plan was found; looking for times with one, near {time:.2} s"));
         };
         let begin = Instant::now();
-        let (nearby, effort) = nearby::nearby(self.model(), self.mission, &planning.comparison, &tries);
+        let (nearby, effort) = nearby::nearby(self.problem, &planning.comparison, &tries);
         if effort.solves > 0 {
             observer.ended("nearby", begin.elapsed());
             observer.asked(None, &effort);
@@ -362,7 +366,7 @@ impl<'s> Task<'s> {
             observer.begins(&format!("no plan; which statements conflict? Variant {variant} of the spec, {time:.2} s"));
         };
         let mut planner = Planners::new(Some(&tries));
-        let found = timed(observer, "why", || explain::explain(self.model(), self.mission, &mut planner));
+        let found = timed(observer, "why", || explain::explain(self.problem, &mut planner));
         observer.asked(Some(found.as_ref().map_or(0, |e| e.questions)), &planner.effort);
         found
     }

@@ -15,7 +15,7 @@ pub use settings::HoverSettings;
 
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
-use crate::model::{Mission, Model};
+use crate::model::{Mission, Model, Problem};
 use crate::motion::NodeState;
 use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
@@ -38,8 +38,7 @@ pub const ACCEPTED: f64 = 1e-7;
 
 /// Plans one mission in the hover model, and counts the solver's effort.
 pub struct HoverPlanner<'a> {
-    pub model: &'a Model,
-    pub mission: &'a Mission,
+    pub problem: Problem<'a>,
     pub healthy: &'a AdmissibleSet,
     pub effort: Effort,
     /// After [`Decision::Infeasible`]: the weight of each row in the multipliers that prove it
@@ -64,7 +63,7 @@ pub struct Violation {
 impl Planner for HoverPlanner<'_> {
     fn plan_at(&mut self, time: f64, set: &PlanningSet, _: &[&Planned], working_set: &mut WorkingSet) -> Decision {
         self.progress(time);
-        self.decide(time, self.model.plan.samples, set, working_set)
+        self.decide(time, self.model().plan.samples, set, working_set)
     }
 
     fn attempt_at(&mut self, time: f64, set: &PlanningSet, _: bool, working_set: &mut WorkingSet) -> planner::Attempt {
@@ -87,11 +86,10 @@ impl Planner for HoverPlanner<'_> {
 }
 
 impl<'a> HoverPlanner<'a> {
-    /// `healthy` is the whole healthy set of `model`, whose widths make rows dimensionless.
-    pub fn new(model: &'a Model, mission: &'a Mission, healthy: &'a AdmissibleSet) -> Self {
+    /// `healthy` is the whole healthy set of the model, whose widths make rows dimensionless.
+    pub fn new(problem: Problem<'a>, healthy: &'a AdmissibleSet) -> Self {
         HoverPlanner {
-            model,
-            mission,
+            problem,
             healthy,
             effort: Effort::default(),
             weights: Vec::new(),
@@ -99,6 +97,16 @@ impl<'a> HoverPlanner<'a> {
             on_progress: None,
             settings: HoverSettings::DEFAULT,
         }
+    }
+
+    /// The model of the problem.
+    pub fn model(&self) -> &'a Model {
+        self.problem.model()
+    }
+
+    /// The mission of the problem.
+    pub fn mission(&self) -> &'a Mission {
+        self.problem.mission()
     }
 
     pub(super) fn progress(&self, time: f64) {
@@ -109,10 +117,10 @@ impl<'a> HoverPlanner<'a> {
 
     /// Intervals of the coarse grid: by legs and holds, with a minimum ([`HoverSettings`]), never more than the plan's.
     pub(super) fn coarse_samples(&self) -> usize {
-        let segments = self.mission.legs.len() + self.mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+        let segments = self.mission().legs.len() + self.mission().waypoints.iter().filter(|w| w.hold > 0.0).count();
         (self.settings.coarse_intervals_per_leg * segments)
             .max(self.settings.min_coarse_intervals)
-            .min(self.model.plan.samples)
+            .min(self.model().plan.samples)
     }
 
     /// The mission laid out over `total` s with `samples` intervals; `Ok(None)` if the fixed times leave a leg no time.
@@ -120,15 +128,15 @@ impl<'a> HoverPlanner<'a> {
     /// # Errors
     /// The outcome of the yaw program, if yaw is planned first and has no solution.
     pub fn layout(&mut self, total: f64, samples: usize) -> Result<Option<Layout>, Outcome> {
-        let Some(grid) = time_grid(self.mission, total, samples) else { return Ok(None) };
+        let Some(grid) = time_grid(self.mission(), total, samples) else { return Ok(None) };
         let flown = grid.flown();
-        let yaw = plan_yaw(self.model, self.mission, &flown, &mut self.effort)?;
+        let yaw = plan_yaw(self.problem, &flown, &mut self.effort)?;
         Ok(Some(Layout { grid, flown, yaw }))
     }
 
     /// Whether fixed times, yaw waypoints or reach already rule out every plan, for any choice of yaw.
     pub(super) fn is_hopeless(&mut self, total: f64) -> bool {
-        match self.layout(total, self.model.plan.samples) {
+        match self.layout(total, self.model().plan.samples) {
             Ok(Some(layout)) => self.out_of_reach(&layout),
             Ok(None) | Err(Outcome::Infeasible { .. }) => true,
             Err(_) => false,
@@ -223,15 +231,15 @@ impl<'a> HoverPlanner<'a> {
     /// program. Always false for missions with fixed times, holds or changing yaw.
     pub(super) fn is_plan_when_slowed(&self, planned: &Planned, set: &PlanningSet, factor: f64) -> bool {
         let WrenchModel::HoverAt(_) = planned.model else { return false };
-        let own_times = self.mission.waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some());
-        let least_rates = self.mission.limits.iter().any(|l| !place(l.kind) && l.lower.is_some_and(|b| b > 0.0));
+        let own_times = self.mission().waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some());
+        let least_rates = self.mission().limits.iter().any(|l| !place(l.kind) && l.lower.is_some_and(|b| b > 0.0));
         if own_times || least_rates {
             return false;
         }
         let slow = |state: &NodeState| -> NodeState {
             state.map(|axis| std::array::from_fn(|order| axis[order] * factor.powi(-(order as i32))))
         };
-        let wrench = |state| planned.model.wrench(&self.model.vehicle, self.model.gravity, &slow(state));
+        let wrench = |state| planned.model.wrench(&self.model().vehicle, self.model().gravity, &slow(state));
         let wrenches: Vec<Wrench> = planned.states.iter().map(wrench).collect();
         let keeps = |w: &Wrench| set.rows.iter().all(|row| row.violation(w) <= ACCEPTED);
         // The wrench is linear over an interval here, so w' is the same at both its ends.
@@ -241,7 +249,7 @@ impl<'a> HoverPlanner<'a> {
                 keeps(&(w[0] + ahead)) && keeps(&(w[1] + ahead))
             })
         };
-        wrenches.iter().all(keeps) && self.model.thrust_lag().is_none_or(commands)
+        wrenches.iter().all(keeps) && self.model().thrust_lag().is_none_or(commands)
     }
 
     /// If the plan's program has no verdict: minimises sigma + epsilon J, which always has a solution. With J at most J_max on

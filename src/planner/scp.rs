@@ -170,7 +170,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         set: &'e PlanningSet,
         settings: ScpSettings,
     ) -> Self {
-        let model = hover.model;
+        let model = hover.model();
         let at_hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
         let margin = settings.tightening.margin;
         // No more can be kept free than hover itself does.
@@ -200,8 +200,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         'a: 's,
         'e: 's,
     {
-        let (model, mission) = (self.hover.model, self.hover.mission);
-        let form = Transcription::new(model, mission, grid, self.set, maps, &ALL_AXES);
+        let form = Transcription::new(self.hover.problem, grid, self.set, maps, &ALL_AXES);
         form.with_orders(self.wrench.orders(), PARTS).stopping_from(self.hover.struck)
     }
 
@@ -218,7 +217,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let needed: BTreeSet<usize> = working_set.iter().map(|r| r.instant).chain(nodes).collect();
         for instant in needed {
             let state = iterate.at(instant);
-            let map = self.wrench.linearised(&self.hover.model.vehicle, self.hover.model.gravity, &state);
+            let map = self.wrench.linearised(&self.hover.model().vehicle, self.hover.model().gravity, &state);
             let change = |sum: Wrench, &(axis, order, c): &(usize, usize, Wrench)| {
                 let order: usize = order;
                 sum - c * (order as f64 * state[axis][order])
@@ -235,7 +234,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let tau = self.transcription(&iterate.grid, &[]).mean_tau();
         let at = |(&instant, n): (&usize, &Wrench)| {
             let state = iterate.at(instant);
-            let (vehicle, gravity) = (&self.hover.model.vehicle, self.hover.model.gravity);
+            let (vehicle, gravity) = (&self.hover.model().vehicle, self.hover.model().gravity);
             (instant, state, self.wrench.curvature(vehicle, gravity, &state, n, tau))
         };
         // Without curvature there is nothing to add, and its directions need not exist.
@@ -256,7 +255,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// The durations of a step that changes none.
     fn fixed_durations(&self) -> Durations {
-        Durations { legs: vec![None; self.hover.mission.legs.len()], range: (0.0, 0.0), spans: Vec::new() }
+        Durations { legs: vec![None; self.hover.mission().legs.len()], range: (0.0, 0.0), spans: Vec::new() }
     }
 
     fn forget_multipliers(&mut self) {

@@ -9,7 +9,7 @@ mod ends;
 
 use crate::admissible::AdmissibleSet;
 use crate::model::grid::Spacing;
-use crate::model::{Leg, Limit, Mission, Model, Waypoint};
+use crate::model::{Leg, Limit, Mission, Problem, Waypoint};
 use crate::motion::time_grid::{LegGrid, TimeGrid};
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
@@ -35,9 +35,8 @@ const LEEWAY: f64 = 1e-4;
 
 /// Looks for stops along one plan, after one fault.
 pub struct Stops<'a> {
-    model: &'a Model,
-    /// The plan's mission, whose limits hold for stops too.
-    mission: &'a Mission,
+    /// The problem of the plan, the limits of whose mission hold for stops too.
+    problem: Problem<'a>,
     healthy: &'a AdmissibleSet,
     /// The admissible set of the fault mode.
     set: &'a PlanningSet,
@@ -50,28 +49,23 @@ pub struct Stops<'a> {
 
 impl<'a> Stops<'a> {
     /// `set` is the admissible set of the fault mode, `wrench` the model that the plan was made with.
-    pub fn new(
-        model: &'a Model,
-        mission: &'a Mission,
-        healthy: &'a AdmissibleSet,
-        set: &'a PlanningSet,
-        wrench: WrenchModel,
-    ) -> Self {
-        Stops { model, mission, healthy, set, wrench, last: None, effort: Effort::default() }
+    pub fn new(problem: Problem<'a>, healthy: &'a AdmissibleSet, set: &'a PlanningSet, wrench: WrenchModel) -> Self {
+        Stops { problem, healthy, set, wrench, last: None, effort: Effort::default() }
     }
 
     /// A stop from the state of a plan in which the fault strikes; `None` if none is found at any of the durations tried.
     pub fn find(&mut self, struck: &NodeState) -> Option<Iterate> {
         let settings = ScpSettings::DEFAULT;
-        let mission = stop_mission(self.mission, struck, &settings.stops);
-        let mut hover = HoverPlanner::new(self.model, &mission, self.healthy);
+        let model = self.problem.with_mission(stop_mission(self.problem.mission(), struck, &settings.stops));
+        let problem = Problem::of(&model)?;
+        let mut hover = HoverPlanner::new(problem, self.healthy);
         hover.struck = Some(*struck);
         let mut steps = ScpPlanner::with_settings(&mut hover, self.wrench, self.set, settings);
         let near = self.last.as_ref().map(|last| last.grid.total);
         let about = self.last.as_ref().and_then(|last| steps.stop_about(last.clone()));
         let found = about.or_else(|| {
-            let mut tried = durations(struck, self.model.gravity, near, &settings.stops).into_iter();
-            tried.find_map(|duration| steps.stop(&grid(&mission, duration, &settings.stops)))
+            let mut tried = durations(struck, model.gravity, near, &settings.stops).into_iter();
+            tried.find_map(|duration| steps.stop(&grid(problem.mission(), duration, &settings.stops)))
         });
         self.effort += hover.effort;
         self.last = found.clone();

@@ -19,7 +19,7 @@ pub use outcome::{
     label, proofs_are_about,
 };
 
-use crate::model::{Mission, Model};
+use crate::model::Problem;
 use crate::planner::finds_local_optima;
 use crate::planner::timing::kinematics::least_time_within;
 use setting::Setting;
@@ -34,17 +34,18 @@ pub const NOTHING_TO_SELECT_BY: &str = "RSP selects facets from a RIP plan, and 
 /// Runs the planners of a scope. Hover must be admissible in every mode of `against`; see `crate::admissible::verdict`.
 ///
 /// `progress` receives the planner's name and each mission time, s, before it is tried.
-pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
-    let ended = times::with_time_of_its_end(model, mission);
-    let (model, mission) = ended.as_ref().map_or((model, mission), |(model, mission)| (model, mission));
+pub fn compare(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
+    let ended = times::with_time_of_its_end(problem);
+    let problem = ended.as_ref().and_then(Problem::of).unwrap_or(problem);
+    let model = problem.model();
     // The SCP planner chooses waypoint times itself.
     let mut comparison = match model.plan.chooses_times && !finds_local_optima(model) {
-        true => times::with_times_before(model, mission, scope, progress),
-        false => with_times(model, mission, scope, progress),
+        true => times::with_times_before(problem, scope, progress),
+        false => with_times(problem, scope, progress),
     };
-    if let Some(about) = proofs_are_about(model, mission) {
-        let setting = Setting::new(model, mission, None);
-        let least = least_time_within(model, mission);
+    if let Some(about) = proofs_are_about(problem) {
+        let setting = Setting::new(problem, None);
+        let least = least_time_within(problem);
         let has_no_yaw = |at: f64| about == THIS_YAW && setting.is_hopeless(at);
         let is_hopeless = |at: f64| least.is_above(at) || has_no_yaw(at);
         comparison.runs.iter_mut().for_each(|run| run.outcome.weaken(about, is_hopeless));
@@ -53,8 +54,9 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
 }
 
 /// The same with the mission's shares of time for the legs.
-fn with_times(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
-    let mut setting = Setting { weighs_risk: scope != Scope::Common, ..Setting::new(model, mission, progress) };
+fn with_times(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
+    let model = problem.model();
+    let mut setting = Setting { weighs_risk: scope != Scope::Common, ..Setting::new(problem, progress) };
     if scope == Scope::Everything {
         setting.all = setting.runs_of_everything();
     }

@@ -10,7 +10,7 @@ mod mission;
 mod units;
 
 use crate::actuation::Wrench;
-use crate::model::{Mission, Model};
+use crate::model::{Mission, Model, Problem};
 use crate::motion::hover_map::{ORDER, WrenchMap};
 use crate::motion::time_grid::TimeGrid;
 use crate::motion::{NodeState, X, Y, Z};
@@ -66,6 +66,7 @@ pub const UPRIGHT: f64 = 0.1;
 /// All that a program depends on, except its objective and the choice of rows.
 pub struct Transcription<'a> {
     pub model: &'a Model,
+    /// That of the model, or the same with other bounds ([`Self::of_statements`]).
     pub mission: &'a Mission,
     /// Without holds: [`TimeGrid::flown`].
     pub grid: &'a TimeGrid,
@@ -105,16 +106,15 @@ pub(super) fn splines(grid: &TimeGrid) -> Arc<[NodeSpline; 2]> {
 impl<'a> Transcription<'a> {
     /// With stage variables.
     pub fn new(
-        model: &'a Model,
-        mission: &'a Mission,
+        problem: Problem<'a>,
         grid: &'a TimeGrid,
         set: &'a PlanningSet,
         maps: &'a [WrenchMap],
         axes: &'a [usize],
     ) -> Self {
         Transcription {
-            model,
-            mission,
+            model: problem.model(),
+            mission: problem.mission(),
             grid,
             set,
             maps,

@@ -1,6 +1,6 @@
 //! The yaw of the hover model, planned first if it changes: minimises the terms of (48) in psi within the yaw tolerances.
 
-use crate::model::{Mission, Model};
+use crate::model::{Model, Problem};
 use crate::motion::hover_map::{WrenchMap, YawState};
 use crate::motion::time_grid::TimeGrid;
 use crate::motion::wrench_model::WrenchModel;
@@ -63,12 +63,13 @@ impl YawPlan {
 ///
 /// # Errors
 /// The solver's outcome, if it is not a solution.
-pub fn plan_yaw(model: &Model, mission: &Mission, grid: &TimeGrid, effort: &mut Effort) -> Result<YawPlan, Outcome> {
+pub fn plan_yaw(problem: Problem, grid: &TimeGrid, effort: &mut Effort) -> Result<YawPlan, Outcome> {
+    let mission = problem.mission();
     if mission.has_one_yaw() {
         return Ok(YawPlan::Free { psi: mission.waypoints[0].yaw });
     }
     let nothing = PlanningSet::default();
-    let transcription = Transcription::new(model, mission, grid, &nothing, &[], &ALL_AXES[3..]);
+    let transcription = Transcription::new(problem, grid, &nothing, &[], &ALL_AXES[3..]);
     let (outcome, spent) = solve(&transcription.full_program(Purpose::Plan { slack: 0.0 }));
     *effort += spent;
     let Outcome::Solved(solution) = outcome else { return Err(outcome) };

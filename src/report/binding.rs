@@ -1,7 +1,7 @@
 //! Which constraints limit the time of a plan, leg by leg.
 
 use super::table::Table;
-use crate::model::{Limit, LimitKind, Mission, Model};
+use crate::model::{Limit, LimitKind, Mission, Problem};
 use crate::number::{fixed, number, significant};
 use crate::planner::scp::sensitivity::Statement;
 use crate::planner::studies::MissionPlan;
@@ -40,20 +40,22 @@ pub struct StatementRecord {
 }
 
 /// One record for each leg, with the statements whose relaxation saves at least 1 ms.
-pub fn records(model: &Model, mission: &Mission, solved: &MissionPlan) -> Vec<BindingRecord> {
+pub fn records(problem: Problem, solved: &MissionPlan) -> Vec<BindingRecord> {
+    let mission = problem.mission();
     let legs = solved.binding.iter().enumerate().map(|(leg, binding)| {
         let counted = binding.statements.iter().filter(|(_, seconds)| *seconds >= LEAST);
         BindingRecord {
             leg: leg + 1,
             to: mission.waypoints[leg + 1].name.clone(),
             duration_s: binding.duration,
-            statements: counted.map(|&(statement, seconds)| record(model, mission, statement, seconds)).collect(),
+            statements: counted.map(|&(statement, seconds)| record(problem, statement, seconds)).collect(),
         }
     });
     legs.collect()
 }
 
-fn record(model: &Model, mission: &Mission, statement: Statement, time_saved_s: f64) -> StatementRecord {
+fn record(problem: Problem, statement: Statement, time_saved_s: f64) -> StatementRecord {
+    let (model, mission) = (problem.model(), problem.mission());
     let at = |waypoint: usize| format!("at {}", place(mission, waypoint));
     let mode = |set: usize| set.checked_sub(1).and_then(|mode| model.modes.get(mode)).map(|mode| mode.name.clone());
     let of = |set: usize| mode(set).unwrap_or_else(|| "the healthy vehicle".into());
@@ -104,8 +106,9 @@ fn bound(limit: &Limit) -> String {
 }
 
 /// One line for each leg whose time some statement limits; empty if the time was not searched for.
-pub fn text(model: &Model, mission: &Mission, solved: &MissionPlan) -> String {
-    let records = records(model, mission, solved);
+pub fn text(problem: Problem, solved: &MissionPlan) -> String {
+    let mission = problem.mission();
+    let records = records(problem, solved);
     let mut table = Table::new(&["leg", "time", "limited by"]);
     let last_fixed = last_fixed(mission);
     let relaxed = records.iter().filter(|record| record.leg > last_fixed);

@@ -6,7 +6,7 @@ use super::record::{errors, rates};
 use super::table::Table;
 use super::terminal::{WIDTH, head, holds, in_planes};
 use super::{heat, least_time};
-use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind};
+use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
 use crate::number::{fixed, number, percent, significant};
@@ -22,17 +22,18 @@ const CHEAPER: f64 = 1e-3;
 /// The tables of the paper's section 5.4, for any spec.
 ///
 /// `color`: whether strips are coloured.
-pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
-    let mut out = head(model, mission, comparison);
+pub fn compare(problem: Problem, comparison: &Comparison, color: bool) -> String {
+    let (model, mission) = (problem.model(), problem.mission());
+    let mut out = head(problem, comparison);
     out.push_str(match determined(mission) {
         Some(_) => "\nEach planner alone, at the only time that the mission's fixed times allow\n",
         None => "\nEach planner alone, at the shortest time found for it\n",
     });
     out.push_str(&run_table(mission, comparison, Run::Own).render(2));
     out.push_str(&notes(comparison, Run::Own));
-    out.push_str(&own_note(model, mission, comparison));
+    out.push_str(&own_note(problem, comparison));
     out.push_str(&match comparison.common_time {
-        Some(t) => format!("\nAll planners at T_d = {} s, {}\n", number(t), common_time(model, mission, comparison)),
+        Some(t) => format!("\nAll planners at T_d = {} s, {}\n", number(t), common_time(problem, comparison)),
         None if comparison.modes.is_empty() => "\nWithout fault modes there is no common time T_d.\n".into(),
         None => "\nNo plan was found for any mode, so there is no common time T_d.\n".into(),
     });
@@ -74,14 +75,15 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         }
     }
     out.push_str(&guarded(comparison));
-    out.push_str(&words(model, mission, comparison));
+    out.push_str(&words(problem, comparison));
     out
 }
 
 /// The meaning of the verdicts in the tables, if some planner has no plan.
-fn words(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+fn words(problem: Problem, comparison: &Comparison) -> String {
+    let mission = problem.mission();
     let has = |verdict: Verdict| comparison.runs.iter().any(|run| run.outcome.verdict() == verdict);
-    let least = least_time_within(model, mission);
+    let least = least_time_within(problem);
     // The last waypoint's time is that of the mission.
     let is_of_all = least.too_early.is_some_and(|(waypoint, _)| waypoint + 1 < mission.waypoints.len());
     let at_any_time = is_of_all.then(|| {
@@ -158,9 +160,10 @@ fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
 }
 
 /// The notes under the first table: the lower bound, why its times differ from the spec's, and which facets RSP uses.
-fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+fn own_note(problem: Problem, comparison: &Comparison) -> String {
+    let (model, mission) = (problem.model(), problem.mission());
     let rip = comparison.runs.iter().find(|run| run.planner == PlannerKind::Rip && run.run == Run::Own);
-    let gap = rip.filter(|_| determined(mission).is_none()).and_then(|rip| least_time::gap(model, mission, rip));
+    let gap = rip.filter(|_| determined(mission).is_none()).and_then(|rip| least_time::gap(problem, rip));
     let bound = gap.map(|gap| format!("For RIP, {gap}."));
     let at = comparison.common_time.map(number);
     let is_beside = matches!(model.plan.time, MissionTime::Fixed(_)) && determined(mission).is_none();
@@ -216,7 +219,8 @@ fn local_optima(comparison: &Comparison) -> String {
 }
 
 /// The origin of T_d.
-fn common_time(model: &Model, mission: &Mission, comparison: &Comparison) -> &'static str {
+fn common_time(problem: Problem, comparison: &Comparison) -> &'static str {
+    let (model, mission) = (problem.model(), problem.mission());
     let jointly = |run: &&PlannerRun| run.planner == PlannerKind::Rcp && run.against.len() == comparison.modes.len();
     let joint = comparison.runs.iter().filter(|run| run.run == Run::Own).find(jointly);
     match (model.plan.time, joint.map(|run| &run.outcome)) {
@@ -302,7 +306,8 @@ fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
 }
 
 /// Output of `mavc compare --rounds`: each number of rounds at T_d, and its own shortest time if the time is free.
-pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds: &[Round]) -> String {
+pub fn rounds(problem: Problem, comparison: &Comparison, rounds: &[Round]) -> String {
+    let (model, mission) = (problem.model(), problem.mission());
     let Some(common) = comparison.common_time else {
         return "\nNo plan was found for any mode, so there is no time at which to select facets.\n".into();
     };

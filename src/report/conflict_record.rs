@@ -1,7 +1,7 @@
 //! The explanation of a missing plan in the machine-readable report.
 
 use crate::explain::Explanation;
-use crate::model::{Mission, Model, OVERRIDE};
+use crate::model::{OVERRIDE, Problem};
 use crate::source::{FileId, SourceMap};
 use crate::verdict::Verdict;
 use serde::Serialize;
@@ -56,15 +56,15 @@ pub struct FixRecord {
 }
 
 impl ConflictRecord {
-    pub fn new(explanation: &Explanation, model: &Model, mission: &Mission, sources: &SourceMap) -> Self {
+    pub fn new(explanation: &Explanation, problem: Problem, sources: &SourceMap) -> Self {
         let conflict = &explanation.conflict;
         let statement = |s: &crate::explain::Statement| {
-            let span = s.span(model, mission);
+            let span = s.span(problem);
             let source = sources.get(span.file);
             let (start, end) = (source.place(span.start as usize), source.place(span.end as usize));
             StatementRecord {
                 kind: s.kind(),
-                message: s.label(model, mission),
+                message: s.label(problem),
                 place: match (source.name.as_str(), span.file) {
                     (OVERRIDE, _) => format!("`{OVERRIDE} {}`", source.text),
                     (_, FileId(0)) => format!("line {}", start.line),
@@ -81,7 +81,7 @@ impl ConflictRecord {
             kind: fix.change.kind(),
             statement: fix.change.of().and_then(|of| conflict.statements.iter().position(|s| *s == of)),
             value: fix.change.value(),
-            message: fix.change.instruction(model, mission, sources),
+            message: fix.change.instruction(problem, sources),
             time_s: fix.time,
         };
         ConflictRecord {

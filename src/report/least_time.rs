@@ -1,7 +1,7 @@
 //! Lower bounds on mission times: no trajectory within the spec's limits is faster.
 
 use super::caveats::exceeded_limits;
-use crate::model::{Mission, Model};
+use crate::model::{Mission, Problem};
 use crate::motion::time_grid::has_fixed_times;
 use crate::number::{down, down_but_above, percent};
 use crate::planner::studies::{PlanOutcome, PlannerRun};
@@ -12,14 +12,15 @@ const DIGITS: usize = 4;
 
 /// The lower bound for a run, over all motions that satisfy the limits at every instant. If the run's plan exceeds limits
 /// between its nodes, the bound allows all motions to exceed them as far.
-pub fn bound_for(model: &Model, mission: &Mission, run: &PlannerRun) -> LeastTime {
+pub fn bound_for(problem: Problem, run: &PlannerRun) -> LeastTime {
+    let (model, mission) = (problem.model(), problem.mission());
     let mut past = vec![0.0; mission.limits.len()];
     if let PlanOutcome::Planned(solved) = &run.outcome {
         for exceeded in exceeded_limits(model, solved) {
             past[exceeded.limit] = exceeded.by;
         }
     }
-    least_time(model, mission, &past)
+    least_time(problem, &past)
 }
 
 /// The bound in words, for a mission of `total` s that has no plan because of it.
@@ -38,13 +39,14 @@ pub fn sentence(mission: &Mission, least: &LeastTime, total: f64) -> String {
 }
 
 /// The bound in words and the gap between it and the shortest time found; `None` if the bound is trivial.
-pub fn gap(model: &Model, mission: &Mission, run: &PlannerRun) -> Option<String> {
+pub fn gap(problem: Problem, run: &PlannerRun) -> Option<String> {
+    let mission = problem.mission();
     let solved = run.outcome.plan()?;
-    let least = bound_for(model, mission, run);
+    let least = bound_for(problem, run);
     if least.seconds <= 0.0 || least.is_above(solved.time) {
         return None;
     }
-    let widened = match least.seconds < (1.0 - 1e-6) * least_time_within(model, mission).seconds {
+    let widened = match least.seconds < (1.0 - 1e-6) * least_time_within(problem).seconds {
         true => ", exceeded no further than by this plan between its nodes,",
         false => "",
     };

@@ -25,7 +25,7 @@ mod waypoint_table;
 
 use crate::admissible::verdict::analyze_each;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Mission, Model};
+use crate::model::{Model, Problem};
 use crate::planner::studies::{Comparison, PlanOutcome, Run};
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::record::Record;
@@ -41,8 +41,7 @@ const MOST_MODES: usize = 24;
 /// The subject of a page.
 #[derive(Clone, Copy)]
 pub struct Subject<'a> {
-    pub model: &'a Model,
-    pub mission: &'a Mission,
+    pub problem: Problem<'a>,
     pub sources: &'a SourceMap,
     /// Shown at their places in the spec.
     pub diagnostics: &'a [Diagnostic],
@@ -57,7 +56,8 @@ pub enum Kind {
 
 /// The page of `mavc plan` or `mavc compare`; `record` is the JSON report. Complete HTML, the same for the same input.
 pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Record) -> String {
-    let Subject { model, mission, .. } = *subject;
+    let problem = subject.problem;
+    let (model, mission) = (problem.model(), problem.mission());
     let analyses = analyze_each(model);
     let shown = sets::shown(model, comparison);
     let content = Content::of_plans(subject, comparison, &shown, record).with_places(&analyses);
@@ -75,7 +75,7 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
     }
     sections.push(Section::new("spec", "Spec", spec::section(subject)));
     let found = match kind {
-        Kind::Plan => summary::plan(model, mission, comparison, record),
+        Kind::Plan => summary::plan(problem, comparison, record),
         Kind::Compare => summary::compare(mission, comparison),
     };
     Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
@@ -87,12 +87,12 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
 /// # Errors
 /// The drawing library's message if it cannot draw.
 pub fn figures(subject: &Subject, comparison: &Comparison) -> Result<Vec<(String, String)>, String> {
-    svg::files(&Content::of_plans(subject, comparison, &sets::shown(subject.model, comparison), &()))
+    svg::files(&Content::of_plans(subject, comparison, &sets::shown(subject.problem.model(), comparison), &()))
 }
 
 /// The page if some mode that the plan must tolerate cannot hover: nothing was planned.
 pub fn refused(subject: &Subject, record: &Record) -> String {
-    let model = subject.model;
+    let model = subject.problem.model();
     let analyses = analyze_each(model);
     let content = Content::of_sets(subject, &sets::declared(model), record).with_places(&analyses);
     let found = summary::refused(model, &analyses, subject.diagnostics);
@@ -106,7 +106,7 @@ pub fn refused(subject: &Subject, record: &Record) -> String {
 
 /// The page of `mavc simulate`: the flight first, then the plan that it follows.
 pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: &FlightRecord) -> String {
-    let model = subject.model;
+    let model = subject.problem.model();
     let analyses = analyze_each(model);
     let shown = sets::shown(model, comparison);
     let mut content = Content::of_plans(subject, comparison, &shown, record).with_places(&analyses);
@@ -127,7 +127,7 @@ pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: 
 
 /// The page of `mavc campaign`.
 pub fn campaign(subject: &Subject, record: &CampaignRecord) -> String {
-    let model = subject.model;
+    let model = subject.problem.model();
     let analyses = analyze_each(model);
     let content = Content::of_sets(subject, &sets::declared(model), record).with_places(&analyses);
     let sections = vec![

@@ -9,7 +9,7 @@ use super::verdict_text::statement;
 use super::volumes::{self, VolumeRecord};
 use super::waypoints::{WaypointRecord, waypoints};
 use crate::certify::between::Between;
-use crate::model::{Mission, Model};
+use crate::model::{Mission, Model, Problem};
 use crate::motion::YAW;
 use crate::motion::risk::rated_risk;
 use crate::planner::studies::protect::{Addition, Protection};
@@ -202,8 +202,9 @@ pub fn errors(mission: &Mission, solved: &MissionPlan) -> Errors {
 
 impl Record {
     /// The record of all runs; `spec_sha256` is the hash over all files of the spec.
-    pub fn new(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256: String) -> Self {
-        let planners = comparison.runs.iter().map(|r| planner(model, mission, comparison, r)).collect();
+    pub fn new(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Self {
+        let model = problem.model();
+        let planners = comparison.runs.iter().map(|r| planner(problem, comparison, r)).collect();
         let steps = || comparison.trade_off.iter().map(AdditionRecord::new).collect();
         Record {
             schema: SCHEMA,
@@ -266,7 +267,8 @@ impl CheckRecord {
     }
 }
 
-fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {
+fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {
+    let (model, mission) = (problem.model(), problem.mission());
     let nodes = match &run.outcome {
         PlanOutcome::Planned(solved) => solved.trajectory.times.len(),
         _ => model.plan.samples + 1,
@@ -279,8 +281,8 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             Run::Common => "common",
         },
         verdict: run.outcome.verdict(),
-        statement: statement(model, mission, comparison, run),
-        time_lower_bound_s: Some(least_time::bound_for(model, mission, run).seconds),
+        statement: statement(problem, comparison, run),
+        time_lower_bound_s: Some(least_time::bound_for(problem, run).seconds),
         rows: run.set.rows.len() * nodes,
         ..PlannerRecord::default()
     };
@@ -302,8 +304,8 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             record.max_waypoint_error_m = Some(e.largest);
             record.risk = rated_risk(&rates(model), &solved.committed);
             record.warnings = caveats(model, solved);
-            record.limited_by = binding::records(model, mission, solved);
-            record.volumes = volumes::records(model, mission, solved);
+            record.limited_by = binding::records(problem, solved);
+            record.volumes = volumes::records(problem, solved);
             record.modes = comparison
                 .modes
                 .iter()

@@ -10,7 +10,7 @@ use super::volumes;
 use super::waypoints;
 use crate::admissible::row::VIOLATED;
 use crate::flight::indistinguishable::listed;
-use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
+use crate::model::{AfterFault, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
 use crate::motion::wrench_model::WrenchModel;
@@ -30,7 +30,8 @@ pub fn vehicle_line(model: &Model) -> String {
 }
 
 /// The head of a report: mission, vehicle, fault modes and model.
-pub(super) fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+pub(super) fn head(problem: Problem, comparison: &Comparison) -> String {
+    let (model, mission) = (problem.model(), problem.mission());
     let against = match comparison.modes.as_slice() {
         [] => "no fault modes".to_string(),
         modes => format!("fault modes {}", modes.join(", ")),
@@ -65,8 +66,9 @@ pub(crate) fn in_planes(comparison: &Comparison) -> String {
 }
 
 /// The output of `mavc plan`; the trajectory written is that of the last run. `color`: whether strips are coloured.
-pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
-    let mut out = head(model, mission, comparison);
+pub fn plan(problem: Problem, comparison: &Comparison, color: bool) -> String {
+    let model = problem.model();
+    let mut out = head(problem, comparison);
     let solved = matches!(comparison.runs.last().map(|r| &r.outcome), Some(PlanOutcome::Planned(_)));
     if let Some(time) = comparison
         .common_time
@@ -103,10 +105,9 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
     for run in &comparison.runs {
         out.push('\n');
         match &run.outcome {
-            PlanOutcome::Planned(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved, color)),
+            PlanOutcome::Planned(solved) => out.push_str(&solved_run(problem, comparison, run, solved, color)),
             _ => {
-                let text =
-                    format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run));
+                let text = format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run));
                 out.push_str(&format!("{}\n", textwrap::fill(&text, WIDTH)));
             }
         }
@@ -142,22 +143,22 @@ fn trade_off(comparison: &Comparison, bound: f64) -> String {
 }
 
 fn solved_run(
-    model: &Model,
-    mission: &Mission,
+    problem: Problem,
     comparison: &Comparison,
     run: &PlannerRun,
     solved: &MissionPlan,
     color: bool,
 ) -> String {
-    let text = format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run));
+    let (model, mission) = (problem.model(), problem.mission());
+    let text = format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run));
     let mut out = format!("{}\n", textwrap::fill(&text, textwrap::Options::new(WIDTH).subsequent_indent("  ")));
     let (e, waypoints) = (errors(mission, solved), waypoints::waypoints(mission, solved));
     out.push_str(&format!("  {}\n{}", waypoints::headline(&waypoints), waypoints::table(&waypoints, 4)));
     let [position, yaw] = [significant(e.position, 4), significant(e.yaw, 3)];
     out.push_str(&format!("  sum of position errors {position} m, of yaw errors {yaw} rad\n"));
     out.push_str(&format!("  objective {}\n", number(solved.objective)));
-    out.push_str(&volumes::text(model, mission, solved));
-    out.push_str(&binding::text(model, mission, solved));
+    out.push_str(&volumes::text(problem, solved));
+    out.push_str(&binding::text(problem, solved));
     if !comparison.modes.is_empty() {
         out.push_str("\n  If a fault strikes: when does the plan violate the mode's admissible set?\n");
         out.push_str(&mode_table(model, comparison, solved).render(2));

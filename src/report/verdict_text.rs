@@ -1,7 +1,7 @@
 //! The verdict on a planner's run in words, with exactly what was shown.
 
 use super::least_time;
-use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
+use crate::model::{MissionTime, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::time_grid::determined;
 use crate::number::number;
 use crate::planner::scp::NOT_FOUND;
@@ -12,7 +12,8 @@ use crate::planner::studies::{
 use crate::planner::timing::kinematics::least_time_within;
 
 /// `proved infeasible at 12 s with 200 samples`: the verdict on a run, the times it is about, and its conditions.
-pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> String {
+pub fn statement(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> String {
+    let (model, mission) = (problem.model(), problem.mission());
     let verdict = run.outcome.verdict();
     let samples = model.plan.samples;
     match &run.outcome {
@@ -21,7 +22,7 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
                 Verification::Undecided(why) => format!("; the check of plans could not decide: {why}"),
                 Verification::None | Verification::Passed => String::new(),
             };
-            let time = shown_of_time(model, mission, comparison, run, solved);
+            let time = shown_of_time(problem, comparison, run, solved);
             format!("{verdict}, {} s{time}{undecided}", number(solved.time))
         }
         PlanOutcome::NotFound(NotFound::Check { at, why }) => {
@@ -29,15 +30,15 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
         }
         // If several times were proved one by one, listing them is more informative than the bound.
         PlanOutcome::Infeasible(Proof { at, proved })
-            if (model.plan.chooses_times || proved.len() == 1) && least_time_within(model, mission).is_above(*at) =>
+            if (model.plan.chooses_times || proved.len() == 1) && least_time_within(problem).is_above(*at) =>
         {
-            let least = least_time_within(model, mission);
+            let least = least_time_within(problem);
             let is_of_all = least.too_early.is_some_and(|(waypoint, _)| waypoint + 1 < mission.waypoints.len());
             let which = if is_of_all { "any mission time".to_string() } else { format!("{} s", number(*at)) };
             format!("{verdict} at {which}: {}", least_time::sentence(mission, &least, *at))
         }
         PlanOutcome::Infeasible(Proof { proved, .. }) => {
-            format!("{verdict} {}{}", times(proved), conditions(model, mission, comparison, run))
+            format!("{verdict} {}{}", times(proved), conditions(problem, comparison, run))
         }
         PlanOutcome::NotFound(NotFound::Search { at, status }) if status == UNMET => {
             format!("{verdict}: a plan that meets the required risk in up to {} s", number(*at))
@@ -50,7 +51,7 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
                 THESE_TIMES | THIS_YAW => format!("; there is none {status}, but others may have one"),
                 _ => format!("; a plan may exist; the solver stopped ({status})"),
             };
-            let least = least_time_within(model, mission);
+            let least = least_time_within(problem);
             match least.is_above(*at) && !others.is_empty() {
                 true => {
                     let below = least_time::sentence(mission, &least, *at);
@@ -84,17 +85,12 @@ pub fn elsewhere(model: &Model, found_at: &[f64]) -> Option<String> {
 }
 
 /// What was shown about the time of a plan, to follow it.
-fn shown_of_time(
-    model: &Model,
-    mission: &Mission,
-    comparison: &Comparison,
-    run: &PlannerRun,
-    solved: &MissionPlan,
-) -> String {
+fn shown_of_time(problem: Problem, comparison: &Comparison, run: &PlannerRun, solved: &MissionPlan) -> String {
+    let (model, mission) = (problem.model(), problem.mission());
     match (run.run, solved.infeasible_at) {
         (Run::Own, Some(below)) => {
-            let conditions = conditions(model, mission, comparison, run);
-            let gap = least_time::gap(model, mission, run).filter(|_| model.plan.chooses_times);
+            let conditions = conditions(problem, comparison, run);
+            let gap = least_time::gap(problem, run).filter(|_| model.plan.chooses_times);
             let gap = gap.map_or(String::new(), |gap| format!("; {gap}"));
             format!(", the shortest time found; {} s is proved infeasible{conditions}{gap}", number(below))
         }
@@ -102,7 +98,7 @@ fn shown_of_time(
             ", the only time that the mission's fixed times allow".into()
         }
         (Run::Own, None) => {
-            let gap = least_time::gap(model, mission, run).unwrap_or("a shorter one may exist".into());
+            let gap = least_time::gap(problem, run).unwrap_or("a shorter one may exist".into());
             format!(", the shortest time found; {gap}")
         }
         (Run::Common, _) => String::new(),
@@ -122,7 +118,8 @@ fn times(proved: &[f64]) -> String {
 
 /// The conditions under which a proof holds, beyond the spec: the grid, waypoint times and a yaw that were chosen before
 /// the rest, and the selected facets.
-fn conditions(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> String {
+fn conditions(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> String {
+    let (model, mission) = (problem.model(), problem.mission());
     let mut conditions = vec![format!("with {} samples", model.plan.samples)];
     // Waypoint times that are searched for are only locally optimal.
     if model.plan.chooses_times {

@@ -1,7 +1,7 @@
 //! The smallest distance of the vehicle from the boundary of each volume.
 
 use super::table::Table;
-use crate::model::{Limit, Mission, Model, Volume};
+use crate::model::{Limit, Problem, Volume};
 use crate::motion::checks::{past, peak};
 use crate::motion::{NodeState, X, Y, Z};
 use crate::number::{fixed, significant};
@@ -26,13 +26,17 @@ pub struct VolumeRecord {
 }
 
 /// The record of each volume, in the order of the spec.
-pub fn records(model: &Model, mission: &Mission, solved: &MissionPlan) -> Vec<VolumeRecord> {
+pub fn records(problem: Problem, solved: &MissionPlan) -> Vec<VolumeRecord> {
     let trajectory = &solved.trajectory;
     let record = |volume: &Volume| {
-        let limits: Vec<&Limit> =
-            mission.limits.iter().filter(|limit| limit.volume.is_some() && limit.span == volume.span).collect();
+        let limits: Vec<&Limit> = problem
+            .mission()
+            .limits
+            .iter()
+            .filter(|limit| limit.volume.is_some() && limit.span == volume.span)
+            .collect();
         let violation = |state: &NodeState| {
-            limits.iter().map(|limit| past(limit, state, model.gravity)).fold(f64::NEG_INFINITY, f64::max)
+            limits.iter().map(|limit| past(limit, state, problem.model().gravity)).fold(f64::NEG_INFINITY, f64::max)
         };
         let nearest = peak(trajectory, violation);
         let state = trajectory.at(nearest.at);
@@ -45,12 +49,12 @@ pub fn records(model: &Model, mission: &Mission, solved: &MissionPlan) -> Vec<Vo
             position_m: [state[X][0], state[Y][0], state[Z][0]],
         }
     };
-    mission.volumes.iter().map(record).collect()
+    problem.mission().volumes.iter().map(record).collect()
 }
 
 /// Terminal text: a table of the volumes; empty without volumes.
-pub fn text(model: &Model, mission: &Mission, solved: &MissionPlan) -> String {
-    let records = records(model, mission, solved);
+pub fn text(problem: Problem, solved: &MissionPlan) -> String {
+    let records = records(problem, solved);
     if records.is_empty() {
         return String::new();
     }
@@ -67,7 +71,7 @@ pub fn text(model: &Model, mission: &Mission, solved: &MissionPlan) -> String {
     }
     format!(
         "\n  Smallest distance of the vehicle ({} m about its centre of gravity) from the boundary of each volume\n{}",
-        significant(model.vehicle.radius(), 3),
+        significant(problem.model().vehicle.radius(), 3),
         table.render(2)
     )
 }

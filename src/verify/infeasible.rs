@@ -24,12 +24,11 @@ use super::schedule::{self, Grid};
 use super::sets::Plane;
 use super::{Refusal, Rejection, Shown, Verdict, lag, required};
 use crate::certificate::{DynamicModel, FacetRecord, InfeasibleClaim};
-use crate::model::{Mission, Model};
+use crate::model::Problem;
 use crate::number::{number, plural};
 
 struct Rows<'a> {
-    model: &'a Model,
-    mission: &'a Mission,
+    problem: Problem<'a>,
     claim: &'a InfeasibleClaim,
     grid: Grid,
     planes: Vec<Plane>,
@@ -50,7 +49,7 @@ pub(super) fn decide(
     claim: &InfeasibleClaim,
     budget: Budget,
 ) -> Result<Verdict, Refusal> {
-    let (model, mission, premises) = (setting.model, setting.mission, setting.premises);
+    let (model, mission, premises) = (setting.model(), setting.mission(), setting.premises);
     let unsupported = |why: &str| Err(Rejection::new("the claim that there is no plan", why).into());
     let first = &mission.waypoints[0];
     match kind {
@@ -60,7 +59,7 @@ pub(super) fn decide(
         _ if !mission.start_at_rest => return unsupported("multipliers are checked only for a start at rest"),
         _ => {}
     }
-    let grid = schedule::grid(model, mission)?;
+    let grid = schedule::grid(setting.problem)?;
     let estimate = estimate(setting, claim, &grid)?;
     if !estimate.fits(budget) {
         return Err(Refusal::Budget { estimate, budget });
@@ -70,7 +69,7 @@ pub(super) fn decide(
     let (total, pieces) = (grid.total, grid.times.len() - 1);
     let yaw = Interval::point(first.yaw).sin_cos();
     let lag = lag::constant(model);
-    let mut rows = Rows { model, mission, claim, grid, planes, kind, yaw, lag, thrust: None, premises };
+    let mut rows = Rows { problem: setting.problem, claim, grid, planes, kind, yaw, lag, thrust: None, premises };
     if kind == DynamicModel::Exact {
         rows.thrust = Some(rows.most_thrust()?);
     }
@@ -113,7 +112,7 @@ fn estimate(setting: &Setting, claim: &InfeasibleClaim, grid: &Grid) -> Result<E
 /// The planes of the listed facets. Each must belong to a set in which every plan stays, or be selected by the included
 /// plans.
 fn planes(setting: &Setting, claim: &InfeasibleClaim, selected_by: &[Motion]) -> Result<Vec<Plane>, Rejection> {
-    let required = required(setting.model);
+    let required = required(setting.model());
     let mut planes = Vec::new();
     let mut to_select = Vec::new();
     for (index, facet) in claim.facets.iter().enumerate() {
@@ -122,7 +121,7 @@ fn planes(setting: &Setting, claim: &InfeasibleClaim, selected_by: &[Motion]) ->
             return Err(of_facet(index, facet)(Rejection::new("", "the planner does not impose this mode's set")));
         }
         let strict = setting.premises.has(Premise::Facets);
-        planes.push(named(setting.model, facet, strict).map_err(of_facet(index, facet))?.plane);
+        planes.push(named(setting.model(), facet, strict).map_err(of_facet(index, facet))?.plane);
         if !kept && selectable {
             to_select.push(index);
         }
@@ -186,7 +185,7 @@ impl Rows<'_> {
             }
         }
         // At a start at rest only position and yaw are free.
-        let start = &self.mission.waypoints[0];
+        let start = &self.problem.mission().waypoints[0];
         let [x, y, z] = start.position;
         let (near, turned) = self.tolerances(0);
         for (axis, due, reach) in [(X, x, near), (Y, y, near), (Z, z, near), (YAW, start.yaw, turned)] {

@@ -11,7 +11,7 @@ use super::Rejection;
 use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
 use crate::certificate::TooEarlyClaim;
-use crate::model::{LimitKind, Mission, Model, PlanModel, Waypoint};
+use crate::model::{LimitKind, Mission, Model, PlanModel, Problem, Waypoint};
 use crate::number::{down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use std::f64::consts::FRAC_PI_2;
@@ -85,7 +85,8 @@ fn force(model: &Model) -> Interval {
 }
 
 /// The largest horizontal acceleration for a given force per mass and the limit on tilt, m/s^2.
-fn sideways(model: &Model, mission: &Mission, force: Interval) -> f64 {
+fn sideways(problem: Problem, force: Interval) -> f64 {
+    let (model, mission) = (problem.model(), problem.mission());
     let tilt = most(mission, LimitKind::Tilt);
     let let_pass =
         Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
@@ -100,7 +101,8 @@ fn sideways(model: &Model, mission: &Mission, force: Interval) -> f64 {
 }
 
 /// Lower bounds on when each waypoint is reached, s, in the order of flight.
-pub(super) fn soonest(model: &Model, mission: &Mission) -> Vec<f64> {
+pub(super) fn soonest(problem: Problem) -> Vec<f64> {
+    let (model, mission) = (problem.model(), problem.mission());
     let (force, g) = (force(model), Interval::point(model.gravity));
     let most = |kind| most(mission, kind);
     let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
@@ -112,7 +114,7 @@ pub(super) fn soonest(model: &Model, mission: &Mission) -> Vec<f64> {
     let along_line = Most { rate: speed, acceleration: whole.min(in_all), jerk };
     let horizontal = Most {
         rate: speed.min(most(LimitKind::SpeedHorizontal)),
-        acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways(model, mission, force)),
+        acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways(problem, force)),
         jerk,
     };
     let up = Most { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical, jerk };
@@ -162,13 +164,14 @@ fn met_within(from: f64, to: f64) -> Interval {
 ///
 /// # Errors
 /// The claim is stronger than the bound computed here.
-pub(super) fn bound(model: &Model, mission: &Mission, claimed: f64) -> Result<(), Rejection> {
+pub(super) fn bound(problem: Problem, claimed: f64) -> Result<(), Rejection> {
+    let mission = problem.mission();
     if claimed < 0.0 {
         let why = format!("{} s is claimed, which is negative", number(claimed));
         return Err(Rejection::new("the least time", why));
     }
     let end = mission.waypoints.last();
-    let (own, hold) = (soonest(model, mission).last().copied().unwrap_or(0.0), end.map_or(0.0, |w| w.hold));
+    let (own, hold) = (soonest(problem).last().copied().unwrap_or(0.0), end.map_or(0.0, |w| w.hold));
     // A last waypoint with a fixed time is reached at that time.
     let reached = end.and_then(|w| w.time).map_or(own, |due| due.max(own));
     let own = (Interval::point(reached) + Interval::point(hold)).low;
@@ -183,18 +186,19 @@ pub(super) fn bound(model: &Model, mission: &Mission, claimed: f64) -> Result<()
 ///
 /// # Errors
 /// The waypoint is not due then, or the claim is stronger than the bound computed here.
-pub(super) fn too_early(model: &Model, mission: &Mission, claim: &TooEarlyClaim) -> Result<String, Rejection> {
+pub(super) fn too_early(problem: Problem, claim: &TooEarlyClaim) -> Result<String, Rejection> {
+    let mission = problem.mission();
     let points = &mission.waypoints;
     let name = "the time of a waypoint";
     let Some(point) = claim.waypoint.checked_sub(1).and_then(|i| points.get(i)) else {
         return Err(Rejection::new(name, format!("there is no waypoint {}", claim.waypoint)));
     };
     let is_last = claim.waypoint == points.len();
-    let at_the_end = fixed_total(model, mission).filter(|_| is_last).map(|total| total - point.hold);
+    let at_the_end = fixed_total(problem).filter(|_| is_last).map(|total| total - point.hold);
     let Some(due) = point.time.or(at_the_end) else {
         return Err(Rejection::new(name, format!("the spec does not fix the time of waypoint {}", claim.waypoint)));
     };
-    let own = soonest(model, mission)[claim.waypoint - 1];
+    let own = soonest(problem)[claim.waypoint - 1];
     if exceeds(claim.soonest_s, own) {
         let why = format!("{} s is claimed, but distances and limits give {} s", number(claim.soonest_s), number(own));
         return Err(Rejection::new(format!("the earliest arrival at waypoint {}", claim.waypoint), why));

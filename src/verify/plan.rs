@@ -13,7 +13,7 @@ use super::sets::{Generators, HEALTHY, Plane};
 use super::wrench::{Dynamics, Held};
 use super::{Refusal, Rejection, Shown, joints, lag, mode_named, required, schedule};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
-use crate::model::{Mission, Model, PlannerKind};
+use crate::model::{Mission, Model, PlannerKind, Problem};
 use crate::number::number;
 use crate::source::Span;
 
@@ -49,8 +49,7 @@ struct Group {
 
 /// The spec, equations and premises of a decision.
 pub struct Setting<'a> {
-    pub(super) model: &'a Model,
-    pub(super) mission: &'a Mission,
+    pub(super) problem: Problem<'a>,
     dynamics: Dynamics<'a>,
     /// The commanded wrench, if rotors lag.
     commands: Option<Held>,
@@ -68,13 +67,24 @@ enum Role {
 
 impl<'a> Setting<'a> {
     /// The setting for a spec and the equations of a certificate.
-    pub fn new(model: &'a Model, mission: &'a Mission, kind: DynamicModel, premises: Premises) -> Self {
+    pub fn new(problem: Problem<'a>, kind: DynamicModel, premises: Premises) -> Self {
+        let (model, mission) = (problem.model(), problem.mission());
         let first = mission.waypoints.first().map_or(0.0, |w| w.yaw);
         // As the language defines: with one yaw throughout, the model is linearised there.
         let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
         let dynamics = Dynamics { vehicle: &model.vehicle, gravity: model.gravity, model: kind, one_yaw };
         let commands = lag::constant(model).map(|tau| Held::Commands { tau });
-        Setting { model, mission, dynamics, commands, premises }
+        Setting { problem, dynamics, commands, premises }
+    }
+
+    /// The model of the spec.
+    pub(super) fn model(&self) -> &'a Model {
+        self.problem.model()
+    }
+
+    /// The mission of the spec.
+    pub(super) fn mission(&self) -> &'a Mission {
+        self.problem.mission()
     }
 
     /// The equations that give the wrench of a motion.
@@ -109,16 +119,16 @@ impl<'a> Setting<'a> {
         let mut all = Estimate::default();
         for record in records {
             let mut motion = self.motion(record)?;
-            schedule::check(self.model, self.mission, &mut motion, self.premises)?;
+            schedule::check(self.problem, &mut motion, self.premises)?;
             let nodes = motion.times.len() as u64;
             let planes = self.planes_at_most()?;
             let of_state = if self.commands.is_some() { 2 } else { 1 };
             let rows = planes.saturating_add(self.overhead());
             all.add(times(nodes, cost::OF_A_JOINT), times(nodes, cost::BYTES_OF_A_NODE));
             all.add(times(times(motion.checkpoints(), rows), of_state), times(planes, cost::BYTES_OF_A_PLANE));
-            all.add(times(times(motion.checkpoints(), self.mission.limits.len() as u64), 2 * cost::OF_A_LIMIT), 0);
+            all.add(times(times(motion.checkpoints(), self.mission().limits.len() as u64), 2 * cost::OF_A_LIMIT), 0);
             all.add(times(planes, cost::OF_A_PLANE), 0);
-            if selection::selects(self.model) {
+            if selection::selects(self.model()) {
                 all.add(self.cost_of_selecting(motion.checkpoints(), planes), 0);
             }
         }
@@ -135,12 +145,12 @@ impl<'a> Setting<'a> {
 
     /// Most planes of all sets that are checked: the sets imposed whole, and under RSP those from which facets are selected.
     fn planes_at_most(&self) -> Result<u64, Rejection> {
-        let mut modes = required(self.model);
-        if selection::selects(self.model) {
-            let against = self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i));
+        let mut modes = required(self.model());
+        if selection::selects(self.model()) {
+            let against = self.model().plan.against.iter().filter_map(|&i| self.model().modes.get(i));
             modes.extend(against.map(|m| m.name.clone()));
         }
-        modes.iter().map(|mode| Ok(Generators::of(self.model, mode)?.planes_at_most())).sum()
+        modes.iter().map(|mode| Ok(Generators::of(self.model(), mode)?.planes_at_most())).sum()
     }
 
     /// Decides whether the motion is a plan: all conditions at the nodes and, as far as `budget` allows, between them.
@@ -166,7 +176,7 @@ impl<'a> Setting<'a> {
     /// Checks all conditions at the nodes of one motion.
     fn at_nodes(&self, record: &MotionRecord, selected_by: &[Motion], role: Role) -> Result<Checked<'_>, Rejection> {
         let mut motion = self.motion(record)?;
-        let coarser = schedule::check(self.model, self.mission, &mut motion, self.premises)?;
+        let coarser = schedule::check(self.problem, &mut motion, self.premises)?;
         if self.premises.has(Premise::Joints) {
             joints::check(&motion)?;
         }
@@ -195,12 +205,12 @@ impl<'a> Setting<'a> {
     fn sets(&self, role: Role) -> Result<(Vec<Group>, Vec<String>), Rejection> {
         let (mut groups, mut undecided) = (Vec::new(), Vec::new());
         let modes = match role {
-            Role::Claimed => required(self.model),
+            Role::Claimed => required(self.model()),
             Role::SelectedBy => vec![HEALTHY.into()],
         };
         for mode in modes {
             let span = self.span_of(&mode);
-            match Generators::of(self.model, &mode)?.planes() {
+            match Generators::of(self.model(), &mode)?.planes() {
                 Ok(planes) => groups.push(Group { mode, whole: true, span, planes }),
                 Err(why) => undecided.push(format!("the set of {mode}: {why}")),
             }
@@ -209,17 +219,17 @@ impl<'a> Setting<'a> {
     }
 
     fn span_of(&self, mode: &str) -> Option<Span> {
-        mode_named(self.model, mode).map(|m| m.span)
+        mode_named(self.model(), mode).map(|m| m.span)
     }
 
     /// Checks rest at both ends (unless `moving`) and in holds: derivatives are zero, in holds the inputs too.
     fn rest(&self, motion: &Motion) -> Result<(), Rejection> {
         let last = motion.times.len() - 1;
-        let ends = [(0, self.mission.start_at_rest), (last, self.mission.end_at_rest)];
+        let ends = [(0, self.mission().start_at_rest), (last, self.mission().end_at_rest)];
         let mut still: Vec<(usize, bool)> = ends.iter().filter(|e| e.1).map(|e| (e.0, false)).collect();
-        for (i, point) in self.mission.waypoints.iter().enumerate().filter(|(_, w)| w.hold > 0.0) {
+        for (i, point) in self.mission().waypoints.iter().enumerate().filter(|(_, w)| w.hold > 0.0) {
             let node = motion.waypoint_nodes[i];
-            let Some(until) = schedule::held_until(self.mission, motion, i) else {
+            let Some(until) = schedule::held_until(self.mission(), motion, i) else {
                 let why = format!("the motion does not stay at waypoint {}", i + 1);
                 return Err(Rejection { span: point.hold_span, ..Rejection::new("rest", why) });
             };
@@ -241,7 +251,7 @@ impl<'a> Setting<'a> {
     }
 
     fn waypoints(&self, motion: &Motion) -> Result<(), Rejection> {
-        for (i, (point, &node)) in self.mission.waypoints.iter().zip(&motion.waypoint_nodes).enumerate() {
+        for (i, (point, &node)) in self.mission().waypoints.iter().zip(&motion.waypoint_nodes).enumerate() {
             let apart = |axis: usize, due: f64| Interval::point(motion.at_node(node, axis, 0)) - Interval::point(due);
             let [x, y, z] = point.position;
             let distance = [(X, x), (Y, y), (Z, z)]
@@ -277,7 +287,7 @@ pub(super) struct Found {
 impl Checked<'_> {
     /// The result of the checks at the nodes.
     fn found(&self) -> Found {
-        let mission = self.setting.mission;
+        let mission = self.setting.mission();
         let shown = vec![
             Shown::at_nodes(format!("{} pieces join", self.motion.pieces())),
             Shown::at_nodes(format!("{} waypoints met, and rest where the spec requires it", mission.waypoints.len())),
@@ -286,14 +296,14 @@ impl Checked<'_> {
         if self.coarser_legs > 0 {
             weaker.push(format!(
                 "fewer pieces than the spec's {} samples give, on {} of {} legs",
-                self.setting.model.plan.samples,
+                self.setting.model().plan.samples,
                 self.coarser_legs,
                 mission.legs.len()
             ));
         }
         weaker.extend(self.undecided.iter().map(|what| format!("not decided: {what}")));
         weaker.extend(self.selection.iter().cloned());
-        if self.setting.model.plan.require_risk.is_some() && self.setting.model.plan.planner == PlannerKind::Rsp {
+        if self.setting.model().plan.require_risk.is_some() && self.setting.model().plan.planner == PlannerKind::Rsp {
             weaker.push(
                 "`require risk` is not checked: a certificate does not contain the protection of the plan".into(),
             );

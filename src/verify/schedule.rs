@@ -6,7 +6,7 @@ use super::interval::exceeds;
 use super::motion::Motion;
 use super::premise::{Premise, Premises};
 use crate::model::grid::{fewest_pieces, is_coarser, leg_durations, pieces};
-use crate::model::{Mission, MissionTime, Model};
+use crate::model::{Mission, MissionTime, Problem};
 use crate::number::number;
 use crate::source::Span;
 
@@ -30,7 +30,8 @@ fn wrong<T>(why: String, span: Option<Span>) -> Result<T, Rejection> {
 }
 
 /// The mission time that the spec fixes, s.
-pub(super) fn fixed_total(model: &Model, mission: &Mission) -> Option<f64> {
+pub(super) fn fixed_total(problem: Problem) -> Option<f64> {
+    let (model, mission) = (problem.model(), problem.mission());
     let end = mission.waypoints.last()?;
     match (end.time, model.plan.time) {
         (Some(arrival), _) => Some(arrival + end.hold),
@@ -53,7 +54,8 @@ pub(super) struct Grid {
 ///
 /// # Errors
 /// The spec leaves times free, or leaves no time for some leg.
-pub(super) fn grid(model: &Model, mission: &Mission) -> Result<Grid, Rejection> {
+pub(super) fn grid(problem: Problem) -> Result<Grid, Rejection> {
+    let (model, mission) = (problem.model(), problem.mission());
     let span = Some(model.plan.time_span);
     if model.plan.chooses_times {
         return wrong(
@@ -61,7 +63,7 @@ pub(super) fn grid(model: &Model, mission: &Mission) -> Result<Grid, Rejection> 
             span,
         );
     }
-    let Some(total) = fixed_total(model, mission) else { return wrong("the spec leaves the time free".into(), span) };
+    let Some(total) = fixed_total(problem) else { return wrong("the spec leaves the time free".into(), span) };
     let Some(durations) = leg_durations(mission, total) else {
         return wrong("no time is left for some leg".into(), span);
     };
@@ -90,12 +92,8 @@ pub(super) struct Coarser {
 ///
 /// # Errors
 /// The times are not those of the spec.
-pub(super) fn check(
-    model: &Model,
-    mission: &Mission,
-    motion: &mut Motion,
-    premises: Premises,
-) -> Result<Coarser, Rejection> {
+pub(super) fn check(problem: Problem, motion: &mut Motion, premises: Premises) -> Result<Coarser, Rejection> {
+    let mission = problem.mission();
     let points = &mission.waypoints;
     let last = motion.times.len() - 1;
     let nodes = motion.waypoint_nodes.clone();
@@ -106,23 +104,24 @@ pub(super) fn check(
         return wrong(why.into(), None);
     }
     if premises.has(Premise::Times) {
-        agrees(model, mission, motion)?;
+        agrees(problem, motion)?;
     }
     match premises.has(Premise::Density) {
-        true => Ok(dense(model, mission, motion)),
+        true => Ok(dense(problem, motion)),
         false => Ok(Coarser::default()),
     }
 }
 
 /// Checks the start, fixed times, holds, the end and the shares of the legs.
-fn agrees(model: &Model, mission: &Mission, motion: &Motion) -> Result<(), Rejection> {
+fn agrees(problem: Problem, motion: &Motion) -> Result<(), Rejection> {
+    let (model, mission) = (problem.model(), problem.mission());
     let points = &mission.waypoints;
     let (times, nodes) = (&motion.times, &motion.waypoint_nodes);
     let end = times[times.len() - 1];
     if times[0] != 0.0 {
         return wrong(format!("the motion begins at {} s, not at 0 s", number(times[0])), None);
     }
-    if let Some(total) = fixed_total(model, mission).filter(|&total| apart(total, end, total)) {
+    if let Some(total) = fixed_total(problem).filter(|&total| apart(total, end, total)) {
         let why = format!("the mission must take {} s but takes {} s", number(total), number(end));
         return wrong(why, Some(model.plan.time_span));
     }
@@ -177,7 +176,8 @@ pub(super) fn held_until(mission: &Mission, motion: &Motion, waypoint: usize) ->
 }
 
 /// Adds points to check within pieces that are longer than the spec's samples give, as densely as those samples.
-fn dense(model: &Model, mission: &Mission, motion: &mut Motion) -> Coarser {
+fn dense(problem: Problem, motion: &mut Motion) -> Coarser {
+    let (model, mission) = (problem.model(), problem.mission());
     let mut legs = Vec::new();
     for leg in 0..mission.legs.len() {
         let Some(first) = held_until(mission, motion, leg) else { continue };

@@ -20,7 +20,7 @@ mod wrench;
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::certificate::Certificate;
 use mavc::diagnostic::Diagnostic;
-use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
+use mavc::model::{LimitKind, MissionTime, Model, PlannerKind, Problem};
 use mavc::planner::studies::{Comparison, Scope, compare};
 use mavc::source::FileId;
 use mavc::verify::{Refusal, Rejection, Settings, Verdict};
@@ -107,15 +107,15 @@ fn the_checker_stands_alone() {
 }
 
 fn planned(model: &Model) -> Comparison {
-    compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None)
+    compare(Problem::of(model).unwrap(), Scope::Plan, None)
 }
 
 fn certified(model: &Model) -> Option<Certificate> {
-    let (mission, found) = (model.mission.as_ref().unwrap(), planned(model));
+    let found = planned(model);
     // Multipliers, where a bound on the time would show it more simply.
     let of = match found.runs.last().is_some_and(|run| run.outcome.plan().is_some()) {
         true => mavc::certify::of,
         false => mavc::certify::by_multipliers,
     };
-    of(model, mission, &found, SHA.into()).ok()
+    of(Problem::of(model).unwrap(), &found, SHA.into()).ok()
 }

@@ -9,7 +9,7 @@ use mavc::explain::diagnose::diagnose;
 use mavc::explain::planners::Planners;
 use mavc::explain::statement::statements;
 use mavc::explain::{Change, Explanation, Statement, explain};
-use mavc::model::{FileSet, Mission, MissionTime, Model};
+use mavc::model::{FileSet, MissionTime, Model, Problem};
 use mavc::motion::time_grid::determined;
 use mavc::planner::studies::{PlanOutcome, Proof, Scope, compare};
 use mavc::source::Span;
@@ -50,7 +50,7 @@ impl Text {
     /// How `mavc plan` ends.
     fn outcome(&self) -> PlanOutcome {
         let (_, model) = self.model();
-        let comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
+        let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
         comparison.runs.last().unwrap().outcome.clone()
     }
 
@@ -114,7 +114,7 @@ impl Text {
     fn leave_out(&mut self, statement: Statement) {
         let (files, model) = self.model();
         let mission = model.mission.as_ref().unwrap();
-        let span = statement.span(&model, mission);
+        let span = statement.span(Problem::of(&model).unwrap());
         match statement {
             Statement::Waypoints { first, last } if first == last => {
                 let nothing = [("within", "1000 m"), ("yaw_within", "100000 deg"), ("weight", "0")];
@@ -147,7 +147,7 @@ impl Text {
     fn change(&mut self, change: Change) {
         let (files, model) = self.model();
         let mission = model.mission.as_ref().unwrap();
-        let words = change.instruction(&model, mission, &files.sources);
+        let words = change.instruction(Problem::of(&model).unwrap(), &files.sources);
         // What stands between the first two backticks is to be written.
         let written = words.split('`').nth(1).unwrap_or_else(|| panic!("{words}")).to_string();
         let value = || written.split_once('=').unwrap().1.trim().to_string();
@@ -186,9 +186,9 @@ fn without_clause(statement: &str, name: &str) -> String {
 }
 
 /// `LINE KIND`, as the first line of a spec names its statements.
-fn named(explanation: &Explanation, files: &FileSet, model: &Model, mission: &Mission, own: &str) -> Vec<String> {
+fn named(explanation: &Explanation, files: &FileSet, problem: Problem, own: &str) -> Vec<String> {
     let name = |statement: &Statement| {
-        let span = statement.span(model, mission);
+        let span = statement.span(problem);
         let source = files.sources.get(span.file);
         let line = source.place(span.start as usize).line;
         let file = file_name(&source.name);
@@ -200,8 +200,7 @@ fn named(explanation: &Explanation, files: &FileSet, model: &Model, mission: &Mi
 
 fn explained(text: &Text) -> (FileSet, Model, Explanation) {
     let (files, model) = text.model();
-    let mission = model.mission.clone().unwrap();
-    let explanation = explain(&model, &mission, &mut Planners::default()).expect("a conflict");
+    let explanation = explain(Problem::of(&model).unwrap(), &mut Planners::default()).expect("a conflict");
     (files, model, explanation)
 }
 
@@ -242,12 +241,12 @@ fn every_spec_names_its_conflict() {
     for Case { path, text, files, model, explanation } in CASES.iter() {
         let outcome = text.outcome();
         assert!(matches!(outcome, PlanOutcome::Infeasible(Proof { .. })), "{}: {}", text.name, short(&outcome));
-        let mission = model.mission.as_ref().unwrap();
+        let problem = Problem::of(model).unwrap();
         let first = text.files[&text.name].lines().next().unwrap();
         let wanted: Vec<&str> = first.strip_prefix("// conflict: ").unwrap().split(", ").collect();
-        assert_eq!(named(explanation, files, model, mission, &text.name), wanted, "{}", text.name);
+        assert_eq!(named(explanation, files, problem, &text.name), wanted, "{}", text.name);
         assert!(explanation.conflict.proved && explanation.conflict.irreducible, "{}", text.name);
-        let told = diagnose(explanation, model, mission, &files.sources);
+        let told = diagnose(explanation, problem, &files.sources);
         let mut settings = insta::Settings::clone_current();
         settings.set_snapshot_path(path.parent().unwrap());
         settings.set_snapshot_suffix("");
@@ -263,17 +262,17 @@ fn every_spec_names_its_conflict() {
 fn as_many_statements_are_counted_as_labelled() {
     let mut shared = 0;
     for Case { text, files, model, explanation, .. } in CASES.iter() {
-        let mission = model.mission.as_ref().unwrap();
-        let told = diagnose(explanation, model, mission, &files.sources);
+        let problem = Problem::of(model).unwrap();
+        let told = diagnose(explanation, problem, &files.sources);
         let labels: Vec<(Span, &str)> = std::iter::once((told.span, told.label.as_str()))
             .chain(told.labels.iter().map(|label| (label.span, label.message.as_str())))
             .collect();
         let counted = told.message.split_once(": ").unwrap().1.split(' ').next().unwrap();
         assert_eq!(counted.parse().unwrap_or(1), labels.len(), "{}: {}", text.name, told.message);
         for statement in &explanation.conflict.statements {
-            let at = statement.span(model, mission);
+            let at = statement.span(problem);
             let (_, label) = labels.iter().find(|(span, _)| *span == at).unwrap();
-            assert!(label.contains(&statement.label(model, mission)), "{}: {label}", text.name);
+            assert!(label.contains(&statement.label(problem)), "{}: {label}", text.name);
         }
         shared += usize::from(labels.len() < explanation.conflict.statements.len());
     }
@@ -310,7 +309,7 @@ fn what_the_command_line_says_is_changed_there() {
     text.set("plan.time", "9s");
     text.set("mission.limits.speed", "5.5m/s");
     let (files, model, explanation) = explained(&text);
-    let told = diagnose(&explanation, &model, model.mission.as_ref().unwrap(), &files.sources);
+    let told = diagnose(&explanation, Problem::of(&model).unwrap(), &files.sources);
     let labels: Vec<&str> = told.labels.iter().map(|label| label.message.as_str()).collect();
     assert!(labels.contains(&"in 9 s, set by `--set`"), "{labels:?}");
     assert!(labels.contains(&"keeping `speed <= 5.5 m/s`, set by `--set`"), "{labels:?}");
@@ -318,7 +317,7 @@ fn what_the_command_line_says_is_changed_there() {
     assert_eq!(file_name(&files.sources.get(told.span.file).name), text.name);
     let mut offered = 0;
     for fix in &explanation.fixes {
-        let words = fix.change.instruction(&model, model.mission.as_ref().unwrap(), &files.sources);
+        let words = fix.change.instruction(Problem::of(&model).unwrap(), &files.sources);
         if let Some((_, set)) = words.split_once("`--set ") {
             let (field, value) = set.trim_end_matches('`').split_once('=').unwrap();
             let mut changed = text.clone();
@@ -350,7 +349,7 @@ fn no_statement_can_be_spared() {
     for Case { text, model, explanation, .. } in CASES.iter() {
         let named = &explanation.conflict.statements;
         let mut alone = text.clone();
-        let all = statements(model, model.mission.as_ref().unwrap());
+        let all = statements(Problem::of(model).unwrap());
         for statement in all.into_iter().filter(|s| !named.contains(s)) {
             alone.leave_out_of(text, statement);
         }

@@ -10,7 +10,7 @@ mod times;
 mod verdicts;
 
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
-use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Scope, compare};
 
 /// An octocopter with another inertia about each axis, planned for in the exact model.
@@ -45,7 +45,7 @@ fn planning(mission: Mission, planner: PlannerKind, against: &[usize], time: Mis
 }
 
 fn compared(model: &Model) -> Comparison {
-    compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None)
+    compare(Problem::of(model).unwrap(), Scope::Plan, None)
 }
 
 /// The run of the spec's own planner.

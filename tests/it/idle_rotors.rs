@@ -5,7 +5,7 @@ use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::verdict::{Verdict, analyze};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
-use mavc::model::{Allocation, FaultMode, Mission, Model, PlannerKind};
+use mavc::model::{Allocation, FaultMode, Mission, Model, PlannerKind, Problem};
 use mavc::planner::hover::{Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
 use mavc::planner::studies::{MissionPlan, PlanOutcome, Run, Scope, compare};
@@ -137,7 +137,6 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
     model.plan.against = vec![0];
     model.plan.samples = 40;
     let [healthy, weak] = [AdmissibleSet::healthy(&model), AdmissibleSet::of_mode(&model, 0)];
-    let mission = dive();
     let idle: f64 = model.vehicle.rotors.iter().map(mavc::model::Rotor::idle_thrust).sum();
     assert!(hover(&model)[0] > idle);
 
@@ -150,7 +149,7 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
 
     // The fault's set alone would dive faster, on thrust below what healthy rotors give at least.
     let alone = PlanningSet::of(&[&weak], &healthy);
-    let mut engine = HoverPlanner::new(&model, &mission, &healthy);
+    let mut engine = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
     let below = plan.infeasible_at.unwrap() - 0.2;
     let Decision::Feasible(planned) = engine.decide(below, 40, &alone, &mut WorkingSet::default()) else {
         panic!("fewer rows")
@@ -160,7 +159,7 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
     assert!(least < idle - 0.5, "{least} {idle}");
 
     // Every planner at its own time: none takes less than RIP, for the healthy set bounds them all.
-    let comparison = compare(&model, &mission, Scope::Everything, None);
+    let comparison = compare(Problem::of(&model).unwrap(), Scope::Everything, None);
     let own = comparison.runs.iter().filter(|r| r.run == Run::Own);
     let times: Vec<f64> = own.map(|r| solved(&r.outcome).time).collect();
     assert!(times.len() == 3 && times.iter().all(|t| *t >= times[0]), "{times:?}");
@@ -174,6 +173,6 @@ fn solved(outcome: &PlanOutcome) -> &MissionPlan {
 }
 
 fn shortest(model: &Model) -> MissionPlan {
-    let comparison = compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None);
+    let comparison = compare(Problem::of(model).unwrap(), Scope::Plan, None);
     solved(&comparison.runs[0].outcome).clone()
 }

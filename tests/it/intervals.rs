@@ -6,7 +6,7 @@ use mavc::admissible::diagnose::{NOT_ROBUST, diagnose};
 use mavc::admissible::interval::{Certainty, guaranteed, possible, robust};
 use mavc::admissible::verdict::{Verdict, analyze};
 use mavc::admissible::{AdmissibleSet, hover};
-use mavc::model::{MissionTime, Model, PlannerKind, RotorSpread, Spread};
+use mavc::model::{MissionTime, Model, PlannerKind, Problem, RotorSpread, Spread};
 use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use proptest::prelude::*;
 
@@ -201,7 +201,7 @@ fn plans_hold_for_every_value() {
     model.plan.time = MissionTime::Fixed(20.0);
     assert_eq!(diagnose(&model), vec![]);
     let plan = |model: &Model| {
-        let comparison = compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None);
+        let comparison = compare(Problem::of(model).unwrap(), Scope::Plan, None);
         match &comparison.runs[0].outcome {
             PlanOutcome::Planned(plan) => plan.trajectory.clone(),
             other => panic!("{other:?}"),

@@ -9,7 +9,7 @@ mod vehicles;
 
 use crate::vehicles::{mission, octocopter, waypoint};
 use mavc::actuation::Wrench;
-use mavc::model::{Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind};
+use mavc::model::{Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind, Problem};
 use mavc::motion::Trajectory;
 use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, compare};
 
@@ -52,7 +52,7 @@ pub fn planning(mission: Mission, model: PlanModel, time: MissionTime) -> Model 
 }
 
 fn compared(model: &Model) -> Comparison {
-    compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None)
+    compare(Problem::of(model).unwrap(), Scope::Plan, None)
 }
 
 fn solved(comparison: &Comparison) -> &MissionPlan {

@@ -4,7 +4,7 @@
 use crate::vehicles::{hexacopter, inspection, limit, lost, mission, paper_case, quadcopter, ring_model, waypoint};
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::row::VIOLATED;
-use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
+use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind, Problem};
 use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
 use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Proof, Run, Scope, compare};
@@ -12,7 +12,7 @@ use mavc::planner::timing::search::RESOLUTION;
 use mavc::planner::working_set::WorkingSet;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
-    compare(model, model.mission.as_ref().unwrap(), scope, None)
+    compare(Problem::of(model).unwrap(), scope, None)
 }
 
 fn solved(run: &PlannerRun) -> &MissionPlan {
@@ -152,7 +152,7 @@ fn a_fine_grid_takes_few_iterations() {
     let model = paper_case(PlannerKind::Rip, &[]);
     let healthy = AdmissibleSet::healthy(&model);
     let set = PlanningSet::of(&[&healthy], &healthy);
-    let mut engine = HoverPlanner::new(&model, model.mission.as_ref().unwrap(), &healthy);
+    let mut engine = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
     let Decision::Feasible(planned) = engine.decide(20.0, 600, &set, &mut WorkingSet::default()) else {
         panic!("20 s are enough");
     };
@@ -233,13 +233,13 @@ fn a_flat_set_is_planned_on_its_plane() {
     let mut model = hexacopter("PNPNPN");
     model.modes.push(lost(&model, &[1, 4]));
     model.plan.samples = 40;
-    let square = square(4.0);
+    model.mission = Some(square(4.0));
     let healthy = AdmissibleSet::healthy(&model);
     let flat = AdmissibleSet::of_mode(&model, 0);
     assert_eq!(flat.rank, 3);
     let set = PlanningSet::of(&[&flat], &healthy);
     assert_eq!(set.rows.iter().filter(|r| r.equality).count(), 1);
-    let mut engine = HoverPlanner::new(&model, &square, &healthy);
+    let mut engine = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
     let Decision::Feasible(planned) = engine.decide(20.0, 40, &set, &mut WorkingSet::default()) else {
         panic!("20 s are plenty");
     };
@@ -256,7 +256,6 @@ fn a_flat_set_is_planned_on_its_plane() {
     // Against the whole search as well.
     model.plan.against = vec![0];
     model.plan.planner = PlannerKind::Rcp;
-    model.mission = Some(square);
     let comparison = run(&model, Scope::Plan);
     assert!(solved(&comparison.runs[0]).time < 20.0);
 }
@@ -264,12 +263,11 @@ fn a_flat_set_is_planned_on_its_plane() {
 #[test]
 fn times_out_of_all_reach_are_infeasible() {
     let model = paper_case(PlannerKind::Rip, &[]);
-    let mission = model.mission.as_ref().unwrap();
     let healthy = AdmissibleSet::healthy(&model);
     let set = PlanningSet::of(&[&healthy], &healthy);
     for exponent in -30..=1 {
         for time in [1.0, 2.0, 5.0].map(|f| f * 10.0_f64.powi(exponent)).into_iter().filter(|t| *t < 15.5) {
-            let mut engine = HoverPlanner::new(&model, mission, &healthy);
+            let mut engine = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
             let decision = engine.decide(time, model.plan.samples, &set, &mut WorkingSet::default());
             assert!(matches!(decision, Decision::Infeasible), "{time} s: {decision:?}");
         }

@@ -2,7 +2,7 @@
 
 use crate::vehicles::{inspection, mission, octocopter, paper_case, viviani, waypoint};
 use mavc::admissible::AdmissibleSet;
-use mavc::model::{Leg, Mission, Model, PlannerKind};
+use mavc::model::{Leg, Mission, Model, PlannerKind, Problem};
 use mavc::motion::hover_map::{ORDER, WrenchMap, YawState};
 use mavc::motion::time_grid::{determined, earliest, time_grid};
 use mavc::motion::wrench_model::WrenchModel;
@@ -25,17 +25,22 @@ fn planning_set(model: &Model) -> (PlanningSet, AdmissibleSet) {
     (PlanningSet::of(&sets, &healthy), healthy)
 }
 
-fn full_program(model: &Model, mission: &Mission, set: &PlanningSet, total: f64, purpose: Purpose) -> QuadraticProgram {
+fn full_program(problem: Problem, set: &PlanningSet, total: f64, purpose: Purpose) -> QuadraticProgram {
+    let model = problem.model();
     let healthy = AdmissibleSet::healthy(model);
-    let layout = HoverPlanner::new(model, mission, &healthy).layout(total, model.plan.samples).unwrap().unwrap();
+    let layout = HoverPlanner::new(problem, &healthy).layout(total, model.plan.samples).unwrap().unwrap();
     let maps = layout.yaw.maps(model, layout.flown.nodes());
-    Transcription::new(model, mission, &layout.flown, set, &maps, layout.yaw.axes()).full_program(purpose)
+    Transcription::new(problem, &layout.flown, set, &maps, layout.yaw.axes()).full_program(purpose)
 }
 
 fn decide(model: &Model, total: f64) -> Decision {
     let (set, healthy) = planning_set(model);
-    let mission = model.mission.as_ref().unwrap();
-    HoverPlanner::new(model, mission, &healthy).decide(total, model.plan.samples, &set, &mut WorkingSet::default())
+    HoverPlanner::new(Problem::of(model).unwrap(), &healthy).decide(
+        total,
+        model.plan.samples,
+        &set,
+        &mut WorkingSet::default(),
+    )
 }
 
 fn planned(model: &Model, total: f64) -> Planned {
@@ -67,7 +72,7 @@ fn full_and_generated(against: &[usize], known: f64) {
     let (set, _) = planning_set(&model);
     // The known optimum meets every tolerance without slack.
     for slack in [0.0, FEASIBLE] {
-        let program = full_program(&model, &viviani(), &set, 20.0, Purpose::Plan { slack });
+        let program = full_program(Problem::of(&model).unwrap(), &set, 20.0, Purpose::Plan { slack });
         assert_eq!(program.row_origin.len(), program.b.len());
         let facet_rows = program.row_origin.iter().filter(|o| matches!(o, RowOrigin::Facet { .. })).count();
         assert_eq!(facet_rows, set.rows.len() * 201);
@@ -152,13 +157,13 @@ fn too_short_is_infeasible() {
     // What the verdict rests on, with every row.
     let model = paper_case(PlannerKind::Rip, &[]);
     let (set, _) = planning_set(&model);
-    let program = full_program(&model, &viviani(), &set, 12.0, Purpose::Plan { slack: FEASIBLE });
+    let program = full_program(Problem::of(&model).unwrap(), &set, 12.0, Purpose::Plan { slack: FEASIBLE });
     let Outcome::Infeasible { certificate } = solve(&program).0 else { panic!("12 s is far too short") };
     let bz: f64 = program.b.iter().zip(&certificate).map(|(b, z)| b * z).sum();
     let largest = program.a.transposed_times(&certificate).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     assert!(bz < 0.0 && largest <= 1e-6 * -bz && program.dual_violation(&certificate) <= 1e-6 * -bz);
     // The overshoot that makes it feasible is well above nothing.
-    let relaxed = full_program(&model, &viviani(), &set, 12.0, Purpose::Overshoot { epsilon: 1e-9 });
+    let relaxed = full_program(Problem::of(&model).unwrap(), &set, 12.0, Purpose::Overshoot { epsilon: 1e-9 });
     let solution = solved(&relaxed);
     assert!(*solution.x.last().unwrap() > 0.01, "{:?}", solution.x.last());
 }
@@ -419,14 +424,13 @@ fn parse_mps(text: &str) -> Mps {
 fn mps_reads_back_as_the_same_program() {
     let mut model = paper_case(PlannerKind::Rip, &[]);
     model.plan.samples = 20;
-    let mut curve = viviani();
     let (set, _) = planning_set(&model);
-    let with_cones = full_program(&model, &curve, &set, 24.0, Purpose::Plan { slack: 0.0 });
+    let with_cones = full_program(Problem::of(&model).unwrap(), &set, 24.0, Purpose::Plan { slack: 0.0 });
     assert!(with_cones.cones.iter().any(|c| matches!(c, Cone::SecondOrder(_))));
     assert_eq!(mps::render(&with_cones, "viviani"), None);
 
-    curve.waypoints.iter_mut().for_each(|w| w.within = UNBOUNDED);
-    let program = full_program(&model, &curve, &set, 24.0, Purpose::Plan { slack: 0.0 });
+    model.mission.as_mut().unwrap().waypoints.iter_mut().for_each(|w| w.within = UNBOUNDED);
+    let program = full_program(Problem::of(&model).unwrap(), &set, 24.0, Purpose::Plan { slack: 0.0 });
     let text = mps::render(&program, "viviani").unwrap();
     assert!(text.starts_with("NAME viviani\nROWS\n"));
     let read = parse_mps(&text);

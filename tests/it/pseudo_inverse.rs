@@ -5,7 +5,7 @@ use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::verdict::{Verdict, analyze, analyze_all};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
-use mavc::model::{Allocation, MissionTime, Model, PlannerKind};
+use mavc::model::{Allocation, MissionTime, Model, PlannerKind, Problem};
 use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -173,7 +173,7 @@ fn plans_ask_for_nothing_that_is_clipped() {
     let mut model = pseudo(paper_case(PlannerKind::Rcp, &[0, 2]));
     model.plan.samples = 60;
     model.plan.time = MissionTime::Fixed(24.0);
-    let comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
+    let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
     let PlanOutcome::Planned(plan) = &comparison.runs[0].outcome else { panic!("{:?}", comparison.runs[0].outcome) };
     for w in plan.trajectory.node_wrenches(&model.vehicle, model.gravity) {
         for mode in [0, 2] {
@@ -189,7 +189,7 @@ fn plans_ask_for_nothing_that_is_clipped() {
 #[test]
 fn what_is_given_away_costs_time() {
     let time = |model: &Model| {
-        let comparison = compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None);
+        let comparison = compare(Problem::of(model).unwrap(), Scope::Plan, None);
         let PlanOutcome::Planned(plan) = &comparison.runs[0].outcome else {
             panic!("{:?}", comparison.runs[0].outcome)
         };

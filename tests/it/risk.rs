@@ -3,7 +3,7 @@
 use crate::cli::mavc_with;
 use crate::vehicles::{limit, lost, mission, octocopter, paper_case, viviani, waypoint};
 use mavc::admissible::row::VIOLATED;
-use mavc::model::{FaultMode, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{FaultMode, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::motion::nearness::nearness;
 use mavc::motion::risk::{rated_risk, risk};
 use mavc::planner::hover::ACCEPTED;
@@ -13,7 +13,7 @@ use proptest::prelude::*;
 use serde_json::Value;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
-    compare(model, model.mission.as_ref().unwrap(), scope, None)
+    compare(Problem::of(model).unwrap(), scope, None)
 }
 
 fn solved(comparison: &Comparison) -> &MissionPlan {

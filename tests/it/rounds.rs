@@ -4,7 +4,7 @@ use crate::cli::mavc_with;
 use crate::vehicles::{limit, lost, mission, octocopter, paper_case, ring_model, viviani, waypoint};
 use mavc::admissible::row::VIOLATED;
 use mavc::admissible::{AdmissibleSet, faults_only_take};
-use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::motion::Trajectory;
 use mavc::motion::outside::PARTS;
 use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
@@ -15,7 +15,7 @@ use mavc::planner::timing::search::Hint;
 use mavc::planner::working_set::WorkingSet;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
-    compare(model, model.mission.as_ref().unwrap(), scope, None)
+    compare(Problem::of(model).unwrap(), scope, None)
 }
 
 fn only(comparison: &Comparison) -> &MissionPlan {
@@ -67,7 +67,7 @@ fn rounds_side_by_side() {
     let mut comparison = run(&model, Scope::Everything);
     let told = std::sync::Mutex::new(Vec::new());
     let tell = |round: &str, time: f64| told.lock().unwrap().push((round.to_string(), time));
-    let found = rounds(&model, &viviani(), &mut comparison, (0, 3), Some(&tell));
+    let found = rounds(Problem::of(&model).unwrap(), &mut comparison, (0, 3), Some(&tell));
     // Progress names the rounds and the times tried.
     let told = told.into_inner().unwrap();
     let at = comparison.common_time.unwrap();
@@ -108,7 +108,7 @@ fn all_double_losses_of_sixteen_rotors_at_once() {
     assert_eq!(model.modes.len(), 120);
     model.plan.samples = 200;
     let corners = [[0.0, 0.0, 2.0], [6.0, 0.0, 3.0], [6.0, 6.0, 4.0], [0.0, 6.0, 3.0], [0.0, 0.0, 2.0]];
-    let square = mission(corners.map(|corner| waypoint(corner, 0.0)).to_vec());
+    model.mission = Some(mission(corners.map(|corner| waypoint(corner, 0.0)).to_vec()));
     let healthy = AdmissibleSet::healthy(&model);
     assert!(faults_only_take(&model));
     let hover = healthy_hover(&model);
@@ -116,7 +116,7 @@ fn all_double_losses_of_sixteen_rotors_at_once() {
     let hovering: Vec<&AdmissibleSet> = sets.iter().filter(|s| s.polytope.margin(&hover) > 1e-6).collect();
     assert!(hovering.len() > 60, "{} of 120 can hover", hovering.len());
     let set = PlanningSet::of(&hovering, &healthy);
-    let mut engine = HoverPlanner::new(&model, &square, &healthy);
+    let mut engine = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
     let shortest = engine.shortest(&set, Hint::default(), &mut WorkingSet::default()).unwrap();
     let plan = shortest.planned;
     // The faults bind: what the healthy vehicle would fly in that time leaves their sets.
@@ -229,7 +229,7 @@ fn rsp_without_facets_is_rip() {
     model.plan.time = MissionTime::Fixed(2.5);
     let told = std::sync::Mutex::new(Vec::new());
     let tell = |name: &str, _: f64| told.lock().unwrap().push(name.to_string());
-    let all = compare(&model, model.mission.as_ref().unwrap(), Scope::Everything, Some(&tell));
+    let all = compare(Problem::of(&model).unwrap(), Scope::Everything, Some(&tell));
     // Progress counts the runs that are in the end there: six with one mode.
     let told = told.into_inner().unwrap();
     assert_eq!(all.runs.len(), 6);

@@ -1,7 +1,9 @@
 //! Stops after a fault: against closed forms, and each one found against what a stop is.
 
 use crate::vehicles::{lost, mission, octocopter, paper_case, waypoint};
-use mavc::model::{AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{
+    AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem,
+};
 use mavc::motion::checks::past;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, X, Y, YAW, Z};
@@ -13,7 +15,7 @@ use mavc::source::Span;
 use nalgebra::Vector3;
 
 fn run(model: &Model) -> Comparison {
-    compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None)
+    compare(Problem::of(model).unwrap(), Scope::Plan, None)
 }
 
 fn solved(comparison: &Comparison) -> &MissionPlan {
@@ -207,8 +209,7 @@ fn what_is_found_is_a_stop() {
         let comparison = run(&model);
         let s = solved(&comparison);
         let sets = PlanningSets::of(&model);
-        let mission = model.mission.as_ref().unwrap();
-        let mut stops = Stops::new(&model, mission, &sets.healthy, &sets.modes[0], s.trajectory.model);
+        let mut stops = Stops::new(Problem::of(&model).unwrap(), &sets.healthy, &sets.modes[0], s.trajectory.model);
         let mut found = 0;
         for node in (0..s.trajectory.nodes.len() - 1).step_by(8) {
             let struck = &s.trajectory.nodes[node];

@@ -2,13 +2,13 @@
 
 mod rates;
 
-use crate::vehicles::{hexacopter, inspection, lost, octocopter, paper_case, quadcopter, ring_model, viviani};
+use crate::vehicles::{hexacopter, inspection, lost, octocopter, paper_case, quadcopter, ring_model};
 use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::allocation::Allocator;
 use mavc::admissible::row::{SetRow, VIOLATED};
 use mavc::flatness::{self, FlatState};
-use mavc::model::{Mission, Model, PlannerKind};
+use mavc::model::{Model, PlannerKind, Problem};
 use mavc::motion::checks::{limit_violations, peak};
 use mavc::motion::hover_map::ORDER;
 use mavc::motion::outside::outside;
@@ -266,10 +266,11 @@ proptest! {
     }
 }
 
-fn planned(model: &Model, mission: &Mission, total: f64) -> Trajectory {
+fn planned(problem: Problem, total: f64) -> Trajectory {
+    let model = problem.model();
     let healthy = AdmissibleSet::healthy(model);
     let set = PlanningSet::of(&[&healthy], &healthy);
-    let mut engine = HoverPlanner::new(model, mission, &healthy);
+    let mut engine = HoverPlanner::new(problem, &healthy);
     match engine.decide(total, model.plan.samples, &set, &mut WorkingSet::default()) {
         Decision::Feasible(planned) => planned.trajectory(),
         other => panic!("{other:?}"),
@@ -300,7 +301,7 @@ fn table(text: &str) -> Vec<Vec<f64>> {
 fn the_table_is_what_was_planned() {
     let mut model = paper_case(PlannerKind::Rip, &[]);
     model.plan.samples = 100;
-    let flight = planned(&model, &viviani(), 20.0);
+    let flight = planned(Problem::of(&model).unwrap(), 20.0);
     let text = render(&flight, &model, None);
     let rows = table(&text);
     assert_eq!(rows.len(), 101);
@@ -332,10 +333,9 @@ fn the_table_is_what_was_planned() {
 fn the_table_has_what_an_exact_wrench_depends_on() {
     let mut model = paper_case(PlannerKind::Rip, &[]);
     model.plan.samples = 100;
-    let mission = viviani();
     let healthy = AdmissibleSet::healthy(&model);
     let set = PlanningSet::of(&[&healthy], &healthy);
-    let mut engine = HoverPlanner::new(&model, &mission, &healthy);
+    let mut engine = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
     let Decision::Feasible(planned) = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set).decide(26.0, &[]) else {
         panic!("no plan")
     };
@@ -360,12 +360,12 @@ fn yaw_is_continuous_past_half_a_turn() {
     for (w, yaw) in turning.waypoints.iter_mut().zip([2.5, 3.5, 4.2, 5.5]) {
         w.yaw = yaw;
     }
-    let flight = planned(&model, &turning, 32.0);
+    model.mission = Some(turning);
+    let flight = planned(Problem::of(&model).unwrap(), 32.0);
     let rows = table(&render(&flight, &model, Some(50.0)));
     assert!(rows.windows(2).all(|w| (w[1][4] - w[0][4]).abs() < 0.05));
     assert!((rows[0][4] - 2.5).abs() < 0.06 && (rows[rows.len() - 1][4] - 5.5).abs() < 0.06);
     // The limit on speed holds at nodes; its violation between them is small and reported.
-    model.mission = Some(turning);
     let fastest = rows.iter().map(|r| Vector3::new(r[5], r[6], r[7]).norm()).fold(0.0, f64::max);
     let excess = limit_violations(&flight, &model, 1e-9);
     let by = excess.first().map_or(0.0, |e| e.by);

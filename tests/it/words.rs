@@ -5,7 +5,7 @@ use crate::cli::mavc_with;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::edge::{EDGE, Place};
 use mavc::admissible::verdict::analyze;
-use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::planner::studies::{PlanOutcome, Proof, Run, Scope, compare};
 use mavc::report::record::Record;
 use mavc::report::waypoints::{WaypointRecord, headline, listed, table, waypoints};
@@ -95,17 +95,17 @@ fn what_is_proved_of_many_times_is_proved_of_each() {
     (up.plan.planner, up.plan.time, up.plan.samples) = (PlannerKind::Rip, MissionTime::Minimum, 20);
     for model in [PlanModel::Exact, PlanModel::Hover] {
         up.plan.model = model;
-        let comparison = compare(&up, up.mission.as_ref().unwrap(), Scope::Plan, None);
+        let comparison = compare(Problem::of(&up).unwrap(), Scope::Plan, None);
         let PlanOutcome::Infeasible(Proof { at, proved }) = &comparison.runs[0].outcome else { panic!("{model:?}") };
         assert!(proved.len() > 3 && proved.last() == Some(at) && proved.is_sorted(), "{model:?} {proved:?}");
-        let record = Record::new(&up, up.mission.as_ref().unwrap(), &comparison, String::new());
+        let record = Record::new(Problem::of(&up).unwrap(), &comparison, String::new());
         assert_eq!(&record.planners[0].proved_infeasible_s, proved);
-        let text = terminal::plan(&up, up.mission.as_ref().unwrap(), &comparison, false);
+        let text = terminal::plan(Problem::of(&up).unwrap(), &comparison, false);
         assert!(text.contains(&format!("proved infeasible at each of {} times, ", proved.len())), "{text}");
         for &time in proved.iter().filter(|t| **t < 1e4) {
             let mut fixed = up.clone();
             fixed.plan.time = MissionTime::Fixed(time);
-            let comparison = compare(&fixed, fixed.mission.as_ref().unwrap(), Scope::Plan, None);
+            let comparison = compare(Problem::of(&fixed).unwrap(), Scope::Plan, None);
             assert_eq!(comparison.runs[0].outcome.verdict(), Verdict::ProvedInfeasible, "{model:?}, {time} s");
         }
     }
@@ -125,14 +125,14 @@ fn on_the_edge() -> Model {
 #[test]
 fn rsp_without_a_common_time_is_not_attempted() {
     let model = on_the_edge();
-    let mission = model.mission.as_ref().unwrap();
-    let plan = compare(&model, mission, Scope::Plan, None);
+    let problem = Problem::of(&model).unwrap();
+    let plan = compare(problem, Scope::Plan, None);
     assert!(plan.common_time.is_none());
     assert_eq!(plan.runs.last().unwrap().outcome.verdict(), Verdict::NotAttempted, "{:?}", plan.runs);
-    let text = terminal::plan(&model, mission, &plan, false);
+    let text = terminal::plan(problem, &plan, false);
     assert!(text.contains("RSP: not attempted: ") && !text.contains("proved infeasible"), "{text}");
     // RCP against the mode is searched for, and RIP has a plan.
-    let all = compare(&model, mission, Scope::Everything, None);
+    let all = compare(problem, Scope::Everything, None);
     let verdict = |planner: PlannerKind| {
         let run = all.runs.iter().find(|run| run.planner == planner && run.run == Run::Own);
         run.map(|run| run.outcome.verdict())
@@ -140,7 +140,7 @@ fn rsp_without_a_common_time_is_not_attempted() {
     assert_eq!(verdict(PlannerKind::Rip), Some(Verdict::Found));
     assert_eq!(verdict(PlannerKind::Rcp), Some(Verdict::NotFound));
     assert_eq!(verdict(PlannerKind::Rsp), None);
-    let text = comparison_text::compare(&model, mission, &all, false);
+    let text = comparison_text::compare(problem, &all, false);
     assert!(text.contains("not found: no plan was found") && !text.contains("proved infeasible"), "{text}");
 }
 
@@ -158,10 +158,10 @@ fn rsp_without_a_plan_of_rip_is_not_attempted_but_where_that_is_proved() {
         model.plan.time = MissionTime::Fixed(time);
         for (planner, verdict) in [PlannerKind::Rip, PlannerKind::Rsp].into_iter().zip(verdicts) {
             model.plan.planner = planner;
-            let comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
+            let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
             assert_eq!(comparison.runs[0].outcome.verdict(), verdict, "{planner:?} in {time} s");
         }
-        let all = compare(&model, model.mission.as_ref().unwrap(), Scope::Everything, None);
+        let all = compare(Problem::of(&model).unwrap(), Scope::Everything, None);
         let rsp = all.runs.iter().find(|run| run.planner == PlannerKind::Rsp && run.run == Run::Common).unwrap();
         assert_eq!(rsp.outcome.verdict(), verdicts[1], "{time} s");
     }
@@ -220,7 +220,7 @@ fn moved(by: f64, yaw_by: f64) -> Vec<WaypointRecord> {
     (model.plan.model, model.plan.planner) = (PlanModel::Hover, PlannerKind::Rip);
     (model.plan.time, model.plan.samples) = (MissionTime::Fixed(6.0), 20);
     let flown = model.mission.as_ref().unwrap();
-    let comparison = compare(&model, flown, Scope::Plan, None);
+    let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
     let solved = comparison.runs[0].outcome.plan().unwrap();
     let end = solved.trajectory.nodes.last().unwrap();
     let mut asked = flown.clone();

@@ -76,9 +76,8 @@ impl<'a> Places<'a> {
     ) -> Result<(), Problem> {
         let report =
             self.report.as_ref().map(|target| Ok::<_, Problem>((target, results::json(record)?))).transpose()?;
-        let page = self.page.as_ref().zip(spec.mission()).map(|(target, mission)| {
-            let subject =
-                Subject { model: spec.model(), mission, sources: spec.sources(), diagnostics: &findings.diagnostics };
+        let page = self.page.as_ref().zip(spec.problem()).map(|(target, problem)| {
+            let subject = Subject { problem, sources: spec.sources(), diagnostics: &findings.diagnostics };
             (target, page::campaign(&subject, record))
         });
         let made: Vec<_> = report.iter().chain(&page).map(|(target, text)| (*target, text.as_str())).collect();

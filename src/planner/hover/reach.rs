@@ -15,17 +15,17 @@ impl HoverPlanner<'_> {
     /// An upper bound on (48) over all feasible plans: the largest inputs that the healthy set allows, waypoints at the edge
     /// of their tolerance. `None` if yaw was planned first, because rows then depend on states too.
     pub(super) fn largest_cost(&self, layout: &Layout) -> Option<f64> {
-        let bounded = self.mission.waypoints.iter().all(|w| w.within < UNBOUNDED || w.weight == 0.0);
+        let bounded = self.mission().waypoints.iter().all(|w| w.within < UNBOUNDED || w.weight == 0.0);
         (bounded && matches!(layout.yaw, YawPlan::Free { .. })).then(|| self.cost_scale(layout))
     }
 
     /// The bound itself; if yaw was planned first, only an order of magnitude.
     pub(super) fn cost_scale(&self, layout: &Layout) -> f64 {
         let [snap, climb, turn] = self.largest_inputs();
-        let plan = &self.model.plan;
+        let plan = &self.model().plan;
         let inputs = plan.snap_weight * snap * snap + plan.acceleration_weight * (climb * climb + turn * turn);
         let misses =
-            self.mission.waypoints.iter().map(|w| {
+            self.mission().waypoints.iter().map(|w| {
                 w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))
             });
         inputs * layout.flown.total + misses.sum::<f64>()
@@ -37,11 +37,11 @@ impl HoverPlanner<'_> {
         let zonotope = &self.healthy.zonotope;
         let reach = |n: Wrench| zonotope.support(&n).abs().max(zonotope.support(&-n).abs());
         let extent = |axis: usize| reach(Wrench::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 }));
-        let vehicle = &self.model.vehicle;
+        let vehicle = &self.model().vehicle;
         let [ixx, iyy, izz] = vehicle.inertia;
         // x^2 + y^2 does not depend on psi: it is (g tau_x / Ixx)^2 + (g tau_y / Iyy)^2. Its root is at most
         // the largest support over directions, and a circle about 2 n supporting lines is a little larger.
-        let (roll, pitch) = (self.model.gravity / ixx, self.model.gravity / iyy);
+        let (roll, pitch) = (self.model().gravity / ixx, self.model().gravity / iyy);
         let slice = std::f64::consts::PI / DIRECTIONS as f64;
         let widest = (0..DIRECTIONS)
             .map(|i| {
@@ -50,7 +50,7 @@ impl HoverPlanner<'_> {
             })
             .fold(0.0, f64::max);
         let snap = widest / (slice / 2.0).cos();
-        let climb = (extent(0) / vehicle.mass - self.model.gravity).abs().max(self.model.gravity);
+        let climb = (extent(0) / vehicle.mass - self.model().gravity).abs().max(self.model().gravity);
         let turn = extent(3) / izz;
         [snap, climb, turn]
     }
@@ -59,12 +59,12 @@ impl HoverPlanner<'_> {
     /// |x(t) - x(0)| <= t^4/4! max |x''''| and |z(t) - z(0)| <= t^2/2! max |z''|. Such short times are beyond the
     /// solver, whose numbers then span too many decades.
     pub(super) fn out_of_reach(&self, layout: &Layout) -> bool {
-        if !self.mission.start_at_rest {
+        if !self.mission().start_at_rest {
             return false;
         }
         let [snap, climb, _] = self.largest_inputs().map(|u| LEEWAY * u);
-        let start = &self.mission.waypoints[0];
-        self.mission.waypoints.iter().zip(&layout.flown.waypoint_nodes).any(|(w, &node)| {
+        let start = &self.mission().waypoints[0];
+        self.mission().waypoints.iter().zip(&layout.flown.waypoint_nodes).any(|(w, &node)| {
             let t = layout.flown.node_times[node];
             let apart: [f64; 3] = std::array::from_fn(|i| w.position[i] - start.position[i]);
             let allowed = LEEWAY * (start.within + w.within + 2.0 * FEASIBLE);

@@ -36,14 +36,16 @@ impl HoverPlanner<'_> {
         sigma: f64,
         working_set: &mut WorkingSet,
     ) {
-        let maps = layout.yaw.maps(self.model, layout.flown.nodes());
-        let commands = layout.commands(self.model);
-        let stages = Transcription::new(self.model, self.mission, &layout.flown, set, &maps, layout.yaw.axes())
+        let maps = layout.yaw.maps(self.model(), layout.flown.nodes());
+        let commands = layout.commands(self.model());
+        let stages = Transcription::new(self.problem, &layout.flown, set, &maps, layout.yaw.axes())
             .with_commands(commands.as_ref());
         let kept = self.settings.kept_slack;
         working_set.rows.retain(|r| match r.row {
             Row::Facet(facet) => set.rows[facet].violation(&maps[r.instant].at(&states[r.instant])) > sigma - kept,
-            Row::Limit(limit) => stages.limit_violation(&self.mission.limits[limit], states, r.instant, sigma) > -kept,
+            Row::Limit(limit) => {
+                stages.limit_violation(&self.mission().limits[limit], states, r.instant, sigma) > -kept
+            }
             Row::Upright => false,
             Row::Command { facet, slope } => stages
                 .command_wrench(states, (r.instant, slope))
@@ -73,11 +75,10 @@ impl HoverPlanner<'_> {
         accepted: f64,
     ) -> Attempt {
         let nodes = layout.flown.nodes();
-        let maps = layout.yaw.maps(self.model, nodes);
-        let (model, mission) = (self.model, self.mission);
-        let commands = layout.commands(model);
+        let maps = layout.yaw.maps(self.model(), nodes);
+        let commands = layout.commands(self.model());
         let new = || {
-            Transcription::new(model, mission, &layout.flown, set, &maps, layout.yaw.axes())
+            Transcription::new(self.problem, &layout.flown, set, &maps, layout.yaw.axes())
                 .with_commands(commands.as_ref())
         };
         let (stages, splines) = (new(), new().in_splines());

@@ -61,7 +61,7 @@ impl ScpPlanner<'_, '_> {
 
     /// The violation of each row of the set by the commanded wrench, with its local tightening.
     fn command_violations<'s>(&'s self, lag: &'s Lag, state: &CommandState) -> impl Iterator<Item = f64> + 's {
-        let wrench = self.wrench.commanded(&self.hover.model.vehicle, self.hover.model.gravity, lag.tau, state);
+        let wrench = self.wrench.commanded(&self.hover.model().vehicle, self.hover.model().gravity, lag.tau, state);
         self.set.rows.iter().zip(&lag.local_tightening).enumerate().map(move |(facet, (row, tightening))| {
             match row.equality {
                 true => f64::NEG_INFINITY,
@@ -85,7 +85,7 @@ impl ScpPlanner<'_, '_> {
         let Some((lag, state)) = self.lag.as_ref().zip(self.command_state(iterate, at)) else {
             return f64::NEG_INFINITY;
         };
-        let Model { vehicle, gravity, .. } = self.hover.model;
+        let Model { vehicle, gravity, .. } = self.hover.model();
         self.violation_of_row(facet, &self.wrench.commanded(vehicle, *gravity, lag.tau, &state))
     }
 
@@ -144,7 +144,7 @@ impl ScpPlanner<'_, '_> {
         working_set: &BTreeSet<RowAt>,
     ) -> Option<CommandLinearisation> {
         let lag = self.lag.as_ref()?;
-        let Model { vehicle, gravity, .. } = self.hover.model;
+        let Model { vehicle, gravity, .. } = self.hover.model();
         let mut linearised = BTreeMap::new();
         for &RowAt { row, instant } in working_set {
             let Row::Command { slope, .. } = row else { continue };

@@ -32,7 +32,7 @@ impl ScpPlanner<'_, '_> {
             Shorter::By(share) => ((-share, -share), Objective::Cost, settings.given_duration, 0.0),
         };
         let ShorteningWeights { proximal, cost: cost_weight } = weights;
-        let durations = Durations { legs: vec![Some(0); self.hover.mission.legs.len()], range, spans: Vec::new() };
+        let durations = Durations { legs: vec![Some(0); self.hover.mission().legs.len()], range, spans: Vec::new() };
         let weights = Weights { objective, penalty: settings.penalty, cost_weight, input_weight: 0.0 };
         let stepped = self.step(iterate, &durations, ProximalWeight { weight: proximal }, weights, working_set)?;
         if stepped.changes[0] > -least {
@@ -164,7 +164,7 @@ impl ScpPlanner<'_, '_> {
     /// A plan at a mission time by continuation from iterates that are feasible at another: other plans slowed down, or a first
     /// feasible iterate. `None` where waypoints have fixed times, because no motion can then be slowed down as a whole.
     pub(super) fn by_continuation(&mut self, total: f64, initial_guesses: &[&Planned]) -> Option<Planned> {
-        if has_fixed_times(self.hover.mission) {
+        if has_fixed_times(self.hover.mission()) {
             return None;
         }
         let warm_start = self.warm_start(initial_guesses, &mut BTreeSet::new());

@@ -6,7 +6,7 @@ use crate::model::grid::{fewest_pieces, is_coarser, pieces};
 impl ScpPlanner<'_, '_> {
     /// Whether the planner chooses the waypoint times.
     pub(super) fn chooses_times(&self) -> bool {
-        self.hover.model.plan.chooses_times && self.hover.mission.leaves_times_free()
+        self.hover.model().plan.chooses_times && self.hover.mission().leaves_times_free()
     }
 
     /// Shortens a feasible iterate by steps in which each leg has its own change of duration. Each step is restored with the new
@@ -43,7 +43,7 @@ impl ScpPlanner<'_, '_> {
     /// The iterate on the grid of its own durations if some leg has longer pieces than that grid ([`is_coarser`]); unchanged if it
     /// cannot be restored there.
     pub(super) fn on_its_own_grid(&mut self, iterate: Iterate, working_set: &mut BTreeSet<RowAt>) -> Iterate {
-        let mission = self.hover.mission;
+        let mission = self.hover.mission();
         let segments = &iterate.grid.segments;
         let durations: Vec<f64> = segments.iter().map(|s| s.duration).collect();
         let samples = iterate.grid.intervals() + mission.waypoints.iter().filter(|w| w.hold > 0.0).count();

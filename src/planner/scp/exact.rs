@@ -1,7 +1,7 @@
 //! The planner of the exact model, which makes one [`ScpPlanner`] for each set.
 
 use super::ScpSettings;
-use crate::model::Mission;
+use crate::model::{Mission, Problem};
 use crate::motion::wrench_model::WrenchModel;
 use crate::planner::hover::{Decision, HoverPlanner, Planned};
 use crate::planner::scp::ScpPlanner;
@@ -37,21 +37,20 @@ impl Planner for ExactPlanner<'_> {
 
     /// If nothing is decided, the rows that bind in the hover model are left in the weights.
     fn attempt_at(&mut self, time: f64, set: &PlanningSet, minimised: bool, working_set: &mut WorkingSet) -> Attempt {
-        let (model, mission) = (self.hover.model, self.hover.mission);
-        let guided_mission = guided(mission, &self.settings.guidance);
-        let mut near = ExactPlanner {
-            hover: HoverPlanner::new(model, &guided_mission, self.hover.healthy),
-            settings: self.settings,
-        };
+        let problem = self.hover.problem;
+        let guided_model = problem.with_mission(guided(problem.mission(), &self.settings.guidance));
+        let guided_problem = Problem::of(&guided_model).unwrap_or(problem);
+        let mut near =
+            ExactPlanner { hover: HoverPlanner::new(guided_problem, self.hover.healthy), settings: self.settings };
         let mut decision = near.against(set).attempt(time, minimised);
         self.hover.effort += near.hover.effort;
         self.hover.weights = near.hover.weights;
         // A result with waypoints kept near is one for the mission itself only if it is a plan, or if there are no such waypoints.
-        if guided_mission != *mission && !matches!(decision, Decision::Feasible(_)) {
+        if guided_problem.mission() != problem.mission() && !matches!(decision, Decision::Feasible(_)) {
             decision = self.against(set).attempt(time, minimised);
         }
         if matches!(decision, Decision::Inconclusive(_)) {
-            self.hover.decide(time, model.plan.samples, set, working_set);
+            self.hover.decide(time, problem.model().plan.samples, set, working_set);
         }
         Attempt { decision, weights: std::mem::take(&mut self.hover.weights) }
     }

@@ -2,7 +2,7 @@
 //! but only the legs after the last fixed time can take longer in all.
 
 use super::*;
-use crate::model::Mission;
+use crate::model::Problem;
 use crate::motion::time_grid::has_fixed_times;
 
 /// Relative changes of durations, scaled within each span so that its sum of durations does not change.
@@ -23,7 +23,7 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn spans(&self) -> Vec<Range<usize>> {
         let mut spans = Vec::new();
         let mut from = 0;
-        for (to, waypoint) in self.hover.mission.waypoints.iter().enumerate().skip(1) {
+        for (to, waypoint) in self.hover.mission().waypoints.iter().enumerate().skip(1) {
             if waypoint.time.is_some() {
                 spans.push(from..to);
                 from = to;
@@ -35,7 +35,7 @@ impl ScpPlanner<'_, '_> {
     /// The spans at one mission time: the legs after the last fixed time are one more.
     fn spans_of_all(&self) -> Vec<Range<usize>> {
         let mut spans = self.spans();
-        let (from, last) = (spans.last().map_or(0, |span| span.end), self.hover.mission.legs.len());
+        let (from, last) = (spans.last().map_or(0, |span| span.end), self.hover.mission().legs.len());
         if from < last {
             spans.push(from..last);
         }
@@ -46,7 +46,7 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn changing(&self, spans: &[Range<usize>]) -> Vec<Option<usize>> {
         let alone = |leg: usize| spans.iter().any(|span| span.len() == 1 && span.contains(&leg));
         let mut own = 0..;
-        (0..self.hover.mission.legs.len()).map(|leg| if alone(leg) { None } else { own.next() }).collect()
+        (0..self.hover.mission().legs.len()).map(|leg| if alone(leg) { None } else { own.next() }).collect()
     }
 
     /// An iterate of `flown` s in all: slower or faster on all legs alike, or where times are fixed on those after the last fixed
@@ -82,7 +82,7 @@ impl ScpPlanner<'_, '_> {
     /// A plan at a mission time with another division of the time between fixed times than the rules give: the division of a short
     /// motion without fixed times; then, from it and from `divisions`, the divisions that steps towards the least violation find.
     pub(super) fn divided_anew(&mut self, total: f64, divisions: &[TimeGrid]) -> Option<Planned> {
-        let samples = self.hover.model.plan.samples;
+        let samples = self.hover.model().plan.samples;
         let fastest = self.durations_without_fixed_times().and_then(|legs| self.lay_out(Some(&legs), total, samples));
         if let Some(planned) = fastest.as_ref().and_then(|full| self.on_grid(full, &[])) {
             return Some(planned);
@@ -98,9 +98,10 @@ impl ScpPlanner<'_, '_> {
 
     /// The durations of the legs, s, of a short motion on the coarse grid without fixed times.
     fn durations_without_fixed_times(&mut self) -> Option<Vec<f64>> {
-        let mut mission: Mission = self.hover.mission.clone();
+        let mut mission = self.hover.mission().clone();
         mission.waypoints.iter_mut().for_each(|w| w.time = None);
-        let mut hover = HoverPlanner::new(self.hover.model, &mission, self.hover.healthy);
+        let model = self.hover.problem.with_mission(mission);
+        let mut hover = HoverPlanner::new(Problem::of(&model)?, self.hover.healthy);
         hover.on_progress = self.hover.on_progress;
         let mut free = ScpPlanner::with_settings(&mut hover, self.wrench, self.set, self.settings);
         let iterate = free.first_coarse();
@@ -156,6 +157,6 @@ impl ScpPlanner<'_, '_> {
 
     /// Whether the planner chooses the durations between fixed times.
     pub(super) fn divides_spans(&self) -> bool {
-        self.chooses_times() && has_fixed_times(self.hover.mission)
+        self.chooses_times() && has_fixed_times(self.hover.mission())
     }
 }

@@ -16,10 +16,10 @@ impl ScpPlanner<'_, '_> {
     /// `None` if some leg has no time.
     pub(super) fn lay_out(&self, shares: Option<&[f64]>, total: f64, samples: usize) -> Option<TimeGrid> {
         match shares {
-            None => time_grid(self.hover.mission, total, samples),
+            None => time_grid(self.hover.mission(), total, samples),
             Some(shares) => {
                 let legs = shares.iter().map(|&share| Leg { share }).collect();
-                time_grid(&Mission { legs, ..self.hover.mission.clone() }, total, samples)
+                time_grid(&Mission { legs, ..self.hover.mission().clone() }, total, samples)
             }
         }
     }
@@ -27,13 +27,13 @@ impl ScpPlanner<'_, '_> {
     /// The time grid of the first division tried at a mission time: the spec's, or where the planner chooses durations, shares as
     /// the limits of each leg need them.
     fn first_division(&self, total: f64, samples: usize) -> Option<TimeGrid> {
-        let initial = self.chooses_times().then(|| kinematics::initial(self.hover.model, self.hover.mission));
+        let initial = self.chooses_times().then(|| kinematics::initial(self.hover.problem));
         self.lay_out(initial.as_deref(), total, samples)
     }
 
     /// The sum of all holds, s.
     pub(super) fn held(&self) -> f64 {
-        self.hover.mission.waypoints.iter().map(|w| w.hold).sum()
+        self.hover.mission().waypoints.iter().map(|w| w.hold).sum()
     }
 
     /// A plan of the mission as an initial guess.
@@ -45,14 +45,13 @@ impl ScpPlanner<'_, '_> {
     /// Whether the kinematic lower bound rules out a mission time for every division among the legs. Only used where the planner
     /// chooses the division; a given one is decided by the relaxation, which proves more.
     fn is_too_short(&self, total: f64) -> bool {
-        let (model, mission) = (self.hover.model, self.hover.mission);
-        self.chooses_times() && kinematics::least_time_within(model, mission).is_above(total)
+        self.chooses_times() && kinematics::least_time_within(self.hover.problem).is_above(total)
     }
 
     /// The divisions of a mission time that are tried unchanged: [`Self::first_division`] and, where the planner chooses durations,
     /// the one by lengths. Empty if some leg has no time.
     fn divisions(&self, total: f64) -> Vec<TimeGrid> {
-        let samples = self.hover.model.plan.samples;
+        let samples = self.hover.model().plan.samples;
         let by_length = self.chooses_times().then(|| self.lay_out(None, total, samples)).flatten();
         self.first_division(total, samples).into_iter().chain(by_length).collect()
     }
@@ -111,7 +110,7 @@ impl ScpPlanner<'_, '_> {
         if self.is_too_short(total) {
             return Decision::Infeasible;
         }
-        let samples = self.hover.model.plan.samples;
+        let samples = self.hover.model().plan.samples;
         let Some(full) = self.first_division(total, samples) else { return Decision::Infeasible };
         self.hover.progress(total);
         let flown = full.flown();
@@ -139,7 +138,7 @@ impl ScpPlanner<'_, '_> {
     /// or a cheaper one from a plan that costs less and is feasible as it is, so that plans of smaller sets are seldom cheaper.
     pub(super) fn on_grid(&mut self, full: &TimeGrid, initial_guesses: &[&Planned]) -> Option<Planned> {
         let flown = full.total - self.held();
-        let fixed = has_fixed_times(self.hover.mission);
+        let fixed = has_fixed_times(self.hover.mission());
         let mut working_set = BTreeSet::new();
         let close = self.settings.cost.close;
         let smooth = self.minimum_snap(&full.flown());
@@ -205,7 +204,7 @@ impl ScpPlanner<'_, '_> {
             minimised.states[node][axis][order] = 0.0;
         }
         let legs: Vec<LegGrid> = minimised.grid.segments.iter().map(Segment::leg_grid).collect();
-        let grid = TimeGrid::with_legs(self.hover.mission, &legs, total);
+        let grid = TimeGrid::with_legs(self.hover.mission(), &legs, total);
         Some(Planned {
             states: grid.with_holds(&minimised.states),
             grid,

@@ -9,9 +9,9 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn first_feasible(&mut self, near: f64) -> Option<Iterate> {
         // Where the planner chooses the durations, the initial one of each leg comes from its own limits. (A second start with
         // shares by length took up to twice the solves and found times at most 0.5 % shorter: docs/performance.md.)
-        let initial = self.chooses_times().then(|| kinematics::initial(self.hover.model, self.hover.mission));
+        let initial = self.chooses_times().then(|| kinematics::initial(self.hover.problem));
         let mut iterate = self.coarse(initial.as_deref(), near)?;
-        let samples = self.hover.model.plan.samples;
+        let samples = self.hover.model().plan.samples;
         if let Some(medium) = self.medium_grid() {
             iterate = self.refined(iterate, medium)?;
             let weights = self.settings.durations.cost_weights;
@@ -24,7 +24,7 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn medium_grid(&self) -> Option<usize> {
         let settings = &self.settings.grids;
         let medium = settings.medium.max(self.hover.coarse_samples());
-        let is_much_finer = self.hover.model.plan.samples as f64 > settings.refinement * medium as f64;
+        let is_much_finer = self.hover.model().plan.samples as f64 > settings.refinement * medium as f64;
         (self.chooses_times() && is_much_finer).then_some(medium)
     }
 
@@ -51,7 +51,7 @@ impl ScpPlanner<'_, '_> {
 
     /// A feasible iterate of short duration on the coarse grid; the initial durations come from the limits of each leg.
     pub(super) fn first_coarse(&mut self) -> Option<Iterate> {
-        let initial = kinematics::initial(self.hover.model, self.hover.mission);
+        let initial = kinematics::initial(self.hover.problem);
         self.coarse(Some(&initial), 0.0)
     }
 

@@ -54,7 +54,8 @@ impl ScpPlanner<'_, '_> {
         let mut places = self.places(grid);
         // A coarse grid would cut the corners of a way around.
         if positions.is_some() {
-            let volumes = self.hover.mission.limits.iter().enumerate().filter(|(_, l)| l.kind == LimitKind::Clearance);
+            let volumes =
+                self.hover.problem.mission().limits.iter().enumerate().filter(|(_, l)| l.kind == LimitKind::Clearance);
             let instants = (0..=grid.intervals() * PARTS).step_by(self.settings.guidance.instants);
             let rows =
                 volumes.flat_map(|(i, _)| instants.clone().map(move |instant| RowAt { row: Row::Limit(i), instant }));

@@ -74,7 +74,7 @@ impl ScpPlanner<'_, '_> {
     /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the vehicle
     /// from rest in time. Such short times are beyond the solver, whose numbers then span too many decades.
     fn out_of_reach(&self, grid: &TimeGrid, thrust: f64) -> bool {
-        let (model, mission) = (self.hover.model, self.hover.mission);
+        let (model, mission) = (self.hover.model(), self.hover.mission());
         let most = LEEWAY * (thrust / model.vehicle.mass + model.gravity);
         let start = &mission.waypoints[0];
         mission.start_at_rest
@@ -88,7 +88,7 @@ impl ScpPlanner<'_, '_> {
     /// The largest thrust of the set over all torques.
     fn most_thrust(&mut self) -> MostThrust {
         let mut builder = Builder::new(4);
-        let scale = self.hover.model.vehicle.rotors.iter().map(crate::model::Rotor::max_thrust).sum::<f64>();
+        let scale = self.hover.model().vehicle.rotors.iter().map(crate::model::Rotor::max_thrust).sum::<f64>();
         // Thrust in units of full thrust, torques in those of the rows.
         let sides = |equality: bool| if equality { &[1.0, -1.0][..] } else { &[1.0] };
         let mut of_row = Vec::new();

@@ -107,7 +107,7 @@ impl ScpPlanner<'_, '_> {
             approached.filter(|approached| approached.is_optimal)
         });
         let Solution { x, z, .. } = solved?.solution;
-        let mission = relaxed(self.hover.mission);
+        let mission = relaxed(self.hover.mission());
         let mut set = self.set.clone();
         set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset += SHARE);
         let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
@@ -149,7 +149,7 @@ impl ScpPlanner<'_, '_> {
     fn free_legs(&self) -> Vec<Option<usize>> {
         let fixed = self.spans().last().map_or(0, |span| span.end);
         let own = |leg: usize| if self.chooses_times() { leg - fixed } else { 0 };
-        (0..self.hover.mission.legs.len()).map(|leg| (leg >= fixed).then(|| own(leg))).collect()
+        (0..self.hover.mission().legs.len()).map(|leg| (leg >= fixed).then(|| own(leg))).collect()
     }
 
     /// The statement that a row of the subproblem comes from, and its leg: at a waypoint the one that ends there.

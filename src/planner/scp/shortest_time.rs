@@ -25,20 +25,19 @@ impl ScpPlanner<'_, '_> {
     /// # Errors
     /// [`NoTime`], if each time tried is proved infeasible or if no plan is found.
     pub fn shortest(&mut self, initial_guesses: &[&Planned], larger: Option<f64>) -> Result<Shortest, NoTime> {
-        if let Some(total) = determined(self.hover.mission) {
+        if let Some(total) = determined(self.hover.mission()) {
             return match self.decide(total, initial_guesses) {
                 Decision::Feasible(planned) => Ok(shortest(total, *planned)),
                 Decision::Infeasible => Err(NoTime::Infeasible { times: vec![total] }),
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
             };
         }
-        let (model, mission) = (self.hover.model, self.hover.mission);
-        if kinematics::least_time_within(model, mission).too_early.is_some() {
+        if kinematics::least_time_within(self.hover.problem).too_early.is_some() {
             // A fixed time is too early whatever the mission time: one is named for all.
             let time = (self.hover.guess() / GRID).ceil() / (1.0 / GRID).round();
             return Err(NoTime::Infeasible { times: vec![time] });
         }
-        if has_fixed_times(mission) {
+        if has_fixed_times(self.hover.mission()) {
             return match self.chooses_times() {
                 true => self.shortest_about_fixed_times(initial_guesses),
                 false => self.shortest_after_fixed_times(initial_guesses),
@@ -88,9 +87,9 @@ impl ScpPlanner<'_, '_> {
     /// Where some waypoints have fixed times and the planner chooses the others': starts from the plan of another set, or from one
     /// with ample time after the last fixed time, and shortens the durations.
     fn shortest_about_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
-        let mission = self.hover.mission;
+        let mission = self.hover.mission();
         let after = self.spans().last().map_or(0, |span| span.end);
-        let initial_total: f64 = kinematics::initial(self.hover.model, mission)[after..].iter().sum();
+        let initial_total: f64 = kinematics::initial(self.hover.problem)[after..].iter().sum();
         let mut tried: Vec<f64> = initial_guesses.iter().map(|planned| planned.grid.total).collect();
         tried.sort_by(f64::total_cmp);
         tried.dedup();
@@ -124,8 +123,8 @@ impl ScpPlanner<'_, '_> {
     /// The verdict where no plan was found from a first guess of the time, nor at slower ones: proved infeasible, if the relaxation
     /// proves it from a quarter of that flight on, at times each twice the last; else not found.
     fn none_at_all(&mut self, time: f64) -> NoTime {
-        let samples = self.hover.model.plan.samples;
-        let mut at = time - self.settings.search.first_proof * (time - earliest(self.hover.mission));
+        let samples = self.hover.model().plan.samples;
+        let mut at = time - self.settings.search.first_proof * (time - earliest(self.hover.mission()));
         let mut proved = Vec::new();
         while !self.chooses_times() {
             let Some(full) = self.lay_out(None, at, samples) else { break };
@@ -144,7 +143,7 @@ impl ScpPlanner<'_, '_> {
     /// Where only the legs after the last fixed time are free: bisection, from the time of another set's plan or from the first of
     /// ever longer times with a plan.
     fn shortest_after_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
-        let floor = earliest(self.hover.mission);
+        let floor = earliest(self.hover.mission());
         let settings = self.settings.search;
         let resolution = self.settings.descent.on_full_grid.min;
         let mut low = floor;

@@ -73,7 +73,7 @@ impl ScpPlanner<'_, '_> {
             }
         }
         // Limits on places have no width for a tightening.
-        let limits = &self.hover.mission.limits;
+        let limits = &self.hover.mission().limits;
         over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if place(limits[limit].kind)));
         over.into_iter().collect()
     }

@@ -5,7 +5,7 @@ use crate::model::LimitKind;
 
 impl<'e, 'a> ScpPlanner<'e, 'a> {
     pub(super) fn wrench_at(&self, state: &NodeState) -> Wrench {
-        self.wrench.wrench(&self.hover.model.vehicle, self.hover.model.gravity, state)
+        self.wrench.wrench(&self.hover.model().vehicle, self.hover.model().gravity, state)
     }
 
     /// The violation of a row, in widths of the healthy set; a flat set's equalities hold to within the margin on both sides.
@@ -28,7 +28,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         // Limits on places have no width for a margin.
         let limits = self
             .hover
-            .mission
+            .mission()
             .limits
             .iter()
             .map(move |l| form.violation_of(l, state, 0.0) - if place(l.kind) { ACCEPTED } else { 0.0 });
@@ -54,7 +54,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// Whether the row at a place is that of a volume.
     pub(super) fn is_of_volume(&self, place: usize) -> bool {
-        let limit = place.checked_sub(self.set.rows.len()).and_then(|limit| self.hover.mission.limits.get(limit));
+        let limit =
+            place.checked_sub(self.set.rows.len()).and_then(|limit| self.hover.problem.mission().limits.get(limit));
         limit.is_some_and(|limit| limit.volume.is_some())
     }
 
@@ -82,7 +83,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// The row at a place among those of [`Self::violations`].
     pub(super) fn row(&self, place: usize) -> Row {
-        let (facets, limits) = (self.set.rows.len(), self.hover.mission.limits.len());
+        let (facets, limits) = (self.set.rows.len(), self.hover.mission().limits.len());
         match place {
             p if p < facets => Row::Facet(p),
             p if p < facets + limits => Row::Limit(p - facets),
@@ -95,7 +96,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         match row {
             Row::Facet(facet) => Some(facet),
             Row::Limit(limit) => Some(self.set.rows.len() + limit),
-            Row::Upright => Some(self.set.rows.len() + self.hover.mission.limits.len()),
+            Row::Upright => Some(self.set.rows.len() + self.hover.mission().limits.len()),
             Row::Command { .. } => None,
         }
     }
@@ -174,7 +175,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         wanted: impl Fn(&Limit) -> bool,
     ) -> impl Iterator<Item = RowAt> {
         let nodes = 0..grid.nodes();
-        let limits = self.hover.mission.limits.iter().enumerate().filter(move |(_, limit)| wanted(limit));
+        let limits = self.hover.mission().limits.iter().enumerate().filter(move |(_, limit)| wanted(limit));
         limits.flat_map(move |(limit, _)| {
             nodes.clone().map(move |node| RowAt { row: Row::Limit(limit), instant: node * PARTS })
         })

@@ -24,7 +24,7 @@ const TOUCHING: f64 = 1e-3;
 impl ScpPlanner<'_, '_> {
     /// The position at each instant, m; `None` if the mission keeps out of no volume.
     pub(super) fn positions(&self, iterate: &Iterate) -> Option<Vec<Point>> {
-        keeps_out(self.hover.mission).then(|| {
+        keeps_out(self.hover.problem.mission()).then(|| {
             let instants = iterate.grid.intervals() * PARTS + 1;
             (0..instants).map(|instant| position(&iterate.at(instant))).collect()
         })
@@ -33,7 +33,7 @@ impl ScpPlanner<'_, '_> {
     /// A position for each instant that keeps out of the volumes, near those of an iterate that enters one; `None` if it enters
     /// none or if no way around was found.
     pub(super) fn way_around(&self, iterate: &Iterate) -> Option<Vec<Point>> {
-        let mission = self.hover.mission;
+        let mission = self.hover.problem.mission();
         let mut positions = self.positions(iterate)?;
         let mut is_changed = false;
         for segment in &iterate.grid.segments {

@@ -65,7 +65,7 @@ impl Setting<'_> {
     /// Whether plans of smaller sets are initial guesses for larger ones. Not in the hover model, whose search proves that nothing
     /// shorter exists on its grid, and not where legs share the time by the paper's rule, which the plans then reproduce.
     fn shares_candidates(&self) -> bool {
-        self.finds_local_optima() && (self.model.plan.chooses_times || !self.mission.leaves_times_free())
+        self.finds_local_optima() && (self.model().plan.chooses_times || !self.mission().leaves_times_free())
     }
 
     /// RIP's shortest time. A search for waypoint times proves nothing and may end longer than RCP's, which RIP never needs to be:

@@ -14,9 +14,9 @@ impl Setting<'_> {
     /// instant outside the mode's set; if it holds, the last one from which no stop inside the set was found. In the order of
     /// `against`.
     pub(super) fn committed(&self, trajectory: &Trajectory, outside: &[Outside]) -> Vec<f64> {
-        let against = self.model.plan.against.par_iter().zip(&self.sets.modes).zip(outside);
+        let against = self.model().plan.against.par_iter().zip(&self.sets.modes).zip(outside);
         against
-            .map(|((&mode, set), out)| match self.model.after_fault(mode) {
+            .map(|((&mode, set), out)| match self.model().after_fault(mode) {
                 AfterFault::Hold => self.without_stop(trajectory, set),
                 _ => out.committed(),
             })
@@ -28,13 +28,13 @@ impl Setting<'_> {
     /// Searched from the end backwards, to the first node without a stop. While the plan stays inside the set, it can be flown on
     /// until a stop begins, so stops are sought only at nodes after which the plan leaves the set.
     fn without_stop(&self, trajectory: &Trajectory, set: &PlanningSet) -> f64 {
-        let model = self.model;
-        let mut stops = Stops::new(model, self.mission, &self.sets.healthy, set, trajectory.model);
+        let model = self.model();
+        let mut stops = Stops::new(self.problem, &self.sets.healthy, set, trajectory.model);
         let mut sought = |node: usize| stops.find(&trajectory.nodes[node]).is_some();
         let last = trajectory.intervals();
         let mut committed = 0.0;
         // A mission that ends at rest has stopped there.
-        if !self.mission.end_at_rest && !sought(last) {
+        if !self.mission().end_at_rest && !sought(last) {
             committed = trajectory.duration();
         } else {
             for node in (0..last).rev() {

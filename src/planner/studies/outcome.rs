@@ -1,7 +1,7 @@
 //! The outcomes of planners, alone or side by side.
 
 use crate::admissible::row::SetRow;
-use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
+use crate::model::{MissionTime, PlanModel, PlannerKind, Problem};
 use crate::motion::Trajectory;
 use crate::motion::outside::Outside;
 use crate::motion::time_grid::determined;
@@ -119,7 +119,8 @@ pub const THESE_TIMES: &str = "with the waypoint times that were tried";
 pub const THIS_YAW: &str = "with the yaw that is planned first";
 
 /// The part of the spec's freedom that a proof of no plan is confined to, if there is one.
-pub fn proofs_are_about(model: &Model, mission: &Mission) -> Option<&'static str> {
+pub fn proofs_are_about(problem: Problem) -> Option<&'static str> {
+    let (model, mission) = (problem.model(), problem.mission());
     match model.plan.model {
         PlanModel::Hover if model.plan.chooses_times && mission.legs.len() > 1 => Some(THESE_TIMES),
         PlanModel::Hover if !mission.has_one_yaw() => Some(THIS_YAW),
@@ -207,7 +208,8 @@ pub struct Comparison {
 impl Comparison {
     /// Whether there is a plan at the spec's mission time, or at any planner's own time if the spec gives none. A run that found
     /// nothing leaves the question open, whatever the others found.
-    pub fn verdict(&self, model: &Model, mission: &Mission) -> Verdict {
+    pub fn verdict(&self, problem: Problem) -> Verdict {
+        let (model, mission) = (problem.model(), problem.mission());
         let is_fixed = determined(mission).is_some() || matches!(model.plan.time, MissionTime::Fixed(_));
         let asked = |run: &&PlannerRun| !is_fixed || run.run == Run::Common;
         let any = |verdict: Verdict| self.runs.iter().filter(asked).any(|run| run.outcome.verdict() == verdict);

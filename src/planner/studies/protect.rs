@@ -77,7 +77,7 @@ impl Setting<'_> {
 
     /// Rate (1/s) and committed time (s) of each mode. (The spec refuses modes without a rate; they would count as 0.)
     fn weights(&self, solved: &MissionPlan) -> Vec<(f64, f64)> {
-        let rates = self.model.plan.against.iter().map(|&mode| self.model.modes[mode].rate.unwrap_or(0.0));
+        let rates = self.model().plan.against.iter().map(|&mode| self.model().modes[mode].rate.unwrap_or(0.0));
         rates.zip(solved.committed.iter().copied()).collect()
     }
 
@@ -159,7 +159,7 @@ impl Setting<'_> {
         let rows = &self.sets.modes[mode].rows;
         let before = (0..trajectory.intervals()).rev().filter(|&k| trajectory.times[k] < until);
         let last = |k: usize| -> Option<ViolationInterval> {
-            let (found, _) = violation_intervals(trajectory, &self.model.vehicle, self.model.gravity, rows, k);
+            let (found, _) = violation_intervals(trajectory, &self.model().vehicle, self.model().gravity, rows, k);
             found.into_iter().filter(|s| s.from < until).max_by(|a, b| a.to.total_cmp(&b.to))
         };
         before.into_iter().find_map(last).map(|interval| interval.row)

@@ -6,7 +6,7 @@
 
 use super::{Comparison, NotFound, PlanOutcome, Progress, Setting};
 use crate::admissible::row::SetRow;
-use crate::model::{Mission, Model};
+use crate::model::Problem;
 use crate::motion::Trajectory;
 use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
@@ -42,15 +42,14 @@ type Chain = Vec<(Vec<SetRow>, Decision)>;
 /// Rounds `first..=last` at T_d, and each at its own shortest time with the selection redone there. `common_time` is
 /// T_d; no rounds if no mode has a plan at any time. `progress` receives the round and each mission time, s, before it is tried.
 pub fn rounds(
-    model: &Model,
-    mission: &Mission,
+    problem: Problem,
     comparison: &mut Comparison,
     (first, last): (usize, usize),
     progress: Progress,
 ) -> Vec<Round> {
-    let ended = with_time_of_its_end(model, mission);
-    let (model, mission) = ended.as_ref().map_or((model, mission), |(model, mission)| (model, mission));
-    let setting = Setting::new(model, mission, progress);
+    let ended = with_time_of_its_end(problem);
+    let problem = ended.as_ref().and_then(Problem::of).unwrap_or(problem);
+    let setting = Setting::new(problem, progress);
     let Some(common) = comparison.common_time else { return Vec::new() };
     let known = comparison.known.clone();
     let mut search =
@@ -159,7 +158,7 @@ impl Setting<'_> {
     /// of the joint set, if one is known.
     pub(super) fn select(&self, time: f64, rip: &Planned, rcp: Option<&Planned>, out: &mut Comparison) -> PlanningSet {
         let mut planned = rip.clone();
-        for round in 1..=self.model.plan.rounds {
+        for round in 1..=self.model().plan.rounds {
             if round > 1 {
                 let set = self.sets.rip.with(out.selected.clone());
                 let (decision, effort) = {
@@ -173,7 +172,7 @@ impl Setting<'_> {
                 }
             }
             out.selected_by.push(planned.trajectory());
-            let new = self.sets.violated(self.model, &planned);
+            let new = self.sets.violated(self.model(), &planned);
             if new.is_empty() {
                 break;
             }
@@ -202,7 +201,7 @@ impl Setting<'_> {
             *effort += spent;
             before = decision.planned().cloned();
             chain.push((selected.clone(), decision));
-            let new = before.as_ref().map_or(Vec::new(), |planned| self.sets.violated(self.model, planned));
+            let new = before.as_ref().map_or(Vec::new(), |planned| self.sets.violated(self.model(), planned));
             if new.is_empty() {
                 break;
             }

@@ -2,7 +2,7 @@
 
 use super::found::Found;
 use super::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Progress, Run, Verification};
-use crate::model::{Mission, MissionTime, Model, PlannerKind};
+use crate::model::{Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::motion::outside::{Outside, outside};
 use crate::motion::time_grid::determined;
 use crate::planner::hover::{Decision, HoverPlanner, Planned};
@@ -18,8 +18,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A mission with its sets, and how planners are run on it.
 pub(super) struct Setting<'a> {
-    pub model: &'a Model,
-    pub mission: &'a Mission,
+    pub problem: Problem<'a>,
     pub sets: PlanningSets,
     pub progress: Progress<'a>,
     /// Whether plans get committed times, which risk is computed from.
@@ -32,14 +31,24 @@ pub(super) struct Setting<'a> {
 }
 
 impl<'a> Setting<'a> {
-    pub fn new(model: &'a Model, mission: &'a Mission, progress: Progress<'a>) -> Self {
-        let (sets, stopping) = (PlanningSets::of(model), Mutex::default());
-        Setting { model, mission, sets, progress, weighs_risk: false, stopping, done: AtomicUsize::new(0), all: 0 }
+    pub fn new(problem: Problem<'a>, progress: Progress<'a>) -> Self {
+        let (sets, stopping) = (PlanningSets::of(problem.model()), Mutex::default());
+        Setting { problem, sets, progress, weighs_risk: false, stopping, done: AtomicUsize::new(0), all: 0 }
+    }
+
+    /// The model of the problem.
+    pub fn model(&self) -> &'a Model {
+        self.problem.model()
+    }
+
+    /// The mission of the problem.
+    pub fn mission(&self) -> &'a Mission {
+        self.problem.mission()
     }
 
     /// The mission time that the spec gives or determines, s.
     pub fn fixed_time(&self) -> Option<f64> {
-        determined(self.mission).or(match self.model.plan.time {
+        determined(self.mission()).or(match self.model().plan.time {
             MissionTime::Fixed(t) => Some(t),
             MissionTime::Minimum => None,
         })
@@ -59,19 +68,19 @@ impl<'a> Setting<'a> {
     /// The work of the spec's planner, and what it took. `what` names it in progress reports.
     fn with_planner<T>(&self, what: &str, work: impl FnOnce(&mut dyn Planner) -> T) -> (T, Effort) {
         let report = |t: f64| self.report(what, t);
-        let mut planner = planner(self.model, self.mission, &self.sets.healthy, Some(&report));
+        let mut planner = planner(self.problem, &self.sets.healthy, Some(&report));
         let value = work(&mut *planner);
         (value, planner.effort())
     }
 
     /// Whether fixed times, yaw waypoints or reach rule out every plan of a mission time, s, for any choice of yaw.
     pub fn is_hopeless(&self, time: f64) -> bool {
-        HoverPlanner::new(self.model, self.mission, &self.sets.healthy).is_hopeless(time)
+        HoverPlanner::new(self.problem, &self.sets.healthy).is_hopeless(time)
     }
 
     /// Whether plans are local optima; see [`finds_local_optima`].
     pub fn finds_local_optima(&self) -> bool {
-        finds_local_optima(self.model)
+        finds_local_optima(self.model())
     }
 
     /// Counts runs as done.
@@ -123,7 +132,7 @@ impl<'a> Setting<'a> {
             .sets
             .modes
             .iter()
-            .map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows))
+            .map(|s| outside(&trajectory, &self.model().vehicle, self.model().gravity, &s.rows))
             .collect();
         let committed = if self.weighs_risk { self.committed(&trajectory, &outside) } else { Vec::new() };
         MissionPlan {
@@ -160,7 +169,7 @@ impl<'a> Setting<'a> {
         let mut outcome = self.own(found);
         if let (PlanOutcome::Planned(solved), Some(planned)) = (&mut outcome, found.planned()) {
             // One linearised program about the plan, in the model that it was made with.
-            let mut hover = HoverPlanner::new(self.model, self.mission, &self.sets.healthy);
+            let mut hover = HoverPlanner::new(self.problem, &self.sets.healthy);
             let binding = ScpPlanner::new(&mut hover, planned.model, set).binding(planned);
             solved.binding = binding.unwrap_or_default();
         }

@@ -37,14 +37,14 @@ impl Setting<'_> {
 
     /// Whether a plan of RIP stays inside a smaller set too. False with rotors that lag, whose commands would have to as well.
     pub(super) fn is_inside(&self, plan: &Planned, set: &PlanningSet) -> bool {
-        let found = || outside(&plan.trajectory(), &self.model.vehicle, self.model.gravity, &set.rows);
-        self.model.thrust_lag().is_none() && found().max_violation <= ACCEPTED
+        let found = || outside(&plan.trajectory(), &self.model().vehicle, self.model().gravity, &set.rows);
+        self.model().thrust_lag().is_none() && found().max_violation <= ACCEPTED
     }
 
     /// A plan against one mode that also stays inside another mode's set, and is shorter than its own, becomes that mode's too.
     pub(super) fn share(&self, singles: &mut [Found]) {
         // With rotors that lag it is not enough that the wrench stays inside.
-        if self.model.thrust_lag().is_some() {
+        if self.model().thrust_lag().is_some() {
             return;
         }
         let plans: Vec<Planned> = singles.iter().filter_map(Found::planned).cloned().collect();
@@ -52,7 +52,7 @@ impl Setting<'_> {
             let own = found.time().unwrap_or(f64::INFINITY);
             let stays_inside = |plan: &&Planned| {
                 let trajectory = plan.trajectory();
-                let out = outside(&trajectory, &self.model.vehicle, self.model.gravity, &set.rows);
+                let out = outside(&trajectory, &self.model().vehicle, self.model().gravity, &set.rows);
                 out.max_violation <= ACCEPTED
             };
             let shorter = plans.iter().filter(|plan| plan.grid.total < own).filter(stays_inside);

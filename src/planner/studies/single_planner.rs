@@ -18,7 +18,7 @@ impl Setting<'_> {
     /// The spec's own planner, at the spec's time or at its shortest.
     pub(super) fn plan(&self) -> Comparison {
         let mut out = self.without_runs();
-        let kind = self.model.plan.planner;
+        let kind = self.model().plan.planner;
         let (set, name, initial_guesses) = match kind {
             PlannerKind::Rip => (self.sets.rip.clone(), "RIP", Vec::new()),
             PlannerKind::Rcp => (self.sets.joint.clone(), "RCP", Vec::new()),

@@ -2,7 +2,7 @@
 //! last waypoint, which is the mission's time.
 
 use super::{Comparison, Progress, Scope, with_times};
-use crate::model::{Leg, Mission, MissionTime, Model, PlannerKind};
+use crate::model::{Leg, Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::motion::time_grid::{determined, has_fixed_times};
 use crate::motion::wrench_model::WrenchModel;
 use crate::planner::finds_local_optima;
@@ -13,7 +13,8 @@ use crate::planner::timing::kinematics::initial;
 
 /// In the hover model waypoint times are chosen first, by sequential convex programming with the hover model's wrench, for the set
 /// that the planner imposes; the legs then keep these shares of any mission time. `None` if no plan is found.
-fn with_better_times(model: &Model, mission: &Mission, progress: Progress) -> Option<Mission> {
+fn with_better_times(problem: Problem, progress: Progress) -> Option<Model> {
+    let (model, mission) = (problem.model(), problem.mission());
     let sets = PlanningSets::of(model);
     let is_rip =
         model.plan.planner == PlannerKind::Rip || model.plan.planner == PlannerKind::Rsp && model.plan.rounds == 0;
@@ -23,7 +24,7 @@ fn with_better_times(model: &Model, mission: &Mission, progress: Progress) -> Op
             progress("waypoint times", t);
         }
     };
-    let mut hover = HoverPlanner::new(model, mission, &sets.healthy);
+    let mut hover = HoverPlanner::new(problem, &sets.healthy);
     hover.on_progress = Some(&report);
     let wrench = match mission.has_one_yaw() {
         true => WrenchModel::HoverAt(mission.waypoints[0].yaw),
@@ -31,25 +32,28 @@ fn with_better_times(model: &Model, mission: &Mission, progress: Progress) -> Op
     };
     let found = ScpPlanner::new(&mut hover, wrench, set).shortest(&[], None).ok()?;
     let legs = found.planned.grid.segments.iter().filter(|s| !s.hold);
-    Some(Mission { legs: legs.map(|s| Leg { share: s.duration }).collect(), ..mission.clone() })
+    let legs = legs.map(|s| Leg { share: s.duration }).collect();
+    Some(problem.with_mission(Mission { legs, ..mission.clone() }))
 }
 
-/// The same mission with shares of the time by the distance, turn and limits of each leg.
-fn by_their_limits(model: &Model, mission: &Mission) -> Mission {
-    let legs = initial(model, mission).into_iter().map(|share| Leg { share }).collect();
-    Mission { legs, ..mission.clone() }
+/// The comparison with shares of the time by the distance, turn and limits of each leg.
+fn with_times_by_limits(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
+    let legs = initial(problem).into_iter().map(|share| Leg { share }).collect();
+    let model = problem.with_mission(Mission { legs, ..problem.mission().clone() });
+    with_times(Problem::of(&model).unwrap_or(problem), scope, progress)
 }
 
-/// If the last waypoint alone has a fixed time, the same mission with that as the plan's time. The SCP planner can then use
+/// If the last waypoint alone has a fixed time, the model with that as the plan's time. The SCP planner can then use
 /// continuation from slower motions, as it does for missions written so.
-pub(super) fn with_time_of_its_end(model: &Model, mission: &Mission) -> Option<(Model, Mission)> {
+pub(super) fn with_time_of_its_end(problem: Problem) -> Option<Model> {
+    let (model, mission) = (problem.model(), problem.mission());
     let (last, others) = mission.waypoints.split_last()?;
     let alone = last.time.is_some() && others.iter().skip(1).all(|w| w.time.is_none());
     let time = determined(mission).filter(|_| alone && finds_local_optima(model))?;
-    let (mut model, mut mission) = (model.clone(), mission.clone());
+    let mut model = model.clone();
     model.plan.time = MissionTime::Fixed(time);
-    mission.waypoints.last_mut()?.time = None;
-    Some((model, mission))
+    model.mission.as_mut()?.waypoints.last_mut()?.time = None;
+    Some(model)
 }
 
 fn is_solved(comparison: &Comparison) -> bool {
@@ -64,39 +68,40 @@ fn better(first: Comparison, second: Comparison) -> Comparison {
 }
 
 /// The comparison in the hover model with waypoint times chosen before any planner runs.
-pub(super) fn with_times_before(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
-    if has_fixed_times(mission) {
-        return about_fixed_times(model, mission, scope, progress);
+pub(super) fn with_times_before(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
+    if has_fixed_times(problem.mission()) {
+        return about_fixed_times(problem, scope, progress);
     }
-    if scope == Scope::Plan && matches!(model.plan.time, MissionTime::Fixed(_)) {
+    if scope == Scope::Plan && matches!(problem.model().plan.time, MissionTime::Fixed(_)) {
         // A time that is long enough has a plan without a search for waypoint times.
-        let at_once = with_times(model, &by_their_limits(model, mission), scope, progress);
+        let at_once = with_times_by_limits(problem, scope, progress);
         if is_solved(&at_once) {
             return at_once;
         }
     }
-    let timed = with_better_times(model, mission, progress);
-    let first = with_times(model, timed.as_ref().unwrap_or(mission), scope, progress);
+    let timed = with_better_times(problem, progress);
+    let first = with_times(timed.as_ref().and_then(Problem::of).unwrap_or(problem), scope, progress);
     if scope != Scope::Plan || timed.is_none() || is_solved(&first) {
         return first;
     }
     // The times chosen may be worse than shares by length at the required mission time.
-    better(first, with_times(model, mission, scope, progress))
+    better(first, with_times(problem, scope, progress))
 }
 
 /// With fixed times, three divisions of the time in turn until one has a plan: by the limits of each leg, by the lengths of the legs,
 /// and as [`with_better_times`] chooses.
-fn about_fixed_times(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
-    let first = with_times(model, &by_their_limits(model, mission), scope, progress);
+fn about_fixed_times(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
+    let first = with_times_by_limits(problem, scope, progress);
     if is_solved(&first) {
         return first;
     }
-    let second = better(first, with_times(model, mission, scope, progress));
+    let second = better(first, with_times(problem, scope, progress));
     if is_solved(&second) {
         return second;
     }
-    match with_better_times(model, mission, progress) {
-        Some(timed) => better(second, with_times(model, &timed, scope, progress)),
+    let timed = with_better_times(problem, progress);
+    match timed.as_ref().and_then(Problem::of) {
+        Some(timed) => better(second, with_times(timed, scope, progress)),
         None => second,
     }
 }

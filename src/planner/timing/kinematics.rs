@@ -7,7 +7,7 @@
 //! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk of at
 //! most j needs `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
-use crate::model::{Limit, LimitKind, Mission, Model, PlanModel, Waypoint};
+use crate::model::{Limit, LimitKind, PlanModel, Problem, Waypoint};
 use crate::planner::transcription::UNBOUNDED;
 use crate::tolerance;
 use std::f64::consts::FRAC_PI_2;
@@ -51,7 +51,8 @@ struct Paces {
 impl Paces {
     /// The bounds of a mission under its vehicle's full thrust, with intervals at the ends that allow most. Each limit is widened
     /// by `past`, in its SI unit, and by the tolerance of the check of plans ([`tolerance`]).
-    fn of(model: &Model, mission: &Mission, past: &[f64]) -> Self {
+    fn of(problem: Problem, past: &[f64]) -> Self {
+        let (model, mission) = (problem.model(), problem.mission());
         let upper =
             |(limit, past): (&Limit, &f64)| Some(limit.upper? + past + tolerance::MOST_PAST_LIMIT * limit.size());
         let most = |kind: LimitKind| {
@@ -162,10 +163,11 @@ const SAME_TIME: f64 = 1e-9;
 
 /// A lower bound on the time of every motion that meets the mission's waypoints, fixed times and holds and keeps its limits at
 /// every instant, for every division of the time among the legs. `past` widens each limit, in its SI unit.
-pub fn least_time(model: &Model, mission: &Mission, past: &[f64]) -> LeastTime {
+pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
+    let mission = problem.mission();
     let points = &mission.waypoints;
     let last = points.len().saturating_sub(1);
-    let paces = Paces::of(model, mission, past);
+    let paces = Paces::of(problem, past);
     let rests = |i: usize| points[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest;
     let mut legs = vec![LeastLeg { seconds: 0.0, along: Along::Line }; last];
     let mut from = 0;
@@ -200,8 +202,8 @@ impl LeastTime {
 }
 
 /// The same with the spec's limits.
-pub fn least_time_within(model: &Model, mission: &Mission) -> LeastTime {
-    least_time(model, mission, &vec![0.0; mission.limits.len()])
+pub fn least_time_within(problem: Problem) -> LeastTime {
+    least_time(problem, &vec![0.0; problem.mission().limits.len()])
 }
 
 /// The initial duration of a leg is at least this many times its least duration.
@@ -213,8 +215,9 @@ const FLOWN_THROUGH: f64 = 0.7;
 const LEAST_SHARE: f64 = 0.05;
 
 /// Initial durations of the legs, s: by the distance, turn and limits of each leg.
-pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
-    let least = least_time_within(model, mission).legs;
+pub fn initial(problem: Problem) -> Vec<f64> {
+    let (model, mission) = (problem.model(), problem.mission());
+    let least = least_time_within(problem).legs;
     let half = Pace { rate: f64::INFINITY, acceleration: 0.5 * model.gravity, jerk: f64::INFINITY };
     let legs = mission.waypoints.windows(2).zip(least).map(|(pair, least)| {
         let apart = (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt();

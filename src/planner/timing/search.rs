@@ -104,8 +104,8 @@ impl<'a> HoverPlanner<'a> {
         hint: Hint,
         working_set: &mut WorkingSet,
     ) -> Result<Shortest, NoTime> {
-        let samples = self.model.plan.samples;
-        if let Some(total) = determined(self.mission) {
+        let samples = self.model().plan.samples;
+        if let Some(total) = determined(self.mission()) {
             return match self.decide(total, samples, set, working_set) {
                 Decision::Feasible(planned) => {
                     Ok(Shortest { time: total, planned: *planned, infeasible_at: None, infeasible_above: Vec::new() })
@@ -114,7 +114,7 @@ impl<'a> HoverPlanner<'a> {
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
             };
         }
-        let floor = (earliest(self.mission) / GRID).floor() as Ticks;
+        let floor = (earliest(self.mission()) / GRID).floor() as Ticks;
         let floor = floor - floor.rem_euclid(STEP);
         let mut search = Search { planner: self, set, working_set, floor };
         let ticks = |t: Option<f64>| t.map(|t| (t / GRID).round() as Ticks);
@@ -137,15 +137,15 @@ impl<'a> HoverPlanner<'a> {
 
     /// A first guess of the mission time, s: each leg flown from rest to rest at half of g.
     pub fn guess(&self) -> f64 {
-        let points = &self.mission.waypoints;
+        let points = &self.mission().waypoints;
         let legs: f64 = points
             .windows(2)
             .map(|w| {
                 let d: f64 = (0..3).map(|i| (w[1].position[i] - w[0].position[i]).powi(2)).sum();
-                2.0 * (d.sqrt() / (0.5 * self.model.gravity)).sqrt()
+                2.0 * (d.sqrt() / (0.5 * self.model().gravity)).sqrt()
             })
             .sum();
-        earliest(self.mission) + legs.max(1.0)
+        earliest(self.mission()) + legs.max(1.0)
     }
 }
 
@@ -165,7 +165,7 @@ impl Search<'_, '_> {
         let near = guess.unwrap_or_else(|| self.planner.guess());
         let found = self.root(near, coarse);
         // The error of a grid is proportional to the square of its step.
-        let legs = self.planner.mission.legs.len() as f64;
+        let legs = self.planner.mission().legs.len() as f64;
         let grid_error = self.planner.settings.search.grid_error;
         let late = |n: usize| 1.0 + grid_error * (legs / n as f64).powi(2);
         floor + (found - floor) * late(samples) / late(coarse)

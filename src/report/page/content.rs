@@ -115,7 +115,7 @@ impl Content {
 
     /// The data for plans: as many as fit on a page of reasonable size, always including the one shown first.
     pub fn of_plans(subject: &Subject, comparison: &Comparison, shown: &[ShownSet], record: &impl Serialize) -> Self {
-        let first = shown_first(subject.model, comparison);
+        let first = shown_first(subject.problem.model(), comparison);
         let solved: Vec<(usize, &PlannerRun, &MissionPlan)> = comparison
             .runs
             .iter()
@@ -125,7 +125,7 @@ impl Content {
                 _ => None,
             })
             .collect();
-        let width = 24 + subject.model.vehicle.rotors.len() + shown.len();
+        let width = 24 + subject.problem.model().vehicle.rotors.len() + shown.len();
         let places = (MOST_NUMBERS / (width * FEWEST_INSTANTS)).max(1);
         let mut kept = solved;
         if kept.len() > places {
@@ -154,7 +154,8 @@ impl Content {
 
     /// The data if nothing was planned.
     pub fn of_sets(subject: &Subject, shown: &[ShownSet], record: &impl Serialize) -> Self {
-        let Subject { model, mission, .. } = *subject;
+        let problem = subject.problem;
+        let (model, mission) = (problem.model(), problem.mission());
         let step = mission.waypoints.len().div_ceil(MOST_WAYPOINTS);
         let waypoint = |(i, w): (usize, &crate::model::Waypoint)| WaypointContent {
             name: w.name.clone().unwrap_or_else(|| format!("waypoint {}", i + 1)),
@@ -217,7 +218,8 @@ fn figures_of(run: &PlannerRun, among: &[(usize, &PlannerRun, &MissionPlan)]) ->
 }
 
 fn run_content(subject: &Subject, label: String, solved: &MissionPlan, shown: &[ShownSet], most: usize) -> RunContent {
-    let Subject { model, mission, .. } = *subject;
+    let problem = subject.problem;
+    let model = problem.model();
     let trajectory = &solved.trajectory;
     let strip = |set: usize, s: &ShownSet| Strip {
         set,
@@ -232,7 +234,7 @@ fn run_content(subject: &Subject, label: String, solved: &MissionPlan, shown: &[
         label,
         figures: None,
         columns: motion::columns(model, solved, shown, most),
-        charts: motion::charts(model, mission, solved, shown).into_iter().map(Chart::set).collect(),
+        charts: motion::charts(problem, solved, shown).into_iter().map(Chart::set).collect(),
         passed: trajectory.waypoint_nodes.iter().map(|&n| rounded(trajectory.times[n])).collect(),
         strips: measured.map(|(i, s)| strip(i, s)).collect(),
         wrench: "planned wrench",

@@ -35,7 +35,7 @@ pub struct Document<'a> {
 impl Document<'_> {
     /// The page as HTML.
     pub fn render(&self) -> String {
-        let mission = self.subject.mission;
+        let mission = self.subject.problem.mission();
         let moves = !self.content.runs.is_empty();
         let page = html! {
             (DOCTYPE)
@@ -55,7 +55,7 @@ impl Document<'_> {
                         div {
                             p.kicker { "mavc report" }
                             h1 { "Mission " (mission.name) }
-                            p.subject { (vehicle_line(self.subject.model)) }
+                            p.subject { (vehicle_line(self.subject.problem.model())) }
                             p.subject { (self.setting()) }
                             @if let Some(doc) = &mission.doc { p.doc { (doc) } }
                         }
@@ -96,8 +96,8 @@ impl Document<'_> {
     }
 
     fn setting(&self) -> String {
-        let plan = &self.subject.model.plan;
-        let declared = || plan.against.iter().map(|&i| self.subject.model.modes[i].name.clone()).collect();
+        let plan = &self.subject.problem.model().plan;
+        let declared = || plan.against.iter().map(|&i| self.subject.problem.model().modes[i].name.clone()).collect();
         let modes: Vec<String> = self.comparison.map_or_else(declared, |c| c.modes.clone());
         let against = match modes.len() {
             0 => "no fault modes, ".to_string(),

@@ -6,7 +6,7 @@ use super::sets::ShownSet;
 use crate::admissible::allocation::Allocator;
 use crate::admissible::hover;
 use crate::admissible::row::VIOLATED;
-use crate::model::{LimitKind, Mission, Model};
+use crate::model::{LimitKind, Mission, Model, Problem};
 use crate::motion::checks::peak;
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z, roll_pitch, tilt};
 use crate::number::{fixed, percent, significant};
@@ -111,12 +111,13 @@ fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
 }
 
 /// The charts of a plan, each with its main fact as the headline.
-pub fn charts(model: &Model, mission: &Mission, solved: &MissionPlan, shown: &[ShownSet]) -> Vec<Chart> {
+pub fn charts(problem: Problem, solved: &MissionPlan, shown: &[ShownSet]) -> Vec<Chart> {
+    let (model, mission) = (problem.model(), problem.mission());
     let mut charts = Vec::new();
     if shown.iter().any(|s| s.against.is_some()) {
         charts.push(margins(solved, shown));
     }
-    charts.extend([position(mission, solved), speed(mission, solved), tilts(model, mission, solved)]);
+    charts.extend([position(mission, solved), speed(mission, solved), tilts(problem, solved)]);
     charts.extend(yaw(mission, solved));
     for (id, title, unit, kinds) in RARE {
         charts.extend(rare(mission, solved, id, title, unit, kinds));
@@ -209,7 +210,8 @@ fn speed(mission: &Mission, solved: &MissionPlan) -> Chart {
     }
 }
 
-fn tilts(model: &Model, mission: &Mission, solved: &MissionPlan) -> Chart {
+fn tilts(problem: Problem, solved: &MissionPlan) -> Chart {
+    let (model, mission) = (problem.model(), problem.mission());
     let top = peak(&solved.trajectory, |s| tilt(s, model.gravity));
     let reached = at(top.value.to_degrees(), "deg", top.at);
     Chart {

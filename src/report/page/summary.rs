@@ -5,7 +5,7 @@ use super::motion::{nearest, signed_percent};
 use crate::admissible::verdict::ModeAnalysis;
 use crate::certify::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::model::{Mission, Model, OVERRIDE};
+use crate::model::{Mission, Model, OVERRIDE, Problem};
 use crate::number::{fixed, number, percent, short_seconds, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run, label};
 use crate::report::least_time;
@@ -48,7 +48,8 @@ impl Figure {
 }
 
 /// For `mavc plan`: the trajectory written is that of the last run.
-pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &Record) -> Found {
+pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found {
+    let model = problem.model();
     let (Some(run), Some(planner)) = (comparison.runs.last(), record.planners.last()) else { return Found::default() };
     match &run.outcome {
         PlanOutcome::Planned(solved) => {
@@ -60,7 +61,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
                 meets(&planner.waypoints),
                 outside(comparison, solved)
             );
-            let mut figures = vec![time(model, mission, run, solved)];
+            let mut figures = vec![time(problem, run, solved)];
             figures.extend(margin(comparison, solved));
             figures.extend(stays(comparison, solved));
             figures.extend(waypoint_error(planner));
@@ -73,7 +74,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
             Found { headline, figures, warnings: planner.warnings.iter().map(|c| c.message.clone()).collect() }
         }
         _ => Found {
-            headline: format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run)),
+            headline: format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run)),
             figures: Vec::new(),
             warnings: elsewhere(model, &record.found_at_s).into_iter().chain(conflict(record)).collect(),
         },
@@ -195,8 +196,9 @@ fn outside(comparison: &Comparison, solved: &MissionPlan) -> String {
     }
 }
 
-fn time(model: &Model, mission: &Mission, run: &PlannerRun, solved: &MissionPlan) -> Figure {
-    let gap = least_time::gap(model, mission, run).filter(|_| model.plan.chooses_times);
+fn time(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Figure {
+    let model = problem.model();
+    let gap = least_time::gap(problem, run).filter(|_| model.plan.chooses_times);
     let gap = gap.map_or(String::new(), |gap| format!("; {gap}"));
     let note = match (run.run, solved.infeasible_at) {
         (Run::Own, Some(t)) => {

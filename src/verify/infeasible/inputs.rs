@@ -20,11 +20,11 @@ impl Rows<'_> {
 
     /// Bounds on x'''', y'''', z'', psi'' from the set of a mode in which every plan stays.
     fn inputs_about_hover(&self) -> Result<[Interval; 4], Rejection> {
-        let required = required(self.model);
+        let required = required(self.problem.model());
         let Some(mode) = required.first() else { return Ok([Interval::WHOLE; 4]) };
-        let reach = Generators::of(self.model, mode)?.extent();
-        let vehicle = &self.model.vehicle;
-        let g = Interval::point(self.model.gravity);
+        let reach = Generators::of(self.problem.model(), mode)?.extent();
+        let vehicle = &self.problem.model().vehicle;
+        let g = Interval::point(self.problem.model().gravity);
         let [ixx, iyy, izz] = vehicle.inertia.map(Interval::point);
         let (s, c) = self.yaw;
         // tau_x = Ixx/g (s x'''' - c y''''), tau_y = Iyy/g (c x'''' + s y''''), solved for x'''' and y''''.
@@ -45,9 +45,9 @@ impl Rows<'_> {
     /// [`Self::at_a_moving_end`] replaces the condition on the slope.
     fn exact_inputs(&self, most: Interval) -> [Interval; 4] {
         let step = self.shortest_step();
-        let acceleration = most / Interval::point(self.model.vehicle.mass);
+        let acceleration = most / Interval::point(self.problem.model().vehicle.mass);
         let snap = Interval::point(12.0) * acceleration / (step * step);
-        let of_axis = |axis: usize| match self.mission.end_at_rest {
+        let of_axis = |axis: usize| match self.problem.mission().end_at_rest {
             true => Interval::around_zero(snap.magnitude()),
             false => Interval::around_zero((snap + self.at_a_moving_end(axis, acceleration)).magnitude()),
         };
@@ -77,7 +77,7 @@ impl Rows<'_> {
         };
         let speed = [along, self.upper(LimitKind::Speed)].into_iter().flatten().reduce(f64::min);
         let gained = |v: f64| {
-            let size = acceleration + Interval::point(self.model.gravity);
+            let size = acceleration + Interval::point(self.problem.model().gravity);
             let both = Interval::point(2.0 * v) + step * size;
             Interval::point(48.0) * both / (step * step * step)
         };
@@ -87,14 +87,14 @@ impl Rows<'_> {
 
     /// The upper bound of a limit, if the mission has one.
     fn upper(&self, kind: LimitKind) -> Option<f64> {
-        self.mission.limits.iter().filter(|l| l.kind == kind).filter_map(|l| l.upper).reduce(f64::min)
+        self.problem.mission().limits.iter().filter(|l| l.kind == kind).filter_map(|l| l.upper).reduce(f64::min)
     }
 
     /// Bounds on psi'' at any node: its limit, or a bound that follows from the limit on psi'. From rest psi'' is 0 at first,
     /// and `psi''_(k+1) = 2 (psi'_(k+1) - psi'_k)/h - psi''_k`.
     fn yaw_input(&self, step: Interval) -> Interval {
         let sides = |kind: LimitKind| {
-            let limits = self.mission.limits.iter().filter(move |l| l.kind == kind);
+            let limits = self.problem.mission().limits.iter().filter(move |l| l.kind == kind);
             limits.filter_map(|l| Some((l.lower?, l.upper?))).next()
         };
         if let Some((lower, upper)) = sides(LimitKind::YawAcceleration) {
@@ -129,9 +129,9 @@ impl Rows<'_> {
                 *left = *left - weight * *normal;
             }
         }
-        let required = required(self.model);
+        let required = required(self.problem.model());
         let Some(mode) = required.first() else { return wrong("the planner imposes no set") };
-        let reach = Generators::of(self.model, mode)?.extent();
+        let reach = Generators::of(self.problem.model(), mode)?.extent();
         Ok(most + along(&rest, &reach))
     }
 }

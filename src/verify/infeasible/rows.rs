@@ -58,7 +58,7 @@ impl Rows<'_> {
 
     /// The expressions of a row: not negative (cone: the first is not below the length of the others; rest: zero).
     fn expressions(&self, row: &RowRecord) -> Result<Vec<Expression>, String> {
-        let points = &self.mission.waypoints;
+        let points = &self.problem.mission().waypoints;
         let at = |node: usize| if node < self.nodes() { Ok(node) } else { Err(format!("there is no node {node}")) };
         let of_waypoint = |i: usize| match (points.get(i), self.grid.waypoint_nodes.get(i)) {
             (Some(point), Some(&node)) => Ok((point, node)),
@@ -88,11 +88,11 @@ impl Rows<'_> {
                 Ok(vec![self.keeps_commands(plane, tau, node, interval)])
             }
             RowRecord::Limit { limit, node, side } => {
-                let limit = self.mission.limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
+                let limit = self.problem.mission().limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
                 one_sided(limit, at(node)?, side).ok_or("the limit has no such side".into()).map(|row| vec![row])
             }
             RowRecord::LimitNorm { limit, node, interval } => {
-                let limit = self.mission.limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
+                let limit = self.problem.mission().limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
                 self.norm(limit, at(node)?, interval).ok_or("the limit does not bound a norm there".into())
             }
             RowRecord::Thrust { node } => {
@@ -118,7 +118,7 @@ impl Rows<'_> {
 
     /// Tolerances of a waypoint, m and rad, plus what a plan may miss beyond them.
     pub(super) fn tolerances(&self, waypoint: usize) -> (Interval, Interval) {
-        let point = &self.mission.waypoints[waypoint];
+        let point = &self.problem.mission().waypoints[waypoint];
         let [within, turned, more] = [point.within, point.yaw_within, FEASIBLE].map(Interval::point);
         (within + more, turned * (Interval::ONE + more / within))
     }
@@ -138,9 +138,15 @@ impl Rows<'_> {
             return false;
         }
         let last = self.nodes() - 1;
-        let ends = node == 0 && self.mission.start_at_rest || node == last && self.mission.end_at_rest;
-        let held =
-            self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes).any(|(w, &n)| n == node && w.hold > 0.0);
+        let ends =
+            node == 0 && self.problem.mission().start_at_rest || node == last && self.problem.mission().end_at_rest;
+        let held = self
+            .problem
+            .mission()
+            .waypoints
+            .iter()
+            .zip(&self.grid.waypoint_nodes)
+            .any(|(w, &n)| n == node && w.hold > 0.0);
         let highest = if held { self.orders()[axis] } else { self.orders()[axis].min(3) };
         (ends || held) && derivative <= highest
     }
@@ -150,8 +156,8 @@ impl Rows<'_> {
     fn keeps(&self, plane: &Plane, node: usize) -> Expression {
         let [thrust, roll, pitch, turn] = plane.normal;
         let (s, c) = self.yaw;
-        let vehicle = &self.model.vehicle;
-        let (m, g) = (Interval::point(vehicle.mass), Interval::point(self.model.gravity));
+        let vehicle = &self.problem.model().vehicle;
+        let (m, g) = (Interval::point(vehicle.mass), Interval::point(self.problem.model().gravity));
         let [ixx, iyy, izz] = vehicle.inertia.map(Interval::point);
         let (by_roll, by_pitch) = (roll * ixx / g, pitch * iyy / g);
         Expression::constant(plane.offset - thrust * m * g)
@@ -182,7 +188,7 @@ impl Rows<'_> {
 
     /// |(x'', y'', z'' + g)| is at most T_max / m.
     fn thrust_cone(&self, most: Interval, node: usize) -> Vec<Expression> {
-        let [mass, g] = [self.model.vehicle.mass, self.model.gravity].map(Interval::point);
+        let [mass, g] = [self.problem.model().vehicle.mass, self.problem.model().gravity].map(Interval::point);
         let lift = Expression::of(node, Z, 2).minus(-g);
         vec![Expression::constant(most / mass), Expression::of(node, X, 2), Expression::of(node, Y, 2), lift]
     }
@@ -213,7 +219,7 @@ impl Rows<'_> {
                 // |(x'', y'')| <= tan L (g + z''): the thrust is along (x'', y'', g + z'').
                 let (s, c) = upper.sin_cos();
                 let tangent = s / c;
-                let g = Interval::point(self.model.gravity);
+                let g = Interval::point(self.problem.model().gravity);
                 with(Expression::constant(tangent * g).plus(node, Z, 2, tangent), parts(&[X, Y], 2))
             }
             LimitKind::Jerk if self.kind == DynamicModel::Exact => with(reach, parts(&[X, Y, Z], 3)),

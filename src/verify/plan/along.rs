@@ -29,8 +29,8 @@ impl<'a> Setting<'a> {
         if !self.premises.has(Premise::Limits) {
             return Ok(());
         }
-        for (index, limit) in self.mission.limits.iter().enumerate() {
-            let family = limits::family(limit, self.model.gravity);
+        for (index, limit) in self.mission().limits.iter().enumerate() {
+            let family = limits::family(limit, self.model().gravity);
             let most = MOST_PAST_LIMIT * limit.size();
             if let Some(failure) = above_at_nodes(&family, motion, most) {
                 let claim = format!("limit {} ({})", index + 1, limit.name());
@@ -44,7 +44,7 @@ impl<'a> Setting<'a> {
         if self.dynamics.model == DynamicModel::Hover {
             return Ok(());
         }
-        let family = upright(self.model.gravity);
+        let family = upright(self.model().gravity);
         match above_at_nodes(&family, motion, MOST_PAST_LIMIT) {
             Some(f) => Err(violated("the upright thrust".into(), &f, family.measure, MOST_PAST_LIMIT)),
             None => Ok(()),
@@ -148,9 +148,9 @@ impl Checked<'_> {
     pub(super) fn between(&self, purse: &mut Purse, found: &mut Found) {
         let setting = self.setting;
         let before = purse.0;
-        for limits in setting.mission.limits.chunk_by(same_volume) {
+        for limits in setting.mission().limits.chunk_by(same_volume) {
             let reach = |limit: &Limit| {
-                let family = limits::family(limit, setting.model.gravity);
+                let family = limits::family(limit, setting.model().gravity);
                 self.reach(&family, MOST_PAST_LIMIT * limit.size(), limit.size(), purse)
             };
             if let Some(reach) = limits.iter().map(reach).reduce(Reach::weakest) {
@@ -158,11 +158,11 @@ impl Checked<'_> {
             }
         }
         if setting.dynamics.model == DynamicModel::Exact {
-            let reach = self.reach(&upright(setting.model.gravity), MOST_PAST_LIMIT, 1.0, purse);
+            let reach = self.reach(&upright(setting.model().gravity), MOST_PAST_LIMIT, 1.0, purse);
             found.add("vertical thrust of at least a tenth of the weight".into(), reach);
-        } else if setting.mission.limits.iter().any(|limit| limit.kind == LimitKind::Tilt) {
+        } else if setting.mission().limits.iter().any(|limit| limit.kind == LimitKind::Tilt) {
             // The linear model's thrust may vanish, and its direction is then undefined.
-            let reach = self.reach(&upright(setting.model.gravity), MOST_PAST_LIMIT, 1.0, purse);
+            let reach = self.reach(&upright(setting.model().gravity), MOST_PAST_LIMIT, 1.0, purse);
             if reach.weaker("").is_some() {
                 let at = reach.beyond.map_or(String::new(), |beyond| format!(", at {} s", number(beyond.at)));
                 found.weaker.push(format!(
@@ -183,7 +183,7 @@ impl Checked<'_> {
 
     /// Adds the statements that a check of the nodes alone shows.
     pub(super) fn nodes_only(&self, found: &mut Found) {
-        for limits in self.setting.mission.limits.chunk_by(same_volume) {
+        for limits in self.setting.mission().limits.chunk_by(same_volume) {
             found.add(limited(&limits[0]), Reach::NODES);
         }
         for group in &self.groups {

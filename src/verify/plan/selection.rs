@@ -40,26 +40,26 @@ pub(in crate::verify) fn selects(model: &Model) -> bool {
 impl Setting<'_> {
     /// The motions from which a claim selects facets, after checking that each is a plan.
     pub(super) fn selections(&self, claim: &PlanClaim) -> Result<Vec<Motion>, Rejection> {
-        if selects(self.model) && claim.selected_by.is_empty() {
+        if selects(self.model()) && claim.selected_by.is_empty() {
             let why = "RSP selects facets from a RIP plan, but the certificate includes none";
-            return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
+            return Err(Rejection { span: Some(self.model().plan.span), ..Rejection::new("the selection", why) });
         }
         self.selected_by(&claim.selected_by)
     }
 
     /// The same for any claim; a claim that there is no plan may select no facets.
     pub(in crate::verify) fn selected_by(&self, records: &[MotionRecord]) -> Result<Vec<Motion>, Rejection> {
-        if !selects(self.model) && !records.is_empty() {
+        if !selects(self.model()) && !records.is_empty() {
             let why = "the spec's planner selects no facets, but the certificate includes plans to select from";
-            return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
+            return Err(Rejection { span: Some(self.model().plan.span), ..Rejection::new("the selection", why) });
         }
-        if records.len() > self.model.plan.rounds {
+        if records.len() > self.model().plan.rounds {
             let why = format!(
                 "the spec selects in {} rounds, but the certificate includes {} plans to select from",
-                self.model.plan.rounds,
+                self.model().plan.rounds,
                 records.len()
             );
-            return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
+            return Err(Rejection { span: Some(self.model().plan.span), ..Rejection::new("the selection", why) });
         }
         let mut before: Vec<Motion> = Vec::new();
         for (round, record) in records.iter().enumerate() {
@@ -77,7 +77,7 @@ impl Setting<'_> {
         if let Some(round) = before.windows(2).position(apart) {
             let [a, b] = [round, round + 1].map(|i| number(ends(&before[i])));
             let why = format!("plans {} and {} to select from take {a} s and {b} s", round + 1, round + 2);
-            return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
+            return Err(Rejection { span: Some(self.model().plan.span), ..Rejection::new("the selection", why) });
         }
         Ok(before)
     }
@@ -90,7 +90,7 @@ impl Setting<'_> {
     /// The facets that the earlier plans violate, after checking that the motion satisfies them at the nodes.
     pub(super) fn select(&self, motion: &Motion, selected_by: &[Motion]) -> Result<Selected, Rejection> {
         let mut out = Selected { groups: Vec::new(), remarks: Vec::new() };
-        if !selects(self.model) || selected_by.is_empty() {
+        if !selects(self.model()) || selected_by.is_empty() {
             return Ok(out);
         }
         let (bounding, undecided) = self.planes_of_modes()?;
@@ -98,7 +98,7 @@ impl Setting<'_> {
             undecided.into_iter().map(|(mode, why)| format!("the selected facets of {mode} are not decided: {why}")),
         );
         let violated = self.violated(bounding.iter().map(|(_, plane)| plane), selected_by);
-        for mode in self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i)) {
+        for mode in self.model().plan.against.iter().filter_map(|&i| self.model().modes.get(i)) {
             let of_mode = bounding.iter().zip(&violated).filter(|((of, _), over)| **over && *of == mode.name);
             let selected: Vec<Plane> = of_mode.map(|((_, plane), _)| plane.clone()).collect();
             let (facets, open): (Vec<Plane>, Vec<Plane>) = selected.into_iter().partition(|plane| plane.is_facet);
@@ -134,10 +134,13 @@ impl Setting<'_> {
                 ));
             }
         }
-        if selected_by.len() < self.model.plan.rounds && !out.groups.is_empty() && !self.closed(motion, selected_by)? {
+        if selected_by.len() < self.model().plan.rounds
+            && !out.groups.is_empty()
+            && !self.closed(motion, selected_by)?
+        {
             out.remarks.push(format!(
                 "the spec selects in {} rounds, but the certificate includes the plans of {}",
-                self.model.plan.rounds,
+                self.model().plan.rounds,
                 selected_by.len()
             ));
         }
@@ -173,8 +176,8 @@ impl Setting<'_> {
     #[allow(clippy::type_complexity)]
     fn planes_of_modes(&self) -> Result<(Vec<(String, Plane)>, Vec<(String, String)>), Rejection> {
         let (mut bounding, mut undecided) = (Vec::new(), Vec::new());
-        for mode in self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i)) {
-            match Generators::of(self.model, &mode.name)?.planes() {
+        for mode in self.model().plan.against.iter().filter_map(|&i| self.model().modes.get(i)) {
+            match Generators::of(self.model(), &mode.name)?.planes() {
                 Ok(planes) => bounding.extend(planes.into_iter().map(|plane| (mode.name.clone(), plane))),
                 Err(why) => undecided.push((mode.name.clone(), why)),
             }
@@ -229,7 +232,7 @@ impl Setting<'_> {
 
     /// Whether facets of a mode may be selected.
     pub(in crate::verify) fn selects_facets_of(&self, mode: &str) -> bool {
-        let against = self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i));
-        selects(self.model) && mode_named(self.model, mode).is_some() && against.into_iter().any(|m| m.name == mode)
+        let against = self.model().plan.against.iter().filter_map(|&i| self.model().modes.get(i));
+        selects(self.model()) && mode_named(self.model(), mode).is_some() && against.into_iter().any(|m| m.name == mode)
     }
 }

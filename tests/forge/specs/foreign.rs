@@ -3,7 +3,7 @@
 use super::Harder;
 use mavc::certificate::{Certificate, Claim};
 use mavc::certify;
-use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
+use mavc::model::{LimitKind, MissionTime, Model, PlannerKind, Problem};
 use mavc::planner::studies::{Scope, compare};
 
 /// The share of the top speeds that the weaker vehicle's rotors have; its thrusts go with the square.
@@ -43,8 +43,8 @@ fn shorten(model: &mut Model, total: f64, share: f64) {
 }
 
 fn refuted(model: &Model) -> Option<Certificate> {
-    let mission = model.mission.as_ref()?;
-    let comparison = compare(model, mission, Scope::Plan, None);
-    let certificate = certify::of(model, mission, &comparison, crate::SHA.into()).ok()?;
+    let problem = Problem::of(model)?;
+    let comparison = compare(problem, Scope::Plan, None);
+    let certificate = certify::of(problem, &comparison, crate::SHA.into()).ok()?;
     matches!(certificate.claim, Claim::Infeasible(_)).then_some(certificate)
 }

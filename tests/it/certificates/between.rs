@@ -3,7 +3,7 @@
 use super::{SHA, certified, decide, hop, planned};
 use crate::vehicles::{limit, waypoint};
 use mavc::certify::between::{Between, Shown, WRENCH, between};
-use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::motion::checks::past;
 use mavc::motion::{NodeState, tilt};
 use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome};
@@ -20,7 +20,7 @@ fn solved(comparison: &Comparison) -> &MissionPlan {
 }
 
 fn told(model: &Model, comparison: &Comparison) -> Vec<Between> {
-    between(model, model.mission.as_ref().unwrap(), comparison.runs.last().unwrap(), solved(comparison))
+    between(Problem::of(model).unwrap(), comparison.runs.last().unwrap(), solved(comparison))
 }
 
 /// The largest value over the flight, at points that no grid of the reports has.
@@ -106,7 +106,7 @@ fn reports_and_certificates_say_the_same() {
         let comparison = planned(&model);
         let found = told(&model, &comparison);
         let mission = model.mission.as_ref().unwrap();
-        let certificate = mavc::certify::of(&model, mission, &comparison, SHA.into()).unwrap();
+        let certificate = mavc::certify::of(Problem::of(&model).unwrap(), &comparison, SHA.into()).unwrap();
         let shown = decide(&certificate, &model).unwrap().shown;
         let throughout = |prefix: &str| {
             let of = shown.iter().filter(|s| s.statement.starts_with(prefix));

@@ -3,7 +3,7 @@
 use super::{Numbers, SHA, certified, decide, hop, planned, verify};
 use crate::vehicles::{inspection, paper_case};
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, RowRecord, Side};
-use mavc::model::{Allocation, MissionTime, Model, PlannerKind};
+use mavc::model::{Allocation, MissionTime, Model, PlannerKind, Problem};
 use mavc::planner::studies::{PlanOutcome, Proof};
 use mavc::planner::timing::kinematics::least_time_within;
 
@@ -51,7 +51,7 @@ fn other_vehicles_without_a_plan_are_certified() {
     super::sets::doubt(&mut uncertain);
     for (which, model) in [idling, inverted, uncertain].iter().enumerate() {
         assert!(is_infeasible(model), "{which}");
-        let certificate = mavc::certify::of(model, model.mission.as_ref().unwrap(), &planned(model), SHA.into());
+        let certificate = mavc::certify::of(Problem::of(model).unwrap(), &planned(model), SHA.into());
         let certificate = certificate.unwrap_or_else(|no| panic!("{which}: {no}"));
         decide(&certificate, model).unwrap();
     }
@@ -135,7 +135,7 @@ fn what_cannot_be_certified_is_not() {
     let mut turning = hop(PlannerKind::Rip, 5.0);
     turning.mission = Some(inspection());
     // Above what distances and limits take whatever the yaw.
-    let least = least_time_within(&turning, turning.mission.as_ref().unwrap()).seconds;
+    let least = least_time_within(Problem::of(&turning).unwrap()).seconds;
     turning.plan.time = MissionTime::Fixed(1.001 * least);
     assert!(!is_infeasible(&turning), "{least}");
     assert!(certified(&turning).is_none());

@@ -7,7 +7,7 @@ use crate::lag::{lagging, planning, shortest, shuttle};
 use crate::vehicles::octocopter;
 use mavc::certificate::{Certificate, Claim, DynamicModel, InfeasibleClaim, MotionRecord, RowRecord, Vertical};
 use mavc::certify::between::{COMMANDS, Shown, between};
-use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::motion::CommandState;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::studies::PlanOutcome;
@@ -150,8 +150,8 @@ fn lagging_plans_are_certified() {
     for (which, model) in plans.into_iter().enumerate() {
         let model = lagging(model, TAU);
         let comparison = planned(&model);
-        let mission = model.mission.as_ref().unwrap();
-        let certificate = mavc::certify::of(&model, mission, &comparison, SHA.into());
+        let problem = Problem::of(&model).unwrap();
+        let certificate = mavc::certify::of(problem, &comparison, SHA.into());
         let certificate = certificate.unwrap_or_else(|no| panic!("{which}: {no}"));
         let verdict = verify(&serde_json::to_vec(&certificate).unwrap(), &model, SHA).unwrap();
         let commanded: Vec<&Stands> = verdict.shown.iter().filter(|s| s.statement.contains("commands")).collect();
@@ -162,7 +162,7 @@ fn lagging_plans_are_certified() {
         // The report's statement about commands agrees with dense samples.
         let run = comparison.runs.last().unwrap();
         let PlanOutcome::Planned(solved) = &run.outcome else { panic!("no plan") };
-        let told = between(&model, mission, run, solved);
+        let told = between(problem, run, solved);
         let told = told.iter().find(|b| b.rows == COMMANDS).unwrap();
         let (plan, tau) = (&solved.trajectory, model.thrust_lag().unwrap());
         let looks = (0..plan.intervals()).flat_map(|k| (0..=97).map(move |i| (k, f64::from(i) / 97.0)));

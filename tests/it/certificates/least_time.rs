@@ -3,7 +3,7 @@
 use super::{SHA, decide, planned, verify};
 use crate::vehicles::{limit, mission, octocopter, waypoint};
 use mavc::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
-use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::planner::timing::kinematics::least_time_within;
 use std::path::Path;
 
@@ -23,7 +23,7 @@ fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)]) -> Model {
 }
 
 fn bound(model: &Model) -> f64 {
-    least_time_within(model, model.mission.as_ref().unwrap()).seconds
+    least_time_within(Problem::of(model).unwrap()).seconds
 }
 
 fn claiming(model: &Model, waypoint: usize, soonest_s: f64) -> Certificate {
@@ -94,9 +94,9 @@ fn holds_and_fixed_times_count() {
     near(&model, 27.0);
     model.mission.as_mut().unwrap().waypoints[1].time = Some(30.0);
     near(&model, 46.0);
-    assert!(least_time_within(&model, model.mission.as_ref().unwrap()).too_early.is_none());
+    assert!(least_time_within(Problem::of(&model).unwrap()).too_early.is_none());
     model.mission.as_mut().unwrap().waypoints[1].time = Some(10.0);
-    let (waypoint, soonest) = least_time_within(&model, model.mission.as_ref().unwrap()).too_early.unwrap();
+    let (waypoint, soonest) = least_time_within(Problem::of(&model).unwrap()).too_early.unwrap();
     assert!(waypoint == 1 && (soonest - 11.0).abs() < 0.02, "{soonest}");
     assert!(decide(&claiming(&model, 2, soonest * (1.0 - 1e-9)), &model).is_ok());
     assert!(decide(&claiming(&model, 0, 1.0), &model).is_err() && decide(&claiming(&model, 9, 1.0), &model).is_err());
@@ -121,7 +121,7 @@ fn plans_stay_above_their_bounds() {
         let found = planned(&model);
         let Some(solved) = found.runs.last().unwrap().outcome.plan() else { panic!("{name}") };
         assert!(bound(&model) > 0.0 && bound(&model) < solved.time, "{name}: {} {}", bound(&model), solved.time);
-        let certificate = mavc::certify::of(&model, &mission, &found, SHA.into()).unwrap();
+        let certificate = mavc::certify::of(Problem::of(&model).unwrap(), &found, SHA.into()).unwrap();
         let Claim::Plan(claim) = &certificate.claim else { panic!("{name}") };
         // A time that the last waypoint fixes needs no bound.
         let is_open = mission.waypoints.last().unwrap().time.is_none();

@@ -3,7 +3,7 @@
 use super::{Numbers, SHA, certified, decide, planned, verify};
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, RowRecord, Side};
-use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::planner::studies::{PlanOutcome, Proof};
 
 /// One leg from rest to rest in the exact model.
@@ -61,8 +61,7 @@ fn impossible() -> Vec<(Model, &'static str)> {
 fn what_no_attitude_could_do_is_certified() {
     for (model, why) in impossible() {
         assert!(matches!(planned(&model).runs[0].outcome, PlanOutcome::Infeasible(Proof { .. })), "{why}");
-        let certificate =
-            mavc::certify::by_multipliers(&model, model.mission.as_ref().unwrap(), &planned(&model), SHA.into());
+        let certificate = mavc::certify::by_multipliers(Problem::of(&model).unwrap(), &planned(&model), SHA.into());
         let certificate = certificate.unwrap_or_else(|no| panic!("{why}: {no}"));
         let verdict = decide(&certificate, &model).unwrap();
         assert!(verdict.headline.starts_with("proved infeasible on one grid"), "{why}: {verdict:?}");
@@ -177,8 +176,7 @@ fn what_ends_in_motion_is_certified_within_limits() {
     ];
     for (model, why) in models {
         assert!(matches!(planned(&model).runs[0].outcome, PlanOutcome::Infeasible(Proof { .. })), "{why}");
-        let certificate =
-            mavc::certify::by_multipliers(&model, model.mission.as_ref().unwrap(), &planned(&model), SHA.into());
+        let certificate = mavc::certify::by_multipliers(Problem::of(&model).unwrap(), &planned(&model), SHA.into());
         let certificate = certificate.unwrap_or_else(|no| panic!("{why}: {no}"));
         assert!(decide(&certificate, &model).unwrap().headline.starts_with("proved infeasible"), "{why}");
         // At four times the time there is a plan, and the multipliers show nothing.

@@ -7,7 +7,7 @@ use crate::lag::lagging;
 use mavc::actuation::Wrench;
 use mavc::admissible::row::SetRow;
 use mavc::certificate::{Certificate, Claim, DynamicModel, MotionRecord};
-use mavc::model::{Allocation, Mission, Model, PlannerKind};
+use mavc::model::{Allocation, Mission, Model, PlannerKind, Problem};
 use mavc::motion::checks::past;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
@@ -196,7 +196,7 @@ fn tampered(models: &[Model], often: usize, seed: u64) -> (usize, usize) {
     let (mut false_claims, mut accepted) = (0, 0);
     for (which, model) in models.iter().enumerate() {
         let comparison = planned(model);
-        let certificate = mavc::certify::of(model, model.mission.as_ref().unwrap(), &comparison, SHA.into());
+        let certificate = mavc::certify::of(Problem::of(model).unwrap(), &comparison, SHA.into());
         let certificate = certificate.unwrap_or_else(|why| panic!("no certificate of model {which}: {why}"));
         let asked = Asked { model, rows: comparison.runs.last().unwrap().set.rows.clone() };
         assert_eq!(falsehood(&certificate, &asked), None);

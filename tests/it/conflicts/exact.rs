@@ -5,7 +5,7 @@ use super::{Text, explained, named};
 use mavc::explain::diagnose::diagnose;
 use mavc::explain::planners::Planners;
 use mavc::explain::{Answer, Explanation, MOST_ATTEMPTS, Oracle, explain};
-use mavc::model::{FileSet, Mission, Model, PlanModel};
+use mavc::model::{FileSet, Model, PlanModel, Problem};
 use mavc::planner::transcription::UNBOUNDED;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -35,10 +35,10 @@ fn every_spec_names_its_conflict() {
     assert!(CASES.len() >= 8, "{}", CASES.len());
     for Case { text, files, model, explanation } in CASES.iter() {
         assert_eq!(model.plan.model, PlanModel::Exact, "{}", text.name);
-        let mission = model.mission.as_ref().unwrap();
+        let problem = Problem::of(model).unwrap();
         let mut lines = text.files[&text.name].lines();
         let wanted: Vec<&str> = lines.next().unwrap().strip_prefix("// conflict: ").unwrap().split(", ").collect();
-        assert_eq!(named(explanation, files, model, mission, &text.name), wanted, "{}", text.name);
+        assert_eq!(named(explanation, files, problem, &text.name), wanted, "{}", text.name);
         let proved = match lines.next().unwrap() {
             "// proved" => true,
             "// not found" => false,
@@ -47,7 +47,7 @@ fn every_spec_names_its_conflict() {
         assert_eq!(explanation.conflict.proved, proved, "{}", text.name);
         assert!(explanation.questions <= MOST_ATTEMPTS.iter().sum(), "{}", text.name);
         // The result distinguishes what is proved from what was only tried.
-        let told = diagnose(explanation, model, mission, &files.sources);
+        let told = diagnose(explanation, problem, &files.sources);
         let words = if proved { "cannot hold together" } else { "not found: a plan that satisfies" };
         assert!(told.message.contains(words), "{}: {}", text.name, told.message);
         // The short tries miss a plan now and then; then that is said.
@@ -87,7 +87,8 @@ struct Asked {
 }
 
 impl Asked {
-    fn of(model: &Model, mission: &Mission, time: f64) -> Self {
+    fn of(problem: Problem, time: f64) -> Self {
+        let (model, mission) = (problem.model(), problem.mission());
         let limits = mission.limits.iter().map(|l| l.lower.is_some() || l.upper.is_some());
         let waypoints = mission.waypoints.iter().map(|w| w.within < UNBOUNDED);
         let others = [mission.start_at_rest, mission.end_at_rest, model.plan.reserve > 0.0];
@@ -102,9 +103,9 @@ impl Asked {
 }
 
 impl Oracle for Recording<'_> {
-    fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
-        let answer = self.inner.ask(model, mission, time);
-        self.answers.push((Asked::of(model, mission, time), answer.clone()));
+    fn ask(&mut self, problem: Problem, time: f64) -> Answer {
+        let answer = self.inner.ask(problem, time);
+        self.answers.push((Asked::of(problem, time), answer.clone()));
         answer
     }
 }
@@ -115,10 +116,9 @@ impl Oracle for Recording<'_> {
 fn nothing_is_asked_that_is_known() {
     let mut checked = 0;
     for Case { text, model, explanation, .. } in CASES.iter().filter(|case| case.model.plan.against.is_empty()) {
-        let mission = model.mission.as_ref().unwrap();
         let mut planners = Planners::default();
         let mut recording = Recording { inner: &mut planners, answers: Vec::new() };
-        assert_eq!(explain(model, mission, &mut recording).as_ref(), Some(explanation), "{}", text.name);
+        assert_eq!(explain(Problem::of(model).unwrap(), &mut recording).as_ref(), Some(explanation), "{}", text.name);
         assert_eq!(recording.answers.len(), explanation.questions);
         // Changes keep every statement but the one that they change; the filter has left some out.
         let named = explanation.conflict.statements.len();

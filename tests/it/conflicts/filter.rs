@@ -3,7 +3,7 @@
 use crate::vehicles::{limit, mission, quadcopter, waypoint};
 use mavc::explain::statement::statements;
 use mavc::explain::{Answer, MOST_QUESTIONS, MOST_TRIES, Oracle, Part, Statement, explain};
-use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
+use mavc::model::{LimitKind, MissionTime, Model, PlannerKind, Problem};
 use mavc::planner::transcription::UNBOUNDED;
 use mavc::source::SourceMap;
 use rand_distr::{Distribution, Uniform};
@@ -20,7 +20,8 @@ struct Known {
     asked: usize,
 }
 
-fn present(model: &Model, mission: &Mission, whole: &Model, time: f64) -> BTreeSet<Statement> {
+fn present(problem: Problem, whole: &Model, time: f64) -> BTreeSet<Statement> {
+    let (model, mission) = (problem.model(), problem.mission());
     let there = |s: &Statement| match *s {
         Statement::Waypoints { first, .. } => mission.waypoints[first].within < UNBOUNDED,
         Statement::Arrival(i) => mission.waypoints[i].time.is_some(),
@@ -32,7 +33,7 @@ fn present(model: &Model, mission: &Mission, whole: &Model, time: f64) -> BTreeS
         Statement::Reserve => model.plan.reserve > 0.0,
         Statement::Time => matches!(whole.plan.time, MissionTime::Fixed(fixed) if fixed == time),
     };
-    statements(whole, whole.mission.as_ref().unwrap()).into_iter().filter(there).collect()
+    statements(Problem::of(whole).unwrap()).into_iter().filter(there).collect()
 }
 
 struct Asked<'k> {
@@ -41,9 +42,9 @@ struct Asked<'k> {
 }
 
 impl Oracle for Asked<'_> {
-    fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
+    fn ask(&mut self, problem: Problem, time: f64) -> Answer {
         self.known.asked += 1;
-        let there = present(model, mission, &self.whole, time);
+        let there = present(problem, &self.whole, time);
         let met = self.known.conflicts.iter().find(|conflict| conflict.is_subset(&there));
         let part = |s: &Statement| match *s {
             Statement::Waypoints { first, .. } => Some((Part::Waypoint(first), 1.0)),
@@ -90,7 +91,7 @@ fn spec() -> Model {
 #[test]
 fn the_remaining_statements_are_a_smallest_conflict() {
     let model = spec();
-    let all = statements(&model, model.mission.as_ref().unwrap());
+    let all = statements(Problem::of(&model).unwrap());
     assert_eq!(all.len(), 14);
     let mut random = Pcg64Mcg::new(7);
     let chance = Uniform::new(0.0, 1.0).unwrap();
@@ -107,7 +108,7 @@ fn the_remaining_statements_are_a_smallest_conflict() {
         let (proves, weighs) = (case % 2 == 0, case % 3 == 0);
         let mut known = Known { conflicts: conflicts.clone(), proves, weighs, asked: 0 };
         let mut oracle = Asked { known: &mut known, whole: model.clone() };
-        let found = explain(&model, model.mission.as_ref().unwrap(), &mut oracle).unwrap();
+        let found = explain(Problem::of(&model).unwrap(), &mut oracle).unwrap();
         let kept: BTreeSet<Statement> = found.conflict.statements.iter().copied().collect();
         assert!(conflicts.contains(&kept) && smallest(&kept), "{case}: {kept:?} of {conflicts:?}");
         assert!(found.conflict.irreducible);
@@ -133,7 +134,7 @@ fn few_statements_among_many_are_found() {
     flown.legs = mission(points.clone()).legs;
     flown.waypoints = points;
     model.plan.time = MissionTime::Fixed(5000.0);
-    let all = statements(&model, model.mission.as_ref().unwrap());
+    let all = statements(Problem::of(&model).unwrap());
     assert_eq!(all.len(), 300 + 30 + 2 + 3 + 2);
     let mut random = Pcg64Mcg::new(11);
     let place = Uniform::new(0, all.len()).unwrap();
@@ -142,7 +143,7 @@ fn few_statements_among_many_are_found() {
         for (proves, weighs) in [(true, true), (true, false), (false, false)] {
             let mut known = Known { conflicts: vec![conflict.clone()], proves, weighs, asked: 0 };
             let mut oracle = Asked { known: &mut known, whole: model.clone() };
-            let found = explain(&model, model.mission.as_ref().unwrap(), &mut oracle).unwrap();
+            let found = explain(Problem::of(&model).unwrap(), &mut oracle).unwrap();
             let kept: BTreeSet<Statement> = found.conflict.statements.iter().copied().collect();
             assert!(kept == conflict && found.conflict.irreducible, "{case}: {kept:?} of {conflict:?}");
             assert!(known.asked <= MOST_QUESTIONS + MOST_TRIES, "{}", known.asked);
@@ -159,12 +160,12 @@ fn what_is_not_asked_is_not_claimed() {
     points.iter_mut().enumerate().for_each(|(i, point)| point.span.start = i as u32);
     flown.legs = mission(points.clone()).legs;
     flown.waypoints = points;
-    let all = statements(&model, model.mission.as_ref().unwrap());
+    let all = statements(Problem::of(&model).unwrap());
     let conflict: BTreeSet<Statement> =
         all.iter().copied().filter(|s| matches!(s, Statement::Waypoints { first, .. } if first % 2 == 0)).collect();
     let mut known = Known { conflicts: vec![conflict.clone()], proves: true, weighs: false, asked: 0 };
     let mut oracle = Asked { known: &mut known, whole: model.clone() };
-    let found = explain(&model, model.mission.as_ref().unwrap(), &mut oracle).unwrap();
+    let found = explain(Problem::of(&model).unwrap(), &mut oracle).unwrap();
     let kept: BTreeSet<Statement> = found.conflict.statements.iter().copied().collect();
     assert!(kept.is_superset(&conflict) && found.conflict.proved && !found.conflict.irreducible);
     assert!(known.asked <= MOST_QUESTIONS + MOST_TRIES, "{}", known.asked);
@@ -175,7 +176,7 @@ fn a_spec_with_a_plan_has_no_conflict() {
     let model = spec();
     let mut known = Known { conflicts: Vec::new(), proves: true, weighs: true, asked: 0 };
     let mut oracle = Asked { known: &mut known, whole: model.clone() };
-    assert_eq!(explain(&model, model.mission.as_ref().unwrap(), &mut oracle), None);
+    assert_eq!(explain(Problem::of(&model).unwrap(), &mut oracle), None);
     assert_eq!(known.asked, 1);
 }
 
@@ -183,7 +184,7 @@ fn a_spec_with_a_plan_has_no_conflict() {
 struct Helpless;
 
 impl Oracle for Helpless {
-    fn ask(&mut self, _: &Model, _: &Mission, _: f64) -> Answer {
+    fn ask(&mut self, _: Problem, _: f64) -> Answer {
         Answer::NotFound(Vec::new())
     }
 }
@@ -191,13 +192,13 @@ impl Oracle for Helpless {
 #[test]
 fn no_statement_is_blamed_where_none_is_to_blame() {
     let model = spec();
-    assert_eq!(explain(&model, model.mission.as_ref().unwrap(), &mut Helpless), None);
+    assert_eq!(explain(Problem::of(&model).unwrap(), &mut Helpless), None);
 }
 
 #[test]
 fn what_was_not_proved_is_not_called_so() {
     let model = spec();
-    let mission = model.mission.as_ref().unwrap();
+    let problem = Problem::of(&model).unwrap();
     for (proves, wanted) in [
         (true, "proved infeasible with 200 samples: 2 statements of the spec cannot hold together"),
         (false, "not found: a plan that satisfies these 2 statements together; a guess at the cause, not a proof"),
@@ -205,8 +206,8 @@ fn what_was_not_proved_is_not_called_so() {
         let conflicts = vec![BTreeSet::from([Statement::Limit(0), Statement::Time])];
         let mut known = Known { conflicts, proves, weighs: true, asked: 0 };
         let mut oracle = Asked { known: &mut known, whole: model.clone() };
-        let found = explain(&model, mission, &mut oracle).unwrap();
-        let told = mavc::explain::diagnose::diagnose(&found, &model, mission, &SourceMap::default());
+        let found = explain(problem, &mut oracle).unwrap();
+        let told = mavc::explain::diagnose::diagnose(&found, problem, &SourceMap::default());
         assert_eq!((told.code, told.message.as_str()), ("mavc::plan::conflict", wanted));
         // Both of them, changed, and nothing else: every number of two digits above 30 s is another time.
         let kinds: Vec<&str> = found.fixes.iter().map(|fix| fix.change.kind()).collect();
@@ -219,9 +220,9 @@ fn what_was_not_proved_is_not_called_so() {
 struct Unsure<'k>(Asked<'k>, Statement);
 
 impl Oracle for Unsure<'_> {
-    fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
-        match present(model, mission, &self.0.whole, time).contains(&self.1) {
-            true => self.0.ask(model, mission, time),
+    fn ask(&mut self, problem: Problem, time: f64) -> Answer {
+        match present(problem, &self.0.whole, time).contains(&self.1) {
+            true => self.0.ask(problem, time),
             false => Answer::NotFound(Vec::new()),
         }
     }
@@ -230,13 +231,13 @@ impl Oracle for Unsure<'_> {
 #[test]
 fn what_was_proved_is_not_given_up_for_what_was_not_found() {
     let model = spec();
-    let mission = model.mission.as_ref().unwrap();
+    let problem = Problem::of(&model).unwrap();
     let conflicts = vec![BTreeSet::from([Statement::Limit(1), Statement::RestAtStart])];
     let mut known = Known { conflicts, proves: true, weighs: false, asked: 0 };
     let mut oracle = Unsure(Asked { known: &mut known, whole: model.clone() }, Statement::Limit(2));
-    let found = explain(&model, mission, &mut oracle).unwrap();
+    let found = explain(problem, &mut oracle).unwrap();
     assert_eq!(found.conflict.statements, [Statement::RestAtStart, Statement::Limit(1), Statement::Limit(2)]);
     assert!(found.conflict.proved && !found.conflict.irreducible);
-    let told = mavc::explain::diagnose::diagnose(&found, &model, mission, &SourceMap::default());
+    let told = mavc::explain::diagnose::diagnose(&found, problem, &SourceMap::default());
     assert!(told.help.unwrap().contains("not shown"));
 }

@@ -2,7 +2,7 @@
 
 use super::{Model, last, planning, solved};
 use crate::vehicles::{limit, mission, waypoint};
-use mavc::model::{LimitKind, Mission, MissionTime, PlannerKind};
+use mavc::model::{LimitKind, Mission, MissionTime, PlannerKind, Problem};
 use mavc::planner::scp::sensitivity::Statement;
 use mavc::planner::studies::{MissionPlan, Scope, compare};
 
@@ -10,7 +10,7 @@ fn planned(mission: Mission, chooses_times: bool) -> MissionPlan {
     let mut model: Model = planning(mission, PlannerKind::Rip, &[], MissionTime::Minimum);
     model.plan.samples = 40;
     model.plan.chooses_times = chooses_times;
-    solved(last(&compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None))).clone()
+    solved(last(&compare(Problem::of(&model).unwrap(), Scope::Plan, None))).clone()
 }
 
 /// Up 40 m at no more than 2 m/s: d/v and what starting and stopping take, of which 1 % more speed gives back 1 % of d/v.

@@ -5,7 +5,7 @@ use super::{last, planning, solved, turning};
 use crate::vehicles::{mission, waypoint};
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::row::VIOLATED;
-use mavc::model::{Mission, MissionTime, Model, PlannerKind};
+use mavc::model::{Mission, MissionTime, Model, PlannerKind, Problem};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use mavc::planner::hover::{Decision, HoverPlanner, Planned};
@@ -53,17 +53,17 @@ fn cost(model: &Model, plan: &Trajectory) -> f64 {
 fn the_cost_of_a_plan_is_its_programs_objective() {
     for (mission, time) in [(turning(), 5.0), (stopping(), 9.5)] {
         let model = planning(mission, PlannerKind::Rip, &[], MissionTime::Fixed(time));
-        let mission = model.mission.as_ref().unwrap();
+        let problem = Problem::of(&model).unwrap();
         let healthy = AdmissibleSet::healthy(&model);
         let set = healthy_set(&model);
-        let mut engine = HoverPlanner::new(&model, mission, &healthy);
+        let mut engine = HoverPlanner::new(problem, &healthy);
         let Decision::Feasible(planned) = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set).decide(time, &[])
         else {
             panic!("no plan at {time} s");
         };
         let Planned { grid: profile, states, objective: reported, .. } = &*planned;
         let flown = profile.flown();
-        let form = Transcription::new(&model, mission, &flown, &set, &[], &[X, Y, Z, YAW])
+        let form = Transcription::new(problem, &flown, &set, &[], &[X, Y, Z, YAW])
             .with_orders(WrenchModel::Exact.orders(), PARTS);
         let program = form.program(Purpose::Plan { slack: 0.0 }, &[]);
         let wanted = profile.without_holds(states);
@@ -142,7 +142,7 @@ fn plans_cost_the_same_wherever_steps_begin() {
     let model = planning(turning(), PlannerKind::Rip, &[], MissionTime::Fixed(6.0));
     let healthy = AdmissibleSet::healthy(&model);
     let set = healthy_set(&model);
-    let mut engine = HoverPlanner::new(&model, model.mission.as_ref().unwrap(), &healthy);
+    let mut engine = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
     let mut steps = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set);
     let shortest = steps.shortest(&[], None).unwrap().planned;
     let [anew, begun] = [vec![], vec![&shortest]].map(|initial_guesses| match steps.decide(6.0, &initial_guesses) {

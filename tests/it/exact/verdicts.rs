@@ -3,7 +3,7 @@
 use super::{compared, last, planning};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::admissible::AdmissibleSet;
-use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
+use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind, Problem};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::hover::{Decision, HoverPlanner, Planned};
 use mavc::planner::scp::{NOT_FOUND, ScpPlanner};
@@ -24,7 +24,7 @@ fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model
 
 fn told(model: &Model) -> (PlanOutcome, String) {
     let comparison = compared(model);
-    let text = terminal::plan(model, model.mission.as_ref().unwrap(), &comparison, false);
+    let text = terminal::plan(Problem::of(model).unwrap(), &comparison, false);
     (last(&comparison).outcome.clone(), text)
 }
 
@@ -241,7 +241,7 @@ plan { planner = rcp; timing = proportional; against = [M1, M2]; time = 7.01 s; 
 fn with_fixed_times_one_mode_has_the_plan_of_two() {
     let model = mavc::compile(DASH).into_result().unwrap().model().clone();
     let (sets, healthy) = (PlanningSets::of(&model), AdmissibleSet::healthy(&model));
-    let mut engine = HoverPlanner::new(&model, model.mission.as_ref().unwrap(), &healthy);
+    let mut engine = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
     let mut plan = |set, initial_guesses: &[&Planned]| match ScpPlanner::new(&mut engine, WrenchModel::Exact, set)
         .decide(7.01, initial_guesses)
     {

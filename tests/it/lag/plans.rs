@@ -5,7 +5,7 @@ use crate::vehicles::lost;
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::row::SetRow;
-use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::motion::{Trajectory, YAW};
 use mavc::planner::hover::{Decision, FEASIBLE, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
@@ -149,17 +149,17 @@ fn rows_on_demand_lose_nothing() {
         let mut model = lagging(planning(mission, PlanModel::Hover, MissionTime::Minimum), TAU);
         let time = 1.03 * shortest(&model);
         model.plan.time = MissionTime::Fixed(time);
-        let mission = model.mission.as_ref().unwrap();
+        let problem = Problem::of(&model).unwrap();
         let healthy = AdmissibleSet::healthy(&model);
         let set = PlanningSet::of(&[&healthy], &healthy);
-        let mut engine = HoverPlanner::new(&model, mission, &healthy);
+        let mut engine = HoverPlanner::new(problem, &healthy);
         let Decision::Feasible(planned) = engine.decide(time, model.plan.samples, &set, &mut WorkingSet::default())
         else {
             panic!("no plan at {time} s")
         };
         let layout = engine.layout(time, model.plan.samples).unwrap().unwrap();
         let (maps, leads) = (layout.yaw.maps(&model, layout.flown.nodes()), layout.commands(&model));
-        let form = Transcription::new(&model, mission, &layout.flown, &set, &maps, layout.yaw.axes());
+        let form = Transcription::new(problem, &layout.flown, &set, &maps, layout.yaw.axes());
         let without = form.full_program(Purpose::Plan { slack: FEASIBLE });
         let form = form.with_commands(leads.as_ref());
         let program = form.full_program(Purpose::Plan { slack: FEASIBLE });

@@ -6,7 +6,7 @@ use super::*;
 fn a_rate_gives_even_rows_to_the_end_and_marks_waypoints_at_the_nearest() {
     let mut model = paper_case(PlannerKind::Rip, &[]);
     model.plan.samples = 60;
-    let flight = planned(&model, &viviani(), 19.37);
+    let flight = planned(Problem::of(&model).unwrap(), 19.37);
     // 100 Hz ends on a row, the others do not; at 0.01 Hz there is the start and what is after the end.
     for (rate, count) in [(100.0, 1938), (50.0, 970), (7.3, 143), (0.01, 2)] {
         let cells = table(&render(&flight, &model, Some(rate)));
