@@ -28,7 +28,7 @@ pub const MAX_WAYPOINTS: usize = POINTS.whole().1 as usize;
 
 /// How far a coordinate may lie from the origin, m: farther than any multirotor flies, and near enough that tolerances of
 /// centimetres survive rounding.
-const MAX_DISTANCE: f64 = 1e6;
+pub(super) const MAX_DISTANCE: f64 = 1e6;
 
 /// What applies to a waypoint that does not give these values itself.
 #[derive(Debug, Clone, Copy)]

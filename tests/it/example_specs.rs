@@ -104,11 +104,9 @@ fn protection_is_cheap_where_there_is_time() {
 #[test]
 #[ignore = "long"]
 fn times_of_real_missions_are_near_their_bounds() {
-    for (spec, longest, bound) in [
-        ("specs/missions/parcel_x8.mav", 107.0, 98.0),
-        ("specs/missions/tower_hexa.mav", 70.0, 62.0),
-        ("specs/missions/facade_hexa.mav", 1.15 * 25.82, 25.8),
-    ] {
+    for (spec, longest, bound) in
+        [("specs/missions/parcel_x8.mav", 107.0, 98.0), ("specs/missions/facade_hexa.mav", 1.15 * 25.82, 25.8)]
+    {
         printed(&["check", spec, "--deny", "warnings"]);
         let report = planned(spec, &["--set", "plan.planner=rsp"]);
         let of = |field: &str| report["planners"][0][field].as_f64().unwrap();

@@ -9,12 +9,21 @@ use crate::model::context::{Context, duplicate};
 use crate::model::due::Due;
 use crate::model::expression::Value;
 use crate::model::fields::Fields;
+use crate::model::mission::MAX_DISTANCE;
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
 
 const SHAPE: &str = "mavc::volume::shape";
 const SIZE: &str = "mavc::volume::size";
+const TOO_MANY: &str = "mavc::volume::too_many";
+
+/// The most volumes of a mission: every one is checked at every instant.
+const MOST: usize = 100;
+
+/// The most corners of a polygon: to divide it takes at most their number cubed.
+const MOST_CORNERS: usize = 200;
+
 const CORNERS: &str = "mavc::volume::corners";
 
 /// The fields that each shape takes; `shape` and `clearance` belong to all.
@@ -30,6 +39,12 @@ const TAKEN: [(&str, &[&str]); 5] = [
 pub fn read<'a>(cx: &mut Context<'a>, blocks: &[&'a Block]) -> (Vec<Volume>, bool) {
     let mut volumes: Vec<Volume> = Vec::new();
     let mut whole = true;
+    if let Some(block) = blocks.get(MOST) {
+        let message = format!("a mission may have at most {MOST} volumes");
+        let error = Diagnostic::error(TOO_MANY, block.keyword.span, message).here("the limit is exceeded here");
+        cx.report(error.help("join volumes that touch, or leave out those far from the path"));
+        return (volumes, false);
+    }
     for block in blocks {
         let volume = one(cx, block);
         if let Some(name) = &block.name {
@@ -72,9 +87,29 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Volume> {
         "sphere" => read.sphere(cx),
         _ => read.half_space(cx),
     };
+    let bodies = bodies.filter(|bodies| is_near(cx, &fields, bodies));
     let is_whole = block.name.is_some() && !block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
     let (bodies, clearance) = (bodies?, clearance?);
     is_whole.then_some(Volume { name, side, bodies, clearance, span })
+}
+
+/// Whether a volume lies within [`MAX_DISTANCE`] of the origin; reports one that does not.
+fn is_near(cx: &mut Context, fields: &Fields, bodies: &[Body]) -> bool {
+    let farthest = |body: &Body| match body {
+        Body::HalfSpace { offset, .. } => offset.abs(),
+        _ => {
+            let (low, high) = body.extent();
+            low.into_iter().chain(high).map(f64::abs).fold(0.0, f64::max)
+        }
+    };
+    let far = bodies.iter().map(farthest).fold(0.0, f64::max);
+    if far <= MAX_DISTANCE {
+        return true;
+    }
+    let message = format!("{} reaches more than 1000 km from the origin", fields.owner);
+    let error = Diagnostic::error(SIZE, fields.span, message).here(format!("{} km", number(far / 1e3)));
+    cx.report(error.help("place the origin where the mission starts, and write lengths in m"));
+    false
 }
 
 /// Reports fields that belong to another shape.
@@ -203,6 +238,12 @@ fn corners<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<[f64; 2]>> {
     let ExprKind::List { elements, unit } = &expr.kind else { return wrong(cx, expr.span, "not a list") };
     if elements.len() < 3 {
         return wrong(cx, expr.span, "fewer than three corners");
+    }
+    if elements.len() > MOST_CORNERS {
+        let message = format!("a polygon may have at most {MOST_CORNERS} corners");
+        let error = Diagnostic::error(CORNERS, expr.span, message).here(format!("this one has {}", elements.len()));
+        cx.report(error.help("leave out corners that hardly bend the edge"));
+        return None;
     }
     let unit = match unit {
         Some(text) => Some((text, cx.unit(text)?)),

@@ -50,13 +50,6 @@ fn a_plan_that_fails_is_not_found_and_not_written() {
     fails_the_check("tiny_time.mav", "6e-9 s fails the check of plans: waypoint 1 at 0 s: its position is missed");
 }
 
-/// In a set that drag hardly widens most planes are lost.
-#[test]
-#[ignore = "long"]
-fn a_plan_in_a_nearly_flat_set_is_not_found_and_not_written() {
-    fails_the_check("degenerate_facets.mav", "17.5 s fails the check of plans: a facet of pair that RSP selects");
-}
-
 #[test]
 fn a_plan_that_passes_says_so_in_the_report() {
     let Planned { code, report, is_written, .. } = planned(&finding("nodes_per_leg.mav"), &[]);
