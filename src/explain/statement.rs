@@ -6,7 +6,7 @@ use crate::number::{number, part_of_all};
 use crate::planner::transcription::UNBOUNDED;
 use crate::source::Span;
 
-/// One statement, or the default in its place. Indices are those in [`Mission`] and [`Model`].
+/// One statement, or the default in its place. Indices are those in [`crate::model::Mission`] and [`Model`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Statement {
     /// The waypoints of one statement: more than one on a curve.

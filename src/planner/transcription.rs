@@ -66,7 +66,7 @@ pub const UPRIGHT: f64 = 0.1;
 /// All that a program depends on, except its objective and the choice of rows.
 pub struct Transcription<'a> {
     pub model: &'a Model,
-    /// That of the model, or the same with other bounds ([`Self::of_statements`]).
+    /// That of the model, or the same with other bounds (`of_statements`).
     pub mission: &'a Mission,
     /// Without holds: [`TimeGrid::flown`].
     pub grid: &'a TimeGrid,
