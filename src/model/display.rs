@@ -65,6 +65,11 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
     }
     writeln!(f, "  mass {} kg{}", number(v.mass), between(v.mass_spread))?;
     writeln!(f, "  inertia {} kg*m^2", list(&v.inertia))?;
+    for (what, length) in [("propeller_radius", v.propeller_radius), ("size", v.size)] {
+        if let Some(length) = length {
+            writeln!(f, "  {what} {} m", number(length))?;
+        }
+    }
     writeln!(f, "  allocation {}", v.allocation.name())?;
     for (k, r) in v.rotors.iter().enumerate() {
         let spin = if r.spin == Spin::P { "P" } else { "N" };

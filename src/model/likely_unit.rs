@@ -12,7 +12,7 @@ const ANY: f64 = f64::INFINITY;
 /// Typical sizes for multirotors by field. Two units where both are possible, the likelier first.
 const FIELDS: [(&[&str], Sizes); 8] = [
     (&["within"], &[(1.0, &["m"]), (ANY, &["cm"])]),
-    (&["arm"], &[(5.0, &["m"]), (60.0, &["cm"]), (100.0, &["cm", "mm"]), (ANY, &["mm"])]),
+    (&["arm", "propeller_radius", "size"], &[(5.0, &["m"]), (60.0, &["cm"]), (100.0, &["cm", "mm"]), (ANY, &["mm"])]),
     (&["torque_per_thrust"], &[(0.5, &["m"]), (5.0, &["cm", "mm"]), (ANY, &["mm"])]),
     (&["mass"], &[(50.0, &["kg"]), (1000.0, &["g", "kg"]), (ANY, &["g"])]),
     (&["max_thrust"], &[(100.0, &["N"]), (500.0, &["N", "gf"]), (ANY, &["gf", "N"])]),
