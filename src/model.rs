@@ -337,8 +337,12 @@ pub struct Limit {
 }
 
 impl Limit {
-    /// The scale of a violation, in the SI unit of the limit: the larger bound in magnitude, but at least 1.
+    /// The scale of a violation, in the SI unit of the limit: the larger bound in magnitude, but at least 1; 1 m for a volume,
+    /// whose distance from the origin says nothing about how well it is kept.
     pub fn size(&self) -> f64 {
+        if self.volume.is_some() {
+            return 1.0;
+        }
         self.upper.unwrap_or(0.0).abs().max(self.lower.unwrap_or(0.0).abs()).max(1.0)
     }
 }

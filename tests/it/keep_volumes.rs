@@ -87,7 +87,7 @@ fn a_plan_keeps_its_volumes() {
         let line = text.lines().find(|line| line.starts_with(volume)).unwrap_or_else(|| panic!("{text}"));
         assert!(line.ends_with("proved at every instant"), "{line}");
     }
-    // The same motion is no plan where the mast is thicker.
+    // Where the mast is thicker, the same motion is refused.
     let certificate = std::fs::read_to_string(&proof).unwrap();
     let thicker = std::fs::read_to_string(spec)
         .unwrap()
