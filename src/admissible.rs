@@ -13,7 +13,7 @@ pub mod verdict;
 use crate::actuation::{Actuation, Wrench};
 use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};
 use crate::geometry::zonotope::{Spanning, Zonotope};
-use crate::model::{Allocation, Model};
+use crate::model::{Allocation, Environment, Model};
 use std::fmt;
 
 /// The name of the mode without faults.
@@ -120,9 +120,29 @@ impl AdmissibleSet {
     }
 }
 
-/// The hover wrench [m g, 0, 0, 0], N and N m.
+/// The hover wrench [m g, 0, 0, 0], N and N m; with drag that of hover in the middle of the possible winds ([`trimmed`]).
 pub fn hover(model: &Model) -> Wrench {
-    Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0)
+    trimmed(model, &model.environment())
+}
+
+/// The wrench at rest in a wind, [m |g e_z - drag/m wind|, 0, 0, 0], N and N m: the thrust is tilted against the wind.
+pub fn trimmed(model: &Model, environment: &Environment) -> Wrench {
+    let [x, y, z] = environment.trim();
+    let thrust = if environment.has_drag() { (x * x + y * y + z * z).sqrt() } else { z };
+    Wrench::new(model.vehicle.mass * thrust, 0.0, 0.0, 0.0)
+}
+
+/// The mass (kg) that a thrust (N) holds at rest in the middle of the possible winds: the inverse of [`hover`]. `None` if the
+/// wind is too strong for any mass.
+pub fn mass_at_rest(model: &Model, thrust: f64) -> Option<f64> {
+    let Environment { gravity, wind: [x, y, z], .. } = model.environment();
+    let drag = model.vehicle.drag;
+    if drag == 0.0 {
+        return Some(thrust / gravity);
+    }
+    let lift = (thrust * thrust - drag * drag * (x * x + y * y)).sqrt();
+    let mass = (drag * z + lift) / gravity;
+    (mass > 0.0).then_some(mass)
 }
 
 /// Whether the set of every fault mode lies inside the healthy set.

@@ -228,7 +228,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     // One entry for each sample of the regressor; only long landings need more room.
     let mut conditions = Vec::with_capacity((sortie.duration.min(1e4) * CONDITION_RATE) as usize + 400);
     let mut reference = course.at(0.0);
-    let mut body = control::start(&frame, &reference);
+    let environment = model.environment();
+    let mut body = control::start(&frame, &reference.in_air(&environment));
     let mut blowing = nalgebra::Vector3::zeros();
     let mut next_event = 0.0;
     let mut wrench = Wrench::zeros();
@@ -271,12 +272,14 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 watch.is_stopping = true;
                 watch.may_land = lands;
             }
+            // The controller knows the air of the plan, in the middle of the possible winds.
+            let aimed = reference.in_air(&environment);
             // The flight begins with the thrust that the reference needs.
             let force = match step {
-                0 => (reference.acceleration + nalgebra::Vector3::z() * frame.gravity).norm(),
+                0 => (aimed.acceleration + nalgebra::Vector3::z() * frame.gravity).norm(),
                 _ => knowledge.thrust() / frame.mass,
             };
-            wanted = control::control(simulation.controller, &frame, &simulation.gains, &measured, force, &reference);
+            wanted = control::control(simulation.controller, &frame, &simulation.gains, &measured, force, &aimed);
             allocator.speeds(&wanted, &mut rotors.command);
             knowledge.probe(&mut rotors.command);
             knowledge.command(&rotors.command);

@@ -92,6 +92,7 @@ pub enum Group {
     Limits,
     /// The fields of `keep_in` and `keep_out`.
     Volume,
+    Air,
     Plan,
     Simulate,
     /// The clauses of `fault` in `simulate`.
@@ -103,7 +104,7 @@ pub enum Group {
 
 impl Group {
     /// Every group that has entries.
-    pub const ALL: [Group; 14] = [
+    pub const ALL: [Group; 15] = [
         Group::Top,
         Group::Vehicle,
         Group::Rotor,
@@ -114,6 +115,7 @@ impl Group {
         Group::Waypoint,
         Group::Limits,
         Group::Volume,
+        Group::Air,
         Group::Plan,
         Group::Simulate,
         Group::Strike,
@@ -130,6 +132,7 @@ impl Group {
             Place::Curve => Group::Curve,
             Place::Limits => Group::Limits,
             Place::KeepIn | Place::KeepOut => Group::Volume,
+            Place::Air => Group::Air,
             Place::Plan => Group::Plan,
             Place::Simulate => Group::Simulate,
             Place::Campaign => Group::Campaign,
@@ -160,6 +163,7 @@ impl Group {
             Place::Mode | Place::Every => &[Group::Mode],
             Place::Limits => &[Group::Limits],
             Place::KeepIn | Place::KeepOut => &[Group::Volume],
+            Place::Air => &[Group::Air],
             Place::Plan => &[Group::Plan],
             Place::Campaign => &[Group::Campaign],
             Place::Faults | Place::Unknown => &[],
@@ -179,6 +183,7 @@ impl Group {
             Group::Waypoint => table::waypoint::ENTRIES,
             Group::Limits => table::limits::ENTRIES,
             Group::Volume => table::volume::ENTRIES,
+            Group::Air => table::air::ENTRIES,
             Group::Plan => table::plan::ENTRIES,
             Group::Simulate => table::simulate::ENTRIES,
             Group::Strike => table::strike::ENTRIES,

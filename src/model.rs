@@ -2,6 +2,7 @@
 //! is a finite `f64`, and every list is complete.
 
 mod after_fault;
+mod air;
 mod allow;
 mod arithmetic;
 mod blame;
@@ -44,6 +45,7 @@ mod volume;
 
 pub use crate::geometry::body::Body;
 pub use crate::input::MAX_TABLE_BYTES;
+pub use air::{Air, Environment, STANDARD_DENSITY};
 pub use elaborate::{elaborate, elaborate_for, understand};
 pub use flight_blocks::FlightBlocks;
 pub use flight_settings::{
@@ -121,6 +123,10 @@ pub struct Vehicle {
     pub mass_spread: Spread,
     /// Diagonal of the inertia matrix J: Ixx, Iyy, Izz, kg m^2.
     pub inertia: [f64; 3],
+    /// Linear drag, N s/m: the force is -drag times the velocity through the air. 0 if the spec gives none.
+    pub drag: f64,
+    /// The place of `drag`, if the spec gives it.
+    pub drag_span: Option<Span>,
     /// Radius of a propeller, m, if the spec gives it.
     pub propeller_radius: Option<f64>,
     /// Radius about the centre of gravity within which the vehicle stays, m, if the spec gives it; see [`Vehicle::radius`].
@@ -226,6 +232,7 @@ pub struct Mission {
     /// The limits of the `limits` block, then those that `volumes` impose on this vehicle.
     pub limits: Vec<Limit>,
     pub volumes: Vec<Volume>,
+    pub air: Air,
     pub span: Span,
 }
 

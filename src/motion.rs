@@ -10,7 +10,7 @@ pub mod time_grid;
 pub mod wrench_model;
 
 use crate::actuation::Wrench;
-use crate::model::Vehicle;
+use crate::model::{Environment, Vehicle};
 use wrench_model::WrenchModel;
 
 /// Index of the axis x (east, m) in a [`NodeState`].
@@ -110,9 +110,9 @@ impl Trajectory {
         self.within(k, (t - self.times[k]).clamp(0.0, self.times[k + 1] - self.times[k]))
     }
 
-    /// The wrench (N and N m) that a state of this trajectory needs, by the trajectory's model. `gravity` is in m/s^2.
-    pub fn wrench(&self, vehicle: &Vehicle, gravity: f64, state: &NodeState) -> Wrench {
-        self.model.wrench(vehicle, gravity, state)
+    /// The wrench (N and N m) that a state of this trajectory needs, by the trajectory's model.
+    pub fn wrench(&self, vehicle: &Vehicle, environment: &Environment, state: &NodeState) -> Wrench {
+        self.model.wrench(vehicle, environment, state)
     }
 
     /// The commanded wrench `w + tau w'` (N and N m) for a state within interval `k`, for rotors with a first-order lag
@@ -120,15 +120,20 @@ impl Trajectory {
     ///
     /// # Panics
     /// If there is no interval `k`.
-    pub fn commanded(&self, vehicle: &Vehicle, gravity: f64, tau: f64, k: usize, state: &NodeState) -> Wrench {
+    pub fn commanded(&self, vehicle: &Vehicle, environment: &Environment, tau: f64, k: usize, state: &NodeState) -> Wrench {
         let ends = [&self.nodes[k], &self.nodes[k + 1]];
         let sloped = with_slopes(state, ends, self.times[k + 1] - self.times[k], self.model.orders());
-        self.model.commanded(vehicle, gravity, tau, &sloped)
+        self.model.commanded(vehicle, environment, tau, &sloped)
     }
 
     /// The wrench at every node, N and N m.
-    pub fn node_wrenches(&self, vehicle: &Vehicle, gravity: f64) -> Vec<Wrench> {
-        self.nodes.iter().map(|s| self.wrench(vehicle, gravity, s)).collect()
+    pub fn node_wrenches(&self, vehicle: &Vehicle, environment: &Environment) -> Vec<Wrench> {
+        self.nodes.iter().map(|s| self.wrench(vehicle, environment, s)).collect()
+    }
+
+    /// The wrench of a state in each of some environments, such as [`Environment::corners`], N and N m.
+    pub(crate) fn wrenches(&self, vehicle: &Vehicle, environments: &[Environment], state: &NodeState) -> Vec<Wrench> {
+        environments.iter().map(|environment| self.wrench(vehicle, environment, state)).collect()
     }
 }
 
@@ -159,17 +164,36 @@ pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: Wrenc
     state
 }
 
-/// The ZYX roll and pitch (rad) for which the thrust points along (x'', y'', z'' + g) at the state's yaw: (64).
+/// The state with its accelerations, jerks and snaps replaced by `c - g e_z`, `c'` and `c''`, where the thrust over mass is
+/// `c = a + g e_z + drag/m (v - wind)`: (60) of `docs/method.md`, section 19. Without drag the state itself.
+pub fn in_air<const N: usize>(state: &[[f64; N]; 4], environment: &Environment) -> [[f64; N]; 4] {
+    if !environment.has_drag() {
+        return *state;
+    }
+    let mut felt = *state;
+    for axis in [X, Y, Z] {
+        for order in 2..N {
+            let wind = if order == 2 { environment.wind[axis] } else { 0.0 };
+            felt[axis][order] += environment.drag_rate * (state[axis][order - 1] - wind);
+        }
+    }
+    felt
+}
+
+/// The ZYX roll and pitch (rad) for which the thrust points along (x'', y'', z'' + g), with drag in addition, at the
+/// state's yaw: (64).
 ///
 /// The third column of (4), rotated by -psi about the vertical, is (sin theta cos phi, -sin phi, cos theta cos phi).
-pub fn roll_pitch(state: &NodeState, gravity: f64) -> (f64, f64) {
+pub fn roll_pitch(state: &NodeState, environment: &Environment) -> (f64, f64) {
     let (s, c) = state[YAW][0].sin_cos();
-    let (ax, ay, az) = (state[X][2], state[Y][2], state[Z][2] + gravity);
+    let state = in_air(state, environment);
+    let (ax, ay, az) = (state[X][2], state[Y][2], state[Z][2] + environment.gravity);
     let (forward, left) = (c * ax + s * ay, -s * ax + c * ay);
     ((-left).atan2(forward.hypot(az)), forward.atan2(az))
 }
 
 /// The angle between the thrust direction and the vertical, rad; above pi/2 if the thrust points down.
-pub fn tilt(state: &NodeState, gravity: f64) -> f64 {
-    state[X][2].hypot(state[Y][2]).atan2(state[Z][2] + gravity)
+pub fn tilt(state: &NodeState, environment: &Environment) -> f64 {
+    let state = in_air(state, environment);
+    state[X][2].hypot(state[Y][2]).atan2(state[Z][2] + environment.gravity)
 }

@@ -29,6 +29,13 @@ impl SetRow {
     }
 }
 
+impl SetRow {
+    /// The largest violation of some wrenches.
+    pub fn worst(&self, wrenches: &[Wrench]) -> f64 {
+        wrenches.iter().map(|w| self.violation(w)).fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
 /// The dimensionless row of a facet: normal and offset divided by the width of the `healthy` zonotope along the normal.
 pub fn row<O>(facet: &Facet<4, O>, healthy: &AdmissibleSet, origin: Vec<FacetOf>) -> SetRow {
     let width = healthy.zonotope.width(&facet.normal);

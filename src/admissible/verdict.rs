@@ -3,7 +3,7 @@
 use super::edge::{self, Place};
 use super::interval::{Robust, robust};
 use super::parallel::{Parallel, nearest_rows};
-use super::{AdmissibleSet, hover};
+use super::{AdmissibleSet, hover, mass_at_rest};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Polytope;
 use crate::geometry::zonotope::Zonotope;
@@ -173,9 +173,9 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         facets: set.polytope.equalities.is_empty().then_some(set.polytope.facets.len()),
         acai,
         acai_yaw_free,
-        critical_mass_kg: heaviest(&set.polytope, size).map(|t| t / model.gravity),
-        critical_mass_yaw_free_kg: heaviest(&yaw_free, size).map(|t| t / model.gravity),
-        least_mass_kg: lift(&set.polytope, size).map(|(low, _)| low / model.gravity),
+        critical_mass_kg: heaviest(&set.polytope, size).and_then(|t| mass_at_rest(model, t)),
+        critical_mass_yaw_free_kg: heaviest(&yaw_free, size).and_then(|t| mass_at_rest(model, t)),
+        least_mass_kg: lift(&set.polytope, size).map(|(low, _)| mass_at_rest(model, low).unwrap_or(0.0)),
         residual4: residual4.into(),
         residual3: residual3.into(),
         headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),

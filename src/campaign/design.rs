@@ -147,7 +147,7 @@ fn judge(model: &Model, plans: &mut [Plan]) -> Vec<bool> {
     for mode in 0..model.modes.len() {
         let (rows, is_inside) = mode_rows(model, mode, &healthy);
         for plan in plans.iter_mut() {
-            plan.outside.push(outside(&plan.trajectory, &model.vehicle, model.gravity, &rows));
+            plan.outside.push(outside(&plan.trajectory, &model.vehicle, &model.environment(), &rows));
         }
         inside.push(is_inside);
     }

@@ -4,7 +4,7 @@
 use super::witness::{model_of, motion};
 use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
-use crate::model::{Limit, Problem};
+use crate::model::{Environment, Limit, Problem};
 use crate::motion::checks::past_as_checked;
 use crate::motion::{NodeState, Trajectory};
 use crate::planner::studies::{MissionPlan, PlannerRun};
@@ -83,11 +83,14 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     };
     let other_sides = rows.iter().filter(|r| r.equality).map(|r| plane(-1.0, r));
     let planes: Vec<Plane> = rows.iter().map(|r| plane(1.0, r)).chain(other_sides).collect();
-    let largest = |wrench: &Wrench| rows.iter().map(|row| row.violation(wrench)).fold(f64::NEG_INFINITY, f64::max);
+    let environment = model.environment();
+    let winds = environment.corners();
+    let largest =
+        |wrenches: Vec<Wrench>| rows.iter().map(|row| row.worst(&wrenches)).fold(f64::NEG_INFINITY, f64::max);
     let mut found = vec![kept_facets((setting.dynamics(), &motion), Held::Wrench, &planes, trajectory, |_, state| {
-        largest(&trajectory.wrench(&model.vehicle, model.gravity, state))
+        largest(trajectory.wrenches(&model.vehicle, &winds, state))
     })];
-    found.extend(mission.limits.iter().map(|limit| kept_limit(&motion, limit, trajectory, model.gravity)));
+    found.extend(mission.limits.iter().map(|limit| kept_limit(&motion, limit, trajectory, &environment)));
     if let Some((held, tau)) = setting.commands().zip(model.thrust_lag()) {
         // If the wrench stays in a plane, so does its rate, and so do the commands.
         let planes: Vec<Plane> = rows.iter().filter(|r| !r.equality).map(|r| plane(1.0, r)).collect();
@@ -96,7 +99,7 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
             rows.map(|row| row.violation(commanded)).fold(f64::NEG_INFINITY, f64::max)
         };
         found.push(kept_facets((setting.dynamics(), &motion), held, &planes, trajectory, |k, state| {
-            largest(&trajectory.commanded(&model.vehicle, model.gravity, tau, k, state))
+            largest(&trajectory.commanded(&model.vehicle, &environment, tau, k, state))
         }));
     }
     found
@@ -123,10 +126,10 @@ fn kept_facets(
 }
 
 /// The result for a limit: the first bound of [`PAST`] that is proved, otherwise what a grid shows.
-fn kept_limit(motion: &Motion, limit: &Limit, trajectory: &Trajectory, gravity: f64) -> Between {
+fn kept_limit(motion: &Motion, limit: &Limit, trajectory: &Trajectory, environment: &Environment) -> Between {
     let rows = limit.name().to_string();
-    let family = limits::family(limit, gravity);
-    let seen = seen(trajectory, |_, state| past_as_checked(limit, state, gravity));
+    let family = limits::family(limit, environment);
+    let seen = seen(trajectory, |_, state| past_as_checked(limit, state, environment));
     // Bounds that the grid disproves are not tried.
     let proved = PAST
         .map(|share| share * limit.size())

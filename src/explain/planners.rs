@@ -2,7 +2,7 @@
 
 use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
-use crate::model::{LimitKind, Mission, Model, PlannerKind, Problem, Vehicle};
+use crate::model::{Environment, LimitKind, Mission, Model, PlannerKind, Problem, Vehicle};
 use crate::motion::checks::{past, peak};
 use crate::motion::time_grid::time_grid;
 use crate::planner::hover::{Decision, Planned};
@@ -38,7 +38,7 @@ impl<'p> Planners<'p> {
 /// The sets that planners impose, and the data from which they follow.
 struct Sets {
     vehicle: Vehicle,
-    gravity: f64,
+    environment: Environment,
     against: Vec<usize>,
     reserve: f64,
     imposed: PlanningSets,
@@ -50,7 +50,7 @@ impl Sets {
     fn new(model: &Model) -> Self {
         Sets {
             vehicle: model.vehicle.clone(),
-            gravity: model.gravity,
+            environment: model.environment(),
             against: model.plan.against.clone(),
             reserve: model.plan.reserve,
             imposed: PlanningSets::of(model),
@@ -60,8 +60,8 @@ impl Sets {
 
     fn are_of(&self, model: &Model) -> bool {
         let plan = &model.plan;
-        (&self.vehicle, self.gravity, &self.against, self.reserve)
-            == (&model.vehicle, model.gravity, &plan.against, plan.reserve)
+        (&self.vehicle, &self.environment, &self.against, self.reserve)
+            == (&model.vehicle, &model.environment(), &plan.against, plan.reserve)
     }
 }
 
@@ -115,7 +115,7 @@ impl Oracle for Planners<'_> {
         sets.working_sets = [of_rip, of_joint];
         self.sets = Some(sets);
         match decision {
-            Decision::Feasible(planned) if exceeds_a_limit(&planned, mission, model.gravity) => {
+            Decision::Feasible(planned) if exceeds_a_limit(&planned, mission, &model.environment()) => {
                 Answer::NotFound(Vec::new())
             }
             // A change is offered only if it gives what `mavc plan` would call a plan.
@@ -148,7 +148,7 @@ fn about_all_selections(decision: Decision, model: &Model) -> Decision {
 const COARSE: f64 = 0.05;
 
 /// Whether a plan exceeds some limit by more than [`COARSE`].
-fn exceeds_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
+fn exceeds_a_limit(planned: &Planned, mission: &Mission, environment: &Environment) -> bool {
     let trajectory = planned.trajectory();
     mission.limits.iter().any(|limit| {
         let bound = limit.lower.into_iter().chain(limit.upper).map(f64::abs).fold(0.0, f64::max);
@@ -156,7 +156,7 @@ fn exceeds_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
             LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => 1.0,
             _ => bound.max(COARSE),
         };
-        peak(&trajectory, |state| past(limit, state, gravity)).value > COARSE * scale
+        peak(&trajectory, |state| past(limit, state, environment)).value > COARSE * scale
     })
 }
 

@@ -80,7 +80,7 @@ pub fn along(model: &Model, trajectory: &Trajectory) -> Vec<Vec<usize>> {
     if model.simulation.detection != Detection::Estimator {
         return Vec::new();
     }
-    let wrenches = trajectory.node_wrenches(&model.vehicle, model.gravity);
+    let wrenches = trajectory.node_wrenches(&model.vehicle, &model.environment());
     let every = wrenches.len().div_ceil(INSTANTS);
     let allocator = Allocator::new(&model.vehicle);
     let instants: Vec<Vec<f64>> = wrenches.iter().step_by(every).map(|w| squares(&allocator, w)).collect();

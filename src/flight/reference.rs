@@ -1,5 +1,6 @@
 //! The reference that a flight follows: the plan, a stop, or a descent after a stop (`docs/flight.md`, section 5).
 
+use crate::model::Environment;
 use crate::motion::{Trajectory, X, Y, YAW, Z};
 use nalgebra::Vector3;
 
@@ -43,6 +44,21 @@ pub enum Course<'a> {
 }
 
 impl Reference {
+    /// The reference with acceleration, jerk and snap replaced by those of the thrust over mass less gravity, like
+    /// [`crate::motion::in_air`]: what a controller demands that knows this air.
+    pub fn in_air(&self, environment: &Environment) -> Reference {
+        if !environment.has_drag() {
+            return *self;
+        }
+        let rate = environment.drag_rate;
+        Reference {
+            acceleration: self.acceleration + (self.velocity - Vector3::from(environment.wind)) * rate,
+            jerk: self.jerk + self.acceleration * rate,
+            snap: self.snap + self.jerk * rate,
+            ..*self
+        }
+    }
+
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
         let vectors = [&self.position, &self.velocity, &self.acceleration, &self.jerk, &self.snap];

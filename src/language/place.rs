@@ -24,6 +24,8 @@ pub enum Place {
     KeepIn,
     /// `keep_out { }` in a mission.
     KeepOut,
+    /// `air { }` in a mission.
+    Air,
     Plan,
     Simulate,
     Campaign,
@@ -93,6 +95,8 @@ pub const OTHER_WORDS: &[(&str, &str)] = &[
     ("fence", "keep_in"),
     ("obstacle", "keep_out"),
     ("no_fly", "keep_out"),
+    ("weather", "air"),
+    ("atmosphere", "air"),
     ("motor", "rotor"),
     ("motors", "rotors"),
     ("propeller", "rotor"),
@@ -153,6 +157,7 @@ impl Place {
             Place::Limits => "in `limits`",
             Place::KeepIn => "in a `keep_in`",
             Place::KeepOut => "in a `keep_out`",
+            Place::Air => "in `air`",
             Place::Plan => "in a `plan`",
             Place::Simulate => "in `simulate`",
             Place::Campaign => "in `campaign`",

@@ -14,6 +14,7 @@ pub fn markdown(group: Group) -> String {
         Group::Waypoint | Group::Strike => "clause",
         Group::Limits => "limit",
         Group::Volume => "of a volume",
+        Group::Air => "of the air",
         Group::Nothing => "",
     };
     if group == Group::Limits {

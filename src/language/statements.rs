@@ -31,6 +31,7 @@ pub const BLOCKS: &[BlockEntry] = &[
     block("limits", Place::Limits, false, Place::Mission),
     block("keep_in", Place::KeepIn, true, Place::Mission),
     block("keep_out", Place::KeepOut, true, Place::Mission),
+    block("air", Place::Air, false, Place::Mission),
 ];
 
 /// The words that begin a statement in each place, other than fields.
@@ -40,7 +41,7 @@ pub const OPENERS: &[(Place, &[&str])] = &[
     (Place::Rotors, &["rotor"]),
     (Place::Faults, &["every", "mode"]),
     (Place::Mode, &["rotor", "rotors"]),
-    (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits", "keep_in", "keep_out"]),
+    (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits", "keep_in", "keep_out", "air"]),
     (Place::Plan, &["require"]),
     (Place::Simulate, &["fault"]),
 ];
@@ -140,6 +141,7 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
                 "keep_out NAME { }",
                 "a volume that no part of the vehicle enters ([volumes](#volumes))",
             ),
+            statement("air", "air { }", "the wind and the density of the air ([air](#air))"),
         ],
     ),
 ];

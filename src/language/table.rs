@@ -45,6 +45,8 @@ group! {
         "the mass of the whole vehicle in flight, including its payload";
     PROPELLER_RADIUS "propeller_radius", Quantity("m", Positive), Otherwise("unknown"),
         "the radius of a propeller";
+    DRAG "drag", Quantity("N*s/m", NotNegative), Otherwise("plans take no air into account"),
+        "the drag force divided by the speed through the [air](#air), the same in all directions";
     SIZE "size", Quantity("m", Positive), Otherwise("the largest arm plus the propeller's radius"),
         "the radius about the centre of gravity within which the whole vehicle stays; [volumes](#volumes) keep this distance";
     INERTIA "inertia", Vector("kg*m^2", Positive), Needed,
@@ -190,6 +192,20 @@ group! {
 }
 
 group! {
+    /// The fields of `air { }`.
+    air:
+    WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
+        "the velocity of the air, x east, y north, z up. With `+- 2 m/s`, or `+- [2, 2, 0] m/s`, every constant wind of this \
+         interval is possible; it acts only through `drag`";
+    GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "no gusts"),
+        "the standard deviation of the gusts on each axis, in flights alone: plans do not take gusts into account";
+    DENSITY "density", Quantity("kg/m^3", Positive), Otherwise("1.225 kg/m^3"),
+        "the density of the air: thrust, torque and drag are proportional to it, and are given for 1.225 kg/m^3";
+    ALTITUDE "altitude", Quantity("m", Any), Otherwise("0 m"),
+        "the height of the site above sea level, for the density of the standard atmosphere; instead of `density`";
+}
+
+group! {
     /// The fields of `plan { }`.
     plan:
     MODEL "model", Words(&["hover", "exact"]), Written("exact", "how the required thrust and torques are computed"),
@@ -283,11 +299,11 @@ group! {
         Value(0.01, "1 cm", "standard deviation of a sample on each axis"),
         "the standard deviation of a sample of the position on each axis";
     DRAG "drag", Quantity("N*s/m", NotNegative), Value(0.0, "0 N*s/m", "as in the paper's model"),
-        "the drag force divided by the speed through the air";
+        "the drag force divided by the speed through the air; the vehicle's, if that has one";
     WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
-        "the velocity of the air, x east, y north, z up; it acts only through `drag`";
+        "the velocity of the air, x east, y north, z up; that of the mission's [air](#air), if it has any. It acts only through `drag`";
     GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "still air"),
-        "the standard deviation of the gusts on each axis; they act only through `drag`";
+        "the standard deviation of the gusts on each axis; that of the mission's [air](#air), if it has any";
     GUST_LENGTH "gust_length", Quantity("m", Positive), Value(50.0, "50 m", "length scale of gusts"),
         "the length scale of the gusts (Dryden)";
     SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "seed of noise and gusts"),

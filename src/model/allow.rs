@@ -15,7 +15,7 @@ const IDLE: &str = "mavc::allow::idle";
 
 /// The warnings that `allow` can suppress: those about what is written. The results of an analysis (`mavc::analysis`) and
 /// errors cannot be suppressed.
-const WARNINGS: [&str; 31] = [
+const WARNINGS: [&str; 33] = [
     "mavc::sense::thrust_to_weight",
     "mavc::sense::inertia",
     "mavc::sense::arm",
@@ -44,7 +44,9 @@ const WARNINGS: [&str; 31] = [
     "mavc::plan::listed_twice",
     "mavc::mission::close_waypoints",
     "mavc::volume::unknown_size",
+    "mavc::air::no_drag",
     "mavc::simulate::no_drag",
+    "mavc::simulate::other_air",
     "mavc::campaign::no_modes",
     "mavc::campaign::listed_twice",
 ];

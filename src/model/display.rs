@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use super::{
-    AfterFault, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, PlanRotors,
+    AfterFault, Air, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, PlanRotors, STANDARD_DENSITY,
     Simulation, Spin, Spread, Vehicle,
 };
 use crate::number::number;
@@ -69,6 +69,9 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
         if let Some(length) = length {
             writeln!(f, "  {what} {} m", number(length))?;
         }
+    }
+    if v.drag > 0.0 {
+        writeln!(f, "  drag {} N*s/m", number(v.drag))?;
     }
     writeln!(f, "  allocation {}", v.allocation.name())?;
     for (k, r) in v.rotors.iter().enumerate() {
@@ -174,7 +177,18 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
             writeln!(f, "  leg {} has a share of {}", i + 1, number(leg.share))?;
         }
     }
-    m.limits.iter().try_for_each(|l| writeln!(f, "  limit {l}"))
+    m.limits.iter().try_for_each(|l| writeln!(f, "  limit {l}"))?;
+    let Air { wind, wind_spread, gusts, density_ratio, .. } = &m.air;
+    if wind.iter().chain(wind_spread).any(|v| *v != 0.0) {
+        writeln!(f, "  wind {} +- {} m/s", list(wind), list(wind_spread))?;
+    }
+    if *gusts > 0.0 {
+        writeln!(f, "  gusts {} m/s", number(*gusts))?;
+    }
+    if *density_ratio != 1.0 {
+        writeln!(f, "  density {} kg/m^3", number(density_ratio * STANDARD_DENSITY))?;
+    }
+    Ok(())
 }
 
 impl LimitKind {

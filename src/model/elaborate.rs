@@ -10,7 +10,7 @@ use super::overrides::{Override, apply};
 use super::plan::{Draft, against};
 use super::simulate::Around;
 use super::understanding::Understanding;
-use super::{DefaultUsed, FaultMode, Model, Vehicle, lag, mission, sense, vehicle, volume};
+use super::{DefaultUsed, FaultMode, Model, Vehicle, air, lag, mission, sense, vehicle, volume};
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::number::number;
 use crate::source::{Span, Spanned};
@@ -130,7 +130,11 @@ fn whole<'a>(
 
     let fallback = mission.map(|m| m.span).or(vehicle.map(|v| v.span)).unwrap_or_default();
     let incomplete = modes.incomplete || vehicle.is_none();
-    let known = vehicle.and_then(|v| v.vehicle.as_ref());
+    let mut known = vehicle.and_then(|v| v.vehicle.clone());
+    if let Some((vehicle, mission)) = known.as_mut().zip(mission.and_then(|m| m.mission.as_ref())) {
+        air::impose(vehicle, &mission.air);
+    }
+    let known = known.as_ref();
     let mut flown = mission.and_then(|m| m.mission.clone());
     let volumes_fit = flown.as_mut().zip(known).is_none_or(|(flown, vehicle)| volume::impose(cx, flown, vehicle));
     let flown = flown.as_ref();
@@ -147,6 +151,7 @@ fn whole<'a>(
     let lags_known = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| lag::check(cx, plan, vehicle));
     let model_fits =
         plan.as_ref().zip(flown).is_none_or(|(plan, mission)| volume::only_in_the_exact_model(cx, plan, mission));
+    let air_fits = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| air::check(cx, plan, flown, vehicle));
     let around = Around {
         modes: &modes.modes,
         families: &modes.families,
@@ -158,7 +163,7 @@ fn whole<'a>(
     };
     let flight_blocks = [&blocks.simulations, &blocks.campaigns].map(|blocks| blocks.first().copied());
     let (simulation, campaign) = flight_blocks::read(cx, flight_blocks, flights, &around, &mut defaults);
-    let plan = plan.filter(|_| manner_fine && lags_known && volumes_fit && model_fits)?;
+    let plan = plan.filter(|_| manner_fine && lags_known && volumes_fit && model_fits && air_fits)?;
     let (simulation, campaign) = (simulation?, campaign?);
     if mission.is_some() && flown.is_none() {
         return None;
@@ -171,7 +176,7 @@ fn whole<'a>(
     }
     Some(Model {
         gravity: cx.gravity,
-        vehicle: vehicle?.vehicle.clone()?,
+        vehicle: known?.clone(),
         modes: modes.modes,
         mission: flown.cloned(),
         plan,

@@ -25,7 +25,7 @@ const THRUST: Bounds = (1e-6, 1e6);
 const TORQUE: Bounds = (1e-12, 1e4);
 
 /// Fields with their own bounds: name, unit and bounds in SI units.
-const FIELDS: [(&str, &str, Bounds); 33] = [
+const FIELDS: [(&str, &str, Bounds); 34] = [
     ("gravity", "m/s^2", (1e-3, 1e4)),
     ("mass", "kg", (1e-6, 1e6)),
     ("inertia", "kg*m^2", (1e-15, 1e9)),
@@ -49,6 +49,7 @@ const FIELDS: [(&str, &str, Bounds); 33] = [
     ("acceleration", "1", (0.0, 1e12)),
     ("wind", "m/s", (0.0, 1e4)),
     ("gusts", "m/s", (0.0, 1e4)),
+    ("density", "kg/m^3", (1e-3, 1e3)),
     ("gust_length", "m", (1e-6, 1e9)),
     ("speed", "m/s", RATE),
     ("speed_horizontal", "m/s", RATE),

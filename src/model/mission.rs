@@ -13,7 +13,7 @@ use super::fields::Fields;
 use super::grid::Spacing;
 use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
-use super::{Mission, Waypoint, edits, limits, sense, survey, volume};
+use super::{Air, Mission, Waypoint, air, edits, limits, sense, survey, volume};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::curve_head::POINTS;
@@ -135,6 +135,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     let (mut start_at_rest, mut end_at_rest) = (true, true);
     let mut limit_block: Option<&Block> = None;
     let mut volume_blocks: Vec<&Block> = Vec::new();
+    let mut air_block: Option<&Block> = None;
     let (mut limits, mut limits_whole) = (Vec::new(), true);
     // The number of waypoints before the first statement with an error: these are certain.
     let mut sure = None;
@@ -169,13 +170,12 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
             Statement::Hold { duration, span } => hold(cx, duration, *span, &mut route),
             Statement::Moving { end, .. } => *if end.value { &mut end_at_rest } else { &mut start_at_rest } = false,
             Statement::Block(inner) if volume::is_one(inner) => volume_blocks.push(inner),
+            Statement::Block(inner) if air::is_one(inner) => match air_block {
+                Some(first) => second_block(cx, "one `air`", first, inner),
+                None => air_block = Some(inner),
+            },
             Statement::Block(inner) => match limit_block {
-                Some(first) => {
-                    let message = "a mission may have only one `limits` block";
-                    let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
-                    let error = error.here("second block").also(first.keyword.span, "first block");
-                    cx.report(cx.joined(error, first, inner));
-                }
+                Some(first) => second_block(cx, "one `limits`", first, inner),
                 None => {
                     limit_block = Some(inner);
                     (limits, limits_whole) = limits::read(cx, inner);
@@ -202,6 +202,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         }
     }
     let (volumes, volumes_whole) = volume::read(cx, &volume_blocks);
+    let air = air_block.map_or_else(|| Some(Air::still(span)), |block| air::read(cx, block));
     let mut sure = sure.unwrap_or(route.waypoints.len());
     if route.waypoints.len() < 2 && !route.broken {
         let message = format!("mission `{name}` needs at least two waypoints");
@@ -227,7 +228,8 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     limits::check(cx, &limits, &route.waypoints, &numbers, sure);
     route.broken |= !in_order;
     let legs = shares(&route.waypoints, &route.curves, manner.timing);
-    let mission = (limits_whole && volumes_whole && !route.broken).then(|| Mission {
+    let air = air.filter(|_| limits_whole && volumes_whole && !route.broken);
+    let mission = air.map(|air| Mission {
         name: name.clone(),
         doc: block.doc.clone(),
         waypoints: route.waypoints,
@@ -237,9 +239,18 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         end_at_rest,
         limits,
         volumes,
+        air,
         span,
     });
     Outline { name, span, mission, yaw_defaulted }
+}
+
+/// Reports the second block of a kind of which a mission may have one.
+fn second_block(cx: &mut Context, kind: &str, first: &Block, second: &Block) {
+    let message = format!("a mission may have only {kind} block");
+    let error = Diagnostic::error("mavc::name::duplicate", second.keyword.span, message);
+    let error = error.here("second block").also(first.keyword.span, "first block");
+    cx.report(cx.joined(error, first, second));
 }
 
 const TOLERANCE: &str = "mavc::mission::tolerance";

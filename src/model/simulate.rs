@@ -38,6 +38,15 @@ pub(super) struct Around<'m> {
     pub fallback: Span,
 }
 
+impl Around<'_> {
+    /// The drag of the vehicle (N s/m), and wind and gusts of the mission (m/s).
+    pub fn air(&self) -> (f64, [f64; 3], f64) {
+        let air = self.mission.map(|mission| &mission.air);
+        let drag = self.vehicle.map_or(0.0, |vehicle| vehicle.drag);
+        (drag, air.map_or([0.0; 3], |air| air.wind), air.map_or(0.0, |air| air.gusts))
+    }
+}
+
 /// Reads the block. The simulation is `None` where it has errors; defaults are listed only if the block is written.
 /// `campaign` is the place of a `campaign` block, which flies with the same settings.
 pub(super) fn elaborate<'a>(
@@ -49,7 +58,9 @@ pub(super) fn elaborate<'a>(
     let Some(block) = block else {
         let ground = lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(table::GROUND.value(), |(z, _)| z - 1.0);
         let rate_span = campaign.unwrap_or(around.fallback);
-        let simulation = Simulation { ground, span: around.fallback, rate_span, ..Simulation::default() };
+        let (drag, wind, gusts) = around.air();
+        let flown = Simulation { drag, wind, gusts, ..Simulation::default() };
+        let simulation = Simulation { ground, span: around.fallback, rate_span, ..flown };
         if let (Some(_), Some(vehicle)) = (campaign, around.vehicle)
             && let Some(error) = checks::coarse(&simulation, vehicle)
         {
@@ -110,12 +121,7 @@ impl<'a> Reader<'a> {
         let forgetting = self.forgetting(cx);
         let gyroscope_noise = self.quantity(cx, &table::GYROSCOPE_NOISE);
         let position_noise = self.quantity(cx, &table::POSITION_NOISE);
-        let drag = self.quantity(cx, &table::DRAG);
-        let wind = match self.fields.get("wind") {
-            Some(expr) => cx.triple(Due::of(&table::WIND), expr),
-            None => Some(self.default(&table::WIND, [0.0; 3])),
-        };
-        let gusts = self.quantity(cx, &table::GUSTS);
+        let (drag, wind, gusts) = self.air(cx, around);
         let gust_length = self.quantity(cx, &table::GUST_LENGTH);
         let seed = match self.fields.get("seed") {
             Some(expr) => seed(cx, expr),
@@ -186,6 +192,38 @@ impl<'a> Reader<'a> {
             sense::check_gains(cx, &simulation, vehicle, &self.fields, span);
         }
         Some(simulation)
+    }
+
+    /// Drag (N s/m), wind and gusts (m/s) of the flights: those of the plan, unless the block gives others.
+    fn air(&mut self, cx: &mut Context<'a>, around: &Around) -> (Option<f64>, Option<[f64; 3]>, Option<f64>) {
+        let (drag_of_plan, wind_of_plan, gusts_of_plan) = around.air();
+        let drag = match self.fields.get("drag") {
+            None if drag_of_plan != 0.0 => Some(drag_of_plan),
+            _ => self.quantity(cx, &table::DRAG),
+        };
+        let wind = match self.fields.get("wind") {
+            Some(expr) => cx.triple(Due::of(&table::WIND), expr),
+            None if wind_of_plan != [0.0; 3] => Some(wind_of_plan),
+            None => Some(self.default(&table::WIND, [0.0; 3])),
+        };
+        let gusts = match self.fields.get("gusts") {
+            None if gusts_of_plan != 0.0 => Some(gusts_of_plan),
+            _ => self.quantity(cx, &table::GUSTS),
+        };
+        if drag_of_plan > 0.0 {
+            let differs = [
+                ("drag", drag.is_some_and(|drag| drag != drag_of_plan)),
+                ("wind", wind.is_some_and(|wind| wind != wind_of_plan)),
+            ];
+            for (field, _) in differs.iter().filter(|row| row.1) {
+                let Some(span) = self.fields.span_of(field) else { continue };
+                let message = format!("flights have another `{field}` than the plan");
+                let warning = Diagnostic::warning("mavc::simulate::other_air", span, message).here("used by flights alone");
+                let help = if *field == "drag" { "the vehicle's `drag`" } else { "the mission's `air`" };
+                cx.report(warning.help(format!("remove it to fly with {help}, by which the mission is planned")));
+            }
+        }
+        (drag, wind, gusts)
     }
 
     /// Returns `value` and records it as the default of a field that is not written.

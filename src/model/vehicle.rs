@@ -90,6 +90,10 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         None => Some(None),
     };
     let (propeller_radius, size) = (length(&table::PROPELLER_RADIUS), length(&table::SIZE));
+    let drag = match fields.get("drag") {
+        Some(expr) => cx.quantity(&table::DRAG, expr, POSITIVE),
+        None => Some(0.0),
+    };
     let allocation = match fields.word(cx, "mavc::vehicle::allocation", &table::ALLOCATION) {
         Some(word) => ALLOCATIONS.into_iter().find(|a| Some(a.name()) == word),
         None => Some(Allocation::Bounded),
@@ -99,10 +103,10 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         false => vec![DefaultUsed::of("vehicle", &table::ALLOCATION)],
     };
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let lengths = propeller_radius.zip(size);
+    let lengths = propeller_radius.zip(size).zip(drag);
     let vehicle = match (mass.zip(allocation).zip(lengths), inertia, rotors, mass_expr) {
         (
-            Some((((mass, mass_spread), allocation), (propeller_radius, size))),
+            Some((((mass, mass_spread), allocation), ((propeller_radius, size), drag))),
             Some(inertia),
             Some(rotors),
             Some(mass_expr),
@@ -113,6 +117,8 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
             mass,
             mass_spread,
             inertia,
+            drag,
+            drag_span: fields.span_of("drag"),
             propeller_radius,
             size,
             rotors,

@@ -1,9 +1,9 @@
 //! Checks of the polynomials between nodes: violations of limits, and whether the trajectory stays in the range of the
 //! linear model.
 
-use super::{Trajectory, tilt};
+use super::{Trajectory, in_air, tilt};
 use crate::model::grid::{fewest_pieces, is_coarser};
-use crate::model::{Limit, LimitKind, Mission, Model};
+use crate::model::{Environment, Limit, LimitKind, Mission, Model};
 use crate::motion::{NodeState, X, Y, YAW, Z};
 
 /// Steps per interval in which a quantity is sampled before its largest value is refined.
@@ -60,8 +60,9 @@ pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Pe
     if value > best.value { Peak { value, at: begin + t } } else { best }
 }
 
-/// By how much `state` violates a limit, in the limit's SI unit; negative if the limit holds. `gravity` is in m/s^2.
-pub fn past(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
+/// By how much `state` violates a limit, in the limit's SI unit; negative if the limit holds. In an
+/// interval of winds a limit on tilt is taken in the worst of its corners.
+pub fn past(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     let norm = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
     let value = match limit.kind {
         LimitKind::X => state[X][0],
@@ -77,7 +78,9 @@ pub fn past(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
         LimitKind::Acceleration => norm(&[X, Y, Z], 2),
         LimitKind::AccelerationHorizontal => norm(&[X, Y], 2),
         LimitKind::Jerk => norm(&[X, Y, Z], 3),
-        LimitKind::Tilt => tilt(state, gravity),
+        LimitKind::Tilt => {
+            environment.corners().iter().map(|wind| tilt(state, wind)).fold(f64::NEG_INFINITY, f64::max)
+        }
         LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => {
             limit.value_at([state[X][0], state[Y][0], state[Z][0]]).unwrap_or(0.0)
         }
@@ -89,22 +92,27 @@ pub fn past(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
 
 /// Like [`past`], but as the checker of plans measures it. Only tilt differs: its violation is the distance of the
 /// acceleration from the tilt cone divided by gravity.
-pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
+pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     match (limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {
-            let out = state[X][2].hypot(state[Y][2]) * upper.cos() - (state[Z][2] + gravity) * upper.sin();
-            out / gravity
+            let out = |wind: &Environment| {
+                let state = in_air(state, wind);
+                let up = state[Z][2] + wind.gravity;
+                (state[X][2].hypot(state[Y][2]) * upper.cos() - up * upper.sin()) / wind.gravity
+            };
+            environment.corners().iter().map(out).fold(f64::NEG_INFINITY, f64::max)
         }
-        _ => past(limit, state, gravity),
+        _ => past(limit, state, environment),
     }
 }
 
 /// The limits of the mission that the polynomials violate by more than `tolerance` (in the limit's SI unit).
 pub fn limit_violations(trajectory: &Trajectory, model: &Model, tolerance: f64) -> Vec<LimitViolation> {
     let limits = model.mission.iter().flat_map(|m| &m.limits).enumerate();
+    let environment = model.environment();
     limits
         .filter_map(|(limit, l)| {
-            let worst = peak(trajectory, |s| past(l, s, model.gravity));
+            let worst = peak(trajectory, |s| past(l, s, &environment));
             (worst.value > tolerance).then_some(LimitViolation { limit, by: worst.value, at: worst.at })
         })
         .collect()
@@ -151,10 +159,11 @@ impl LinearRange {
 
 /// The largest tilt and the smallest thrust of a trajectory (`docs/method.md`, section 11).
 pub fn linear_range(trajectory: &Trajectory, model: &Model) -> LinearRange {
+    let environment = model.environment();
     let thrust = |s: &NodeState| model.vehicle.mass * (model.gravity + s[Z][2]);
     let least = peak(trajectory, |s| -thrust(s));
     LinearRange {
-        tilt: peak(trajectory, |s| tilt(s, model.gravity)),
+        tilt: peak(trajectory, |s| tilt(s, &environment)),
         least_thrust: Peak { value: -least.value, at: least.at },
         full_thrust: model.vehicle.rotors.iter().map(super::super::model::Rotor::max_thrust).sum(),
     }

@@ -2,7 +2,7 @@
 
 use super::{X, Y, YAW, Z};
 use crate::actuation::Wrench;
-use crate::model::Vehicle;
+use crate::model::{Environment, Vehicle};
 
 /// The order of the derivative that is the input of each axis: x and y are quadruple integrators (45), z and yaw double
 /// ones (44).
@@ -68,6 +68,28 @@ impl WrenchMap {
     /// [`CommandState`](super::CommandState).
     pub fn at<const N: usize>(&self, derivatives: &[[f64; N]; 4]) -> Wrench {
         self.terms.iter().fold(self.constant, |w, &(axis, order, c)| w + c * derivatives[axis][order])
+    }
+}
+
+impl WrenchMap {
+    /// The map of a motion in air, for this map of the thrust over mass and its derivatives: the chain rule with
+    /// [`in_air`](super::in_air).
+    pub fn of_motion_in(mut self, environment: &Environment) -> Self {
+        if !environment.has_drag() {
+            return self;
+        }
+        let rate = environment.drag_rate;
+        let felt: Vec<_> = self.terms.iter().filter(|term| term.0 != YAW).copied().collect();
+        for (axis, order, coefficient) in felt {
+            if order == 2 {
+                self.constant -= coefficient * (rate * environment.wind[axis]);
+            }
+            match self.terms.iter_mut().find(|term| (term.0, term.1) == (axis, order - 1)) {
+                Some(term) => term.2 += coefficient * rate,
+                None => self.terms.push((axis, order - 1, coefficient * rate)),
+            }
+        }
+        self
     }
 }
 

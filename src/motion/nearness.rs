@@ -3,17 +3,24 @@
 use super::Trajectory;
 use super::outside::PARTS;
 use crate::admissible::row::SetRow;
-use crate::model::Vehicle;
+use crate::model::{Environment, Vehicle};
 
 /// The smallest margin in each of `columns` equal parts of the trajectory's duration, in widths of the healthy set;
-/// negative outside. The wrench is evaluated at the nodes, at [`PARTS`] points an interval, and at the ends of the
+/// negative outside, in the worst of the possible winds. The wrench is evaluated at the nodes, at [`PARTS`] points an interval, and at the ends of the
 /// parts.
-pub fn nearness(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow], columns: usize) -> Vec<f64> {
+pub fn nearness(
+    trajectory: &Trajectory,
+    vehicle: &Vehicle,
+    environment: &Environment,
+    rows: &[SetRow],
+    columns: usize,
+) -> Vec<f64> {
+    let corners = environment.corners();
     let step = trajectory.duration() / columns as f64;
     let mut smallest = vec![f64::INFINITY; columns];
     let margin = |k: usize, t: f64| {
-        let w = trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
-        rows.iter().map(|r| -r.violation(&w)).fold(f64::INFINITY, f64::min)
+        let wrenches = trajectory.wrenches(vehicle, &corners, &trajectory.within(k, t));
+        rows.iter().map(|r| -r.worst(&wrenches)).fold(f64::INFINITY, f64::min)
     };
     let mut note = |column: usize, m: f64| {
         if let Some(s) = smallest.get_mut(column) {

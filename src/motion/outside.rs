@@ -3,7 +3,7 @@
 use super::Trajectory;
 use crate::actuation::Wrench;
 use crate::admissible::row::{SetRow, VIOLATED};
-use crate::model::Vehicle;
+use crate::model::{Environment, Vehicle};
 use crate::motion::wrench_model::WrenchModel;
 
 /// The violations of one set by a trajectory. A row is violated where its violation exceeds [`VIOLATED`].
@@ -31,19 +31,20 @@ pub struct Outside {
 /// begins and ends.
 pub const PARTS: usize = 16;
 
-/// The violations of `rows` by a trajectory. `gravity` is in m/s^2.
+/// The violations of `rows` by a trajectory, in the worst of the possible winds.
 ///
 /// With one yaw throughout the wrench is linear on each interval, and the instants at which a violation begins and ends
 /// follow in closed form. Otherwise they are bisected on each of [`PARTS`] parts of an interval, so that a violation
 /// within one part may be missed.
-pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow]) -> Outside {
-    let wrenches = trajectory.node_wrenches(vehicle, gravity);
+pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, environment: &Environment, rows: &[SetRow]) -> Outside {
+    let corners = environment.corners();
     let mut found = Outside { max_violation: f64::NEG_INFINITY, ..Outside::default() };
     let mut violated = vec![false; rows.len()];
-    for w in &wrenches {
+    for node in &trajectory.nodes {
+        let wrenches = trajectory.wrenches(vehicle, &corners, node);
         let mut any = false;
         for (i, row) in rows.iter().enumerate() {
-            let violation = row.violation(w);
+            let violation = row.worst(&wrenches);
             found.max_violation = found.max_violation.max(violation);
             if violation > VIOLATED {
                 any = true;
@@ -56,7 +57,7 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
     found.facets = (0..rows.len()).filter(|&i| violated[i]).collect();
     let mut highest: Option<Sample> = None;
     for k in 0..trajectory.intervals() {
-        let (intervals, worst) = violation_intervals(trajectory, vehicle, gravity, rows, k);
+        let (intervals, worst) = violation_intervals(trajectory, vehicle, environment, rows, k);
         highest = highest.into_iter().chain(worst).max_by(|a, b| a.violation.total_cmp(&b.violation));
         intervals.iter().for_each(|interval| violated[interval.row] = true);
         for (a, b) in merged(intervals.into_iter().map(|s| (s.from, s.to)).collect()) {
@@ -65,7 +66,7 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
         }
     }
     if let Some(sample) = highest {
-        found.max_violation = found.max_violation.max(refined(trajectory, vehicle, gravity, rows, sample));
+        found.max_violation = found.max_violation.max(refined(trajectory, vehicle, environment, rows, sample));
     }
     found.violated = (0..rows.len()).filter(|&i| violated[i]).collect();
     found
@@ -88,12 +89,13 @@ pub(crate) struct Sample {
 const REFINEMENTS: usize = 30;
 
 /// The largest violation of the sample's row between the neighbouring samples.
-fn refined(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow], sample: Sample) -> f64 {
+fn refined(trajectory: &Trajectory, vehicle: &Vehicle, environment: &Environment, rows: &[SetRow], sample: Sample) -> f64 {
     if matches!(trajectory.model, WrenchModel::HoverAt(_)) {
         // The wrench is linear between samples.
         return sample.violation;
     }
-    let at = |t: f64| rows[sample.row].violation(&trajectory.wrench(vehicle, gravity, &trajectory.at(t)));
+    let corners = environment.corners();
+    let at = |t: f64| rows[sample.row].worst(&trajectory.wrenches(vehicle, &corners, &trajectory.at(t)));
     let (mut low, mut high) =
         ((sample.at - sample.apart).max(0.0), (sample.at + sample.apart).min(trajectory.duration()));
     let golden = 0.5 * (5f64.sqrt() - 1.0);
@@ -125,7 +127,7 @@ pub(crate) struct ViolationInterval {
 pub(crate) fn violation_intervals(
     trajectory: &Trajectory,
     vehicle: &Vehicle,
-    gravity: f64,
+    environment: &Environment,
     rows: &[SetRow],
     k: usize,
 ) -> (Vec<ViolationInterval>, Option<Sample>) {
@@ -133,8 +135,9 @@ pub(crate) fn violation_intervals(
     let h = trajectory.times[k + 1] - begin;
     let curved = !matches!(trajectory.model, WrenchModel::HoverAt(_));
     let parts = if curved { PARTS } else { 1 };
-    let at = |t: f64| trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
-    let at_node = |node: usize| trajectory.wrench(vehicle, gravity, &trajectory.nodes[node]);
+    let corners = environment.corners();
+    let at = |t: f64| trajectory.wrenches(vehicle, &corners, &trajectory.within(k, t));
+    let at_node = |node: usize| trajectory.wrenches(vehicle, &corners, &trajectory.nodes[node]);
     let mut found = Vec::new();
     let mut worst: Option<Sample> = None;
     let apart = h / parts as f64;
@@ -143,16 +146,17 @@ pub(crate) fn violation_intervals(
         let t = h * p as f64 / parts as f64;
         let right = (t, if p == parts { at_node(k + 1) } else { at(t) });
         for (i, row) in rows.iter().enumerate() {
-            let violation = row.violation(&right.1);
+            let violation = row.worst(&right.1);
             if worst.is_none_or(|sample| violation > sample.violation) {
                 worst = Some(Sample { row: i, violation, at: begin + t, apart });
             }
-            let at = curved.then_some(&at as &dyn Fn(f64) -> Wrench);
+            let at = curved.then_some(&at as &dyn Fn(f64) -> Vec<Wrench>);
             // The plane of an equality can be left on either side.
             let sides: &[f64] = if row.equality { &[1.0, -1.0] } else { &[1.0] };
             let spans_of = |&side| {
-                let over = |w: &Wrench| side * (row.normal.dot(w) - row.offset) - VIOLATED;
-                let (from, to) = span_outside(over, left, right, at)?;
+                let one = |w: &Wrench| side * (row.normal.dot(w) - row.offset) - VIOLATED;
+                let over = |wrenches: &[Wrench]| wrenches.iter().map(one).fold(f64::NEG_INFINITY, f64::max);
+                let (from, to) = span_outside(over, &left, &right, at)?;
                 Some(ViolationInterval { row: i, from: begin + from, to: begin + to })
             };
             found.extend(sides.iter().filter_map(spans_of));
@@ -163,12 +167,12 @@ pub(crate) fn violation_intervals(
 }
 
 /// The part of [left, right] in which `over` is positive, assuming at most one change of sign. `curved` evaluates the
-/// wrench if it is not linear in between.
+/// wrenches if it is not linear in between.
 fn span_outside(
-    over: impl Fn(&Wrench) -> f64,
-    left: (f64, Wrench),
-    right: (f64, Wrench),
-    curved: Option<&dyn Fn(f64) -> Wrench>,
+    over: impl Fn(&[Wrench]) -> f64,
+    left: &(f64, Vec<Wrench>),
+    right: &(f64, Vec<Wrench>),
+    curved: Option<&dyn Fn(f64) -> Vec<Wrench>>,
 ) -> Option<(f64, f64)> {
     let (a, b) = (over(&left.1), over(&right.1));
     match (a > 0.0, b > 0.0) {

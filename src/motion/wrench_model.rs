@@ -1,10 +1,10 @@
 //! The wrench that a motion needs: by the paper's linear model about hover, or exactly.
 
 use super::hover_map::{self, WrenchMap, YawState};
-use super::{CommandState, NodeState, X, Y, YAW, Z};
+use super::{CommandState, NodeState, X, Y, YAW, Z, in_air};
 use crate::actuation::Wrench;
 use crate::flatness::{self, COMMAND_INPUTS, CommandFlatState, FlatState, INPUTS};
-use crate::model::Vehicle;
+use crate::model::{Environment, Vehicle};
 use nalgebra::{DMatrix, DVector};
 
 /// The model by which the wrench follows from a motion.
@@ -59,15 +59,17 @@ impl WrenchModel {
         }
     }
 
-    /// The wrench that a motion needs at an instant, N and N m. `gravity` is in m/s^2.
-    pub fn wrench(self, vehicle: &Vehicle, gravity: f64, state: &NodeState) -> Wrench {
+    /// The wrench that a motion needs at an instant, N and N m.
+    pub fn wrench(self, vehicle: &Vehicle, environment: &Environment, state: &NodeState) -> Wrench {
         match self {
-            WrenchModel::HoverAt(psi) => WrenchMap::with_free_yaw(vehicle, gravity, psi).at(state),
+            WrenchModel::HoverAt(psi) => WrenchMap::with_free_yaw(vehicle, environment.gravity, psi).at(state),
             WrenchModel::HoverFollowing => {
                 let [psi, rate, acceleration, ..] = state[YAW];
-                WrenchMap::new(vehicle, gravity, YawState { psi, rate, acceleration }).at(state)
+                WrenchMap::new(vehicle, environment.gravity, YawState { psi, rate, acceleration }).at(state)
             }
-            WrenchModel::Exact => flatness::wrench(vehicle, gravity, &flat(state)),
+            WrenchModel::Exact => {
+                flatness::wrench(vehicle, environment.gravity, &flat(&in_air(state, environment)))
+            }
         }
     }
 
@@ -75,68 +77,72 @@ impl WrenchModel {
     ///
     /// With [`WrenchModel::HoverFollowing`] psi, psi' and psi'' are fixed at their values in `state`; only
     /// `tau_z = Izz psi''` depends on the yaw of s~.
-    pub fn linearised(self, vehicle: &Vehicle, gravity: f64, state: &NodeState) -> WrenchMap {
+    pub fn linearised(self, vehicle: &Vehicle, environment: &Environment, state: &NodeState) -> WrenchMap {
         match self {
-            WrenchModel::HoverAt(psi) => WrenchMap::with_free_yaw(vehicle, gravity, psi),
+            WrenchModel::HoverAt(psi) => WrenchMap::with_free_yaw(vehicle, environment.gravity, psi),
             WrenchModel::HoverFollowing => {
                 let [psi, rate, acceleration, ..] = state[YAW];
-                let mut map = WrenchMap::new(vehicle, gravity, YawState { psi, rate, acceleration });
+                let mut map = WrenchMap::new(vehicle, environment.gravity, YawState { psi, rate, acceleration });
                 map.constant[3] = 0.0;
                 map.terms.push((YAW, 2, Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2])));
                 map
             }
             WrenchModel::Exact => {
-                let at = flat(state);
-                let (wrench, slope) = flatness::wrench_and_jacobian(vehicle, gravity, &at);
+                let at = flat(&in_air(state, environment));
+                let (wrench, slope) = flatness::wrench_and_jacobian(vehicle, environment.gravity, &at);
                 let terms =
                     FLAT.iter().zip(slope.column_iter()).map(|(&(axis, order), c)| (axis, order, c.into_owned()));
-                WrenchMap { constant: wrench - slope * at, terms: terms.collect() }
+                WrenchMap { constant: wrench - slope * at, terms: terms.collect() }.of_motion_in(environment)
             }
         }
     }
 
     /// The convex part of the curvature of n.w at a state s, as a sum of squares: `sum over factors of (factor.(s~ -
-    /// s))^2 / 2`. The entries of a factor are in the order of [`DIRECTIONS`]. Empty for the models about hover, which
+    /// s))^2 / 2`. The entries of a factor are in the order of [`DIRECTIONS`]; s and s~ are states [`in_air`]. Empty for the models about hover, which
     /// are linear.
     ///
     /// Eigenvectors of the Hessian are taken with accelerations in units of g and time in units of `tau` (s);
     /// eigenvalues at or below 1e-3 of the largest are dropped (`docs/method.md`, (73)).
-    pub fn curvature(self, vehicle: &Vehicle, gravity: f64, state: &NodeState, n: &Wrench, tau: f64) -> Vec<FlatState> {
+    pub fn curvature(self, vehicle: &Vehicle, environment: &Environment, state: &NodeState, n: &Wrench, tau: f64) -> Vec<FlatState> {
         if self != WrenchModel::Exact {
             return Vec::new();
         }
-        let hessian = flatness::curvature(vehicle, gravity, &flat(state), n);
-        let factors = upward(&FLAT, DMatrix::from_column_slice(INPUTS, INPUTS, hessian.as_slice()), gravity, tau);
+        let at = flat(&in_air(state, environment));
+        let hessian = flatness::curvature(vehicle, environment.gravity, &at, n);
+        let hessian = DMatrix::from_column_slice(INPUTS, INPUTS, hessian.as_slice());
+        let factors = upward(&FLAT, hessian, environment.gravity, tau);
         factors.into_iter().map(|f| FlatState::from_column_slice(f.as_slice())).collect()
     }
 
     /// The commanded wrench `c = w + lag w'` (N and N m) for rotors with a first-order lag of time constant `lag` (s):
     /// (83) and (84).
-    pub fn commanded(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> Wrench {
+    pub fn commanded(self, vehicle: &Vehicle, environment: &Environment, lag: f64, state: &CommandState) -> Wrench {
         match self {
-            WrenchModel::Exact => flatness::commanded(vehicle, gravity, lag, &command_flat(state)),
-            _ => self.commanded_linearised(vehicle, gravity, lag, state).at(state),
+            WrenchModel::Exact => {
+                flatness::commanded(vehicle, environment.gravity, lag, &command_flat(&in_air(state, environment)))
+            }
+            _ => self.commanded_linearised(vehicle, environment, lag, state).at(state),
         }
     }
 
     /// The linearisation of the commanded wrench at a state, as in [`Self::linearised`].
-    pub fn commanded_linearised(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> WrenchMap {
+    pub fn commanded_linearised(self, vehicle: &Vehicle, environment: &Environment, lag: f64, state: &CommandState) -> WrenchMap {
         match self {
-            WrenchModel::HoverAt(psi) => WrenchMap::commanded_with_free_yaw(vehicle, gravity, psi, lag),
+            WrenchModel::HoverAt(psi) => WrenchMap::commanded_with_free_yaw(vehicle, environment.gravity, psi, lag),
             WrenchModel::HoverFollowing => {
                 let [psi, rate, acceleration, jerk, ..] = state[YAW];
-                let mut map = WrenchMap::commanded(vehicle, gravity, YawState { psi, rate, acceleration }, jerk, lag);
+                let mut map = WrenchMap::commanded(vehicle, environment.gravity, YawState { psi, rate, acceleration }, jerk, lag);
                 map.constant[3] = 0.0;
                 let turn = Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2]);
                 map.terms.extend([(YAW, 2, turn), (YAW, 3, lag * turn)]);
                 map
             }
             WrenchModel::Exact => {
-                let at = command_flat(state);
-                let (commanded, slope) = flatness::commanded_and_jacobian(vehicle, gravity, lag, &at);
+                let at = command_flat(&in_air(state, environment));
+                let (commanded, slope) = flatness::commanded_and_jacobian(vehicle, environment.gravity, lag, &at);
                 let columns = COMMAND_DERIVATIVES.iter().zip(slope.column_iter());
                 let terms = columns.map(|(&(axis, order), c)| (axis, order, c.into_owned())).collect();
-                WrenchMap { constant: commanded - slope * at, terms }
+                WrenchMap { constant: commanded - slope * at, terms }.of_motion_in(environment)
             }
         }
     }
@@ -146,7 +152,7 @@ impl WrenchModel {
     pub fn commanded_curvature(
         self,
         vehicle: &Vehicle,
-        gravity: f64,
+        environment: &Environment,
         lag: f64,
         state: &CommandState,
         n: &Wrench,
@@ -155,9 +161,10 @@ impl WrenchModel {
         if self != WrenchModel::Exact {
             return Vec::new();
         }
-        let hessian = flatness::commanded_curvature(vehicle, gravity, lag, &command_flat(state), n);
+        let at = command_flat(&in_air(state, environment));
+        let hessian = flatness::commanded_curvature(vehicle, environment.gravity, lag, &at, n);
         let hessian = DMatrix::from_column_slice(COMMAND_INPUTS, COMMAND_INPUTS, hessian.as_slice());
-        let factors = upward(&COMMAND_DERIVATIVES, hessian, gravity, tau);
+        let factors = upward(&COMMAND_DERIVATIVES, hessian, environment.gravity, tau);
         factors.into_iter().map(|f| CommandFlatState::from_column_slice(f.as_slice())).collect()
     }
 }

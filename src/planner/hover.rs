@@ -239,7 +239,7 @@ impl<'a> HoverPlanner<'a> {
         let slow = |state: &NodeState| -> NodeState {
             state.map(|axis| std::array::from_fn(|order| axis[order] * factor.powi(-(order as i32))))
         };
-        let wrench = |state| planned.model.wrench(&self.model().vehicle, self.model().gravity, &slow(state));
+        let wrench = |state| planned.model.wrench(&self.model().vehicle, &self.model().environment(), &slow(state));
         let wrenches: Vec<Wrench> = planned.states.iter().map(wrench).collect();
         let keeps = |w: &Wrench| set.rows.iter().all(|row| row.violation(w) <= ACCEPTED);
         // The wrench is linear over an interval here, so w' is the same at both its ends.

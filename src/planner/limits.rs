@@ -1,8 +1,8 @@
 //! A mission's limits as rows: linear for one axis, second-order cones for norms.
 
 use crate::geometry::body::{Body, Separation};
-use crate::model::{Bounded as Position, Limit, LimitKind};
-use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::model::{Bounded as Position, Environment, Limit, LimitKind};
+use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
 use crate::planner::transcription::{Transcription, UPRIGHT};
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
@@ -152,9 +152,13 @@ impl Transcription<'_> {
                 cone(widening.bound(upper, order, 1.0), parts(axes, order));
             }
             (Bounded::Tilt, Some(upper)) if self.plans(X) => {
-                let mut reach = self.derivative(instant, Z, 2).times(upper.tan());
-                reach.add(&widening.bound(self.model.gravity, 2, 1.0), upper.tan());
-                cone(reach, parts(&[X, Y], 2));
+                // The cone is convex, so that it contains the thrust in every wind if it does so in the extreme ones.
+                for wind in &self.winds {
+                    let [x, y, z] = self.thrust(instant, wind);
+                    let mut reach = z.plus_constant(-wind.gravity).times(upper.tan());
+                    reach.add(&widening.bound(wind.gravity, 2, 1.0), upper.tan());
+                    cone(reach, vec![x, y]);
+                }
             }
             (Bounded::Jerk, Some(upper)) if self.plans(X) => {
                 for (interval, step) in self.intervals_beside(instant) {
@@ -198,16 +202,20 @@ impl Transcription<'_> {
         self.model.gravity * apart * apart / 4.0
     }
 
-    /// The row (68): z'' + g >= [`UPRIGHT`] g.
+    /// The row (68): z'' + g >= [`UPRIGHT`] g, with drag in addition; of the extreme winds the last, which lifts most.
     pub(super) fn upright(&self, builder: &mut Builder, instant: usize, widening: &Widening) {
-        let mut row = self.derivative(instant, Z, 2);
-        row.add(&widening.bound(self.model.gravity, 2, 1.0), 1.0 - UPRIGHT);
+        // The vertical part does not depend on the horizontal wind.
+        let Some(wind) = self.winds.last() else { return };
+        let [.., z] = self.thrust(instant, wind);
+        let mut row = z.plus_constant(-wind.gravity);
+        row.add(&widening.bound(wind.gravity, 2, 1.0), 1.0 - UPRIGHT);
         builder.nonnegative(row, RowOrigin::Upright { node: instant / self.parts });
     }
 
     /// The violation of (68) by a state, as a share of gravity; negative inside.
     pub(super) fn violation_upright(&self, state: &NodeState) -> f64 {
-        UPRIGHT - 1.0 - state[Z][2] / self.model.gravity
+        let short = |wind: &Environment| UPRIGHT - 1.0 - in_air(state, wind)[Z][2] / wind.gravity;
+        self.winds.iter().map(short).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// What a limit bounds, given the integrators: the jerk along z is a state or the slope of the input.
@@ -244,7 +252,11 @@ impl Transcription<'_> {
             (Bounded::Norm { axes, order }, Some(upper)) if self.plans(X) => share(length(axes, order) - upper, upper),
             (Bounded::Tilt, Some(upper)) if self.plans(X) => {
                 let (g, tan) = (self.model.gravity, upper.tan());
-                share(length(&[X, Y], 2) - tan * (g + state[Z][2]), g * tan)
+                let out = |wind: &Environment| {
+                    let state = in_air(state, wind);
+                    state[X][2].hypot(state[Y][2]) - tan * (g + state[Z][2])
+                };
+                share(self.winds.iter().map(out).fold(f64::NEG_INFINITY, f64::max), g * tan)
             }
             (Bounded::Jerk, Some(upper)) if self.plans(X) => share(length(&[X, Y, Z], 3) - upper, upper),
             (Bounded::Along(_) | Bounded::From(_), Some(upper)) if self.plans(X) => {

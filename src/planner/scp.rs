@@ -35,7 +35,8 @@ pub use settings::ScpSettings;
 
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
-use crate::model::{Limit, Model};
+use crate::admissible;
+use crate::model::{Environment, Limit};
 use crate::motion::hover_map::WrenchMap;
 use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};
 use crate::motion::wrench_model::WrenchModel;
@@ -135,6 +136,9 @@ pub struct ScpPlanner<'e, 'a> {
     input_weight: f64,
     /// Where rotors lag.
     lag: Option<Lag>,
+    /// What acts on the vehicle, in the middle of the possible winds and in each of the extreme ones.
+    environment: Environment,
+    winds: Vec<Environment>,
     /// Of the last step, with the times of the nodes, s.
     splines: Option<(Vec<f64>, Arc<[NodeSpline; 2]>)>,
 }
@@ -171,12 +175,14 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         settings: ScpSettings,
     ) -> Self {
         let model = hover.model();
-        let at_hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
+        let environment = model.environment();
+        let winds = environment.corners();
+        let at_rest: Vec<Wrench> = winds.iter().map(|wind| admissible::trimmed(model, wind)).collect();
         let margin = settings.tightening.margin;
         // No more can be kept free than hover itself does.
         let tightening = set.rows.iter().map(|row| match row.equality {
             true => -margin,
-            false => margin.min(-0.5 * row.violation(&at_hover)).max(0.0),
+            false => margin.min(-0.5 * row.worst(&at_rest)).max(0.0),
         });
         let lag = model.thrust_lag().map(|tau| Lag::new(tau, set));
         let local_tightening = BTreeMap::new();
@@ -191,6 +197,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             proximal_weight_of_cost_phase: settings.cost.proximal_weight,
             input_weight: settings.proximal.input_weight,
             lag,
+            environment,
+            winds,
             splines: None,
         }
     }
@@ -217,7 +225,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let needed: BTreeSet<usize> = working_set.iter().map(|r| r.instant).chain(nodes).collect();
         for instant in needed {
             let state = iterate.at(instant);
-            let map = self.wrench.linearised(&self.hover.model().vehicle, self.hover.model().gravity, &state);
+            let map = self.wrench.linearised(&self.hover.model().vehicle, &self.environment, &state);
             let change = |sum: Wrench, &(axis, order, c): &(usize, usize, Wrench)| {
                 let order: usize = order;
                 sum - c * (order as f64 * state[axis][order])
@@ -234,8 +242,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let tau = self.transcription(&iterate.grid, &[]).mean_tau();
         let at = |(&instant, n): (&usize, &Wrench)| {
             let state = iterate.at(instant);
-            let (vehicle, gravity) = (&self.hover.model().vehicle, self.hover.model().gravity);
-            (instant, state, self.wrench.curvature(vehicle, gravity, &state, n, tau))
+            let vehicle = &self.hover.model().vehicle;
+            (instant, state, self.wrench.curvature(vehicle, &self.environment, &state, n, tau))
         };
         // Without curvature there is nothing to add, and its directions need not exist.
         self.multipliers.iter().map(at).filter(|(_, _, factors)| !factors.is_empty()).collect()
@@ -283,7 +291,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let linear = self.linearise(iterate, working_set);
         let curvature = self.curvature(iterate);
         let chosen: Vec<RowAt> = working_set.iter().copied().collect();
-        let local_tightening: Vec<f64> = chosen.iter().map(|r| self.local_tightening_of(r)).collect();
+        let local_tightening: Vec<f64> =
+            chosen.iter().map(|r| self.local_tightening_of(r) + self.tightening_by_wind(iterate, r)).collect();
         let commands = self.linearise_commands(iterate, working_set);
         let step = Step {
             settings: &settings,

@@ -10,10 +10,10 @@ mod mission;
 mod units;
 
 use crate::actuation::Wrench;
-use crate::model::{Mission, Model, Problem};
+use crate::model::{Environment, Mission, Model, Problem};
 use crate::motion::hover_map::{ORDER, WrenchMap};
 use crate::motion::time_grid::TimeGrid;
-use crate::motion::{NodeState, X, Y, Z};
+use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::commands::{CommandAt, CommandMaps, Slope};
 use crate::planner::limits::Widening;
 use crate::planner::selection::PlanningSet;
@@ -85,6 +85,8 @@ pub struct Transcription<'a> {
     pub struck: Option<NodeState>,
     /// The position at each instant (m) about which distances from bodies are linearised.
     pub positions: Option<&'a [[f64; 3]]>,
+    /// The environment in each of the extreme winds that are possible.
+    pub(super) winds: Vec<Environment>,
     /// Unit of time of the scaled variables at each node, s.
     taus: Vec<f64>,
     form: Form,
@@ -124,6 +126,7 @@ impl<'a> Transcription<'a> {
             parts: 1,
             struck: None,
             positions: None,
+            winds: problem.model().environment().corners(),
             taus: units::units_of_time(grid),
             form: Form::Stages,
         }
@@ -245,6 +248,31 @@ impl<'a> Transcription<'a> {
         sum
     }
 
+    /// The thrust over mass at an instant, `a + g e_z + drag/m (v - wind)`, m/s^2.
+    pub(super) fn thrust(&self, instant: usize, environment: &Environment) -> [Affine; 3] {
+        [X, Y, Z].map(|axis| {
+            let gravity = if axis == Z { environment.gravity } else { 0.0 };
+            let wind = environment.drag_rate * environment.wind[axis];
+            self.in_air(environment, axis, 2, |order| self.derivative(instant, axis, order)).plus_constant(gravity - wind)
+        })
+    }
+
+    /// A derivative of the thrust over mass, without its constants: see [`crate::motion::in_air`]. `derivative` gives those of
+    /// the motion on the same axis.
+    pub(super) fn in_air(
+        &self,
+        environment: &Environment,
+        axis: usize,
+        order: usize,
+        derivative: impl Fn(usize) -> Affine,
+    ) -> Affine {
+        let mut sum = derivative(order);
+        if environment.has_drag() && axis != YAW && order >= 2 {
+            sum.add(&derivative(order - 1), environment.drag_rate);
+        }
+        sum
+    }
+
     /// The derivative at a node.
     pub(super) fn at_node(&self, node: usize, axis: usize, order: usize) -> Affine {
         match &self.form {
@@ -336,11 +364,10 @@ impl<'a> Transcription<'a> {
             }
         }
         if let Some(most) = thrust.filter(|t| t.is_finite()) {
-            let Model { gravity, vehicle, .. } = self.model;
+            let environment = self.model.environment();
             for node in 0..self.nodes() {
-                let mut cone = vec![Affine::constant(most / vehicle.mass)];
-                cone.extend([X, Y].map(|axis| self.at_node(node, axis, 2)));
-                cone.push(self.at_node(node, Z, 2).plus_constant(*gravity));
+                let mut cone = vec![Affine::constant(most / self.model.vehicle.mass)];
+                cone.extend(self.thrust(node * self.parts, &environment));
                 builder.cone(cone, RowOrigin::Thrust { node });
             }
         }

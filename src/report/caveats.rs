@@ -40,9 +40,10 @@ pub enum CaveatKind {
 pub fn exceeded_limits(model: &Model, solved: &MissionPlan) -> Vec<LimitViolation> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
     let mut exceeded = limit_violations(&solved.trajectory, model, 0.0);
+    let environment = model.environment();
     exceeded.retain(|violation| {
         let limit = &limits[violation.limit];
-        let worst = peak(&solved.trajectory, |state| past_as_checked(limit, state, model.gravity));
+        let worst = peak(&solved.trajectory, |state| past_as_checked(limit, state, &environment));
         worst.value > MOST_PAST_LIMIT * limit.size()
     });
     exceeded

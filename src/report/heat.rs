@@ -34,7 +34,7 @@ fn painted(character: char, background: u8) -> String {
 /// Empty without modes. [`legend`] explains it.
 pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, color: bool) -> String {
     let margins =
-        comparison.sets.iter().map(|set| nearness(trajectory, &model.vehicle, model.gravity, &set.rows, COLUMNS));
+        comparison.sets.iter().map(|set| nearness(trajectory, &model.vehicle, &model.environment(), &set.rows, COLUMNS));
     let lines: Vec<(&String, Vec<f64>)> = comparison.modes.iter().zip(margins).collect();
     if lines.is_empty() {
         return String::new();

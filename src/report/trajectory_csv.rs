@@ -84,11 +84,12 @@ pub fn count(trajectory: &Trajectory, rate: Option<f64>) -> u64 {
 /// repeats the last state.
 pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> String {
     let allocator = Allocator::new(&model.vehicle);
+    let environment = model.environment();
     let mut out = header(model.vehicle.rotors.len()) + "\n";
     for Row { time, waypoint } in rows(trajectory, rate) {
         let s = trajectory.at(time);
-        let (roll, pitch) = roll_pitch(&s, model.gravity);
-        let wrench = trajectory.wrench(&model.vehicle, model.gravity, &s);
+        let (roll, pitch) = roll_pitch(&s, &environment);
+        let wrench = trajectory.wrench(&model.vehicle, &environment, &s);
         let mut row = vec![time];
         row.extend([s[X][0], s[Y][0], s[Z][0], s[YAW][0]]);
         row.extend([s[X][1], s[Y][1], s[Z][1], s[YAW][1]]);

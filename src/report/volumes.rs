@@ -28,6 +28,7 @@ pub struct VolumeRecord {
 /// The record of each volume, in the order of the spec.
 pub fn records(problem: Problem, solved: &MissionPlan) -> Vec<VolumeRecord> {
     let trajectory = &solved.trajectory;
+    let environment = problem.model().environment();
     let record = |volume: &Volume| {
         let limits: Vec<&Limit> = problem
             .mission()
@@ -36,7 +37,7 @@ pub fn records(problem: Problem, solved: &MissionPlan) -> Vec<VolumeRecord> {
             .filter(|limit| limit.volume.is_some() && limit.span == volume.span)
             .collect();
         let violation = |state: &NodeState| {
-            limits.iter().map(|limit| past(limit, state, problem.model().gravity)).fold(f64::NEG_INFINITY, f64::max)
+            limits.iter().map(|limit| past(limit, state, &environment)).fold(f64::NEG_INFINITY, f64::max)
         };
         let nearest = peak(trajectory, violation);
         let state = trajectory.at(nearest.at);

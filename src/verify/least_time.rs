@@ -100,6 +100,27 @@ fn sideways(problem: Problem, force: Interval) -> f64 {
     }
 }
 
+/// Bounds on rate and acceleration along some axes (m/s, m/s^2), for bounds on these without drag. With k = drag/m and the
+/// velocity w of the air, the rate u of a motion obeys `u' <= a + k |w| - k u`. So from rest it stays below a/k + |w|, and its
+/// rate of change below a + k (|w| + u).
+fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), axes: &[usize]) -> (f64, f64) {
+    let environment = problem.model().environment();
+    if !environment.has_drag() {
+        return (rate, acceleration);
+    }
+    let (k, a) = (Interval::point(environment.drag_rate), Interval::point(acceleration));
+    let wind = axes.iter().fold(Interval::ZERO, |sum, &axis| sum + Interval::point(environment.wind[axis]).square()).sqrt();
+    let terminal = match problem.mission().start_at_rest && acceleration.is_finite() {
+        true => (a / k + wind).high,
+        false => f64::INFINITY,
+    };
+    let rate = rate.min(terminal);
+    match rate.is_finite() && acceleration.is_finite() {
+        true => (rate, (a + k * (wind + Interval::point(rate))).high),
+        false => (rate, f64::INFINITY),
+    }
+}
+
 /// Lower bounds on when each waypoint is reached, s, in the order of flight.
 pub(super) fn soonest(problem: Problem) -> Vec<f64> {
     let (model, mission) = (problem.model(), problem.mission());
@@ -111,14 +132,17 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
     let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
     // The thrust may be negative by the tolerance on sets.
     let vertical = (g + Interval::point(MOST_OUTSIDE) * force).high.max((force - g).high).min(whole);
-    let along_line = Most { rate: speed, acceleration: whole.min(in_all), jerk };
-    let horizontal = Most {
-        rate: speed.min(most(LimitKind::SpeedHorizontal)),
-        acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways(problem, force)),
-        jerk,
+    let (rate, in_all) = with_drag(problem, (speed, in_all), &[0, 1, 2]);
+    let along_line = Most { rate, acceleration: whole.min(in_all), jerk };
+    let across = speed.min(most(LimitKind::SpeedHorizontal));
+    let (rate, in_plane) = with_drag(problem, (across, sideways(problem, force)), &[0, 1]);
+    let horizontal =
+        Most { rate, acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane), jerk };
+    let of_climb = |kind: LimitKind| {
+        let (rate, acceleration) = with_drag(problem, (speed.min(most(kind)), vertical), &[2]);
+        Most { rate, acceleration: acceleration.min(whole), jerk }
     };
-    let up = Most { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical, jerk };
-    let down = Most { rate: speed.min(most(LimitKind::Descent)), acceleration: vertical, jerk };
+    let (up, down) = (of_climb(LimitKind::Climb), of_climb(LimitKind::Descent));
     let turn =
         Most { rate: most(LimitKind::YawRate), acceleration: most(LimitKind::YawAcceleration), jerk: f64::INFINITY };
     let last = mission.waypoints.len().saturating_sub(1);

@@ -5,19 +5,21 @@ use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
 use super::volumes;
-use crate::model::{Limit, LimitKind};
+use super::wrench::thrust_over_mass;
+use crate::model::{Environment, Limit, LimitKind};
 
 /// Value and rate of change.
 type Series = super::series::Series<2>;
 
 /// The violation of a limit, upper side then lower side, in the limit's SI unit. For tilt it is
 /// `(|(x'', y'')| cos L - (z'' + g) sin L) / g`: the distance of the acceleration from the cone, divided by gravity.
-pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
+pub fn family<'l>(limit: &'l Limit, environment: &Environment) -> Family<'l> {
+    let environment = *environment;
     let Limit { kind, lower, upper, .. } = *limit;
     let sides: Vec<(f64, f64)> = upper.map(|u| (1.0, -u)).into_iter().chain(lower.map(|l| (-1.0, l))).collect();
     let members = sides.len();
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
-        let tilted = |&(_, minus): &(f64, f64)| tilt_violation(state, -minus, gravity);
+        let tilted = |&(_, minus): &(f64, f64)| tilt_violation(state, -minus, &environment);
         let plain = |&(sign, constant): &(f64, f64)| {
             bounded(kind, state).times(Interval::point(sign)) + Series::constant(Interval::point(constant))
         };
@@ -61,6 +63,16 @@ fn bounded(kind: LimitKind, state: &State) -> Series {
     }
 }
 
+/// The length of a vector, as in [`length`].
+fn length_of(parts: &[Series]) -> Series {
+    let zero = Series::constant(Interval::ZERO);
+    let square = parts.iter().fold(zero, |sum, &p| sum + p * p);
+    let sum = |of: &dyn Fn(&Series) -> Interval| parts.iter().fold(Interval::ZERO, |sum, p| sum + of(p).square()).sqrt();
+    let (value, steepest) = (sum(&|p| p.value()), Interval::around_zero(sum(&|p| p.slope()).high));
+    let rate = (square.slope() / (value * Interval::point(2.0))).meet(steepest);
+    Series::of_derivatives(&[value, rate])
+}
+
 /// The length |d|, whose rate is between -|d'| and |d'|: this avoids dividing by a length that may vanish.
 fn length(state: &State, axes: &[usize], order: usize) -> Series {
     let squares = |order: usize| {
@@ -76,10 +88,14 @@ fn length(state: &State, axes: &[usize], order: usize) -> Series {
     Series::of_derivatives(&[value, rate])
 }
 
-fn tilt_violation(state: &State, limit: f64, gravity: f64) -> Series {
+fn tilt_violation(state: &State, limit: f64, environment: &Environment) -> Series {
     let (sine, cosine) = Interval::point(limit).sin_cos();
-    let g = Interval::point(gravity);
-    let lift = series(&state[Z], 2) + Series::constant(g);
-    let out = length(state, &[X, Y], 2).times(cosine) - lift.times(sine);
+    let g = Interval::point(environment.gravity);
+    let [x, y, lift] = thrust_over_mass::<2>(state, environment);
+    let across = match environment.has_drag() {
+        true => length_of(&[x, y]),
+        false => length(state, &[X, Y], 2),
+    };
+    let out = across.times(cosine) - lift.times(sine);
     Series::of_derivatives(&out.0.map(|c| c / g))
 }

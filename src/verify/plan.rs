@@ -72,7 +72,7 @@ impl<'a> Setting<'a> {
         let first = mission.waypoints.first().map_or(0.0, |w| w.yaw);
         // As the language defines: with one yaw throughout, the model is linearised there.
         let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
-        let dynamics = Dynamics { vehicle: &model.vehicle, gravity: model.gravity, model: kind, one_yaw };
+        let dynamics = Dynamics { vehicle: &model.vehicle, environment: model.environment(), model: kind, one_yaw };
         let commands = lag::constant(model).map(|tau| Held::Commands { tau });
         Setting { problem, dynamics, commands, premises }
     }

@@ -14,7 +14,7 @@ use self::inverse::Inverse;
 use super::dyadic::{Dyadic, dot, orthogonal};
 use super::interval::Interval;
 use super::{Rejection, mode_named};
-use crate::model::{Allocation, FaultMode, Model, Rotor, Spin, Vehicle};
+use crate::model::{Allocation, Environment, FaultMode, Model, Rotor, Spin, Vehicle};
 use std::cmp::Ordering;
 
 /// The name of the set without faults.
@@ -111,11 +111,11 @@ impl Generators {
     pub fn of(model: &Model, mode: &str) -> Result<Self, Rejection> {
         let unknown = || Rejection::new(format!("the set of {mode}"), "the spec has no such mode");
         let found = if mode == HEALTHY { None } else { Some(mode_named(model, mode).ok_or_else(unknown)?) };
-        Ok(Generators::new(&model.vehicle, model.gravity, found, model.plan.reserve))
+        Ok(Generators::new(&model.vehicle, &model.environment(), found, model.plan.reserve))
     }
 
     /// The generators of a mode, `None` for the healthy vehicle.
-    pub fn new(vehicle: &Vehicle, gravity: f64, mode: Option<&FaultMode>, reserve: f64) -> Self {
+    pub fn new(vehicle: &Vehicle, environment: &Environment, mode: Option<&FaultMode>, reserve: f64) -> Self {
         let nominal = |rotor: &Rotor| {
             let one = Dyadic::of(1.0);
             let [idle, full] = [rotor.min_speed, rotor.max_speed].map(|speed| wrench_at(rotor, speed, &one, &one));
@@ -141,7 +141,15 @@ impl Generators {
             }
         }
         let mut hover = zero();
-        hover[0] = Dyadic::of(vehicle.mass).times(&Dyadic::of(gravity));
+        hover[0] = match environment.has_drag() {
+            // |m g e_z - drag wind|, rounded: the reserve is taken about this number.
+            true => {
+                let [x, y, z] = environment.wind.map(|w| vehicle.drag * w);
+                let up = vehicle.mass * environment.gravity - z;
+                Dyadic::of((x * x + y * y + up * up).sqrt())
+            }
+            false => Dyadic::of(vehicle.mass).times(&Dyadic::of(environment.gravity)),
+        };
         Generators {
             offset,
             own,

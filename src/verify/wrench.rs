@@ -4,7 +4,7 @@ use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
 use super::series::{Series, Vector, cross, dot, unit};
 use crate::certificate::DynamicModel;
-use crate::model::Vehicle;
+use crate::model::{Environment, Vehicle};
 
 /// A quantity that must stay in a set.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,8 +26,8 @@ pub struct Wrench {
 #[derive(Debug, Clone)]
 pub struct Dynamics<'a> {
     pub vehicle: &'a Vehicle,
-    /// m/s^2
-    pub gravity: f64,
+    /// Gravity, drag and the possible winds.
+    pub environment: Environment,
     pub model: DynamicModel,
     /// If all waypoints have the same yaw, the yaw at which the hover model is linearised, rad.
     pub one_yaw: Option<f64>,
@@ -63,7 +63,7 @@ impl Dynamics<'_> {
     /// T = m (g + z''), tau = (Ixx phi'', Iyy theta'', Izz psi'') with phi = (s x'' - c y'')/g, theta = (c x'' + s
     /// y'')/g: the series of phi and theta hold their second derivatives.
     fn about_hover<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
-        let g = Interval::point(self.gravity);
+        let g = Interval::point(self.environment.gravity);
         let yaw = match self.one_yaw {
             Some(psi) => Series::constant(Interval::point(psi)),
             None => series(&state[YAW], 0),
@@ -79,12 +79,11 @@ impl Dynamics<'_> {
         [thrust, roll.times(ixx), pitch.times(iyy), series(&state[YAW], 2).times(izz)]
     }
 
-    /// The thrust carries m (p'' + g e_z) along b_3; of ZYX angles the heading is that of b_1, which is therefore
+    /// The thrust carries m (p'' + g e_z) and the drag along b_3; of ZYX angles the heading is that of b_1, which is therefore
     /// orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p = -b_2.b_3',
     /// q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
     fn exact<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
-        let g = Series::constant(Interval::point(self.gravity));
-        let a: Vector<N> = [series(&state[X], 2), series(&state[Y], 2), series(&state[Z], 2) + g];
+        let a: Vector<N> = thrust_over_mass(state, &self.environment);
         let (s, c) = series(&state[YAW], 0).sin_cos();
         let b3 = unit(&a);
         let b1 = unit(&cross(&[-s, c, Series::constant(Interval::ZERO)], &b3));
@@ -98,6 +97,21 @@ impl Dynamics<'_> {
         let thrust = dot(&a, &a).sqrt().times(Interval::point(self.vehicle.mass));
         [thrust, tau[0], tau[1], tau[2]]
     }
+}
+
+/// The thrust over mass, `p'' + g e_z + drag/m (p' - wind)`, over all possible winds, m/s^2.
+pub fn thrust_over_mass<const N: usize>(state: &State, environment: &Environment) -> Vector<N> {
+    let mut thrust = [X, Y, Z].map(|axis| series(&state[axis], 2));
+    thrust[Z] = thrust[Z] + Series::constant(Interval::point(environment.gravity));
+    if environment.has_drag() {
+        let rate = Interval::point(environment.drag_rate);
+        for axis in [X, Y, Z] {
+            let spread = Interval::around_zero(environment.wind_spread[axis]);
+            let wind = Interval::point(environment.wind[axis]) + spread;
+            thrust[axis] = thrust[axis] + (series(&state[axis], 1) - Series::constant(wind)).times(rate);
+        }
+    }
+    thrust
 }
 
 fn rated<const N: usize>(parts: [Series<N>; 4]) -> Wrench {

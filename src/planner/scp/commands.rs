@@ -7,7 +7,7 @@ use crate::flatness::CommandFlatState;
 use crate::motion::wrench_model::COMMAND_DERIVATIVES;
 use crate::motion::{CommandState, with_slopes};
 use crate::planner::commands::{CommandAt, Slope, interval_of};
-use crate::planner::scp::subproblem::{ORDER_OF_TIME, Step};
+use crate::planner::scp::subproblem::{ORDER_OF_TIME, Step, without_wind};
 use crate::planner::wrench_expression::WrenchExpression;
 use crate::qp::build::{Affine, Builder};
 
@@ -61,7 +61,7 @@ impl ScpPlanner<'_, '_> {
 
     /// The violation of each row of the set by the commanded wrench, with its local tightening.
     fn command_violations<'s>(&'s self, lag: &'s Lag, state: &CommandState) -> impl Iterator<Item = f64> + 's {
-        let wrench = self.wrench.commanded(&self.hover.model().vehicle, self.hover.model().gravity, lag.tau, state);
+        let wrench = self.wrench.commanded(&self.hover.model().vehicle, &self.environment, lag.tau, state);
         self.set.rows.iter().zip(&lag.local_tightening).enumerate().map(move |(facet, (row, tightening))| {
             match row.equality {
                 true => f64::NEG_INFINITY,
@@ -85,8 +85,8 @@ impl ScpPlanner<'_, '_> {
         let Some((lag, state)) = self.lag.as_ref().zip(self.command_state(iterate, at)) else {
             return f64::NEG_INFINITY;
         };
-        let Model { vehicle, gravity, .. } = self.hover.model();
-        self.violation_of_row(facet, &self.wrench.commanded(vehicle, *gravity, lag.tau, &state))
+        let vehicle = &self.hover.model().vehicle;
+        self.violation_of_row(facet, &self.wrench.commanded(vehicle, &self.environment, lag.tau, &state))
     }
 
     /// Rows on the commanded wrench with a violation over `threshold`, on both sides of a node.
@@ -144,7 +144,7 @@ impl ScpPlanner<'_, '_> {
         working_set: &BTreeSet<RowAt>,
     ) -> Option<CommandLinearisation> {
         let lag = self.lag.as_ref()?;
-        let Model { vehicle, gravity, .. } = self.hover.model();
+        let vehicle = &self.hover.model().vehicle;
         let mut linearised = BTreeMap::new();
         for &RowAt { row, instant } in working_set {
             let Row::Command { slope, .. } = row else { continue };
@@ -152,7 +152,7 @@ impl ScpPlanner<'_, '_> {
             let Some(state) = self.command_state(iterate, at).filter(|_| !linearised.contains_key(&at)) else {
                 continue;
             };
-            let map = self.wrench.commanded_linearised(vehicle, *gravity, lag.tau, &state);
+            let map = self.wrench.commanded_linearised(vehicle, &self.environment, lag.tau, &state);
             let change = |sum: Wrench, &(axis, order, c): &(usize, usize, Wrench)| {
                 let order: usize = order;
                 sum - c * (order as f64 * state[axis][order])
@@ -163,7 +163,7 @@ impl ScpPlanner<'_, '_> {
         let unit = self.transcription(&iterate.grid, &[]).mean_tau();
         let curvature = lag.multipliers.iter().filter_map(|(&at, n)| {
             let state = self.command_state(iterate, at)?;
-            Some((at, state, self.wrench.commanded_curvature(vehicle, *gravity, lag.tau, &state, n, unit)))
+            Some((at, state, self.wrench.commanded_curvature(vehicle, &self.environment, lag.tau, &state, n, unit)))
         });
         Some(CommandLinearisation {
             linearised,
@@ -202,8 +202,11 @@ impl Transcription<'_> {
         let no_jump = |_, _, _| Affine::default();
         for (at, from, factors) in &commands.curvature {
             let direction = |&(axis, order): &(usize, usize)| {
-                let now = self.command_derivative(*at, (axis, order), &no_jump)?;
-                Some(now.plus_constant(-from[axis][order]))
+                // There is such an interval for all derivatives or for none.
+                self.command_derivative(*at, (axis, order), &no_jump)?;
+                let derivative = |order| self.command_derivative(*at, (axis, order), &no_jump).unwrap_or_default();
+                let now = self.in_air(&self.winds[0], axis, order, derivative);
+                Some(now.plus_constant(-without_wind(from, &self.winds[0])[axis][order]))
             };
             let Some(directions) = COMMAND_DERIVATIVES.iter().map(direction).collect::<Option<Vec<Affine>>>() else {
                 continue;

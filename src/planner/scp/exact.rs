@@ -49,7 +49,8 @@ impl Planner for ExactPlanner<'_> {
         if guided_problem.mission() != problem.mission() && !matches!(decision, Decision::Feasible(_)) {
             decision = self.against(set).attempt(time, minimised);
         }
-        if matches!(decision, Decision::Inconclusive(_)) {
+        // The hover model has no air.
+        if matches!(decision, Decision::Inconclusive(_)) && !problem.model().environment().has_drag() {
             self.hover.decide(time, problem.model().plan.samples, set, working_set);
         }
         Attempt { decision, weights: std::mem::take(&mut self.hover.weights) }

@@ -100,7 +100,7 @@ impl ScpPlanner<'_, '_> {
         working_set.retain(|r| {
             let state = iterate.at(r.instant);
             let violation = match r.row {
-                Row::Facet(facet) => self.violation_of_row(facet, &self.wrench_at(&state)),
+                Row::Facet(facet) => self.worst_of_row(facet, &self.wrenches_at(&state)),
                 Row::Limit(limit) => form.violation_of(&self.hover.mission().limits[limit], &state, 0.0),
                 Row::Upright => form.violation_upright(&state),
                 Row::Command { facet, slope } => self.command_violation_of(iterate, facet, (r.instant, slope)),

@@ -39,7 +39,7 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn relaxed(&mut self, grid: &TimeGrid) -> Verdict {
         self.hover.weights.clear();
         let thrust = self.most_thrust().newtons;
-        if self.out_of_reach(grid, thrust) {
+        if !self.environment.has_drag() && self.out_of_reach(grid, thrust) {
             return Verdict::Infeasible;
         }
         let form = self.transcription(grid, &[]);
@@ -47,6 +47,8 @@ impl ScpPlanner<'_, '_> {
         let program = form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust);
         let (outcome, effort) = solve_graded(&program);
         let iterate = match outcome {
+            // The proof is not extended to drag: its bounds on inputs assume that the thrust bounds the acceleration.
+            Outcome::Infeasible { .. } if self.environment.has_drag() => None,
             Outcome::Infeasible { certificate } => {
                 self.hover.effort += effort;
                 self.hover.weights = program.weights(&certificate);

@@ -11,7 +11,8 @@ use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
 use crate::flatness::FlatState;
 use crate::motion::wrench_model::DIRECTIONS;
-use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::model::Environment;
+use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
 use crate::planner::commands::{CommandAt, Slope};
 use crate::planner::limits::Widening;
 use crate::planner::scp::commands::CommandLinearisation;
@@ -77,6 +78,11 @@ pub fn change(epsilon: f64) -> f64 {
 /// The inverse of [`change`].
 fn variable(change: f64) -> f64 {
     ((1.0 + change).powf(ORDER_OF_TIME) - 1.0) / ORDER_OF_TIME
+}
+
+/// A state [`in_air`] without the constant that the wind adds, like [`Transcription::in_air`].
+pub(super) fn without_wind<const N: usize>(state: &[[f64; N]; 4], environment: &Environment) -> [[f64; N]; 4] {
+    in_air(state, &Environment { wind: [0.0; 3], ..*environment })
 }
 
 impl Step<'_> {
@@ -224,8 +230,11 @@ impl Transcription<'_> {
 
     /// `factor . (s' - s)` for each factor of the curvature at an instant; see [`Step::curvature`].
     fn changes_along_factors(&self, (instant, from, factors): &(usize, NodeState, Vec<FlatState>)) -> Vec<Affine> {
-        let direction =
-            |(axis, order): (usize, usize)| self.derivative(*instant, axis, order).plus_constant(-from[axis][order]);
+        let from = without_wind(from, &self.winds[0]);
+        let direction = |(axis, order): (usize, usize)| {
+            let now = self.in_air(&self.winds[0], axis, order, |order| self.derivative(*instant, axis, order));
+            now.plus_constant(-from[axis][order])
+        };
         let directions = DIRECTIONS.map(direction);
         let change = |factor: &FlatState| {
             let mut change = Affine::default();

@@ -4,8 +4,23 @@ use super::*;
 use crate::model::LimitKind;
 
 impl<'e, 'a> ScpPlanner<'e, 'a> {
-    pub(super) fn wrench_at(&self, state: &NodeState) -> Wrench {
-        self.wrench.wrench(&self.hover.model().vehicle, self.hover.model().gravity, state)
+    /// The wrench of a state in each of the extreme winds, N and N m.
+    pub(super) fn wrenches_at(&self, state: &NodeState) -> Vec<Wrench> {
+        let vehicle = &self.hover.model().vehicle;
+        self.winds.iter().map(|wind| self.wrench.wrench(vehicle, wind, state)).collect()
+    }
+
+    /// By how much more a facet is violated in the worst of the possible winds than in their middle, at an iterate. Steps
+    /// impose facets on the wrench in the middle, tightened by this much.
+    pub(super) fn tightening_by_wind(&self, iterate: &Iterate, &RowAt { row, instant }: &RowAt) -> f64 {
+        let Row::Facet(facet) = row else { return 0.0 };
+        if !self.environment.is_uncertain() {
+            return 0.0;
+        }
+        let (state, row) = (iterate.at(instant), &self.set.rows[facet]);
+        let middle = self.wrench.wrench(&self.hover.model().vehicle, &self.environment, &state);
+        let more = row.worst(&self.wrenches_at(&state)) - row.violation(&middle);
+        if more.is_finite() { more } else { 0.0 }
     }
 
     /// The violation of a row, in widths of the healthy set; a flat set's equalities hold to within the margin on both sides.
@@ -17,14 +32,19 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         if violation.is_nan() { f64::INFINITY } else { violation }
     }
 
+    /// The largest violation of a row by some wrenches, as in [`Self::violation_of_row`].
+    pub(super) fn worst_of_row(&self, facet: usize, wrenches: &[Wrench]) -> f64 {
+        wrenches.iter().map(|wrench| self.violation_of_row(facet, wrench)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// The violation of every facet and then of every limit for one state.
     pub(super) fn violations<'s>(
         &'s self,
         form: &'s Transcription<'s>,
         state: &'s NodeState,
     ) -> impl Iterator<Item = f64> + 's {
-        let wrench = self.wrench_at(state);
-        let facets = (0..self.set.rows.len()).map(move |facet| self.violation_of_row(facet, &wrench));
+        let wrenches = self.wrenches_at(state);
+        let facets = (0..self.set.rows.len()).map(move |facet| self.worst_of_row(facet, &wrenches));
         // Limits on places have no width for a margin.
         let limits = self
             .hover

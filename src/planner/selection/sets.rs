@@ -53,7 +53,7 @@ impl PlanningSets {
     pub fn violated(&self, model: &Model, planned: &Planned) -> Vec<SetRow> {
         let trajectory = planned.trajectory();
         let of = |set: &PlanningSet| {
-            let found = outside(&trajectory, &model.vehicle, model.gravity, &set.rows);
+            let found = outside(&trajectory, &model.vehicle, &model.environment(), &set.rows);
             let rows = if planned.model == WrenchModel::Exact { found.violated } else { found.facets };
             rows.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
         };

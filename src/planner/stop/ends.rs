@@ -1,6 +1,6 @@
 //! The initial and the final state of a stop, as rows.
 
-use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
 use crate::planner::transcription::Transcription;
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
@@ -41,17 +41,23 @@ impl Transcription<'_> {
     /// the stop, and e any direction normal to A. The thrust's direction n = A/|A| is kept if `e.a = 0`, and its rate
     /// `e.n' = e.J/|A| = e.j/|a|` if `e.j = (n.a/|A|) e.J`. Two such directions suffice.
     fn direction_remains(&self, builder: &mut Builder, struck: &NodeState) {
-        let gravity = self.model.gravity;
-        let across = nalgebra::Vector3::new(struck[X][2], struck[Y][2], struck[Z][2] + gravity);
-        let jerk = nalgebra::Vector3::new(struck[X][3], struck[Y][3], struck[Z][3]);
+        // In the middle of the possible winds, whose direction the attitude follows.
+        let environment = self.model.environment();
+        let felt = in_air(struck, &environment);
+        let across = nalgebra::Vector3::new(felt[X][2], felt[Y][2], felt[Z][2] + environment.gravity);
+        let jerk = nalgebra::Vector3::new(felt[X][3], felt[Y][3], felt[Z][3]);
         let (n, length) = (across.normalize(), across.norm());
         let mut least = nalgebra::Vector3::zeros();
         least[n.iamin()] = 1.0;
         let e1 = n.cross(&least).normalize();
         let along = |v: &nalgebra::Vector3<f64>, order: usize| {
-            let mut sum = Affine::constant(if order == 2 { v[2] * gravity } else { 0.0 });
-            for (axis, share) in [X, Y, Z].into_iter().zip(v.iter()) {
-                sum.add(&self.at_node(0, axis, order), *share);
+            let mut sum = Affine::constant(0.0);
+            let thrust = match order {
+                2 => self.thrust(0, &environment),
+                _ => [X, Y, Z].map(|axis| self.in_air(&environment, axis, order, |order| self.at_node(0, axis, order))),
+            };
+            for (part, share) in thrust.iter().zip(v.iter()) {
+                sum.add(part, *share);
             }
             sum
         };

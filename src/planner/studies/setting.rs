@@ -132,7 +132,7 @@ impl<'a> Setting<'a> {
             .sets
             .modes
             .iter()
-            .map(|s| outside(&trajectory, &self.model().vehicle, self.model().gravity, &s.rows))
+            .map(|s| outside(&trajectory, &self.model().vehicle, &self.model().environment(), &s.rows))
             .collect();
         let committed = if self.weighs_risk { self.committed(&trajectory, &outside) } else { Vec::new() };
         MissionPlan {

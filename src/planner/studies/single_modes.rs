@@ -37,7 +37,7 @@ impl Setting<'_> {
 
     /// Whether a plan of RIP stays inside a smaller set too. False with rotors that lag, whose commands would have to as well.
     pub(super) fn is_inside(&self, plan: &Planned, set: &PlanningSet) -> bool {
-        let found = || outside(&plan.trajectory(), &self.model().vehicle, self.model().gravity, &set.rows);
+        let found = || outside(&plan.trajectory(), &self.model().vehicle, &self.model().environment(), &set.rows);
         self.model().thrust_lag().is_none() && found().max_violation <= ACCEPTED
     }
 
@@ -52,7 +52,7 @@ impl Setting<'_> {
             let own = found.time().unwrap_or(f64::INFINITY);
             let stays_inside = |plan: &&Planned| {
                 let trajectory = plan.trajectory();
-                let out = outside(&trajectory, &self.model().vehicle, self.model().gravity, &set.rows);
+                let out = outside(&trajectory, &self.model().vehicle, &self.model().environment(), &set.rows);
                 out.max_violation <= ACCEPTED
             };
             let shorter = plans.iter().filter(|plan| plan.grid.total < own).filter(stays_inside);

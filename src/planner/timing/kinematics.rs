@@ -38,6 +38,39 @@ impl Pace {
     }
 }
 
+/// What drag does to bounds on rates and accelerations.
+struct Drag {
+    /// Drag over mass, 1/s.
+    rate: f64,
+    /// m/s
+    wind: [f64; 3],
+    starts_at_rest: bool,
+}
+
+impl Drag {
+    fn of(problem: Problem) -> Self {
+        let environment = problem.model().environment();
+        Drag {
+            rate: environment.drag_rate,
+            wind: environment.wind,
+            starts_at_rest: problem.mission().start_at_rest,
+        }
+    }
+
+    /// Bounds on rate and acceleration along some axes, where thrust and gravity accelerate by at most `acceleration` and
+    /// limits allow the rate `rate`. With k = drag/m the rate u obeys `u' <= acceleration + k |wind| - k u`: from rest it
+    /// stays below `acceleration/k + |wind|`, and `|u'| <= acceleration + k (|wind| + u)`.
+    fn paced(&self, rate: f64, acceleration: f64, axes: &[usize]) -> (f64, f64) {
+        if self.rate == 0.0 {
+            return (rate, acceleration);
+        }
+        let wind = axes.iter().map(|&axis| self.wind[axis].powi(2)).sum::<f64>().sqrt();
+        let terminal = if self.starts_at_rest { acceleration / self.rate + wind } else { f64::INFINITY };
+        let rate = rate.min(terminal * (1.0 + ROUNDING));
+        (rate, acceleration + self.rate * (wind + rate))
+    }
+}
+
 /// The bounds that limits and thrust set for each displacement.
 #[derive(Debug, Clone, Copy)]
 struct Paces {
@@ -77,15 +110,23 @@ impl Paces {
         // A climb slows under gravity alone and a descent under full thrust: the larger of the two holds for both ends.
         let vertical = (g + tolerance::MOST_OUTSIDE * force).max(force - g).min(whole);
         let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
+        let air = Drag::of(problem);
+        let across = speed.min(most(LimitKind::SpeedHorizontal));
+        let of_climb = |rate: LimitKind| {
+            let (rate, acceleration) = air.paced(speed.min(most(rate)), vertical, &[2]);
+            Pace { rate, acceleration: acceleration.min(whole), jerk }
+        };
+        let (rate, any) = air.paced(speed, any, &[0, 1, 2]);
+        let (rate_across, sideways) = air.paced(across, sideways, &[0, 1]);
         Paces {
-            whole: Pace { rate: speed, acceleration: whole.min(any), jerk },
+            whole: Pace { rate, acceleration: whole.min(any), jerk },
             horizontal: Pace {
-                rate: speed.min(most(LimitKind::SpeedHorizontal)),
+                rate: rate_across,
                 acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways),
                 jerk,
             },
-            up: Pace { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical, jerk },
-            down: Pace { rate: speed.min(most(LimitKind::Descent)), acceleration: vertical, jerk },
+            up: of_climb(LimitKind::Climb),
+            down: of_climb(LimitKind::Descent),
             turn: Pace {
                 rate: most(LimitKind::YawRate),
                 acceleration: most(LimitKind::YawAcceleration),

@@ -47,6 +47,7 @@ fn states(trajectory: &Trajectory, most: usize) -> Vec<(f64, NodeState)> {
 /// Columns of a trajectory: SI units, except angles in degrees and margins in percent of the healthy set's width.
 pub fn columns(model: &Model, solved: &MissionPlan, shown: &[ShownSet], most: usize) -> Columns {
     let trajectory = &solved.trajectory;
+    let environment = model.environment();
     let states = states(trajectory, most);
     let mut columns = Columns::new();
     let mut add = |name: &str, value: &dyn Fn(&NodeState) -> f64| {
@@ -58,9 +59,9 @@ pub fn columns(model: &Model, solved: &MissionPlan, shown: &[ShownSet], most: us
     add("yaw", &|s| s[YAW][0].to_degrees());
     add("yaw_rate", &|s| s[YAW][1].to_degrees());
     add("climb", &|s| s[Z][1]);
-    add("tilt", &|s| tilt(s, model.gravity).to_degrees());
-    add("roll", &|s| roll_pitch(s, model.gravity).0.to_degrees());
-    add("pitch", &|s| roll_pitch(s, model.gravity).1.to_degrees());
+    add("tilt", &|s| tilt(s, &environment).to_degrees());
+    add("roll", &|s| roll_pitch(s, &environment).0.to_degrees());
+    add("pitch", &|s| roll_pitch(s, &environment).1.to_degrees());
     for (kind, name, axes, order) in NORMS {
         if kind == LimitKind::Speed || limited(model, &[kind]) {
             add(name, &|s| norm(s, axes, order));
@@ -69,7 +70,7 @@ pub fn columns(model: &Model, solved: &MissionPlan, shown: &[ShownSet], most: us
     if limited(model, &[LimitKind::YawAcceleration]) {
         add("yaw_acceleration", &|s| s[YAW][2].to_degrees());
     }
-    let wrenches: Vec<_> = states.iter().map(|(_, s)| trajectory.wrench(&model.vehicle, model.gravity, s)).collect();
+    let wrenches: Vec<_> = states.iter().map(|(_, s)| trajectory.wrench(&model.vehicle, &environment, s)).collect();
     columns.insert("t".into(), states.iter().map(|(t, _)| rounded(*t)).collect());
     for (axis, name) in WRENCH.iter().enumerate() {
         columns.insert((*name).into(), column(wrenches.iter().map(|w| w[axis])));
@@ -211,8 +212,8 @@ fn speed(mission: &Mission, solved: &MissionPlan) -> Chart {
 }
 
 fn tilts(problem: Problem, solved: &MissionPlan) -> Chart {
-    let (model, mission) = (problem.model(), problem.mission());
-    let top = peak(&solved.trajectory, |s| tilt(s, model.gravity));
+    let (environment, mission) = (problem.model().environment(), problem.mission());
+    let top = peak(&solved.trajectory, |s| tilt(s, &environment));
     let reached = at(top.value.to_degrees(), "deg", top.at);
     Chart {
         id: "tilt",
@@ -289,7 +290,8 @@ fn rare(
 
 fn wrench(model: &Model, solved: &MissionPlan) -> Vec<Chart> {
     let trajectory = &solved.trajectory;
-    let of = |s: &NodeState, axis: usize| trajectory.wrench(&model.vehicle, model.gravity, s)[axis];
+    let environment = model.environment();
+    let of = |s: &NodeState, axis: usize| trajectory.wrench(&model.vehicle, &environment, s)[axis];
     let (most, least) = (peak(trajectory, |s| of(s, 0)), peak(trajectory, |s| -of(s, 0)));
     let full: f64 = model.vehicle.rotors.iter().map(crate::model::Rotor::max_thrust).sum();
     let idle: f64 = model.vehicle.rotors.iter().map(crate::model::Rotor::idle_thrust).sum();
@@ -335,8 +337,9 @@ fn wrench(model: &Model, solved: &MissionPlan) -> Vec<Chart> {
 fn rotors(model: &Model, solved: &MissionPlan) -> Chart {
     let rotors = &model.vehicle.rotors;
     let allocator = Allocator::new(&model.vehicle);
+    let environment = model.environment();
     let top = peak(&solved.trajectory, |s| {
-        let wrench = solved.trajectory.wrench(&model.vehicle, model.gravity, s);
+        let wrench = solved.trajectory.wrench(&model.vehicle, &environment, s);
         let shares = allocator.speeds(&wrench).into_iter().zip(rotors).map(|(w, r)| w / r.max_speed);
         shares.fold(0.0, f64::max)
     });

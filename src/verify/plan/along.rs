@@ -4,16 +4,16 @@
 use super::super::cost::{self, Purse};
 use super::super::interval::{Interval, exceeds};
 use super::super::limits;
-use super::super::motion::{Motion, State, Z, series};
+use super::super::motion::{Motion, State};
 use super::super::premise::Premise;
 use super::super::proof::{Failure, Family, Measure, Rated, above_at_nodes, cost_of_grid, largest_on_grid, throughout};
 use super::super::series::Series;
 use super::super::sets::{Plane, along};
-use super::super::wrench::{Dynamics, Held};
+use super::super::wrench::{Dynamics, Held, thrust_over_mass};
 use super::super::{Reach, Rejection, Scope, Shown};
 use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
 use crate::certificate::DynamicModel;
-use crate::model::{Limit, LimitKind};
+use crate::model::{Environment, Limit, LimitKind};
 use crate::number::number;
 use std::collections::BTreeSet;
 
@@ -30,7 +30,7 @@ impl<'a> Setting<'a> {
             return Ok(());
         }
         for (index, limit) in self.mission().limits.iter().enumerate() {
-            let family = limits::family(limit, self.model().gravity);
+            let family = limits::family(limit, &self.dynamics.environment);
             let most = MOST_PAST_LIMIT * limit.size();
             if let Some(failure) = above_at_nodes(&family, motion, most) {
                 let claim = format!("limit {} ({})", index + 1, limit.name());
@@ -44,7 +44,7 @@ impl<'a> Setting<'a> {
         if self.dynamics.model == DynamicModel::Hover {
             return Ok(());
         }
-        let family = upright(self.model().gravity);
+        let family = upright(&self.dynamics.environment);
         match above_at_nodes(&family, motion, MOST_PAST_LIMIT) {
             Some(f) => Err(violated("the upright thrust".into(), &f, family.measure, MOST_PAST_LIMIT)),
             None => Ok(()),
@@ -150,7 +150,7 @@ impl Checked<'_> {
         let before = purse.0;
         for limits in setting.mission().limits.chunk_by(same_volume) {
             let reach = |limit: &Limit| {
-                let family = limits::family(limit, setting.model().gravity);
+                let family = limits::family(limit, &setting.dynamics.environment);
                 self.reach(&family, MOST_PAST_LIMIT * limit.size(), limit.size(), purse)
             };
             if let Some(reach) = limits.iter().map(reach).reduce(Reach::weakest) {
@@ -158,11 +158,11 @@ impl Checked<'_> {
             }
         }
         if setting.dynamics.model == DynamicModel::Exact {
-            let reach = self.reach(&upright(setting.model().gravity), MOST_PAST_LIMIT, 1.0, purse);
+            let reach = self.reach(&upright(&setting.dynamics.environment), MOST_PAST_LIMIT, 1.0, purse);
             found.add("vertical thrust of at least a tenth of the weight".into(), reach);
         } else if setting.mission().limits.iter().any(|limit| limit.kind == LimitKind::Tilt) {
             // The linear model's thrust may vanish, and its direction is then undefined.
-            let reach = self.reach(&upright(setting.model().gravity), MOST_PAST_LIMIT, 1.0, purse);
+            let reach = self.reach(&upright(&setting.dynamics.environment), MOST_PAST_LIMIT, 1.0, purse);
             if reach.weaker("").is_some() {
                 let at = reach.beyond.map_or(String::new(), |beyond| format!(", at {} s", number(beyond.at)));
                 found.weaker.push(format!(
@@ -252,10 +252,11 @@ impl Found {
 }
 
 /// `0.1 - (z'' + g)/g`: by how much the vertical part of the thrust is below a tenth of the weight, in weights.
-fn upright(gravity: f64) -> Family<'static> {
+fn upright(environment: &Environment) -> Family<'static> {
+    let environment = *environment;
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
-        let g = Interval::point(gravity);
-        let lift: Series<2> = series(&state[Z], 2) + Series::constant(g);
+        let g = Interval::point(environment.gravity);
+        let [.., lift] = thrust_over_mass::<2>(state, &environment);
         let short = Series::constant(Interval::point(UPRIGHT) * g) + -lift;
         let rated = Rated { value: short.value() / g, rate: short.slope() / g };
         wanted.iter().map(|_| rated).collect()
