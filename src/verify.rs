@@ -21,6 +21,7 @@ mod schedule;
 pub mod series;
 pub mod sets;
 mod volumes;
+mod wind;
 pub mod wrench;
 
 use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord};

@@ -54,6 +54,13 @@ use std::ops::Range;
 use std::sync::Arc;
 use subproblem::{Objective, Step, change};
 
+/// By how much the thrust over mass may rise more in a wind between the extreme ones than these show, m/s^2: the largest
+/// second-order term of |c| about hover.
+fn largest_curvature_of_thrust(environment: &Environment) -> f64 {
+    let changes = environment.wind_spread.map(|spread| (environment.drag_rate * spread).powi(2));
+    0.5 * changes.iter().sum::<f64>() / environment.gravity
+}
+
 /// Instants per interval at which a plan is checked and rows can be imposed: those at which reports look.
 pub use crate::motion::outside::PARTS;
 
@@ -179,10 +186,11 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let winds = environment.corners();
         let at_rest: Vec<Wrench> = winds.iter().map(|wind| admissible::trimmed(model, wind)).collect();
         let margin = settings.tightening.margin;
+        let of_winds = largest_curvature_of_thrust(&environment) * model.vehicle.mass;
         // No more can be kept free than hover itself does.
         let tightening = set.rows.iter().map(|row| match row.equality {
             true => -margin,
-            false => margin.min(-0.5 * row.worst(&at_rest)).max(0.0),
+            false => (margin + of_winds * row.normal[0].abs()).min(-0.5 * row.worst(&at_rest)).max(0.0),
         });
         let lag = model.thrust_lag().map(|tau| Lag::new(tau, set));
         let local_tightening = BTreeMap::new();

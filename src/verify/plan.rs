@@ -11,7 +11,7 @@ use super::premise::{Premise, Premises};
 use super::proof::Family;
 use super::sets::{Generators, HEALTHY, Plane};
 use super::wrench::{Dynamics, Held};
-use super::{Refusal, Rejection, Shown, joints, lag, mode_named, required, schedule};
+use super::{Refusal, Rejection, Shown, joints, lag, mode_named, required, schedule, wind};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Mission, Model, PlannerKind, Problem};
 use crate::number::number;
@@ -139,6 +139,7 @@ impl<'a> Setting<'a> {
     fn overhead(&self) -> u64 {
         match self.dynamics.model {
             DynamicModel::Hover => cost::OF_HOVER_WRENCH,
+            DynamicModel::Exact if self.dynamics.environment.is_uncertain() => wind::COST * cost::OF_EXACT_WRENCH,
             DynamicModel::Exact => cost::OF_EXACT_WRENCH,
         }
     }

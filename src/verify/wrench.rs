@@ -45,6 +45,11 @@ impl Dynamics<'_> {
         self.series::<3>(state).map(|part| part.value())
     }
 
+    /// The same equations in each of the extreme winds.
+    pub fn in_each_wind(&self) -> Vec<Self> {
+        self.environment.corners().into_iter().map(|environment| Dynamics { environment, ..self.clone() }).collect()
+    }
+
     /// The quantity `held` at a state whose inputs have the slopes of its piece.
     pub fn held(&self, held: Held, state: &State) -> Wrench {
         match held {

@@ -9,6 +9,7 @@ use super::super::premise::Premise;
 use super::super::proof::{Failure, Family, Measure, Rated, above_at_nodes, cost_of_grid, largest_on_grid, throughout};
 use super::super::series::Series;
 use super::super::sets::{Plane, along};
+use super::super::wind;
 use super::super::wrench::{Dynamics, Held, thrust_over_mass};
 use super::super::{Reach, Rejection, Scope, Shown};
 use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
@@ -171,6 +172,9 @@ impl Checked<'_> {
                 ));
             }
         }
+        if setting.dynamics.environment.is_uncertain() {
+            found.weaker.push(wind::BETWEEN.into());
+        }
         let planes = all_planes(&self.groups);
         for held in [Some(Held::Wrench), setting.commands].into_iter().flatten() {
             let family = of_groups(setting, held, &planes);
@@ -270,13 +274,19 @@ fn upright(environment: &Environment) -> Family<'static> {
 pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'b [Plane]) -> Family<'b> {
     let linear = is_linear(dynamics);
     let dynamics = dynamics.clone();
+    let is_windy = dynamics.environment.is_uncertain();
+    let winds = dynamics.in_each_wind();
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
+        if is_windy {
+            let planes: Vec<&Plane> = wanted.iter().filter_map(|&m| planes.get(m)).collect();
+            return wind::violations(&winds, held, state, &planes);
+        }
         let found = dynamics.held(held, state);
         let planes = wanted.iter().filter_map(|&m| planes.get(m));
         planes.map(|p| Rated { value: p.violation(&found.value), rate: along(&p.normal, &found.rate) }).collect()
     };
     // The rate of the wrench contains the slopes of the inputs, which change at nodes.
     let jumps = held != Held::Wrench;
-    let overhead = cost::OF_EXACT_WRENCH;
+    let overhead = if is_windy { wind::COST * cost::OF_EXACT_WRENCH } else { cost::OF_EXACT_WRENCH };
     Family { members: planes.len(), evaluate: Box::new(evaluate), linear, jumps, measure: Measure::WIDTH, overhead }
 }

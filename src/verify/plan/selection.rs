@@ -220,7 +220,8 @@ impl Setting<'_> {
         // As dense as on the spec's pieces, if the motion's are longer.
         let points = parts * (motion.extra_points(piece) + 1) - 1;
         let between = motion.grid(piece, points).map(move |at| motion.over(piece, at));
-        nodes.chain(between).map(|state| self.dynamics.value(&state))
+        let winds = self.dynamics.in_each_wind();
+        nodes.chain(between).flat_map(move |state| winds.iter().map(|wind| wind.value(&state)).collect::<Vec<_>>())
     }
 
     /// Units of work for finding the facets that a motion with that many checkpoints selects.
