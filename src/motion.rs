@@ -165,7 +165,7 @@ pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: Wrenc
 }
 
 /// The state with its accelerations, jerks and snaps replaced by `c - g e_z`, `c'` and `c''`, where the thrust over mass is
-/// `c = a + g e_z + drag/m (v - wind)`: (60) of `docs/method.md`, section 19. Without drag the state itself.
+/// `c = a + g e_z + drag/m (v - wind)`: (90) of `docs/method.md`, section 15. Without drag the state itself.
 pub fn in_air<const N: usize>(state: &[[f64; N]; 4], environment: &Environment) -> [[f64; N]; 4] {
     if !environment.has_drag() {
         return *state;
