@@ -82,7 +82,7 @@ fn listed() -> String {
 pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
     let clauses = match statement.word() {
-        "waypoint" | "start" => "`at`, `yaw`, `within`, `yaw_within`, `weight` and `time`",
+        "waypoint" | "start" => "`at`, `yaw`, `within`, `yaw_within`, `weight`, `time`, `straight`, `vertical`, `corridor`, `arrive from`, `stop` and `pass`",
         _ => return None,
     };
     let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
@@ -98,7 +98,9 @@ pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagn
     );
     let help = match found {
         "speed" | "velocity" | "altitude" | "tilt" => {
-            format!("clauses are {clauses}; limits go into `limits {{ .. }}`")
+            "limits of the leg that arrives go between braces at the end, as in `{ speed <= 3 m/s }`; those of the whole mission \
+             into `limits { .. }`"
+                .to_string()
         }
         "heading" | "course" | "bearing" => {
             "write it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()
