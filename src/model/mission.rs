@@ -231,10 +231,9 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         sense::check_mission(cx, &name, span, &route.waypoints);
     }
     if !route.broken {
-        match leg::limits(cx, &route.legs, &route.waypoints, end_at_rest) {
-            Some(of_legs) => limits.extend(of_legs),
-            None => limits_whole = false,
-        }
+        let (of_legs, all) = leg::limits(cx, &route.legs, &route.waypoints, end_at_rest);
+        limits.extend(of_legs);
+        limits_whole &= all;
     }
     sense::check_limits(cx, &limits);
     limits::check(cx, &limits, &route.waypoints, &numbers, sure);

@@ -20,6 +20,7 @@ mod idle_rotors;
 mod intervals;
 mod keep_volumes;
 mod lag;
+mod legs;
 mod language;
 mod lsp;
 mod many;

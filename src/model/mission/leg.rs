@@ -87,7 +87,8 @@ pub fn read<'a>(
         }
     }
     let shapes = [table::STRAIGHT.name, table::VERTICAL.name, table::CORRIDOR.name];
-    let given: Vec<(&str, Span)> = shapes.iter().filter_map(|word| Some((*word, fields.clause(word)?))).collect();
+    let mut given: Vec<(&str, Span)> = shapes.iter().filter_map(|word| Some((*word, fields.clause(word)?))).collect();
+    given.sort_by_key(|(_, span)| span.start);
     if let [(first, at), (second, again), ..] = given[..] {
         let message = format!("`{first}` and `{second}` contradict each other: a leg has one shape");
         let error = Diagnostic::error(CONFLICT, again, message).here("another shape");
@@ -129,13 +130,13 @@ pub fn read<'a>(
     whole.then_some(Written { to: to.unwrap_or(0), stop, stop_span, pass_span, shape, from, limits })
 }
 
-/// The limits of all legs, in the order of flight; `None` where one has an error.
+/// The limits of all legs without errors, in the order of flight, and whether these are all of them.
 pub fn limits(
     cx: &mut Context,
     legs: &[Written],
     waypoints: &[Waypoint],
     end_at_rest: bool,
-) -> Option<Vec<Limit>> {
+) -> (Vec<Limit>, bool) {
     let mut found = Vec::new();
     let mut whole = true;
     for leg in legs.iter().filter(|leg| leg.to > 0 && leg.to < waypoints.len()) {
@@ -179,7 +180,7 @@ pub fn limits(
             Limit { leg: on(name, None), ..limit.clone() }
         }));
     }
-    whole.then_some(found)
+    (found, whole)
 }
 
 /// Whether the clauses agree with the statements about rest: `rests` and `moves` at the end of the mission.

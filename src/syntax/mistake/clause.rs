@@ -85,6 +85,19 @@ pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagn
         "waypoint" | "start" => "`at`, `yaw`, `within`, `yaw_within`, `weight`, `time`, `straight`, `vertical`, `corridor`, `arrive from`, `stop` and `pass`",
         _ => return None,
     };
+    let (from, before) = statement.before(failure.at);
+    let is_value = found.starts_with(|c: char| c.is_ascii_digit());
+    if let ("straight" | "vertical" | "stop", true) = (before, is_value) {
+        let message = format!("`{before}` takes no value");
+        let error = Diagnostic::error("mavc::syntax::unexpected", statement.span(failure.at, failure.at + found.len()), message);
+        let error = error.here("a value");
+        return Some(match before {
+            "stop" => error.help("write `hold 3 s` on the next line to stay there"),
+            _ => error
+                .help("write `corridor` for a radius of its own")
+                .fix(statement.span(from, from + before.len()), "corridor"),
+        });
+    }
     let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
     if !failure.expects(Expected::Clause) || !is_word || nearest(found, super::CLAUSES).is_some() {
         return None;

@@ -160,6 +160,11 @@ impl Checked<'_> {
         let setting = self.setting;
         let before = purse.0;
         for limits in setting.mission().limits.chunk_by(same_volume) {
+            if limits[0].kind == LimitKind::Arrival {
+                // It holds at one node, where it has been decided.
+                found.shown.push(Shown::at_nodes(limited(&limits[0])));
+                continue;
+            }
             let reach = |limit: &Limit| {
                 let family = setting.family_of(limit, &self.motion);
                 self.reach(&family, MOST_PAST_LIMIT * limit.size(), limit.size(), purse)
