@@ -51,6 +51,7 @@ pub use flight_settings::{
 };
 pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
+pub use mission::ARRIVAL;
 pub use mission::MAX_WAYPOINTS;
 #[cfg(feature = "lsp")]
 pub(crate) use near_files::is_unfit;
@@ -61,7 +62,6 @@ pub use plan_settings::{MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
 pub use problem::Problem;
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
-pub use mission::ARRIVAL;
 pub use volume::{Boundary, Bounded, Side as VolumeSide, Volume};
 
 use crate::language::Entry;

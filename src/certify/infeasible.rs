@@ -73,8 +73,7 @@ pub fn certificate(
         DynamicModel::Hover => (named(model, run.set.rows.iter())?, Vec::new()),
         DynamicModel::Exact => weighed(model, run, &overshoot.thrust)?,
     };
-    let every =
-        multipliers(&overshoot, &z, mission).ok_or("a row of the program cannot be named")?;
+    let every = multipliers(&overshoot, &z, mission).ok_or("a row of the program cannot be named")?;
     if facets.len() > MAX_FACETS || every.len() > MAX_MULTIPLIERS {
         return Err("it has more rows than a certificate may hold".into());
     }
@@ -212,7 +211,8 @@ fn multipliers(overshoot: &Overshoot, z: &[f64], mission: &Mission) -> Option<Ve
                         mission.limits[limit].lower.map(|_| Side::Lower),
                     ];
                     // A jerk limit has a cone for each interval adjacent to its node, from the left; one of a leg none before it.
-                    let begins_here = mission.limits[limit].leg.as_ref().is_some_and(|on| waypoint_nodes[on.leg] == node);
+                    let begins_here =
+                        mission.limits[limit].leg.as_ref().is_some_and(|on| waypoint_nodes[on.leg] == node);
                     let first = if begins_here { node } else { node.saturating_sub(1) };
                     let interval = first + *count - 1;
                     match sides.into_iter().flatten().nth(*count - 1) {

@@ -79,7 +79,9 @@ pub(super) fn fixes(questions: &mut Questions, conflict: &Conflict) -> Vec<Fix> 
     for statement in of(|s| matches!(s, Statement::Limit(_) | Statement::Reserve)) {
         found.extend(looser(questions, statement));
     }
-    for statement in of(|s| matches!(s, Statement::Limit(_) | Statement::Hold(_) | Statement::Stop(_) | Statement::Mode(_))) {
+    for statement in
+        of(|s| matches!(s, Statement::Limit(_) | Statement::Hold(_) | Statement::Stop(_) | Statement::Mode(_)))
+    {
         // A limit that can be widened need not be removed.
         if found.iter().all(|fix: &Fix| fix.change.of() != Some(statement)) {
             found.extend(less(statement).and_then(|change| attempt(questions, change)));

@@ -89,7 +89,14 @@ impl Volume {
 
     fn limit(&self, kind: LimitKind, (lower, upper): (Option<f64>, Option<f64>), quantity: Bounded) -> Limit {
         let name = format!("{} {}", self.side.keyword(), self.name);
-        Limit { kind, lower, upper, span: self.span, volume: Some(Arc::new(Boundary { name, quantity, half_width: f64::INFINITY })), leg: None }
+        Limit {
+            kind,
+            lower,
+            upper,
+            span: self.span,
+            volume: Some(Arc::new(Boundary { name, quantity, half_width: f64::INFINITY })),
+            leg: None,
+        }
     }
 
     fn inside(&self, body: &Body, margin: f64) -> Vec<Limit> {

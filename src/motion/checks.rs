@@ -122,7 +122,12 @@ fn arrival(limit: &Limit, state: &NodeState) -> (f64, f64) {
 }
 
 /// The largest value of `quantity` while a limit holds: over the whole trajectory, over the limit's leg, or at its end.
-pub fn peak_of(limit: &Limit, mission: &Mission, trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Peak {
+pub fn peak_of(
+    limit: &Limit,
+    mission: &Mission,
+    trajectory: &Trajectory,
+    quantity: impl Fn(&NodeState) -> f64,
+) -> Peak {
     match (&limit.leg, limit.kind) {
         (None, _) => peak(trajectory, quantity),
         (Some(on), LimitKind::Arrival) => {

@@ -66,9 +66,7 @@ fn bounded(limit: &Limit) -> Bounded<'_> {
                 Some(Position::Coordinate) | None => Bounded::Nothing,
             }
         }
-        LimitKind::Arrival => {
-            limit.leg.as_ref().and_then(|on| on.direction).map_or(Bounded::Nothing, Bounded::Arrival)
-        }
+        LimitKind::Arrival => limit.leg.as_ref().and_then(|on| on.direction).map_or(Bounded::Nothing, Bounded::Arrival),
     }
 }
 

@@ -1,7 +1,9 @@
 //! Caveats of a plan: limits exceeded between nodes, a coarser grid, an unusual speed, the linear model outside its range.
 
 use crate::model::{LimitKind, Model};
-use crate::motion::checks::{LimitViolation, coarser_legs, limit_violations, linear_range, past_as_checked, peak, peak_of};
+use crate::motion::checks::{
+    LimitViolation, coarser_legs, limit_violations, linear_range, past_as_checked, peak, peak_of,
+};
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, percent, significant};
 use crate::planner::studies::MissionPlan;

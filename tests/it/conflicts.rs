@@ -410,7 +410,9 @@ fn every_change_offered_gives_a_plan() {
             assert_eq!(text.name, "two_conflicts.mav");
         }
     }
-    for kind in ["samples", "time", "arrival", "within", "limit", "reserve", "no_limit", "no_hold", "no_stop", "no_mode", "mass"] {
+    for kind in [
+        "samples", "time", "arrival", "within", "limit", "reserve", "no_limit", "no_hold", "no_stop", "no_mode", "mass",
+    ] {
         assert!(kinds.contains(&kind), "no {kind} is offered: {kinds:?}");
     }
 }

@@ -83,7 +83,8 @@ const MISSION: &str = "start at [0, 0, 2] m
 fn keeps_its_legs(csv: &Path) {
     let rows = rows(csv);
     assert!(rows.len() > 4000, "{}", rows.len());
-    let over = |what: &str, found: f64, most: f64| assert!(found <= most + 1e-4 * most.max(1.0), "{what}: {found} of {most}");
+    let over =
+        |what: &str, found: f64, most: f64| assert!(found <= most + 1e-4 * most.max(1.0), "{what}: {found} of {most}");
     let up = leg(&rows, 2);
     over("vertical", largest(up, |r| r.p[0].hypot(r.p[1])), 0.05);
     over("past its ends", largest(up, |r| (2.0 - r.p[2]).max(r.p[2] - 10.0)), 0.05);

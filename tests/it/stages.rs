@@ -27,8 +27,14 @@ const MISSIONS: [&str; 16] = [
 ];
 
 /// Those with another vehicle than the paper's octocopter.
-const OTHER_VEHICLE: [&str; 6] =
-    ["missions/facade_hexa", "missions/inspection_octo", "missions/mast_octo", "missions/parcel_x8", "missions/survey_quad", "missions/tower_hexa"];
+const OTHER_VEHICLE: [&str; 6] = [
+    "missions/facade_hexa",
+    "missions/inspection_octo",
+    "missions/mast_octo",
+    "missions/parcel_x8",
+    "missions/survey_quad",
+    "missions/tower_hexa",
+];
 
 const VEHICLES: [&str; 9] = [
     "vehicles/coaxial_x8",

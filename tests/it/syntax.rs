@@ -281,7 +281,10 @@ fn a_statement_that_is_read_as_its_fix_would_have_it_keeps_its_places() {
     assert_eq!((path.value.as_str(), at(path.span)), ("a.mav", "\"a.mav"));
     let Item::Block(mission) = &items[3] else { panic!("no mission") };
     let Statement::Waypoint(Clauses { clauses, .. }) = &mission.body[0] else { panic!("no waypoint") };
-    assert_eq!(clauses.iter().map(|c| at(c.value.as_ref().unwrap().span)).collect::<Vec<_>>(), ["[1, 2, 3 m", "90 deg"]);
+    assert_eq!(
+        clauses.iter().map(|c| at(c.value.as_ref().unwrap().span)).collect::<Vec<_>>(),
+        ["[1, 2, 3 m", "90 deg"]
+    );
 }
 
 #[test]

@@ -307,11 +307,7 @@ fn step(
         Kind::Mark('{') => {
             let word = head(statement);
             let parameter = (word == "curve").then(|| statement.get(1).map_or("", |l| l.text(text)).to_string());
-            frames.push(Frame {
-                place: of_head(frames, &word),
-                parameter,
-                present: BTreeSet::new(),
-            });
+            frames.push(Frame { place: of_head(frames, &word), parameter, present: BTreeSet::new() });
             statement.clear();
             *brackets = 0;
         }

@@ -68,12 +68,8 @@ impl Written {
 
 /// Reads the clauses about the leg and the limits in braces; `None` where one has an error. `to` is the index of the waypoint,
 /// if that is certain.
-pub fn read<'a>(
-    cx: &mut Context<'a>,
-    clauses: &'a Clauses,
-    fields: &Fields<'a>,
-    to: Option<usize>,
-) -> Option<Written> {
+pub fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, fields: &Fields<'a>, to: Option<usize>) -> Option<Written> {
+    let mut is_refused = false;
     if to == Some(0) {
         let words = ["straight", "vertical", "corridor", "arrive", "stop", "pass"];
         let clause = clauses.clauses.iter().find(|clause| words.contains(&clause.word.value.as_str()));
@@ -83,7 +79,7 @@ pub fn read<'a>(
             let message = format!("the first waypoint takes no {what}: no leg arrives there");
             let error = Diagnostic::error(FIRST, span, message).here("the mission begins here");
             cx.report(error.help("write it at the waypoint where the leg arrives, or remove it"));
-            return None;
+            is_refused = true;
         }
     }
     let shapes = [table::STRAIGHT.name, table::VERTICAL.name, table::CORRIDOR.name];
@@ -127,16 +123,11 @@ pub fn read<'a>(
     let (limits, whole) = reader::read(cx, &clauses.body);
     let (shape, from) = (shape?, from?);
     let stop = stop_span.is_some();
-    whole.then_some(Written { to: to.unwrap_or(0), stop, stop_span, pass_span, shape, from, limits })
+    (whole && !is_refused).then_some(Written { to: to.unwrap_or(0), stop, stop_span, pass_span, shape, from, limits })
 }
 
 /// The limits of all legs without errors, in the order of flight, and whether these are all of them.
-pub fn limits(
-    cx: &mut Context,
-    legs: &[Written],
-    waypoints: &[Waypoint],
-    end_at_rest: bool,
-) -> (Vec<Limit>, bool) {
+pub fn limits(cx: &mut Context, legs: &[Written], waypoints: &[Waypoint], end_at_rest: bool) -> (Vec<Limit>, bool) {
     let mut found = Vec::new();
     let mut whole = true;
     for leg in legs.iter().filter(|leg| leg.to > 0 && leg.to < waypoints.len()) {
@@ -231,7 +222,8 @@ fn line(cx: &mut Context, from: &Waypoint, to: &Waypoint, shape: Shape, span: Sp
     let aside = apart[0].hypot(apart[1]);
     if matches!(shape, Shape::Vertical) && aside > SAME_PLACE {
         let message = format!("the leg is not vertical: its ends are {} m apart horizontally", number(aside));
-        let error = Diagnostic::error(LINE, span, message).here("the leg arrives here").also(from.span, "it begins here");
+        let error =
+            Diagnostic::error(LINE, span, message).here("the leg arrives here").also(from.span, "it begins here");
         cx.report(error.help("write `straight`, or give both waypoints the same x and y"));
         return None;
     }

@@ -57,9 +57,11 @@ impl Paces {
         let upper =
             |(limit, past): (&Limit, &f64)| Some(limit.upper? + past + tolerance::MOST_PAST_LIMIT * limit.size());
         let most = |kind: LimitKind| {
-            let of_kind = mission.limits.iter().zip(past).filter(|(limit, _)| {
-                limit.kind == kind && legs.clone().all(|leg| limit.concerns(leg))
-            });
+            let of_kind = mission
+                .limits
+                .iter()
+                .zip(past)
+                .filter(|(limit, _)| limit.kind == kind && legs.clone().all(|leg| limit.concerns(leg)));
             of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
         };
         let vehicle = &model.vehicle;

@@ -82,14 +82,20 @@ fn listed() -> String {
 pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
     let clauses = match statement.word() {
-        "waypoint" | "start" => "`at`, `yaw`, `within`, `yaw_within`, `weight`, `time`, `straight`, `vertical`, `corridor`, `arrive from`, `stop` and `pass`",
+        "waypoint" | "start" => {
+            "`at`, `yaw`, `within`, `yaw_within`, `weight`, `time`, `straight`, `vertical`, `corridor`, `arrive from`, `stop` and `pass`"
+        }
         _ => return None,
     };
     let (from, before) = statement.before(failure.at);
     let is_value = found.starts_with(|c: char| c.is_ascii_digit());
     if let ("straight" | "vertical" | "stop", true) = (before, is_value) {
         let message = format!("`{before}` takes no value");
-        let error = Diagnostic::error("mavc::syntax::unexpected", statement.span(failure.at, failure.at + found.len()), message);
+        let error = Diagnostic::error(
+            "mavc::syntax::unexpected",
+            statement.span(failure.at, failure.at + found.len()),
+            message,
+        );
         let error = error.here("a value");
         return Some(match before {
             "stop" => error.help("write `hold 3 s` on the next line to stay there"),

@@ -251,9 +251,8 @@ impl Rows<'_> {
                 let direction = limit.leg.as_ref()?.direction?;
                 let (s, c) = upper.sin_cos();
                 let ahead = [X, Y, Z].into_iter().zip(direction);
-                let reach = ahead.fold(Expression::default(), |row, (axis, d)| {
-                    row.plus(node, axis, 1, s / c * Interval::point(d))
-                });
+                let reach = ahead
+                    .fold(Expression::default(), |row, (axis, d)| row.plus(node, axis, 1, s / c * Interval::point(d)));
                 with(reach, across(node, 1, [0.0; 3], direction))
             }
             LimitKind::Jerk if self.kind == DynamicModel::Exact => with(reach, parts(&[X, Y, Z], 3)),
