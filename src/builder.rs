@@ -545,6 +545,7 @@ fn taken(entry: &Entry) -> String {
         Takes::QuantityOr(..) => format!("a number or one of {words}"),
         Takes::Words(_) => format!("one of {words}"),
         Takes::WordList(_) => format!("one or more of {words}"),
+        Takes::Nothing => "no value".into(),
         Takes::Text => "a text without quotes and control characters".into(),
         Takes::Names(_) => "a name or a list of names".into(),
     }

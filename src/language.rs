@@ -46,6 +46,8 @@ pub enum Takes {
     WordList(&'static [&'static str]),
     /// Text in quotes.
     Text,
+    /// No value: the word alone.
+    Nothing,
     /// A name or a choice of names, explained by the documentation line; words that are accepted as well.
     Names(&'static [&'static str]),
 }
@@ -221,7 +223,7 @@ impl Entry {
             | Takes::Bound(unit, _)
             | Takes::QuantityOr(unit, _, _) => Some(unit),
             Takes::Share | Takes::Whole(..) => Some("1"),
-            Takes::Words(_) | Takes::WordList(_) | Takes::Text | Takes::Names(_) => None,
+            Takes::Words(_) | Takes::WordList(_) | Takes::Text | Takes::Nothing | Takes::Names(_) => None,
         }
     }
 

@@ -53,6 +53,7 @@ pub use flight_settings::{
 };
 pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
+pub use mission::ARRIVAL;
 pub use mission::MAX_WAYPOINTS;
 #[cfg(feature = "lsp")]
 pub(crate) use near_files::is_unfit;
@@ -243,15 +244,21 @@ impl Mission {
     /// # Panics
     /// If there is no such leg.
     pub fn least_intervals(&self, leg: usize) -> usize {
-        let last = self.waypoints.len() - 1;
-        let rests = |at: usize| self.waypoints[at].hold > 0.0;
-        let from = rests(leg) || leg == 0 && self.start_at_rest;
-        let to = rests(leg + 1) || leg + 1 == last && self.end_at_rest;
-        match (from, to) {
+        match (self.rests_at(leg), self.rests_at(leg + 1)) {
             (true, true) => 10,
             (true, false) | (false, true) => 5,
             (false, false) => 1,
         }
+    }
+
+    /// Whether the vehicle is at rest when it reaches a waypoint.
+    ///
+    /// # Panics
+    /// If there is no such waypoint.
+    pub fn rests_at(&self, waypoint: usize) -> bool {
+        let Waypoint { hold, stop, .. } = self.waypoints[waypoint];
+        let last = self.waypoints.len() - 1;
+        hold > 0.0 || stop || waypoint == 0 && self.start_at_rest || waypoint == last && self.end_at_rest
     }
 
     /// Whether some waypoint between start and end has no fixed time, so that legs can divide the time in more than one way.
@@ -290,6 +297,8 @@ pub struct Waypoint {
     pub time: Option<f64>,
     /// How long the vehicle stays at rest here after arriving, s; 0 if it flies on.
     pub hold: f64,
+    /// Whether the vehicle comes to rest here even without a hold.
+    pub stop: bool,
     /// The place of its statement: for a `curve`, parameter and range; for a table, the row.
     pub span: Span,
     pub time_span: Option<Span>,
@@ -321,12 +330,25 @@ pub enum LimitKind {
     YawRate,
     YawAcceleration,
     Tilt,
-    /// The position along the normal of a face of a `keep_in`.
+    /// The position along the normal of a face of a `keep_in`, or along the axis of a corridor.
     Face,
-    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one.
+    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one or of a corridor.
     Distance,
     /// The distance from a body of a `keep_out`: a lower bound, and the only limit that is not convex.
     Clearance,
+    /// The angle between the velocity and [`OnLeg::direction`] at the end of the leg; without velocity there is none.
+    Arrival,
+}
+
+/// The leg to which a limit is restricted, its two waypoints included.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OnLeg {
+    /// Index into [`Mission::legs`].
+    pub leg: usize,
+    /// The limit as messages name it: `speed on the leg to waypoint 3`.
+    pub name: String,
+    /// Of [`LimitKind::Arrival`]: the unit vector along which the vehicle arrives.
+    pub direction: Option<[f64; 3]>,
 }
 
 /// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only an
@@ -338,9 +360,11 @@ pub struct Limit {
     pub lower: Option<f64>,
     pub upper: Option<f64>,
     pub span: Span,
-    /// The volume that imposes this limit; `None` for a limit of the `limits` block. `Face`, `Distance` and `Clearance`
-    /// always have one.
+    /// The volume or corridor that imposes this limit; `None` for a limit that is written as one. `Face`, `Distance` and
+    /// `Clearance` always have one.
     pub volume: Option<Arc<Boundary>>,
+    /// The leg on which the limit holds; `None` if it holds on all.
+    pub leg: Option<Arc<OnLeg>>,
 }
 
 impl Limit {
@@ -351,5 +375,15 @@ impl Limit {
             return 1.0;
         }
         self.upper.unwrap_or(0.0).abs().max(self.lower.unwrap_or(0.0).abs()).max(1.0)
+    }
+
+    /// Whether the limit holds on all legs.
+    pub fn is_general(&self) -> bool {
+        self.leg.is_none()
+    }
+
+    /// Whether the limit holds somewhere on a leg.
+    pub fn concerns(&self, leg: usize) -> bool {
+        self.leg.as_ref().is_none_or(|on| on.leg == leg)
     }
 }

@@ -121,7 +121,8 @@ def check_words() -> Iterator[str]:
         return set(re.findall(r'"(\w+)"', text[1] if text else ""))
 
     clauses = rule("clause_word")
-    continuing = clauses | rule("continuing_word")
+    of_waypoints = rule("bare_word") | rule("arrive_word")
+    continuing = clauses | of_waypoints | rule("continuing_word")
     rules = json.loads((HERE / "src/grammar.json").read_text())["rules"]
     scanner = re.search(r"CONTINUING_WORDS\[\] = \{(.*?)\};", (HERE / "src/scanner.c").read_text(), re.S)
     # Where the grammar for VS Code says which words are no units.

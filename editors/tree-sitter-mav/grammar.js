@@ -23,8 +23,14 @@ const STATEMENT_WORDS = [
 
 const CLAUSE_WORDS = [
   'at', 'yaw_within', 'yaw', 'within', 'weight', 'time_constant', 'time', 'spin', 'min_speed', 'max_speed',
-  'max_thrust', 'thrust_coefficient', 'drag_coefficient', 'torque_per_thrust', 'until',
+  'max_thrust', 'thrust_coefficient', 'drag_coefficient', 'torque_per_thrust', 'until', 'corridor',
 ];
+
+// Clauses of a waypoint without a value.
+const BARE_WORDS = ['straight', 'vertical', 'stop', 'pass'];
+
+// Clauses of a waypoint with `from` before the value.
+const FROM_WORDS = ['arrive'];
 
 const commaSeparated = (rule) => seq(rule, repeat(seq(',', rule)));
 
@@ -55,14 +61,15 @@ module.exports = grammar({
 
     _simple: ($) =>
       choice(
-        $.field, $.limit, $.requirement, $.import, $.binding, $.moving, $.start, $.waypoint, $.survey, $.hold,
-        alias($._every_head, $.every), $.fault, $.rotor, $.strike,
+        $.field, $.limit, $.requirement, $.import, $.binding, $.moving, $.survey, $.hold, alias($._every_head, $.every),
+        alias($._start_head, $.start), alias($._waypoint_head, $.waypoint), $.fault, $.rotor, $.strike,
       ),
 
     _block: ($) =>
       choice(
         $.vehicle, $.faults, $.mission, $.plan, $.simulate, $.campaign, $.limits, $.volume, $.mode, $.curve,
-        $.rotor_block, $.rotors_block, alias($._every_block, $.every),
+        $.rotor_block, $.rotors_block, alias($._every_block, $.every), alias($._start_block, $.start),
+        alias($._waypoint_block, $.waypoint),
       ),
 
     // ---- blocks
@@ -116,8 +123,10 @@ module.exports = grammar({
     stuck: ($) => seq('stuck', 'at', $.expression),
 
     rotor: ($) => seq('rotor', repeat1($.clause)),
-    start: ($) => seq('start', repeat1($.clause)),
-    waypoint: ($) => seq('waypoint', field('name', optional($.name)), repeat1($.clause)),
+    _start_head: ($) => seq('start', repeat1($._waypoint_clause)),
+    _start_block: ($) => seq($._start_head, field('body', $.body)),
+    _waypoint_head: ($) => seq('waypoint', field('name', optional($.name)), repeat1($._waypoint_clause)),
+    _waypoint_block: ($) => seq($._waypoint_head, field('body', $.body)),
     strike: ($) => seq('fault', field('mode', $.name), repeat1($.clause)),
     moving: (_) => seq(choice('start', 'end'), 'moving'),
     hold: ($) => seq('hold', field('time', $.expression)),
@@ -128,6 +137,10 @@ module.exports = grammar({
         field('name', alias(choice(...CLAUSE_WORDS), $.clause_word)),
         field('value', $.expression),
       ),
+
+    _waypoint_clause: ($) => choice($.clause, alias($._bare, $.clause), alias($._arrival, $.clause)),
+    _bare: ($) => field('name', alias(choice(...BARE_WORDS), $.clause_word)),
+    _arrival: ($) => seq(field('name', alias(FROM_WORDS[0], $.clause_word)), 'from', field('value', $.expression)),
 
     _field_name: ($) => choice($.name, alias(choice(...STATEMENT_WORDS), $.name)),
 

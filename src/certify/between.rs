@@ -4,14 +4,13 @@
 use super::witness::{model_of, motion};
 use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
-use crate::model::{Environment, Limit, Problem};
-use crate::motion::checks::past_as_checked;
+use crate::model::{Limit, LimitKind, Problem};
+use crate::motion::checks::{leg_intervals, past_as_checked, peak_of};
 use crate::motion::{NodeState, Trajectory};
 use crate::planner::studies::{MissionPlan, PlannerRun};
 use crate::verify::Premises;
 use crate::verify::cost::Purse;
 use crate::verify::interval::Interval;
-use crate::verify::limits;
 use crate::verify::motion::Motion;
 use crate::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT, OF_A_GRID, Setting, wrench_family};
 use crate::verify::proof::throughout;
@@ -90,7 +89,7 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     let mut found = vec![kept_facets((setting.dynamics(), &motion), Held::Wrench, &planes, trajectory, |_, state| {
         largest(trajectory.wrenches(&model.vehicle, &winds, state))
     })];
-    found.extend(mission.limits.iter().map(|limit| kept_limit(&motion, limit, trajectory, &environment)));
+    found.extend(mission.limits.iter().map(|limit| kept_limit(&setting, &motion, limit, trajectory)));
     if let Some((held, tau)) = setting.commands().zip(model.thrust_lag()) {
         // If the wrench stays in a plane, so does its rate, and so do the commands.
         let planes: Vec<Plane> = rows.iter().filter(|r| !r.equality).map(|r| plane(1.0, r)).collect();
@@ -126,10 +125,24 @@ fn kept_facets(
 }
 
 /// The result for a limit: the first bound of [`PAST`] that is proved, otherwise what a grid shows.
-fn kept_limit(motion: &Motion, limit: &Limit, trajectory: &Trajectory, environment: &Environment) -> Between {
+fn kept_limit(setting: &Setting, motion: &Motion, limit: &Limit, trajectory: &Trajectory) -> Between {
     let rows = limit.name().to_string();
-    let family = limits::family(limit, environment);
-    let seen = seen(trajectory, |_, state| past_as_checked(limit, state, environment));
+    let (environment, mission) = (&setting.dynamics().environment, setting.mission());
+    let family = setting.family_of(limit, motion);
+    let seen = match (&limit.leg, limit.kind) {
+        (None, _) => seen(trajectory, |_, state| past_as_checked(limit, state, environment)),
+        (Some(_), LimitKind::Arrival) => {
+            peak_of(limit, mission, trajectory, |state| past_as_checked(limit, state, environment)).value
+        }
+        (Some(on), _) => {
+            let leg = leg_intervals(trajectory, mission, on.leg);
+            let within = |k: usize, state: &NodeState| match leg.contains(&k) {
+                true => past_as_checked(limit, state, environment),
+                false => f64::NEG_INFINITY,
+            };
+            seen(trajectory, within)
+        }
+    };
     // Bounds that the grid disproves are not tried.
     let proved = PAST
         .map(|share| share * limit.size())

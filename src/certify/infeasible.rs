@@ -40,6 +40,8 @@ struct Overshoot {
     program: QuadraticProgram,
     /// Unit of time of its variables at each node, s.
     taus: Vec<f64>,
+    /// The node of each waypoint.
+    waypoint_nodes: Vec<usize>,
     /// In the exact model: weights of the set's rows, see `MostThrust::weights`.
     thrust: Vec<f64>,
 }
@@ -71,8 +73,7 @@ pub fn certificate(
         DynamicModel::Hover => (named(model, run.set.rows.iter())?, Vec::new()),
         DynamicModel::Exact => weighed(model, run, &overshoot.thrust)?,
     };
-    let every =
-        multipliers(&overshoot.program, &z, &overshoot.taus, mission).ok_or("a row of the program cannot be named")?;
+    let every = multipliers(&overshoot, &z, mission).ok_or("a row of the program cannot be named")?;
     if facets.len() > MAX_FACETS || every.len() > MAX_MULTIPLIERS {
         return Err("it has more rows than a certificate may hold".into());
     }
@@ -118,6 +119,7 @@ fn about_hover(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Resu
     Ok(Overshoot {
         program: form.full_program(Purpose::Overshoot { epsilon: COST }),
         taus: form.taus(),
+        waypoint_nodes: layout.flown.waypoint_nodes.clone(),
         thrust: Vec::new(),
     })
 }
@@ -127,7 +129,7 @@ fn relaxed(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<O
     let flown = time_grid(planner.mission(), total, planner.model().plan.samples).ok_or(NO_TIME)?.flown();
     let Relaxed { program, taus, thrust } =
         ScpPlanner::new(planner, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
-    Ok(Overshoot { program, taus, thrust: thrust.weights })
+    Ok(Overshoot { program, taus, waypoint_nodes: flown.waypoint_nodes.clone(), thrust: thrust.weights })
 }
 
 fn named<'r>(model: &Model, rows: impl Iterator<Item = &'r SetRow>) -> Result<Vec<FacetRecord>, String> {
@@ -169,7 +171,8 @@ impl Part {
 
 /// The multipliers of all rows except those of the dynamics. Rows with the same origin are adjacent in the program: the
 /// sides of a limit, the parts of a cone.
-fn multipliers(program: &QuadraticProgram, z: &[f64], taus: &[f64], mission: &Mission) -> Option<Vec<Multiplier>> {
+fn multipliers(overshoot: &Overshoot, z: &[f64], mission: &Mission) -> Option<Vec<Multiplier>> {
+    let Overshoot { program, taus, waypoint_nodes, .. } = overshoot;
     let mut found: Vec<Multiplier> = Vec::new();
     let mut at = 0;
     let mut seen: std::collections::BTreeMap<(usize, usize), usize> = Default::default();
@@ -207,8 +210,11 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], taus: &[f64], mission: &Mi
                         mission.limits[limit].upper.map(|_| Side::Upper),
                         mission.limits[limit].lower.map(|_| Side::Lower),
                     ];
-                    // A jerk limit has a cone for each interval adjacent to its node, from the left.
-                    let interval = node.saturating_sub(1) + *count - 1;
+                    // A jerk limit has a cone for each interval adjacent to its node, from the left; one of a leg none before it.
+                    let begins_here =
+                        mission.limits[limit].leg.as_ref().is_some_and(|on| waypoint_nodes[on.leg] == node);
+                    let first = if begins_here { node } else { node.saturating_sub(1) };
+                    let interval = first + *count - 1;
                     match sides.into_iter().flatten().nth(*count - 1) {
                         Some(side) if size == 1 => RowRecord::Limit { limit, node, side },
                         _ if size > 1 => RowRecord::LimitNorm { limit, node, interval },

@@ -21,7 +21,7 @@ pub fn diagnose(explanation: &Explanation, problem: Problem, sources: &SourceMap
     let rank = |s: &Statement| match s {
         Statement::Time => 0,
         Statement::Arrival(_) => 1,
-        Statement::Hold(_) => 2,
+        Statement::Hold(_) | Statement::Stop(_) => 2,
         Statement::Limit(_) => 3,
         Statement::Mode(_) => 4,
         Statement::Reserve => 5,

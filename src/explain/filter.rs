@@ -44,7 +44,7 @@ pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Opt
     let of = |wanted: fn(&Statement) -> bool| -> Vec<Statement> { statements.iter().copied().filter(wanted).collect() };
     filter.halve(&of(|s| matches!(s, Statement::Time)));
     filter.halve(&of(|s| matches!(s, Statement::Reserve)));
-    filter.halve(&of(|s| matches!(s, Statement::Arrival(_) | Statement::Hold(_))));
+    filter.halve(&of(|s| matches!(s, Statement::Arrival(_) | Statement::Hold(_) | Statement::Stop(_))));
     filter.weigh_down(statements);
     let irreducible = filter.check(statements);
     let Filter { questions, left_out, proved, only_for_selection, only_for_samples, .. } = filter;

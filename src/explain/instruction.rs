@@ -1,8 +1,8 @@
 //! Changes in words: what to write in the spec, or on the command line if the statement came from there.
 
 use super::remedy::Change;
-use super::statement::{length, written};
-use crate::model::{MissionTime, Problem, is_override};
+use super::statement::{clause, length, written};
+use crate::model::{Limit, MissionTime, Problem, is_override};
 use crate::number::number;
 use crate::source::{SourceMap, Span};
 
@@ -13,6 +13,10 @@ impl Change {
         let at = |i: usize| match &mission.waypoints[i].name {
             Some(name) => format!("waypoint `{name}`"),
             None => format!("waypoint {}", i + 1),
+        };
+        let on_leg = |limit: &Limit| match &limit.leg {
+            Some(on) => format!(" on the leg to {}", at(on.leg + 1)),
+            None => String::new(),
         };
         let set = |span: Span| is_override(sources, span);
         let plan = &model.plan;
@@ -39,11 +43,12 @@ impl Change {
             Change::Within { within, .. } => format!("write `within = {}` in the curve", length(within)),
             Change::Bound { limit, upper } => {
                 let limit = &mission.limits[limit];
+                let of_leg = on_leg(limit);
                 let (name, unit, scale) = limit.kind.words();
                 let value = number(upper / scale);
                 match set(limit.span) {
                     true => format!("use `--set mission.limits.{name}={value}{unit}`"),
-                    false => format!("write `{name} <= {value} {unit}`"),
+                    false => format!("write `{name} <= {value} {unit}`{of_leg}"),
                 }
             }
             Change::Reserve(reserve) if set(plan.reserve_span) => {
@@ -52,10 +57,15 @@ impl Change {
             Change::Reserve(reserve) => format!("write `reserve = {} %`", number(100.0 * reserve)),
             Change::NoLimit(limit) => {
                 let limit = &mission.limits[limit];
+                let of_leg = on_leg(limit);
+                if let Some((clause, on)) = clause(limit).zip(limit.leg.as_ref()) {
+                    return format!("remove `{clause}` at {}", at(on.leg + 1));
+                }
                 let also = if set(limit.span) { " from `--set`, and from the spec if it is there too" } else { "" };
-                format!("remove `{}`{also}", written(limit))
+                format!("remove `{}`{of_leg}{also}", written(limit))
             }
             Change::NoHold(waypoint) => format!("remove the `hold` at {}", at(waypoint)),
+            Change::NoStop(waypoint) => format!("remove `stop` at {}", at(waypoint)),
             Change::NoMode(mode) => {
                 let list = if set(plan.against_span) { "--set plan.against" } else { "against" };
                 format!("remove `{}` from `{list}`", model.modes[mode].name)

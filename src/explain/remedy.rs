@@ -28,6 +28,8 @@ pub enum Change {
     NoLimit(usize),
     /// A hold is removed.
     NoHold(usize),
+    /// A stop is removed.
+    NoStop(usize),
     /// A mode is removed from `against`.
     NoMode(usize),
     /// A lighter vehicle.
@@ -77,7 +79,9 @@ pub(super) fn fixes(questions: &mut Questions, conflict: &Conflict) -> Vec<Fix> 
     for statement in of(|s| matches!(s, Statement::Limit(_) | Statement::Reserve)) {
         found.extend(looser(questions, statement));
     }
-    for statement in of(|s| matches!(s, Statement::Limit(_) | Statement::Hold(_) | Statement::Mode(_))) {
+    for statement in
+        of(|s| matches!(s, Statement::Limit(_) | Statement::Hold(_) | Statement::Stop(_) | Statement::Mode(_)))
+    {
         // A limit that can be widened need not be removed.
         if found.iter().all(|fix: &Fix| fix.change.of() != Some(statement)) {
             found.extend(less(statement).and_then(|change| attempt(questions, change)));
@@ -131,7 +135,7 @@ fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
         Statement::Limit(limit) => {
             let Limit { kind, lower, upper, volume, .. } = &questions.problem.mission().limits[limit];
             let (kind, lower, upper) = (*kind, *lower, *upper);
-            if volume.is_some() {
+            if volume.is_some() || kind == LimitKind::Arrival {
                 return None;
             }
             let upper = upper.filter(|u| *u > 0.0 && (lower.is_none() || lower == Some(-u)))?;
@@ -191,6 +195,7 @@ fn less(statement: Statement) -> Option<Change> {
     match statement {
         Statement::Limit(limit) => Some(Change::NoLimit(limit)),
         Statement::Hold(waypoint) => Some(Change::NoHold(waypoint)),
+        Statement::Stop(waypoint) => Some(Change::NoStop(waypoint)),
         Statement::Mode(mode) => Some(Change::NoMode(mode)),
         _ => None,
     }
@@ -234,6 +239,7 @@ impl Change {
             Change::Reserve(reserve) => plan.reserve = reserve,
             Change::NoLimit(limit) => Statement::Limit(limit).leave_out(model),
             Change::NoHold(waypoint) => Statement::Hold(waypoint).leave_out(model),
+            Change::NoStop(waypoint) => Statement::Stop(waypoint).leave_out(model),
             Change::NoMode(mode) => Statement::Mode(mode).leave_out(model),
             Change::Mass(mass) => vehicle.mass = mass,
         }
@@ -250,6 +256,7 @@ impl Change {
             Change::Reserve(_) => "reserve",
             Change::NoLimit(_) => "no_limit",
             Change::NoHold(_) => "no_hold",
+            Change::NoStop(_) => "no_stop",
             Change::NoMode(_) => "no_mode",
             Change::Mass(_) => "mass",
         }
@@ -263,7 +270,7 @@ impl Change {
             Change::Arrival { time, .. } => Some(time),
             Change::Within { within, .. } => Some(within),
             Change::Bound { upper, .. } => Some(upper),
-            Change::NoLimit(_) | Change::NoHold(_) | Change::NoMode(_) => None,
+            Change::NoLimit(_) | Change::NoHold(_) | Change::NoStop(_) | Change::NoMode(_) => None,
         }
     }
 
@@ -277,6 +284,7 @@ impl Change {
             Change::Bound { limit, .. } | Change::NoLimit(limit) => Some(Statement::Limit(limit)),
             Change::Reserve(_) => Some(Statement::Reserve),
             Change::NoHold(waypoint) => Some(Statement::Hold(waypoint)),
+            Change::NoStop(waypoint) => Some(Statement::Stop(waypoint)),
             Change::NoMode(mode) => Some(Statement::Mode(mode)),
         }
     }

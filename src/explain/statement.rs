@@ -1,7 +1,7 @@
 //! The statements of a spec that a plan must satisfy.
 
 use super::oracle::Part;
-use crate::model::{Limit, MissionTime, Model, PlannerKind, Problem};
+use crate::model::{Limit, LimitKind, MissionTime, Model, PlannerKind, Problem};
 use crate::number::{number, part_of_all};
 use crate::planner::transcription::UNBOUNDED;
 use crate::source::Span;
@@ -18,6 +18,8 @@ pub enum Statement {
     Arrival(usize),
     /// The `hold` after a waypoint.
     Hold(usize),
+    /// The `stop` of a waypoint.
+    Stop(usize),
     RestAtStart,
     RestAtEnd,
     Limit(usize),
@@ -42,10 +44,16 @@ pub fn statements(problem: Problem) -> Vec<Statement> {
         // The first waypoint is reached at time zero, whether stated or not.
         all.extend((i > 0 && waypoint.time.is_some()).then_some(Statement::Arrival(i)));
         all.extend((waypoint.hold > 0.0).then_some(Statement::Hold(i)));
+        all.extend(waypoint.stop.then_some(Statement::Stop(i)));
     }
     all.extend(mission.start_at_rest.then_some(Statement::RestAtStart));
     all.extend(mission.end_at_rest.then_some(Statement::RestAtEnd));
-    all.extend((0..mission.limits.len()).map(Statement::Limit));
+    // The limits of a corridor are one statement.
+    let is_first = |i: usize| {
+        let is_corridor = |limit: &Limit| limit.leg.is_some() && limit.volume.is_some();
+        !(i > 0 && is_corridor(&mission.limits[i]) && mission.limits[i - 1].span == mission.limits[i].span)
+    };
+    all.extend((0..mission.limits.len()).filter(|&i| is_first(i)).map(Statement::Limit));
     if plan.planner != PlannerKind::Rip {
         all.extend(plan.against.iter().map(|&mode| Statement::Mode(mode)));
     }
@@ -68,7 +76,9 @@ impl Statement {
             Statement::RestAtEnd => vec![Part::RestAtEnd],
             Statement::Limit(i) => vec![Part::Limit(i)],
             Statement::Mode(i) => vec![Part::Mode(i)],
-            Statement::Arrival(_) | Statement::Hold(_) | Statement::Reserve | Statement::Time => Vec::new(),
+            Statement::Arrival(_) | Statement::Hold(_) | Statement::Stop(_) | Statement::Reserve | Statement::Time => {
+                Vec::new()
+            }
         }
     }
 
@@ -83,9 +93,17 @@ impl Statement {
             }
             Statement::Arrival(i) => mission.waypoints[i].time = None,
             Statement::Hold(i) => mission.waypoints[i].hold = 0.0,
+            Statement::Stop(i) => mission.waypoints[i].stop = false,
             Statement::RestAtStart => mission.start_at_rest = false,
             Statement::RestAtEnd => mission.end_at_rest = false,
-            Statement::Limit(i) => (mission.limits[i].lower, mission.limits[i].upper) = (None, None),
+            Statement::Limit(i) => {
+                let (span, of_leg) = (mission.limits[i].span, mission.limits[i].leg.is_some());
+                for (index, limit) in mission.limits.iter_mut().enumerate() {
+                    if index == i || of_leg && limit.span == span {
+                        (limit.lower, limit.upper) = (None, None);
+                    }
+                }
+            }
             Statement::Mode(mode) => plan.against.retain(|&other| other != mode),
             Statement::Reserve => plan.reserve = 0.0,
             Statement::Time => plan.time = MissionTime::Minimum,
@@ -100,6 +118,7 @@ impl Statement {
             Statement::Waypoints { first, .. } => waypoint(first).span,
             Statement::Arrival(i) => waypoint(i).time_span.unwrap_or(waypoint(i).span),
             Statement::Hold(i) => waypoint(i).hold_span.unwrap_or(waypoint(i).span),
+            Statement::Stop(i) => waypoint(i).span,
             Statement::RestAtStart => waypoint(0).span,
             Statement::RestAtEnd => waypoint(mission.waypoints.len() - 1).span,
             Statement::Limit(i) => mission.limits[i].span,
@@ -115,6 +134,7 @@ impl Statement {
             Statement::Waypoints { .. } => "waypoint",
             Statement::Arrival(_) => "arrival",
             Statement::Hold(_) => "hold",
+            Statement::Stop(_) => "stop",
             Statement::RestAtStart => "rest_at_start",
             Statement::RestAtEnd => "rest_at_end",
             Statement::Limit(_) => "limit",
@@ -144,9 +164,13 @@ impl Statement {
             }
             Statement::Arrival(i) => format!("at {} s", number(mission.waypoints[i].time.unwrap_or(0.0))),
             Statement::Hold(i) => format!("holding for {} s", number(mission.waypoints[i].hold)),
+            Statement::Stop(_) => "coming to rest".into(),
             Statement::RestAtStart => "starting at rest".into(),
             Statement::RestAtEnd => "ending at rest".into(),
-            Statement::Limit(i) => format!("keeping `{}`", written(&mission.limits[i])),
+            Statement::Limit(i) => match clause(&mission.limits[i]) {
+                Some(clause) => format!("keeping `{clause}`"),
+                None => format!("keeping `{}`", written(&mission.limits[i])),
+            },
             Statement::Mode(mode) => format!("{} tolerated", model.modes[mode].name),
             Statement::Reserve => {
                 let default = model.defaults.iter().any(|d| d.field == "plan.reserve");
@@ -158,6 +182,16 @@ impl Statement {
                 MissionTime::Minimum => "in the shortest time".into(),
             },
         }
+    }
+}
+
+/// The clause of a waypoint that imposes a limit, if one does.
+pub(super) fn clause(limit: &Limit) -> Option<&'static str> {
+    let on = limit.leg.as_ref()?;
+    let is_shape = |word: &&str| limit.volume.is_some() && on.name.starts_with(word);
+    match limit.kind {
+        LimitKind::Arrival => Some("arrive from"),
+        _ => ["straight", "vertical", "corridor"].into_iter().find(is_shape),
     }
 }
 

@@ -120,13 +120,15 @@ impl Roles {
             if i > 0 {
                 self.words.insert(start(clause.word.span), Role::Clause);
             }
-            self.expr(&clause.value);
+            clause.value.iter().for_each(|value| self.expr(value));
         }
+        self.body(&clauses.body);
     }
 
     /// Rotors placed one below the other make a table.
     fn coordinates(&mut self, rotor: &Clauses) {
-        let Some(Clause { word, value: Expr { kind: ExprKind::List { elements, .. }, .. } }) = rotor.clauses.first()
+        let Some(Clause { word, value: Some(Expr { kind: ExprKind::List { elements, .. }, .. }), .. }) =
+            rotor.clauses.first()
         else {
             return;
         };

@@ -84,6 +84,7 @@ fn takes(entry: &Entry) -> String {
         Takes::QuantityOr(_, _, words) => format!("{}, {}", unit(entry), listed(words)),
         Takes::WordList(words) => format!("list of {}", listed(words)),
         Takes::Text => "text".into(),
+        Takes::Nothing => "no value".into(),
         Takes::Names([]) => "name".into(),
         Takes::Names(words) => format!("names, {}", listed(words)),
     }

@@ -119,7 +119,8 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
             statement(
                 "waypoint",
                 "waypoint [NAME] at POSITION ...",
-                "a point to fly through; its clauses may be in any order",
+                "a point to fly through; its clauses may be in any order, and limits of the [leg](#legs) that arrives may follow \
+                 in braces",
             ),
             statement(
                 "curve",

@@ -2,7 +2,7 @@
 
 use super::Absent::{Needed, Otherwise, Value, Written};
 use super::Range::{Any, NotNegative, Positive};
-use super::Takes::{Bound, Names, Quantity, QuantityOr, Share, Text, Vector, Whole, WordList, Words};
+use super::Takes::{Bound, Names, Nothing, Quantity, QuantityOr, Share, Text, Vector, Whole, WordList, Words};
 use super::{Absent, Entry, Takes};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -140,6 +140,15 @@ group! {
     WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),
         "the weight of the squared distance and of the squared yaw error";
     TIME "time", Quantity("s", NotNegative), Otherwise("free"), "the time of arrival, counted from the start of the mission";
+    STRAIGHT "straight", Nothing, NO_DEFAULT,
+        "the leg that arrives here is a `corridor` whose radius is the larger `within` of its two waypoints ([legs](#legs))";
+    VERTICAL "vertical", Nothing, NO_DEFAULT, "the same for a leg whose waypoints are above each other, which it checks";
+    CORRIDOR "corridor", Quantity("m", Positive), NO_DEFAULT,
+        "the radius about the line from the previous waypoint within which the leg that arrives here stays";
+    ARRIVE "arrive", Vector("1", Any), NO_DEFAULT,
+        "after `from`: the direction `[x, y, z]` from which the vehicle comes, as in `arrive from [0, 0, 1]`";
+    STOP "stop", Nothing, Otherwise("`pass`"), "comes to rest here, without a `hold`";
+    PASS "pass", Nothing, NO_DEFAULT, "flies through; the opposite of `stop`";
 }
 
 const COORDINATE: &[&str] = &["<=", ">=", "in"];

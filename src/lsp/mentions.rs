@@ -181,8 +181,11 @@ impl<'a> Walk<'a> {
     fn clauses(&mut self, clauses: &'a Clauses, place: Place) {
         for clause in &clauses.clauses {
             self.note(clause.word.span, What::Field(place));
-            self.value(&clause.value, place, &clause.word.value);
+            if let Some(value) = &clause.value {
+                self.value(value, place, &clause.word.value);
+            }
         }
+        self.statements(&clauses.body, Place::Limits);
     }
 
     fn field(&mut self, field: &'a Field, place: Place) {

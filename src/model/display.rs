@@ -172,12 +172,18 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
         if w.hold > 0.0 {
             write!(f, ", hold {} s", number(w.hold))?;
         }
+        if w.stop {
+            write!(f, ", stop")?;
+        }
         writeln!(f)?;
         if let Some(leg) = m.legs.get(i) {
             writeln!(f, "  leg {} has a share of {}", i + 1, number(leg.share))?;
         }
     }
-    m.limits.iter().try_for_each(|l| writeln!(f, "  limit {l}"))?;
+    m.limits.iter().try_for_each(|l| match &l.leg {
+        Some(on) => writeln!(f, "  limit on leg {}: {l}", on.leg + 1),
+        None => writeln!(f, "  limit {l}"),
+    })?;
     let Air { wind, wind_spread, gusts, density_ratio, .. } = &m.air;
     if wind.iter().chain(wind_spread).any(|v| *v != 0.0) {
         writeln!(f, "  wind {} +- {} m/s", list(wind), list(wind_spread))?;
@@ -213,6 +219,7 @@ impl LimitKind {
             LimitKind::Face => ("along the normal", "m", 1.0),
             LimitKind::Distance => ("distance from the centre", "m", 1.0),
             LimitKind::Clearance => ("distance from the body", "m", 1.0),
+            LimitKind::Arrival => ("angle to the direction of arrival", "deg", degree),
         }
     }
 }

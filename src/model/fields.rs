@@ -64,7 +64,7 @@ pub(super) struct Fields<'a> {
     pub owner: String,
     /// Where a missing field is reported.
     pub span: Span,
-    found: Vec<(&'a Name, &'a Expr, Span)>,
+    found: Vec<(&'a Name, Option<&'a Expr>, Span)>,
     /// Known names that are present in an unreadable or misspelt form, so that they are not reported as missing.
     accounted: Vec<&'static str>,
     /// The block has statements that could not be parsed, so that no field is certainly missing.
@@ -106,7 +106,7 @@ impl<'a> Fields<'a> {
     /// Adds one field; the options after a curve's range are read by the same rules as the fields of its body.
     pub fn take_field(&mut self, cx: &mut Context<'a>, field: &'a Field, known: Group) {
         match &field.value {
-            FieldValue::Expr(expr) => self.take(cx, &field.name, expr, field.span, known),
+            FieldValue::Expr(expr) => self.take(cx, &field.name, Some(expr), field.span, known),
             FieldValue::Where { .. } => {
                 cx.report(no_filter(field.span));
                 self.accounted.extend(known.names().find(|k| *k == field.name.value));
@@ -114,23 +114,25 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// The `word value` clauses of a statement.
+    /// The clauses of a statement.
     pub fn of_clauses(cx: &mut Context<'a>, owner: String, statement: &'a Clauses, known: Group) -> Self {
-        let (span, slot) = (statement.span, Slot::End(statement.span));
+        let (span, slot) = (statement.head(), Slot::End(statement.head()));
         let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, slot };
         for clause in &statement.clauses {
-            fields.take(cx, &clause.word, &clause.value, clause.value.span, known);
+            let value = clause.value.as_ref();
+            fields.take(cx, &clause.word, value, value.map_or(clause.word.span, |value| value.span), known);
         }
         fields
     }
 
-    fn take(&mut self, cx: &mut Context<'a>, name: &'a Name, value: &'a Expr, span: Span, known: Group) {
+    fn take(&mut self, cx: &mut Context<'a>, name: &'a Name, value: Option<&'a Expr>, span: Span, known: Group) {
         if !known.has(&name.value) {
             self.unknown(cx, name, known);
         } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
             // `at` with a position and a second `at` with a time: the second one means `time`.
-            let is_time =
-                matches!(&value.kind, ExprKind::Number { unit: Some(unit), .. } if TIMES.contains(&unit.value.trim()));
+            let is_time = value.is_some_and(
+                |value| matches!(&value.kind, ExprKind::Number { unit: Some(unit), .. } if TIMES.contains(&unit.value.trim())),
+            );
             if name.value == "at" && is_time && known.has("time") {
                 let message = format!("{} takes a position after `at`, not a time", self.owner);
                 let error = Diagnostic::error("mavc::name::duplicate", name.span, message).here("followed by a time");
@@ -191,7 +193,7 @@ impl<'a> Fields<'a> {
     }
 
     pub fn get(&self, name: &str) -> Option<&'a Expr> {
-        self.found.iter().find(|(n, ..)| n.value == name).map(|(_, expr, _)| *expr)
+        self.found.iter().find(|(n, ..)| n.value == name).and_then(|(_, expr, _)| *expr)
     }
 
     /// The word of a field that takes one of a few words; `Some(None)` where its value is not one of them, which is reported.
@@ -222,6 +224,11 @@ impl<'a> Fields<'a> {
             None => error.help(format!("write one of these words, such as `{}`", words[0])),
         });
         Some(None)
+    }
+
+    /// The clause `name`, from its word to the end of its value.
+    pub fn clause(&self, name: &str) -> Option<Span> {
+        self.found.iter().find(|(n, ..)| n.value == name).map(|(word, _, span)| word.span.to(*span))
     }
 
     /// The whole statement that gives `name`.

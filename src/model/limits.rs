@@ -8,7 +8,7 @@ use crate::language::table::limits as table;
 use crate::language::{Entry, Group};
 use crate::number::number;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, ExprKind, LimitRelation, Statement};
+use crate::syntax::ast::{Expr, ExprKind, LimitRelation, Statement};
 
 /// What a limit bounds.
 #[derive(Clone, Copy, PartialEq)]
@@ -64,6 +64,7 @@ impl LimitKind {
             LimitKind::Face => ("position across a face", "m", 1.0),
             LimitKind::Distance => ("distance from the centre", "m", 1.0),
             LimitKind::Clearance => ("distance from a body", "m", 1.0),
+            LimitKind::Arrival => ("direction of arrival", "deg", degrees),
         }
     }
 }
@@ -72,12 +73,12 @@ const FORM: &str = "mavc::mission::limit_form";
 const ORDER: &str = "mavc::mission::limit_order";
 const VALUE: &str = "mavc::mission::limit_value";
 
-/// Reads the block: the limits without errors, and whether these are all of them.
-pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, bool) {
+/// Reads the statements of a block: the limits without errors, and whether these are all of them.
+pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> (Vec<Limit>, bool) {
     let (mut limits, mut whole) = (Vec::new(), true);
     // Name, sides (lower, upper) and place of each limit so far.
     let mut given: Vec<(&str, bool, bool, Span)> = Vec::new();
-    for statement in &block.body {
+    for statement in body {
         let limit = match statement {
             Statement::Limit { name, relation, span } => {
                 let sides = match relation {
@@ -231,7 +232,7 @@ fn one<'a>(
         cx.report(error.here("out of range").help(help));
         return None;
     }
-    Some(Limit { kind, lower, upper, span, volume: None })
+    Some(Limit { kind, lower, upper, span, volume: None, leg: None })
 }
 
 /// `1 .. 30 m` for `30 .. 1 m`: a unit that applies to both ends stays at the end.
@@ -268,7 +269,9 @@ pub(super) fn check(
         let is_above = |value: f64| limit.upper.is_some_and(|high| value > high + 1e-9);
         // The yaw counts on from the waypoint before.
         let known = if limit.kind == LimitKind::Yaw { &waypoints[..sure] } else { waypoints };
-        let mut outside = known.iter().enumerate().filter_map(|(i, waypoint)| {
+        let concerned = |i: usize| limit.leg.as_ref().is_none_or(|on| i == on.leg || i == on.leg + 1);
+        let known = known.iter().enumerate().filter(|(i, _)| concerned(*i));
+        let mut outside = known.filter_map(|(i, waypoint)| {
             let found = coordinate(waypoint).filter(|&(_, value, ..)| is_below(value) || is_above(value))?;
             Some((i, waypoint, found))
         });

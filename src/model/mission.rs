@@ -1,8 +1,10 @@
 //! `mission` blocks: turns curves, waypoints, holds and tables into one list of waypoints and legs.
 
 mod curve;
+mod leg;
 mod times;
 
+pub use leg::ARRIVAL;
 pub(super) use times::{MAX_DURATION, too_long};
 
 use std::collections::BTreeMap;
@@ -61,6 +63,7 @@ pub(super) struct Stop {
     pub yaw_within: f64,
     pub weight: f64,
     pub time: Option<(f64, Span)>,
+    pub stop: bool,
     pub span: Span,
 }
 
@@ -70,6 +73,8 @@ pub(super) struct Route {
     pub yaws: Vec<Option<f64>>,
     /// The curve that leg i (from waypoint i to i + 1) belongs to.
     pub curves: Vec<Option<usize>>,
+    /// What is written about the legs, in the order of flight.
+    legs: Vec<leg::Written>,
     /// A statement had an error, so points may be missing.
     pub broken: bool,
     /// The names of waypoints from statements, not from tables, with their places.
@@ -112,6 +117,7 @@ impl Route {
             weight: stop.weight,
             time: stop.time.map(|t| t.0),
             hold: 0.0,
+            stop: stop.stop,
             span: stop.span,
             time_span: stop.time.map(|t| t.1),
             hold_span: None,
@@ -127,6 +133,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         waypoints: Vec::new(),
         yaws: Vec::new(),
         curves: Vec::new(),
+        legs: Vec::new(),
         broken: false,
         names: BTreeMap::new(),
         too_many: false,
@@ -178,7 +185,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
                 Some(first) => second_block(cx, "one `limits`", first, inner),
                 None => {
                     limit_block = Some(inner);
-                    (limits, limits_whole) = limits::read(cx, inner);
+                    (limits, limits_whole) = limits::read(cx, &inner.body);
                 }
             },
             Statement::Broken(_) => route.broken = true,
@@ -223,6 +230,11 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     if !route.broken {
         warn_close(cx, &route.waypoints);
         sense::check_mission(cx, &name, span, &route.waypoints);
+    }
+    if !route.broken {
+        let (of_legs, all) = leg::limits(cx, &route.legs, &route.waypoints, end_at_rest);
+        limits.extend(of_legs);
+        limits_whole &= all;
     }
     sense::check_limits(cx, &limits);
     limits::check(cx, &limits, &route.waypoints, &numbers, sure);
@@ -278,9 +290,12 @@ fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner:
     let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Due::of(&table::AT), e));
     let yaw = fields.get("yaw").map(|e| cx.number(Due::of(&table::YAW), e));
     let manner = manner_of(cx, &fields, manner);
+    let leg = leg::read(cx, clauses, &fields, (!route.broken).then_some(route.waypoints.len()));
     let time =
         fields.get("time").map(|e| cx.quantity(&table::TIME, e, "mavc::mission::time_order").map(|t| (t, e.span)));
-    let (Some(position), Some(manner), false, false) = (position, manner, yaw == Some(None), time == Some(None)) else {
+    let (Some(position), Some(manner), Some(leg), false, false) =
+        (position, manner, leg, yaw == Some(None), time == Some(None))
+    else {
         route.broken = true;
         return;
     };
@@ -300,8 +315,10 @@ fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner:
         yaw_within: manner.yaw_within,
         weight: manner.weight,
         time: time.flatten(),
-        span: clauses.span,
+        stop: leg.stop,
+        span: clauses.head(),
     };
+    route.legs.extend(leg.is_written().then_some(leg));
     route.push(cx, stop, None);
 }
 

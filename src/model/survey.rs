@@ -227,6 +227,7 @@ impl Row {
             yaw_within: value("yaw_within").unwrap_or(manner.yaw_within),
             weight: value("weight").unwrap_or(manner.weight),
             time: given("time"),
+            stop: false,
             span: self.span,
         })
     }

@@ -41,12 +41,14 @@ pub struct Volume {
     pub span: Span,
 }
 
-/// What a limit that belongs to a volume bounds.
+/// What a limit that belongs to a volume or a corridor bounds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Boundary {
-    /// As messages name it: `keep_in field`.
+    /// As messages name it: `keep_in field`, `corridor to waypoint 3`.
     pub name: String,
     pub quantity: Bounded,
+    /// Half the width of a corridor, m; infinite for a volume.
+    pub half_width: f64,
 }
 
 /// A quantity of the position p.
@@ -60,6 +62,8 @@ pub enum Bounded {
     From([f64; 3]),
     /// The distance of (x, y) from a point.
     FromAxis([f64; 2]),
+    /// The distance of p from the line through `point` along the unit vector `along`.
+    FromLine { point: [f64; 3], along: [f64; 3] },
     /// The distance of p from a body.
     FromBody(Body),
 }
@@ -85,7 +89,14 @@ impl Volume {
 
     fn limit(&self, kind: LimitKind, (lower, upper): (Option<f64>, Option<f64>), quantity: Bounded) -> Limit {
         let name = format!("{} {}", self.side.keyword(), self.name);
-        Limit { kind, lower, upper, span: self.span, volume: Some(Arc::new(Boundary { name, quantity })) }
+        Limit {
+            kind,
+            lower,
+            upper,
+            span: self.span,
+            volume: Some(Arc::new(Boundary { name, quantity, half_width: f64::INFINITY })),
+            leg: None,
+        }
     }
 
     fn inside(&self, body: &Body, margin: f64) -> Vec<Limit> {
@@ -140,16 +151,22 @@ impl Limit {
             (_, Some(Bounded::Along(normal))) => (0..3).map(|i| normal[i] * p[i]).sum(),
             (_, Some(Bounded::From(centre))) => (0..3).map(|i| (p[i] - centre[i]).powi(2)).sum::<f64>().sqrt(),
             (_, Some(Bounded::FromAxis(centre))) => (p[0] - centre[0]).hypot(p[1] - centre[1]),
+            (_, Some(Bounded::FromLine { point, along })) => {
+                let from: [f64; 3] = std::array::from_fn(|i| p[i] - point[i]);
+                let ahead: f64 = (0..3).map(|i| from[i] * along[i]).sum();
+                (0..3).map(|i| (from[i] - ahead * along[i]).powi(2)).sum::<f64>().sqrt()
+            }
             (_, Some(Bounded::FromBody(body))) => body.separation(p).distance,
             _ => return None,
         })
     }
 
-    /// As messages name it: the volume, or the limited quantity.
+    /// As messages name it: the volume or corridor, or the limited quantity, and its leg if it holds on one.
     pub fn name(&self) -> &str {
-        match &self.volume {
-            Some(volume) => &volume.name,
-            None => self.kind.name_and_unit().0,
+        match (&self.volume, &self.leg) {
+            (Some(volume), _) => &volume.name,
+            (None, Some(on)) => &on.name,
+            (None, None) => self.kind.name_and_unit().0,
         }
     }
 }

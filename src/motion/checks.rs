@@ -5,6 +5,7 @@ use super::{Trajectory, in_air, tilt};
 use crate::model::grid::{fewest_pieces, is_coarser};
 use crate::model::{Environment, Limit, LimitKind, Mission, Model};
 use crate::motion::{NodeState, X, Y, YAW, Z};
+use std::ops::Range;
 
 /// Steps per interval in which a quantity is sampled before its largest value is refined.
 const STEPS: usize = 10;
@@ -32,9 +33,14 @@ pub struct LimitViolation {
 /// The largest value of `quantity` over the trajectory: sampled in ten steps an interval, then refined by
 /// golden-section search around the largest sample (`docs/method.md`, section 11, "Between nodes").
 pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Peak {
-    let mut best = Peak { value: f64::NEG_INFINITY, at: 0.0 };
-    let mut best_interval = 0;
-    for k in 0..trajectory.intervals() {
+    peak_over(trajectory, 0..trajectory.intervals(), quantity)
+}
+
+/// The same over some intervals.
+fn peak_over(trajectory: &Trajectory, intervals: Range<usize>, quantity: impl Fn(&NodeState) -> f64) -> Peak {
+    let mut best_interval = intervals.start;
+    let mut best = Peak { value: f64::NEG_INFINITY, at: trajectory.times[best_interval] };
+    for k in intervals {
         let h = trajectory.times[k + 1] - trajectory.times[k];
         for i in 0..=STEPS {
             let t = h * i as f64 / STEPS as f64;
@@ -84,6 +90,10 @@ pub fn past(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 
         LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => {
             limit.value_at([state[X][0], state[Y][0], state[Z][0]]).unwrap_or(0.0)
         }
+        LimitKind::Arrival => {
+            let (ahead, aside) = arrival(limit, state);
+            aside.atan2(ahead)
+        }
     };
     let over = limit.upper.map_or(f64::NEG_INFINITY, |u| value - u);
     let under = limit.lower.map_or(f64::NEG_INFINITY, |l| l - value);
@@ -102,17 +112,53 @@ pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, environment: &En
             };
             environment.corners().iter().map(out).fold(f64::NEG_INFINITY, f64::max)
         }
+        (LimitKind::Arrival, Some(upper)) => {
+            let (ahead, aside) = arrival(limit, state);
+            aside * upper.cos() - ahead * upper.sin()
+        }
         _ => past(limit, state, environment),
     }
 }
 
+/// The velocity along the direction of arrival of a limit, and the size of the rest, m/s.
+fn arrival(limit: &Limit, state: &NodeState) -> (f64, f64) {
+    let along = limit.leg.as_ref().and_then(|on| on.direction).unwrap_or_default();
+    let velocity = [X, Y, Z].map(|axis| state[axis][1]);
+    let ahead: f64 = (0..3).map(|i| velocity[i] * along[i]).sum();
+    (ahead, (0..3).map(|i| (velocity[i] - ahead * along[i]).powi(2)).sum::<f64>().sqrt())
+}
+
+/// The largest value of `quantity` while a limit holds: over the whole trajectory, over the limit's leg, or at its end.
+pub fn peak_of(
+    limit: &Limit,
+    mission: &Mission,
+    trajectory: &Trajectory,
+    quantity: impl Fn(&NodeState) -> f64,
+) -> Peak {
+    match (&limit.leg, limit.kind) {
+        (None, _) => peak(trajectory, quantity),
+        (Some(on), LimitKind::Arrival) => {
+            let node = trajectory.waypoint_nodes[on.leg + 1];
+            Peak { value: quantity(&trajectory.nodes[node]), at: trajectory.times[node] }
+        }
+        (Some(on), _) => peak_over(trajectory, leg_intervals(trajectory, mission, on.leg), quantity),
+    }
+}
+
+/// The intervals of a leg.
+pub fn leg_intervals(trajectory: &Trajectory, mission: &Mission, leg: usize) -> Range<usize> {
+    // A hold is one interval.
+    let held = usize::from(mission.waypoints[leg].hold > 0.0);
+    trajectory.waypoint_nodes[leg] + held..trajectory.waypoint_nodes[leg + 1]
+}
+
 /// The limits of the mission that the polynomials violate by more than `tolerance` (in the limit's SI unit).
 pub fn limit_violations(trajectory: &Trajectory, model: &Model, tolerance: f64) -> Vec<LimitViolation> {
-    let limits = model.mission.iter().flat_map(|m| &m.limits).enumerate();
+    let limits = model.mission.iter().flat_map(|m| m.limits.iter().map(move |limit| (m, limit))).enumerate();
     let environment = model.environment();
     limits
-        .filter_map(|(limit, l)| {
-            let worst = peak(trajectory, |s| past(l, s, &environment));
+        .filter_map(|(limit, (mission, l))| {
+            let worst = peak_of(l, mission, trajectory, |s| past(l, s, &environment));
             (worst.value > tolerance).then_some(LimitViolation { limit, by: worst.value, at: worst.at })
         })
         .collect()

@@ -99,7 +99,7 @@ impl Transcription<'_> {
     /// The first and the last node, each if the mission does not rest there; none for a stop after a fault.
     pub(super) fn free_ends(&self) -> impl Iterator<Item = usize> {
         let Mission { waypoints, start_at_rest, end_at_rest, .. } = self.mission;
-        let holds = |w: Option<&Waypoint>| w.is_some_and(|w| w.hold > 0.0);
+        let holds = |w: Option<&Waypoint>| w.is_some_and(|w| w.hold > 0.0 || w.stop);
         let stops = self.struck.is_some();
         let start = !stops && !start_at_rest && !holds(waypoints.first());
         let end = !stops && !end_at_rest && !holds(waypoints.last());

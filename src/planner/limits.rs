@@ -26,8 +26,15 @@ enum Bounded<'l> {
     Along([f64; 3]),
     /// The distance of the first coordinates from a point.
     From(&'l [f64]),
+    /// The distance of (x, y, z) from a line.
+    FromLine {
+        point: [f64; 3],
+        along: [f64; 3],
+    },
     /// The distance of (x, y, z) from a convex body.
     FromBody(&'l Body),
+    /// The angle between the velocity and a direction.
+    Arrival([f64; 3]),
     Nothing,
 }
 
@@ -54,11 +61,34 @@ fn bounded(limit: &Limit) -> Bounded<'_> {
                 Some(Position::Along(normal)) => Bounded::Along(*normal),
                 Some(Position::From(centre)) => Bounded::From(centre),
                 Some(Position::FromAxis(centre)) => Bounded::From(centre),
+                Some(Position::FromLine { point, along }) => Bounded::FromLine { point: *point, along: *along },
                 Some(Position::FromBody(body)) => Bounded::FromBody(body),
                 Some(Position::Coordinate) | None => Bounded::Nothing,
             }
         }
+        LimitKind::Arrival => limit.leg.as_ref().and_then(|on| on.direction).map_or(Bounded::Nothing, Bounded::Arrival),
     }
+}
+
+/// Whether a limit holds at an instant, with `parts` of them in each interval between nodes. A limit of one leg holds at both
+/// its waypoints too, and one on the direction of arrival at the second only.
+pub(super) fn covers(limit: &Limit, waypoint_nodes: &[usize], parts: usize, instant: usize) -> bool {
+    let Some(on) = &limit.leg else { return true };
+    let (first, last) = (waypoint_nodes[on.leg] * parts, waypoint_nodes[on.leg + 1] * parts);
+    if limit.kind == LimitKind::Arrival { instant == last } else { (first..=last).contains(&instant) }
+}
+
+/// Whether a limit holds inside an interval between nodes.
+pub(super) fn covers_interval(limit: &Limit, waypoint_nodes: &[usize], interval: usize) -> bool {
+    let Some(on) = &limit.leg else { return true };
+    let leg = waypoint_nodes[on.leg]..waypoint_nodes[on.leg + 1];
+    limit.kind != LimitKind::Arrival && leg.contains(&interval)
+}
+
+/// By how much more a step keeps the volume or corridor of a limit, m, given the `room` that volumes get: in a corridor at most a
+/// quarter of its half width, and none where there is neither.
+pub(super) fn room_of(limit: &Limit, room: f64) -> f64 {
+    limit.volume.as_ref().map_or(0.0, |volume| room.min(0.25 * volume.half_width))
 }
 
 /// Whether a limit bounds a place (x, y, z, yaw or a volume), and so does not depend on time.
@@ -113,6 +143,26 @@ impl Widening {
 /// A violation of one unit of a distance from a body, m.
 const CLEARANCE_UNIT: f64 = 1.0;
 
+/// A violation of one unit of a direction of arrival, m/s.
+const ARRIVAL_UNIT: f64 = 1.0;
+
+/// `a - (a . along) along`, for a unit vector `along`.
+fn across(along: [f64; 3], a: &[Affine]) -> Vec<Affine> {
+    let ahead = self::along(along, a);
+    let part = |(part, along): (&Affine, f64)| {
+        let mut across = part.clone();
+        across.add(&ahead, -along);
+        across
+    };
+    a.iter().zip(along).map(part).collect()
+}
+
+/// The part of a vector along a unit vector, and the length of the rest.
+fn split(along: [f64; 3], a: [f64; 3]) -> (f64, f64) {
+    let ahead: f64 = (0..3).map(|i| a[i] * along[i]).sum();
+    (ahead, (0..3).map(|i| (a[i] - ahead * along[i]).powi(2)).sum::<f64>().sqrt())
+}
+
 /// `normal . p`.
 fn along(normal: [f64; 3], p: &[Affine]) -> Affine {
     let mut sum = Affine::default();
@@ -129,7 +179,10 @@ impl Transcription<'_> {
     /// Adds one limit's rows at one instant.
     pub(super) fn limit(&self, builder: &mut Builder, index: usize, instant: usize, widening: &Widening) {
         let limit = &self.mission.limits[index];
-        let room = if limit.volume.is_some() { widening.room } else { 0.0 };
+        if !self.covers(limit, instant) {
+            return;
+        }
+        let room = room_of(limit, widening.room);
         let (lower, upper) = (limit.lower.map(|bound| bound + room), limit.upper.map(|bound| bound - room));
         let origin = RowOrigin::Limit { limit: index, node: instant / self.parts };
         let parts = |axes: &[usize], order: usize| -> Vec<Affine> {
@@ -161,7 +214,8 @@ impl Transcription<'_> {
                 }
             }
             (Bounded::Jerk, Some(upper)) if self.plans(X) => {
-                for (interval, step) in self.intervals_beside(instant) {
+                let beside = self.intervals_beside(instant);
+                for (interval, step) in beside.filter(|(interval, _)| self.covers_interval(limit, *interval)) {
                     let mut slope = self.derivative(interval + 1, Z, 2);
                     slope.add(&self.derivative(interval, Z, 2), -1.0);
                     let mut parts = parts(&[X, Y], 3);
@@ -179,6 +233,17 @@ impl Transcription<'_> {
                 let from_centre = coordinates.into_iter().zip(centre).map(|(part, c)| part.plus_constant(-c)).collect();
                 cone(widening.bound(upper, 0, 1.0), from_centre);
             }
+            (Bounded::FromLine { point, along }, Some(upper)) if self.plans(X) => {
+                let from = parts(&[X, Y, Z], 0).into_iter().zip(point).map(|(part, p)| part.plus_constant(-p));
+                cone(widening.bound(upper, 0, 1.0), across(along, &from.collect::<Vec<_>>()));
+            }
+            // The cone does not depend on the duration: all velocities change alike.
+            (Bounded::Arrival(direction), Some(upper)) if self.plans(X) => {
+                let velocity = parts(&[X, Y, Z], 1);
+                let mut reach = along(direction, &velocity).times(upper.tan());
+                reach.add(&widening.share, ARRIVAL_UNIT);
+                cone(reach, across(direction, &velocity));
+            }
             // The distance is at least that from the plane that separates the body from a position nearby. Without such a
             // position there is no row, and the program is a relaxation.
             (Bounded::FromBody(body), None) if self.plans(X) => {
@@ -191,6 +256,16 @@ impl Transcription<'_> {
             }
             _ => {}
         }
+    }
+
+    /// Whether a limit holds at an instant.
+    pub(super) fn covers(&self, limit: &Limit, instant: usize) -> bool {
+        covers(limit, &self.grid.waypoint_nodes, self.parts, instant)
+    }
+
+    /// Whether a limit holds inside an interval.
+    pub(super) fn covers_interval(&self, limit: &Limit, interval: usize) -> bool {
+        covers_interval(limit, &self.grid.waypoint_nodes, interval)
     }
 
     /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion with an acceleration g may move away
@@ -229,15 +304,19 @@ impl Transcription<'_> {
     /// The violation of a limit widened by `sigma` by the states at a node, as a share of the limit (m or rad for positions and
     /// yaw); negative inside.
     pub(super) fn limit_violation(&self, limit: &Limit, states: &[NodeState], node: usize, sigma: f64) -> f64 {
+        if !self.covers(limit, node) {
+            return f64::NEG_INFINITY;
+        }
         let mut state = states[node];
         if let Bounded::Jerk = self.bounded(limit) {
             let slope = |(interval, step): (usize, f64)| (states[interval + 1][Z][2] - states[interval][Z][2]) / step;
-            state[Z][3] = self.intervals_beside(node).map(slope).fold(0.0, |m: f64, s| m.max(s.abs()));
+            let beside = self.intervals_beside(node).filter(|(interval, _)| self.covers_interval(limit, *interval));
+            state[Z][3] = beside.map(slope).fold(0.0, |m: f64, s| m.max(s.abs()));
         }
         self.violation_of(limit, &state, sigma)
     }
 
-    /// The same for one state.
+    /// The same for one state, at which the limit holds.
     pub(super) fn violation_of(&self, limit: &Limit, state: &NodeState, sigma: f64) -> f64 {
         let length = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
         let share = |violation: f64, scale: f64| if scale > 0.0 { violation / scale - sigma } else { violation };
@@ -259,8 +338,12 @@ impl Transcription<'_> {
                 share(self.winds.iter().map(out).fold(f64::NEG_INFINITY, f64::max), g * tan)
             }
             (Bounded::Jerk, Some(upper)) if self.plans(X) => share(length(&[X, Y, Z], 3) - upper, upper),
-            (Bounded::Along(_) | Bounded::From(_), Some(upper)) if self.plans(X) => {
+            (Bounded::Along(_) | Bounded::From(_) | Bounded::FromLine { .. }, Some(upper)) if self.plans(X) => {
                 limit.value_at(position).map_or(f64::NEG_INFINITY, |value| value - upper)
+            }
+            (Bounded::Arrival(direction), Some(upper)) if self.plans(X) => {
+                let (ahead, aside) = split(direction, [X, Y, Z].map(|axis| state[axis][1]));
+                share(aside - upper.tan() * ahead, ARRIVAL_UNIT)
             }
             (Bounded::FromBody(body), None) if self.plans(X) => {
                 let short = limit.lower.map(|lower| lower - body.separation(position).distance);

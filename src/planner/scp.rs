@@ -42,7 +42,7 @@ use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::hover::{ACCEPTED, HoverPlanner, Planned};
-use crate::planner::limits::place;
+use crate::planner::limits::{covers, place, room_of};
 use crate::planner::selection::PlanningSet;
 use crate::planner::spline::NodeSpline;
 use crate::planner::transcription::{Row, RowAt, Transcription, splines};

@@ -89,7 +89,8 @@ fn grid(mission: &Mission, duration: f64, settings: &StopSettings) -> TimeGrid {
     TimeGrid::with_legs(mission, &legs, duration)
 }
 
-/// A stop as a mission, whose waypoints only divide its duration and constrain nothing.
+/// A stop as a mission, whose waypoints only divide its duration and constrain nothing. The limits of single legs do not hold for
+/// it, because a stop may leave its leg.
 fn stop_mission(flown: &Mission, struck: &NodeState, settings: &StopSettings) -> Mission {
     let waypoint = Waypoint {
         name: None,
@@ -100,6 +101,7 @@ fn stop_mission(flown: &Mission, struck: &NodeState, settings: &StopSettings) ->
         weight: 0.0,
         time: None,
         hold: 0.0,
+        stop: false,
         span: flown.span,
         time_span: None,
         hold_span: None,
@@ -110,7 +112,7 @@ fn stop_mission(flown: &Mission, struck: &NodeState, settings: &StopSettings) ->
         spacing: Spacing::Even,
         start_at_rest: false,
         end_at_rest: false,
-        limits: flown.limits.iter().map(with_leeway).collect(),
+        limits: flown.limits.iter().filter(|limit| limit.is_general()).map(with_leeway).collect(),
         ..flown.clone()
     }
 }

@@ -1,7 +1,9 @@
 //! Caveats of a plan: limits exceeded between nodes, a coarser grid, an unusual speed, the linear model outside its range.
 
 use crate::model::{LimitKind, Model};
-use crate::motion::checks::{LimitViolation, coarser_legs, limit_violations, linear_range, past_as_checked, peak};
+use crate::motion::checks::{
+    LimitViolation, coarser_legs, limit_violations, linear_range, past_as_checked, peak, peak_of,
+};
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, percent, significant};
 use crate::planner::studies::MissionPlan;
@@ -43,7 +45,8 @@ pub fn exceeded_limits(model: &Model, solved: &MissionPlan) -> Vec<LimitViolatio
     let environment = model.environment();
     exceeded.retain(|violation| {
         let limit = &limits[violation.limit];
-        let worst = peak(&solved.trajectory, |state| past_as_checked(limit, state, &environment));
+        let Some(mission) = &model.mission else { return false };
+        let worst = peak_of(limit, mission, &solved.trajectory, |state| past_as_checked(limit, state, &environment));
         worst.value > MOST_PAST_LIMIT * limit.size()
     });
     exceeded
@@ -66,7 +69,7 @@ fn coarser(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
 /// The caveat of an unusually high speed in a mission that does not limit it. Plans ignore air resistance.
 fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     let mut limits = model.mission.as_ref()?.limits.iter();
-    if limits.any(|limit| limit.kind == LimitKind::Speed) {
+    if limits.any(|limit| limit.kind == LimitKind::Speed && limit.is_general()) {
         return None;
     }
     let speed = peak(&solved.trajectory, |state| (0..3).map(|axis| state[axis][1].powi(2)).sum::<f64>().sqrt());
@@ -93,7 +96,8 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             value: e.by,
             at_s: e.at,
             message: format!(
-                "Between samples the {name} limit is exceeded by {} {unit} at {} s; try more samples.",
+                "Between samples the {} is exceeded by {} {unit} at {} s; try more samples.",
+                if limits[e.limit].is_general() { format!("{name} limit") } else { format!("limit on {name}") },
                 significant(e.by * factor, 3),
                 fixed(e.at, 2)
             ),

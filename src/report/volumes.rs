@@ -34,7 +34,7 @@ pub fn records(problem: Problem, solved: &MissionPlan) -> Vec<VolumeRecord> {
             .mission()
             .limits
             .iter()
-            .filter(|limit| limit.volume.is_some() && limit.span == volume.span)
+            .filter(|limit| limit.volume.is_some() && limit.is_general() && limit.span == volume.span)
             .collect();
         let violation = |state: &NodeState| {
             limits.iter().map(|limit| past(limit, state, &environment)).fold(f64::NEG_INFINITY, f64::max)

@@ -101,7 +101,7 @@ pub enum Statement {
     },
     /// `start at [..] m yaw 90 deg`
     Start(Clauses),
-    /// `waypoint tower at [..] m yaw 45 deg within 10 cm weight 2 time 30 s`
+    /// `waypoint tower at [..] m yaw 45 deg within 10 cm weight 2 time 30 s straight { speed <= 3 m/s }`
     Waypoint(Clauses),
     /// `start moving` / `end moving`
     Moving {
@@ -161,28 +161,49 @@ impl Statement {
     /// The statements between its braces, if it has any.
     pub fn body(&self) -> &[Statement] {
         match self {
-            Statement::Block(Block { body, .. }) | Statement::Every { body, .. } | Statement::Curve { body, .. } => {
-                body
-            }
+            Statement::Block(Block { body, .. })
+            | Statement::Every { body, .. }
+            | Statement::Curve { body, .. }
+            | Statement::Start(Clauses { body, .. })
+            | Statement::Waypoint(Clauses { body, .. }) => body,
             _ => &[],
         }
     }
 }
 
-/// A statement that consists of a name, mostly optional, and `word value` clauses in any order.
+/// A statement that consists of a name, mostly optional, and clauses in any order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clauses {
     pub name: Option<Name>,
     pub clauses: Vec<Clause>,
+    /// Of a waypoint: the limits in its braces.
+    pub body: Vec<Statement>,
     pub doc: Option<String>,
     pub span: Span,
 }
 
-/// `at [0, 0, 2] m`, `yaw 90 deg`, `until 9 s`, `spin P` (where the value is the name `P`).
+impl Clauses {
+    /// The statement without the braces at its end.
+    pub fn head(&self) -> Span {
+        self.clauses.last().map_or(self.span, |last| Span { end: last.span().end, ..self.span })
+    }
+}
+
+/// `at [0, 0, 2] m`, `yaw 90 deg`, `until 9 s`, `spin P` (where the value is the name `P`), `straight` (without a value).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clause {
     pub word: Name,
-    pub value: Expr,
+    /// Of `arrive from [0, 0, 1]`: the word `from`.
+    pub how: Option<Name>,
+    pub value: Option<Expr>,
+}
+
+impl Clause {
+    /// From its first word to the end of its value.
+    pub fn span(&self) -> Span {
+        let last = self.value.as_ref().map(|value| value.span).or(self.how.as_ref().map(|how| how.span));
+        last.map_or(self.word.span, |last| self.word.span.to(last))
+    }
 }
 
 #[derive(Debug, Clone, PartialEq)]

@@ -210,6 +210,7 @@ impl Builder<'_> {
         let (kind, around) = match rule {
             Rule::every_head => (Kind::Every, Place::Every),
             Rule::curve_head => (Kind::Curve, Place::Curve),
+            Rule::waypoint | Rule::start => (Kind::Flight, Place::Limits),
             _ => match self.block_kind(&head, place) {
                 Some(inside) => (Kind::Block(inside), inside),
                 None => {
@@ -229,6 +230,8 @@ impl Builder<'_> {
         let made = match rule {
             Rule::every_head => parts.every(span, doc),
             Rule::curve_head => parts.curve(span, doc),
+            Rule::waypoint => parts.clauses(span, doc).map(Statement::Waypoint),
+            Rule::start => parts.clauses(span, doc).map(Statement::Start),
             _ => parts.block(span, doc).map(|mut block| {
                 wrong_head = mistake::check_head(&mut block, around);
                 Statement::Block(block)
@@ -259,9 +262,11 @@ impl Builder<'_> {
         }
         let mut statement = made?;
         match &mut statement {
-            Statement::Block(Block { body, .. }) | Statement::Every { body, .. } | Statement::Curve { body, .. } => {
-                *body = statements;
-            }
+            Statement::Block(Block { body, .. })
+            | Statement::Every { body, .. }
+            | Statement::Curve { body, .. }
+            | Statement::Start(Clauses { body, .. })
+            | Statement::Waypoint(Clauses { body, .. }) => *body = statements,
             _ => {}
         }
         Ok(statement)

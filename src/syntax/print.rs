@@ -103,8 +103,11 @@ fn print_statement(f: &mut Formatter<'_>, depth: usize, statement: &Statement) -
             options.iter().try_for_each(|option| write!(f, ", {option}"))?;
             body(f, depth, statements)
         }
-        Statement::Start(clauses) => writeln!(f, "start{clauses}"),
-        Statement::Waypoint(clauses) => writeln!(f, "waypoint{clauses}"),
+        Statement::Start(clauses) | Statement::Waypoint(clauses) => {
+            let word = if matches!(statement, Statement::Start(_)) { "start" } else { "waypoint" };
+            write!(f, "{word}{clauses}")?;
+            if clauses.body.is_empty() { writeln!(f) } else { body(f, depth, &clauses.body) }
+        }
         Statement::Strike(clauses) => writeln!(f, "fault{clauses}"),
         Statement::Moving { end, .. } => {
             writeln!(f, "{} moving", if end.value { "end" } else { "start" })
@@ -166,7 +169,11 @@ impl Display for Effect {
 impl Display for Clauses {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         self.name.iter().try_for_each(|name| write!(f, " {}", name.value))?;
-        self.clauses.iter().try_for_each(|c| write!(f, " {} {}", c.word.value, c.value))
+        self.clauses.iter().try_for_each(|clause| {
+            write!(f, " {}", clause.word.value)?;
+            clause.how.iter().try_for_each(|how| write!(f, " {}", how.value))?;
+            clause.value.iter().try_for_each(|value| write!(f, " {value}"))
+        })
     }
 }
 

@@ -85,8 +85,10 @@ impl Walk<'_> {
                 clauses.name.iter_mut().for_each(|name| self.spanned(name));
                 for clause in &mut clauses.clauses {
                     self.spanned(&mut clause.word);
-                    self.expr(&mut clause.value);
+                    clause.how.iter_mut().for_each(|how| self.spanned(how));
+                    clause.value.iter_mut().for_each(|value| self.expr(value));
                 }
+                self.body(&mut clauses.body);
             }
             Statement::Moving { end, span } => {
                 self.span(span);

@@ -11,7 +11,7 @@ use super::Rejection;
 use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
 use crate::certificate::TooEarlyClaim;
-use crate::model::{LimitKind, Mission, Model, PlanModel, Problem, Waypoint};
+use crate::model::{Limit, LimitKind, Mission, Model, PlanModel, Problem, Waypoint};
 use crate::number::{down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use std::f64::consts::FRAC_PI_2;
@@ -20,6 +20,7 @@ use std::f64::consts::FRAC_PI_2;
 const SAME_TIME: f64 = 1e-9;
 
 /// Upper bounds on rate, acceleration and jerk; infinite if there is none.
+#[derive(Clone, Copy)]
 struct Most {
     rate: f64,
     acceleration: f64,
@@ -62,13 +63,13 @@ impl Most {
     }
 }
 
-/// The largest value of a quantity under the limits of a kind, including the tolerance of the check of plans.
-fn most(mission: &Mission, kind: LimitKind) -> f64 {
-    let upper = |limit: &crate::model::Limit| {
+/// The largest value of a quantity on a leg under the limits of a kind, including the tolerance of the check of plans.
+fn most(mission: &Mission, leg: usize, kind: LimitKind) -> f64 {
+    let upper = |limit: &Limit| {
         let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(limit.size());
         Some((Interval::point(limit.upper?) + let_pass).high)
     };
-    let of_kind = mission.limits.iter().filter(|limit| limit.kind == kind);
+    let of_kind = mission.limits.iter().filter(|limit| limit.kind == kind && limit.concerns(leg));
     of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
 }
 
@@ -84,10 +85,10 @@ fn force(model: &Model) -> Interval {
     thrust * let_pass / (Interval::point(vehicle.mass) * Interval::point(vehicle.mass_spread.low))
 }
 
-/// The largest horizontal acceleration for a given force per mass and the limit on tilt, m/s^2.
-fn sideways(problem: Problem, force: Interval) -> f64 {
+/// The largest horizontal acceleration on a leg for a given force per mass and the limit on tilt, m/s^2.
+fn sideways(problem: Problem, leg: usize, force: Interval) -> f64 {
     let (model, mission) = (problem.model(), problem.mission());
-    let tilt = most(mission, LimitKind::Tilt);
+    let tilt = most(mission, leg, LimitKind::Tilt);
     let let_pass =
         Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
     let is_tied = tilt < FRAC_PI_2;
@@ -101,19 +102,16 @@ fn sideways(problem: Problem, force: Interval) -> f64 {
 }
 
 /// Bounds on rate and acceleration along some axes (m/s, m/s^2), for bounds on these without drag. With k = drag/m and the
-/// velocity w of the air, the rate u of a motion obeys `u' <= a + k |w| - k u`. So from rest it stays below a/k + |w|, and its
-/// rate of change below a + k (|w| + u).
-fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), axes: &[usize]) -> (f64, f64) {
+/// velocity w of the air, the rate u of a motion obeys `u' <= a + k |w| - k u`, where a is at most `most` at all times. So from
+/// rest u stays below most/k + |w|, and its rate of change below a + k (|w| + u).
+fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), most: Interval, axes: &[usize]) -> (f64, f64) {
     let environment = problem.model().environment();
     if !environment.has_drag() {
         return (rate, acceleration);
     }
     let (k, a) = (Interval::point(environment.drag_rate), Interval::point(acceleration));
     let wind = axes.iter().fold(Interval::ZERO, |sum, &axis| sum + Interval::point(environment.wind[axis]).square()).sqrt();
-    let terminal = match problem.mission().start_at_rest && acceleration.is_finite() {
-        true => (a / k + wind).high,
-        false => f64::INFINITY,
-    };
+    let terminal = if problem.mission().start_at_rest { (most / k + wind).high } else { f64::INFINITY };
     let rate = rate.min(terminal);
     match rate.is_finite() && acceleration.is_finite() {
         true => (rate, (a + k * (wind + Interval::point(rate))).high),
@@ -121,33 +119,42 @@ fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), axes: &[usize])
     }
 }
 
-/// Lower bounds on when each waypoint is reached, s, in the order of flight.
-pub(super) fn soonest(problem: Problem) -> Vec<f64> {
+/// The bounds on the displacements of a leg: along its line, horizontal, up, down, and in yaw.
+fn bounds(problem: Problem, leg: usize) -> [Most; 5] {
     let (model, mission) = (problem.model(), problem.mission());
     let (force, g) = (force(model), Interval::point(model.gravity));
-    let most = |kind| most(mission, kind);
+    let most = |kind| most(mission, leg, kind);
     let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
     let whole = most(LimitKind::Acceleration);
     // In the hover model the force is bounded only along z.
     let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
     // The thrust may be negative by the tolerance on sets.
     let vertical = (g + Interval::point(MOST_OUTSIDE) * force).high.max((force - g).high).min(whole);
-    let (rate, in_all) = with_drag(problem, (speed, in_all), &[0, 1, 2]);
+    let (rate, in_all) = with_drag(problem, (speed, in_all), force + g, &[0, 1, 2]);
     let along_line = Most { rate, acceleration: whole.min(in_all), jerk };
     let across = speed.min(most(LimitKind::SpeedHorizontal));
-    let (rate, in_plane) = with_drag(problem, (across, sideways(problem, force)), &[0, 1]);
+    let (rate, in_plane) = with_drag(problem, (across, sideways(problem, leg, force)), force, &[0, 1]);
     let horizontal =
         Most { rate, acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane), jerk };
     let of_climb = |kind: LimitKind| {
-        let (rate, acceleration) = with_drag(problem, (speed.min(most(kind)), vertical), &[2]);
+        let (rate, acceleration) = with_drag(problem, (speed.min(most(kind)), vertical), force + g, &[2]);
         Most { rate, acceleration: acceleration.min(whole), jerk }
     };
     let (up, down) = (of_climb(LimitKind::Climb), of_climb(LimitKind::Descent));
     let turn =
         Most { rate: most(LimitKind::YawRate), acceleration: most(LimitKind::YawAcceleration), jerk: f64::INFINITY };
+    [along_line, horizontal, up, down, turn]
+}
+
+/// Lower bounds on when each waypoint is reached, s, in the order of flight.
+pub(super) fn soonest(problem: Problem) -> Vec<f64> {
+    let mission = problem.mission();
+    // All legs have the same bounds unless some limit is of one leg.
+    let general = mission.limits.iter().all(Limit::is_general).then(|| bounds(problem, 0));
     let last = mission.waypoints.len().saturating_sub(1);
     let rests = |i: usize| {
-        mission.waypoints[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest
+        let point = &mission.waypoints[i];
+        point.hold > 0.0 || point.stop || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest
     };
     let leg = |i: usize| {
         let (from, to) = (&mission.waypoints[i], &mission.waypoints[i + 1]);
@@ -157,6 +164,7 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
         let room = met_within(from.within, to.within);
         let turned = (Interval::point(to.yaw) - Interval::point(from.yaw)).abs();
         let yaw_room = met_within(from.yaw_within, to.yaw_within);
+        let [along_line, horizontal, up, down, turn] = general.unwrap_or_else(|| bounds(problem, i));
         [
             along_line.least(sum(&[0, 1, 2]) - room, ends),
             horizontal.least(sum(&[0, 1]) - room, ends),

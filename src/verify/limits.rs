@@ -13,7 +13,10 @@ type Series = super::series::Series<2>;
 
 /// The violation of a limit, upper side then lower side, in the limit's SI unit. For tilt it is
 /// `(|(x'', y'')| cos L - (z'' + g) sin L) / g`: the distance of the acceleration from the cone, divided by gravity.
-pub fn family<'l>(limit: &'l Limit, environment: &Environment) -> Family<'l> {
+///
+/// For a direction of arrival it is `|v - (v.d) d| cos L - (v.d) sin L`, m/s: the distance of the velocity v from the cone about the
+/// direction d. `within` are the nodes of the part of the motion on which the limit holds, see [`Family::within`].
+pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(usize, usize)>) -> Family<'l> {
     let environment = *environment;
     let Limit { kind, lower, upper, .. } = *limit;
     let sides: Vec<(f64, f64)> = upper.map(|u| (1.0, -u)).into_iter().chain(lower.map(|l| (-1.0, l))).collect();
@@ -25,6 +28,7 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment) -> Family<'l> {
         };
         let series = wanted.iter().filter_map(|&m| sides.get(m)).map(|side| match kind {
             LimitKind::Tilt => tilted(side),
+            LimitKind::Arrival => arrival_violation(limit, state, -side.1),
             LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => volumes::past(limit, state, *side),
             _ => plain(side),
         });
@@ -33,21 +37,23 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment) -> Family<'l> {
     let measure = measure(kind);
     // The jerk along z is the slope of an input in the hover model, which changes at nodes.
     let jumps = kind == LimitKind::Jerk;
-    Family { members, evaluate: Box::new(evaluate), linear: false, jumps, measure, overhead: OF_A_LIMIT }
+    Family { members, evaluate: Box::new(evaluate), linear: false, jumps, within, measure, overhead: OF_A_LIMIT }
 }
 
 /// How messages print a violation.
 fn measure(kind: LimitKind) -> Measure {
     match kind.name_and_unit() {
         _ if kind == LimitKind::Tilt => Measure { factor: 100.0, unit: "%", whole: Some("of gravity") },
+        _ if kind == LimitKind::Arrival => Measure { factor: 1.0, unit: "m/s", whole: None },
         (_, unit, factor) => Measure { factor, unit, whole: None },
     }
 }
 
-/// The limited quantity; tilt is handled separately above.
+/// The limited quantity; tilt, volumes and directions of arrival are handled separately above.
 fn bounded(kind: LimitKind, state: &State) -> Series {
     match kind {
         LimitKind::X | LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => series(&state[X], 0),
+        LimitKind::Arrival => length(state, &[X, Y, Z], 1),
         LimitKind::Y => series(&state[Y], 0),
         LimitKind::Z => series(&state[Z], 0),
         LimitKind::Yaw => series(&state[YAW], 0),
@@ -86,6 +92,17 @@ fn length(state: &State, axes: &[usize], order: usize) -> Series {
     // d.d'/|d| if the length cannot vanish, and at most |d'|.
     let rate = (square.slope() / (value * Interval::point(2.0))).meet(steepest);
     Series::of_derivatives(&[value, rate])
+}
+
+/// At an instant; the rate is not bounded.
+fn arrival_violation(limit: &Limit, state: &State, angle: f64) -> Series {
+    let (sine, cosine) = Interval::point(angle).sin_cos();
+    let direction = limit.leg.as_ref().and_then(|on| on.direction).unwrap_or([f64::NAN; 3]).map(Interval::point);
+    let velocity = [X, Y, Z].map(|axis| state[axis][1]);
+    let dot = |a: [Interval; 3]| (0..3).fold(Interval::ZERO, |sum, i| sum + a[i] * direction[i]);
+    let ahead = dot(velocity);
+    let aside = (0..3).fold(Interval::ZERO, |sum, i| sum + (velocity[i] - ahead * direction[i]).square()).sqrt();
+    Series::of_derivatives(&[aside * cosine - ahead * sine, Interval::WHOLE])
 }
 
 fn tilt_violation(state: &State, limit: f64, environment: &Environment) -> Series {

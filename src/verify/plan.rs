@@ -83,7 +83,7 @@ impl<'a> Setting<'a> {
     }
 
     /// The mission of the spec.
-    pub(super) fn mission(&self) -> &'a Mission {
+    pub fn mission(&self) -> &'a Mission {
         self.problem.mission()
     }
 
@@ -223,7 +223,7 @@ impl<'a> Setting<'a> {
         mode_named(self.model(), mode).map(|m| m.span)
     }
 
-    /// Checks rest at both ends (unless `moving`) and in holds: derivatives are zero, in holds the inputs too.
+    /// Checks rest at both ends (unless `moving`), at stops and in holds: derivatives are zero, in holds the inputs too.
     fn rest(&self, motion: &Motion) -> Result<(), Rejection> {
         let last = motion.times.len() - 1;
         let ends = [(0, self.mission().start_at_rest), (last, self.mission().end_at_rest)];
@@ -236,6 +236,8 @@ impl<'a> Setting<'a> {
             };
             still.extend((node..=until).map(|node| (node, true)));
         }
+        let stops = self.mission().waypoints.iter().zip(&motion.waypoint_nodes).filter(|(point, _)| point.stop);
+        still.extend(stops.map(|(_, &node)| (node, false)));
         for (node, held) in still {
             for axis in [X, Y, Z, YAW] {
                 // At rest the jerk vanishes too, unless it is the slope of an input.

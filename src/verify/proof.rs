@@ -4,6 +4,7 @@ use super::cost::Purse;
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, State};
 use crate::number::number;
+use std::ops::Range;
 
 /// A quantity and its rate of change, at an instant or over a time interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +24,9 @@ pub struct Family<'a> {
     pub linear: bool,
     /// They may jump where two pieces meet, so each node is checked from both sides.
     pub jumps: bool,
+    /// The first and the last node of the part of the motion on which they are bounded, which may be one node; `None` for the
+    /// whole motion.
+    pub within: Option<(usize, usize)>,
     pub measure: Measure,
     /// Units of work for a state, in addition to one per member.
     pub overhead: u64,
@@ -69,15 +73,29 @@ impl Family<'_> {
     fn everything(&self) -> Vec<usize> {
         (0..self.members).collect()
     }
+
+    /// The pieces on which they are bounded; none if that is at one node.
+    fn pieces(&self, motion: &Motion) -> Range<usize> {
+        self.within.map_or(0..motion.pieces(), |(first, last)| first..last)
+    }
+
+    /// The node at which they are bounded, with the piece that ends there, if that is at one node.
+    fn only_node(&self) -> Option<(usize, usize)> {
+        self.within.filter(|(first, last)| first == last).map(|(node, _)| (node, node.saturating_sub(1)))
+    }
 }
 
 /// The largest value of any member at the nodes and the extra points given by the spec's samples, if it is above `most`.
 pub fn above_at_nodes(family: &Family, motion: &Motion, most: f64) -> Option<Failure> {
     let members = family.everything();
     let mut worst: Option<Failure> = None;
-    for piece in 0..motion.pieces() {
+    if let Some((node, piece)) = family.only_node() {
+        return above(family, &members, &motion.node_in(node, piece), motion.times[node], most);
+    }
+    let pieces = family.pieces(motion);
+    for piece in pieces.clone() {
         // A quantity that does not jump has the same value in both pieces.
-        let ends = if family.jumps || piece + 1 == motion.pieces() { piece..=piece + 1 } else { piece..=piece };
+        let ends = if family.jumps || piece + 1 == pieces.end { piece..=piece + 1 } else { piece..=piece };
         for node in ends {
             let state = motion.node_in(node, piece);
             keep_worst(&mut worst, above(family, &members, &state, motion.times[node], most));
@@ -93,7 +111,10 @@ pub fn above_at_nodes(family: &Family, motion: &Motion, most: f64) -> Option<Fai
 /// The largest value of any of `members` on a grid of `points` between the ends of every piece, and at them.
 pub fn largest_on_grid(family: &Family, motion: &Motion, members: &[usize], points: usize) -> Option<Failure> {
     let mut worst: Option<Failure> = None;
-    for piece in 0..motion.pieces() {
+    if let Some((node, piece)) = family.only_node() {
+        return above(family, members, &motion.node_in(node, piece), motion.times[node], f64::NEG_INFINITY);
+    }
+    for piece in family.pieces(motion) {
         for node in [piece, piece + 1] {
             let state = motion.node_in(node, piece);
             keep_worst(&mut worst, above(family, members, &state, motion.times[node], f64::NEG_INFINITY));
@@ -109,7 +130,7 @@ pub fn largest_on_grid(family: &Family, motion: &Motion, members: &[usize], poin
 
 /// Units of work of [`largest_on_grid`].
 pub fn cost_of_grid(family: &Family, motion: &Motion, members: usize, points: usize) -> u64 {
-    (motion.pieces() as u64).saturating_mul(points as u64 + 2).saturating_mul(family.units(members))
+    (family.pieces(motion).len().max(1) as u64).saturating_mul(points as u64 + 2).saturating_mul(family.units(members))
 }
 
 fn keep_worst(worst: &mut Option<Failure>, found: Option<Failure>) {
@@ -133,12 +154,16 @@ fn above(family: &Family, members: &[usize], state: &State, at: f64, most: f64) 
 /// does not suffice is not proved.
 pub fn throughout(family: &Family, motion: &Motion, most: f64, purse: &mut Purse) -> Vec<bool> {
     let mut proof = Proof { family, motion, most, proved: vec![true; family.members], purse };
-    for piece in 0..motion.pieces() {
+    if let Some((node, piece)) = family.only_node() {
+        let members = proof.open();
+        proof.at_nodes([node], piece, &members);
+    }
+    for piece in family.pieces(motion) {
         let members = proof.open();
         if members.is_empty() {
             break;
         }
-        proof.at_ends(piece, &members);
+        proof.at_nodes([piece, piece + 1], piece, &members);
         if !family.linear {
             let whole = Interval::new(0.0, motion.duration(piece).high);
             let members = proof.open();
@@ -166,8 +191,8 @@ impl Proof<'_> {
         members.iter().for_each(|&member| self.proved[member] = false);
     }
 
-    fn at_ends(&mut self, piece: usize, members: &[usize]) {
-        for node in [piece, piece + 1] {
+    fn at_nodes(&mut self, nodes: impl IntoIterator<Item = usize>, piece: usize, members: &[usize]) {
+        for node in nodes {
             if !self.purse.spend(self.family.units(members.len())) {
                 return self.give_up(members);
             }

@@ -29,12 +29,26 @@ fn quantity(bounded: &Bounded, state: &State) -> Series {
         }
         Bounded::From(centre) => apart(state, centre),
         Bounded::FromAxis(centre) => apart(state, centre),
+        Bounded::FromLine { point, along } => {
+            let from: [Interval; 3] = std::array::from_fn(|i| state[[X, Y, Z][i]][0] - Interval::point(point[i]));
+            let across = rejected(from, along.map(Interval::point));
+            let rate = rejected([X, Y, Z].map(|axis| state[axis][1]), along.map(Interval::point));
+            let length = |parts: [Interval; 3]| parts.iter().fold(Interval::ZERO, |sum, p| sum + p.square()).sqrt();
+            Series::of_derivatives(&[length(across), Interval::around_zero(length(rate).high)])
+        }
         Bounded::FromBody(body) => {
             let axes = [X, Y, Z].map(|axis| state[axis][0]);
             let rate = Interval::around_zero(speed(state, 3).high);
             Series::of_derivatives(&[distance(body, axes), rate])
         }
     }
+}
+
+/// `a - (a . along) along`: the distance from a line through a point is the length of this for the way from the point, and changes
+/// at a rate of at most its length for the velocity.
+fn rejected(a: [Interval; 3], along: [Interval; 3]) -> [Interval; 3] {
+    let ahead = (0..3).fold(Interval::ZERO, |sum, i| sum + a[i] * along[i]);
+    std::array::from_fn(|i| a[i] - ahead * along[i])
 }
 
 /// The distance from a point in the plane or in space.

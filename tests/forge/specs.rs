@@ -145,7 +145,7 @@ fn smooth(model: &Model, total: f64) -> Option<Trajectory> {
 
 /// A limit at a share of what a motion reaches.
 fn reached(motion: &Trajectory, kind: LimitKind, share: f64, gravity: f64) -> Limit {
-    let bound = |lower, upper| Limit { kind, lower, upper, span: Default::default(), volume: None };
+    let bound = |lower, upper| Limit { kind, lower, upper, span: Default::default(), volume: None, leg: None };
     let most = peak(motion, |s| past(&bound(None, Some(0.0)), s, gravity)).value;
     match kind {
         // Room beside the motion, m and rad.

@@ -124,6 +124,7 @@ impl Text {
                 self.add(&files, span, "within = 1 km; yaw_within = 100000 deg; weight = 0");
             }
             Statement::Arrival(i) => self.set_at(&files, mission.waypoints[i].span, &[("time", "")]),
+            Statement::Stop(_) => self.edit(&files, span, |text| text.replace("  stop", "")),
             Statement::Hold(_) | Statement::Limit(_) => self.edit(&files, span, |_| String::new()),
             Statement::RestAtStart => self.add(&files, mission.span, "start moving"),
             Statement::RestAtEnd => self.add(&files, mission.span, "end moving"),
@@ -167,6 +168,7 @@ impl Text {
             Change::Bound { limit, .. } => self.edit(&files, mission.limits[limit].span, |_| written.clone()),
             Change::NoLimit(limit) => self.leave_out(Statement::Limit(limit)),
             Change::NoHold(waypoint) => self.leave_out(Statement::Hold(waypoint)),
+            Change::NoStop(waypoint) => self.leave_out(Statement::Stop(waypoint)),
             Change::NoMode(mode) => self.leave_out(Statement::Mode(mode)),
         }
     }
@@ -408,7 +410,9 @@ fn every_change_offered_gives_a_plan() {
             assert_eq!(text.name, "two_conflicts.mav");
         }
     }
-    for kind in ["samples", "time", "arrival", "within", "limit", "reserve", "no_limit", "no_hold", "no_mode", "mass"] {
+    for kind in [
+        "samples", "time", "arrival", "within", "limit", "reserve", "no_limit", "no_hold", "no_stop", "no_mode", "mass",
+    ] {
         assert!(kinds.contains(&kind), "no {kind} is offered: {kinds:?}");
     }
 }

@@ -21,6 +21,7 @@ mod intervals;
 mod keep_volumes;
 mod lag;
 mod language;
+mod legs;
 mod lsp;
 mod many;
 mod method;

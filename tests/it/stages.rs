@@ -7,10 +7,11 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-const MISSIONS: [&str; 15] = [
+const MISSIONS: [&str; 16] = [
     "missions/facade_hexa",
     "missions/ferry_octo",
     "missions/inspection",
+    "missions/inspection_octo",
     "missions/mast_octo",
     "missions/parcel_x8",
     "missions/survey_quad",
@@ -26,8 +27,14 @@ const MISSIONS: [&str; 15] = [
 ];
 
 /// Those with another vehicle than the paper's octocopter.
-const OTHER_VEHICLE: [&str; 5] =
-    ["missions/facade_hexa", "missions/mast_octo", "missions/parcel_x8", "missions/survey_quad", "missions/tower_hexa"];
+const OTHER_VEHICLE: [&str; 6] = [
+    "missions/facade_hexa",
+    "missions/inspection_octo",
+    "missions/mast_octo",
+    "missions/parcel_x8",
+    "missions/survey_quad",
+    "missions/tower_hexa",
+];
 
 const VEHICLES: [&str; 9] = [
     "vehicles/coaxial_x8",

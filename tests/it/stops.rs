@@ -26,7 +26,7 @@ fn solved(comparison: &Comparison) -> &MissionPlan {
 }
 
 fn at_least(kind: LimitKind, lower: f64) -> Limit {
-    Limit { kind, lower: Some(lower), upper: None, span: Span::default(), volume: None }
+    Limit { kind, lower: Some(lower), upper: None, span: Span::default(), volume: None, leg: None }
 }
 
 fn held(mut model: Model) -> Model {
@@ -197,7 +197,14 @@ fn what_is_found_is_a_stop() {
         let points = [[0.0, 0.0, 4.0], [8.0, 0.0, 6.0], [8.0, 8.0, 4.0]];
         let points = points.iter().enumerate().map(|(i, p)| waypoint(*p, yaw * i as f64)).collect();
         let limits = vec![
-            Limit { kind: LimitKind::Speed, lower: None, upper: Some(8.0), span: Span::default(), volume: None },
+            Limit {
+                kind: LimitKind::Speed,
+                lower: None,
+                upper: Some(8.0),
+                span: Span::default(),
+                volume: None,
+                leg: None,
+            },
             at_least(LimitKind::Z, 3.0),
         ];
         model.mission = Some(Mission { limits, ..mission(points) });

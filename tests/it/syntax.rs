@@ -108,7 +108,7 @@ fn words_of_the_statement_are_no_units() {
     assert!(parse(text).has_errors(), "`in` is not a unit");
     let Item::Block(block) = &parse(text).value.unwrap().items[0] else { panic!("no block") };
     let Statement::Waypoint(Clauses { name: None, clauses, .. }) = &block.body[0] else { panic!("no waypoint") };
-    let words: Vec<_> = clauses.iter().map(|c| (c.word.value.as_str(), shape_of(&c.value))).collect();
+    let words: Vec<_> = clauses.iter().map(|c| (c.word.value.as_str(), shape_of(c.value.as_ref().unwrap()))).collect();
     let wanted = [("at", "[0 0 2]"), ("yaw", "90<deg>"), ("weight", "2"), ("time", "30<s>")];
     assert_eq!(words, wanted.map(|(word, value)| (word, value.to_string())));
 }
@@ -281,7 +281,10 @@ fn a_statement_that_is_read_as_its_fix_would_have_it_keeps_its_places() {
     assert_eq!((path.value.as_str(), at(path.span)), ("a.mav", "\"a.mav"));
     let Item::Block(mission) = &items[3] else { panic!("no mission") };
     let Statement::Waypoint(Clauses { clauses, .. }) = &mission.body[0] else { panic!("no waypoint") };
-    assert_eq!(clauses.iter().map(|c| at(c.value.span)).collect::<Vec<_>>(), ["[1, 2, 3 m", "90 deg"]);
+    assert_eq!(
+        clauses.iter().map(|c| at(c.value.as_ref().unwrap().span)).collect::<Vec<_>>(),
+        ["[1, 2, 3 m", "90 deg"]
+    );
 }
 
 #[test]

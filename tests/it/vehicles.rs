@@ -115,6 +115,7 @@ pub fn waypoint(position: [f64; 3], yaw: f64) -> Waypoint {
         weight: 1.0,
         time: None,
         hold: 0.0,
+        stop: false,
         span: Span::default(),
         time_span: None,
         hold_span: None,
@@ -138,7 +139,7 @@ pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
 }
 
 pub fn limit(kind: LimitKind, upper: f64) -> Limit {
-    Limit { kind, lower: None, upper: Some(upper), span: Span::default(), volume: None }
+    Limit { kind, lower: None, upper: Some(upper), span: Span::default(), volume: None, leg: None }
 }
 
 /// Viviani's curve of section 5.4 with a = 4 m: 21 points evenly spaced in s and time.

@@ -1,6 +1,7 @@
 //! The context of the cursor: the block, the statement, what precedes it. By words and marks alone, because a statement that is
 //! being typed has no tree.
 
+use crate::language::{Group, Takes};
 use crate::model::vocabulary::mode_numbers;
 use crate::syntax::Place;
 use crate::syntax::scan::{Kind, Lexeme, lexemes};
@@ -192,6 +193,17 @@ impl Context {
         self.clauses = words.clone().map(|l| l.text(text).to_string()).collect();
         let (Some(clause), Some(last)) = (words.next_back(), statement.last()) else { return Before::Clause };
         let field = clause.text(text).to_string();
+        let entry = Group::of_statement(self.place, opener).entry(&field);
+        if entry.is_some_and(|entry| entry.takes == Takes::Nothing) {
+            return Before::Clause;
+        }
+        // `arrive from [0, 0, 1]`
+        if field == "arrive" && last.start == clause.start {
+            return Before::Words(&["from"]);
+        }
+        if last.text(text) == "from" {
+            return Before::Value { field, ended: false };
+        }
         // After a unit or a name a value is over, unless an operator continues it.
         let is_over = last.kind == Kind::Word && last.start != clause.start || last.is('%');
         match is_over && !self.in_brackets {
@@ -253,6 +265,15 @@ fn unit_before(text: &str, all: &[Lexeme], offset: usize) -> Option<usize> {
     (run.len() > 1 && begins && has_number).then_some(run[0].start)
 }
 
+/// The block that a brace opens: after a waypoint, the limits of its leg.
+fn of_head(frames: &[Frame], word: &str) -> Place {
+    let in_mission = frames.last().is_some_and(|frame| frame.place == Place::Mission);
+    match word {
+        "waypoint" if in_mission => Place::Limits,
+        _ => Place::of_head(word).unwrap_or(Place::Unknown),
+    }
+}
+
 /// Takes one word or mark before the cursor into account.
 fn step(
     text: &str,
@@ -286,11 +307,7 @@ fn step(
         Kind::Mark('{') => {
             let word = head(statement);
             let parameter = (word == "curve").then(|| statement.get(1).map_or("", |l| l.text(text)).to_string());
-            frames.push(Frame {
-                place: Place::of_head(&word).unwrap_or(Place::Unknown),
-                parameter,
-                present: BTreeSet::new(),
-            });
+            frames.push(Frame { place: of_head(frames, &word), parameter, present: BTreeSet::new() });
             statement.clear();
             *brackets = 0;
         }

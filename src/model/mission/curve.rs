@@ -67,6 +67,7 @@ impl<'a> Curve<'a> {
                 yaw_within: manner.yaw_within,
                 weight: manner.weight,
                 time: None,
+                stop: false,
                 span: head,
             };
             let within_curve = (k > 0).then_some(self.index);

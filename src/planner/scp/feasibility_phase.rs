@@ -101,7 +101,10 @@ impl ScpPlanner<'_, '_> {
             let state = iterate.at(r.instant);
             let violation = match r.row {
                 Row::Facet(facet) => self.worst_of_row(facet, &self.wrenches_at(&state)),
-                Row::Limit(limit) => form.violation_of(&self.hover.mission().limits[limit], &state, 0.0),
+                Row::Limit(limit) => match &self.hover.mission().limits[limit] {
+                    limit if form.covers(limit, r.instant) => form.violation_of(limit, &state, 0.0),
+                    _ => f64::NEG_INFINITY,
+                },
                 Row::Upright => form.violation_upright(&state),
                 Row::Command { facet, slope } => self.command_violation_of(iterate, facet, (r.instant, slope)),
             };

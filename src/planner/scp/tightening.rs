@@ -65,7 +65,8 @@ impl ScpPlanner<'_, '_> {
             for part in 0..parts {
                 let state = iterate.inside(interval, part as f64 / parts as f64);
                 let instant = interval * PARTS + part / settings.parts;
-                let violations = self.violations(&form, &state).enumerate();
+                let holds = |limit: &Limit| form.covers_interval(limit, interval);
+                let violations = self.violations(&form, &state, holds).enumerate();
                 for (place, violation) in violations.filter(|(_, e)| *e > settings.max_violation) {
                     let entry = over.entry(RowAt { row: self.row(place), instant }).or_default();
                     *entry = entry.max(violation);

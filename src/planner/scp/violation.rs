@@ -37,21 +37,21 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         wrenches.iter().map(|wrench| self.violation_of_row(facet, wrench)).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The violation of every facet and then of every limit for one state.
+    /// The violation of every facet and then of every limit for one state, at which the limits that `holds` selects hold.
     pub(super) fn violations<'s>(
         &'s self,
         form: &'s Transcription<'s>,
         state: &'s NodeState,
+        holds: impl Fn(&Limit) -> bool + 's,
     ) -> impl Iterator<Item = f64> + 's {
         let wrenches = self.wrenches_at(state);
         let facets = (0..self.set.rows.len()).map(move |facet| self.worst_of_row(facet, &wrenches));
         // Limits on places have no width for a margin.
-        let limits = self
-            .hover
-            .mission()
-            .limits
-            .iter()
-            .map(move |l| form.violation_of(l, state, 0.0) - if place(l.kind) { ACCEPTED } else { 0.0 });
+        let of_limit = move |limit: &Limit| match holds(limit) {
+            true => form.violation_of(limit, state, 0.0) - if place(limit.kind) { ACCEPTED } else { 0.0 },
+            false => f64::NEG_INFINITY,
+        };
+        let limits = self.hover.mission().limits.iter().map(of_limit);
         let exact = self.wrench == WrenchModel::Exact;
         facets.chain(limits).chain(exact.then(|| form.violation_upright(state)))
     }
@@ -66,17 +66,21 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let local_tightening = self.local_tightening.get(&instant);
         let at = move |place: usize| local_tightening.and_then(|b| b.get(&place)).copied().unwrap_or(0.0);
         // Half of the room that rows keep: it covers what a motion does between instants.
-        let room = 0.5 * form.room(instant);
-        let of_volume = move |place: usize| if self.is_of_volume(place) { room } else { 0.0 };
+        let room = form.room(instant);
+        let of_volume = move |place: usize| 0.5 * self.limit_at(place).map_or(0.0, |limit| room_of(limit, room));
         let with_its_own = move |(place, violation)| (place, violation + at(place) + of_volume(place));
-        self.violations(form, state).enumerate().map(with_its_own)
+        let holds = move |limit: &Limit| form.covers(limit, instant);
+        self.violations(form, state, holds).enumerate().map(with_its_own)
     }
 
-    /// Whether the row at a place is that of a volume.
-    pub(super) fn is_of_volume(&self, place: usize) -> bool {
-        let limit =
-            place.checked_sub(self.set.rows.len()).and_then(|limit| self.hover.problem.mission().limits.get(limit));
-        limit.is_some_and(|limit| limit.volume.is_some())
+    /// Whether the row at a place is of a volume, a corridor or a direction of arrival, for which the path alone counts.
+    pub(super) fn is_of_path(&self, place: usize) -> bool {
+        self.limit_at(place).is_some_and(|limit| limit.volume.is_some() || limit.kind == LimitKind::Arrival)
+    }
+
+    /// The limit whose row is at a place.
+    fn limit_at(&self, place: usize) -> Option<&'a Limit> {
+        place.checked_sub(self.set.rows.len()).and_then(|limit| self.hover.problem.mission().limits.get(limit))
     }
 
     /// The largest violation of facets and limits at an instant.
@@ -188,22 +192,24 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         found
     }
 
-    /// The rows of some limits at every node.
+    /// The rows of some limits at every node where these hold.
     pub(super) fn limits_at_nodes(
         &self,
         grid: &TimeGrid,
         wanted: impl Fn(&Limit) -> bool,
     ) -> impl Iterator<Item = RowAt> {
         let nodes = 0..grid.nodes();
+        let waypoint_nodes = grid.waypoint_nodes.clone();
         let limits = self.hover.mission().limits.iter().enumerate().filter(move |(_, limit)| wanted(limit));
-        limits.flat_map(move |(limit, _)| {
-            nodes.clone().map(move |node| RowAt { row: Row::Limit(limit), instant: node * PARTS })
+        limits.flat_map(move |(index, limit)| {
+            let held: Vec<usize> = nodes.clone().filter(|node| covers(limit, &waypoint_nodes, 1, *node)).collect();
+            held.into_iter().map(move |node| RowAt { row: Row::Limit(index), instant: node * PARTS })
         })
     }
 
-    /// The rows of limits on x, y, z and yaw, at every node.
+    /// The rows of limits on x, y, z and yaw, at every node, and on directions of arrival: they do not depend on time.
     pub(super) fn places(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
-        self.limits_at_nodes(grid, |limit| place(limit.kind)).collect()
+        self.limits_at_nodes(grid, |limit| place(limit.kind) || limit.kind == LimitKind::Arrival).collect()
     }
 
     /// The rows that each subproblem has at every node: limits on x, y, z and yaw, which do not depend on time, and on yaw rate

@@ -38,6 +38,8 @@ impl ScpPlanner<'_, '_> {
         let mut is_changed = false;
         for segment in &iterate.grid.segments {
             let ends = segment.first_node * PARTS..=(segment.first_node + segment.intervals) * PARTS;
+            let of_leg = of_leg(mission, segment.from);
+            let mission = of_leg.as_ref().unwrap_or(mission);
             if positions[ends.clone()].iter().all(|p| violation(mission, p) <= TOUCHING) {
                 continue;
             }
@@ -54,6 +56,13 @@ impl ScpPlanner<'_, '_> {
 
 fn keeps_out(mission: &Mission) -> bool {
     mission.limits.iter().any(|limit| limit.kind == LimitKind::Clearance)
+}
+
+/// The mission with the limits that hold on a leg alone; `None` if all do.
+fn of_leg(mission: &Mission, leg: usize) -> Option<Mission> {
+    let limits = mission.limits.iter().filter(|limit| limit.concerns(leg));
+    (!mission.limits.iter().all(Limit::is_general))
+        .then(|| Mission { limits: limits.cloned().collect(), ..mission.clone() })
 }
 
 fn position(state: &NodeState) -> Point {

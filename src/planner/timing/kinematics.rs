@@ -11,6 +11,7 @@ use crate::model::{Limit, LimitKind, PlanModel, Problem, Waypoint};
 use crate::planner::transcription::UNBOUNDED;
 use crate::tolerance;
 use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
 
 /// Bounds on rates and accelerations of one displacement, SI; infinite where nothing bounds them.
 #[derive(Debug, Clone, Copy)]
@@ -58,14 +59,14 @@ impl Drag {
     }
 
     /// Bounds on rate and acceleration along some axes, where thrust and gravity accelerate by at most `acceleration` and
-    /// limits allow the rate `rate`. With k = drag/m the rate u obeys `u' <= acceleration + k |wind| - k u`: from rest it
-    /// stays below `acceleration/k + |wind|`, and `|u'| <= acceleration + k (|wind| + u)`.
-    fn paced(&self, rate: f64, acceleration: f64, axes: &[usize]) -> (f64, f64) {
+    /// limits allow the rate `rate`. With k = drag/m the rate u obeys `u' <= most + k |wind| - k u`, where `most` bounds what thrust
+    /// and gravity give on any leg: from rest it stays below `most/k + |wind|`, and `|u'| <= acceleration + k (|wind| + u)`.
+    fn paced(&self, (rate, acceleration): (f64, f64), most: f64, axes: &[usize]) -> (f64, f64) {
         if self.rate == 0.0 {
             return (rate, acceleration);
         }
         let wind = axes.iter().map(|&axis| self.wind[axis].powi(2)).sum::<f64>().sqrt();
-        let terminal = if self.starts_at_rest { acceleration / self.rate + wind } else { f64::INFINITY };
+        let terminal = if self.starts_at_rest { most / self.rate + wind } else { f64::INFINITY };
         let rate = rate.min(terminal * (1.0 + ROUNDING));
         (rate, acceleration + self.rate * (wind + rate))
     }
@@ -82,14 +83,18 @@ struct Paces {
 }
 
 impl Paces {
-    /// The bounds of a mission under its vehicle's full thrust, with intervals at the ends that allow most. Each limit is widened
-    /// by `past`, in its SI unit, and by the tolerance of the check of plans ([`tolerance`]).
-    fn of(problem: Problem, past: &[f64]) -> Self {
+    /// The bounds that hold throughout some legs of a mission under its vehicle's full thrust, with intervals at the ends that allow
+    /// most. Each limit is widened by `past`, in its SI unit, and by the tolerance of the check of plans ([`tolerance`]).
+    fn of(problem: Problem, past: &[f64], legs: Range<usize>) -> Self {
         let (model, mission) = (problem.model(), problem.mission());
         let upper =
             |(limit, past): (&Limit, &f64)| Some(limit.upper? + past + tolerance::MOST_PAST_LIMIT * limit.size());
         let most = |kind: LimitKind| {
-            let of_kind = mission.limits.iter().zip(past).filter(|(limit, _)| limit.kind == kind);
+            let of_kind = mission
+                .limits
+                .iter()
+                .zip(past)
+                .filter(|(limit, _)| limit.kind == kind && legs.clone().all(|leg| limit.concerns(leg)));
             of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
         };
         let vehicle = &model.vehicle;
@@ -113,11 +118,11 @@ impl Paces {
         let air = Drag::of(problem);
         let across = speed.min(most(LimitKind::SpeedHorizontal));
         let of_climb = |rate: LimitKind| {
-            let (rate, acceleration) = air.paced(speed.min(most(rate)), vertical, &[2]);
+            let (rate, acceleration) = air.paced((speed.min(most(rate)), vertical), force + g, &[2]);
             Pace { rate, acceleration: acceleration.min(whole), jerk }
         };
-        let (rate, any) = air.paced(speed, any, &[0, 1, 2]);
-        let (rate_across, sideways) = air.paced(across, sideways, &[0, 1]);
+        let (rate, any) = air.paced((speed, any), force + g, &[0, 1, 2]);
+        let (rate_across, sideways) = air.paced((across, sideways), force, &[0, 1]);
         Paces {
             whole: Pace { rate, acceleration: whole.min(any), jerk },
             horizontal: Pace {
@@ -208,16 +213,18 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
     let mission = problem.mission();
     let points = &mission.waypoints;
     let last = points.len().saturating_sub(1);
-    let paces = Paces::of(problem, past);
-    let rests = |i: usize| points[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest;
+    // All legs have the same bounds unless some limit is of one leg.
+    let general = mission.limits.iter().all(Limit::is_general).then(|| Paces::of(problem, past, 0..last));
+    let paces = |legs: Range<usize>| general.unwrap_or_else(|| Paces::of(problem, past, legs));
+    let rests = |i: usize| mission.rests_at(i);
     let mut legs = vec![LeastLeg { seconds: 0.0, along: Along::Line }; last];
     let mut from = 0;
     for to in 1..=last {
         // A waypoint that requires nothing does not end a leg.
-        let is_required = points[to].within < UNBOUNDED || points[to].time.is_some() || points[to].hold > 0.0;
+        let is_required = points[to].within < UNBOUNDED || points[to].time.is_some() || mission.rests_at(to);
         if is_required || to == last {
             let resting = usize::from(rests(from)) + usize::from(rests(to));
-            legs[to - 1] = paces.leg(&points[from], &points[to], resting);
+            legs[to - 1] = paces(from..to).leg(&points[from], &points[to], resting);
             from = to;
         }
     }

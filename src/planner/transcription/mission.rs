@@ -55,7 +55,7 @@ impl Transcription<'_> {
         };
         for (w, &node) in self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes) {
             let ends = node == 0 && self.mission.start_at_rest || node == last && self.mission.end_at_rest;
-            if w.hold > 0.0 || ends {
+            if w.hold > 0.0 || w.stop || ends {
                 rest(node, w.hold > 0.0);
             }
         }

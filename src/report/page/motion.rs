@@ -98,7 +98,7 @@ fn limited(model: &Model, kinds: &[LimitKind]) -> bool {
 /// The bounds of the mission's limits of these kinds, in display units.
 fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
     let mut found = Vec::new();
-    for limit in mission.limits.iter().filter(|l| kinds.contains(&l.kind)) {
+    for limit in mission.limits.iter().filter(|l| l.is_general() && kinds.contains(&l.kind)) {
         let (name, _, factor) = limit.kind.name_and_unit();
         // A descent is drawn as a negative climb.
         let (name, factor, words) = match limit.kind {
@@ -187,7 +187,7 @@ fn position(mission: &Mission, solved: &MissionPlan) -> Chart {
 /// `, of 6 m/s allowed`, or `, without a limit`.
 fn allowed(mission: &Mission, kind: LimitKind) -> String {
     let (_, unit, factor) = kind.name_and_unit();
-    match mission.limits.iter().find(|l| l.kind == kind).and_then(|l| l.upper) {
+    match mission.limits.iter().find(|l| l.is_general() && l.kind == kind).and_then(|l| l.upper) {
         Some(most) => format!(", of {} {unit} allowed", significant(factor * most, 3)),
         None => ", without a limit".into(),
     }

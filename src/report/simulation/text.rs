@@ -135,7 +135,8 @@ fn air_and_rate(model: &Model) -> String {
 /// `, beyond the plan's limit of 20 degrees`: the mission's limit applies to the plan and not to the flight.
 fn past_limit(flown: &Flown) -> String {
     let limits = flown.model.mission.iter().flat_map(|mission| &mission.limits);
-    let tilt = limits.filter(|limit| limit.kind == LimitKind::Tilt).filter_map(|limit| limit.upper);
+    let tilt =
+        limits.filter(|limit| limit.is_general() && limit.kind == LimitKind::Tilt).filter_map(|limit| limit.upper);
     match tilt.filter(|most| flown.flight.max_tilt > *most).reduce(f64::min) {
         Some(most) => format!(", beyond the plan's limit of {} degrees\n", number(most.to_degrees())),
         None => "\n".into(),

@@ -28,7 +28,9 @@ impl Builder<'_> {
         }
         let late = self.late_brace.take().filter(|(brace, _)| *brace == start);
         let word = head.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or(head);
-        let inside = late.map(|(_, inside)| inside).or(Place::of_head(word)).unwrap_or(Place::Unknown);
+        let is_waypoint = word == "waypoint" && place == Place::Mission;
+        let of_word = if is_waypoint { Some(Place::Limits) } else { Place::of_head(word) };
+        let inside = late.map(|(_, inside)| inside).or(of_word).unwrap_or(Place::Unknown);
         let has_body = body.is_some();
         if !has_body {
             let rest = self.text[start + head.len()..].trim_start();
@@ -47,7 +49,7 @@ impl Builder<'_> {
             Place::Unknown | Place::Curve => false,
             _ => Kind::Block(inside).fits(place),
         };
-        if !fits || place == Place::Unknown {
+        if !fits || is_waypoint || place == Place::Unknown {
             return Statement::Broken(span);
         }
         // Whatever its head means, the statements of the block are checked.

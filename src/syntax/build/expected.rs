@@ -44,6 +44,7 @@ fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
     match word {
         "every" if !is_field => Rule::strict_every,
         "curve" if !is_field => Rule::strict_curve,
+        "waypoint" if has_body && !is_field => Rule::strict_waypoint,
         _ if has_body => Rule::strict_block,
         _ if place == Place::Limits => Rule::strict_limit,
         _ if is_field => Rule::strict_field,
@@ -87,11 +88,13 @@ fn meaning(rule: Rule) -> Option<Expected> {
         Rule::comma => Expected::Comma,
         Rule::rparen => Expected::Closing(')'),
         Rule::rbracket => Expected::Closing(']'),
-        Rule::clause | Rule::clause_word => Expected::Clause,
+        Rule::clause | Rule::clause_word | Rule::bare | Rule::bare_word | Rule::arrival | Rule::arrive_word => {
+            Expected::Clause
+        }
         Rule::kw_lost | Rule::reduced | Rule::stuck => Expected::Effect,
         Rule::kw_as => Expected::Word("as"),
         Rule::kw_at => Expected::Word("at"),
-        Rule::kw_from => Expected::Word("from"),
+        Rule::kw_from | Rule::from_word => Expected::Word("from"),
         Rule::kw_in => Expected::Word("in"),
         Rule::kw_moving => Expected::Word("moving"),
         Rule::kw_rotor | Rule::kw_rotors => Expected::Word("rotors"),

@@ -134,9 +134,12 @@ impl<'i> Parts<'i> {
         let mut clauses = Vec::new();
         for pair in self.pairs.by_ref() {
             let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
-            clauses.push(Clause { word: parts.name(), value: parts.expr()? });
+            let word = parts.name();
+            let how = parts.take(Rule::from_word).map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
+            let value = if parts.pairs.peek().is_some() { Some(parts.expr()?) } else { None };
+            clauses.push(Clause { word, how, value });
         }
-        Ok(Clauses { name, clauses, doc, span })
+        Ok(Clauses { name, clauses, body: Vec::new(), doc, span })
     }
 
     pub fn moving(&mut self, span: Span) -> Statement {

@@ -82,9 +82,28 @@ fn listed() -> String {
 pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
     let clauses = match statement.word() {
-        "waypoint" | "start" => "`at`, `yaw`, `within`, `yaw_within`, `weight` and `time`",
+        "waypoint" | "start" => {
+            "`at`, `yaw`, `within`, `yaw_within`, `weight`, `time`, `straight`, `vertical`, `corridor`, `arrive from`, `stop` and `pass`"
+        }
         _ => return None,
     };
+    let (from, before) = statement.before(failure.at);
+    let is_value = found.starts_with(|c: char| c.is_ascii_digit());
+    if let ("straight" | "vertical" | "stop", true) = (before, is_value) {
+        let message = format!("`{before}` takes no value");
+        let error = Diagnostic::error(
+            "mavc::syntax::unexpected",
+            statement.span(failure.at, failure.at + found.len()),
+            message,
+        );
+        let error = error.here("a value");
+        return Some(match before {
+            "stop" => error.help("write `hold 3 s` on the next line to stay there"),
+            _ => error
+                .help("write `corridor` for a radius of its own")
+                .fix(statement.span(from, from + before.len()), "corridor"),
+        });
+    }
     let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
     if !failure.expects(Expected::Clause) || !is_word || nearest(found, super::CLAUSES).is_some() {
         return None;
@@ -98,7 +117,9 @@ pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagn
     );
     let help = match found {
         "speed" | "velocity" | "altitude" | "tilt" => {
-            format!("clauses are {clauses}; limits go into `limits {{ .. }}`")
+            "limits of the leg that arrives go between braces at the end, as in `{ speed <= 3 m/s }`; those of the whole mission \
+             into `limits { .. }`"
+                .to_string()
         }
         "heading" | "course" | "bearing" => {
             "write it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()

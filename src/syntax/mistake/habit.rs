@@ -32,7 +32,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     wrong_start,
 ];
 
-pub(in crate::syntax) const CLAUSES: [&str; 15] = [
+pub(in crate::syntax) const CLAUSES: [&str; 21] = [
     "at",
     "yaw",
     "yaw_within",
@@ -48,6 +48,12 @@ pub(in crate::syntax) const CLAUSES: [&str; 15] = [
     "drag_coefficient",
     "torque_per_thrust",
     "until",
+    "straight",
+    "vertical",
+    "corridor",
+    "arrive",
+    "stop",
+    "pass",
 ];
 
 pub(super) fn recognise(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {

@@ -85,16 +85,17 @@ impl Rows<'_> {
         bounds.reduce(|a, b| if b.high < a.high { b } else { a }).unwrap_or(Interval::WHOLE)
     }
 
-    /// The upper bound of a limit, if the mission has one.
+    /// The upper bound of a limit on all legs, if the mission has one.
     fn upper(&self, kind: LimitKind) -> Option<f64> {
-        self.problem.mission().limits.iter().filter(|l| l.kind == kind).filter_map(|l| l.upper).reduce(f64::min)
+        let limits = self.problem.mission().limits.iter().filter(|l| l.is_general() && l.kind == kind);
+        limits.filter_map(|l| l.upper).reduce(f64::min)
     }
 
     /// Bounds on psi'' at any node: its limit, or a bound that follows from the limit on psi'. From rest psi'' is 0 at first,
     /// and `psi''_(k+1) = 2 (psi'_(k+1) - psi'_k)/h - psi''_k`.
     fn yaw_input(&self, step: Interval) -> Interval {
         let sides = |kind: LimitKind| {
-            let limits = self.problem.mission().limits.iter().filter(move |l| l.kind == kind);
+            let limits = self.problem.mission().limits.iter().filter(move |l| l.is_general() && l.kind == kind);
             limits.filter_map(|l| Some((l.lower?, l.upper?))).next()
         };
         if let Some((lower, upper)) = sides(LimitKind::YawAcceleration) {

@@ -88,12 +88,12 @@ impl Rows<'_> {
                 Ok(vec![self.keeps_commands(plane, tau, node, interval)])
             }
             RowRecord::Limit { limit, node, side } => {
-                let limit = self.problem.mission().limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
-                one_sided(limit, at(node)?, side).ok_or("the limit has no such side".into()).map(|row| vec![row])
+                let limit = self.limit_at(limit, at(node)?)?;
+                one_sided(limit, node, side).ok_or("the limit has no such side".into()).map(|row| vec![row])
             }
             RowRecord::LimitNorm { limit, node, interval } => {
-                let limit = self.problem.mission().limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
-                self.norm(limit, at(node)?, interval).ok_or("the limit does not bound a norm there".into())
+                let limit = self.limit_at(limit, at(node)?)?;
+                self.norm(limit, node, interval).ok_or("the limit does not bound a norm there".into())
             }
             RowRecord::Thrust { node } => {
                 let most = self.thrust.ok_or("the hover model has no such row")?;
@@ -114,6 +114,27 @@ impl Rows<'_> {
                 Ok(vec![Expression::constant(slack).plus(node, YAW, 0, sign)])
             }
         }
+    }
+
+    /// A limit that holds at a node.
+    fn limit_at(&self, index: usize, node: usize) -> Result<&Limit, String> {
+        let limit = self.problem.mission().limits.get(index).ok_or(format!("there is no limit {index}"))?;
+        let holds = |from: usize, to: usize| match limit.kind {
+            LimitKind::Arrival => node == to,
+            _ => (from..=to).contains(&node),
+        };
+        match &limit.leg {
+            Some(on) if !holds(self.grid.waypoint_nodes[on.leg], self.grid.waypoint_nodes[on.leg + 1]) => {
+                Err(format!("limit {index} does not hold at node {node}"))
+            }
+            _ => Ok(limit),
+        }
+    }
+
+    /// Whether a limit holds throughout an interval.
+    fn holds_over(&self, limit: &Limit, interval: usize) -> bool {
+        let nodes = &self.grid.waypoint_nodes;
+        limit.leg.as_ref().is_none_or(|on| (nodes[on.leg]..nodes[on.leg + 1]).contains(&interval))
     }
 
     /// Tolerances of a waypoint, m and rad, plus what a plan may miss beyond them.
@@ -147,8 +168,10 @@ impl Rows<'_> {
             .iter()
             .zip(&self.grid.waypoint_nodes)
             .any(|(w, &n)| n == node && w.hold > 0.0);
+        let stops =
+            self.problem.mission().waypoints.iter().zip(&self.grid.waypoint_nodes).any(|(w, &n)| n == node && w.stop);
         let highest = if held { self.orders()[axis] } else { self.orders()[axis].min(3) };
-        (ends || held) && derivative <= highest
+        (ends || stops || held) && derivative <= highest
     }
 
     /// e - n.w with T = m (g + z''), tau_x = Ixx/g (s x'''' - c y''''), tau_y = Iyy/g (c x'''' + s y''''), tau_z = Izz
@@ -203,6 +226,7 @@ impl Rows<'_> {
         let reach = Expression::constant(upper);
         if let Some(volume) = &limit.volume {
             let centre = match &volume.quantity {
+                Bounded::FromLine { point, along } => return with(reach, across(node, 0, *point, *along)),
                 Bounded::From(centre) => &centre[..],
                 Bounded::FromAxis(centre) => &centre[..],
                 Bounded::Coordinate | Bounded::Along(_) | Bounded::FromBody(_) => return None,
@@ -222,8 +246,17 @@ impl Rows<'_> {
                 let g = Interval::point(self.problem.model().gravity);
                 with(Expression::constant(tangent * g).plus(node, Z, 2, tangent), parts(&[X, Y], 2))
             }
+            LimitKind::Arrival => {
+                // |v - (v.d) d| <= tan L (v.d), with d the direction of arrival.
+                let direction = limit.leg.as_ref()?.direction?;
+                let (s, c) = upper.sin_cos();
+                let ahead = [X, Y, Z].into_iter().zip(direction);
+                let reach = ahead
+                    .fold(Expression::default(), |row, (axis, d)| row.plus(node, axis, 1, s / c * Interval::point(d)));
+                with(reach, across(node, 1, [0.0; 3], direction))
+            }
             LimitKind::Jerk if self.kind == DynamicModel::Exact => with(reach, parts(&[X, Y, Z], 3)),
-            LimitKind::Jerk if self.is_adjacent(node, interval) => {
+            LimitKind::Jerk if self.is_adjacent(node, interval) && self.holds_over(limit, interval) => {
                 let times = &self.grid.times;
                 let h = Interval::point(times[interval + 1]) - Interval::point(times[interval]);
                 let rate = Interval::ONE / h;
@@ -235,6 +268,18 @@ impl Rows<'_> {
             _ => None,
         }
     }
+}
+
+/// The parts of `a - (a . along) along`, where a is the derivative of the position at a node minus `point`.
+fn across(node: usize, order: usize, point: [f64; 3], along: [f64; 3]) -> Vec<Expression> {
+    let along = along.map(Interval::point);
+    let part = |i: usize| {
+        let weight = |j: usize| if i == j { Interval::ONE - along[i] * along[j] } else { -(along[i] * along[j]) };
+        (0..3).fold(Expression::default(), |row, j| {
+            row.plus(node, [X, Y, Z][j], order, weight(j)).minus(weight(j) * Interval::point(point[j]))
+        })
+    };
+    (0..3).map(part).collect()
 }
 
 /// A bound on one coordinate or rate; `None` if the limit has no such bound on that side.

@@ -11,7 +11,7 @@ use super::super::series::Series;
 use super::super::sets::{Plane, along};
 use super::super::wind;
 use super::super::wrench::{Dynamics, Held, thrust_over_mass};
-use super::super::{Reach, Rejection, Scope, Shown};
+use super::super::{Reach, Rejection, Scope, Shown, schedule};
 use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
 use crate::certificate::DynamicModel;
 use crate::model::{Environment, Limit, LimitKind};
@@ -31,7 +31,7 @@ impl<'a> Setting<'a> {
             return Ok(());
         }
         for (index, limit) in self.mission().limits.iter().enumerate() {
-            let family = limits::family(limit, &self.dynamics.environment);
+            let family = self.family_of(limit, motion);
             let most = MOST_PAST_LIMIT * limit.size();
             if let Some(failure) = above_at_nodes(&family, motion, most) {
                 let claim = format!("limit {} ({})", index + 1, limit.name());
@@ -39,6 +39,17 @@ impl<'a> Setting<'a> {
             }
         }
         Ok(())
+    }
+
+    /// A limit as a quantity along a motion whose times agree with the spec, on the part of it where the limit holds.
+    pub fn family_of<'l>(&self, limit: &'l Limit, motion: &Motion) -> Family<'l> {
+        let within = limit.leg.as_ref().map(|on| {
+            let (first, last) = (on.leg, motion.waypoint_nodes[on.leg + 1]);
+            // A hold belongs to no leg. Where its end is not found, the leg is taken to begin before it.
+            let first = schedule::held_until(self.mission(), motion, first).unwrap_or(motion.waypoint_nodes[first]);
+            if limit.kind == LimitKind::Arrival { (last, last) } else { (first, last) }
+        });
+        limits::family(limit, &self.dynamics.environment, within)
     }
 
     pub(super) fn upright_at_nodes(&self, motion: &Motion) -> Result<(), Rejection> {
@@ -150,8 +161,13 @@ impl Checked<'_> {
         let setting = self.setting;
         let before = purse.0;
         for limits in setting.mission().limits.chunk_by(same_volume) {
+            if limits[0].kind == LimitKind::Arrival {
+                // It holds at one node, where it has been decided.
+                found.shown.push(Shown::at_nodes(limited(&limits[0])));
+                continue;
+            }
             let reach = |limit: &Limit| {
-                let family = limits::family(limit, &setting.dynamics.environment);
+                let family = setting.family_of(limit, &self.motion);
                 self.reach(&family, MOST_PAST_LIMIT * limit.size(), limit.size(), purse)
             };
             if let Some(reach) = limits.iter().map(reach).reduce(Reach::weakest) {
@@ -267,7 +283,7 @@ fn upright(environment: &Environment) -> Family<'static> {
     };
     let measure = Measure { factor: 100.0, unit: "%", whole: Some("of the weight") };
     let evaluate = Box::new(evaluate);
-    Family { members: 1, evaluate, linear: false, jumps: false, measure, overhead: cost::OF_A_LIMIT }
+    Family { members: 1, evaluate, linear: false, jumps: false, within: None, measure, overhead: cost::OF_A_LIMIT }
 }
 
 /// The violation of each plane by the quantity `held`.
@@ -288,5 +304,6 @@ pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'
     // The rate of the wrench contains the slopes of the inputs, which change at nodes.
     let jumps = held != Held::Wrench;
     let overhead = if is_windy { wind::COST * cost::OF_EXACT_WRENCH } else { cost::OF_EXACT_WRENCH };
-    Family { members: planes.len(), evaluate: Box::new(evaluate), linear, jumps, measure: Measure::WIDTH, overhead }
+    let measure = Measure::WIDTH;
+    Family { members: planes.len(), evaluate: Box::new(evaluate), linear, jumps, within: None, measure, overhead }
 }

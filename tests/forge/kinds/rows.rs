@@ -64,6 +64,7 @@ fn exceeded(spec: &Spec, numbers: &mut Numbers, kind: LimitKind) -> Option<Certi
         LimitKind::AccelerationHorizontal | LimitKind::Tilt => (horizontal, 2),
         LimitKind::Jerk => (horizontal, 3),
         LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => (any, 0),
+        LimitKind::Arrival => (any, 1),
     };
     let motion = grown(spec, numbers, along, |_, found| found == Some(Falsehood::Limit(index)))?;
     Some(spec.claiming(&motion))

@@ -26,6 +26,7 @@ fn present(problem: Problem, whole: &Model, time: f64) -> BTreeSet<Statement> {
         Statement::Waypoints { first, .. } => mission.waypoints[first].within < UNBOUNDED,
         Statement::Arrival(i) => mission.waypoints[i].time.is_some(),
         Statement::Hold(i) => mission.waypoints[i].hold > 0.0,
+        Statement::Stop(i) => mission.waypoints[i].stop,
         Statement::RestAtStart => mission.start_at_rest,
         Statement::RestAtEnd => mission.end_at_rest,
         Statement::Limit(i) => mission.limits[i].upper.is_some(),
