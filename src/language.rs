@@ -82,6 +82,7 @@ pub enum Group {
     Rotor,
     /// The clauses of `rotor` in `rotors { }`.
     PlacedRotor,
+    Battery,
     /// The fields of `mode` and `every`.
     Mode,
     Curve,
@@ -103,11 +104,12 @@ pub enum Group {
 
 impl Group {
     /// Every group that has entries.
-    pub const ALL: [Group; 14] = [
+    pub const ALL: [Group; 15] = [
         Group::Top,
         Group::Vehicle,
         Group::Rotor,
         Group::PlacedRotor,
+        Group::Battery,
         Group::Mode,
         Group::Curve,
         Group::CurveHead,
@@ -126,6 +128,7 @@ impl Group {
             Place::Top => Group::Top,
             Place::Vehicle => Group::Vehicle,
             Place::Rotor => Group::Rotor,
+            Place::Battery => Group::Battery,
             Place::Mode | Place::Every => Group::Mode,
             Place::Curve => Group::Curve,
             Place::Limits => Group::Limits,
@@ -157,6 +160,7 @@ impl Group {
             Place::Top => &[Group::Top],
             Place::Vehicle => &[Group::Vehicle],
             Place::Rotor => &[Group::Rotor],
+            Place::Battery => &[Group::Battery],
             Place::Mode | Place::Every => &[Group::Mode],
             Place::Limits => &[Group::Limits],
             Place::KeepIn | Place::KeepOut => &[Group::Volume],
@@ -173,6 +177,7 @@ impl Group {
             Group::Vehicle => table::vehicle::ENTRIES,
             Group::Rotor => table::rotor::ENTRIES,
             Group::PlacedRotor => table::placed_rotor::ENTRIES,
+            Group::Battery => table::battery::ENTRIES,
             Group::Mode => table::mode::ENTRIES,
             Group::Curve => table::curve::ENTRIES,
             Group::CurveHead => table::curve_head::ENTRIES,

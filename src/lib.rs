@@ -9,6 +9,7 @@ pub mod certify;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod diagnostic;
+pub mod energy;
 pub mod explain;
 pub mod flatness;
 pub mod flight;

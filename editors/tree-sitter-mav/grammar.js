@@ -18,7 +18,7 @@ const PRECEDENCE = { range: 1, interval: 2, sum: 3, product: 4, sign: 5, power: 
 const STATEMENT_WORDS = [
   'use', 'let', 'require', 'vehicle', 'faults', 'mission', 'plan', 'simulate', 'campaign', 'limits', 'mode', 'every',
   'curve', 'rotor', 'rotors', 'start', 'end', 'waypoint', 'waypoints', 'hold', 'fault',
-  'keep_in', 'keep_out',
+  'keep_in', 'keep_out', 'battery',
 ];
 
 const CLAUSE_WORDS = [
@@ -62,7 +62,7 @@ module.exports = grammar({
     _block: ($) =>
       choice(
         $.vehicle, $.faults, $.mission, $.plan, $.simulate, $.campaign, $.limits, $.volume, $.mode, $.curve,
-        $.rotor_block, $.rotors_block, alias($._every_block, $.every),
+        $.rotor_block, $.rotors_block, $.battery, alias($._every_block, $.every),
       ),
 
     // ---- blocks
@@ -78,6 +78,7 @@ module.exports = grammar({
     mode: ($) => seq('mode', field('name', $.name), field('title', optional($.text)), field('body', $.body)),
     rotor_block: ($) => seq('rotor', field('body', $.body)),
     rotors_block: ($) => seq('rotors', field('body', $.body)),
+    battery: ($) => seq('battery', field('body', $.body)),
 
     curve: ($) =>
       seq(
