@@ -1,6 +1,7 @@
 //! Batteries: energy by closed forms and by the table of rotor speeds, the charge that plans leave, and full thrust at the
 //! lowest charge.
 
+use crate::cli::mavc;
 use crate::schemas::schema;
 use mavc::actuation::Wrench;
 use mavc::admissible::allocation::Allocator;
@@ -14,13 +15,20 @@ use mavc::{MissionPlan, PlanOutcome, Spec, compile};
 
 const BATTERY: &str = "battery { capacity = 5 A*h; voltage = 22.2 V; hover_power = 220 W }";
 
+const ROTOR: &str = "max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s";
+
 /// The paper's octocopter, with these lines in its block, on a mission.
 fn octo(inside: &str, mission: &str, plan: &str) -> Spec {
-    octo_with("max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s", inside, mission, plan)
+    octo_with(ROTOR, inside, mission, plan)
 }
 
 fn octo_with(rotor: &str, inside: &str, mission: &str, plan: &str) -> Spec {
-    let text = format!(
+    let text = text(rotor, inside, mission, plan);
+    compile(&text).into_result().unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn text(rotor: &str, inside: &str, mission: &str, plan: &str) -> String {
+    format!(
         "vehicle octo {{
     layout  = \"PPNNPPNN\"
     arm     = 0.211 m
@@ -35,8 +43,7 @@ mission m {{
 }}
 plan {{ against = [M1]; {plan} }}
 "
-    );
-    compile(&text).into_result().unwrap_or_else(|e| panic!("{e}"))
+    )
 }
 
 const HOP: &str =
@@ -255,4 +262,24 @@ fn reports_with_a_battery_are_as_their_schema_says() {
     }
     record["planners"][0]["battery"]["surplus"] = 1.into();
     assert!(!schema.is_valid(&record));
+}
+
+/// `--set` changes a battery and adds its fields; the page has the figure, and a chart of the power.
+#[test]
+fn the_command_sets_and_shows_batteries() {
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("page.html");
+    let settings = ["vehicle.battery.capacity = 20 mA*h", "plan.planner = rip", "plan.time = 8 s", "plan.samples = 40"];
+    let settings: Vec<&str> = settings.iter().flat_map(|text| ["--set", text]).collect();
+    let spec = folder.path().join("octo.mav");
+    std::fs::write(&spec, text(ROTOR, BATTERY, HOP, "")).unwrap();
+    let paths = [spec.to_str().unwrap(), "--html", page.to_str().unwrap()];
+    let ran = mavc(&[&["plan"], &paths[..], &settings].concat());
+    let printed = String::from_utf8(ran.stdout).unwrap();
+    assert_eq!(ran.status.code(), Some(0), "{printed}{}", String::from_utf8_lossy(&ran.stderr));
+    // 0.49 W*h of 0.444.
+    assert!(printed.contains("of 0.444 W*h, none left (20 % to keep)"), "{printed}");
+    assert!(printed.contains("The plan takes more energy than the battery holds"), "{printed}");
+    let html = std::fs::read_to_string(page).unwrap();
+    assert!(html.contains("Charge left") && html.contains("Electrical power"));
 }
