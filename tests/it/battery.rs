@@ -230,7 +230,11 @@ fn sets_use_full_thrust_at_the_lowest_charge() {
     let certificate = serde_json::to_vec(&mavc::certify(&low, &planning).unwrap()).unwrap();
     assert!(mavc::verify(&certificate, &low).is_ok());
     let text = mavc::report::terminal::plan(low.problem().unwrap(), planning.comparison(), false);
-    assert!(text.contains("Full thrust is that with 30 % of the charge: 79 % of that with a full battery"), "{text}");
+    let analysis = mavc::report::analysis_text::analysis(low.model(), &mavc::analyze(&low));
+    for text in [text, analysis] {
+        let line = "\nFull thrust is that with 30 % of the charge: 79 % of that with a full battery\n";
+        assert!(text.contains(line), "{text}");
+    }
 }
 
 /// Where full thrust is too low at the end for the mode, the plan is refused, and a larger `keep` helps.
