@@ -6,6 +6,7 @@ use crate::schemas::schema;
 use mavc::actuation::Wrench;
 use mavc::admissible::allocation::Allocator;
 use mavc::energy::Power;
+use mavc::flight::Outcome;
 use mavc::model::Rotor;
 use mavc::motion::Trajectory;
 use mavc::motion::wrench_model::WrenchModel;
@@ -286,4 +287,23 @@ fn the_command_sets_and_shows_batteries() {
     assert!(printed.contains("The plan takes more energy than the battery holds"), "{printed}");
     let html = std::fs::read_to_string(page).unwrap();
     assert!(html.contains("Charge left") && html.contains("Electrical power"));
+}
+
+/// The templates of whole missions as they are written: each plans at its shortest time, is proved and survives its flight.
+#[test]
+#[ignore = "three shortest times with RIP, RSP and RCP"]
+fn templates_plan_are_proved_and_fly() {
+    for (kind, text) in mavc::MISSION_TEMPLATES {
+        let spec = compile(text).into_result().unwrap();
+        let planning = mavc::plan(&spec).unwrap();
+        assert_eq!(planning.verdict(), mavc::Verdict::Found, "{kind}");
+        let battery = battery::record(spec.model(), &planning.plan().unwrap().trajectory).unwrap();
+        assert!(!battery.is_short(), "{kind}: {battery:?}");
+        let certificate = serde_json::to_vec(&mavc::certify(&spec, &planning).unwrap()).unwrap();
+        let verified = mavc::verify(&certificate, &spec).unwrap();
+        assert!(verified.weaker.is_empty(), "{kind}: {:?}", verified.weaker);
+        let flight = mavc::fly(&spec, &planning).unwrap();
+        let survives = matches!(flight.outcome, Outcome::Flown | Outcome::Landed { .. });
+        assert!(survives && flight.max_error < 1.0, "{kind}: {:?}, {} m", flight.outcome, flight.max_error);
+    }
 }

@@ -382,23 +382,6 @@ fn new_writes_whole_missions_that_check_and_plan() {
     assert!(err(&unknown).contains("inspection, delivery, survey"), "{}", err(&unknown));
 }
 
-#[test]
-#[ignore = "three shortest times with RIP, RSP and RCP, and flights"]
-fn whole_missions_plan_fly_and_are_proved_as_they_are_written() {
-    let dir = folder();
-    for (kind, _) in KINDS {
-        let [spec, proof] = ["mav", "json"].map(|end| dir.path().join(kind).with_extension(end));
-        assert_eq!(code(&mavc(&["new", text(&spec), "--mission", kind])), 0);
-        let ran = mavc(&["plan", text(&spec), "--certificate", text(&proof)]);
-        assert_eq!(code(&ran), 0, "{kind}: {}{}", out(&ran), err(&ran));
-        assert!(out(&ran).contains(": found, ") && out(&ran).contains("Proved at every instant"), "{}", out(&ran));
-        let verified = mavc(&["verify", text(&proof), text(&spec)]);
-        assert_eq!(code(&verified), 0, "{kind}: {}{}", out(&verified), err(&verified));
-        let flown = mavc(&["simulate", text(&spec)]);
-        assert_eq!(code(&flown), 0, "{kind}: {}{}", out(&flown), err(&flown));
-    }
-}
-
 /// Outputs in the README and in docs/command.md are what the commands print: words alike, numbers to 2 %. A line `...` stands
 /// for any lines.
 #[test]
