@@ -93,7 +93,7 @@ pub fn run() -> u8 {
         Command::Campaign(args) => campaign::run(args, &options),
         Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
-        Command::New { file } => new::run(file, &options),
+        Command::New { file, mission } => new::run(file, mission.as_deref(), &options),
         #[cfg(feature = "lsp")]
         Command::Lsp { stdio: _ } => lsp::run(),
         Command::Explain { code } => explain::run(code.as_deref()),

@@ -84,6 +84,7 @@ pub enum Group {
     Rotor,
     /// The clauses of `rotor` in `rotors { }`.
     PlacedRotor,
+    Battery,
     /// The fields of `mode` and `every`.
     Mode,
     Curve,
@@ -106,11 +107,12 @@ pub enum Group {
 
 impl Group {
     /// Every group that has entries.
-    pub const ALL: [Group; 15] = [
+    pub const ALL: [Group; 16] = [
         Group::Top,
         Group::Vehicle,
         Group::Rotor,
         Group::PlacedRotor,
+        Group::Battery,
         Group::Mode,
         Group::Curve,
         Group::CurveHead,
@@ -130,6 +132,7 @@ impl Group {
             Place::Top => Group::Top,
             Place::Vehicle => Group::Vehicle,
             Place::Rotor => Group::Rotor,
+            Place::Battery => Group::Battery,
             Place::Mode | Place::Every => Group::Mode,
             Place::Curve => Group::Curve,
             Place::Limits => Group::Limits,
@@ -162,6 +165,7 @@ impl Group {
             Place::Top => &[Group::Top],
             Place::Vehicle => &[Group::Vehicle],
             Place::Rotor => &[Group::Rotor],
+            Place::Battery => &[Group::Battery],
             Place::Mode | Place::Every => &[Group::Mode],
             Place::Limits => &[Group::Limits],
             Place::KeepIn | Place::KeepOut => &[Group::Volume],
@@ -179,6 +183,7 @@ impl Group {
             Group::Vehicle => table::vehicle::ENTRIES,
             Group::Rotor => table::rotor::ENTRIES,
             Group::PlacedRotor => table::placed_rotor::ENTRIES,
+            Group::Battery => table::battery::ENTRIES,
             Group::Mode => table::mode::ENTRIES,
             Group::Curve => table::curve::ENTRIES,
             Group::CurveHead => table::curve_head::ENTRIES,

@@ -9,6 +9,7 @@ pub mod certify;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod diagnostic;
+pub mod energy;
 pub mod explain;
 pub mod flatness;
 pub mod flight;
@@ -49,3 +50,10 @@ pub use verdict::Verdict;
 
 /// A commented spec that plans as it is written: what `mavc new` writes.
 pub const TEMPLATE: &str = include_str!("template.mav");
+
+/// Commented specs of whole missions, each with its kind: what `mavc new --mission KIND` writes.
+pub const MISSION_TEMPLATES: [(&str, &str); 3] = [
+    ("inspection", include_str!("template/inspection.mav")),
+    ("delivery", include_str!("template/delivery.mav")),
+    ("survey", include_str!("template/survey.mav")),
+];

@@ -5,6 +5,7 @@ mod after_fault;
 mod air;
 mod allow;
 mod arithmetic;
+mod battery;
 mod blame;
 mod blocks;
 mod campaign;
@@ -46,6 +47,7 @@ mod volume;
 pub use crate::geometry::body::Body;
 pub use crate::input::MAX_TABLE_BYTES;
 pub use air::{Air, Environment, STANDARD_DENSITY};
+pub use battery::Battery;
 pub use elaborate::{elaborate, elaborate_for, understand};
 pub use flight_blocks::FlightBlocks;
 pub use flight_settings::{
@@ -136,6 +138,7 @@ pub struct Vehicle {
     pub rotors: Vec<Rotor>,
     /// How a commanded wrench becomes rotor speeds, in flights and in the admissible sets of plans.
     pub allocation: Allocation,
+    pub battery: Option<Battery>,
     pub span: Span,
     pub mass_span: Span,
 }
@@ -161,7 +164,7 @@ pub struct Rotor {
     pub drag_coefficient: f64,
     /// w_min, rad/s: 0 for a rotor that may stop, otherwise below `max_speed`.
     pub min_speed: f64,
-    /// w_max, rad/s.
+    /// w_max, rad/s; with a battery, that at the lowest charge ([`Battery::lowest_full_thrust`]).
     pub max_speed: f64,
     /// Time constant with which the speed follows its command, s; `None` if the spec gives none.
     pub time_constant: Option<f64>,

@@ -120,7 +120,14 @@ impl Trajectory {
     ///
     /// # Panics
     /// If there is no interval `k`.
-    pub fn commanded(&self, vehicle: &Vehicle, environment: &Environment, tau: f64, k: usize, state: &NodeState) -> Wrench {
+    pub fn commanded(
+        &self,
+        vehicle: &Vehicle,
+        environment: &Environment,
+        tau: f64,
+        k: usize,
+        state: &NodeState,
+    ) -> Wrench {
         let ends = [&self.nodes[k], &self.nodes[k + 1]];
         let sloped = with_slopes(state, ends, self.times[k + 1] - self.times[k], self.model.orders());
         self.model.commanded(vehicle, environment, tau, &sloped)

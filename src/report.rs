@@ -3,6 +3,7 @@
 
 pub mod analysis_record;
 pub mod analysis_text;
+pub mod battery;
 pub mod between;
 pub mod binding;
 pub mod campaign_record;

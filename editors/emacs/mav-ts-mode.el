@@ -15,7 +15,7 @@
    :language 'mav :feature 'keyword
    '((["use" "let" "require" "vehicle" "faults" "mission" "plan" "simulate" "campaign" "limits"
        "keep_in" "keep_out" "mode" "every"
-       "curve" "rotor" "rotors" "start" "end" "moving" "waypoint" "waypoints" "from" "hold" "fault" "where" "in" "as"
+       "curve" "rotor" "rotors" "battery" "air" "start" "end" "moving" "waypoint" "waypoints" "from" "hold" "fault" "where" "in" "as"
        "reduced" "to" "stuck" "at"]
       @font-lock-keyword-face)
      [(lost) (clause_word)] @font-lock-keyword-face)

@@ -18,7 +18,7 @@ const PRECEDENCE = { range: 1, interval: 2, sum: 3, product: 4, sign: 5, power: 
 const STATEMENT_WORDS = [
   'use', 'let', 'require', 'vehicle', 'faults', 'mission', 'plan', 'simulate', 'campaign', 'limits', 'mode', 'every',
   'curve', 'rotor', 'rotors', 'start', 'end', 'waypoint', 'waypoints', 'hold', 'fault',
-  'keep_in', 'keep_out',
+  'keep_in', 'keep_out', 'battery', 'air',
 ];
 
 const CLAUSE_WORDS = [
@@ -68,7 +68,7 @@ module.exports = grammar({
     _block: ($) =>
       choice(
         $.vehicle, $.faults, $.mission, $.plan, $.simulate, $.campaign, $.limits, $.volume, $.mode, $.curve,
-        $.rotor_block, $.rotors_block, alias($._every_block, $.every), alias($._start_block, $.start),
+        $.rotor_block, $.rotors_block, $.battery, $.air, alias($._every_block, $.every), alias($._start_block, $.start),
         alias($._waypoint_block, $.waypoint),
       ),
 
@@ -81,10 +81,12 @@ module.exports = grammar({
     simulate: ($) => seq('simulate', field('body', $.body)),
     campaign: ($) => seq('campaign', field('body', $.body)),
     limits: ($) => seq('limits', field('body', $.body)),
+    air: ($) => seq('air', field('body', $.body)),
     volume: ($) => seq(choice('keep_in', 'keep_out'), field('name', $.name), field('body', $.body)),
     mode: ($) => seq('mode', field('name', $.name), field('title', optional($.text)), field('body', $.body)),
     rotor_block: ($) => seq('rotor', field('body', $.body)),
     rotors_block: ($) => seq('rotors', field('body', $.body)),
+    battery: ($) => seq('battery', field('body', $.body)),
 
     curve: ($) =>
       seq(

@@ -84,8 +84,7 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     let planes: Vec<Plane> = rows.iter().map(|r| plane(1.0, r)).chain(other_sides).collect();
     let environment = model.environment();
     let winds = environment.corners();
-    let largest =
-        |wrenches: Vec<Wrench>| rows.iter().map(|row| row.worst(&wrenches)).fold(f64::NEG_INFINITY, f64::max);
+    let largest = |wrenches: Vec<Wrench>| rows.iter().map(|row| row.worst(&wrenches)).fold(f64::NEG_INFINITY, f64::max);
     let mut found = vec![kept_facets((setting.dynamics(), &motion), Held::Wrench, &planes, trajectory, |_, state| {
         largest(trajectory.wrenches(&model.vehicle, &winds, state))
     })];

@@ -2,6 +2,7 @@
 
 use super::campaign::CampaignArgs;
 use super::verify;
+use crate::MISSION_TEMPLATES;
 use crate::verify::cost::Budget;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -64,6 +65,9 @@ pub(super) enum Command {
     New {
         /// The file to write, which must not exist yet, or `-` for standard output
         file: PathBuf,
+        /// Start from a whole mission, with volumes and a battery
+        #[arg(long, value_name = "KIND", value_parser = MISSION_TEMPLATES.map(|(kind, _)| kind))]
+        mission: Option<String>,
     },
     /// Run the language server, over standard input and output
     #[cfg(feature = "lsp")]

@@ -12,6 +12,8 @@ pub enum Place {
     Rotor,
     /// `rotors { }` in a vehicle.
     Rotors,
+    /// `battery { }` in a vehicle.
+    Battery,
     Faults,
     /// `mode` in `faults`.
     Mode,
@@ -100,6 +102,8 @@ pub const OTHER_WORDS: &[(&str, &str)] = &[
     ("motor", "rotor"),
     ("motors", "rotors"),
     ("propeller", "rotor"),
+    ("accumulator", "battery"),
+    ("accu", "battery"),
 ];
 
 impl Place {
@@ -149,6 +153,7 @@ impl Place {
             Place::Vehicle => "in a `vehicle`",
             Place::Rotor => "in a `rotor` block",
             Place::Rotors => "in a `rotors` block",
+            Place::Battery => "in a `battery` block",
             Place::Faults => "in `faults`",
             Place::Mode => "in a `mode`",
             Place::Every => "in an `every` block",

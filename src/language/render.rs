@@ -9,6 +9,7 @@ pub fn markdown(group: Group) -> String {
         Group::Vehicle | Group::Mode | Group::Plan | Group::Simulate | Group::Campaign => "field",
         Group::Rotor => "of a rotor",
         Group::PlacedRotor => "of one rotor",
+        Group::Battery => "of the battery",
         Group::Curve => "of a curve",
         Group::CurveHead => "after the range of a curve",
         Group::Waypoint | Group::Strike => "clause",

@@ -27,6 +27,7 @@ pub const BLOCKS: &[BlockEntry] = &[
     block("campaign", Place::Campaign, false, Place::Top),
     block("rotor", Place::Rotor, false, Place::Vehicle),
     block("rotors", Place::Rotors, false, Place::Vehicle),
+    block("battery", Place::Battery, false, Place::Vehicle),
     block("mode", Place::Mode, true, Place::Faults),
     block("limits", Place::Limits, false, Place::Mission),
     block("keep_in", Place::KeepIn, true, Place::Mission),
@@ -37,11 +38,14 @@ pub const BLOCKS: &[BlockEntry] = &[
 /// The words that begin a statement in each place, other than fields.
 pub const OPENERS: &[(Place, &[&str])] = &[
     (Place::Top, &["use", "let", "vehicle", "faults", "mission", "plan", "simulate", "campaign"]),
-    (Place::Vehicle, &["rotor", "rotors"]),
+    (Place::Vehicle, &["rotor", "rotors", "battery"]),
     (Place::Rotors, &["rotor"]),
     (Place::Faults, &["every", "mode"]),
     (Place::Mode, &["rotor", "rotors"]),
-    (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits", "keep_in", "keep_out", "air"]),
+    (
+        Place::Mission,
+        &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits", "keep_in", "keep_out", "air"],
+    ),
     (Place::Plan, &["require"]),
     (Place::Simulate, &["fault"]),
 ];
@@ -106,6 +110,11 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
                 "the properties that rotors share; required unless each rotor of `rotors` gives all of them itself",
             ),
             statement("rotors", "rotors { }", "places the rotors one by one, instead of `layout`, `arm` and `first`"),
+            statement(
+                "battery",
+                "battery { }",
+                "the battery, from which reports compute the charge that a plan leaves ([battery](#battery))",
+            ),
         ],
     ),
     (

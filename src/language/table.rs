@@ -98,6 +98,21 @@ pub mod placed_rotor {
 }
 
 group! {
+    /// The fields of `battery { }`.
+    battery:
+    CAPACITY "capacity", Quantity("A*h", Positive), Needed, "the charge that the full battery gives until it is empty";
+    VOLTAGE "voltage", Quantity("V", Positive), Needed,
+        "its mean voltage meanwhile: for lithium polymer about 3.7 V for each cell in series";
+    HOVER_POWER "hover_power", Quantity("W", Positive), Needed,
+        "the electrical power that the whole vehicle takes in hover at its `mass`, as measured";
+    KEEP "keep", Share, Value(0.2, "20 %", "a fifth of the charge stays in reserve"),
+        "the share of the charge that a plan should leave; below 100 %";
+    THRUST_AT_EMPTY "thrust_at_empty", Share, Value(1.0, "100 %", "full thrust does not depend on the charge"),
+        "the share of full thrust that remains with an empty battery; from the full battery to the empty one the full thrust \
+         falls along a straight line";
+}
+
+group! {
     /// The fields of `mode { }` and `every { }`.
     mode:
     RATE "rate", Quantity("1/h", NotNegative), NO_DEFAULT, "the failure rate";

@@ -10,7 +10,7 @@ use super::hover::described;
 use super::names::Kind;
 use super::workspace::Spec;
 use crate::diagnostic::codes;
-use crate::language::{Absent, Entry};
+use crate::language::{Absent, Entry, Takes};
 use crate::model::vocabulary::{allowed, clauses, constants, fields, functions, mode_numbers, words};
 use crate::source::FileId;
 use crate::syntax::Place;
@@ -155,7 +155,7 @@ fn openers(context: &Context, list: &mut Vec<Offer>) {
             None => (format!("{word} "), None),
         };
         // A block has at most one of these.
-        let single = ["plan", "simulate", "campaign", "rotor", "rotors", "limits"].contains(word);
+        let single = ["plan", "simulate", "campaign", "rotor", "rotors", "battery", "limits"].contains(word);
         if single && block.is_some() && context.present.contains(*word) {
             continue;
         }
@@ -238,7 +238,8 @@ fn of_dimension(spec: &Spec, place: Place, field: &str, list: &mut Vec<Offer>) {
         (Place::Mission, "") => Some("rad"),
         _ => entry.and_then(documentation::unit),
     };
-    if matches!((place, field), (Place::Plan, "reserve") | (Place::Mode | Place::Faults, "")) {
+    let is_share = entry.is_some_and(|entry| entry.takes == Takes::Share);
+    if is_share || matches!((place, field), (Place::Mode | Place::Faults, "")) {
         list.push(Offer::new("%", ItemKind::Unit, 0).detail("a share"));
         return;
     }

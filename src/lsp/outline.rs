@@ -25,7 +25,7 @@ fn block(source: &Source, block: &Block) -> DocumentSymbol {
         "vehicle" => SymbolKind::Class,
         "mission" => SymbolKind::Function,
         "mode" => SymbolKind::Event,
-        "rotor" | "rotors" => SymbolKind::Struct,
+        "rotor" | "rotors" | "battery" => SymbolKind::Struct,
         _ => SymbolKind::Module,
     };
     let keyword = &block.keyword;

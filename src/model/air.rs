@@ -5,8 +5,8 @@ use super::due::Due;
 use super::fields::Fields;
 use super::{Mission, Model, Plan, PlanModel, PlanRotors, Vehicle};
 use crate::diagnostic::Diagnostic;
-use crate::language::{Entry, Group};
 use crate::language::table::air as table;
+use crate::language::{Entry, Group};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
@@ -212,7 +212,11 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, mission: Option<&Mission>, ve
         if is_moving {
             let message = format!("vehicle `{}` has no `drag`, so wind and gusts do not act on it", vehicle.name);
             let warning = Diagnostic::warning("mavc::air::no_drag", air.span, message).here("moving air");
-            cx.report(warning.also(vehicle.span, "no `drag`").help("add `drag = 0.3 N*s/m` to the vehicle, with its own value"));
+            cx.report(
+                warning
+                    .also(vehicle.span, "no `drag`")
+                    .help("add `drag = 0.3 N*s/m` to the vehicle, with its own value"),
+            );
         }
         return true;
     }
@@ -220,7 +224,9 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, mission: Option<&Mission>, ve
     if plan.model == PlanModel::Hover {
         let error = Diagnostic::error(MODEL, drag, "`drag` needs `model = exact`: the hover model has no air");
         let error = error.here("not in the hover model");
-        cx.report(error.help("write `model = exact` in `plan`, or move `drag` to `simulate`, where only flights use it"));
+        cx.report(
+            error.help("write `model = exact` in `plan`, or move `drag` to `simulate`, where only flights use it"),
+        );
         return false;
     }
     if !vehicle.mass_spread.is_none() {

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use super::{
-    AfterFault, Air, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, PlanRotors, STANDARD_DENSITY,
-    Simulation, Spin, Spread, Vehicle,
+    AfterFault, Air, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, PlanRotors,
+    STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
 };
 use crate::number::number;
 
@@ -74,6 +74,24 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
         writeln!(f, "  drag {} N*s/m", number(v.drag))?;
     }
     writeln!(f, "  allocation {}", v.allocation.name())?;
+    if let Some(b) = &v.battery {
+        write!(
+            f,
+            "  battery {} A*h, {} V, hover_power {} W",
+            number(b.capacity / 3600.0),
+            number(b.voltage),
+            number(b.hover_power)
+        )?;
+        write!(f, ", keep {} %", number(b.keep * 100.0))?;
+        match b.thrust_at_empty < 1.0 {
+            true => writeln!(
+                f,
+                ", thrust_at_empty {} %; full speeds below are those at `keep`",
+                number(b.thrust_at_empty * 100.0)
+            )?,
+            false => writeln!(f)?,
+        }
+    }
     for (k, r) in v.rotors.iter().enumerate() {
         let spin = if r.spin == Spin::P { "P" } else { "N" };
         write!(

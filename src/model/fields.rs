@@ -33,10 +33,11 @@ const ELSEWHERE: &[(&str, &str)] = &[
 ];
 
 /// The owners of the groups of fields, as messages name them.
-const OWNERS: [(Group, &str); 8] = [
+const OWNERS: [(Group, &str); 9] = [
     (Group::Plan, "of `plan`"),
     (Group::Vehicle, "of `vehicle`"),
     (Group::Rotor, "of `rotor` in a `vehicle`"),
+    (Group::Battery, "of `battery` in a `vehicle`"),
     (Group::Curve, "of a `curve`"),
     (Group::Waypoint, "of a `waypoint`"),
     (Group::Mode, "of a fault mode, between the braces of `mode` or `every`,"),

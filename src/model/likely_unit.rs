@@ -10,7 +10,7 @@ type Sizes = &'static [(f64, &'static [&'static str])];
 const ANY: f64 = f64::INFINITY;
 
 /// Typical sizes for multirotors by field. Two units where both are possible, the likelier first.
-const FIELDS: [(&[&str], Sizes); 8] = [
+const FIELDS: [(&[&str], Sizes); 9] = [
     (&["within"], &[(1.0, &["m"]), (ANY, &["cm"])]),
     (&["arm", "propeller_radius", "size"], &[(5.0, &["m"]), (60.0, &["cm"]), (100.0, &["cm", "mm"]), (ANY, &["mm"])]),
     (&["torque_per_thrust"], &[(0.5, &["m"]), (5.0, &["cm", "mm"]), (ANY, &["mm"])]),
@@ -21,6 +21,8 @@ const FIELDS: [(&[&str], Sizes); 8] = [
         &["max_speed", "min_speed"],
         &[(50.0, &["rad/s"]), (1500.0, &["rad/s", "rpm"]), (4000.0, &["rpm", "rad/s"]), (ANY, &["rpm"])],
     ),
+    // Packs of small quadcopters hold 0.1 A*h, those of the largest multirotors less than 200 A*h.
+    (&["capacity"], &[(90.0, &["A*h"]), (200.0, &["A*h", "mA*h"]), (ANY, &["mA*h"])]),
     (&["time_constant"], &[(1.0, &["s"]), (ANY, &["ms"])]),
     (&["detection"], &[(1.0, &["s"]), (10.0, &["s", "ms"]), (ANY, &["ms"])]),
 ];

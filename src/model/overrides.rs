@@ -164,7 +164,7 @@ fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagno
             Some(inner) => set(inner, rest, field),
             None if matches!(
                 (block.keyword.value.as_str(), next.value.as_str()),
-                ("vehicle", "rotor") | ("mission", "limits")
+                ("vehicle", "rotor" | "battery") | ("mission", "limits")
             ) =>
             {
                 let mut inner = empty(next);
@@ -175,7 +175,9 @@ fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagno
             None => {
                 let message = format!("`{}` has no block `{}`", block.keyword.value, next.value);
                 let error = Diagnostic::error(CODE, next.span, message).here("unknown block");
-                Err(Box::new(error.help("use `vehicle.rotor` or `mission.limits`, the only inner blocks")))
+                Err(Box::new(error.help(
+                    "use `vehicle.rotor`, `vehicle.battery` or `mission.limits`, the inner blocks that `--set` adds",
+                )))
             }
         };
     }

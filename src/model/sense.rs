@@ -3,6 +3,7 @@
 //! ranges are in `docs/diagnostics/sense.md`.
 
 mod air;
+mod battery;
 mod estimator;
 mod gains;
 mod loss;
@@ -11,6 +12,7 @@ mod noise;
 mod vehicle;
 
 pub(super) use air::check as check_air;
+pub(super) use battery::check as check_battery;
 pub(super) use estimator::check as check_estimator;
 pub(super) use gains::check as check_gains;
 pub(super) use loss::check as check_loss;

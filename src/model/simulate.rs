@@ -218,7 +218,8 @@ impl<'a> Reader<'a> {
             for (field, _) in differs.iter().filter(|row| row.1) {
                 let Some(span) = self.fields.span_of(field) else { continue };
                 let message = format!("flights have another `{field}` than the plan");
-                let warning = Diagnostic::warning("mavc::simulate::other_air", span, message).here("used by flights alone");
+                let warning =
+                    Diagnostic::warning("mavc::simulate::other_air", span, message).here("used by flights alone");
                 let help = if *field == "drag" { "the vehicle's `drag`" } else { "the mission's `air`" };
                 cx.report(warning.help(format!("remove it to fly with {help}, by which the mission is planned")));
             }

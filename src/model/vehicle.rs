@@ -1,5 +1,6 @@
 //! `vehicle` blocks: rings of rotors, and rotors placed one by one.
 
+mod battery;
 mod rotor;
 mod whole;
 
@@ -8,7 +9,7 @@ use std::f64::consts::PI;
 use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
-use super::sense::{Written, check_vehicle};
+use super::sense::{Written, check_battery, check_vehicle};
 use super::{Allocation, DefaultUsed, Spin, Vehicle};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::{placed_rotor, vehicle as table};
@@ -40,7 +41,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     let owner = format!("vehicle `{name}`");
     let fields = Fields::of_block(cx, owner.clone(), span, &block.body, Group::Vehicle);
-    let (shared, placed, twice) = blocks(cx, block);
+    let Blocks { shared, placed, battery, twice, battery_twice } = blocks(cx, block);
 
     let mass_expr = fields.demand_own(cx, "mass", "mass = 1.8 kg");
     let mass = mass_expr.and_then(|e| cx.interval(Due::of(&table::MASS), e, POSITIVE));
@@ -98,19 +99,22 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         Some(word) => ALLOCATIONS.into_iter().find(|a| Some(a.name()) == word),
         None => Some(Allocation::Bounded),
     };
-    let defaults = match fields.may_have("allocation") {
+    let mut defaults = match fields.may_have("allocation") {
         true => Vec::new(),
         false => vec![DefaultUsed::of("vehicle", &table::ALLOCATION)],
     };
+    let read = battery.map(|block| battery::read(cx, block, &owner, &mut defaults));
+    let battery_fits = !battery_twice && read.as_ref().is_none_or(Option::is_some);
+    let read = read.flatten();
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
     let lengths = propeller_radius.zip(size).zip(drag);
-    let vehicle = match (mass.zip(allocation).zip(lengths), inertia, rotors, mass_expr) {
+    let mut vehicle = match (mass.zip(allocation).zip(lengths), inertia, rotors, mass_expr) {
         (
             Some((((mass, mass_spread), allocation), ((propeller_radius, size), drag))),
             Some(inertia),
             Some(rotors),
             Some(mass_expr),
-        ) if !broken => Some(Vehicle {
+        ) if !broken && battery_fits => Some(Vehicle {
             name: name.clone(),
             doc: block.doc.clone(),
             layout,
@@ -123,13 +127,14 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
             size,
             rotors,
             allocation,
+            battery: read.as_ref().map(|read| read.battery.clone()),
             span,
             mass_span: mass_expr.span,
         }),
         _ => None,
     };
     let mut vehicle_fits = true;
-    if let Some(vehicle) = &vehicle {
+    if let Some(vehicle) = &mut vehicle {
         if vehicle.allocation == Allocation::PseudoInverse && vehicle.has_uncertain_rotors() {
             let message = "`allocation = pseudo_inverse` cannot be combined with intervals on rotors";
             let at = fields.span_of("allocation").unwrap_or(span);
@@ -149,32 +154,51 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
             true => check_vehicle(cx, vehicle, &places),
             false => vehicle_fits = false,
         }
+        if let Some(read) = &read {
+            check_battery(cx, vehicle, &read.battery, &read.fields);
+            let thrust_at_empty = read.fields.span_of("thrust_at_empty").unwrap_or(read.battery.span);
+            vehicle_fits &= battery::lower_full_thrust(cx, vehicle, thrust_at_empty);
+        }
     }
     let vehicle = vehicle.filter(|_| vehicle_fits);
     Outline { name, span, rotors: count, vehicle, defaults }
 }
 
-/// The `rotor` and `rotors` blocks, and whether one of them occurs twice, which is reported.
-fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Option<&'a Block>, bool) {
-    let mut twice = false;
-    let (mut shared, mut placed): (Option<&Block>, Option<&Block>) = (None, None);
+/// The blocks inside a vehicle.
+struct Blocks<'a> {
+    /// `rotor { }`
+    shared: Option<&'a Block>,
+    /// `rotors { }`
+    placed: Option<&'a Block>,
+    battery: Option<&'a Block>,
+    /// Whether the block `rotor` or `rotors` occurs twice, or `battery` does, which is reported.
+    twice: bool,
+    battery_twice: bool,
+}
+
+fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> Blocks<'a> {
+    let mut blocks = Blocks { shared: None, placed: None, battery: None, twice: false, battery_twice: false };
     for statement in &block.body {
         let Statement::Block(inner) = statement else {
             continue;
         };
-        let slot = if inner.keyword.value == "rotors" { &mut placed } else { &mut shared };
+        let (slot, twice) = match inner.keyword.value.as_str() {
+            "rotors" => (&mut blocks.placed, &mut blocks.twice),
+            "battery" => (&mut blocks.battery, &mut blocks.battery_twice),
+            _ => (&mut blocks.shared, &mut blocks.twice),
+        };
         match slot {
             Some(first) => {
                 let message = format!("a vehicle may have only one `{}` block", inner.keyword.value);
                 let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
                 let error = error.here("second block").also(first.keyword.span, "first block");
                 cx.report(cx.joined(error, first, inner));
-                twice = true;
+                *twice = true;
             }
             None => *slot = Some(inner),
         }
     }
-    (shared, placed, twice)
+    blocks
 }
 
 fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {

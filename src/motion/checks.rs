@@ -84,9 +84,7 @@ pub fn past(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 
         LimitKind::Acceleration => norm(&[X, Y, Z], 2),
         LimitKind::AccelerationHorizontal => norm(&[X, Y], 2),
         LimitKind::Jerk => norm(&[X, Y, Z], 3),
-        LimitKind::Tilt => {
-            environment.corners().iter().map(|wind| tilt(state, wind)).fold(f64::NEG_INFINITY, f64::max)
-        }
+        LimitKind::Tilt => environment.corners().iter().map(|wind| tilt(state, wind)).fold(f64::NEG_INFINITY, f64::max),
         LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => {
             limit.value_at([state[X][0], state[Y][0], state[Z][0]]).unwrap_or(0.0)
         }

@@ -89,7 +89,13 @@ pub(crate) struct Sample {
 const REFINEMENTS: usize = 30;
 
 /// The largest violation of the sample's row between the neighbouring samples.
-fn refined(trajectory: &Trajectory, vehicle: &Vehicle, environment: &Environment, rows: &[SetRow], sample: Sample) -> f64 {
+fn refined(
+    trajectory: &Trajectory,
+    vehicle: &Vehicle,
+    environment: &Environment,
+    rows: &[SetRow],
+    sample: Sample,
+) -> f64 {
     if matches!(trajectory.model, WrenchModel::HoverAt(_)) {
         // The wrench is linear between samples.
         return sample.violation;

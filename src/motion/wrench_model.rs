@@ -67,9 +67,7 @@ impl WrenchModel {
                 let [psi, rate, acceleration, ..] = state[YAW];
                 WrenchMap::new(vehicle, environment.gravity, YawState { psi, rate, acceleration }).at(state)
             }
-            WrenchModel::Exact => {
-                flatness::wrench(vehicle, environment.gravity, &flat(&in_air(state, environment)))
-            }
+            WrenchModel::Exact => flatness::wrench(vehicle, environment.gravity, &flat(&in_air(state, environment))),
         }
     }
 
@@ -103,7 +101,14 @@ impl WrenchModel {
     ///
     /// Eigenvectors of the Hessian are taken with accelerations in units of g and time in units of `tau` (s);
     /// eigenvalues at or below 1e-3 of the largest are dropped (`docs/method.md`, (73)).
-    pub fn curvature(self, vehicle: &Vehicle, environment: &Environment, state: &NodeState, n: &Wrench, tau: f64) -> Vec<FlatState> {
+    pub fn curvature(
+        self,
+        vehicle: &Vehicle,
+        environment: &Environment,
+        state: &NodeState,
+        n: &Wrench,
+        tau: f64,
+    ) -> Vec<FlatState> {
         if self != WrenchModel::Exact {
             return Vec::new();
         }
@@ -126,12 +131,19 @@ impl WrenchModel {
     }
 
     /// The linearisation of the commanded wrench at a state, as in [`Self::linearised`].
-    pub fn commanded_linearised(self, vehicle: &Vehicle, environment: &Environment, lag: f64, state: &CommandState) -> WrenchMap {
+    pub fn commanded_linearised(
+        self,
+        vehicle: &Vehicle,
+        environment: &Environment,
+        lag: f64,
+        state: &CommandState,
+    ) -> WrenchMap {
         match self {
             WrenchModel::HoverAt(psi) => WrenchMap::commanded_with_free_yaw(vehicle, environment.gravity, psi, lag),
             WrenchModel::HoverFollowing => {
                 let [psi, rate, acceleration, jerk, ..] = state[YAW];
-                let mut map = WrenchMap::commanded(vehicle, environment.gravity, YawState { psi, rate, acceleration }, jerk, lag);
+                let mut map =
+                    WrenchMap::commanded(vehicle, environment.gravity, YawState { psi, rate, acceleration }, jerk, lag);
                 map.constant[3] = 0.0;
                 let turn = Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2]);
                 map.terms.extend([(YAW, 2, turn), (YAW, 3, lag * turn)]);

@@ -34,8 +34,8 @@ pub use relaxation::{MostThrust, Relaxed};
 pub use settings::ScpSettings;
 
 use crate::actuation::Wrench;
-use crate::flatness::FlatState;
 use crate::admissible;
+use crate::flatness::FlatState;
 use crate::model::{Environment, Limit};
 use crate::motion::hover_map::WrenchMap;
 use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};

@@ -253,7 +253,8 @@ impl<'a> Transcription<'a> {
         [X, Y, Z].map(|axis| {
             let gravity = if axis == Z { environment.gravity } else { 0.0 };
             let wind = environment.drag_rate * environment.wind[axis];
-            self.in_air(environment, axis, 2, |order| self.derivative(instant, axis, order)).plus_constant(gravity - wind)
+            self.in_air(environment, axis, 2, |order| self.derivative(instant, axis, order))
+                .plus_constant(gravity - wind)
         })
     }
 

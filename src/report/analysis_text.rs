@@ -1,5 +1,6 @@
 //! Terminal output of `mavc analyze`.
 
+use super::battery;
 use super::table::Table;
 use super::terminal::vehicle_line;
 use crate::admissible::edge::Place;
@@ -22,7 +23,7 @@ rank      dimension of the set: 4 if thrust and all three torques can be varied 
 /// The whole output of `mavc analyze`: vehicle, table of modes with its legend, and headroom. `modes` are those of
 /// [`crate::admissible::verdict`], the healthy vehicle first.
 pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
-    let mut out = format!("{}\n\n", vehicle_line(model));
+    let mut out = format!("{}\n{}\n", vehicle_line(model), battery::full_thrust(model));
     let mut headings = vec![
         "mode",
         "verdict",

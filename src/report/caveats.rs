@@ -1,5 +1,6 @@
 //! Caveats of a plan: limits exceeded between nodes, a coarser grid, an unusual speed, the linear model outside its range.
 
+use super::battery;
 use crate::model::{LimitKind, Model};
 use crate::motion::checks::{
     LimitViolation, coarser_legs, limit_violations, linear_range, past_as_checked, peak, peak_of,
@@ -15,7 +16,8 @@ pub struct Caveat {
     pub kind: CaveatKind,
     /// The exceeded limit, in words.
     pub limit: Option<String>,
-    /// SI: by how much a limit is exceeded, the number of legs with fewer pieces, the speed, the tilt (rad), the thrust (N).
+    /// SI: by how much a limit is exceeded, the number of legs with fewer pieces, the speed, the tilt (rad), the thrust (N), the
+    /// share of the charge that is left.
     pub value: f64,
     /// The worst instant, s since the start.
     pub at_s: f64,
@@ -36,6 +38,8 @@ pub enum CaveatKind {
     Tilt,
     /// The thrust nearly vanishes or is negative.
     Thrust,
+    /// The plan leaves less charge than the battery's `keep`.
+    Charge,
 }
 
 /// The limits that a plan exceeds between its nodes by more than the check of plans tolerates, in the spec's order.
@@ -84,6 +88,14 @@ fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     (speed.value > USUAL_SPEED).then_some(caveat)
 }
 
+/// The caveat of a plan that leaves too little charge.
+fn charge(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
+    let battery = battery::record(model, &solved.trajectory)?;
+    let message = battery.caveat()?;
+    let at_s = solved.trajectory.duration();
+    Some(Caveat { kind: CaveatKind::Charge, limit: None, value: battery.left, at_s, message })
+}
+
 /// All caveats of a plan: exceeded limits first, in the spec's order.
 pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
@@ -103,7 +115,7 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             ),
         }
     });
-    let all = exceeded.chain(coarser(model, solved)).chain(too_fast(model, solved));
+    let all = exceeded.chain(coarser(model, solved)).chain(too_fast(model, solved)).chain(charge(model, solved));
     if solved.trajectory.model == WrenchModel::Exact {
         return all.collect();
     }

@@ -33,8 +33,10 @@ fn painted(character: char, background: u8) -> String {
 /// One line per mode in the order of the comparison (of many modes, those with the smallest margins), then the time axis.
 /// Empty without modes. [`legend`] explains it.
 pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, color: bool) -> String {
-    let margins =
-        comparison.sets.iter().map(|set| nearness(trajectory, &model.vehicle, &model.environment(), &set.rows, COLUMNS));
+    let margins = comparison
+        .sets
+        .iter()
+        .map(|set| nearness(trajectory, &model.vehicle, &model.environment(), &set.rows, COLUMNS));
     let lines: Vec<(&String, Vec<f64>)> = comparison.modes.iter().zip(margins).collect();
     if lines.is_empty() {
         return String::new();

@@ -1,5 +1,6 @@
 //! The machine-readable report (`--report`), schema in `docs/schema/report.schema.json`.
 
+use super::battery::{self, BatteryRecord};
 use super::binding::{self, BindingRecord};
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
@@ -154,6 +155,9 @@ pub struct PlannerRecord {
     /// How near the plan comes to the boundaries of volumes; omitted without volumes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub volumes: Vec<VolumeRecord>,
+    /// The energy that the plan takes; omitted without a battery or a plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub battery: Option<BatteryRecord>,
     /// To what extent the plan's rows are shown to hold between nodes, if `mavc plan` wrote the report.
     pub between_nodes: Option<Vec<Between>>,
 }
@@ -306,6 +310,7 @@ fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Plann
             record.warnings = caveats(model, solved);
             record.limited_by = binding::records(problem, solved);
             record.volumes = volumes::records(problem, solved);
+            record.battery = battery::record(model, &solved.trajectory);
             record.modes = comparison
                 .modes
                 .iter()

@@ -1,5 +1,6 @@
 //! Terminal output of `mavc plan`, and what other reports share with it.
 
+use super::battery;
 use super::binding;
 use super::caveats::caveats;
 use super::heat;
@@ -51,6 +52,7 @@ pub(super) fn head(problem: Problem, comparison: &Comparison) -> String {
         let milliseconds = significant(1e3 * tau, 3);
         out.push_str(&format!("Rotors lag: thrusts follow their commands with a time constant of {milliseconds} ms\n"));
     }
+    out.push_str(&battery::full_thrust(model));
     if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
         out.push_str(
             "Yaw changes: it was planned first, separately; any proof of infeasibility is for that yaw alone\n",
@@ -157,6 +159,7 @@ fn solved_run(
     let [position, yaw] = [significant(e.position, 4), significant(e.yaw, 3)];
     out.push_str(&format!("  sum of position errors {position} m, of yaw errors {yaw} rad\n"));
     out.push_str(&format!("  objective {}\n", number(solved.objective)));
+    out.push_str(&battery::text(model, &solved.trajectory));
     out.push_str(&volumes::text(problem, solved));
     out.push_str(&binding::text(problem, solved));
     if !comparison.modes.is_empty() {

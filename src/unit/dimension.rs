@@ -9,10 +9,11 @@ pub enum Base {
     Length,
     Time,
     Angle,
+    Current,
 }
 
 impl Base {
-    pub const ALL: [Base; 4] = [Base::Mass, Base::Length, Base::Time, Base::Angle];
+    pub const ALL: [Base; 5] = [Base::Mass, Base::Length, Base::Time, Base::Angle, Base::Current];
 
     /// The SI unit of the base dimension.
     pub fn symbol(self) -> &'static str {
@@ -21,6 +22,7 @@ impl Base {
             Base::Length => "m",
             Base::Time => "s",
             Base::Angle => "rad",
+            Base::Current => "A",
         }
     }
 }
@@ -104,17 +106,18 @@ fn gcd(a: u64, b: u64) -> u64 {
 
 /// A product of powers of the base dimensions; a plain number has only zero exponents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Dimension([Exponent; 4]);
+pub struct Dimension([Exponent; 5]);
 
 impl Dimension {
-    pub const PLAIN: Dimension = Dimension([Exponent::ZERO; 4]);
+    pub const PLAIN: Dimension = Dimension([Exponent::ZERO; 5]);
     pub const MASS: Dimension = Dimension::base(Base::Mass);
     pub const LENGTH: Dimension = Dimension::base(Base::Length);
     pub const TIME: Dimension = Dimension::base(Base::Time);
     pub const ANGLE: Dimension = Dimension::base(Base::Angle);
+    pub const CURRENT: Dimension = Dimension::base(Base::Current);
 
     const fn base(base: Base) -> Self {
-        let mut exponents = [Exponent::ZERO; 4];
+        let mut exponents = [Exponent::ZERO; 5];
         exponents[base as usize] = Exponent::ONE;
         Dimension(exponents)
     }
@@ -156,7 +159,7 @@ impl Dimension {
     }
 
     fn zip(self, f: impl Fn(usize) -> Option<Exponent>) -> Option<Self> {
-        Some(Dimension([f(0)?, f(1)?, f(2)?, f(3)?]))
+        Some(Dimension([f(0)?, f(1)?, f(2)?, f(3)?, f(4)?]))
     }
 
     /// The usual name and unit of the dimension, if there is one.
@@ -173,30 +176,33 @@ impl Dimension {
         }
     }
 
-    fn integers(exponents: [i8; 4]) -> Self {
+    fn integers(exponents: [i8; 5]) -> Self {
         Dimension(exponents.map(|e| Exponent { numerator: i64::from(e), denominator: 1 }))
     }
 }
 
-/// Named dimensions: name, usual unit, exponents of mass, length, time and angle.
-const NAMED: &[(&str, &str, [i8; 4])] = &[
-    ("a mass", "kg", [1, 0, 0, 0]),
-    ("a length", "m", [0, 1, 0, 0]),
-    ("a time", "s", [0, 0, 1, 0]),
-    ("an angle", "rad", [0, 0, 0, 1]),
-    ("a speed", "m/s", [0, 1, -1, 0]),
-    ("an acceleration", "m/s^2", [0, 1, -2, 0]),
-    ("a jerk", "m/s^3", [0, 1, -3, 0]),
-    ("a turning rate", "rad/s", [0, 0, -1, 1]),
-    ("an angular acceleration", "rad/s^2", [0, 0, -2, 1]),
-    ("a rate", "1/s", [0, 0, -1, 0]),
-    ("a force", "N", [1, 1, -2, 0]),
-    ("a torque", "N*m", [1, 2, -2, 0]),
-    ("a power", "W", [1, 2, -3, 0]),
-    ("a moment of inertia", "kg*m^2", [1, 2, 0, 0]),
-    ("a thrust coefficient", "N*s^2/rad^2", [1, 1, 0, -2]),
-    ("a drag coefficient", "N*m*s^2/rad^2", [1, 2, 0, -2]),
-    ("an area", "m^2", [0, 2, 0, 0]),
+/// Named dimensions: name, usual unit, exponents of mass, length, time, angle and current.
+const NAMED: &[(&str, &str, [i8; 5])] = &[
+    ("a mass", "kg", [1, 0, 0, 0, 0]),
+    ("a length", "m", [0, 1, 0, 0, 0]),
+    ("a time", "s", [0, 0, 1, 0, 0]),
+    ("an angle", "rad", [0, 0, 0, 1, 0]),
+    ("a speed", "m/s", [0, 1, -1, 0, 0]),
+    ("an acceleration", "m/s^2", [0, 1, -2, 0, 0]),
+    ("a jerk", "m/s^3", [0, 1, -3, 0, 0]),
+    ("a turning rate", "rad/s", [0, 0, -1, 1, 0]),
+    ("an angular acceleration", "rad/s^2", [0, 0, -2, 1, 0]),
+    ("a rate", "1/s", [0, 0, -1, 0, 0]),
+    ("a force", "N", [1, 1, -2, 0, 0]),
+    ("a torque", "N*m", [1, 2, -2, 0, 0]),
+    ("a power", "W", [1, 2, -3, 0, 0]),
+    ("a moment of inertia", "kg*m^2", [1, 2, 0, 0, 0]),
+    ("a thrust coefficient", "N*s^2/rad^2", [1, 1, 0, -2, 0]),
+    ("a drag coefficient", "N*m*s^2/rad^2", [1, 2, 0, -2, 0]),
+    ("an area", "m^2", [0, 2, 0, 0, 0]),
+    ("a current", "A", [0, 0, 0, 0, 1]),
+    ("a charge", "A*h", [0, 0, 1, 0, 1]),
+    ("a voltage", "V", [1, 2, -3, 0, -1]),
 ];
 
 impl fmt::Display for Dimension {

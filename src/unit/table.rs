@@ -23,31 +23,33 @@ pub enum UnitError {
     Malformed,
 }
 
-/// Symbol, numerator, denominator, base exponents (mass, length, time, angle), whether it takes prefixes.
-type Row = (&'static str, f64, f64, [i64; 4], bool);
+/// Symbol, numerator, denominator, base exponents (mass, length, time, angle, current), whether it takes prefixes.
+type Row = (&'static str, f64, f64, [i64; 5], bool);
 
 const UNITS: &[Row] = &[
-    ("m", 1.0, 1.0, [0, 1, 0, 0], true),
-    ("g", 1.0, 1000.0, [1, 0, 0, 0], true),
-    ("s", 1.0, 1.0, [0, 0, 1, 0], true),
-    ("rad", 1.0, 1.0, [0, 0, 0, 1], true),
-    ("N", 1.0, 1.0, [1, 1, -2, 0], true),
-    ("J", 1.0, 1.0, [1, 2, -2, 0], true),
-    ("W", 1.0, 1.0, [1, 2, -3, 0], true),
-    ("Hz", 1.0, 1.0, [0, 0, -1, 0], true),
-    ("min", 60.0, 1.0, [0, 0, 1, 0], false),
-    ("h", 3600.0, 1.0, [0, 0, 1, 0], false),
-    ("deg", PI, 180.0, [0, 0, 0, 1], false),
-    ("rev", 2.0 * PI, 1.0, [0, 0, 0, 1], false),
-    ("rpm", 2.0 * PI, 60.0, [0, 0, -1, 1], false),
-    ("ft", 0.3048, 1.0, [0, 1, 0, 0], false),
-    ("inch", 0.0254, 1.0, [0, 1, 0, 0], false),
-    ("mi", 1609.344, 1.0, [0, 1, 0, 0], false),
-    ("mph", 1609.344, 3600.0, [0, 1, -1, 0], false),
-    ("kt", 1852.0, 3600.0, [0, 1, -1, 0], false),
-    ("lb", 0.45359237, 1.0, [1, 0, 0, 0], false),
-    ("oz", 0.028349523125, 1.0, [1, 0, 0, 0], false),
-    ("%", 1.0, 100.0, [0, 0, 0, 0], false),
+    ("m", 1.0, 1.0, [0, 1, 0, 0, 0], true),
+    ("g", 1.0, 1000.0, [1, 0, 0, 0, 0], true),
+    ("s", 1.0, 1.0, [0, 0, 1, 0, 0], true),
+    ("rad", 1.0, 1.0, [0, 0, 0, 1, 0], true),
+    ("N", 1.0, 1.0, [1, 1, -2, 0, 0], true),
+    ("J", 1.0, 1.0, [1, 2, -2, 0, 0], true),
+    ("W", 1.0, 1.0, [1, 2, -3, 0, 0], true),
+    ("Hz", 1.0, 1.0, [0, 0, -1, 0, 0], true),
+    ("A", 1.0, 1.0, [0, 0, 0, 0, 1], true),
+    ("V", 1.0, 1.0, [1, 2, -3, 0, -1], true),
+    ("min", 60.0, 1.0, [0, 0, 1, 0, 0], false),
+    ("h", 3600.0, 1.0, [0, 0, 1, 0, 0], false),
+    ("deg", PI, 180.0, [0, 0, 0, 1, 0], false),
+    ("rev", 2.0 * PI, 1.0, [0, 0, 0, 1, 0], false),
+    ("rpm", 2.0 * PI, 60.0, [0, 0, -1, 1, 0], false),
+    ("ft", 0.3048, 1.0, [0, 1, 0, 0, 0], false),
+    ("inch", 0.0254, 1.0, [0, 1, 0, 0, 0], false),
+    ("mi", 1609.344, 1.0, [0, 1, 0, 0, 0], false),
+    ("mph", 1609.344, 3600.0, [0, 1, -1, 0, 0], false),
+    ("kt", 1852.0, 3600.0, [0, 1, -1, 0, 0], false),
+    ("lb", 0.45359237, 1.0, [1, 0, 0, 0, 0], false),
+    ("oz", 0.028349523125, 1.0, [1, 0, 0, 0, 0], false),
+    ("%", 1.0, 100.0, [0, 0, 0, 0, 0], false),
 ];
 
 /// Units of force defined as the weight of a mass: symbol and mass in kg as a fraction, to be multiplied by the spec's
@@ -115,6 +117,16 @@ const HABITS: &[(&str, &str)] = &[
     ("pounds", "lb"),
     ("knots", "kt"),
     ("rps", "rev/s"),
+    // Without these, `mAh` would be read as metre, ampere and hour.
+    ("Ah", "A*h"),
+    ("mAh", "mA*h"),
+    ("amp", "A"),
+    ("amps", "A"),
+    ("ampere", "A"),
+    ("volt", "V"),
+    ("volts", "V"),
+    ("watt", "W"),
+    ("watts", "W"),
 ];
 
 /// Every symbol of the table, without prefixes, in its order.
@@ -224,7 +236,7 @@ fn weight(word: &str, gravity: f64) -> Option<Unit> {
 }
 
 fn from_row(row: &Row) -> Unit {
-    let bases = [Dimension::MASS, Dimension::LENGTH, Dimension::TIME, Dimension::ANGLE];
+    let bases = [Dimension::MASS, Dimension::LENGTH, Dimension::TIME, Dimension::ANGLE, Dimension::CURRENT];
     let dimension = bases.iter().zip(row.3).fold(Dimension::PLAIN, |product, (base, e)| {
         let factor = Exponent::new(e, 1).and_then(|e| base.power(e));
         factor.and_then(|factor| product.times(factor)).unwrap_or(product)

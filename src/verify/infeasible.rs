@@ -56,7 +56,9 @@ pub(super) fn decide(
         DynamicModel::Hover if mission.waypoints.iter().any(|w| (w.yaw - first.yaw).abs() >= 1e-12) => {
             return unsupported("in the hover model multipliers are checked only for one yaw throughout");
         }
-        _ if setting.dynamics().environment.has_drag() => return unsupported("multipliers are checked only without drag"),
+        _ if setting.dynamics().environment.has_drag() => {
+            return unsupported("multipliers are checked only without drag");
+        }
         _ if !mission.start_at_rest => return unsupported("multipliers are checked only for a start at rest"),
         _ => {}
     }

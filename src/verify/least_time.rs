@@ -110,7 +110,8 @@ fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), most: Interval,
         return (rate, acceleration);
     }
     let (k, a) = (Interval::point(environment.drag_rate), Interval::point(acceleration));
-    let wind = axes.iter().fold(Interval::ZERO, |sum, &axis| sum + Interval::point(environment.wind[axis]).square()).sqrt();
+    let wind =
+        axes.iter().fold(Interval::ZERO, |sum, &axis| sum + Interval::point(environment.wind[axis]).square()).sqrt();
     let terminal = if problem.mission().start_at_rest { (most / k + wind).high } else { f64::INFINITY };
     let rate = rate.min(terminal);
     match rate.is_finite() && acceleration.is_finite() {

@@ -73,7 +73,8 @@ fn bounded(kind: LimitKind, state: &State) -> Series {
 fn length_of(parts: &[Series]) -> Series {
     let zero = Series::constant(Interval::ZERO);
     let square = parts.iter().fold(zero, |sum, &p| sum + p * p);
-    let sum = |of: &dyn Fn(&Series) -> Interval| parts.iter().fold(Interval::ZERO, |sum, p| sum + of(p).square()).sqrt();
+    let sum =
+        |of: &dyn Fn(&Series) -> Interval| parts.iter().fold(Interval::ZERO, |sum, p| sum + of(p).square()).sqrt();
     let (value, steepest) = (sum(&|p| p.value()), Interval::around_zero(sum(&|p| p.slope()).high));
     let rate = (square.slope() / (value * Interval::point(2.0))).meet(steepest);
     Series::of_derivatives(&[value, rate])

@@ -19,10 +19,9 @@ pub const BETWEEN: &str = "the wrench is shown in the extreme winds of the spec'
 pub fn violations(winds: &[Dynamics], held: Held, state: &State, planes: &[&Plane]) -> Vec<Rated> {
     let wrenches: Vec<_> = winds.iter().map(|wind| wind.held(held, state)).collect();
     let of_plane = |plane: &&Plane| {
-        let each = wrenches.iter().map(|wrench| Rated {
-            value: plane.violation(&wrench.value),
-            rate: along(&plane.normal, &wrench.rate),
-        });
+        let each = wrenches
+            .iter()
+            .map(|wrench| Rated { value: plane.violation(&wrench.value), rate: along(&plane.normal, &wrench.rate) });
         let whole = Rated { value: Interval::WHOLE, rate: Interval::WHOLE };
         each.reduce(worse).unwrap_or(whole)
     };

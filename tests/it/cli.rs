@@ -358,6 +358,30 @@ fn new_writes_a_spec_that_plans_and_never_overwrites() {
     assert_eq!(out(&mavc(&["new", "-"])).as_bytes(), before);
 }
 
+/// The kinds of `mavc new --mission`, each with a time at which a plan is found quickly.
+const KINDS: [(&str, &str); 3] = [("inspection", "70s"), ("delivery", "150s"), ("survey", "80s")];
+
+#[test]
+fn new_writes_whole_missions_that_check_and_plan() {
+    assert_eq!(KINDS.map(|(kind, _)| kind), mavc::MISSION_TEMPLATES.map(|(kind, _)| kind));
+    let dir = folder();
+    for (kind, time) in KINDS {
+        let spec = dir.path().join(kind).with_extension("mav");
+        assert_eq!(code(&mavc(&["new", text(&spec), "--mission", kind])), 0);
+        let checked = mavc(&["check", text(&spec), "--deny", "warnings"]);
+        assert_eq!(code(&checked), 0, "{}", out(&checked));
+        assert_eq!(code(&mavc(&["fmt", "--check", text(&spec)])), 0, "{kind} is not formatted");
+        let time = format!("plan.time={time}");
+        let fewer = ["--set", "plan.planner=rip", "--set", "plan.samples=60", "--set", &time];
+        let ran = mavc(&[&["plan", text(&spec)], &fewer[..]].concat());
+        assert_eq!(code(&ran), 0, "{kind}: {}{}", out(&ran), err(&ran));
+        assert!(out(&ran).contains("\n  battery: ") && out(&ran).contains("keep_out "), "{}", out(&ran));
+    }
+    let unknown = mavc(&["new", "-", "--mission", "race"]);
+    assert_eq!(code(&unknown), 2);
+    assert!(err(&unknown).contains("inspection, delivery, survey"), "{}", err(&unknown));
+}
+
 /// Outputs in the README and in docs/command.md are what the commands print: words alike, numbers to 2 %. A line `...` stands
 /// for any lines.
 #[test]

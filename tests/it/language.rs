@@ -23,6 +23,7 @@ fn tables() -> Vec<(&'static str, String)> {
         ("blocks of a vehicle", statement_markdown(Place::Vehicle)),
         ("rotor", markdown(Group::Rotor)),
         ("placed rotor", markdown(Group::PlacedRotor)),
+        ("battery", markdown(Group::Battery)),
         ("effects", statement_markdown(Place::Faults)),
         ("mode", markdown(Group::Mode)),
         ("statements of a mission", statement_markdown(Place::Mission)),

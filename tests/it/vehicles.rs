@@ -33,6 +33,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             mass,
             mass_spread: Spread::NONE,
             inertia,
+            battery: None,
             propeller_radius: None,
             size: None,
             rotors,

@@ -4,7 +4,7 @@ use crate::lsp::documentation;
 use crate::unit::{Dimension, parse_unit, unit_names};
 
 /// Units with prefixes, and compounds, that specs are written in.
-const USUAL: [&str; 34] = [
+const USUAL: [&str; 35] = [
     "mm",
     "cm",
     "km",
@@ -18,6 +18,7 @@ const USUAL: [&str; 34] = [
     "kHz",
     "mW",
     "kW",
+    "mA*h",
     "m/s",
     "km/h",
     "cm/s",

@@ -30,10 +30,18 @@ pub fn vehicle(spec: &Spec, span: Span) -> Option<String> {
             format!("{} to {} rad/s ({} to {} rpm)", significant(slow, 4), significant(fast, 4), rpm(slow), rpm(fast))
         }
     };
+    let lasts = vehicle.battery.as_ref().map_or(String::new(), |battery| {
+        let minutes = (1.0 - battery.keep) * battery.energy() / battery.hover_power / 60.0;
+        format!(
+            "\n\nhovers for **{} min** until {} of the charge is left",
+            significant(minutes, 3),
+            percent(battery.keep)
+        )
+    });
     Some(format!(
         "{} rotors{layout}, {} kg, weight {} N\n\n\
          thrust to weight **{}** ({} N at full thrust)\n\n\
-         hover speed **{hover}**, at most {} of full speed",
+         hover speed **{hover}**, at most {} of full speed{lasts}",
         vehicle.rotors.len(),
         number(vehicle.mass),
         significant(weight, 4),

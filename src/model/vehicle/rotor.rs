@@ -12,7 +12,7 @@ use crate::model::{Rotor, RotorSpread, Spin, Spread};
 use crate::number::number;
 use crate::source::Span;
 
-const MIN_SPEED: &str = "mavc::vehicle::min_speed";
+pub(super) const MIN_SPEED: &str = "mavc::vehicle::min_speed";
 
 /// Every rotor with its thrust, torque and speed: its own clauses override the `rotor` block.
 pub(super) fn give_all<'a>(

@@ -38,7 +38,8 @@ impl Setting<'_> {
             committed = trajectory.duration();
         } else {
             for node in (0..last).rev() {
-                let (outside, _) = violation_intervals(trajectory, &model.vehicle, &model.environment(), &set.rows, node);
+                let (outside, _) =
+                    violation_intervals(trajectory, &model.vehicle, &model.environment(), &set.rows, node);
                 let left = outside.iter().map(|s| s.to).max_by(f64::total_cmp);
                 if let Some(left) = left.filter(|_| !sought(node)) {
                     committed = left;

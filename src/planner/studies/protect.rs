@@ -159,7 +159,8 @@ impl Setting<'_> {
         let rows = &self.sets.modes[mode].rows;
         let before = (0..trajectory.intervals()).rev().filter(|&k| trajectory.times[k] < until);
         let last = |k: usize| -> Option<ViolationInterval> {
-            let (found, _) = violation_intervals(trajectory, &self.model().vehicle, &self.model().environment(), rows, k);
+            let (found, _) =
+                violation_intervals(trajectory, &self.model().vehicle, &self.model().environment(), rows, k);
             found.into_iter().filter(|s| s.from < until).max_by(|a, b| a.to.total_cmp(&b.to))
         };
         before.into_iter().find_map(last).map(|interval| interval.row)

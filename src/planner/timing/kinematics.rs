@@ -51,11 +51,7 @@ struct Drag {
 impl Drag {
     fn of(problem: Problem) -> Self {
         let environment = problem.model().environment();
-        Drag {
-            rate: environment.drag_rate,
-            wind: environment.wind,
-            starts_at_rest: problem.mission().start_at_rest,
-        }
+        Drag { rate: environment.drag_rate, wind: environment.wind, starts_at_rest: problem.mission().start_at_rest }
     }
 
     /// Bounds on rate and acceleration along some axes, where thrust and gravity accelerate by at most `acceleration` and

@@ -6,11 +6,13 @@ use super::sets::ShownSet;
 use crate::admissible::allocation::Allocator;
 use crate::admissible::hover;
 use crate::admissible::row::VIOLATED;
+use crate::energy::Power;
 use crate::model::{LimitKind, Mission, Model, Problem};
 use crate::motion::checks::peak;
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z, roll_pitch, tilt};
 use crate::number::{fixed, percent, significant};
 use crate::planner::studies::MissionPlan;
+use crate::report::battery;
 use crate::report::record::errors;
 
 /// Fewest instants of a curve: if there are fewer nodes, instants between them are added so that curves have their shape.
@@ -80,6 +82,9 @@ pub fn columns(model: &Model, solved: &MissionPlan, shown: &[ShownSet], most: us
     for k in 0..model.vehicle.rotors.len() {
         columns.insert(format!("omega_{}", k + 1), column(speeds.iter().map(|row| row[k])));
     }
+    if let Some(power) = Power::of(model) {
+        columns.insert("power".into(), column(states.iter().map(|(_, s)| power.at(trajectory, s))));
+    }
     for (i, set) in shown.iter().enumerate().filter(|(_, s)| s.against.is_some()) {
         // Thousandths of a percent.
         let margins = wrenches.iter().map(|w| (1e5 * set.margin(w)).round() / 1e3);
@@ -125,6 +130,7 @@ pub fn charts(problem: Problem, solved: &MissionPlan, shown: &[ShownSet]) -> Vec
     }
     charts.extend(wrench(model, solved));
     charts.push(rotors(model, solved));
+    charts.extend(power(model, solved));
     charts
 }
 
@@ -362,4 +368,18 @@ fn rotors(model: &Model, solved: &MissionPlan) -> Chart {
         bounds,
         axis: None,
     }
+}
+
+fn power(model: &Model, solved: &MissionPlan) -> Option<Chart> {
+    let battery = model.vehicle.battery.as_ref()?;
+    let record = battery::record(model, &solved.trajectory)?;
+    Some(Chart {
+        id: "power",
+        title: "Electrical power",
+        headline: format!("The plan takes {}: {}", record.used(), record.powers()),
+        unit: "W",
+        lines: vec![Line::new("power", "power")],
+        bounds: vec![Bound::reference("hover", battery.hover_power)],
+        axis: None,
+    })
 }

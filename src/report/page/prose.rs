@@ -12,8 +12,8 @@ pub fn terms<'a>(id: &str, terms: impl IntoIterator<Item = (&'a str, &'a str)>) 
 }
 
 /// Units that may follow a number.
-const UNITS: [&str; 15] =
-    ["s", "ms", "m", "cm", "m/s", "m/s^2", "N", "kg", "deg", "deg/s", "rad", "rad/s", "Hz", "%", "/"];
+const UNITS: [&str; 17] =
+    ["s", "ms", "m", "cm", "m/s", "m/s^2", "N", "kg", "deg", "deg/s", "rad", "rad/s", "Hz", "W", "W*h", "%", "/"];
 
 /// Text in which passages between backticks are code.
 pub fn prose(text: &str) -> Markup {

@@ -8,6 +8,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE, Problem};
 use crate::number::{fixed, number, percent, short_seconds, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run, label};
+use crate::report::battery::BatteryRecord;
 use crate::report::least_time;
 use crate::report::record::{PlannerRecord, Record};
 use crate::report::simulation::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
@@ -70,6 +71,7 @@ pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found
                 let text = format!("probability that a fault strikes while the mission is committed to it.{others}");
                 Figure::new("Risk", significant(r, 3), text.trim_end_matches('.'))
             }));
+            figures.extend(planner.battery.as_ref().map(charge));
             figures.extend(shown_between(planner));
             Found { headline, figures, warnings: planner.warnings.iter().map(|c| c.message.clone()).collect() }
         }
@@ -259,6 +261,12 @@ fn waypoint_error(planner: &PlannerRecord) -> Option<Figure> {
         Figure::new("Largest waypoint error", percent(worst.share()), note)
             .bad_if(planner.waypoints.iter().any(|w| !w.met)),
     )
+}
+
+fn charge(battery: &BatteryRecord) -> Figure {
+    let left = if battery.left < 0.0 { "none".to_string() } else { percent(battery.left) };
+    let note = format!("takes {}; {} to keep", battery.used(), percent(battery.keep));
+    Figure::new("Charge left", left, note).bad_if(battery.is_short())
 }
 
 fn shown_between(planner: &PlannerRecord) -> Option<Figure> {

@@ -4,6 +4,7 @@ use super::record::{FlightRecord, Flown, OutcomeRecord};
 use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Allocation, Controller, Detection, LimitKind, Model};
 use crate::number::{fixed, number, significant};
+use crate::report::battery;
 use crate::report::table::Table;
 use crate::report::terminal::{WIDTH, vehicle_line};
 use crate::verdict::SIMULATED;
@@ -14,11 +15,12 @@ pub fn text(flown: &Flown) -> String {
     let Flown { model, solved, flight, .. } = flown;
     let name = model.mission.as_ref().map_or("", |m| m.name.as_str());
     let mut out = format!(
-        "Mission {name} {SIMULATED} with {}\nalong the {} plan of {} s\n{}\n\n",
+        "Mission {name} {SIMULATED} with {}\nalong the {} plan of {} s\n{}\n{}\n",
         vehicle_line(model),
         record.planner.to_uppercase(),
         number(solved.time),
-        manner(model)
+        manner(model),
+        battery::full_thrust(model)
     );
     out.push_str(&match record.outcome {
         OutcomeRecord::Flown => format!("{}\n", to_its_end(model, &record)),

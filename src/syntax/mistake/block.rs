@@ -193,7 +193,7 @@ fn opens_block(word: &str, rest: &str) -> bool {
         "vehicle" | "mission" | "mode" => {
             title_or_nothing || rest.trim_start_matches(super::is_name).trim_start().chars().all(|c| c == '"')
         }
-        "faults" | "plan" | "simulate" | "campaign" | "limits" | "rotor" | "rotors" => title_or_nothing,
+        "faults" | "plan" | "simulate" | "campaign" | "limits" | "rotor" | "rotors" | "battery" => title_or_nothing,
         "curve" => rest.contains(".."),
         _ => false,
     }

@@ -120,6 +120,31 @@ fn in_a_block_the_fields_that_it_lacks_are_offered() {
 }
 
 #[test]
+fn a_battery_is_completed_and_explained() {
+    let all = offers(
+        "vehicle a {\n mass = 1 kg\n battery {\n capacity = 5 |\n hover|\n keep = 20 |\n }\n |\n}\nvehicle b {\n bat|\n}\n",
+    );
+    let of = |k: usize| labels(&all[k]);
+    assert_eq!(of(0)[0], "A*h");
+    assert!(of(0).contains(&"mA*h") && !of(0).contains(&"A"), "{:?}", of(0));
+    assert!(
+        of(1).contains(&"hover_power") && of(1).contains(&"voltage") && !of(1).contains(&"capacity"),
+        "{:?}",
+        of(1)
+    );
+    assert_eq!(of(2)[0], "%");
+    // A vehicle has one battery.
+    assert!(!of(3).contains(&"battery") && of(3).contains(&"rotor"), "{:?}", of(3));
+    assert!(of(4).contains(&"battery"), "{:?}", of(4));
+    let battery = "    battery { capa|city = 5 A*h; voltage = 22.2 V; hover_power = 200 W; ke|ep = 40 % }\n    rotor";
+    let shown = hovers(&SPEC.replacen("    rotor", battery, 1).replace("vehicle quad", "vehicle qu|ad"));
+    // 111 W*h, of which 60 % at 200 W.
+    assert!(shown[0].contains("hovers for **20 min** until 40 % of the charge is left"), "{}", shown[0]);
+    assert!(shown[1].contains("the charge that the full battery gives"), "{}", shown[1]);
+    assert!(shown[2].contains("default: 20 %"), "{}", shown[2]);
+}
+
+#[test]
 fn behind_a_number_units_of_the_right_dimension_are_offered() {
     let all = offers(
         "vehicle a {\n mass = 1.8 |\n rotor {\n max_speed = 8500 r|\n }\n}\nmission m {\n waypoint at [1, 2, 3] |\n \

@@ -74,8 +74,10 @@ fn fragment(text: &str) -> Vec<String> {
     let hop = "mission hop {\n start at [0, 0, 2] m\n waypoint at [30, 0, 5] m\n}\n";
     let first = text.lines().next().unwrap_or("");
     let spec = if first.contains("in a vehicle") {
+        let rotor = "rotor { max_thrust = 480 gf; torque_per_thrust = 1.3 cm; max_speed = 19000 rpm }\n";
+        let rotor = if text.contains("rotor") { "" } else { rotor };
         format!(
-            "vehicle quad {{\n layout = \"PNPN\"\n arm = 11 cm\n mass = 620 g\n inertia = [2, 2, 4] g*m^2\n{text}\n}}\n"
+            "vehicle quad {{\n layout = \"PNPN\"\n arm = 11 cm\n mass = 620 g\n inertia = [2, 2, 4] g*m^2\n{rotor}{text}\n}}\n"
         )
     } else if first.contains("in a mission") {
         format!("{QUAD}mission hop {{\n start at [0, 0, 2] m\n{text}\n waypoint at [30, 0, 5] m\n}}\n")

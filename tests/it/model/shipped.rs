@@ -94,4 +94,11 @@ fn the_template_stands_alone() {
     let (model, diagnostics) = check(include_str!("../../../src/template.mav"));
     assert_eq!(diagnostics, vec![]);
     assert!(model.unwrap().mission.is_some());
+    for (kind, text) in mavc::MISSION_TEMPLATES {
+        let (model, diagnostics) = check(text);
+        assert_eq!(diagnostics, vec![], "{kind}");
+        let model = model.unwrap();
+        // Each uses what a mission of its kind needs.
+        assert!(model.vehicle.battery.is_some() && model.mission.unwrap().volumes.len() >= 2, "{kind}");
+    }
 }
