@@ -55,7 +55,7 @@ pub fn exactly(solved: &MissionPlan, model: &Model, rows: &[SetRow]) -> Exactly 
         let part = (trajectory.times[k + 1] - trajectory.times[k]) / POINTS as f64;
         for p in 0..POINTS {
             let state = trajectory.within(k, part * (p as f64 + 0.5));
-            let wrench = WrenchModel::Exact.wrench(&model.vehicle, model.gravity, &state);
+            let wrench = WrenchModel::Exact.wrench(&model.vehicle, &model.environment(), &state);
             let most = rows.iter().map(|row| row.violation(&wrench)).fold(f64::NEG_INFINITY, f64::max);
             let finite = wrench.iter().all(|w| w.is_finite());
             if !finite || most > VIOLATED {

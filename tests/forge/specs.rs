@@ -146,15 +146,17 @@ fn smooth(model: &Model, total: f64) -> Option<Trajectory> {
 /// A limit at a share of what a motion reaches.
 fn reached(motion: &Trajectory, kind: LimitKind, share: f64, gravity: f64) -> Limit {
     let bound = |lower, upper| Limit { kind, lower, upper, span: Default::default(), volume: None, leg: None };
-    let most = peak(motion, |s| past(&bound(None, Some(0.0)), s, gravity)).value;
+    let most = peak(motion, |s| past(&bound(None, Some(0.0)), s, &mavc::model::Environment::vacuum(gravity))).value;
     match kind {
         // Room beside the motion, m and rad.
         LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => {
-            let least = peak(motion, |s| past(&bound(Some(0.0), None), s, gravity)).value;
+            let least =
+                peak(motion, |s| past(&bound(Some(0.0), None), s, &mavc::model::Environment::vacuum(gravity))).value;
             bound(Some(-least - (share - 1.0)), Some(most + (share - 1.0)))
         }
         LimitKind::YawRate | LimitKind::YawAcceleration => {
-            let least = peak(motion, |s| past(&bound(Some(0.0), None), s, gravity)).value;
+            let least =
+                peak(motion, |s| past(&bound(Some(0.0), None), s, &mavc::model::Environment::vacuum(gravity))).value;
             let size = most.max(least).max(0.1) * share;
             bound(Some(-size), Some(size))
         }
@@ -182,7 +184,7 @@ fn selecting(name: &str, truth: &Truth, honest: &Trajectory) -> Vec<Trajectory> 
         // Nothing is on the edge, neither here nor for the honest plan.
         let known = truth.selected(&found, 1e-5);
         let clear = motion.nodes.iter().all(|s| {
-            let wrench = motion.wrench(&truth.model.vehicle, truth.model.gravity, s);
+            let wrench = motion.wrench(&truth.model.vehicle, &truth.model.environment(), s);
             known.iter().all(|row| row.violation(&wrench) <= 5e-5)
         });
         let new = truth.selected(std::slice::from_ref(&motion), 3e-3).len();

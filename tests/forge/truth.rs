@@ -264,16 +264,16 @@ impl Truth {
                     (LimitKind::Tilt, Some(upper)) => {
                         (state[X][2].hypot(state[Y][2]) * upper.cos() - (state[Z][2] + g) * upper.sin()) / g
                     }
-                    _ => past(limit, &state, g),
+                    _ => past(limit, &state, &mavc::model::Environment::vacuum(g)),
                 };
                 (Falsehood::Limit(i), over / (ROW * limit.size()))
             })
             .collect();
         let rows = if role == Role::Asked { &self.asked.rows } else { &self.sets.rip.rows };
-        let wrench = motion.wrench(&self.model.vehicle, g, &state);
+        let wrench = motion.wrench(&self.model.vehicle, &mavc::model::Environment::vacuum(g), &state);
         found.push((Falsehood::Set, most(rows, &wrench) / ROW));
         if let Some(tau) = self.model.thrust_lag() {
-            let lead = motion.commanded(&self.model.vehicle, g, tau, k, &state);
+            let lead = motion.commanded(&self.model.vehicle, &mavc::model::Environment::vacuum(g), tau, k, &state);
             found.push((Falsehood::Commands, most(rows, &lead) / ROW));
         }
         if self.equations == WrenchModel::Exact {
@@ -298,7 +298,8 @@ impl Truth {
     /// Facets of the modes' sets that some motion is beyond by `share` of the healthy set's width.
     pub fn selected(&self, motions: &[Trajectory], share: f64) -> Vec<SetRow> {
         let parts = if self.equations == WrenchModel::Exact { PARTS } else { 1 };
-        let wrench = |motion: &Trajectory, s: &NodeState| motion.wrench(&self.model.vehicle, self.model.gravity, s);
+        let wrench =
+            |motion: &Trajectory, s: &NodeState| motion.wrench(&self.model.vehicle, &self.model.environment(), s);
         let seen: Vec<Wrench> = motions
             .iter()
             .flat_map(|motion| {
@@ -316,15 +317,16 @@ impl Truth {
     /// Whether a facet that the motions before are clearly beyond is broken at a node.
     pub fn breaks_selection(&self, motion: &Trajectory, before: &[Trajectory]) -> bool {
         let rows = self.selected(before, TIMES * ROW);
-        let beyond =
-            |s: &NodeState| most(&rows, &motion.wrench(&self.model.vehicle, self.model.gravity, s)) > TIMES * ROW;
+        let beyond = |s: &NodeState| {
+            most(&rows, &motion.wrench(&self.model.vehicle, &self.model.environment(), s)) > TIMES * ROW
+        };
         motion.nodes.iter().any(beyond)
     }
 
     /// How far a motion leaves the modes' sets at nodes, as a share of the healthy set's width.
     pub fn beyond_modes(&self, motion: &Trajectory) -> f64 {
         let rows: Vec<SetRow> = self.sets.modes.iter().flat_map(|set| set.rows.clone()).collect();
-        let wrenches = motion.node_wrenches(&self.model.vehicle, self.model.gravity);
+        let wrenches = motion.node_wrenches(&self.model.vehicle, &self.model.environment());
         wrenches.iter().map(|w| most(&rows, w)).fold(f64::NEG_INFINITY, f64::max)
     }
 }

@@ -141,7 +141,7 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
     assert!(hover(&model)[0] > idle);
 
     let plan = shortest(&model);
-    let wrenches = plan.trajectory.node_wrenches(&model.vehicle, model.gravity);
+    let wrenches = plan.trajectory.node_wrenches(&model.vehicle, &model.environment());
     for set in [&healthy, &weak] {
         assert!(wrenches.iter().all(|w| set.polytope.margin(w) > -1e-4));
     }
@@ -154,7 +154,7 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
     let Decision::Feasible(planned) = engine.decide(below, 40, &alone, &mut WorkingSet::default()) else {
         panic!("fewer rows")
     };
-    let thrust = |s| planned.model.wrench(&model.vehicle, model.gravity, s)[0];
+    let thrust = |s| planned.model.wrench(&model.vehicle, &model.environment(), s)[0];
     let least = planned.states.iter().map(thrust).fold(f64::INFINITY, f64::min);
     assert!(least < idle - 0.5, "{least} {idle}");
 

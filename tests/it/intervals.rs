@@ -221,7 +221,7 @@ fn plans_hold_for_every_value() {
         for mode in [0, 2] {
             let set = AdmissibleSet::of_mode(&other, mode);
             let margin = |trajectory: &mavc::motion::Trajectory| {
-                let wrenches = trajectory.node_wrenches(&other.vehicle, other.gravity);
+                let wrenches = trajectory.node_wrenches(&other.vehicle, &other.environment());
                 wrenches.iter().map(|w| set.polytope.margin(w)).fold(f64::INFINITY, f64::min)
             };
             assert!(margin(&robust) > -1e-4, "{}", margin(&robust));

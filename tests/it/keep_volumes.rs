@@ -196,7 +196,7 @@ proptest! {
         ];
         for (limit, distance) in known {
             let margin = limit.lower.unwrap();
-            let family = limits::family(limit, 9.81, None);
+            let family = limits::family(limit, &mavc::model::Environment::vacuum(9.81), None);
             let violation = |half: f64| {
                 let mut state: mavc::verify::motion::State = [[Interval::ZERO; 6]; 4];
                 for axis in 0..3 {

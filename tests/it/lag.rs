@@ -73,7 +73,7 @@ fn with_commands(model: &Model, plan: &Trajectory, tau: f64, looks: usize) -> Ve
     for k in 0..plan.intervals() {
         let h = plan.times[k + 1] - plan.times[k];
         let d = 1e-3 * h;
-        let w = |t: f64| plan.wrench(&model.vehicle, model.gravity, &plan.within(k, t));
+        let w = |t: f64| plan.wrench(&model.vehicle, &model.environment(), &plan.within(k, t));
         let inner = h - 4.0 * d;
         for i in 0..=looks + 1 {
             let t = 2.0 * d + inner * i as f64 / (looks + 1) as f64;

@@ -349,7 +349,7 @@ proptest! {
             ];
             norm(cross)
         };
-        let family = limits::family(&limits[0], 9.81, None);
+        let family = limits::family(&limits[0], &mavc::model::Environment::vacuum(9.81), None);
         let violation = |half: f64| {
             let mut state = [[Interval::ZERO; 6]; 4];
             for (axis, value) in state.iter_mut().zip(p) {
@@ -369,7 +369,7 @@ proptest! {
     fn the_checker_knows_directions_of_arrival(v in prop::array::uniform3(-9.0..9.0f64)) {
         let limits = limits_of("start at [1, 2, 3] m; waypoint at [4, 6, 15] m  arrive from [-2, 1, 2]; waypoint at [9, 6, 15] m");
         prop_assert_eq!(limits[0].kind, LimitKind::Arrival);
-        let family = limits::family(&limits[0], 9.81, Some((1, 1)));
+        let family = limits::family(&limits[0], &mavc::model::Environment::vacuum(9.81), Some((1, 1)));
         let mut state = [[Interval::ZERO; 6]; 4];
         for (axis, value) in state.iter_mut().zip(v) {
             axis[1] = Interval::point(value);

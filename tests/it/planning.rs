@@ -102,7 +102,7 @@ fn case_1_compared() {
         assert_eq!((never.seconds, never.last), (0.0, None));
         // RSP keeps what was selected at T_d.
         assert!(!comparison.selected.is_empty());
-        for w in rsp.trajectory.node_wrenches(&model.vehicle, model.gravity) {
+        for w in rsp.trajectory.node_wrenches(&model.vehicle, &model.environment()) {
             assert!(comparison.selected.iter().all(|row| row.violation(&w) <= ACCEPTED));
         }
         assert!(rip.time <= rsp.time && rsp.time <= rcp.time);
@@ -113,7 +113,7 @@ fn case_1_compared() {
     assert!(rip < rcp * (1.0 - 1e-4));
     // The selected facets are just those RIP violates at T_d.
     let rip = of(PlannerKind::Rip, Run::Common);
-    let wrenches = rip.trajectory.node_wrenches(&model.vehicle, model.gravity);
+    let wrenches = rip.trajectory.node_wrenches(&model.vehicle, &model.environment());
     assert!(comparison.selected.iter().all(|row| wrenches.iter().any(|w| row.violation(w) > VIOLATED)));
     assert_eq!(rip.outside[0].facets.len(), comparison.selected.len());
     // What a campaign flies are these plans at T_d, found without the others.
@@ -222,7 +222,7 @@ fn four_and_sixteen_rotors_plan() {
         let found = solved(&comparison.runs[0]);
         assert!(found.time > 1.0 && found.time < 30.0, "{}", found.time);
         let set = &comparison.runs[0].set;
-        for w in found.trajectory.node_wrenches(&model.vehicle, model.gravity) {
+        for w in found.trajectory.node_wrenches(&model.vehicle, &model.environment()) {
             assert!(set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
         }
     }
@@ -244,7 +244,7 @@ fn a_flat_set_is_planned_on_its_plane() {
         panic!("20 s are plenty");
     };
     let trajectory = planned.trajectory();
-    let wrenches = trajectory.node_wrenches(&model.vehicle, model.gravity);
+    let wrenches = trajectory.node_wrenches(&model.vehicle, &model.environment());
     let largest = wrenches.iter().map(|w| w[1].abs()).fold(0.0, f64::max);
     assert!(largest > 1e-3, "the plan rolls");
     for w in &wrenches {

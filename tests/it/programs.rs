@@ -90,7 +90,7 @@ fn full_and_generated(against: &[usize], known: f64) {
         let apart = found.objective - solution.objective;
         assert!(apart.abs() < gap(&program), "{} {}", found.objective, solution.objective);
         assert!(found.rows < facet_rows / 4, "{} rows generated", found.rows);
-        for w in found.trajectory().node_wrenches(&model.vehicle, model.gravity) {
+        for w in found.trajectory().node_wrenches(&model.vehicle, &model.environment()) {
             assert!(set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
         }
     }

@@ -175,7 +175,7 @@ fn plans_ask_for_nothing_that_is_clipped() {
     model.plan.time = MissionTime::Fixed(24.0);
     let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
     let PlanOutcome::Planned(plan) = &comparison.runs[0].outcome else { panic!("{:?}", comparison.runs[0].outcome) };
-    for w in plan.trajectory.node_wrenches(&model.vehicle, model.gravity) {
+    for w in plan.trajectory.node_wrenches(&model.vehicle, &model.environment()) {
         for mode in [0, 2] {
             assert!(room(&model, mode, &w) > -1e-5);
         }

@@ -56,7 +56,7 @@ fn committed_until_the_last_sample_outside() {
     for (out, set) in s.outside.iter().zip(&comparison.sets) {
         let step = s.time / f64::from(steps);
         let is_out = |t: f64| {
-            let w = s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
+            let w = s.trajectory.wrench(&model.vehicle, &model.environment(), &s.trajectory.at(t));
             set.rows.iter().any(|r| r.violation(&w) > VIOLATED)
         };
         let last = (0..=steps).rev().map(|i| f64::from(i) * step).find(|t| is_out(*t));
@@ -77,9 +77,9 @@ fn strips_show_the_smallest_margin_of_each_part() {
     let s = solved(&comparison);
     let rows = &comparison.sets[0].rows;
     let columns = 32;
-    let strip = nearness(&s.trajectory, &model.vehicle, model.gravity, rows, columns);
+    let strip = nearness(&s.trajectory, &model.vehicle, &model.environment(), rows, columns);
     let margin = |t: f64| {
-        let w = s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
+        let w = s.trajectory.wrench(&model.vehicle, &model.environment(), &s.trajectory.at(t));
         rows.iter().map(|r| -r.violation(&w)).fold(f64::INFINITY, f64::min)
     };
     for (column, smallest) in strip.iter().enumerate() {
@@ -125,7 +125,7 @@ fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
         assert!(found.trade_off.len() > 1);
         assert!(found.trade_off.windows(2).all(|w| w[1].risk < w[0].risk && w[1].time >= w[0].time));
         // The plan is inside the set that it reports.
-        for w in s.trajectory.node_wrenches(&model.vehicle, model.gravity) {
+        for w in s.trajectory.node_wrenches(&model.vehicle, &model.environment()) {
             assert!(found.runs[0].set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
         }
     }
@@ -183,7 +183,7 @@ fn a_required_risk_is_kept_in_the_exact_model() {
     assert!(found.trade_off.len() > 1 && found.trade_off.windows(2).all(|w| w[1].risk < w[0].risk));
     // Inside the set that it reports at instants of its own, and what is committed is the last of them outside.
     let steps = 20_000;
-    let wrench = |t: f64| s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
+    let wrench = |t: f64| s.trajectory.wrench(&model.vehicle, &model.environment(), &s.trajectory.at(t));
     let instants = || (0..=steps).map(|i| s.time * f64::from(i) / f64::from(steps));
     let worst = |rows: &[mavc::admissible::row::SetRow], t: f64| {
         let w = wrench(t);

@@ -124,13 +124,13 @@ fn all_double_losses_of_sixteen_rotors_at_once() {
     let Decision::Feasible(free) = engine.decide(shortest.time, 200, &whole, &mut WorkingSet::default()) else {
         panic!("fewer rows")
     };
-    let wrenches = free.trajectory().node_wrenches(&model.vehicle, model.gravity);
+    let wrenches = free.trajectory().node_wrenches(&model.vehicle, &model.environment());
     let excess = |w| set.rows.iter().map(|r| r.violation(w)).fold(f64::NEG_INFINITY, f64::max);
     let worst = wrenches.iter().map(excess).fold(f64::NEG_INFINITY, f64::max);
     assert!(worst > 0.01, "{worst}");
     // Few of all rows were needed, and all hold: those of every single set, not of the intersection alone.
     assert!(plan.rows < set.rows.len() * 201 / 10, "{} rows", plan.rows);
-    for w in plan.trajectory().node_wrenches(&model.vehicle, model.gravity) {
+    for w in plan.trajectory().node_wrenches(&model.vehicle, &model.environment()) {
         assert!(set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
         assert!(hovering.iter().all(|s| s.polytope.margin(&w) > -1e-4));
     }
@@ -183,7 +183,7 @@ fn rounds_in_the_exact_model_end_inside() {
         let s = only(plan);
         for i in 0..=5000 {
             let t = s.time * f64::from(i) / 5000.0;
-            let w = s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
+            let w = s.trajectory.wrench(&model.vehicle, &model.environment(), &s.trajectory.at(t));
             assert!(plan.selected.iter().all(|row| row.violation(&w) <= 2e-4), "{t}");
         }
     }
@@ -207,7 +207,7 @@ fn facets_passed_only_between_nodes_are_selected() {
         let mut passed: Vec<usize> = Vec::new();
         for i in 0..=samples * PARTS {
             let t = seen.time * i as f64 / (samples * PARTS) as f64;
-            let w = seen.trajectory.wrench(&model.vehicle, model.gravity, &seen.trajectory.at(t));
+            let w = seen.trajectory.wrench(&model.vehicle, &model.environment(), &seen.trajectory.at(t));
             passed.extend((0..rows.len()).filter(|&row| rows[row].violation(&w) > VIOLATED));
         }
         passed.sort_unstable();

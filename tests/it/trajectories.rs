@@ -127,11 +127,11 @@ proptest! {
         state[3][0] = psi;
         let direction = Vector3::new(a[0], a[1], a[2] + 9.81);
         prop_assume!(direction.norm() > 1e-3);
-        let (roll, pitch) = roll_pitch(&state, 9.81);
+        let (roll, pitch) = roll_pitch(&state, &mavc::model::Environment::vacuum(9.81));
         // from_euler_angles(roll, pitch, yaw) is Rz Ry Rx.
         let up = Rotation3::from_euler_angles(roll, pitch, psi) * Vector3::z();
         prop_assert!((up - direction.normalize()).norm() < 1e-12);
-        prop_assert!((tilt(&state, 9.81) - direction.angle(&Vector3::z())).abs() < 1e-7);
+        prop_assert!((tilt(&state, &mavc::model::Environment::vacuum(9.81)) - direction.angle(&Vector3::z())).abs() < 1e-7);
     }
 
     #[test]
@@ -140,9 +140,9 @@ proptest! {
         let model = octocopter("PPNNPPNN");
         let lost: Vec<usize> = (1..=8).filter(|k| *k == rotor).collect();
         let rows = rows(&model, &lost);
-        let found = outside(&flight, &model.vehicle, model.gravity, &rows);
+        let found = outside(&flight, &model.vehicle, &model.environment(), &rows);
         let excess = |s: &NodeState| {
-            let w = flight.wrench(&model.vehicle, model.gravity, s);
+            let w = flight.wrench(&model.vehicle, &model.environment(), s);
             rows.iter().map(|r| r.violation(&w)).fold(f64::NEG_INFINITY, f64::max)
         };
         let (mut seconds, mut last, mut crossings) = (0.0, None, 0);
@@ -174,7 +174,7 @@ proptest! {
             prop_assert!(excess(&flight.within(k, t - flight.times[k])) > VIOLATED - 1e-7);
         }
         // Counts at the nodes.
-        let wrenches: Vec<Wrench> = flight.node_wrenches(&model.vehicle, model.gravity);
+        let wrenches: Vec<Wrench> = flight.node_wrenches(&model.vehicle, &model.environment());
         let over: Vec<Vec<bool>> =
             wrenches.iter().map(|w| rows.iter().map(|r| r.violation(w) > VIOLATED).collect()).collect();
         prop_assert_eq!(found.positions, over.iter().filter(|o| o.contains(&true)).count());
@@ -201,11 +201,11 @@ proptest! {
 
     #[test]
     fn peaks_are_not_below_any_sample(flight in trajectory()) {
-        let found = peak(&flight, |s| tilt(s, 9.81));
-        let dense = (0..=5000).map(|i| tilt(&flight.at(flight.duration() * f64::from(i) / 5000.0), 9.81));
+        let found = peak(&flight, |s| tilt(s, &mavc::model::Environment::vacuum(9.81)));
+        let dense = (0..=5000).map(|i| tilt(&flight.at(flight.duration() * f64::from(i) / 5000.0), &mavc::model::Environment::vacuum(9.81)));
         let highest = dense.fold(0.0, f64::max);
         prop_assert!(found.value > highest - 0.02, "{} {highest}", found.value);
-        prop_assert!((tilt(&flight.at(found.at), 9.81) - found.value).abs() < 1e-4 || found.at == flight.duration());
+        prop_assert!((tilt(&flight.at(found.at), &mavc::model::Environment::vacuum(9.81)) - found.value).abs() < 1e-4 || found.at == flight.duration());
     }
 
     /// F is best exactly when it is feasible and F.(F' - F) >= 0 for every feasible F'.
@@ -317,7 +317,7 @@ fn the_table_is_what_was_planned() {
                 assert_eq!((row[13 + axis], row[16 + axis]), (s[axis][3], if axis < 2 { s[axis][4] } else { 0.0 }));
             }
         }
-        let w = flight.wrench(&model.vehicle, model.gravity, &s);
+        let w = flight.wrench(&model.vehicle, &model.environment(), &s);
         assert_eq!(row[21..25], [w[0], w[1], w[2], w[3]]);
         // The speeds give the wrench.
         let by_speeds =

@@ -34,6 +34,8 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             mass_spread: Spread::NONE,
             inertia,
             battery: None,
+            drag: 0.0,
+            drag_span: None,
             propeller_radius: None,
             size: None,
             rotors,
@@ -135,6 +137,7 @@ pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
         end_at_rest: true,
         limits: Vec::new(),
         volumes: Vec::new(),
+        air: mavc::model::Air::still(Span::default()),
         span: Span::default(),
     }
 }

@@ -37,7 +37,7 @@ fn assert_true(model: &Model, comparison: &Comparison, found: &[Between]) {
     let limits = &model.mission.as_ref().unwrap().limits;
     assert_eq!(found.len(), 1 + limits.len());
     let outside = largest(plan, |s| {
-        let w = plan.trajectory.wrench(&model.vehicle, model.gravity, s);
+        let w = plan.trajectory.wrench(&model.vehicle, &model.environment(), s);
         set.rows.iter().map(|r| r.violation(&w)).fold(f64::NEG_INFINITY, f64::max)
     });
     assert_eq!(found[0].rows, WRENCH);
@@ -46,9 +46,9 @@ fn assert_true(model: &Model, comparison: &Comparison, found: &[Between]) {
             // |a| sin(tilt - L) / g
             LimitKind::Tilt => {
                 let size = (s[0][2].powi(2) + s[1][2].powi(2) + (s[2][2] + model.gravity).powi(2)).sqrt();
-                size * (tilt(s, model.gravity) - limit.upper.unwrap()).sin() / model.gravity
+                size * (tilt(s, &model.environment()) - limit.upper.unwrap()).sin() / model.gravity
             }
-            _ => past(limit, s, model.gravity),
+            _ => past(limit, s, &model.environment()),
         })
     }));
     for (b, seen) in found.iter().zip(seen) {
@@ -134,7 +134,8 @@ fn some_facets_proved_are_counted() {
         let found = told(&model, &comparison);
         let (plan, rows) = (solved(&comparison), &comparison.runs.last().unwrap().set.rows);
         let keeps = |row: &&mavc::admissible::row::SetRow| {
-            let excess = |s: &NodeState| row.violation(&plan.trajectory.wrench(&model.vehicle, model.gravity, s));
+            let excess =
+                |s: &NodeState| row.violation(&plan.trajectory.wrench(&model.vehicle, &model.environment(), s));
             largest(plan, excess) <= MOST_OUTSIDE
         };
         let kept = rows.iter().filter(keeps).count();

@@ -63,9 +63,10 @@ fn commanded_wrenches_are_the_planners() {
             (DynamicModel::Hover, None, WrenchModel::HoverFollowing, hover),
             (DynamicModel::Hover, Some(psi), WrenchModel::HoverAt(psi), hover),
         ] {
-            let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: kind, one_yaw };
+            let dynamics =
+                Dynamics { vehicle: &vehicle, environment: mavc::model::Environment::vacuum(G), model: kind, one_yaw };
             let sloped: CommandState = at(&path, 0.0);
-            let expected = planner.commanded(&vehicle, G, TAU, &sloped);
+            let expected = planner.commanded(&vehicle, &mavc::model::Environment::vacuum(G), TAU, &sloped);
             let found = dynamics.held(commands(), &state(&path, 0.0));
             for i in 0..4 {
                 let off = (found.value[i].middle() - expected[i]).abs();
@@ -99,7 +100,12 @@ fn commanded_wrenches_are_the_planners() {
 fn intervals_enclose_the_commanded_wrenches() {
     let vehicle = octocopter("PPNNPPNN").vehicle;
     let mut numbers = Numbers(22);
-    let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: DynamicModel::Exact, one_yaw: None };
+    let dynamics = Dynamics {
+        vehicle: &vehicle,
+        environment: mavc::model::Environment::vacuum(G),
+        model: DynamicModel::Exact,
+        one_yaw: None,
+    };
     for _ in 0..30 {
         let path = path(&mut numbers);
         let ends = [0.0, 0.05].map(|t| at(&path, t));
@@ -168,7 +174,7 @@ fn lagging_plans_are_certified() {
         let looks = (0..plan.intervals()).flat_map(|k| (0..=97).map(move |i| (k, f64::from(i) / 97.0)));
         let seen = looks.map(|(k, share)| {
             let s = plan.within(k, share * (plan.times[k + 1] - plan.times[k]));
-            let commanded = plan.commanded(&model.vehicle, model.gravity, tau, k, &s);
+            let commanded = plan.commanded(&model.vehicle, &model.environment(), tau, k, &s);
             run.set.rows.iter().map(|r| r.violation(&commanded)).fold(f64::NEG_INFINITY, f64::max)
         });
         let seen = seen.fold(f64::NEG_INFINITY, f64::max);

@@ -19,7 +19,7 @@ fn assert_same(model: &Model, mode: Option<usize>, reserve: f64, numbers: &mut N
     let set = set.guaranteed(model);
     let kept = set.with_reserve(reserve);
     let mode = mode.map(|i| &model.modes[i]);
-    let generators = Generators::new(&model.vehicle, model.gravity, mode, reserve);
+    let generators = Generators::new(&model.vehicle, &model.environment(), mode, reserve);
     let planes = generators.planes().unwrap();
     let healthy = AdmissibleSet::healthy(model);
     let (mut inside, mut outside) = (0, 0);
@@ -132,7 +132,7 @@ fn flat_sets_have_no_inside() {
     let mut model = quadcopter();
     model.modes = vec![lost(&model, &[1])];
     let set = AdmissibleSet::of_mode(&model, 0);
-    let generators = Generators::new(&model.vehicle, model.gravity, Some(&model.modes[0]), 0.0);
+    let generators = Generators::new(&model.vehicle, &model.environment(), Some(&model.modes[0]), 0.0);
     let planes = generators.planes().unwrap();
     let inside = set.zonotope.generators.iter().fold(Wrench::zeros(), |sum, g| sum + g * 0.5);
     assert!(excess(&planes, &inside).abs() < 1e-12);
@@ -147,5 +147,5 @@ fn flat_sets_have_no_inside() {
     assert!(excess(&planes, &(inside + direction * (far * 1.001))) > 1e-6);
     // Two rotors leave a plane, which is not decided.
     model.modes = vec![lost(&model, &[1, 2])];
-    assert!(Generators::new(&model.vehicle, model.gravity, Some(&model.modes[0]), 0.0).planes().is_err());
+    assert!(Generators::new(&model.vehicle, &model.environment(), Some(&model.modes[0]), 0.0).planes().is_err());
 }

@@ -118,15 +118,15 @@ fn bounded(t: &Trajectory, mission: &Mission, asked: &Asked) -> Option<String> {
     let outside = |w: &Wrench| asked.rows.iter().map(|row| row.violation(w)).fold(f64::NEG_INFINITY, f64::max);
     for node in 0..=last {
         let state = t.within(node.min(last - 1), if node == last { t.times[last] - t.times[last - 1] } else { 0.0 });
-        let over = mission.limits.iter().find(|l| past(l, &state, model.gravity) > EXCESS * l.size());
+        let over = mission.limits.iter().find(|l| past(l, &state, &model.environment()) > EXCESS * l.size());
         if let Some(limit) = over {
             return Some(format!("{:?} exceeded at node {node}", limit.kind));
         }
-        if outside(&t.wrench(&model.vehicle, model.gravity, &state)) > EXCESS {
+        if outside(&t.wrench(&model.vehicle, &model.environment(), &state)) > EXCESS {
             return Some(format!("outside at node {node}"));
         }
         let Some(tau) = model.thrust_lag() else { continue };
-        if outside(&t.commanded(&model.vehicle, model.gravity, tau, node.min(last - 1), &state)) > EXCESS {
+        if outside(&t.commanded(&model.vehicle, &model.environment(), tau, node.min(last - 1), &state)) > EXCESS {
             return Some(format!("commands outside at node {node}"));
         }
     }

@@ -89,7 +89,12 @@ fn assert_close(found: &Wrench, expected: [f64; 4], rate: Option<[f64; 4]>, tole
 fn exact_wrenches_are_those_of_the_attitudes_differences() {
     let mut vehicle = octocopter("PPNNPPNN").vehicle;
     vehicle.inertia = [0.03, 0.05, 0.07];
-    let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: DynamicModel::Exact, one_yaw: None };
+    let dynamics = Dynamics {
+        vehicle: &vehicle,
+        environment: mavc::model::Environment::vacuum(G),
+        model: DynamicModel::Exact,
+        one_yaw: None,
+    };
     let mut numbers = Numbers(5);
     for _ in 0..200 {
         let path = path(&mut numbers);
@@ -122,7 +127,12 @@ fn hover_wrenches_are_the_planners_map() {
             Some(psi) => WrenchMap::with_free_yaw(&vehicle, G, psi),
             None => WrenchMap::new(&vehicle, G, YawState { psi, rate, acceleration }),
         };
-        let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: DynamicModel::Hover, one_yaw };
+        let dynamics = Dynamics {
+            vehicle: &vehicle,
+            environment: mavc::model::Environment::vacuum(G),
+            model: DynamicModel::Hover,
+            one_yaw,
+        };
         assert_close(&dynamics.wrench(&state(&path, 0.0)), map.at(&planned).into(), None, 1e-9);
     }
 }
@@ -140,7 +150,8 @@ fn intervals_hold_their_instants() {
     let vehicle = octocopter("PPNNPPNN").vehicle;
     let mut numbers = Numbers(7);
     for model in [DynamicModel::Hover, DynamicModel::Exact] {
-        let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model, one_yaw: None };
+        let dynamics =
+            Dynamics { vehicle: &vehicle, environment: mavc::model::Environment::vacuum(G), model, one_yaw: None };
         for _ in 0..30 {
             let path = path(&mut numbers);
             let ends = [0.0, 0.05].map(|t| at(&path, t));

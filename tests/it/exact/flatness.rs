@@ -56,7 +56,9 @@ fn misses(vehicle: &Vehicle, motion: &Motion, w: Vector3<f64>) -> [f64; 2] {
         let h = (to - from) / steps;
         for i in 0..steps as usize {
             let begin = from + h * i as f64;
-            let wrench = |t: f64| WrenchModel::Exact.wrench(vehicle, G, &(motion.at)(begin + t));
+            let wrench = |t: f64| {
+                WrenchModel::Exact.wrench(vehicle, &mavc::model::Environment::vacuum(G), &(motion.at)(begin + t))
+            };
             body.step(&frame, h, [&wrench(0.0), &wrench(0.5 * h), &wrench(h)], &Vector3::zeros());
             other = rigid::step(vehicle, G, &other, h, &wrench);
             let state = (motion.at)(begin + h);
@@ -205,7 +207,7 @@ proptest! {
                 }
             }
             node[YAW] = [state[9], share * state[10], share * state[11], 0.0, 0.0];
-            let of = |m: WrenchModel| m.wrench(&model.vehicle, G, &node);
+            let of = |m: WrenchModel| m.wrench(&model.vehicle, &mavc::model::Environment::vacuum(G), &node);
             prop_assert_eq!(of(WrenchModel::Exact), flatness::wrench(&model.vehicle, G, &flat(&node)));
             Ok((of(WrenchModel::Exact) - of(WrenchModel::HoverFollowing)).component_div(&sizes(&model, &Wrench::zeros())).norm())
         };

@@ -54,7 +54,7 @@ fn passed(model: &Model, plan: &Trajectory, rows: &[SetRow]) -> (f64, f64, Strin
                 10 => plan.nodes[k + 1],
                 _ => plan.within(k, h * f64::from(part) / 10.0),
             };
-            let wrench = WrenchModel::Exact.wrench(&model.vehicle, model.gravity, &state);
+            let wrench = WrenchModel::Exact.wrench(&model.vehicle, &model.environment(), &state);
             let facets = rows.iter().map(|row| (row.violation(&wrench), format!("{:?}", row.origin)));
             let limits =
                 limits.iter().map(|l| (past(l.kind, l.upper.unwrap(), &state, model.gravity), format!("{:?}", l.kind)));

@@ -69,7 +69,7 @@ fn followed(model: &Model, plan: &Trajectory) -> Followed {
     let allocator = Allocator::new(vehicle);
     let tau = model.thrust_lag();
     let most: Vec<f64> = vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).collect();
-    let mut f = allocator.thrusts(&plan.wrench(vehicle, model.gravity, &plan.nodes[0]));
+    let mut f = allocator.thrusts(&plan.wrench(vehicle, &model.environment(), &plan.nodes[0]));
     let mut motors = Motors::at(model, &f);
     let mut out = Followed { behind: 0.0, missed: 0.0, slowest: f64::INFINITY, clipped: false };
     for k in 0..plan.intervals() {
@@ -78,11 +78,12 @@ fn followed(model: &Model, plan: &Trajectory) -> Followed {
         let ends = [&plan.nodes[k], &plan.nodes[k + 1]];
         let at = |i: f64| plan.within(k, length * i / steps);
         for i in 0..steps as usize {
-            let wanted = plan.wrench(vehicle, model.gravity, &at(i as f64 + 1.0));
+            let wanted = plan.wrench(vehicle, &model.environment(), &at(i as f64 + 1.0));
             match tau {
                 Some(tau) => {
                     let middle = with_slopes(&at(i as f64 + 0.5), ends, length, plan.model.orders());
-                    let commands = allocator.thrusts(&plan.model.commanded(vehicle, model.gravity, tau, &middle));
+                    let commands =
+                        allocator.thrusts(&plan.model.commanded(vehicle, &model.environment(), tau, &middle));
                     let fade = (-length / steps / tau).exp();
                     f.iter_mut().zip(commands).for_each(|(f, command)| *f = command + (*f - command) * fade);
                 }

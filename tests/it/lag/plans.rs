@@ -84,7 +84,8 @@ fn rows_hold_at_the_nodes_under_a_changing_yaw() {
         let h = plan.times[k + 1] - plan.times[k];
         let d = 1e-4 * h;
         for (t, side) in [(0.0, 1.0), (h, -1.0)] {
-            let w = |steps: f64| plan.wrench(&lagged.vehicle, lagged.gravity, &plan.within(k, t + side * steps * d));
+            let w =
+                |steps: f64| plan.wrench(&lagged.vehicle, &lagged.environment(), &plan.within(k, t + side * steps * d));
             // One-sided, of third order.
             let rate: Wrench = (w(0.0) * -11.0 + w(1.0) * 18.0 - w(2.0) * 9.0 + w(3.0) * 2.0) * (side / (6.0 * d));
             let commanded = w(0.0) + rate * TAU;

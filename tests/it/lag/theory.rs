@@ -145,7 +145,7 @@ const TAU: f64 = 0.08;
 
 /// w + tau w' with w' by a difference of fourth order, of the wrench alone.
 fn lead_by_difference(model: &Model, wrench: WrenchModel, t: f64) -> Wrench {
-    let w = |t: f64| wrench.wrench(&model.vehicle, model.gravity, &lower(&waving(t)));
+    let w = |t: f64| wrench.wrench(&model.vehicle, &model.environment(), &lower(&waving(t)));
     let h = 1e-3;
     let rate = ((w(t + h) - w(t - h)) * 8.0 - (w(t + 2.0 * h) - w(t - 2.0 * h))) / (12.0 * h);
     w(t) + rate * TAU
@@ -162,11 +162,11 @@ fn commanded_wrenches_agree_with_finite_differences() {
     model.vehicle.inertia = [0.0429, 0.0512, 0.0748];
     for wrench in [WrenchModel::Exact, WrenchModel::HoverFollowing] {
         for t in [0.0, 0.4, 1.3, 2.2, 5.9] {
-            let found = wrench.commanded(&model.vehicle, model.gravity, TAU, &waving(t));
+            let found = wrench.commanded(&model.vehicle, &model.environment(), TAU, &waving(t));
             let wanted = lead_by_difference(&model, wrench, t);
             assert!(apart(&found, &wanted) < 1e-7, "{wrench:?} at {t}: {found:?}, by differences {wanted:?}");
             // The linearisation at a state gives the commanded wrench of this state.
-            let map = wrench.commanded_linearised(&model.vehicle, model.gravity, TAU, &waving(t));
+            let map = wrench.commanded_linearised(&model.vehicle, &model.environment(), TAU, &waving(t));
             assert!(apart(&map.at(&waving(t)), &wanted) < 1e-7);
         }
     }
