@@ -47,6 +47,7 @@ pub struct Builder {
     vehicle: Vec<Line>,
     rotor: Vec<Line>,
     placed: Vec<Line>,
+    battery: Vec<Line>,
     modes: Vec<Mode>,
     mission: Vec<Line>,
     limits: Vec<Line>,
@@ -169,6 +170,14 @@ impl Builder {
     pub fn rotor(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Rotor, "vehicle.rotor.", field, value.into(), " = ");
         self.rotor.push(line);
+        self
+    }
+
+    /// Sets a field of the vehicle's battery: `capacity` (A s), `voltage` (V), `hover_power` (W), `keep` or `thrust_at_empty`
+    /// (shares, 0 to 1).
+    pub fn battery(mut self, field: &str, value: impl Into<Value>) -> Self {
+        let line = self.field(Group::Battery, "vehicle.battery.", field, value.into(), " = ");
+        self.battery.push(line);
         self
     }
 
@@ -403,8 +412,11 @@ impl Builder {
             [line(format!("{head} {{"))].into_iter().chain(inner).chain([line("}".into())]).collect()
         };
         let mut vehicle = self.vehicle.clone();
-        for (path, head, body) in [("vehicle.rotor", "rotor", &self.rotor), ("vehicle.rotors", "rotors", &self.placed)]
-        {
+        for (path, head, body) in [
+            ("vehicle.rotor", "rotor", &self.rotor),
+            ("vehicle.rotors", "rotors", &self.placed),
+            ("vehicle.battery", "battery", &self.battery),
+        ] {
             if !body.is_empty() {
                 vehicle.extend(nested(path, head, body));
             }

@@ -307,3 +307,24 @@ fn templates_plan_are_proved_and_fly() {
         assert!(survives && flight.max_error < 1.0, "{kind}: {:?}, {} m", flight.outcome, flight.max_error);
     }
 }
+
+/// A battery built from values is the written one, and its mistakes are those of the calls.
+#[test]
+fn batteries_are_built_from_values() {
+    let vehicle = || {
+        let builder = mavc::Builder::new().vehicle("layout", "PPNNPPNN").vehicle("arm", 0.211).vehicle("mass", 1.8);
+        let builder = builder.vehicle("inertia", [0.0429, 0.0429, 0.0748]).rotor("max_thrust", 6.53);
+        builder.rotor("torque_per_thrust", 0.016).rotor("max_speed", 874.0)
+    };
+    let powered = vehicle().battery("capacity", 18_000.0).battery("voltage", 22.2).battery("hover_power", 220.0);
+    let spec = powered.clone().battery("thrust_at_empty", 0.7).build().unwrap();
+    let written = octo(&BATTERY.replace(" }", "; thrust_at_empty = 70 % }"), HOP, "time = 8 s");
+    let (built, written) = (&spec.model().vehicle, &written.model().vehicle);
+    let numbers = |b: &mavc::model::Battery| [b.energy(), b.hover_power, b.keep, b.lowest_full_thrust()];
+    assert_eq!(built.battery.as_ref().map(numbers), written.battery.as_ref().map(numbers));
+    assert_eq!(built.rotors, written.rotors);
+    let problems = powered.battery("keep", 1.0).battery("charge", 1.0).build().unwrap_err().problems;
+    let told: Vec<_> = problems.iter().map(|p| (p.field.as_str(), p.code)).collect();
+    assert!(told.contains(&("vehicle.battery.charge", "mavc::name::unknown_field")), "{told:?}");
+    assert!(told.contains(&("vehicle.battery.keep", "mavc::vehicle::battery")), "{told:?}");
+}
