@@ -21,6 +21,7 @@ mod flight_blocks;
 mod flight_settings;
 mod function;
 pub mod grid;
+mod heading;
 mod interval;
 mod lag;
 mod legs;
@@ -53,6 +54,7 @@ pub use flight_blocks::FlightBlocks;
 pub use flight_settings::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
+pub use heading::{Heading, SLOWEST, Target};
 pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
 pub use mission::ARRIVAL;
@@ -276,9 +278,9 @@ impl Mission {
         holds + (0..self.legs.len()).map(|leg| self.least_intervals(leg)).sum::<usize>()
     }
 
-    /// Whether all waypoints have the same yaw, up to rounding (1e-12 rad).
+    /// Whether all waypoints have the same given yaw, up to rounding (1e-12 rad).
     pub fn has_one_yaw(&self) -> bool {
-        self.waypoints.iter().all(|w| (w.yaw - self.waypoints[0].yaw).abs() < 1e-12)
+        self.waypoints.iter().all(|w| w.heading == Heading::Given && (w.yaw - self.waypoints[0].yaw).abs() < 1e-12)
     }
 }
 
@@ -288,10 +290,13 @@ pub struct Waypoint {
     pub name: Option<String>,
     /// Position in the world frame, m: x east, y north, z up.
     pub position: [f64; 3],
-    /// Yaw psi, rad, unwrapped along the mission (turns take the shorter way).
+    /// Yaw psi, rad, unwrapped along the mission (turns take the shorter way). If it follows from the motion, that at the waypoint
+    /// itself, as far as the waypoints tell it.
     pub yaw: f64,
     /// Position tolerance (Euclidean), m; positive.
     pub within: f64,
+    /// What the yaw follows from; `yaw` and `yaw_within` are required if it is given.
+    pub heading: Heading,
     /// Yaw tolerance, rad; positive.
     pub yaw_within: f64,
     /// Weight alpha_i of the paper's (47); not negative.
@@ -341,17 +346,34 @@ pub enum LimitKind {
     Clearance,
     /// The angle between the velocity and [`OnLeg::direction`] at the end of the leg; without velocity there is none.
     Arrival,
+    /// The angle between the yaw and the direction of [`OnLeg::target`], at nodes; where there is no such direction, nothing is
+    /// bounded.
+    Heading,
 }
 
-/// The leg to which a limit is restricted, its two waypoints included.
+/// Where on its leg a limit holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// From the one waypoint to the other.
+    Whole,
+    /// At the first waypoint.
+    Start,
+    /// At the second waypoint.
+    End,
+}
+
+/// The leg to which a limit is restricted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OnLeg {
     /// Index into [`Mission::legs`].
     pub leg: usize,
+    pub part: Part,
     /// The limit as messages name it: `speed on the leg to waypoint 3`.
     pub name: String,
     /// Of [`LimitKind::Arrival`]: the unit vector along which the vehicle arrives.
     pub direction: Option<[f64; 3]>,
+    /// Of [`LimitKind::Heading`].
+    pub target: Option<Target>,
 }
 
 /// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only an

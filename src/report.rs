@@ -22,5 +22,6 @@ pub mod terminal;
 pub mod trajectory_csv;
 pub mod verdict_text;
 pub mod verification_text;
-pub mod volumes;
+pub mod headings;
+mod volumes;
 pub mod waypoints;

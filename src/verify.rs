@@ -6,9 +6,10 @@
 pub mod cost;
 pub mod dyadic;
 pub mod facets;
+mod heading;
 mod infeasible;
 pub mod interval;
-pub mod joints;
+mod joints;
 pub mod lag;
 mod least_time;
 pub mod limits;

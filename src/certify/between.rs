@@ -4,7 +4,7 @@
 use super::witness::{model_of, motion};
 use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
-use crate::model::{Limit, LimitKind, Problem};
+use crate::model::{Limit, LimitKind, Part, Problem};
 use crate::motion::checks::{leg_intervals, past_as_checked, peak_of};
 use crate::motion::{NodeState, Trajectory};
 use crate::planner::studies::{MissionPlan, PlannerRun};
@@ -128,12 +128,12 @@ fn kept_limit(setting: &Setting, motion: &Motion, limit: &Limit, trajectory: &Tr
     let rows = limit.name().to_string();
     let (environment, mission) = (&setting.dynamics().environment, setting.mission());
     let family = setting.family_of(limit, motion);
-    let seen = match (&limit.leg, limit.kind) {
-        (None, _) => seen(trajectory, |_, state| past_as_checked(limit, state, environment)),
-        (Some(_), LimitKind::Arrival) => {
+    let seen = match limit.leg.as_deref().map(|on| (on, on.part)) {
+        None => seen(trajectory, |_, state| past_as_checked(limit, state, environment)),
+        Some((_, Part::Start | Part::End)) => {
             peak_of(limit, mission, trajectory, |state| past_as_checked(limit, state, environment)).value
         }
-        (Some(on), _) => {
+        Some((on, Part::Whole)) => {
             let leg = leg_intervals(trajectory, mission, on.leg);
             let within = |k: usize, state: &NodeState| match leg.contains(&k) {
                 true => past_as_checked(limit, state, environment),
@@ -142,11 +142,12 @@ fn kept_limit(setting: &Setting, motion: &Motion, limit: &Limit, trajectory: &Tr
             seen(trajectory, within)
         }
     };
-    // Bounds that the grid disproves are not tried.
+    // Bounds that the grid disproves are not tried, nor any on what is required at nodes only.
+    let is_between = limit.kind != LimitKind::Heading;
     let proved = PAST
         .map(|share| share * limit.size())
         .into_iter()
-        .filter(|bound| seen <= *bound)
+        .filter(|bound| is_between && seen <= *bound)
         .find(|&violation| throughout(&family, motion, violation, &mut Purse(WORK)).iter().all(|&kept| kept));
     match proved {
         Some(violation) => Between { rows, shown: Shown::Proved, points: None, imposed: 1, proved: 1, violation },

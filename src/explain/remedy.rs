@@ -135,7 +135,7 @@ fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
         Statement::Limit(limit) => {
             let Limit { kind, lower, upper, volume, .. } = &questions.problem.mission().limits[limit];
             let (kind, lower, upper) = (*kind, *lower, *upper);
-            if volume.is_some() || kind == LimitKind::Arrival {
+            if volume.is_some() || matches!(kind, LimitKind::Arrival | LimitKind::Heading) {
                 return None;
             }
             let upper = upper.filter(|u| *u > 0.0 && (lower.is_none() || lower == Some(-u)))?;

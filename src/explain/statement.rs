@@ -191,6 +191,7 @@ pub(super) fn clause(limit: &Limit) -> Option<&'static str> {
     let is_shape = |word: &&str| limit.volume.is_some() && on.name.starts_with(word);
     match limit.kind {
         LimitKind::Arrival => Some("arrive from"),
+        LimitKind::Heading => Some("yaw"),
         _ => ["straight", "vertical", "corridor"].into_iter().find(is_shape),
     }
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt;
 
+use super::Heading;
 use super::{
     AfterFault, Air, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, PlanRotors,
     STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
@@ -193,6 +194,12 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
         if w.stop {
             write!(f, ", stop")?;
         }
+        match w.heading {
+            Heading::Given => {}
+            Heading::Towards([x, y]) => write!(f, ", yaw towards [{}, {}] m", number(x), number(y))?,
+            Heading::AlongPath => write!(f, ", yaw along path")?,
+            Heading::Free => write!(f, ", yaw free")?,
+        }
         writeln!(f)?;
         if let Some(leg) = m.legs.get(i) {
             writeln!(f, "  leg {} has a share of {}", i + 1, number(leg.share))?;
@@ -238,6 +245,7 @@ impl LimitKind {
             LimitKind::Distance => ("distance from the centre", "m", 1.0),
             LimitKind::Clearance => ("distance from the body", "m", 1.0),
             LimitKind::Arrival => ("angle to the direction of arrival", "deg", degree),
+            LimitKind::Heading => ("angle to the direction of the yaw", "deg", degree),
         }
     }
 }

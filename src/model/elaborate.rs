@@ -136,6 +136,9 @@ fn whole<'a>(
     }
     let known = known.as_ref();
     let mut flown = mission.and_then(|m| m.mission.clone());
+    if let Some((flown, vehicle)) = flown.as_mut().zip(known) {
+        super::heading::impose(flown, vehicle);
+    }
     let volumes_fit = flown.as_mut().zip(known).is_none_or(|(flown, vehicle)| volume::impose(cx, flown, vehicle));
     let flown = flown.as_ref();
     let (names_modes, empty_against) = (draft.names_modes(), draft.empty_against());
@@ -149,8 +152,10 @@ fn whole<'a>(
         sense::check_pace(cx, &flown.waypoints, plan_time);
     }
     let lags_known = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| lag::check(cx, plan, vehicle));
-    let model_fits =
-        plan.as_ref().zip(flown).is_none_or(|(plan, mission)| volume::only_in_the_exact_model(cx, plan, mission));
+    let model_fits = plan.as_ref().zip(flown).is_none_or(|(plan, mission)| {
+        let volumes = volume::only_in_the_exact_model(cx, plan, mission);
+        super::heading::only_in_the_exact_model(cx, plan, mission) && volumes
+    });
     let air_fits = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| air::check(cx, plan, flown, vehicle));
     let around = Around {
         modes: &modes.modes,

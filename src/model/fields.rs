@@ -66,6 +66,8 @@ pub(super) struct Fields<'a> {
     /// Where a missing field is reported.
     pub span: Span,
     found: Vec<(&'a Name, Option<&'a Expr>, Span)>,
+    /// The words between a clause's name and its value, with the name.
+    hows: Vec<(&'a str, &'a Name)>,
     /// Known names that are present in an unreadable or misspelt form, so that they are not reported as missing.
     accounted: Vec<&'static str>,
     /// The block has statements that could not be parsed, so that no field is certainly missing.
@@ -86,7 +88,8 @@ impl<'a> Fields<'a> {
     /// The fields among the statements of a block.
     pub fn of_block(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement], known: Group) -> Self {
         let slot = Slot::Block(body.last().map(Statement::span));
-        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, slot };
+        let (found, hows) = (Vec::new(), Vec::new());
+        let mut fields = Fields { owner, span, found, hows, accounted: Vec::new(), broken: false, slot };
         for statement in body {
             if let Statement::Broken(span) = statement {
                 // A broken statement that clearly is one field does not hide the others.
@@ -118,10 +121,14 @@ impl<'a> Fields<'a> {
     /// The clauses of a statement.
     pub fn of_clauses(cx: &mut Context<'a>, owner: String, statement: &'a Clauses, known: Group) -> Self {
         let (span, slot) = (statement.head(), Slot::End(statement.head()));
-        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, slot };
+        let (found, hows) = (Vec::new(), Vec::new());
+        let mut fields = Fields { owner, span, found, hows, accounted: Vec::new(), broken: false, slot };
         for clause in &statement.clauses {
             let value = clause.value.as_ref();
-            fields.take(cx, &clause.word, value, value.map_or(clause.word.span, |value| value.span), known);
+            let end = value.map(|value| value.span).or(clause.how.as_ref().map(|how| how.span));
+            let is_first = fields.clause(&clause.word.value).is_none();
+            fields.take(cx, &clause.word, value, end.unwrap_or(clause.word.span), known);
+            fields.hows.extend(clause.how.as_ref().filter(|_| is_first).map(|how| (clause.word.value.as_str(), how)));
         }
         fields
     }
@@ -225,6 +232,11 @@ impl<'a> Fields<'a> {
             None => error.help(format!("write one of these words, such as `{}`", words[0])),
         });
         Some(None)
+    }
+
+    /// The words between the name of a clause and its value: `from`, `towards`.
+    pub fn how(&self, name: &str) -> Option<&'a Name> {
+        self.hows.iter().find(|(word, _)| *word == name).map(|(_, how)| *how)
     }
 
     /// The clause `name`, from its word to the end of its value.

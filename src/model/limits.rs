@@ -65,6 +65,7 @@ impl LimitKind {
             LimitKind::Distance => ("distance from the centre", "m", 1.0),
             LimitKind::Clearance => ("distance from a body", "m", 1.0),
             LimitKind::Arrival => ("direction of arrival", "deg", degrees),
+            LimitKind::Heading => ("yaw", "deg", degrees),
         }
     }
 }

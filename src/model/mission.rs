@@ -15,7 +15,7 @@ use super::fields::Fields;
 use super::grid::Spacing;
 use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
-use super::{Air, Mission, Waypoint, air, edits, limits, sense, survey, volume};
+use super::{Air, Heading, Mission, Waypoint, air, edits, heading, limits, sense, survey, volume};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::curve_head::POINTS;
@@ -64,6 +64,7 @@ pub(super) struct Stop {
     pub weight: f64,
     pub time: Option<(f64, Span)>,
     pub stop: bool,
+    pub(in crate::model) heading: Option<heading::Written>,
     pub span: Span,
 }
 
@@ -75,6 +76,8 @@ pub(super) struct Route {
     pub curves: Vec<Option<usize>>,
     /// What is written about the legs, in the order of flight.
     legs: Vec<leg::Written>,
+    /// What each waypoint says of its yaw.
+    headings: Vec<Option<heading::Written>>,
     /// A statement had an error, so points may be missing.
     pub broken: bool,
     /// The names of waypoints from statements, not from tables, with their places.
@@ -108,10 +111,12 @@ impl Route {
             self.curves.push(curve);
         }
         self.yaws.push(stop.yaw);
+        self.headings.push(stop.heading);
         self.waypoints.push(Waypoint {
             name: stop.name,
             position: stop.position,
             yaw: 0.0,
+            heading: Heading::Given,
             within: stop.within,
             yaw_within: stop.yaw_within,
             weight: stop.weight,
@@ -134,6 +139,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         yaws: Vec::new(),
         curves: Vec::new(),
         legs: Vec::new(),
+        headings: Vec::new(),
         broken: false,
         names: BTreeMap::new(),
         too_many: false,
@@ -224,8 +230,10 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         });
         (route.broken, sure) = (true, 0);
     }
-    let yaw_defaulted = matches!(route.yaws.first(), Some(None));
-    unwrap_yaw(&mut route.waypoints, &route.yaws);
+    let yaw_defaulted = matches!((route.yaws.first(), route.headings.first()), (Some(None), Some(None)));
+    let (yaws, goals_known) = heading::settle(cx, &mut route.waypoints, &route.headings, &route.yaws);
+    route.broken |= !goals_known;
+    unwrap_yaw(&mut route.waypoints, &yaws);
     let in_order = times::check(cx, &route.waypoints[..sure]);
     if !route.broken {
         warn_close(cx, &route.waypoints);
@@ -288,13 +296,14 @@ fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> O
 fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner: Manner, route: &mut Route) {
     let fields = Fields::of_clauses(cx, owner.to_string(), clauses, Group::Waypoint);
     let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Due::of(&table::AT), e));
-    let yaw = fields.get("yaw").map(|e| cx.number(Due::of(&table::YAW), e));
+    let heading = heading::read(cx, &fields);
+    let yaw = fields.get("yaw").filter(|_| fields.how("yaw").is_none()).map(|e| cx.number(Due::of(&table::YAW), e));
     let manner = manner_of(cx, &fields, manner);
     let leg = leg::read(cx, clauses, &fields, (!route.broken).then_some(route.waypoints.len()));
     let time =
         fields.get("time").map(|e| cx.quantity(&table::TIME, e, "mavc::mission::time_order").map(|t| (t, e.span)));
-    let (Some(position), Some(manner), Some(leg), false, false) =
-        (position, manner, leg, yaw == Some(None), time == Some(None))
+    let (Some(position), Some(manner), Some(leg), Some(heading), false, false) =
+        (position, manner, leg, heading, yaw == Some(None), time == Some(None))
     else {
         route.broken = true;
         return;
@@ -316,6 +325,7 @@ fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner:
         weight: manner.weight,
         time: time.flatten(),
         stop: leg.stop,
+        heading,
         span: clauses.head(),
     };
     route.legs.extend(leg.is_written().then_some(leg));

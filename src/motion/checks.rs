@@ -3,7 +3,7 @@
 
 use super::{Trajectory, in_air, tilt};
 use crate::model::grid::{fewest_pieces, is_coarser};
-use crate::model::{Environment, Limit, LimitKind, Mission, Model};
+use crate::model::{Environment, Limit, LimitKind, Mission, Model, Part};
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use std::ops::Range;
 
@@ -92,6 +92,11 @@ pub fn past(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 
             let (ahead, aside) = arrival(limit, state);
             aside.atan2(ahead)
         }
+        // Nothing is bounded where there is no direction.
+        LimitKind::Heading => match heading_error(limit, state) {
+            Some(error) => error.abs(),
+            None => return f64::NEG_INFINITY,
+        },
     };
     let over = limit.upper.map_or(f64::NEG_INFINITY, |u| value - u);
     let under = limit.lower.map_or(f64::NEG_INFINITY, |l| l - value);
@@ -114,8 +119,17 @@ pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, environment: &En
             let (ahead, aside) = arrival(limit, state);
             aside * upper.cos() - ahead * upper.sin()
         }
+        (LimitKind::Heading, Some(upper)) => {
+            heading_error(limit, state).map_or(f64::NEG_INFINITY, |error| (error.abs() - upper).sin())
+        }
         _ => past(limit, state, environment),
     }
+}
+
+/// By how much the yaw is off the direction that it has to follow, rad; `None` where there is none.
+pub fn heading_error(limit: &Limit, state: &NodeState) -> Option<f64> {
+    let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| state[axis][order]));
+    limit.leg.as_ref()?.target?.error(position, velocity, state[YAW][0])
 }
 
 /// The velocity along the direction of arrival of a limit, and the size of the rest, m/s.
@@ -133,13 +147,12 @@ pub fn peak_of(
     trajectory: &Trajectory,
     quantity: impl Fn(&NodeState) -> f64,
 ) -> Peak {
-    match (&limit.leg, limit.kind) {
-        (None, _) => peak(trajectory, quantity),
-        (Some(on), LimitKind::Arrival) => {
-            let node = trajectory.waypoint_nodes[on.leg + 1];
-            Peak { value: quantity(&trajectory.nodes[node]), at: trajectory.times[node] }
-        }
-        (Some(on), _) => peak_over(trajectory, leg_intervals(trajectory, mission, on.leg), quantity),
+    let at = |node: usize| Peak { value: quantity(&trajectory.nodes[node]), at: trajectory.times[node] };
+    match limit.leg.as_deref().map(|on| (on, on.part)) {
+        None => peak(trajectory, quantity),
+        Some((on, Part::Start)) => at(trajectory.waypoint_nodes[on.leg]),
+        Some((on, Part::End)) => at(trajectory.waypoint_nodes[on.leg + 1]),
+        Some((on, Part::Whole)) => peak_over(trajectory, leg_intervals(trajectory, mission, on.leg), quantity),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The cost (48): squared inputs over time and squared distances to the waypoints.
 
-use crate::model::{Mission, Waypoint};
+use crate::model::{Heading, Mission, Waypoint};
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::transcription::Transcription;
 use crate::qp::build::Builder;
@@ -39,7 +39,8 @@ impl Transcription<'_> {
         }
         for (w, &node) in self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes) {
             let targets = [w.position[0], w.position[1], w.position[2], w.yaw];
-            for &axis in self.axes {
+            let is_due = |axis: usize| axis != YAW || w.heading == Heading::Given;
+            for &axis in self.axes.iter().filter(|&&axis| is_due(axis)) {
                 let miss = self.at_node(node, axis, 0).plus_constant(-targets[axis]);
                 builder.inner_product(&miss, &miss, factor * w.weight);
             }
@@ -69,7 +70,8 @@ impl Transcription<'_> {
         }
         for (w, &node) in self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes) {
             let targets = [(X, w.position[0]), (Y, w.position[1]), (Z, w.position[2]), (YAW, w.yaw)];
-            let misses = targets.into_iter().filter(|(axis, _)| self.plans(*axis));
+            let is_due = |axis: usize| axis != YAW || w.heading == Heading::Given;
+            let misses = targets.into_iter().filter(|(axis, _)| self.plans(*axis) && is_due(*axis));
             sum += w.weight * misses.map(|(axis, target)| (states[node][axis][0] - target).powi(2)).sum::<f64>();
         }
         sum

@@ -1,7 +1,7 @@
 //! A mission's limits as rows: linear for one axis, second-order cones for norms.
 
 use crate::geometry::body::{Body, Separation};
-use crate::model::{Bounded as Position, Environment, Limit, LimitKind};
+use crate::model::{Bounded as Position, Environment, Limit, LimitKind, Part, Target};
 use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
 use crate::planner::transcription::{Transcription, UPRIGHT};
 use crate::qp::RowOrigin;
@@ -35,6 +35,8 @@ enum Bounded<'l> {
     FromBody(&'l Body),
     /// The angle between the velocity and a direction.
     Arrival([f64; 3]),
+    /// The angle between the yaw and a direction.
+    Heading(Target),
     Nothing,
 }
 
@@ -67,22 +69,28 @@ fn bounded(limit: &Limit) -> Bounded<'_> {
             }
         }
         LimitKind::Arrival => limit.leg.as_ref().and_then(|on| on.direction).map_or(Bounded::Nothing, Bounded::Arrival),
+        LimitKind::Heading => limit.leg.as_ref().and_then(|on| on.target).map_or(Bounded::Nothing, Bounded::Heading),
     }
 }
 
 /// Whether a limit holds at an instant, with `parts` of them in each interval between nodes. A limit of one leg holds at both
-/// its waypoints too, and one on the direction of arrival at the second only.
+/// its waypoints too, and one on a yaw that follows from the motion at nodes only.
 pub(super) fn covers(limit: &Limit, waypoint_nodes: &[usize], parts: usize, instant: usize) -> bool {
     let Some(on) = &limit.leg else { return true };
     let (first, last) = (waypoint_nodes[on.leg] * parts, waypoint_nodes[on.leg + 1] * parts);
-    if limit.kind == LimitKind::Arrival { instant == last } else { (first..=last).contains(&instant) }
+    match on.part {
+        Part::Start => instant == first,
+        Part::End => instant == last,
+        Part::Whole if limit.kind == LimitKind::Heading && instant % parts != 0 => false,
+        Part::Whole => (first..=last).contains(&instant),
+    }
 }
 
 /// Whether a limit holds inside an interval between nodes.
 pub(super) fn covers_interval(limit: &Limit, waypoint_nodes: &[usize], interval: usize) -> bool {
     let Some(on) = &limit.leg else { return true };
     let leg = waypoint_nodes[on.leg]..waypoint_nodes[on.leg + 1];
-    limit.kind != LimitKind::Arrival && leg.contains(&interval)
+    on.part == Part::Whole && limit.kind != LimitKind::Heading && leg.contains(&interval)
 }
 
 /// By how much more a step keeps the volume or corridor of a limit, m, given the `room` that volumes get: in a corridor at most a
@@ -142,6 +150,9 @@ impl Widening {
 
 /// A violation of one unit of a distance from a body, m.
 const CLEARANCE_UNIT: f64 = 1.0;
+
+/// A violation of one unit of a yaw that follows from the motion, rad.
+const HEADING_UNIT: f64 = 1.0;
 
 /// A violation of one unit of a direction of arrival, m/s.
 const ARRIVAL_UNIT: f64 = 1.0;
@@ -244,6 +255,32 @@ impl Transcription<'_> {
                 reach.add(&widening.share, ARRIVAL_UNIT);
                 cone(reach, across(direction, &velocity));
             }
+            // Linear in yaw, position and velocity about the states nearby; without these there is no row, and the program is a
+            // relaxation.
+            (Bounded::Heading(target), Some(upper)) if self.plans(YAW) => {
+                let near = self.states.filter(|_| instant % self.parts == 0);
+                let Some(near) = near.and_then(|states| states.get(instant / self.parts)) else { return };
+                let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| near[axis][order]));
+                let Some([x, y]) = target.direction(position, velocity) else { return };
+                let Some(off) = target.error(position, velocity, near[YAW][0]) else { return };
+                let mut error = self.derivative(instant, YAW, 0).plus_constant(off - near[YAW][0]);
+                // The direction of (x, y) turns by (x dy - y dx) / (x^2 + y^2); towards a point, (x, y) is that minus the position.
+                let (order, from, sign) = match target {
+                    Target::Towards { .. } => (0, position, 1.0),
+                    Target::AlongPath => (1, velocity, -1.0),
+                };
+                let square = x * x + y * y;
+                for (axis, from, weight) in [(X, from[0], -y), (Y, from[1], x)] {
+                    let change = self.derivative(instant, axis, order).plus_constant(-from);
+                    error.add(&change, sign * weight / square);
+                }
+                for side in [1.0, -1.0] {
+                    let mut row = Affine::constant(upper);
+                    row.add(&widening.share, HEADING_UNIT);
+                    row.add(&error, side);
+                    builder.nonnegative(row, origin);
+                }
+            }
             // The distance is at least that from the plane that separates the body from a position nearby. Without such a
             // position there is no row, and the program is a relaxation.
             (Bounded::FromBody(body), None) if self.plans(X) => {
@@ -344,6 +381,11 @@ impl Transcription<'_> {
             (Bounded::Arrival(direction), Some(upper)) if self.plans(X) => {
                 let (ahead, aside) = split(direction, [X, Y, Z].map(|axis| state[axis][1]));
                 share(aside - upper.tan() * ahead, ARRIVAL_UNIT)
+            }
+            (Bounded::Heading(target), Some(upper)) if self.plans(YAW) => {
+                let velocity = [state[X][1], state[Y][1]];
+                let error = target.error([position[0], position[1]], velocity, state[YAW][0]);
+                error.map_or(f64::NEG_INFINITY, |error| share(error.abs() - upper, HEADING_UNIT))
             }
             (Bounded::FromBody(body), None) if self.plans(X) => {
                 let short = limit.lower.map(|lower| lower - body.separation(position).distance);

@@ -14,6 +14,7 @@ mod exact;
 mod feasibility_phase;
 mod fixed_times;
 mod given_time;
+mod headings;
 mod initial_guess;
 mod iterate;
 mod minimum_snap;
@@ -321,7 +322,10 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             commands: commands.as_ref(),
         };
         let positions = self.positions(iterate);
-        let form = || self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
+        let form = || {
+            let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
+            form.about_states(Some(&iterate.states))
+        };
         let (stages, splines) = (form(), known.map(|known| form().in_these(known)));
         let most = settings.subproblem.max_stiffness * self.cost(iterate);
         let splines = splines.filter(|form| form.stiffness() <= most);

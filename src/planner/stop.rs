@@ -9,7 +9,7 @@ mod ends;
 
 use crate::admissible::AdmissibleSet;
 use crate::model::grid::Spacing;
-use crate::model::{Leg, Limit, Mission, Problem, Waypoint};
+use crate::model::{Heading, Leg, Limit, Mission, Problem, Waypoint};
 use crate::motion::time_grid::{LegGrid, TimeGrid};
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
@@ -102,6 +102,7 @@ fn stop_mission(flown: &Mission, struck: &NodeState, settings: &StopSettings) ->
         time: None,
         hold: 0.0,
         stop: false,
+        heading: Heading::Given,
         span: flown.span,
         time_span: None,
         hold_span: None,

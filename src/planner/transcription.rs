@@ -87,6 +87,8 @@ pub struct Transcription<'a> {
     pub positions: Option<&'a [[f64; 3]]>,
     /// The environment in each of the extreme winds that are possible.
     pub(super) winds: Vec<Environment>,
+    /// The states at the nodes about which a yaw that follows from the motion is linearised.
+    pub states: Option<&'a [NodeState]>,
     /// Unit of time of the scaled variables at each node, s.
     taus: Vec<f64>,
     form: Form,
@@ -127,6 +129,7 @@ impl<'a> Transcription<'a> {
             struck: None,
             positions: None,
             winds: problem.model().environment().corners(),
+            states: None,
             taus: units::units_of_time(grid),
             form: Form::Stages,
         }
@@ -150,6 +153,11 @@ impl<'a> Transcription<'a> {
     /// The same with distances from bodies linearised about these positions (m), one per instant.
     pub(super) fn about(self, positions: Option<&'a [[f64; 3]]>) -> Self {
         Transcription { positions, ..self }
+    }
+
+    /// The same with a yaw that follows from the motion linearised about these states at the nodes.
+    pub(super) fn about_states(self, states: Option<&'a [NodeState]>) -> Self {
+        Transcription { states, ..self }
     }
 
     /// The same program for other bounds: limits and tolerances of `mission`, rows of `set`, each as many as before.

@@ -49,6 +49,10 @@ pub fn exceeded_limits(model: &Model, solved: &MissionPlan) -> Vec<LimitViolatio
     let environment = model.environment();
     exceeded.retain(|violation| {
         let limit = &limits[violation.limit];
+        // A yaw that follows from the motion is required at nodes only.
+        if limit.kind == LimitKind::Heading {
+            return false;
+        }
         let Some(mission) = &model.mission else { return false };
         let worst = peak_of(limit, mission, &solved.trajectory, |state| past_as_checked(limit, state, &environment));
         worst.value > MOST_PAST_LIMIT * limit.size()

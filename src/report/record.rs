@@ -7,11 +7,12 @@ use super::conflict_record::ConflictRecord;
 use super::least_time;
 use super::terminal::counted;
 use super::verdict_text::statement;
+use super::headings::{self, HeadingRecord};
 use super::volumes::{self, VolumeRecord};
+use super::waypoints::yaw_error;
 use super::waypoints::{WaypointRecord, waypoints};
 use crate::certify::between::Between;
 use crate::model::{Mission, Model, Problem};
-use crate::motion::YAW;
 use crate::motion::risk::rated_risk;
 use crate::planner::studies::protect::{Addition, Protection};
 use crate::planner::studies::rounds::Round;
@@ -158,6 +159,9 @@ pub struct PlannerRecord {
     /// The energy that the plan takes; omitted without a battery or a plan.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub battery: Option<BatteryRecord>,
+    /// How far the yaw is off the directions that it follows; omitted where it follows none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub headings: Vec<HeadingRecord>,
     /// To what extent the plan's rows are shown to hold between nodes, if `mavc plan` wrote the report.
     pub between_nodes: Option<Vec<Between>>,
 }
@@ -194,12 +198,12 @@ pub struct Errors {
 /// The waypoint errors of a plan, at the node of each waypoint.
 pub fn errors(mission: &Mission, solved: &MissionPlan) -> Errors {
     let mut e = Errors { position: 0.0, yaw: 0.0, largest: 0.0 };
-    for (w, &node) in mission.waypoints.iter().zip(&solved.trajectory.waypoint_nodes) {
+    for (index, (w, &node)) in mission.waypoints.iter().zip(&solved.trajectory.waypoint_nodes).enumerate() {
         let state = &solved.trajectory.nodes[node];
         let distance = (0..3).map(|i| (state[i][0] - w.position[i]).powi(2)).sum::<f64>().sqrt();
         e.position += distance;
         e.largest = e.largest.max(distance);
-        e.yaw += (state[YAW][0] - w.yaw).abs();
+        e.yaw += yaw_error(index, mission, state);
     }
     e
 }
@@ -311,6 +315,7 @@ fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Plann
             record.limited_by = binding::records(problem, solved);
             record.volumes = volumes::records(problem, solved);
             record.battery = battery::record(model, &solved.trajectory);
+            record.headings = headings::records(problem, solved);
             record.modes = comparison
                 .modes
                 .iter()

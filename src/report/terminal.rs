@@ -7,7 +7,7 @@ use super::heat;
 use super::record::{errors, rates};
 use super::table::Table;
 use super::verdict_text::{self, statement};
-use super::volumes;
+use super::{headings, volumes};
 use super::waypoints;
 use crate::admissible::row::VIOLATED;
 use crate::flight::indistinguishable::listed;
@@ -161,6 +161,7 @@ fn solved_run(
     out.push_str(&format!("  objective {}\n", number(solved.objective)));
     out.push_str(&battery::text(model, &solved.trajectory));
     out.push_str(&volumes::text(problem, solved));
+    out.push_str(&headings::text(problem, solved));
     out.push_str(&binding::text(problem, solved));
     if !comparison.modes.is_empty() {
         out.push_str("\n  If a fault strikes: when does the plan violate the mode's admissible set?\n");

@@ -1,8 +1,9 @@
 //! The error of a plan at each waypoint, compared with the tolerance.
 
 use super::table::Table;
-use crate::model::{Mission, Waypoint};
-use crate::motion::YAW;
+use crate::model::{Heading, Limit, LimitKind, Mission, Part, Waypoint};
+use crate::motion::checks::heading_error;
+use crate::motion::{NodeState, YAW};
 use crate::number::{DIGITS, percent, significant};
 use crate::planner::studies::MissionPlan;
 use crate::verify::plan::MOST_MISS;
@@ -35,11 +36,11 @@ pub struct WaypointRecord {
 }
 
 impl WaypointRecord {
-    fn new(index: usize, waypoint: &Waypoint, solved: &MissionPlan) -> Self {
+    fn new(index: usize, waypoint: &Waypoint, mission: &Mission, solved: &MissionPlan) -> Self {
         let node = solved.trajectory.waypoint_nodes[index];
         let state = &solved.trajectory.nodes[node];
         let distance = (0..3).map(|i| (state[i][0] - waypoint.position[i]).powi(2)).sum::<f64>().sqrt();
-        let turn = (state[YAW][0] - waypoint.yaw).abs();
+        let turn = yaw_error(index, mission, state);
         let [distance, turn] = [distance, turn].map(|error| if error < ROUNDING { 0.0 } else { error });
         WaypointRecord {
             number: index + 1,
@@ -86,9 +87,27 @@ impl WaypointRecord {
     }
 }
 
+/// The yaw error at a waypoint, rad: off the yaw that is given, or off the direction that it follows. Zero where nothing is
+/// required.
+pub fn yaw_error(index: usize, mission: &Mission, state: &NodeState) -> f64 {
+    let waypoint = &mission.waypoints[index];
+    if waypoint.heading == Heading::Given {
+        return (state[YAW][0] - waypoint.yaw).abs();
+    }
+    let holds_here = |limit: &&Limit| {
+        limit.leg.as_ref().is_some_and(|on| match on.part {
+            Part::Start => on.leg == index,
+            Part::End => on.leg + 1 == index,
+            Part::Whole => on.leg == index || on.leg + 1 == index,
+        })
+    };
+    let of_yaw = mission.limits.iter().filter(|limit| limit.kind == LimitKind::Heading).filter(holds_here);
+    of_yaw.filter_map(|limit| heading_error(limit, state)).map(f64::abs).fold(0.0, f64::max)
+}
+
 /// The record of every waypoint of a plan, in the order of flight.
 pub fn waypoints(mission: &Mission, solved: &MissionPlan) -> Vec<WaypointRecord> {
-    mission.waypoints.iter().enumerate().map(|(i, w)| WaypointRecord::new(i, w, solved)).collect()
+    mission.waypoints.iter().enumerate().map(|(i, w)| WaypointRecord::new(i, w, mission, solved)).collect()
 }
 
 /// The waypoint with the largest share of its tolerance, the first of several; missed waypoints come before met ones.

@@ -193,7 +193,7 @@ impl Clauses {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clause {
     pub word: Name,
-    /// Of `arrive from [0, 0, 1]`: the word `from`.
+    /// Of `arrive from [0, 0, 1]` the word `from`, of `yaw along path` the words `along path`.
     pub how: Option<Name>,
     pub value: Option<Expr>,
 }

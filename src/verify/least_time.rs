@@ -11,7 +11,7 @@ use super::Rejection;
 use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
 use crate::certificate::TooEarlyClaim;
-use crate::model::{Limit, LimitKind, Mission, Model, PlanModel, Problem, Waypoint};
+use crate::model::{Heading, Limit, LimitKind, Mission, Model, PlanModel, Problem, Waypoint};
 use crate::number::{down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use std::f64::consts::FRAC_PI_2;
@@ -163,6 +163,7 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
         let apart = |axis: usize| Interval::point(to.position[axis]) - Interval::point(from.position[axis]);
         let sum = |axes: &[usize]| axes.iter().fold(Interval::ZERO, |sum, &axis| sum + apart(axis).square()).sqrt();
         let room = met_within(from.within, to.within);
+        let has_yaw = from.heading == Heading::Given && to.heading == Heading::Given;
         let turned = (Interval::point(to.yaw) - Interval::point(from.yaw)).abs();
         let yaw_room = met_within(from.yaw_within, to.yaw_within);
         let [along_line, horizontal, up, down, turn] = general.unwrap_or_else(|| bounds(problem, i));
@@ -171,7 +172,7 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
             horizontal.least(sum(&[0, 1]) - room, ends),
             up.least(apart(2) - room, ends),
             down.least(-apart(2) - room, ends),
-            turn.least(turned - yaw_room, ends),
+            if has_yaw { turn.least(turned - yaw_room, ends) } else { 0.0 },
         ]
         .into_iter()
         .fold(0.0, f64::max)

@@ -4,9 +4,10 @@ use super::cost::OF_A_LIMIT;
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
-use super::volumes;
 use super::wrench::thrust_over_mass;
+use super::{heading, volumes};
 use crate::model::{Environment, Limit, LimitKind};
+use std::f64::consts::PI;
 
 /// Value and rate of change.
 type Series = super::series::Series<2>;
@@ -29,6 +30,7 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(u
         let series = wanted.iter().filter_map(|&m| sides.get(m)).map(|side| match kind {
             LimitKind::Tilt => tilted(side),
             LimitKind::Arrival => arrival_violation(limit, state, -side.1),
+            LimitKind::Heading => heading::violation(limit, state, -side.1),
             LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => volumes::past(limit, state, *side),
             _ => plain(side),
         });
@@ -37,13 +39,24 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(u
     let measure = measure(kind);
     // The jerk along z is the slope of an input in the hover model, which changes at nodes.
     let jumps = kind == LimitKind::Jerk;
-    Family { members, evaluate: Box::new(evaluate), linear: false, jumps, within, measure, overhead: OF_A_LIMIT }
+    let at_nodes_only = kind == LimitKind::Heading;
+    Family {
+        members,
+        evaluate: Box::new(evaluate),
+        linear: false,
+        jumps,
+        within,
+        at_nodes_only,
+        measure,
+        overhead: OF_A_LIMIT,
+    }
 }
 
 /// How messages print a violation.
 fn measure(kind: LimitKind) -> Measure {
     match kind.name_and_unit() {
         _ if kind == LimitKind::Tilt => Measure { factor: 100.0, unit: "%", whole: Some("of gravity") },
+        _ if kind == LimitKind::Heading => Measure { factor: 180.0 / PI, unit: "deg", whole: None },
         _ if kind == LimitKind::Arrival => Measure { factor: 1.0, unit: "m/s", whole: None },
         (_, unit, factor) => Measure { factor, unit, whole: None },
     }
@@ -54,6 +67,7 @@ fn bounded(kind: LimitKind, state: &State) -> Series {
     match kind {
         LimitKind::X | LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => series(&state[X], 0),
         LimitKind::Arrival => length(state, &[X, Y, Z], 1),
+        LimitKind::Heading => series(&state[YAW], 0),
         LimitKind::Y => series(&state[Y], 0),
         LimitKind::Z => series(&state[Z], 0),
         LimitKind::Yaw => series(&state[YAW], 0),

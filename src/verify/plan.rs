@@ -13,7 +13,7 @@ use super::sets::{Generators, HEALTHY, Plane};
 use super::wrench::{Dynamics, Held};
 use super::{Refusal, Rejection, Shown, joints, lag, mode_named, required, schedule, wind};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
-use crate::model::{Mission, Model, PlannerKind, Problem};
+use crate::model::{Heading, Mission, Model, PlannerKind, Problem};
 use crate::number::number;
 use crate::source::Span;
 
@@ -263,7 +263,9 @@ impl<'a> Setting<'a> {
                 .sqrt();
             let turned = apart(YAW, point.yaw).abs();
             let off = [("position", distance, point.within, "m"), ("yaw", turned, point.yaw_within, "rad")];
-            for (what, error, within, unit) in off {
+            // A yaw that follows from the motion is checked as a limit.
+            let count = if point.heading == Heading::Given { 2 } else { 1 };
+            for (what, error, within, unit) in off.into_iter().take(count) {
                 if exceeds((error - Interval::point(within)).high, MOST_MISS) {
                     let [error, within] = [error.high, within].map(number);
                     let why = format!("its {what} is missed by {error} {unit}; {within} {unit} is allowed");

@@ -27,6 +27,8 @@ pub struct Family<'a> {
     /// The first and the last node of the part of the motion on which they are bounded, which may be one node; `None` for the
     /// whole motion.
     pub within: Option<(usize, usize)>,
+    /// They are bounded at nodes only, not at points that stand for those of finer pieces.
+    pub at_nodes_only: bool,
     pub measure: Measure,
     /// Units of work for a state, in addition to one per member.
     pub overhead: u64,
@@ -99,6 +101,9 @@ pub fn above_at_nodes(family: &Family, motion: &Motion, most: f64) -> Option<Fai
         for node in ends {
             let state = motion.node_in(node, piece);
             keep_worst(&mut worst, above(family, &members, &state, motion.times[node], most));
+        }
+        if family.at_nodes_only {
+            continue;
         }
         for at in motion.extra_instants(piece) {
             let state = motion.over(piece, at);

@@ -68,6 +68,7 @@ impl<'a> Curve<'a> {
                 weight: manner.weight,
                 time: None,
                 stop: false,
+                heading: yaw.map(|_| crate::model::heading::Written::Given),
                 span: head,
             };
             let within_curve = (k > 0).then_some(self.index);

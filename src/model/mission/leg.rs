@@ -1,6 +1,6 @@
 //! The clauses of a waypoint about the leg that arrives there, and the limits that they impose on it.
 
-use super::super::{Limit, LimitKind, OnLeg, Waypoint, limits as reader};
+use super::super::{Limit, LimitKind, OnLeg, Part, Waypoint, limits as reader};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::waypoint as table;
 use crate::model::context::Context;
@@ -138,7 +138,10 @@ pub fn limits(cx: &mut Context, legs: &[Written], waypoints: &[Waypoint], end_at
             None => format!("waypoint {}", leg.to + 1),
         };
         whole &= agrees(cx, leg, to, is_last && end_at_rest, is_last && !end_at_rest);
-        let on = |name: String, direction| Some(Arc::new(OnLeg { leg: leg.to - 1, name, direction }));
+        let on = |name: String, direction: Option<[f64; 3]>| {
+            let part = if direction.is_some() { Part::End } else { Part::Whole };
+            Some(Arc::new(OnLeg { leg: leg.to - 1, part, name, direction, target: None }))
+        };
         if let Some((shape, span)) = leg.shape {
             match line(cx, from, to, shape, span) {
                 Some((along, radius)) => {

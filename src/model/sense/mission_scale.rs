@@ -34,7 +34,8 @@ fn usual(kind: LimitKind) -> Option<(&'static str, Usual, &'static str, f64)> {
         LimitKind::YawAcceleration => ("yaw acceleration", Usual::new(0.5, 100_000.0), "deg/s^2", degree),
         LimitKind::Tilt => ("tilt", Usual::new(0.5, 90.0), "deg", degree),
         LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => return None,
-        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance | LimitKind::Arrival => return None,
+        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => return None,
+        LimitKind::Arrival | LimitKind::Heading => return None,
     })
 }
 

@@ -33,25 +33,35 @@ impl ScpPlanner<'_, '_> {
     /// If it enters a volume that it must keep out of, it is led around all of them: their distances are linearised about a
     /// way around, and then about the motion that follows.
     pub(super) fn minimum_snap(&mut self, grid: &TimeGrid) -> Option<Iterate> {
-        let direct = self.minimum_snap_about(grid, None)?;
-        let Some(way) = self.way_around(&direct) else { return Some(direct) };
-        let mut around = self.minimum_snap_about(grid, Some(way.as_slice()))?;
+        let direct = self.minimum_snap_about(grid, None, None)?;
+        let Some(way) = self.way_around(&direct) else { return Some(self.headed(grid, direct)) };
+        let mut around = self.minimum_snap_about(grid, Some(way.as_slice()), None)?;
         for _ in 0..self.settings.guidance.ways {
             let positions = self.positions(&around);
-            match self.minimum_snap_about(grid, positions.as_deref()) {
+            match self.minimum_snap_about(grid, positions.as_deref(), None) {
                 Some(next) => around = next,
                 None => break,
             }
         }
-        Some(around)
+        Some(self.headed(grid, around))
     }
 
-    fn minimum_snap_about(&mut self, grid: &TimeGrid, positions: Option<&[[f64; 3]]>) -> Option<Iterate> {
+    /// With distances from bodies linearised about `positions`, and a yaw that follows from the motion about an iterate.
+    pub(super) fn minimum_snap_about(
+        &mut self,
+        grid: &TimeGrid,
+        positions: Option<&[[f64; 3]]>,
+        headed: Option<&Iterate>,
+    ) -> Option<Iterate> {
         // On long legs snap is so small that the solver's tolerance leaves noise in it: the legs are scaled to a mean of 1 s.
         let slower = (grid.total / grid.segments.len() as f64).max(1.0);
         let quick = grid.with_durations_times(|_| 1.0 / slower);
-        let form = self.transcription(&quick, &[]).about(positions);
+        let headed = headed.map(|iterate| iterate.slower(1.0 / slower).states);
+        let form = self.transcription(&quick, &[]).about(positions).about_states(headed.as_deref());
         let mut places = self.places(grid);
+        if headed.is_some() {
+            places.extend(self.limits_at_nodes(grid, |limit| limit.kind == LimitKind::Heading));
+        }
         // A coarse grid would cut the corners of a way around.
         if positions.is_some() {
             let volumes =

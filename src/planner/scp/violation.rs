@@ -73,9 +73,12 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         self.violations(form, state, holds).enumerate().map(with_its_own)
     }
 
-    /// Whether the row at a place is of a volume, a corridor or a direction of arrival, for which the path alone counts.
+    /// Whether the row at a place is of a volume, a corridor, a direction of arrival or a yaw that follows from the motion, for which
+    /// the path alone counts.
     pub(super) fn is_of_path(&self, place: usize) -> bool {
-        self.limit_at(place).is_some_and(|limit| limit.volume.is_some() || limit.kind == LimitKind::Arrival)
+        self.limit_at(place).is_some_and(|limit| {
+            limit.volume.is_some() || matches!(limit.kind, LimitKind::Arrival | LimitKind::Heading)
+        })
     }
 
     /// The limit whose row is at a place.
@@ -212,10 +215,10 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         self.limits_at_nodes(grid, |limit| place(limit.kind) || limit.kind == LimitKind::Arrival).collect()
     }
 
-    /// The rows that each subproblem has at every node: limits on x, y, z and yaw, which do not depend on time, and on yaw rate
-    /// and yaw acceleration. Yaw costs little, and its acceleration would oscillate beyond its bounds wherever no row limits it.
+    /// The rows that each subproblem has at every node: limits on x, y, z and yaw, which do not depend on time, and on yaw rate,
+    /// yaw acceleration and a yaw that follows from the motion. Yaw costs little, and its acceleration would oscillate beyond its bounds wherever no row limits it.
     pub(super) fn rows_everywhere(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
-        let is_yaw = |kind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration);
+        let is_yaw = |kind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading);
         self.limits_at_nodes(grid, |limit| place(limit.kind) || is_yaw(limit.kind)).collect()
     }
 }

@@ -7,7 +7,7 @@
 //! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk of at
 //! most j needs `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
-use crate::model::{Limit, LimitKind, PlanModel, Problem, Waypoint};
+use crate::model::{Heading, Limit, LimitKind, PlanModel, Problem, Waypoint};
 use crate::planner::transcription::UNBOUNDED;
 use crate::tolerance;
 use std::f64::consts::FRAC_PI_2;
@@ -140,12 +140,14 @@ impl Paces {
     fn leg(&self, from: &Waypoint, to: &Waypoint, rests: usize) -> LeastLeg {
         let room = from.within + to.within + 2.0 * tolerance::MOST_MISS;
         let yaw_room = from.yaw_within + to.yaw_within + 2.0 * tolerance::MOST_MISS;
+        let has_yaw = from.heading == Heading::Given && to.heading == Heading::Given;
+        let turn = if has_yaw { (to.yaw - from.yaw).abs() - yaw_room } else { 0.0 };
         let [x, y, z]: [f64; 3] = std::array::from_fn(|i| to.position[i] - from.position[i]);
         let all = [
             (self.horizontal.least(x.hypot(y) - room, rests), Along::Horizontal),
             (self.up.least(z - room, rests), Along::Up),
             (self.down.least(-z - room, rests), Along::Down),
-            (self.turn.least((to.yaw - from.yaw).abs() - yaw_room, rests), Along::Turn),
+            (self.turn.least(turn, rests), Along::Turn),
             (self.whole.least(x.hypot(y).hypot(z) - room, rests), Along::Line),
         ];
         let none = LeastLeg { seconds: 0.0, along: Along::Line };

@@ -1,6 +1,7 @@
 //! The rows of every program: dynamics between nodes, rests and waypoints.
 
 use super::{Form, Transcription, UNBOUNDED};
+use crate::model::Heading;
 use crate::motion::{X, Y, YAW, Z};
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
@@ -83,7 +84,7 @@ impl Transcription<'_> {
                 }
                 builder.cone(cone, RowOrigin::Waypoint { waypoint });
             }
-            if self.plans(YAW) && w.yaw_within < UNBOUNDED {
+            if self.plans(YAW) && w.heading == Heading::Given && w.yaw_within < UNBOUNDED {
                 for sign in [1.0, -1.0] {
                     let mut row = slack.clone().times(w.yaw_within / w.within).plus_constant(w.yaw_within);
                     row.add(&self.at_node(node, YAW, 0).plus_constant(-w.yaw), sign);

@@ -88,9 +88,14 @@ fn meaning(rule: Rule) -> Option<Expected> {
         Rule::comma => Expected::Comma,
         Rule::rparen => Expected::Closing(')'),
         Rule::rbracket => Expected::Closing(']'),
-        Rule::clause | Rule::clause_word | Rule::bare | Rule::bare_word | Rule::arrival | Rule::arrive_word => {
-            Expected::Clause
-        }
+        Rule::clause
+        | Rule::clause_word
+        | Rule::bare
+        | Rule::bare_word
+        | Rule::arrival
+        | Rule::arrive_word
+        | Rule::heading
+        | Rule::yaw_word => Expected::Clause,
         Rule::kw_lost | Rule::reduced | Rule::stuck => Expected::Effect,
         Rule::kw_as => Expected::Word("as"),
         Rule::kw_at => Expected::Word("at"),

@@ -135,7 +135,11 @@ impl<'i> Parts<'i> {
         for pair in self.pairs.by_ref() {
             let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
             let word = parts.name();
-            let how = parts.take(Rule::from_word).map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
+            const HOWS: [Rule; 4] = [Rule::from_word, Rule::towards_word, Rule::along_word, Rule::free_word];
+            let how = HOWS.into_iter().find_map(|rule| parts.take(rule)).map(|p| {
+                let words: Vec<&str> = p.as_str().split_whitespace().collect();
+                Spanned::new(words.join(" "), span_of(self.file, &p))
+            });
             let value = if parts.pairs.peek().is_some() { Some(parts.expr()?) } else { None };
             clauses.push(Clause { word, how, value });
         }

@@ -6,7 +6,7 @@ use super::super::premise::Premise;
 use super::super::sets::Plane;
 use super::Rows;
 use crate::certificate::{DynamicModel, Multiplier, RowRecord, Side};
-use crate::model::{Bounded, Limit, LimitKind};
+use crate::model::{Bounded, Heading, Limit, LimitKind, Part};
 
 /// A plan may miss a waypoint by this much more than its tolerance, m; yaw in proportion.
 const FEASIBLE: f64 = 1e-6;
@@ -109,6 +109,9 @@ impl Rows<'_> {
             }
             RowRecord::WaypointYaw { waypoint, side } => {
                 let (point, node) = of_waypoint(waypoint)?;
+                if point.heading != Heading::Given {
+                    return Err(format!("the yaw at waypoint {waypoint} is not given"));
+                }
                 let sign = if side == Side::Upper { -Interval::ONE } else { Interval::ONE };
                 let slack = self.tolerances(waypoint).1 - sign * Interval::point(point.yaw);
                 Ok(vec![Expression::constant(slack).plus(node, YAW, 0, sign)])
@@ -119,9 +122,11 @@ impl Rows<'_> {
     /// A limit that holds at a node.
     fn limit_at(&self, index: usize, node: usize) -> Result<&Limit, String> {
         let limit = self.problem.mission().limits.get(index).ok_or(format!("there is no limit {index}"))?;
-        let holds = |from: usize, to: usize| match limit.kind {
-            LimitKind::Arrival => node == to,
-            _ => (from..=to).contains(&node),
+        let part = limit.leg.as_ref().map_or(Part::Whole, |on| on.part);
+        let holds = |from: usize, to: usize| match part {
+            Part::Start => node == from,
+            Part::End => node == to,
+            Part::Whole => (from..=to).contains(&node),
         };
         match &limit.leg {
             Some(on) if !holds(self.grid.waypoint_nodes[on.leg], self.grid.waypoint_nodes[on.leg + 1]) => {
@@ -141,6 +146,9 @@ impl Rows<'_> {
     pub(super) fn tolerances(&self, waypoint: usize) -> (Interval, Interval) {
         let point = &self.problem.mission().waypoints[waypoint];
         let [within, turned, more] = [point.within, point.yaw_within, FEASIBLE].map(Interval::point);
+        if point.heading != Heading::Given {
+            return (within + more, Interval::WHOLE);
+        }
         (within + more, turned * (Interval::ONE + more / within))
     }
 

@@ -2,6 +2,7 @@
 //! at every instant or checked on a grid.
 
 use super::super::cost::{self, Purse};
+use super::super::heading;
 use super::super::interval::{Interval, exceeds};
 use super::super::limits;
 use super::super::motion::{Motion, State};
@@ -14,8 +15,8 @@ use super::super::wrench::{Dynamics, Held, thrust_over_mass};
 use super::super::{Reach, Rejection, Scope, Shown, schedule};
 use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
 use crate::certificate::DynamicModel;
-use crate::model::{Environment, Limit, LimitKind};
-use crate::number::number;
+use crate::model::{Environment, Limit, LimitKind, Part};
+use crate::number::{number, significant};
 use std::collections::BTreeSet;
 
 /// Points inside a piece at which bounds that are not proved are checked; 64 with one of the ends.
@@ -47,7 +48,11 @@ impl<'a> Setting<'a> {
             let (first, last) = (on.leg, motion.waypoint_nodes[on.leg + 1]);
             // A hold belongs to no leg. Where its end is not found, the leg is taken to begin before it.
             let first = schedule::held_until(self.mission(), motion, first).unwrap_or(motion.waypoint_nodes[first]);
-            if limit.kind == LimitKind::Arrival { (last, last) } else { (first, last) }
+            match on.part {
+                Part::Start => (first, first),
+                Part::End => (last, last),
+                Part::Whole => (first, last),
+            }
         });
         limits::family(limit, &self.dynamics.environment, within)
     }
@@ -161,10 +166,17 @@ impl Checked<'_> {
         let setting = self.setting;
         let before = purse.0;
         for limits in setting.mission().limits.chunk_by(same_volume) {
-            if limits[0].kind == LimitKind::Arrival {
+            match limits[0].kind {
                 // It holds at one node, where it has been decided.
-                found.shown.push(Shown::at_nodes(limited(&limits[0])));
-                continue;
+                LimitKind::Arrival => {
+                    found.shown.push(Shown::at_nodes(limited(&limits[0])));
+                    continue;
+                }
+                LimitKind::Heading => {
+                    found.shown.push(Shown::at_nodes(self.followed(&limits[0])));
+                    continue;
+                }
+                _ => {}
             }
             let reach = |limit: &Limit| {
                 let family = setting.family_of(limit, &self.motion);
@@ -198,6 +210,21 @@ impl Checked<'_> {
         }
         if purse.0 == 0 && before > 0 {
             found.weaker.push("the budget ended before every row was proved; a larger `--budget` may show more".into());
+        }
+    }
+
+    /// A yaw that follows from the motion, with the largest error that a grid shows.
+    fn followed(&self, limit: &Limit) -> String {
+        let within = self.setting.family_of(limit, &self.motion).within.unwrap_or((0, self.motion.pieces()));
+        let allowed = number(limit.upper.unwrap_or(0.0).to_degrees());
+        match heading::largest(limit, &self.motion, within, OF_A_GRID) {
+            Some((error, at)) => format!(
+                "{} within {allowed} deg of its direction, {} deg off at most between them, at {} s",
+                limit.name(),
+                significant(error.to_degrees(), 3),
+                significant(at, 4)
+            ),
+            None => format!("{} not required anywhere", limit.name()),
         }
     }
 
@@ -283,7 +310,16 @@ fn upright(environment: &Environment) -> Family<'static> {
     };
     let measure = Measure { factor: 100.0, unit: "%", whole: Some("of the weight") };
     let evaluate = Box::new(evaluate);
-    Family { members: 1, evaluate, linear: false, jumps: false, within: None, measure, overhead: cost::OF_A_LIMIT }
+    Family {
+        members: 1,
+        evaluate,
+        linear: false,
+        jumps: false,
+        within: None,
+        at_nodes_only: false,
+        measure,
+        overhead: cost::OF_A_LIMIT,
+    }
 }
 
 /// The violation of each plane by the quantity `held`.
@@ -305,5 +341,15 @@ pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'
     let jumps = held != Held::Wrench;
     let overhead = if is_windy { wind::COST * cost::OF_EXACT_WRENCH } else { cost::OF_EXACT_WRENCH };
     let measure = Measure::WIDTH;
-    Family { members: planes.len(), evaluate: Box::new(evaluate), linear, jumps, within: None, measure, overhead }
+    let (within, at_nodes_only) = (None, false);
+    Family {
+        members: planes.len(),
+        evaluate: Box::new(evaluate),
+        linear,
+        jumps,
+        within,
+        at_nodes_only,
+        measure,
+        overhead,
+    }
 }

@@ -1,0 +1,207 @@
+//! Yaw that follows from the motion: towards a point, along the path, or free.
+
+use super::context::Context;
+use super::due::Due;
+use super::fields::Fields;
+use super::{Limit, LimitKind, Mission, OnLeg, Part, Plan, PlanModel, Vehicle, Waypoint};
+use crate::diagnostic::Diagnostic;
+use crate::language::table::waypoint as table;
+use crate::number::number;
+use crate::source::Span;
+use crate::syntax::ast::{ExprKind, Name};
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
+
+/// Along the path the yaw is required where the horizontal speed is at least this, m/s.
+pub const SLOWEST: f64 = 0.3;
+
+/// The largest tolerance of a yaw that follows from the motion, rad.
+const MOST: f64 = 0.98 * FRAC_PI_2;
+
+const CODE: &str = "mavc::mission::heading";
+const MODEL: &str = "mavc::mission::heading_model";
+
+/// What the yaw at a waypoint follows from, and between two waypoints with the same rule.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Heading {
+    /// It is [`Waypoint::yaw`], to within [`Waypoint::yaw_within`].
+    Given,
+    /// The direction to the point (x, y), m.
+    Towards([f64; 2]),
+    /// The direction of the horizontal velocity.
+    AlongPath,
+    /// Nothing is required.
+    Free,
+}
+
+/// A direction that the yaw has to follow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Target {
+    /// To a point (x, y), m, where it is at least as far as `nearest` (m) horizontally.
+    Towards { point: [f64; 2], nearest: f64 },
+    /// Of the horizontal velocity, where it is at least [`SLOWEST`].
+    AlongPath,
+}
+
+impl Target {
+    /// The vector (x, y) whose direction is followed, for a position (m) and a velocity (m/s); `None` where none is required.
+    pub fn direction(&self, position: [f64; 2], velocity: [f64; 2]) -> Option<[f64; 2]> {
+        let (vector, least) = match self {
+            Target::Towards { point, nearest } => ([point[0] - position[0], point[1] - position[1]], *nearest),
+            Target::AlongPath => (velocity, SLOWEST),
+        };
+        (vector[0].hypot(vector[1]) >= least).then_some(vector)
+    }
+
+    /// By how much a yaw is off that direction, from -pi to pi, rad.
+    pub fn error(&self, position: [f64; 2], velocity: [f64; 2], yaw: f64) -> Option<f64> {
+        let [x, y] = self.direction(position, velocity)?;
+        let (sin, cos) = yaw.sin_cos();
+        Some((sin * x - cos * y).atan2(cos * x + sin * y))
+    }
+}
+
+/// What a waypoint says about its yaw beyond a number.
+#[derive(Debug, Clone)]
+pub(super) enum Written {
+    Given,
+    Towards(Goal),
+    AlongPath,
+    Free,
+}
+
+/// What the yaw points to.
+#[derive(Debug, Clone)]
+pub(super) enum Goal {
+    Point([f64; 3]),
+    /// A waypoint by its name.
+    Named(String, Span),
+}
+
+/// What is written about the yaw; `Some(None)` if nothing is, `None` if it has an error.
+pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Option<Written>> {
+    let Some(Name { value: how, .. }) = fields.how(table::YAW.name) else {
+        return Some(fields.get(table::YAW.name).map(|_| Written::Given));
+    };
+    Some(Some(match how.as_str() {
+        "towards" => {
+            let expr = fields.get(table::YAW.name)?;
+            match &expr.kind {
+                ExprKind::Name(name) if !cx.in_scope(name) => Written::Towards(Goal::Named(name.clone(), expr.span)),
+                _ => Written::Towards(Goal::Point(cx.triple(Due::of(&table::AT), expr)?)),
+            }
+        }
+        "free" => Written::Free,
+        _ => Written::AlongPath,
+    }))
+}
+
+/// Gives each waypoint its rule, which continues until another one is written; the yaws (rad) that the rules give at the
+/// waypoints where `yaws` has none, as far as these know it; and whether all goals are known.
+pub(super) fn settle(
+    cx: &mut Context,
+    waypoints: &mut [Waypoint],
+    written: &[Option<Written>],
+    yaws: &[Option<f64>],
+) -> (Vec<Option<f64>>, bool) {
+    let (mut rule, mut whole) = (Heading::Given, true);
+    let places: Vec<[f64; 3]> = waypoints.iter().map(|w| w.position).collect();
+    let mut found = Vec::new();
+    for index in 0..waypoints.len() {
+        match written.get(index).and_then(Option::as_ref) {
+            None => {}
+            Some(Written::Given) => rule = Heading::Given,
+            Some(Written::AlongPath) => rule = Heading::AlongPath,
+            Some(Written::Free) => rule = Heading::Free,
+            Some(Written::Towards(Goal::Point([x, y, _]))) => rule = Heading::Towards([*x, *y]),
+            Some(Written::Towards(Goal::Named(name, span))) => {
+                match waypoints.iter().find(|w| w.name.as_ref() == Some(name)) {
+                    Some(goal) => rule = Heading::Towards([goal.position[0], goal.position[1]]),
+                    None => {
+                        let named: Vec<String> = waypoints.iter().filter_map(|w| w.name.clone()).collect();
+                        let known: Vec<&str> = named.iter().map(String::as_str).collect();
+                        cx.unknown("waypoint", name, *span, &known);
+                        whole = false;
+                    }
+                }
+            }
+        }
+        let here = places[index];
+        let azimuth = |from: [f64; 3], to: [f64; 2]| {
+            let (x, y) = (to[0] - from[0], to[1] - from[1]);
+            (x.hypot(y) > 1e-6).then(|| y.atan2(x))
+        };
+        let flat = |p: [f64; 3]| [p[0], p[1]];
+        found.push(match rule {
+            Heading::Given => yaws[index],
+            Heading::Towards(point) => azimuth(here, point),
+            Heading::AlongPath => {
+                let arrives = index.checked_sub(1).and_then(|before| azimuth(places[before], flat(here)));
+                arrives.or_else(|| places.get(index + 1).and_then(|next| azimuth(here, flat(*next))))
+            }
+            Heading::Free => None,
+        });
+        waypoints[index].heading = rule;
+        let follows = matches!(rule, Heading::Towards(_) | Heading::AlongPath);
+        if follows && waypoints[index].yaw_within > MOST && whole {
+            let message = format!(
+                "a yaw that follows from the motion takes a tolerance of less than {} deg",
+                number(MOST.to_degrees())
+            );
+            let error = Diagnostic::error(CODE, waypoints[index].span, message).here("a wider tolerance");
+            cx.report(error.help("write a smaller `yaw_within`, or `yaw free`"));
+            whole = false;
+        }
+    }
+    (found, whole)
+}
+
+/// Adds the limits on the yaw of waypoints and legs where it follows from the motion. Between two waypoints with one rule it
+/// holds on the whole leg, otherwise at the waypoint.
+pub(super) fn impose(mission: &mut Mission, vehicle: &Vehicle) {
+    let points = &mission.waypoints;
+    let mut found = Vec::new();
+    for (index, point) in points.iter().enumerate() {
+        let target = match point.heading {
+            Heading::Given | Heading::Free => continue,
+            Heading::Towards(point) => Target::Towards { point, nearest: vehicle.radius() },
+            Heading::AlongPath => Target::AlongPath,
+        };
+        let continues = |other: Option<&Waypoint>| other.is_some_and(|other| other.heading == point.heading);
+        let from_before = continues(index.checked_sub(1).and_then(|before| points.get(before)));
+        let (leg, part) = match index {
+            // The rule holds on the leg that leaves, which the next waypoint adds.
+            0 if continues(points.get(1)) => continue,
+            0 => (0, Part::Start),
+            _ if from_before => (index - 1, Part::Whole),
+            // The next waypoint adds the leg that begins here.
+            _ if continues(points.get(index + 1)) => continue,
+            _ => (index - 1, Part::End),
+        };
+        let at = match &point.name {
+            Some(name) => format!("waypoint `{name}`"),
+            None => format!("waypoint {}", index + 1),
+        };
+        let name = match part {
+            Part::Whole => format!("yaw on the leg to {at}"),
+            Part::Start | Part::End => format!("yaw at {at}"),
+        };
+        let on = OnLeg { leg, part, name, direction: None, target: Some(target) };
+        let (upper, leg) = (Some(point.yaw_within), Some(Arc::new(on)));
+        found.push(Limit { kind: LimitKind::Heading, lower: None, upper, span: point.span, volume: None, leg });
+    }
+    mission.limits.extend(found);
+}
+
+/// Reports a yaw that follows from the motion in a plan of the hover model, which plans yaw first.
+pub(super) fn only_in_the_exact_model(cx: &mut Context, plan: &Plan, mission: &Mission) -> bool {
+    let follows = |w: &&Waypoint| w.heading != Heading::Given;
+    let Some(waypoint) = mission.waypoints.iter().find(follows) else { return true };
+    if plan.model == PlanModel::Exact {
+        return true;
+    }
+    let message = "`model = hover` plans yaw before the path, and here it follows from the path or is free";
+    let error = Diagnostic::error(MODEL, waypoint.span, message).here("no yaw in degrees");
+    cx.report(error.help("write `model = exact` in `plan`, or a yaw in degrees"));
+    false
+}

@@ -1,0 +1,60 @@
+//! A yaw that follows from the motion: towards a point, or along the path.
+//!
+//! With the direction d that the yaw psi has to follow, the error is the angle e between d and (cos psi, sin psi), and with the
+//! tolerance L the violation is `(|c| cos L - s sin L)/|d| = sin(e - L)`, where c and s are the cross and the inner product of
+//! the two. Where |d| is below its least size, nothing is required.
+
+use super::interval::Interval;
+use super::motion::{Motion, State, X, Y, YAW};
+use crate::model::{Limit, SLOWEST, Target};
+
+/// Value and rate of change.
+type Series = super::series::Series<2>;
+
+/// The violation at an instant; the rate is not bounded.
+pub fn violation(limit: &Limit, state: &State, within: f64) -> Series {
+    let value = violation_at(limit, state, within);
+    Series::of_derivatives(&[value, Interval::WHOLE])
+}
+
+fn violation_at(limit: &Limit, state: &State, within: f64) -> Interval {
+    let Some(target) = limit.leg.as_ref().and_then(|on| on.target) else { return Interval::WHOLE };
+    let (d, least) = direction(target, state);
+    let size = (d[0].square() + d[1].square()).sqrt();
+    if size.high < least {
+        return Interval::point(-1.0);
+    }
+    let (sine, cosine) = state[YAW][0].sin_cos();
+    let cross = (cosine * d[1] - sine * d[0]).abs();
+    let inner = cosine * d[0] + sine * d[1];
+    let (sine, cosine) = Interval::point(within).sin_cos();
+    (cross * cosine - inner * sine) / size
+}
+
+/// The vector whose direction is followed, and its least size.
+fn direction(target: Target, state: &State) -> ([Interval; 2], f64) {
+    match target {
+        Target::Towards { point, nearest } => {
+            ([Interval::point(point[0]) - state[X][0], Interval::point(point[1]) - state[Y][0]], nearest)
+        }
+        Target::AlongPath => ([state[X][1], state[Y][1]], SLOWEST),
+    }
+}
+
+/// The largest error on `points` between the nodes of a part of the motion and at them, rad, and its instant, s; `None` if
+/// nothing is required there. It is evaluated at points, not bounded between them.
+pub fn largest(limit: &Limit, motion: &Motion, (first, last): (usize, usize), points: usize) -> Option<(f64, f64)> {
+    let target = limit.leg.as_ref().and_then(|on| on.target)?;
+    let error = |state: &State| {
+        let (d, least) = direction(target, state);
+        let [x, y] = d.map(Interval::middle);
+        let (sin, cos) = state[YAW][0].middle().sin_cos();
+        (x.hypot(y) >= least).then(|| (cos * y - sin * x).atan2(cos * x + sin * y).abs())
+    };
+    let at_nodes = (first..=last).map(|node| (motion.node_in(node, node.saturating_sub(1)), motion.times[node]));
+    let between = (first..last).flat_map(|piece| {
+        motion.grid(piece, points).map(move |at| (motion.over(piece, at), motion.times[piece] + at.middle()))
+    });
+    let found = at_nodes.chain(between).filter_map(|(state, at)| Some((error(&state)?, at)));
+    found.reduce(|most, next| if next.0 > most.0 { next } else { most })
+}
