@@ -21,6 +21,7 @@ mod relaxation;
 pub mod sensitivity;
 pub mod settings;
 mod shortest_time;
+mod sides;
 mod stopping;
 mod subproblem;
 mod tightening;
@@ -135,6 +136,8 @@ pub struct ScpPlanner<'e, 'a> {
     input_weight: f64,
     /// Where rotors lag.
     lag: Option<Lag>,
+    /// By leg which of the ways around volumes it takes, where that is not the shortest; see [`Self::way_around`].
+    sides: BTreeMap<usize, usize>,
     /// Of the last step, with the times of the nodes, s.
     splines: Option<(Vec<f64>, Arc<[NodeSpline; 2]>)>,
 }
@@ -191,6 +194,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             proximal_weight_of_cost_phase: settings.cost.proximal_weight,
             input_weight: settings.proximal.input_weight,
             lag,
+            sides: BTreeMap::new(),
             splines: None,
         }
     }
