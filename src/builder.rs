@@ -1,5 +1,7 @@
 //! Specs from Rust values instead of text.
 
+mod mission;
+
 use crate::diagnostic::{Diagnostic, Severity, nearest};
 use crate::format;
 use crate::language::{Entry, Group, Takes};
@@ -51,6 +53,7 @@ pub struct Builder {
     modes: Vec<Mode>,
     mission: Vec<Line>,
     limits: Vec<Line>,
+    volumes: Vec<Volume>,
     plan: Vec<Line>,
     simulate: Vec<Line>,
     campaign: Vec<Line>,
@@ -74,6 +77,13 @@ impl Line {
 }
 
 #[derive(Debug, Clone)]
+struct Volume {
+    keyword: &'static str,
+    name: String,
+    fields: Vec<Line>,
+}
+
+#[derive(Debug, Clone)]
 struct Mode {
     name: String,
     effects: Vec<Line>,
@@ -91,6 +101,8 @@ pub enum Value {
     Word(String),
     /// Several words or names.
     Names(Vec<String>),
+    /// Points `[x, y]` of a plane, in SI units.
+    Points(Vec<[f64; 2]>),
 }
 
 impl From<f64> for Value {
@@ -144,6 +156,18 @@ impl<const N: usize> From<[&str; N]> for Value {
 impl From<Vec<String>> for Value {
     fn from(names: Vec<String>) -> Self {
         Value::Names(names)
+    }
+}
+
+impl<const N: usize> From<[[f64; 2]; N]> for Value {
+    fn from(points: [[f64; 2]; N]) -> Self {
+        Value::Points(points.into())
+    }
+}
+
+impl From<Vec<[f64; 2]>> for Value {
+    fn from(points: Vec<[f64; 2]>) -> Self {
+        Value::Points(points)
     }
 }
 
@@ -236,23 +260,6 @@ impl Builder {
         self
     }
 
-    /// Adds a waypoint (m; x east, y north, z up). The first is the start.
-    pub fn waypoint(self, position: [f64; 3]) -> Self {
-        self.waypoint_with(position, &[])
-    }
-
-    /// Adds a waypoint with clauses such as `yaw` (rad), `within` (m) and `time` (s).
-    pub fn waypoint_with(mut self, position: [f64; 3], clauses: &[(&str, f64)]) -> Self {
-        self.waypoints += 1;
-        let path = format!("mission.waypoints[{}].", self.waypoints);
-        let head = if self.waypoints == 1 { "start" } else { "waypoint" };
-        let given = [("at", Value::from(position))].into_iter();
-        let given = given.chain(clauses.iter().map(|(name, value)| (*name, Value::from(*value))));
-        let line = self.clauses(Group::Waypoint, &path, head, given);
-        self.mission.push(line);
-        self
-    }
-
     /// A statement with clauses: `waypoint at [0, 0, 2] m yaw 0.5 rad`.
     fn clauses<'v>(
         &mut self,
@@ -267,54 +274,6 @@ impl Builder {
             let _ = write!(text, " {}", self.field(group, path, name, value, " ").text);
         }
         self.line(before, path.trim_end_matches('.'), text)
-    }
-
-    /// Holds at rest at the last waypoint, for a time in s.
-    pub fn hold(mut self, seconds: f64) -> Self {
-        let path = format!("mission.hold[{}]", self.waypoints);
-        let before = self.problems.len();
-        self.finite(&path, &[seconds]);
-        let line = self.line(before, path, format!("hold {} s", digits(seconds)));
-        self.mission.push(line);
-        self
-    }
-
-    /// The mission does not start at rest.
-    pub fn start_moving(mut self) -> Self {
-        self.mission.push(Line::new("mission.start_moving", "start moving"));
-        self
-    }
-
-    /// The mission does not end at rest.
-    pub fn end_moving(mut self) -> Self {
-        self.mission.push(Line::new("mission.end_moving", "end moving"));
-        self
-    }
-
-    /// Bounds a limit from above, such as `speed` (m/s).
-    pub fn at_most(self, limit: &str, bound: f64) -> Self {
-        self.limit(limit, "<=", &[bound])
-    }
-
-    /// Bounds a limit from below, such as `altitude` (m).
-    pub fn at_least(self, limit: &str, bound: f64) -> Self {
-        self.limit(limit, ">=", &[bound])
-    }
-
-    /// Bounds a limit from both sides.
-    pub fn between(self, limit: &str, low: f64, high: f64) -> Self {
-        self.limit(limit, "in", &[low, high])
-    }
-
-    fn limit(mut self, limit: &str, form: &str, bounds: &[f64]) -> Self {
-        let path = format!("mission.limits.{limit}");
-        let before = self.problems.len();
-        let unit = self.entry(Group::Limits, &path, limit).map_or(String::new(), unit);
-        self.finite(&path, bounds);
-        let bounds: Vec<String> = bounds.iter().map(|bound| format!("{}{unit}", digits(*bound))).collect();
-        let line = self.line(before, path, format!("{} {form} {}", word(limit), bounds.join(" .. ")));
-        self.limits.push(line);
-        self
     }
 
     /// Sets a field of the plan, such as `time` (s), `planner` or `against`.
@@ -429,8 +388,12 @@ impl Builder {
             };
             block("modes", "faults", self.modes.iter().flat_map(of_mode).collect());
         }
-        if !self.mission.is_empty() || !self.limits.is_empty() || !self.plan.is_empty() {
+        if !(self.mission.is_empty() && self.limits.is_empty() && self.volumes.is_empty() && self.plan.is_empty()) {
             let mut mission = self.mission.clone();
+            for volume in &self.volumes {
+                let path = format!("mission.volumes.{}", volume.name);
+                mission.extend(nested(&path, &format!("{} {}", volume.keyword, word(&volume.name)), &volume.fields));
+            }
             if !self.limits.is_empty() {
                 mission.extend(nested("mission.limits", "limits", &self.limits));
             }
@@ -506,6 +469,12 @@ impl Builder {
                 names.iter().for_each(|name| self.name(&path, name));
                 format!("[{}]", names.iter().map(|name| word(name)).collect::<Vec<_>>().join(", "))
             }
+            // No other field takes points.
+            (Value::Points(points), Takes::Names(_)) if group == Group::Volume => {
+                points.iter().for_each(|point| self.finite(&path, point));
+                let points: Vec<String> = points.iter().map(|p| format!("[{}]", p.map(digits).join(", "))).collect();
+                format!("[{}] m", points.join(", "))
+            }
             _ => {
                 let message = format!("`{field}` takes {}, not {value}", taken(entry));
                 self.problem(&path, BuildCode::WrongKind, message, None);
@@ -570,6 +539,7 @@ impl fmt::Display for Value {
             Value::Vector(_) => f.write_str("three numbers"),
             Value::Word(word) => write!(f, "{word:?}"),
             Value::Names(_) => f.write_str("a list of names"),
+            Value::Points(_) => f.write_str("a list of points"),
         }
     }
 }
@@ -580,6 +550,7 @@ enum BuildCode {
     NotAName,
     UnknownField,
     UnknownMode,
+    UnknownVolume,
     WrongKind,
 }
 
@@ -589,7 +560,7 @@ impl BuildCode {
             BuildCode::NotFinite => "mavc::unit::not_finite",
             BuildCode::NotAName => "mavc::name::reserved",
             BuildCode::UnknownField => "mavc::name::unknown_field",
-            BuildCode::UnknownMode => "mavc::name::unknown",
+            BuildCode::UnknownMode | BuildCode::UnknownVolume => "mavc::name::unknown",
             BuildCode::WrongKind => "mavc::unit::kind",
         }
     }

@@ -9,6 +9,7 @@ use crate::model::FlightBlocks;
 use crate::pipeline::{Task, departure, fly_plan, indistinguishable};
 use crate::report::page::{self, Track};
 use crate::report::simulation::{FlightRecord, Flown, Log, text};
+use crate::report::volumes::Nearest;
 
 pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let rate = args.rate.as_deref().map(rate::parse).transpose()?;
@@ -39,15 +40,18 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         files::eprint(&format!("mavc: {remark}\n"));
     }
     let mut track = places.page.as_ref().map(|_| Track::along(model, &solved.trajectory));
-    let is_recorded = log.is_some() || track.is_some();
+    let mut nearest = Nearest::new(model);
+    let is_recorded = log.is_some() || track.is_some() || !nearest.is_empty();
     let mut record = |sample: &Sample| {
         log.iter_mut().for_each(|log| log.add(sample));
         track.iter_mut().for_each(|track| track.add(sample));
+        nearest.add(sample.time, sample.body.position.into());
     };
     let record: Option<&mut dyn FnMut(&Sample)> = if is_recorded { Some(&mut record) } else { None };
     let flight = fly_plan(task.spec(), solved, record, &watch);
+    let volumes = &nearest.records();
     let indistinguishable = &indistinguishable(task.spec(), solved);
-    let flown = Flown { model, solved, strikes: &model.simulation.faults, flight: &flight, indistinguishable };
+    let flown = Flown { model, solved, strikes: &model.simulation.faults, flight: &flight, indistinguishable, volumes };
     let record = FlightRecord::new(&flown, task.spec().sha256().into());
     let mut results = Results::new(&places);
     log.into_iter().for_each(|log| results.table(log.csv));

@@ -1,6 +1,7 @@
 //! Volumes: the `keep_in` and `keep_out` blocks of a mission, and the limits that they impose.
 
 mod impose;
+pub mod passage;
 mod read;
 mod split;
 
@@ -159,6 +160,13 @@ impl Limit {
             (_, Some(Bounded::FromBody(body))) => body.separation(p).distance,
             _ => return None,
         })
+    }
+
+    /// By how much the position `p` (m) violates a limit on positions, m; negative inside. `None` for any other limit.
+    pub fn violation_at(&self, p: [f64; 3]) -> Option<f64> {
+        let value = self.value_at(p)?;
+        let over = self.upper.map_or(f64::NEG_INFINITY, |upper| value - upper);
+        Some(over.max(self.lower.map_or(f64::NEG_INFINITY, |lower| lower - value)))
     }
 
     /// As messages name it: the volume or corridor, or the limited quantity, and its leg if it holds on one.

@@ -22,6 +22,7 @@ mod relaxation;
 pub mod sensitivity;
 pub mod settings;
 mod shortest_time;
+mod sides;
 mod stopping;
 mod subproblem;
 mod tightening;
@@ -147,6 +148,8 @@ pub struct ScpPlanner<'e, 'a> {
     /// What acts on the vehicle, in the middle of the possible winds and in each of the extreme ones.
     environment: Environment,
     winds: Vec<Environment>,
+    /// By leg which of the ways around volumes it takes, where that is not the shortest; see [`Self::way_around`].
+    sides: BTreeMap<usize, usize>,
     /// Of the last step, with the times of the nodes, s.
     splines: Option<(Vec<f64>, Arc<[NodeSpline; 2]>)>,
 }
@@ -208,6 +211,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             lag,
             environment,
             winds,
+            sides: BTreeMap::new(),
             splines: None,
         }
     }

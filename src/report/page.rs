@@ -13,6 +13,7 @@ mod flown;
 mod instants;
 mod motion;
 mod opening;
+mod outline;
 mod planners;
 mod prose;
 mod sets;
@@ -21,6 +22,7 @@ mod summary;
 mod survival;
 mod svg;
 mod verdicts;
+mod volumes;
 mod waypoint_table;
 
 use crate::admissible::verdict::analyze_each;
@@ -64,6 +66,7 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
     let mut sections = vec![Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses))];
     if kind == Kind::Plan {
         sections.extend(record.planners.last().and_then(waypoint_table::section));
+        sections.extend(record.planners.last().and_then(|planner| volumes::section(problem, planner)));
         sections.extend(record.planners.last().and_then(|planner| binding_table::section(mission, planner)));
     } else {
         sections.insert(0, Section::new("planners", "Planners", planners::section(comparison, record)));

@@ -1,7 +1,7 @@
-//! The smallest distance of the vehicle from the boundary of each volume.
+//! The smallest distance of the vehicle from the boundary of each volume, along a plan and in a simulated flight.
 
 use super::table::Table;
-use crate::model::{Limit, Problem, Volume};
+use crate::model::{Limit, Mission, Model, Problem, Volume};
 use crate::motion::checks::{past, peak};
 use crate::motion::{NodeState, X, Y, Z};
 use crate::number::{fixed, significant};
@@ -53,14 +53,70 @@ pub fn records(problem: Problem, solved: &MissionPlan) -> Vec<VolumeRecord> {
     problem.mission().volumes.iter().map(record).collect()
 }
 
+/// The smallest distances of a simulated flight, from the positions at which its controller acts.
+#[derive(Debug, Clone)]
+pub struct Nearest {
+    volumes: Vec<(Volume, Vec<Limit>)>,
+    records: Vec<VolumeRecord>,
+}
+
+impl Nearest {
+    /// For a flight of this model; without volumes it records nothing.
+    pub fn new(model: &Model) -> Self {
+        let of_mission = |mission: &Mission| {
+            let limits_of = |volume: &Volume| {
+                let own = mission.limits.iter().filter(|limit| limit.volume.is_some() && limit.span == volume.span);
+                (volume.clone(), own.cloned().collect())
+            };
+            mission.volumes.iter().map(limits_of).collect()
+        };
+        let volumes: Vec<(Volume, Vec<Limit>)> = model.mission.as_ref().map_or(Vec::new(), of_mission);
+        let empty = |(volume, _): &(Volume, Vec<Limit>)| VolumeRecord {
+            name: volume.name.clone(),
+            side: volume.side.keyword(),
+            distance_m: f64::INFINITY,
+            required_m: volume.clearance,
+            at_s: 0.0,
+            position_m: [0.0; 3],
+        };
+        Nearest { records: volumes.iter().map(empty).collect(), volumes }
+    }
+
+    /// Whether there are no volumes.
+    pub fn is_empty(&self) -> bool {
+        self.volumes.is_empty()
+    }
+
+    /// Takes the position (m) at an instant (s).
+    pub fn add(&mut self, time: f64, position: [f64; 3]) {
+        for ((volume, limits), record) in self.volumes.iter().zip(&mut self.records) {
+            let violation =
+                limits.iter().filter_map(|limit| limit.violation_at(position)).fold(f64::NEG_INFINITY, f64::max);
+            let distance_m = volume.clearance - violation;
+            if distance_m < record.distance_m {
+                *record = VolumeRecord { distance_m, at_s: time, position_m: position, ..record.clone() };
+            }
+        }
+    }
+
+    /// The records, in the order of the spec; none of a flight without positions.
+    pub fn records(self) -> Vec<VolumeRecord> {
+        self.records.into_iter().filter(|record| record.distance_m.is_finite()).collect()
+    }
+}
+
 /// Terminal text: a table of the volumes; empty without volumes.
 pub fn text(problem: Problem, solved: &MissionPlan) -> String {
-    let records = records(problem, solved);
+    table(&records(problem, solved), problem.model(), "")
+}
+
+/// The table of a plan or, with ` in the flight`, of a flight.
+pub fn table(records: &[VolumeRecord], model: &Model, of: &str) -> String {
     if records.is_empty() {
         return String::new();
     }
     let mut table = Table::new(&["volume", "distance", "required", "at", "position"]);
-    for record in &records {
+    for record in records {
         let [x, y, z] = record.position_m.map(|x| fixed(x, 2));
         table.row(vec![
             format!("{} {}", record.side, record.name),
@@ -71,8 +127,8 @@ pub fn text(problem: Problem, solved: &MissionPlan) -> String {
         ]);
     }
     format!(
-        "\n  Smallest distance of the vehicle ({} m about its centre of gravity) from the boundary of each volume\n{}",
-        significant(problem.model().vehicle.radius(), 3),
+        "\n  Smallest distance{of} of the vehicle ({} m about its centre of gravity) from the boundary of each volume\n{}",
+        significant(model.vehicle.radius(), 3),
         table.render(2)
     )
 }

@@ -65,15 +65,36 @@ fn speed(state: &State, count: usize) -> Interval {
     [X, Y, Z][..count].iter().fold(Interval::ZERO, |sum, &axis| sum + state[axis][1].square()).sqrt()
 }
 
-/// A lower bound on the distance of every p from the body, without an upper one; inside the body it is not positive.
+/// Bounds on the distance of every p from the body; inside the body it is not positive. The lower one decides whether a volume
+/// is kept, the upper one only whether to give up a proof.
 fn distance(body: &Body, p: [Interval; 3]) -> Interval {
     let middle = p.map(Interval::middle);
-    let n = direction(body, middle).map(Interval::point);
+    let direction = direction(body, middle);
+    let n = direction.map(Interval::point);
     let length = (n[0].square() + n[1].square() + n[2].square()).sqrt();
     let along = n[0] * p[0] + n[1] * p[1] + n[2] * p[2];
     let value = (along - support(body, n)) / length;
-    Interval::new(value.low, f64::INFINITY)
+    match body {
+        // No other direction bounds the body.
+        Body::HalfSpace { .. } => value,
+        Body::Ball { centre, radius } => {
+            let from_centre = [0, 1, 2].map(|i| (p[i] - Interval::point(centre[i])).square());
+            (from_centre[0] + from_centre[1] + from_centre[2]).sqrt() - Interval::point(*radius)
+        }
+        Body::Prism { .. } | Body::Cylinder { .. } => {
+            // The distance from the body's point nearest to the middle, which is the middle itself inside.
+            let gap = if value.middle() > 0.0 { direction } else { [0.0; 3] };
+            let nearest = [0, 1, 2].map(|i| middle[i] - gap[i]);
+            let apart = [0, 1, 2].map(|i| (p[i] - Interval::point(nearest[i])).square());
+            let largest = middle.iter().chain(&nearest).map(|x| x.abs()).fold(1.0, f64::max);
+            let most = (apart[0] + apart[1] + apart[2]).sqrt() + Interval::point(ROUNDING * largest);
+            Interval::new(value.low, most.high)
+        }
+    }
 }
+
+/// How far rounding may place the nearest point outside of a body, as a share of the coordinates.
+const ROUNDING: f64 = 1e-12;
 
 /// h(n), the largest `n.q` over the points q of the body.
 fn support(body: &Body, n: [Interval; 3]) -> Interval {

@@ -121,7 +121,9 @@ impl Spec {
         let Draft { name, mut model, total, limits, harder } = draft;
         let honest = smooth(&model, total).unwrap_or_else(|| panic!("{name}: no motion"));
         let wanted = limits.into_iter().map(|(kind, share)| reached(&honest, kind, share, model.gravity));
-        model.mission.as_mut().expect("a mission").limits = wanted.collect();
+        let size = model.vehicle.radius();
+        let mission = model.mission.as_mut().expect("a mission");
+        mission.limits = wanted.chain(mission.volumes.iter().flat_map(|volume| volume.limits(size))).collect();
         let truth = Truth::of(&model);
         let false_by = truth.of_plan(&honest);
         assert!(false_by.is_none(), "{name}: the honest plan is false by {false_by:?}");

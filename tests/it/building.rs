@@ -252,3 +252,81 @@ fn the_guide_of_the_library_shows_the_example_that_plans() {
     let code = &example[example.find("use mavc").unwrap()..];
     assert!(guide.contains(code), "docs/library.md shows another program than examples/plan_without_text.rs");
 }
+
+#[test]
+fn built_volumes_are_the_written_ones() {
+    let with_volumes = || {
+        octocopter()
+            .vehicle("size", 0.35)
+            .keep_in("field", "box")
+            .volume("field", "from", [-5.0, -20.0, 0.0])
+            .volume("field", "to", [25.0, 20.0, 30.0])
+            .volume("field", "turn", 0.1)
+            .keep_out("mast", "cylinder")
+            .volume("mast", "centre", [5.0, 0.5, 0.0])
+            .volume("mast", "radius", 0.4)
+            .volume("mast", "height", 30.0)
+            .keep_out("shed", "polygon")
+            .volume("shed", "corners", [[14.0, 7.0], [20.0, 7.0], [20.0, 9.5], [16.0, 9.0], [16.0, 12.0], [14.0, 12.0]])
+            .volume("shed", "bottom", 0.0)
+            .volume("shed", "top", 4.0)
+            .volume("shed", "clearance", 0.5)
+            .keep_out("hill", "half_space")
+            .volume("hill", "point", [0.0, 0.0, -1.0])
+            .volume("hill", "normal", [0.1, 0.0, 1.0])
+            .keep_out("balloon", "sphere")
+            .volume("balloon", "centre", [5.0, 5.0, 20.0])
+            .volume("balloon", "radius", 2.0)
+    };
+    let built = with_volumes().build().unwrap();
+    let written = "
+        vehicle craft {
+            layout = \"PPNNPPNN\"; arm = 21.1 cm; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2; size = 35 cm
+            rotor { max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+        }
+        faults { mode M1 { rotor 1 lost } }
+        mission flight {
+            start at [0, 0, 2] m
+            waypoint at [10, 0, 5] m
+            keep_in field { shape = box; from = [-5, -20, 0] m; to = [25, 20, 30] m; turn = 0.1 rad }
+            keep_out mast { shape = cylinder; centre = [5, 0.5, 0] m; radius = 40 cm; height = 30 m }
+            keep_out shed {
+                shape = polygon; bottom = 0 m; top = 4 m; clearance = 50 cm
+                corners = [[14, 7], [20, 7], [20, 9.5], [16, 9], [16, 12], [14, 12]] m
+            }
+            keep_out hill { shape = half_space; point = [0, 0, -1] m; normal = [0.1, 0, 1] }
+            keep_out balloon { shape = sphere; centre = [5, 5, 20] m; radius = 2 m }
+            limits { speed <= 6 m/s }
+        }
+        plan { samples = 60 }";
+    let written = mavc::compile(written).into_result().unwrap();
+    let volumes = |spec: &Spec| {
+        let mission = spec.model().mission.as_ref().unwrap();
+        mission.volumes.iter().map(|v| (v.name.clone(), v.side, v.bodies.clone(), v.clearance)).collect::<Vec<_>>()
+    };
+    assert_eq!(volumes(&built), volumes(&written));
+    assert_eq!(built.model().to_string(), written.model().to_string());
+    let text = with_volumes().text();
+    assert_eq!(mavc::format(&text).unwrap(), text, "the text is laid out");
+    // Mistakes name the call.
+    let wrong = octocopter()
+        .vehicle("size", 0.35)
+        .keep_out("mast", "tower")
+        .volume("mast", "radius", -1.0)
+        .volume("shed", "top", 3.0)
+        .keep_out("wall", "box")
+        .volume("wall", "width", 2.0)
+        .keep_in("yard", "polygon")
+        .volume("yard", "corners", 3.0);
+    let mut found: Vec<String> = problems(wrong).into_iter().map(|(field, _)| field).collect();
+    found.sort();
+    found.dedup();
+    for field in [
+        "mission.volumes.mast.shape",
+        "mission.volumes.shed.top",
+        "mission.volumes.wall.width",
+        "mission.volumes.yard.corners",
+    ] {
+        assert!(found.iter().any(|f| f == field || field.starts_with(&format!("{f}."))), "{field}: {found:?}");
+    }
+}

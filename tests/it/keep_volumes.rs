@@ -1,7 +1,12 @@
 //! Volumes: plans stay inside `keep_in` and outside `keep_out`, by closed forms that share nothing with the code.
 
 use crate::cli::mavc;
-use mavc::model::{Limit, LimitKind};
+use mavc::admissible::AdmissibleSet;
+use mavc::model::{Limit, LimitKind, Problem};
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::planner::hover::HoverPlanner;
+use mavc::planner::scp::{ScpPlanner, ScpSettings};
+use mavc::planner::selection::sets::PlanningSets;
 use mavc::verify::interval::Interval;
 use mavc::verify::limits;
 use proptest::prelude::*;
@@ -100,6 +105,140 @@ fn a_plan_keeps_its_volumes() {
     forged["spec_sha256"] = other_spec.sha256().into();
     let refused = mavc::verify(forged.to_string().as_bytes(), &other_spec).map(|verdict| verdict.headline);
     assert!(format!("{refused:?}").contains("keep_out mast"), "{refused:?}");
+}
+
+/// The page and the figures show the volumes, their kept boundaries and the marks, as far as there are any.
+#[test]
+fn pages_and_figures_show_volumes() {
+    let folder = tempfile::tempdir().unwrap();
+    let [page, figures] = ["page.html", "figures"].map(|name| folder.path().join(name));
+    let spec = "specs/missions/mast_octo.mav";
+    let settings = ["--set", "plan.planner=rip", "--set", "plan.samples=40", "--set", "plan.time=20s"];
+    let outputs = ["--html", page.to_str().unwrap(), "--svg", figures.to_str().unwrap(), "--report", "-"];
+    let (code, text) = run(&[&["plan", spec], &settings[..], &outputs].concat());
+    assert_eq!(code, Some(0), "{text}");
+    let report: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let html = std::fs::read_to_string(&page).unwrap();
+    let open = r#"<script id="content" type="application/json">"#;
+    let content = &html[html.find(open).unwrap() + open.len()..];
+    let content: serde_json::Value = serde_json::from_str(&content[..content.find("</script>").unwrap()]).unwrap();
+    let volumes = content["volumes"].as_array().unwrap();
+    let names: Vec<&str> = volumes.iter().map(|v| v["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["keep_in field", "keep_out mast", "keep_out shed"]);
+    // The circle that the centre of gravity keeps about the mast: its radius, the arm, the propeller and the clearance.
+    let points = |line: &serde_json::Value| -> Vec<[f64; 2]> { serde_json::from_value(line.clone()).unwrap() };
+    for p in points(&volumes[1]["above"]["kept"][0]) {
+        assert!(((p[0] - 15.0).hypot(p[1] - 0.3) - (0.4 + 0.211 + 0.13 + 2.0)).abs() < 1e-4, "{p:?}");
+    }
+    // The shed is drawn by parts, and its edge once.
+    assert!(volumes[2]["above"]["areas"].as_array().unwrap().len() > 1);
+    let length: f64 = volumes[2]["above"]["edge"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .flat_map(|line| {
+            points(line).windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])).collect::<Vec<_>>()
+        })
+        .sum();
+    assert!((length - 52.0).abs() < 1e-3, "{length}");
+    let records = report["planners"][0]["volumes"].as_array().unwrap();
+    let marks = content["runs"][0]["nearest"].as_array().unwrap();
+    assert_eq!(marks.len(), 3);
+    for (i, (mark, record)) in marks.iter().zip(records).enumerate() {
+        for axis in 0..3 {
+            let [a, b] = [&mark["at"], &record["position_m"]].map(|p| p[axis].as_f64().unwrap());
+            assert!((a - b).abs() < 1e-3, "{mark} {record}");
+        }
+        let column = content["runs"][0]["columns"][format!("volume_{i}")].as_array().unwrap();
+        let least = column.iter().map(|d| d.as_f64().unwrap()).fold(f64::INFINITY, f64::min);
+        assert!((least - record["distance_m"].as_f64().unwrap()).abs() < 0.05, "{least} {record}");
+    }
+    assert!(html.contains("Table of volumes"));
+    for figure in ["path-above.svg", "path-side.svg", "distance.svg"] {
+        let svg = std::fs::read_to_string(figures.join(figure)).unwrap();
+        for name in names.iter() {
+            assert!(svg.contains(name), "{figure} {name}");
+        }
+    }
+    // Without volumes there is nothing of them.
+    let spec = "specs/missions/inspection.mav";
+    let (code, text) = run(&[
+        "plan",
+        spec,
+        "--set",
+        "plan.samples=40",
+        "--html",
+        page.to_str().unwrap(),
+        "--svg",
+        figures.join("b").to_str().unwrap(),
+    ]);
+    assert_eq!(code, Some(0), "{text}");
+    let html = std::fs::read_to_string(&page).unwrap();
+    let content = &html[html.find(open).unwrap()..];
+    let content = &content[..content.find("</script>").unwrap()];
+    assert!(!content.contains("\"volumes\"") && !content.contains("\"nearest\"") && !html.contains("Table of volumes"));
+    assert!(!figures.join("b/path-above.svg").exists());
+}
+
+/// What `simulate` reports of volumes is the smallest distance of the positions that it logs.
+#[test]
+fn flights_report_how_near_they_came() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv = folder.path().join("flight.csv");
+    let settings = ["--set", "plan.planner=rip", "--set", "plan.samples=40", "--set", "plan.time=20s"];
+    let outputs = ["-o", csv.to_str().unwrap(), "--rate", "500Hz", "--report", "-"];
+    let (code, text) = run(&[&["simulate", "specs/missions/mast_octo.mav"], &settings[..], &outputs].concat());
+    assert_eq!(code, Some(0), "{text}");
+    let report: serde_json::Value = serde_json::from_str(&text).unwrap();
+    crate::schemas::schema("simulate").assert_valid(&report);
+    let mast = &report["volumes"][1];
+    assert_eq!(mast["name"], "mast");
+    let distance = |p: &Point| from_cylinder(*p, [15.0, 0.3], 0.4, 0.0, 30.0) - 0.211 - 0.13;
+    let nearest = positions(&csv).iter().map(distance).fold(f64::INFINITY, f64::min);
+    let told = mast["distance_m"].as_f64().unwrap();
+    assert!((told - nearest).abs() < 2e-3, "{told} {nearest}");
+    // The flight deviates from its plan, which keeps 2 m.
+    assert!(told > 1.5 && (told - 2.0).abs() > 1e-4, "{told}");
+    let (_, text) = run(&[&["simulate", "specs/missions/mast_octo.mav"], &settings[..]].concat());
+    assert!(text.contains("Smallest distance in the flight of the vehicle"), "{text}");
+    let (_, text) = run(&["simulate", "specs/missions/inspection.mav", "--set", "plan.samples=40", "--report", "-"]);
+    assert!(!text.contains("\"volumes\""), "{text}");
+}
+
+/// The shortest way leads over the hedge, where the vehicle climbs slowly: another side is quicker, and is found.
+#[test]
+fn the_quickest_of_several_sides_is_flown() {
+    let spec = mavc::compile(
+        "vehicle octo {
+    layout = \"PPNNPPNN\"; arm = 0.211 m; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2; size = 0.35 m
+    rotor { max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+}
+mission over_or_around {
+    start at [0, 0, 3] m
+    waypoint at [20, 0, 3] m
+    keep_out hedge { shape = box; from = [9, -6, 0] m; to = [11, 6, 6] m }
+    limits { speed <= 8 m/s; tilt <= 35 deg; climb <= 1 m/s; descent <= 1 m/s }
+}
+plan { planner = rip; time = minimum; samples = 40 }",
+    )
+    .into_result()
+    .unwrap();
+    let problem = Problem::of(spec.model()).unwrap();
+    let (healthy, sets) = (AdmissibleSet::healthy(spec.model()), PlanningSets::of(spec.model()));
+    let shortest = |sides: usize| {
+        let mut settings = ScpSettings::DEFAULT;
+        settings.guidance.sides = sides;
+        let mut hover = HoverPlanner::new(problem, &healthy);
+        let mut planner = ScpPlanner::with_settings(&mut hover, WrenchModel::Exact, &sets.rip, settings);
+        let found = planner.shortest(&[], None).unwrap();
+        println!("{sides} other sides: {} s, {:?}", found.time, hover.effort);
+        (found.time, found.planned.states.iter().map(|s| s[1][0].abs()).fold(0.0, f64::max))
+    };
+    // Over it: up by 3.35 m and down again, at 1 m/s.
+    let (over, aside) = shortest(0);
+    assert!(over > 6.7 && aside < 1.0, "{over} s, {aside} m aside");
+    let (around, aside) = shortest(4);
+    assert!(around < 5.5 && aside > 6.0, "{around} s, {aside} m aside");
 }
 
 /// A turn in a narrow room takes longer than one without walls, and that it takes longer is proved by the walls' own rows.

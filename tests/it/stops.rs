@@ -1,8 +1,10 @@
 //! Stops after a fault: against closed forms, and each one found against what a stop is.
 
 use crate::vehicles::{lost, mission, octocopter, paper_case, waypoint};
+use mavc::geometry::body::Body;
 use mavc::model::{
-    AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem,
+    AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem, Volume,
+    VolumeSide,
 };
 use mavc::motion::checks::past;
 use mavc::motion::wrench_model::WrenchModel;
@@ -73,6 +75,42 @@ fn a_descent_is_committed_until_it_can_be_braked() {
         println!("{wrench:?}: {} s, in closed form {last} s, continued {} s", s.committed[0], s.outside[0].committed());
         assert!(last > 0.5 && last < s.outside[0].committed() - 2.0 * step, "{last} {:?}", s.outside);
         assert!((last..last + 2.0 * step).contains(&s.committed[0]), "{wrench:?}: {} s, {last} s", s.committed[0]);
+    }
+}
+
+/// The same where the floor is the boundary of a volume: to stay outside, in the exact model, or inside.
+#[test]
+fn a_descent_towards_a_volume_is_committed_as_above_a_floor() {
+    let wide = |reach: f64| vec![[-reach, -reach], [reach, -reach], [reach, reach], [-reach, reach]];
+    let below = Body::Prism { corners: wide(40.0), bottom: -5.0, top: 0.0 };
+    let ball = Body::Ball { centre: [0.0, 0.0, -500.0], radius: 500.0 };
+    let hill = Body::HalfSpace { normal: [0.0, 0.0, 1.0], offset: 0.0 };
+    let room = Body::Prism { corners: wide(60.0), bottom: 0.0, top: 90.0 };
+    let committed = |wrench: PlanModel, side: VolumeSide, body: Option<&Body>| {
+        let mut model = held(descent(wrench));
+        model.plan.samples = 60;
+        let size = model.vehicle.radius();
+        if let Some(body) = body {
+            let clearance = FLOOR - size;
+            let bodies = vec![body.clone()];
+            let volume = Volume { name: "v".into(), side, bodies, clearance, span: Span::default() };
+            let mission = model.mission.as_mut().unwrap();
+            mission.limits = volume.limits(size);
+            mission.volumes = vec![volume];
+        }
+        solved(&run(&model)).committed[0]
+    };
+    for (wrench, side, bodies) in [
+        (PlanModel::Exact, VolumeSide::KeepOut, vec![below, ball, hill]),
+        (PlanModel::Exact, VolumeSide::KeepIn, vec![room.clone()]),
+        (PlanModel::Hover, VolumeSide::KeepIn, vec![room]),
+    ] {
+        let floor = committed(wrench, side, None);
+        for body in &bodies {
+            let found = committed(wrench, side, Some(body));
+            println!("{wrench:?} {side:?} {body:?}: {found} s, above a floor {floor} s");
+            assert!((found - floor).abs() <= 2.0 * 5.0 / 60.0, "{body:?}: {found} s, {floor} s");
+        }
     }
 }
 

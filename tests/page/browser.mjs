@@ -40,6 +40,7 @@ export const pages = {
   hostile: ["plan", join(folder, "hostile.mav")],
   flight: ["simulate", "specs/paper/figure12.mav"],
   campaign: ["campaign", join(folder, "hostile.mav"), "--times", "3", "--seeds", "1"],
+  volumes: ["plan", "specs/missions/mast_octo.mav", "--set", "plan.planner=rip", "--set", "plan.time=20s", "--set", "plan.samples=40"],
   // Maps of many instants beside each other.
   instants: ["campaign", join(folder, "instants.mav"), "--times", "12", "--seeds", "1"],
 };

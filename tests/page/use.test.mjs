@@ -180,3 +180,31 @@ test("playing moves time", () =>
     const [now] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
     assert.ok(now > 0.05, String(now));
   }));
+
+test("volumes are drawn in space and in the flat views", async () => {
+  for (const browser of ["webgl", "flat"]) {
+    await open("volumes", { browser }, async (page) => {
+      assert.match(await text(page, "#space-note"), /Keep-outs are filled, keep-ins outlined/);
+      const canvas = page.locator("#space canvas").first();
+      // Pixels that are rather red than grey, blue or green: the filled keep-outs.
+      const red = await canvas.evaluate((c) => {
+        const copy = new OffscreenCanvas(c.width, c.height);
+        const pen = copy.getContext("2d", { willReadFrequently: true });
+        pen.fillStyle = "white";
+        pen.fillRect(0, 0, c.width, c.height);
+        pen.drawImage(c, 0, 0);
+        const { data } = pen.getImageData(0, 0, c.width, c.height);
+        let count = 0;
+        for (let i = 0; i < data.length; i += 4) count += data[i] > data[i + 1] + 15 && data[i] > data[i + 2] + 15 && data[i] > 150;
+        return count;
+      });
+      assert.ok(red > 1000, `${browser}: ${red}`);
+      if (browser === "webgl") {
+        const labels = await page.locator("#space .labels span").allTextContents();
+        for (const name of ["keep_in field", "keep_out mast", "keep_out shed"]) assert.ok(labels.includes(name), labels.join());
+        assert.ok(labels.some((l) => /from keep_out mast$/.test(l)), labels.join());
+      }
+      assert.match(await text(page, "#volumes h2"), /^The vehicle keeps .* from keep_/);
+    });
+  }
+});

@@ -1,16 +1,22 @@
 // Two flat views of the path, for browsers without WebGL.
 
+import { Vector3 } from "three";
 import { element } from "./content.js";
 import { css } from "./palette.js";
 import { plane } from "./plane.js";
+import { flat as drawVolumes, reach } from "./volumes.js";
 
 export function flat({ place, run, state, content }) {
   let colors = [];
-  const view = (i, j, name) => {
+  const view = (i, j, name, outline) => {
     const plot = element("div", { class: "plot" });
     place.append(element("figure", {}, element("figcaption", {}, element("h3", {}, name)), plot));
     const columns = () => [run().columns[i], run().columns[j]];
     const axes = { x: 0, y: 1, z: 2 };
+    const near = () => {
+      const { x, y, z } = run().columns;
+      return reach([...x.map((v, k) => new Vector3(v, y[k], z[k])), ...content.waypoints.map((w) => new Vector3(...w.at))]);
+    };
     return plane(plot, {
       name: `Path, ${name}`,
       labels: [`${i} [m]`, `${j} [m]`],
@@ -18,7 +24,8 @@ export function flat({ place, run, state, content }) {
       height: () => 340,
       box: () => {
         const ends = columns().map((values, k) => {
-          const all = [...values, ...content.waypoints.map((w) => w.at[axes[k === 0 ? i : j]])];
+          const along = axes[k === 0 ? i : j];
+          const all = [...values, ...content.waypoints.map((w) => w.at[along]), ...near().map((p) => p.getComponent(along))];
           const [low, high] = [Math.min(...all), Math.max(...all)];
           const room = 0.06 * (high - low) + 0.2;
           return [low - room, high + room];
@@ -27,6 +34,7 @@ export function flat({ place, run, state, content }) {
       },
       draw: (pen) => {
         const [xs, ys] = columns();
+        drawVolumes(pen, outline, [axes[i], axes[j]], run());
         for (const w of content.waypoints) {
           pen.circle([w.at[axes[i]], w.at[axes[j]]], w.within, { fill: css("--band"), stroke: css("--ink") });
         }
@@ -38,7 +46,7 @@ export function flat({ place, run, state, content }) {
       },
     });
   };
-  const views = [view("x", "y", "from above"), view("x", "z", "from the side")];
+  const views = [view("x", "y", "from above", "above"), view("x", "z", "from the side", "side")];
   const again = () => views.forEach((v) => v.again());
   return {
     path: (given) => {

@@ -1,6 +1,7 @@
 // A plane with equal or free scales, drawn by hand over uPlot's axes.
 
 import { axis, chart } from "./axes.js";
+import { css } from "./palette.js";
 
 /** Px of a chart taken by axes, their labels and padding: see `axis` and the options below. */
 const AROUND = { true: { x: 4, y: 4 }, false: { x: 48 + 18 + 12, y: 30 + 18 + 8 } };
@@ -51,6 +52,21 @@ function pen(u) {
     ctx.beginPath();
     points.forEach((p, i) => (i === 0 ? ctx.moveTo(...at(p)) : ctx.lineTo(...at(p))));
     if (closes) ctx.closePath();
+  };
+  /** The ends of the part of a segment within the chart (Liang and Barsky); null if there is none. */
+  const shown = (p, q) => {
+    const { left, top, width, height } = u.bbox;
+    const frame = [[left, left + width], [top, top + height]];
+    const [a, b] = [at(p), at(q)];
+    let [from, to] = [0, 1];
+    for (const i of [0, 1]) {
+      const d = b[i] - a[i];
+      const ends = frame[i].map((v) => (v - a[i]) / d);
+      if (d === 0 && (a[i] < frame[i][0] || a[i] > frame[i][1])) to = -1;
+      if (d !== 0) [from, to] = [Math.max(from, Math.min(...ends)), Math.min(to, Math.max(...ends))];
+    }
+    const point = (t) => [0, 1].map((i) => p[i] + t * (q[i] - p[i]));
+    return from <= to ? { a: point(from), b: point(to) } : null;
   };
   const within = (work) => {
     ctx.save();
@@ -111,6 +127,51 @@ function pen(u) {
       ctx.lineWidth = px;
       ctx.stroke();
       ctx.restore();
+    },
+    diamond: (point, { fill, stroke }) => {
+      const [x, y] = at(point);
+      const r = 5 * px;
+      ctx.save();
+      ctx.beginPath();
+      for (const [dx, dy] of [[r, 0], [0, r], [-r, 0], [0, -r]]) ctx.lineTo(x + dx, y + dy);
+      ctx.closePath();
+      ctx.fillStyle = fill;
+      ctx.fill();
+      ctx.strokeStyle = stroke;
+      ctx.lineWidth = 1.5 * px;
+      ctx.stroke();
+      ctx.restore();
+    },
+    /** Words beside a point, kept within the chart. */
+    text: (point, words, { fill }) =>
+      within(() => {
+        const { left, top, width, height } = u.bbox;
+        ctx.font = `${11 * px}px system-ui, sans-serif`;
+        ctx.textAlign = "left";
+        ctx.textBaseline = "bottom";
+        const wide = ctx.measureText(words).width;
+        const [x, y] = at(point);
+        const x0 = Math.min(Math.max(x - wide / 2, left + 3 * px), left + width - wide - 3 * px);
+        const y0 = Math.min(Math.max(y - 2 * px, top + 14 * px), top + height - 3 * px);
+        ctx.strokeStyle = css("--paper");
+        ctx.lineWidth = 3 * px;
+        ctx.strokeText(words, x0, y0);
+        ctx.fillStyle = fill;
+        ctx.fillText(words, x0, y0);
+      }),
+    /** The part of a segment that the chart shows, empty if it shows none. */
+    visible: (line) => {
+      const ends = shown(line[0], line[1]);
+      return ends ? [ends.a, ends.b] : [];
+    },
+    /** The highest point of a line that the chart shows; null if it shows none. */
+    top: (line) => {
+      let best = null;
+      line.slice(1).forEach((end, k) => {
+        const ends = shown(line[k], end);
+        for (const p of ends ? [ends.a, ends.b] : []) if (!best || p[1] > best[1]) best = p;
+      });
+      return best;
     },
     cross: (point, stroke) => {
       const [x, y] = at(point);

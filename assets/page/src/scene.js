@@ -26,6 +26,7 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { indexAt, number } from "./content.js";
 import { css, round } from "./palette.js";
 import { stage } from "./stage.js";
+import { NOTE, reach, solids } from "./volumes.js";
 
 /** Most waypoints with a label. */
 const MOST_LABELS = 16;
@@ -39,7 +40,8 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
     return x.map((v, k) => new Vector3(v, y[k], z[k]));
   };
   const stops = content.waypoints.map((w) => new Vector3(...w.at));
-  const { middle, size, step, floor } = extent([...points(), ...stops]);
+  const seen = [...points(), ...stops];
+  const { middle, size, step, floor } = extent([...seen, ...reach(seen)]);
   const { world, canvas, label, project, render, look, onFit, remove } = stage(place, middle, size, lost);
 
   const cells = Math.ceil(size / step);
@@ -62,6 +64,7 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
   );
   world.add(spheres, dots);
   name(content.waypoints, label);
+  const bodies = solids(world, label, { middle, size });
 
   const material = new LineMaterial({ vertexColors: true, linewidth: 4.5 });
   onFit((width, height) => material.resolution.set(width, height));
@@ -79,7 +82,7 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
   world.add(vehicle);
 
   note(
-    `Grid squares are ${number(step)} m wide, at z = ${number(floor)} m; the thin line is the projection of the path. Spheres are tolerances. The ring is the vehicle; its mast points along the thrust.`,
+    `Grid squares are ${number(step)} m wide, at z = ${number(floor)} m; the thin line is the projection of the path. Spheres are tolerances. The ring is the vehicle; its mast points along the thrust.${NOTE}`,
     " Drag or use the arrow keys to rotate; click the path to select an instant.",
   );
 
@@ -117,6 +120,7 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
     tolerance.color.set(css("--accent"));
     for (const m of [dots.material, body.material, mast.material]) m.color.set(css("--ink"));
     shadow.material.color.set(css("--soft"));
+    bodies.theme();
   }
 
   function drawPath(colors) {
@@ -134,6 +138,7 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
     shadow.geometry.dispose();
     shadow.geometry = new BufferGeometry().setFromPoints(points().map((p) => p.setZ(floor)));
     others.clear();
+    bodies.mark(run());
     const faint = new LineBasicMaterial({ color: css("--soft"), transparent: true, opacity: 0.55 });
     for (const { columns: c } of content.runs.filter((r) => r !== run())) {
       others.add(new Line(new BufferGeometry().setFromPoints(c.x.map((v, k) => new Vector3(v, c.y[k], c.z[k]))), faint));

@@ -7,6 +7,7 @@ import { classLegend, legend } from "./strips.js";
 import { on, run, setTime, state } from "./state.js";
 import { flat } from "./flat.js";
 import { scene } from "./scene.js";
+import { NOTE } from "./volumes.js";
 
 /** Most modes with a colour of their own. */
 const MOST_COLORS = 7;
@@ -122,7 +123,7 @@ export function space() {
     place.setAttribute("aria-label", "Path seen from above and from the side");
     document.querySelectorAll("[data-view]").forEach((b) => (b.parentElement.hidden = true));
     begin(flat);
-    note("This browser does not support WebGL, so the path is shown from above and from the side. Circles are waypoints with their tolerances.");
+    note(`This browser does not support WebGL, so the path is shown from above and from the side. Circles are waypoints with their tolerances.${NOTE}`);
   };
   fill();
   try {

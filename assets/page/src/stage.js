@@ -46,7 +46,13 @@ export function stage(place, middle, size, lost) {
   const label = (name, at) => {
     const text = element("span", {}, name);
     labels.append(text);
-    texts.push({ text, at });
+    const entry = { text, at };
+    texts.push(entry);
+    const remove = () => {
+      text.remove();
+      texts = texts.filter((other) => other !== entry);
+    };
+    return { remove };
   };
 
   /** Pixels from the upper left corner, and depth. */

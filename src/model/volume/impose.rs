@@ -1,12 +1,13 @@
 //! Imposes the volumes of a mission on the vehicle that flies it, and reports what geometry alone excludes.
 
-use super::Side;
+use super::{Side, passage};
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::{Limit, Mission, Plan, PlanModel, Vehicle, Waypoint};
 use crate::number::significant;
 
 const OUTSIDE: &str = "mavc::volume::waypoint";
+const NO_WAY: &str = "mavc::volume::no_way";
 
 /// Adds the limits of the mission's volumes; whether the waypoints keep them.
 pub fn impose(cx: &mut Context, mission: &mut Mission, vehicle: &Vehicle) -> bool {
@@ -31,24 +32,56 @@ pub fn impose(cx: &mut Context, mission: &mut Mission, vehicle: &Vehicle) -> boo
         fits &= keeps_waypoints(cx, &limits, &mission.waypoints, volume.side, volume.clearance + size);
         mission.limits.extend(limits);
     }
-    fits
+    fits && leaves_ways(cx, mission, size)
+}
+
+/// Reports a waypoint that the volumes close off from the one before it.
+fn leaves_ways(cx: &mut Context, mission: &Mission, size: f64) -> bool {
+    let Some(found) = passage::closed_off(&mission.limits, &mission.volumes, &mission.waypoints) else { return true };
+    let [from, to] = [found.waypoint - 1, found.waypoint].map(|index| (index, &mission.waypoints[index]));
+    let name = |limit: &Limit| match limit.volume {
+        Some(_) => format!("`{}`", limit.name()),
+        None => format!("the limit on {}", limit.name()),
+    };
+    let by: Vec<String> = found.by.iter().map(|&i| name(&mission.limits[i])).collect();
+    let message = format!("no way leads from {} to {}: {} closed off", which(from), which(to), listed(&by));
+    let mut error = Diagnostic::error(NO_WAY, to.1.span, message).here("cannot be reached");
+    error = error.also(from.1.span, "from here");
+    for &i in &found.by {
+        error = error.also(mission.limits[i].span, "closes the way");
+    }
+    let kept = significant(size, 3);
+    cx.report(error.help(format!("leave a gap: the vehicle keeps {kept} m and the `clearance` from each boundary")));
+    false
+}
+
+/// `it is closed off by A, B and C`, without its end.
+fn listed(names: &[String]) -> String {
+    match names {
+        [] => "it is".into(),
+        [one] => format!("{one} keeps it"),
+        [rest @ .., last] => format!("{} and {last} keep it", rest.join(", ")),
+    }
+}
+
+/// As messages name a waypoint with its index.
+fn which((index, waypoint): (usize, &Waypoint)) -> String {
+    match &waypoint.name {
+        Some(name) => format!("waypoint `{name}`"),
+        None if index == 0 => "the start".to_string(),
+        None => format!("waypoint {}", index + 1),
+    }
 }
 
 /// Reports the first waypoint that violates a limit of a volume.
 fn keeps_waypoints(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint], side: Side, margin: f64) -> bool {
     for limit in limits {
         for (index, waypoint) in waypoints.iter().enumerate() {
-            let Some(value) = limit.value_at(waypoint.position) else { continue };
-            let over = limit.upper.map_or(f64::NEG_INFINITY, |upper| value - upper);
-            let violation = over.max(limit.lower.map_or(f64::NEG_INFINITY, |lower| lower - value));
+            let Some(violation) = limit.violation_at(waypoint.position) else { continue };
             if violation <= 1e-9 {
                 continue;
             }
-            let which = match &waypoint.name {
-                Some(name) => format!("waypoint `{name}`"),
-                None if index == 0 => "the start".to_string(),
-                None => format!("waypoint {}", index + 1),
-            };
+            let which = which((index, waypoint));
             let (place, apart) = match side {
                 Side::KeepIn if violation > margin => ("outside", String::new()),
                 Side::KeepIn => ("too near the boundary of", format!(" by {} m", significant(violation, 3))),

@@ -166,7 +166,21 @@ impl ScpPlanner<'_, '_> {
                 found = kept.into_iter().chain(found).min_by(|a, b| a.objective.total_cmp(&b.objective));
             }
         }
-        found
+        found.or_else(|| self.on_grid_by_other_sides(full))
+    }
+
+    /// A plan on a time grid from the minimum-snap motion on other sides of the volumes in its way; the first that is found.
+    fn on_grid_by_other_sides(&mut self, full: &TimeGrid) -> Option<Planned> {
+        self.other_sides().into_iter().find_map(|sides| {
+            let kept = std::mem::replace(&mut self.sides, sides);
+            let smooth = self.minimum_snap(&full.flown());
+            let close = self.settings.cost.close;
+            let found = smooth.and_then(|iterate| self.restored_plan(iterate, full.total, close, &mut BTreeSet::new()));
+            if found.is_none() {
+                self.sides = kept;
+            }
+            found
+        })
     }
 
     /// A plan from the relaxation's solution: of least cost, or without a cost phase if its result is not feasible between instants.

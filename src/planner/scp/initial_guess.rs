@@ -10,7 +10,20 @@ impl ScpPlanner<'_, '_> {
         // Where the planner chooses the durations, the initial one of each leg comes from its own limits. (A second start with
         // shares by length took up to twice the solves and found times at most 0.5 % shorter: docs/performance.md.)
         let initial = self.chooses_times().then(|| kinematics::initial(self.hover.problem));
-        let mut iterate = self.coarse(initial.as_deref(), near)?;
+        let coarse = self.coarse_on_all_sides(initial.as_deref(), near);
+        let kept = std::mem::take(&mut self.sides);
+        let found = coarse.into_iter().find_map(|(iterate, sides)| {
+            self.sides = sides;
+            self.refined_to_full(iterate, near)
+        });
+        if found.is_none() {
+            self.sides = kept;
+        }
+        found
+    }
+
+    /// A coarse iterate on the full grid, over a medium one.
+    fn refined_to_full(&mut self, mut iterate: Iterate, near: f64) -> Option<Iterate> {
         let samples = self.hover.model().plan.samples;
         if let Some(medium) = self.medium_grid() {
             iterate = self.refined(iterate, medium)?;
@@ -57,7 +70,7 @@ impl ScpPlanner<'_, '_> {
 
     /// A feasible iterate on the coarse grid, of about `near` s of flight or as short as the steps make it. The legs start with these
     /// shares of the time, or with shares by length.
-    fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Iterate> {
+    pub(super) fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Iterate> {
         self.hover.effort.starts += 1;
         let longest: f64 = shares.map_or(0.0, |legs| legs.iter().sum());
         let guess = self.hover.guess().max(near + self.held()).max(longest + self.held());

@@ -362,6 +362,8 @@ pub struct GuidanceSettings {
     pub ways: usize,
     /// Every which instant that motion keeps the volumes. 4.
     pub instants: usize,
+    /// How many coarse iterates on other sides of volumes than the shortest ways are tried. 4.
+    pub sides: usize,
 }
 
 impl ScpSettings {
@@ -469,7 +471,15 @@ impl ScpSettings {
             intervals_per_part: 5,
             min_duration: 0.4,
         },
-        guidance: GuidanceSettings { weight: 0.01, min_distance: 100.0, lengths: 3.0, yaw: 20.0, ways: 3, instants: 4 },
+        guidance: GuidanceSettings {
+            weight: 0.01,
+            min_distance: 100.0,
+            lengths: 3.0,
+            yaw: 20.0,
+            ways: 3,
+            instants: 4,
+            sides: 4,
+        },
     };
 }
 

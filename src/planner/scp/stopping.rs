@@ -2,6 +2,9 @@
 
 use super::*;
 
+/// States count as equal within this, as a share of their size (at least 1, in SI units): the solver leaves less.
+const BEGINS_WITHIN: f64 = 1e-5;
+
 impl ScpPlanner<'_, '_> {
     /// A stop over a time grid from the state [`HoverPlanner::struck`]; `None` where the steps find none.
     pub fn stop(&mut self, grid: &TimeGrid) -> Option<Iterate> {
@@ -15,7 +18,9 @@ impl ScpPlanner<'_, '_> {
         self.stop_by_steps(other, f64::INFINITY)
     }
 
-    /// With an infinite `violation` the iterate is not one of this mission, and the first step is taken whole.
+    /// With an infinite `violation` the iterate is not one of this mission, and the first step is taken whole. So is one from an
+    /// iterate that violates nothing but begins in another state: minimum-snap motions over long legs do, because they are solved in
+    /// another time.
     fn stop_by_steps(&mut self, mut iterate: Iterate, mut violation: f64) -> Option<Iterate> {
         let (settings, margin) = (self.settings.stops, self.settings.tightening.margin);
         let proximal_settings = self.settings.proximal;
@@ -28,6 +33,9 @@ impl ScpPlanner<'_, '_> {
         let mut working_set = BTreeSet::new();
         let mut history: Vec<f64> = Vec::new();
         self.multipliers.clear();
+        if violation <= 0.0 && !self.begins_as_struck(&iterate) {
+            violation = f64::INFINITY;
+        }
         while violation > 0.0 {
             history.push(violation);
             let is_slow = !linear
@@ -57,7 +65,20 @@ impl ScpPlanner<'_, '_> {
             if linear || now < violation {
                 (iterate, violation) = (reached, now);
             }
+            if violation <= 0.0 && !self.begins_as_struck(&iterate) {
+                violation = f64::INFINITY;
+            }
         }
         Some(iterate)
+    }
+
+    /// Whether an iterate begins with the position and the velocity of [`HoverPlanner::struck`].
+    fn begins_as_struck(&self, iterate: &Iterate) -> bool {
+        let (Some(struck), Some(first)) = (&self.hover.struck, iterate.states.first()) else { return true };
+        let is_near = |axis: usize, order: usize| {
+            let (due, there) = (struck[axis][order], first[axis][order]);
+            (there - due).abs() <= BEGINS_WITHIN * due.abs().max(1.0)
+        };
+        ALL_AXES.into_iter().all(|axis| is_near(axis, 0) && is_near(axis, 1))
     }
 }

@@ -1,6 +1,7 @@
 //! Constraint tightening, so that rows also hold between the instants.
 
 use super::*;
+use crate::model::LimitKind;
 use settings::StoppingRule;
 
 impl ScpPlanner<'_, '_> {
@@ -73,9 +74,10 @@ impl ScpPlanner<'_, '_> {
                 }
             }
         }
-        // Limits on places have no width for a tightening.
+        // Limits on places have no width for a tightening, except distances from bodies.
         let limits = &self.hover.mission().limits;
-        over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if place(limits[limit].kind)));
+        let is_place = |limit: &Limit| place(limit.kind) && limit.kind != LimitKind::Clearance;
+        over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if is_place(&limits[limit])));
         over.into_iter().collect()
     }
 }

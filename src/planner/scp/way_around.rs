@@ -2,10 +2,11 @@
 //!
 //! On each leg that enters a volume, the shortest path on a lattice of positions that keep every bound on positions is
 //! searched for (A*: Hart, Nilsson and Raphael, 1968). It chooses on which sides the motion passes the volumes; the steps that
-//! follow take the separating planes anew and keep these sides as far as that pays.
+//! follow take the separating planes anew and keep these sides as far as that pays. Other ways are the shortest ones on which the
+//! sides of the ways before are closed: `sides` chooses among them.
 
 use super::*;
-use crate::model::{Bounded, Limit, LimitKind, Mission};
+use crate::model::{Bounded, LimitKind, Mission};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -36,14 +37,15 @@ impl ScpPlanner<'_, '_> {
         let mission = self.hover.problem.mission();
         let mut positions = self.positions(iterate)?;
         let mut is_changed = false;
-        for segment in &iterate.grid.segments {
+        for (leg, segment) in iterate.grid.segments.iter().enumerate() {
             let ends = segment.first_node * PARTS..=(segment.first_node + segment.intervals) * PARTS;
             let of_leg = of_leg(mission, segment.from);
             let mission = of_leg.as_ref().unwrap_or(mission);
             if positions[ends.clone()].iter().all(|p| violation(mission, p) <= TOUCHING) {
                 continue;
             }
-            let way = shortest_way(mission, positions[*ends.start()], positions[*ends.end()])?;
+            let nth = self.sides.get(&leg).copied().unwrap_or(0);
+            let way = nth_way(mission, positions[*ends.start()], positions[*ends.end()], nth)?;
             let along = shares_of_length(&positions[ends.clone()]);
             for (p, share) in positions[ends].iter_mut().zip(along) {
                 *p = at_share(&way, share);
@@ -71,12 +73,8 @@ fn position(state: &NodeState) -> Point {
 
 /// The largest violation of a bound on positions, m.
 fn violation(mission: &Mission, p: &Point) -> f64 {
-    let of = |limit: &Limit| {
-        let value = limit.value_at(*p)?;
-        let over = limit.upper.map_or(f64::NEG_INFINITY, |upper| value - upper);
-        Some(over.max(limit.lower.map_or(f64::NEG_INFINITY, |lower| lower - value)))
-    };
-    mission.limits.iter().filter_map(of).fold(f64::NEG_INFINITY, f64::max)
+    let all = mission.limits.iter().filter_map(|limit| limit.violation_at(*p));
+    all.fold(f64::NEG_INFINITY, f64::max)
 }
 
 fn distance(a: &Point, b: &Point) -> f64 {
@@ -122,11 +120,74 @@ impl PartialOrd for Open {
     }
 }
 
-/// A short path from one point to another on which no bound on positions is violated, with its corners cut.
-fn shortest_way(mission: &Mission, from: Point, to: Point) -> Option<Vec<Point>> {
+/// A short path from one point to another on which no bound on positions is violated, with its corners cut: the shortest, or the
+/// `nth` of several ways, counted from 0, each the shortest that does not pass on a side on which one before it passes.
+pub(super) fn nth_way(mission: &Mission, from: Point, to: Point, nth: usize) -> Option<Vec<Point>> {
     let lattice = Lattice::around(mission, from, to);
-    let way = lattice.search(|p| violation(mission, p) <= TOUCHING, from, to)?;
-    Some(shortened(&way, |p| violation(mission, p) <= TOUCHING, lattice.step))
+    let mut taken: Vec<Side> = Vec::new();
+    loop {
+        let is_free = |p: &Point| violation(mission, p) <= TOUCHING && !taken.iter().any(|side| side.contains(p));
+        let way = shortened(&lattice.search(is_free, from, to)?, is_free, lattice.step);
+        if taken.len() == nth {
+            return Some(way);
+        }
+        taken.push(Side::of(mission, &way, from, to)?);
+    }
+}
+
+/// The cosine of half the angle, seen along the straight leg, that a way closes to those after it: 50 degrees.
+const HALF_ANGLE: f64 = 0.64;
+
+/// Points of a straight leg at which it is looked for obstacles.
+const POINTS: usize = 200;
+
+/// Where the straight leg violates bounds: the shares of its length at which that begins and ends; `None` if it never does.
+pub(super) fn obstructed(mission: &Mission, from: Point, to: Point) -> Option<(f64, f64)> {
+    let point = |share: f64| std::array::from_fn(|i| from[i] + share * (to[i] - from[i]));
+    let shares = (0..=POINTS).map(|k| k as f64 / POINTS as f64);
+    let blocked: Vec<f64> = shares.filter(|&share| violation(mission, &point(share)) > TOUCHING).collect();
+    Some((*blocked.first()?, *blocked.last()?))
+}
+
+/// The side of the obstacles of a leg on which a way passes them: positions beside the obstructed part of the straight leg in
+/// about the direction in which the way is farthest from it.
+struct Side {
+    from: Point,
+    /// Unit vector along the leg, and across it towards this side.
+    along: Point,
+    across: Point,
+    /// Where the straight leg is obstructed, m from its start.
+    part: (f64, f64),
+}
+
+impl Side {
+    fn of(mission: &Mission, way: &[Point], from: Point, to: Point) -> Option<Self> {
+        let length = distance(&from, &to);
+        let (begin, end) = obstructed(mission, from, to)?;
+        let along = std::array::from_fn(|i| (to[i] - from[i]) / length);
+        let mut side = Side { from, along, across: [0.0; 3], part: (begin * length, end * length) };
+        let far = way.iter().map(|p| side.beside(p).1).max_by(|a, b| norm(a).total_cmp(&norm(b)))?;
+        let most = norm(&far);
+        side.across = far.map(|x| x / most);
+        (most > 0.0).then_some(side)
+    }
+
+    /// How far along the leg a position lies, m, and its offset from the straight leg.
+    fn beside(&self, p: &Point) -> (f64, Point) {
+        let from: Point = std::array::from_fn(|i| p[i] - self.from[i]);
+        let along: f64 = (0..3).map(|i| from[i] * self.along[i]).sum();
+        (along, std::array::from_fn(|i| from[i] - along * self.along[i]))
+    }
+
+    fn contains(&self, p: &Point) -> bool {
+        let (along, offset) = self.beside(p);
+        let across: f64 = (0..3).map(|i| offset[i] * self.across[i]).sum();
+        self.part.0 <= along && along <= self.part.1 && across > HALF_ANGLE * norm(&offset)
+    }
+}
+
+fn norm(v: &Point) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 struct Lattice {

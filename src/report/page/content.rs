@@ -3,6 +3,7 @@
 use super::chart::{Chart, Columns, rounded};
 use super::opening::{Opening, opening};
 use super::sets::{SetContent, ShownSet};
+use super::volumes::{self, NearestContent, VolumeContent};
 use super::{Subject, motion, shown_first};
 use crate::admissible::verdict::ModeAnalysis;
 use crate::admissible::{AdmissibleSet, hover};
@@ -31,6 +32,8 @@ const MOST_WAYPOINTS: usize = 400;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Content {
     pub waypoints: Vec<WaypointContent>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub volumes: Vec<VolumeContent>,
     /// `[m g, 0, 0, 0]`, N and N m.
     pub hover: [f64; 4],
     /// `[least, most]` of each component over the whole healthy set.
@@ -76,6 +79,9 @@ pub struct RunContent {
     pub marks: Vec<Mark>,
     /// For a flight: the faults in force, in order of time, the first from 0 s.
     pub phases: Vec<Phase>,
+    /// For a plan: where it comes nearest to each volume.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub nearest: Vec<NearestContent>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -125,7 +131,8 @@ impl Content {
                 _ => None,
             })
             .collect();
-        let width = 24 + subject.problem.model().vehicle.rotors.len() + shown.len();
+        let curves = volumes::curves(subject.problem);
+        let width = 24 + subject.problem.model().vehicle.rotors.len() + shown.len() + curves;
         let places = (MOST_NUMBERS / (width * FEWEST_INSTANTS)).max(1);
         let mut kept = solved;
         if kept.len() > places {
@@ -167,6 +174,7 @@ impl Content {
         let sets: Vec<SetContent> = shown.iter().map(SetContent::new).collect();
         Content {
             waypoints: mission.waypoints.iter().enumerate().step_by(step.max(1)).map(waypoint).collect(),
+            volumes: volumes::contents(problem),
             hover: hover(model).into(),
             extents: extents(model),
             reserve: model.plan.reserve,
@@ -233,12 +241,13 @@ fn run_content(subject: &Subject, label: String, solved: &MissionPlan, shown: &[
     RunContent {
         label,
         figures: None,
-        columns: motion::columns(model, solved, shown, most),
+        columns: motion::columns(problem, solved, shown, most),
         charts: motion::charts(problem, solved, shown).into_iter().map(Chart::set).collect(),
         passed: trajectory.waypoint_nodes.iter().map(|&n| rounded(trajectory.times[n])).collect(),
         strips: measured.map(|(i, s)| strip(i, s)).collect(),
         wrench: "planned wrench",
         marks: Vec::new(),
         phases: Vec::new(),
+        nearest: volumes::nearest(problem, solved),
     }
 }

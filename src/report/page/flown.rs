@@ -86,6 +86,7 @@ impl Track {
             strips: Vec::new(),
             marks: marks(record),
             phases: phases(record),
+            nearest: Vec::new(),
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::chart::{Bound, Chart, Columns, Line, column, length, rounded};
 use super::instants::instants;
 use super::sets::ShownSet;
+use super::volumes;
 use crate::admissible::allocation::Allocator;
 use crate::admissible::hover;
 use crate::admissible::row::VIOLATED;
@@ -47,7 +48,8 @@ fn states(trajectory: &Trajectory, most: usize) -> Vec<(f64, NodeState)> {
 }
 
 /// Columns of a trajectory: SI units, except angles in degrees and margins in percent of the healthy set's width.
-pub fn columns(model: &Model, solved: &MissionPlan, shown: &[ShownSet], most: usize) -> Columns {
+pub fn columns(problem: Problem, solved: &MissionPlan, shown: &[ShownSet], most: usize) -> Columns {
+    let model = problem.model();
     let trajectory = &solved.trajectory;
     let environment = model.environment();
     let states = states(trajectory, most);
@@ -90,6 +92,8 @@ pub fn columns(model: &Model, solved: &MissionPlan, shown: &[ShownSet], most: us
         let margins = wrenches.iter().map(|w| (1e5 * set.margin(w)).round() / 1e3);
         columns.insert(format!("margin_{i}"), margins.collect());
     }
+    let distances = volumes::distances(problem, solved, states.iter().map(|(_, s)| s));
+    columns.extend(distances.into_iter().map(|(name, values)| (name, column(values.into_iter()))));
     columns
 }
 
@@ -105,6 +109,7 @@ fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
     let mut found = Vec::new();
     for limit in mission.limits.iter().filter(|l| l.is_general() && kinds.contains(&l.kind)) {
         let (name, _, factor) = limit.kind.name_and_unit();
+        let name = if limit.volume.is_some() { limit.name() } else { name };
         // A descent is drawn as a negative climb.
         let (name, factor, words) = match limit.kind {
             LimitKind::Descent => (LimitKind::Climb.name_and_unit().0, -factor, ["at least", "at most"]),
@@ -123,7 +128,9 @@ pub fn charts(problem: Problem, solved: &MissionPlan, shown: &[ShownSet]) -> Vec
     if shown.iter().any(|s| s.against.is_some()) {
         charts.push(margins(solved, shown));
     }
-    charts.extend([position(mission, solved), speed(mission, solved), tilts(problem, solved)]);
+    charts.push(position(mission, solved));
+    charts.extend(volumes::chart(problem, solved));
+    charts.extend([speed(mission, solved), tilts(problem, solved)]);
     charts.extend(yaw(mission, solved));
     for (id, title, unit, kinds) in RARE {
         charts.extend(rare(mission, solved, id, title, unit, kinds));

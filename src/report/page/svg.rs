@@ -2,7 +2,9 @@
 
 use super::chart::{Bound, Chart};
 use super::content::{Content, RunContent};
+use super::outline::{Outline, View, clipped};
 use super::sets::SetContent;
+use super::volumes::VolumeContent;
 use crate::number::number;
 use crate::source::visible;
 use plotters::coord::Shift;
@@ -61,8 +63,8 @@ type Failure = DrawingAreaErrorKind<std::io::Error>;
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Context<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// File names and texts: for every plan that is drawn, its charts and each set's section at hover with its path; only the
-/// sections if there is no plan.
+/// File names and texts: for every plan that is drawn, its charts, its path among volumes from above and from the side if there are
+/// any, and each set's section at hover with its path; only the sections if there is no plan.
 ///
 /// # Errors
 /// The drawing library's message if it cannot draw.
@@ -76,6 +78,11 @@ pub fn files(content: &Content) -> Result<Vec<(String, String)>, String> {
     for (run, plan) in drawn {
         for (run, chart) in run.iter().flat_map(|run| run.charts.iter().map(move |chart| (run, chart))) {
             files.push((format!("{}{plan}.svg", chart.id.replace('_', "-")), curves(run, chart)?));
+        }
+        for (name, view) in [("path-above", View::Above), ("path-side", View::Side)] {
+            if let Some(run) = run.filter(|_| !content.volumes.is_empty()) {
+                files.push((format!("{name}{plan}.svg"), path(content, run, view)?));
+            }
         }
         for set in content.sets.iter().filter(|s| s.equalities.is_empty()) {
             files.push((format!("set-{}{plan}.svg", set.name), section(content, set, run)?));
@@ -100,6 +107,8 @@ enum Sample {
     /// A filled area with its edge: colour, and the share of it that fills.
     Area(RGBColor, f64),
     Cross,
+    Circle,
+    Diamond,
 }
 
 impl Sample {
@@ -120,6 +129,8 @@ impl Sample {
                 area.draw(&PathElement::new(edge, color.stroke_width(5)))
             }
             Sample::Cross => area.draw(&Cross::new(((x + end) / 2, middle), 16, BLACK.stroke_width(4))),
+            Sample::Circle => area.draw(&Circle::new(((x + end) / 2, middle), 12, BLACK.stroke_width(4))),
+            Sample::Diamond => area.draw(&diamond(((x + end) / 2, middle), 14)),
         }
     }
 }
@@ -228,6 +239,148 @@ fn curves(run: &RunContent, spec: &Chart) -> Drawn {
         }
         Ok(())
     })
+}
+
+/// A rhomb about a place, `reach` wide on each side.
+fn diamond<N>((x, y): (N, N), reach: N) -> Polygon<(N, N)>
+where
+    N: Copy + std::ops::Add<Output = N> + std::ops::Sub<Output = N>,
+{
+    Polygon::new(vec![(x + reach, y), (x, y + reach), (x - reach, y), (x, y - reach)], BLACK.filled())
+}
+
+/// The path of a plan among the volumes. Both axes have the same scale.
+fn path(content: &Content, run: &RunContent, view: View) -> Drawn {
+    let [i, j] = view.axes();
+    let names = ["x", "y", "z"];
+    let column = |axis: usize| run.columns.get(names[axis]).map_or(&[][..], Vec::as_slice).iter().copied();
+    let shown = |volume: &VolumeContent| if view == View::Above { volume.above.clone() } else { volume.side.clone() };
+    // The path and the volumes, as far as these are not farther from it than half its length.
+    let of_path = [i, j].map(|axis| range(column(axis).chain(content.waypoints.iter().map(|w| w.at[axis]))));
+    let room = 0.5 * of_path.iter().map(|r| r.end - r.start).fold(0.5, f64::max);
+    let ends = [0, 1].map(|k| {
+        let Range { start, end } = of_path[k].clone();
+        let edges = content.volumes.iter().flat_map(|volume| shown(volume).edge);
+        let near =
+            edges.flatten().map(|p| p[k]).filter(|v| v.abs() < FARTHEST).map(|v| v.clamp(start - room, end + room));
+        padded(range(near.chain([start, end]).collect::<Vec<_>>().into_iter()))
+    });
+    let pixels = [SIZE.0 - 2 * MARGIN - BESIDE, SIZE.1 - 2 * MARGIN - BELOW];
+    let per = [0, 1].map(|k| (ends[k].end - ends[k].start) / f64::from(pixels[k])).into_iter().fold(0.0, f64::max);
+    let [x, y] = [0, 1].map(|k| {
+        let (middle, half) = (0.5 * (ends[k].start + ends[k].end), 0.5 * per * f64::from(pixels[k]));
+        middle - half..middle + half
+    });
+    let edge = |volume: &VolumeContent| if volume.keeps_in { COLORS[2] } else { LIMIT };
+    let mut entries = Vec::new();
+    for (keeps_in, words) in [(false, "keep_out"), (true, "keep_in")] {
+        let Some(volume) = content.volumes.iter().find(|volume| volume.keeps_in == keeps_in) else { continue };
+        let sample = match keeps_in {
+            false => Sample::Area(edge(volume), 0.2),
+            true => Sample::Line(edge(volume).stroke_width(5), None),
+        };
+        entries.push(Entry { label: words.into(), sample });
+        let label = format!("kept by the centre of gravity ({words})");
+        entries.push(Entry { label, sample: Sample::Line(edge(volume).stroke_width(3), Some(KEPT)) });
+    }
+    let style = COLORS[0].stroke_width(6);
+    entries.push(Entry { label: "path".into(), sample: Sample::Line(style, None) });
+    entries.push(Entry { label: "waypoint".into(), sample: Sample::Circle });
+    entries.push(Entry { label: "smallest distance".into(), sample: Sample::Diamond });
+    let frame = [x.clone(), y.clone()];
+    let (across, up) = (format!("{} [m]", names[i]), format!("{} [m]", names[j]));
+    chart(SIZE, (x, y), (&across, &up), &entries, |chart| {
+        let plot = &frame;
+        for volume in &content.volumes {
+            let outline = shown(volume);
+            for area in outline.areas.iter().filter(|_| !volume.keeps_in) {
+                let area = in_frame(area, plot);
+                if area.len() > 2 {
+                    chart.draw_series([Polygon::new(area, edge(volume).mix(0.2))])?;
+                }
+            }
+            for line in outline.edge.iter().flat_map(|line| cut(line, plot)) {
+                chart.draw_series([PathElement::new(line, edge(volume).stroke_width(5))])?;
+            }
+            for line in outline.kept.iter().flat_map(|line| cut(line, plot)) {
+                let style = edge(volume).stroke_width(3);
+                chart.draw_series([DashedPathElement::new(line, KEPT.0, KEPT.1, style)])?;
+            }
+        }
+        let points: Vec<[f64; 2]> = column(i).zip(column(j)).map(|(x, y)| [x, y]).collect();
+        for line in cut(&points, plot) {
+            chart.draw_series([PathElement::new(line, style)])?;
+        }
+        for waypoint in &content.waypoints {
+            let place = (waypoint.at[i], waypoint.at[j]);
+            chart.draw_series([Circle::new(place, 12, BLACK.stroke_width(4))])?;
+        }
+        for near in &run.nearest {
+            chart.draw_series([diamond((near.at[i], near.at[j]), 14.0 * per)])?;
+        }
+        for volume in &content.volumes {
+            let font = ("sans-serif", TEXT).into_font().color(&edge(volume)).pos(Pos::new(HPos::Center, VPos::Bottom));
+            let Outline { edge: own, kept, .. } = shown(volume);
+            let lines = if volume.keeps_in { own } else { kept };
+            let lines = lines.iter().flat_map(|line| cut(line, plot)).collect::<Vec<_>>();
+            let top = lines.iter().flatten().copied().max_by(|a, b| a.1.total_cmp(&b.1));
+            let Some((x, y)) = top else { continue };
+            // Whole within the frame.
+            let half = 0.5 * per * f64::from(LETTER) * volume.name.chars().count() as f64;
+            let x = x.clamp(plot[0].start + half, (plot[0].end - half).max(plot[0].start + half));
+            let y = (y + 6.0 * per).min(plot[1].end - 1.2 * per * f64::from(TEXT));
+            chart.draw_series([Text::new(volume.name.clone(), (x, y), font)])?;
+        }
+        Ok(())
+    })
+}
+
+/// Coordinates beyond this are those of a half space, m.
+const FARTHEST: f64 = 2e6;
+
+/// Dashes of the boundary that the centre of gravity keeps.
+const KEPT: Dash = (18, 12);
+
+/// The part of a convex polygon in a frame.
+fn in_frame(polygon: &[[f64; 2]], frame: &[Range<f64>; 2]) -> Vec<(f64, f64)> {
+    let mut kept = polygon.to_vec();
+    for (axis, Range { start, end }) in frame.iter().enumerate() {
+        kept = clipped(&kept, |p| p[axis] - end);
+        kept = clipped(&kept, |p| start - p[axis]);
+    }
+    kept.into_iter().map(|p| (p[0], p[1])).collect()
+}
+
+/// The parts of a line in a frame (Liang and Barsky): the drawing library moves points outside to its edge.
+fn cut(line: &[[f64; 2]], frame: &[Range<f64>; 2]) -> Vec<Vec<(f64, f64)>> {
+    let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
+    let mut is_open = false;
+    for ends in line.windows(2) {
+        let (a, b) = (ends[0], ends[1]);
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for (axis, Range { start, end }) in frame.iter().enumerate() {
+            let d = b[axis] - a[axis];
+            for (slope, room) in [(-d, a[axis] - start), (d, end - a[axis])] {
+                match slope {
+                    s if s < 0.0 => from = from.max(room / s),
+                    s if s > 0.0 => to = to.min(room / s),
+                    _ if room < 0.0 => to = -1.0,
+                    _ => {}
+                }
+            }
+        }
+        if from > to {
+            is_open = false;
+            continue;
+        }
+        let at = |t: f64| (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]));
+        match parts.last_mut() {
+            Some(part) if is_open && from == 0.0 => part.push(at(to)),
+            _ => parts.push(vec![at(from), at(to)]),
+        }
+        is_open = to == 1.0;
+    }
+    parts
 }
 
 /// Torques about x and y at hover, as the paper's Figures 7 to 9, with those of the plan.

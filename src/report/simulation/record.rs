@@ -4,6 +4,7 @@ use crate::flight::{Flight, Outcome};
 use crate::model::{Detection, Model, Strike};
 use crate::planner::studies::MissionPlan;
 use crate::report::caveats::{Caveat, caveats};
+use crate::report::volumes::VolumeRecord;
 use crate::verdict::SIMULATED;
 use serde::Serialize;
 
@@ -16,6 +17,8 @@ pub struct Flown<'a> {
     pub flight: &'a Flight,
     /// Groups of modes, by name, that the estimator cannot distinguish at the planned rotor speeds.
     pub indistinguishable: &'a [Vec<&'a str>],
+    /// How near the flight came to each volume.
+    pub volumes: &'a [VolumeRecord],
 }
 
 /// Version of this record; raised when a field or the meaning of its values changes.
@@ -57,6 +60,9 @@ pub struct FlightRecord {
     pub regressor: Option<RegressorRecord>,
     /// Groups of modes that cannot be distinguished at the planned rotor speeds.
     pub indistinguishable_modes: Vec<Vec<String>>,
+    /// How near the flight came to the boundary of each volume; omitted without volumes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub volumes: Vec<VolumeRecord>,
     /// Caveats of the plan.
     pub warnings: Vec<Caveat>,
 }
@@ -101,7 +107,7 @@ pub struct RegressorRecord {
 impl FlightRecord {
     /// The record of a flight; `spec_sha256` is the hash over all files of its spec.
     pub fn new(flown: &Flown, spec_sha256: String) -> Self {
-        let Flown { model, solved, strikes, flight, indistinguishable } = flown;
+        let Flown { model, solved, strikes, flight, indistinguishable, volumes } = flown;
         let s = &model.simulation;
         let (detection, delay) = match s.detection {
             Detection::Never => ("never", None),
@@ -149,6 +155,7 @@ impl FlightRecord {
                 .iter()
                 .map(|group| group.iter().map(ToString::to_string).collect())
                 .collect(),
+            volumes: volumes.to_vec(),
             warnings: caveats(model, solved),
         }
     }

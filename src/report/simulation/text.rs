@@ -7,6 +7,7 @@ use crate::number::{fixed, number, significant};
 use crate::report::battery;
 use crate::report::table::Table;
 use crate::report::terminal::{WIDTH, vehicle_line};
+use crate::report::volumes::table;
 use crate::verdict::SIMULATED;
 
 /// The output of `mavc simulate`.
@@ -55,6 +56,7 @@ pub fn text(flown: &Flown) -> String {
         out.push('\n');
         out.push_str(&table.render(2));
     }
+    out.push_str(&table(&record.volumes, model, " in the flight"));
     if let Some(r) = &record.regressor {
         let alarms = match record.false_alarms {
             0 => "no false alarm".to_string(),

@@ -31,6 +31,9 @@ pub const KINDS: &[Kind] = &[
     limit("limit on yaw rate exceeded", |s, n| exceeded(s, n, LimitKind::YawRate)),
     limit("limit on yaw acceleration exceeded", |s, n| exceeded(s, n, LimitKind::YawAcceleration)),
     limit("limit on tilt exceeded", |s, n| exceeded(s, n, LimitKind::Tilt)),
+    limit("a keep-in left by its flat side", |s, n| exceeded(s, n, LimitKind::Face)),
+    limit("a keep-in left by its round side", |s, n| exceeded(s, n, LimitKind::Distance)),
+    limit("a keep-out entered", |s, n| exceeded(s, n, LimitKind::Clearance)),
     evaluated("a wrench outside the set", SETS, outside),
     evaluated("a RIP plan given as RCP's", SETS, |s, n| easier(s, n, Easier::RipInsteadOfRcp)),
     evaluated("a plan of a lighter vehicle", SETS, |s, n| easier(s, n, Easier::Lighter)),
@@ -47,7 +50,11 @@ pub const KINDS: &[Kind] = &[
 ];
 
 fn exceeded(spec: &Spec, numbers: &mut Numbers, kind: LimitKind) -> Option<Certificate> {
-    let index = spec.truth.mission().limits.iter().position(|l| l.kind == kind)?;
+    let limits = &spec.truth.mission().limits;
+    let of_kind: Vec<usize> = (0..limits.len()).filter(|&i| limits[i].kind == kind).collect();
+    // Several volumes have limits of one kind.
+    let nth = if of_kind.len() > 1 { numbers.below(of_kind.len()) } else { 0 };
+    let index = *of_kind.get(nth)?;
     let horizontal = [X, Y][numbers.below(2)];
     let any = [X, Y, Z][numbers.below(3)];
     let along = match kind {

@@ -2,9 +2,12 @@
 
 use super::Draft;
 use crate::vehicles::{hexacopter, lost, mission, octocopter, quadcopter, waypoint};
+use mavc::geometry::body::Body;
 use mavc::model::{
     Allocation, LimitKind, Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind, RotorSpread, Spread,
 };
+use mavc::model::{Volume, VolumeSide};
+use mavc::source::Span;
 
 /// There and back over a hold, one yaw.
 fn hop() -> Mission {
@@ -115,6 +118,42 @@ pub fn flat_inverse() -> Draft {
     Draft { name: "RCP flat pseudo-inverse", model, total: 6.0, limits: Vec::new(), harder: false }
 }
 
+/// The body of the `index`-th volume of a mission.
+fn volume(index: u32, side: VolumeSide, body: Body) -> Volume {
+    let span = Span { start: index, end: index + 1, ..Span::default() };
+    Volume { name: format!("v{index}"), side, bodies: vec![body], clearance: 0.1, span }
+}
+
+/// The line past one volume of each shape.
+fn among_volumes() -> Vec<Volume> {
+    let corners = vec![[1.0, -2.0], [3.0, -2.2], [3.0, -0.6]];
+    [
+        Body::Prism { corners, bottom: 0.0, top: 5.0 },
+        Body::Cylinder { centre: [2.0, 2.0], radius: 0.5, bottom: -1.0, top: 5.0 },
+        Body::Ball { centre: [2.0, 0.5, 4.0], radius: 0.8 },
+        Body::HalfSpace { normal: [0.0, 0.0, 1.0], offset: 1.0 },
+    ]
+    .into_iter()
+    .zip(1..)
+    .map(|(body, index)| volume(index, VolumeSide::KeepOut, body))
+    .collect()
+}
+
+/// The line within one volume of each shape.
+fn in_volumes() -> Vec<Volume> {
+    let corners = vec![[2.0, -3.5], [6.0, 0.5], [2.0, 4.5], [-2.0, 0.5]];
+    [
+        Body::Prism { corners, bottom: 0.0, top: 5.0 },
+        Body::Cylinder { centre: [2.0, 0.5], radius: 3.2, bottom: -1.0, top: 5.0 },
+        Body::Ball { centre: [2.0, 0.5, 2.25], radius: 3.3 },
+        Body::HalfSpace { normal: [0.8, 0.6, 0.0], offset: 4.6 },
+    ]
+    .into_iter()
+    .zip(1..)
+    .map(|(body, index)| volume(index, VolumeSide::KeepIn, body))
+    .collect()
+}
+
 /// Every draft.
 pub fn drafts() -> Vec<Draft> {
     use LimitKind::{
@@ -202,6 +241,12 @@ pub fn drafts() -> Vec<Draft> {
     add("exact moving ends", 7.0, fixed(exact(octo(moving(line()), Rip, 20))), &[(Speed, 1.3)]);
     add("weak mode unguarded", 2.4, fixed(weakened(octo(elevator(5.0), Rip, 24))), &[(Climb, 1.1)]);
     add("weak mode unguarded, exact", 2.4, fixed(weakened(exact(octo(elevator(5.0), Rip, 24)))), &[(Climb, 1.1)]);
+    let between = |model: Model, volumes: fn() -> Vec<Volume>| {
+        with(model, |m| m.mission.as_mut().expect("a mission").volumes = volumes())
+    };
+    add("exact among volumes", 6.0, fixed(exact(between(octo(line(), Rip, 24), among_volumes))), &[]);
+    add("in volumes", 6.0, fixed(between(octo(line(), Rip, 24), in_volumes)), &[(Speed, 1.02)]);
+    add("exact RCP in volumes", 7.0, fixed(exact(between(octo(line(), Rcp, 24), in_volumes))), &[]);
     let harder = [
         "line",
         "hop with a hold",
