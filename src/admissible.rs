@@ -1,6 +1,7 @@
 //! The admissible set of each fault mode, that is, the exact set of wrenches that the vehicle can produce in it, and
 //! what follows from the set: verdicts, margins, allocation, intervals. See `docs/method.md`, sections 2 and 3.
 
+pub mod airspeed;
 pub mod allocation;
 pub mod diagnose;
 pub mod edge;

@@ -1,5 +1,6 @@
 //! The paper's verdicts (its section 3.2) with margins: whether a mode can hover. See `docs/method.md`, section 3.
 
+use super::airspeed::Airspeed;
 use super::edge::{self, Place};
 use super::interval::{Robust, robust};
 use super::parallel::{Parallel, nearest_rows};
@@ -91,6 +92,9 @@ pub struct ModeAnalysis {
     pub residual4: [f64; 4],
     /// The residual of (31) without tau_z, [N, N m, N m].
     pub residual3: [f64; 3],
+    /// The largest steady airspeed in level flight; omitted for a vehicle without drag.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub airspeed: Option<Airspeed>,
     /// `None` unless the mode is controllable.
     pub headroom: Option<Headroom>,
     /// The share of the zonotope's volume that the pseudo-inverse does not reach without clipping, 0 to 1. `None` with
@@ -176,6 +180,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         critical_mass_kg: heaviest(&set.polytope, size).and_then(|t| mass_at_rest(model, t)),
         critical_mass_yaw_free_kg: heaviest(&yaw_free, size).and_then(|t| mass_at_rest(model, t)),
         least_mass_kg: lift(&set.polytope, size).map(|(low, _)| mass_at_rest(model, low).unwrap_or(0.0)),
+        airspeed: Airspeed::of(model, set),
         residual4: residual4.into(),
         residual3: residual3.into(),
         headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),
@@ -240,7 +245,7 @@ fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVect
 }
 
 /// The smallest and the largest T >= 0 with [T, 0, ..] in the set, N. `size` is the set's extent in thrust, N.
-fn lift<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<(f64, f64)> {
+pub(super) fn lift<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<(f64, f64)> {
     let mut thrust = SVector::<f64, D>::zeros();
     thrust[0] = 1.0;
     let (low, high) = polytope.chord(&SVector::zeros(), &thrust, ROUNDING * size)?;

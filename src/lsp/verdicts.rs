@@ -7,7 +7,7 @@ use crate::admissible::diagnose::diagnose_by;
 use crate::admissible::verdict::{ModeAnalysis, analyze};
 use crate::diagnostic::{Diagnostic, sort};
 use crate::flight::indistinguishable;
-use crate::model::{Model, Vehicle};
+use crate::model::{Environment, Model, Vehicle};
 use crate::source::Span;
 use crossbeam_channel::{Receiver, Sender, unbounded};
 use std::collections::{HashMap, VecDeque};
@@ -76,7 +76,7 @@ type Key = Vec<(u64, Option<u64>)>;
 
 /// A vehicle and what is known of its modes.
 struct Shelf {
-    gravity: f64,
+    environment: Environment,
     vehicle: Vehicle,
     known: HashMap<Key, ModeAnalysis>,
 }
@@ -145,7 +145,8 @@ impl Analyst {
             return ModeAnalysis { name: name.to_string(), ..known.clone() };
         }
         let set = mode.map_or_else(|| AdmissibleSet::healthy(model), |mode| AdmissibleSet::of_mode(model, mode));
-        let analysis = analyze(model, &set);
+        // The airspeed also depends on the plan's reserve and the mission's limits; no answer needs it.
+        let analysis = ModeAnalysis { airspeed: None, ..analyze(model, &set) };
         if shelf.known.len() >= MOST_KEPT {
             shelf.known.clear();
         }
@@ -156,14 +157,21 @@ impl Analyst {
     /// The shelf of the model's vehicle, wherever it is in the text.
     fn shelf(&mut self, model: &Model) -> &mut Shelf {
         let nowhere = Span::default();
-        let vehicle =
-            Vehicle { name: String::new(), doc: None, span: nowhere, mass_span: nowhere, ..model.vehicle.clone() };
-        let is_same = |shelf: &Shelf| shelf.gravity == model.gravity && shelf.vehicle == vehicle;
+        let vehicle = Vehicle {
+            name: String::new(),
+            doc: None,
+            span: nowhere,
+            mass_span: nowhere,
+            drag_span: None,
+            ..model.vehicle.clone()
+        };
+        let environment = model.environment();
+        let is_same = |shelf: &Shelf| shelf.environment == environment && shelf.vehicle == vehicle;
         match self.shelves.iter().position(is_same) {
             Some(at) => self.shelves.swap(0, at),
             None => {
                 self.shelves.truncate(SHELVES - 1);
-                self.shelves.push_front(Shelf { gravity: model.gravity, vehicle, known: HashMap::new() });
+                self.shelves.push_front(Shelf { environment, vehicle, known: HashMap::new() });
             }
         }
         &mut self.shelves[0]

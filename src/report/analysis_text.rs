@@ -3,6 +3,7 @@
 use super::battery;
 use super::table::Table;
 use super::terminal::vehicle_line;
+use crate::admissible::airspeed::{Airspeed, LimitedBy};
 use crate::admissible::edge::Place;
 use crate::admissible::interval::Certainty;
 use crate::admissible::parallel::{Parallel, least_angle};
@@ -18,6 +19,11 @@ heaviest  the largest mass that can hover
 facets    inequalities of the mode's admissible set
 rank      dimension of the set: 4 if thrust and all three torques can be varied independently
 |e_p|     distance from hover to the nearest wrench that the mode can produce [N, N m]
+";
+
+/// Meaning of the column of airspeeds.
+const AIRSPEED: &str = "\
+airspeed  the largest steady airspeed in level flight with the plan's reserve; (tilt): the mission limits the tilt
 ";
 
 /// The whole output of `mavc analyze`: vehicle, table of modes with its legend, and headroom. `modes` are those of
@@ -40,6 +46,10 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     let is_restricted = model.vehicle.allocation == Allocation::PseudoInverse;
     if is_restricted {
         headings.push("unreached");
+    }
+    let has_airspeeds = modes.iter().any(|m| m.airspeed.is_some());
+    if has_airspeeds {
+        headings.push("airspeed");
     }
     let mut table = Table::new(&headings);
     let optional = |x: Option<f64>, digits: usize| x.map_or("flat".into(), |v| significant(v, digits));
@@ -64,10 +74,14 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
                     + if m.unreached_share.is_some() { " %" } else { "" },
             );
         }
+        cells.extend(m.airspeed.as_ref().map(airspeed));
         table.row(cells);
     }
     out.push_str(&table.render(0));
     out.push_str(LEGEND);
+    if has_airspeeds {
+        out.push_str(AIRSPEED);
+    }
     if modes.iter().any(|m| m.hover == Place::OnEdge) {
         out.push_str(
             "the edge  hover can be reached, but in some direction no disturbance, however small, can be countered\n",
@@ -115,4 +129,10 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     }
     out.push_str(&table.render(0));
     out
+}
+
+/// `23.1 m/s`, rounded down, with the limit on tilt if that is the reason; `none` if the mode cannot hover.
+pub(super) fn airspeed(airspeed: &Airspeed) -> String {
+    let tilt = if airspeed.limited_by == Some(LimitedBy::Tilt) { " (tilt)" } else { "" };
+    airspeed.largest_m_per_s.map_or("none".into(), |speed| format!("{} m/s{tilt}", down(speed, 4)))
 }

@@ -1,14 +1,16 @@
-//! Caveats of a plan: limits exceeded between nodes, a coarser grid, an unusual speed, the linear model outside its range.
+//! Caveats of a plan: limits exceeded between nodes, a coarser grid, an unusual speed, a speed at which drag
+//! matters, the linear model outside its range.
 
 use super::battery;
 use crate::model::{LimitKind, Model};
+use crate::motion::NodeState;
 use crate::motion::checks::{
     LimitViolation, coarser_legs, limit_violations, linear_range, past_as_checked, peak, peak_of,
 };
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, percent, significant};
 use crate::planner::studies::MissionPlan;
-use crate::tolerance::{MOST_PAST_LIMIT, USUAL_SPEED};
+use crate::tolerance::{FAST_WITHOUT_AIR, MOST_PAST_LIMIT, USUAL_SPEED};
 use serde::Serialize;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -34,6 +36,8 @@ pub enum CaveatKind {
     FewerPieces,
     /// The speed is unusual for multirotors, and the mission does not limit it.
     Speed,
+    /// The plan is fast and the vehicle has no drag.
+    NoDrag,
     /// The tilt is outside the range of the small-angle approximation.
     Tilt,
     /// The thrust nearly vanishes or is negative.
@@ -80,7 +84,7 @@ fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     if limits.any(|limit| limit.kind == LimitKind::Speed && limit.is_general()) {
         return None;
     }
-    let speed = peak(&solved.trajectory, |state| (0..3).map(|axis| state[axis][1].powi(2)).sum::<f64>().sqrt());
+    let speed = peak(&solved.trajectory, speed);
     let message = format!(
         "The plan reaches {} m/s at {} s; multirotors usually stay below {} m/s, and the mission does not limit the speed. \
          Add `limits {{ speed <= ... }}`.",
@@ -98,6 +102,28 @@ fn charge(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     let message = battery.caveat()?;
     let at_s = solved.trajectory.duration();
     Some(Caveat { kind: CaveatKind::Charge, limit: None, value: battery.left, at_s, message })
+}
+
+/// The caveat of a plan that is fast enough for drag to matter, of a vehicle without `drag`. `drag = 0 N*s/m` says that it was
+/// not forgotten.
+fn without_air(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
+    if model.vehicle.drag_span.is_some() {
+        return None;
+    }
+    let speed = peak(&solved.trajectory, speed);
+    let message = format!(
+        "The plan reaches {} m/s at {} s and takes no air into account, because vehicle `{}` has no `drag`.",
+        significant(speed.value, 3),
+        fixed(speed.at, 2),
+        model.vehicle.name
+    );
+    let caveat = Caveat { kind: CaveatKind::NoDrag, limit: None, value: speed.value, at_s: speed.at, message };
+    (speed.value > FAST_WITHOUT_AIR).then_some(caveat)
+}
+
+/// The speed of a state, m/s.
+fn speed(state: &NodeState) -> f64 {
+    (0..3).map(|axis| state[axis][1].powi(2)).sum::<f64>().sqrt()
 }
 
 /// All caveats of a plan: exceeded limits first, in the spec's order.
@@ -119,7 +145,8 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             ),
         }
     });
-    let all = exceeded.chain(coarser(model, solved)).chain(too_fast(model, solved)).chain(charge(model, solved));
+    let all = exceeded.chain(coarser(model, solved)).chain(too_fast(model, solved));
+    let all = all.chain(without_air(model, solved)).chain(charge(model, solved));
     if solved.trajectory.model == WrenchModel::Exact {
         return all.collect();
     }

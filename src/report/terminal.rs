@@ -1,5 +1,6 @@
 //! Terminal output of `mavc plan`, and what other reports share with it.
 
+use super::analysis_text::airspeed;
 use super::battery;
 use super::binding;
 use super::caveats::caveats;
@@ -9,6 +10,8 @@ use super::table::Table;
 use super::verdict_text::{self, statement};
 use super::waypoints;
 use super::{headings, volumes};
+use crate::admissible::AdmissibleSet;
+use crate::admissible::airspeed::Airspeed;
 use crate::admissible::row::VIOLATED;
 use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Model, PlanModel, PlannerKind, Problem};
@@ -53,12 +56,25 @@ pub(super) fn head(problem: Problem, comparison: &Comparison) -> String {
         out.push_str(&format!("Rotors lag: thrusts follow their commands with a time constant of {milliseconds} ms\n"));
     }
     out.push_str(&battery::full_thrust(model));
+    if model.environment().has_drag() {
+        out.push_str(&airspeeds(model));
+    }
     if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
         out.push_str(
             "Yaw changes: it was planned first, separately; any proof of infeasibility is for that yaw alone\n",
         );
     }
     out
+}
+
+/// The largest steady airspeed of the healthy vehicle and of each mode planned against.
+fn airspeeds(model: &Model) -> String {
+    let modes = model.plan.against.iter().map(|&mode| AdmissibleSet::of_mode(model, mode));
+    let sets = std::iter::once(AdmissibleSet::healthy(model)).chain(modes);
+    let each = sets.filter_map(|set| Some(format!("{} {}", set.name, airspeed(&Airspeed::of(model, &set)?))));
+    let text =
+        format!("Largest steady airspeed in level flight with the reserve: {}", each.collect::<Vec<_>>().join(", "));
+    format!("{}\n", textwrap::fill(&text, textwrap::Options::new(WIDTH).subsequent_indent("  ")))
 }
 
 /// `, in 5 planes`: the number of planes imposed, if some of the facets that RSP guards lie in the same plane.

@@ -118,6 +118,7 @@ pub fn waypoint(position: [f64; 3], yaw: f64) -> Waypoint {
         weight: 1.0,
         time: None,
         hold: 0.0,
+        heading: mavc::model::Heading::Given,
         stop: false,
         span: Span::default(),
         time_span: None,

@@ -68,7 +68,11 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     let rows: Vec<Row> = order.iter().take(MOST_ROWS).filter_map(|&i| row(i)).collect();
     // Columns of dashes are omitted, and so is a column that repeats another: a mission that continues is committed to a
     // mode until its last violation.
-    let columns = Columns { of_plan: solved.is_some(), after: solved.is_some() && holds(model) };
+    let columns = Columns {
+        airspeed: analyses.iter().any(|a| a.airspeed.is_some()),
+        of_plan: solved.is_some(),
+        after: solved.is_some() && holds(model),
+    };
     html! {
         h2 { (headline(analyses)) }
         div.scroll tabindex="0" role="region" aria-label="Table of modes" {
@@ -85,6 +89,9 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
                         th scope="col" { "Verdict" }
                         th.n scope="col" { "Hover margin" br; span.unit { "N, N m" } }
                         th.n scope="col" { "Heaviest" br; span.unit { "kg" } }
+                        @if columns.airspeed {
+                            th.n scope="col" { "Airspeed" br; span.unit { "m/s" } }
+                        }
                         @if columns.of_plan {
                             th.n scope="col" { "Plan's margin" br; span.unit { "healthy widths" } }
                             th.n scope="col" { "Violated for" br; span.unit { "s" } }
@@ -110,6 +117,12 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
         ("Hover margin", "signed distance from hover to the edge of the mode's set of full wrenches."),
         ("Heaviest", "the mass up to which hover lies inside the mode's set."),
     ];
+    if columns.airspeed {
+        found.push((
+            "Airspeed",
+            "the largest steady airspeed in level flight with the plan's reserve, by thrust or by the mission's limit on tilt.",
+        ));
+    }
     if columns.of_plan {
         found.extend([
             ("Plan's margin", "the smallest over the flight, negative outside, to the set used for planning."),
@@ -156,6 +169,7 @@ fn dash() -> String {
 /// Which columns there are beyond those of hover.
 #[derive(Clone, Copy)]
 struct Columns {
+    airspeed: bool,
     of_plan: bool,
     after: bool,
 }
@@ -178,6 +192,9 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
             td { span.verdict.(class) { (a.verdict.name()) (yaw) (edge) } }
             td.n { (a.acai.map_or("flat".into(), |m| signed(m, 4))) }
             td.n { (a.critical_mass_kg.map_or("none".into(), |m| down(m, 4))) }
+            @if let Some(airspeed) = a.airspeed {
+                td.n { (airspeed.largest_m_per_s.map_or("none".into(), |speed| down(speed, 4))) }
+            }
             @if columns.of_plan {
                 td.n.bad[outside.is_some_and(|o| o.last.is_some())] {
                     (outside.map_or_else(dash, |o| signed_percent(-o.max_violation)))
