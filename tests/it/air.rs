@@ -1,0 +1,233 @@
+//! Drag and wind in plans, against closed forms, finite differences and the checker's own equations.
+
+use crate::cli::mavc;
+use crate::vehicles::octocopter;
+use mavc::actuation::Wrench;
+use mavc::certificate::DynamicModel;
+use mavc::model::{Environment, Model};
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
+use mavc::verify::interval::Interval;
+use mavc::verify::motion::State;
+use mavc::verify::wrench::Dynamics;
+use mavc::{Compiler, PlanOutcome, Spec};
+
+const AIR: Environment = Environment { gravity: 9.81, drag_rate: 0.21, wind: [4.0, -2.0, 0.7], wind_spread: [0.0; 3] };
+
+fn state(numbers: impl Fn(usize, usize) -> f64) -> NodeState {
+    std::array::from_fn(|axis| std::array::from_fn(|order| numbers(axis, order)))
+}
+
+/// Some motion with all derivatives.
+fn lively(phase: f64) -> NodeState {
+    state(|axis, order| (1.0 + phase + 1.7 * axis as f64 + 0.9 * order as f64).sin() * [3.0, 6.0, 2.5, 4.0, 6.0][order])
+}
+
+#[test]
+fn level_flight_at_constant_speed_needs_the_thrust_of_the_closed_form() {
+    let vehicle = octocopter("PPNNPPNN").vehicle;
+    let drag = AIR.drag_rate * vehicle.mass;
+    let still = Environment { wind: [0.0; 3], ..AIR };
+    for speed in [0.0, 5.0, 14.0] {
+        let flight = state(|axis, order| if (axis, order) == (X, 1) { speed } else { 0.0 });
+        let wrench = WrenchModel::Exact.wrench(&vehicle, &still, &flight);
+        let thrust = (vehicle.mass * still.gravity).hypot(drag * speed);
+        assert!((wrench[0] - thrust).abs() < 1e-12 * thrust, "{speed}: {wrench:?}");
+        assert!(wrench.rows(1, 3).amax() < 1e-12, "{speed}: {wrench:?}");
+        let tilt = mavc::motion::tilt(&flight, &still);
+        assert!((tilt - (drag * speed).atan2(vehicle.mass * still.gravity)).abs() < 1e-14, "{tilt}");
+    }
+    // Only the velocity through the air matters.
+    let with_it = state(|axis, order| if order == 1 && axis < YAW { AIR.wind[axis] } else { 0.0 });
+    let wrench = WrenchModel::Exact.wrench(&vehicle, &AIR, &with_it);
+    assert!((wrench[0] - vehicle.mass * AIR.gravity).abs() < 1e-12 && wrench.rows(1, 3).amax() < 1e-12);
+}
+
+/// The planner's wrench against the checker's, whose equations are series of the attitude in time.
+#[test]
+fn the_wrench_in_air_is_the_checkers() {
+    let vehicle = octocopter("PPNNPPNN").vehicle;
+    let dynamics = Dynamics { vehicle: &vehicle, environment: AIR, model: DynamicModel::Exact, one_yaw: None };
+    for k in 0..50 {
+        let now = lively(0.37 * k as f64);
+        let expected = WrenchModel::Exact.wrench(&vehicle, &AIR, &now);
+        if now[Z][2] + AIR.gravity + AIR.drag_rate * (now[Z][1] - AIR.wind[Z]) < 2.0 {
+            continue;
+        }
+        let enclosed: State = now.map(|axis| {
+            let mut all = [Interval::point(0.0); 6];
+            for (slot, value) in all.iter_mut().zip(axis) {
+                *slot = Interval::point(value);
+            }
+            all
+        });
+        for (found, wanted) in dynamics.value(&enclosed).iter().zip(expected.iter()) {
+            let scale = 1e-9 * (1.0 + wanted.abs());
+            assert!(found.low - scale <= *wanted && *wanted <= found.high + scale, "{k}: {found:?} {wanted}");
+            assert!(found.high - found.low < 1e-6, "{k}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn the_linear_map_in_air_is_the_derivative() {
+    let vehicle = octocopter("PPNNPPNN").vehicle;
+    let at = lively(0.2);
+    let map = WrenchModel::Exact.linearised(&vehicle, &AIR, &at);
+    let wrench = |s: &NodeState| WrenchModel::Exact.wrench(&vehicle, &AIR, s);
+    assert!((map.at(&at) - wrench(&at)).amax() < 1e-11);
+    for axis in [X, Y, Z, YAW] {
+        for order in 0..5 {
+            let moved = |by: f64| {
+                let mut moved = at;
+                moved[axis][order] += by;
+                wrench(&moved)
+            };
+            let h = 1e-5;
+            let slope = (moved(h) - moved(-h)) / (2.0 * h);
+            let of_map: Wrench = map.terms.iter().filter(|t| (t.0, t.1) == (axis, order)).map(|t| t.2).sum();
+            assert!((slope - of_map).amax() < 1e-7 * (1.0 + slope.amax()), "{axis} {order}: {slope} {of_map}");
+        }
+    }
+}
+
+#[test]
+fn corners_are_those_of_the_box() {
+    let uncertain = Environment { wind_spread: [1.0, 0.0, 0.5], ..AIR };
+    let corners = uncertain.corners();
+    assert_eq!(corners.len(), 4);
+    for (x, z) in [(3.0, 0.2), (3.0, 1.2), (5.0, 0.2), (5.0, 1.2)] {
+        assert!(corners.iter().any(|c| (c.wind[0] - x).abs() < 1e-12 && (c.wind[2] - z).abs() < 1e-12), "{x} {z}");
+    }
+    assert!(corners.iter().all(|c| c.wind_spread == [0.0; 3]));
+    // Wind that acts on nothing is no uncertainty.
+    assert_eq!(Environment { drag_rate: 0.0, ..uncertain }.corners().len(), 1);
+}
+
+fn dash(air: &str, more: &str) -> String {
+    format!(
+        "vehicle octo {{
+            layout = \"PPNNPPNN\"
+            arm = 0.211 m
+            mass = 1.8 kg
+            inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+            drag = 0.35 N*s/m
+            rotor {{ max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }}
+        }}
+        faults {{ every 1 rotor lost as M }}
+        mission dash {{
+            start at [0, 0, 5] m
+            waypoint at [25, 0, 5] m
+            waypoint at [0, 0, 5] m
+            {air}
+            limits {{ tilt <= 30 deg }}
+        }}
+        plan {{ planner = rip; samples = 40 }}
+        {more}"
+    )
+}
+
+fn compiled(text: &str) -> Spec {
+    Compiler::new().text("dash.mav", text.as_bytes()).into_result().unwrap()
+}
+
+fn planned(spec: &Spec) -> (Trajectory, f64) {
+    match mavc::plan(spec).unwrap().outcome() {
+        PlanOutcome::Planned(plan) => (plan.trajectory.clone(), plan.time),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// The largest violation of the healthy set and of the limit on tilt in a wind, at 40 instants a piece.
+fn worst(model: &Model, plan: &Trajectory, wind: [f64; 3]) -> (f64, f64) {
+    let set = mavc::admissible::AdmissibleSet::healthy(model);
+    let kept = set.with_reserve(model.plan.reserve);
+    let environment = Environment { wind, wind_spread: [0.0; 3], ..model.environment() };
+    let (mut out, mut tilt) = (f64::NEG_INFINITY, 0.0_f64);
+    for k in 0..plan.intervals() {
+        let h = plan.times[k + 1] - plan.times[k];
+        for i in 0..=40 {
+            let state = plan.within(k, h * f64::from(i) / 40.0);
+            let wrench = plan.wrench(&model.vehicle, &environment, &state);
+            for facet in &kept.polytope.facets {
+                let width = set.zonotope.width(&facet.normal);
+                out = out.max((facet.normal.dot(&wrench) - facet.offset) / width);
+            }
+            tilt = tilt.max(mavc::motion::tilt(&state, &environment));
+        }
+    }
+    (out, tilt.to_degrees())
+}
+
+#[test]
+fn a_plan_stays_in_its_set_and_tilt_in_its_wind() {
+    let spec = compiled(&dash("air { wind = [6, 0, 0] m/s }", ""));
+    let (plan, _) = planned(&spec);
+    let (out, tilt) = worst(spec.model(), &plan, [6.0, 0.0, 0.0]);
+    assert!(out < 1e-4 && tilt < 30.01, "{out} {tilt}");
+    // The tilt limit is tight in this wind, and a plan that knows no wind violates it.
+    assert!(tilt > 29.9, "{tilt}");
+    let calm = compiled(&dash("", ""));
+    let (of_calm, _) = planned(&calm);
+    let (_, blown) = worst(calm.model(), &of_calm, [6.0, 0.0, 0.0]);
+    assert!(blown > 35.0, "{blown}");
+}
+
+/// In every wind of the interval, between its corners too, by samples.
+#[test]
+fn a_plan_stays_in_its_set_in_every_wind_of_an_interval() {
+    let spec = compiled(&dash("air { wind = [6, 0, 0] m/s +- [2, 2, 0.5] m/s }", ""));
+    let (plan, slow) = planned(&spec);
+    for k in 0..27 {
+        let part = |place: i32, spread: f64| f64::from(place % 3 - 1) * spread;
+        let wind = [6.0 + part(k, 2.0), part(k / 3, 2.0), part(k / 9, 0.5)];
+        let (out, tilt) = worst(spec.model(), &plan, wind);
+        assert!(out < 2e-4 && tilt < 30.01, "{wind:?}: {out} {tilt}");
+    }
+    let (_, quick) = planned(&compiled(&dash("air { wind = [6, 0, 0] m/s }", "")));
+    assert!(slow > quick, "{slow} {quick}");
+}
+
+#[test]
+fn times_grow_with_the_wind() {
+    let time = |wind: u32| planned(&compiled(&dash(&format!("air {{ wind = [{wind}, 0, 0] m/s }}"), ""))).1;
+    let times = [0, 5, 10].map(time);
+    assert!(times[0] < times[1] && times[1] < times[2], "{times:?}");
+}
+
+/// The certificate is accepted, and the plan flown in its air stays near its reference.
+#[test]
+fn certificates_and_flights_have_the_air_of_the_plan() {
+    let folder = tempfile::tempdir().unwrap();
+    let [spec, proof, still] = ["dash.mav", "proof.json", "still.mav"].map(|name| folder.path().join(name));
+    let text = dash("air { wind = [6, 0, 0] m/s }", "simulate { gyroscope_noise = 0 rad/s; position_noise = 0 m }");
+    std::fs::write(&spec, &text).unwrap();
+    std::fs::write(&still, text.replace("[6, 0, 0]", "[5, 0, 0]")).unwrap();
+    let [spec, proof, still] = [&spec, &proof, &still].map(|path| path.to_str().unwrap());
+    let output = mavc(&["plan", spec, "--certificate", proof]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(mavc(&["verify", proof, spec]).status.code(), Some(0));
+    assert_eq!(mavc(&["verify", proof, still]).status.code(), Some(5));
+    let error = |settings: &[&str]| -> f64 {
+        let output = mavc(&[&["simulate", spec, "--report", "-"], settings].concat());
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        report["position_error"]["largest_m"].as_f64().unwrap()
+    };
+    let known = error(&[]);
+    // A vehicle that is flown in another air than that of its plan is pushed away.
+    let unknown = error(&["--set", "simulate.wind=[0, 0, 0] m/s"]);
+    assert!(known < 0.02 && unknown > 0.2, "{known} {unknown}");
+}
+
+/// ISO 2533, table 1: the density at 5000 m is 0.73612 kg/m^3, at -1000 m 1.3470 kg/m^3 (geopotential heights differ by 4 m).
+#[test]
+fn altitude_gives_the_density_of_the_standard_atmosphere() {
+    for (altitude, density) in [("5 km", 0.73643), ("-1 km", 1.3470), ("0 m", 1.225)] {
+        let spec = compiled(&dash(&format!("air {{ altitude = {altitude} }}"), ""));
+        let ratio = spec.model().mission.as_ref().unwrap().air.density_ratio;
+        assert!((ratio * 1.225 - density).abs() < 2e-4, "{altitude}: {}", ratio * 1.225);
+        let vehicle = &spec.model().vehicle;
+        assert!((vehicle.drag - 0.35 * ratio).abs() < 1e-12);
+        assert!((vehicle.rotors[0].max_thrust() - 6.53 * ratio).abs() < 1e-9);
+    }
+}
