@@ -211,7 +211,7 @@ fn certificates_and_flights_have_the_air_of_the_plan() {
     let error = |settings: &[&str]| -> f64 {
         let output = mavc(&[&["simulate", spec, "--report", "-"], settings].concat());
         let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-        report["position_error"]["largest_m"].as_f64().unwrap()
+        report["max_error_m"].as_f64().unwrap()
     };
     let known = error(&[]);
     // A vehicle that is flown in another air than that of its plan is pushed away.
