@@ -10,6 +10,7 @@ pub mod campaign_text;
 pub mod caveats;
 pub mod comparison_text;
 pub mod conflict_record;
+pub mod headings;
 pub mod heat;
 pub mod least_time;
 #[cfg(feature = "report")]
@@ -21,6 +22,5 @@ pub mod terminal;
 pub mod trajectory_csv;
 pub mod verdict_text;
 pub mod verification_text;
-pub mod headings;
 mod volumes;
 pub mod waypoints;

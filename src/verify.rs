@@ -9,7 +9,7 @@ pub mod facets;
 mod heading;
 mod infeasible;
 pub mod interval;
-mod joints;
+pub mod joints;
 pub mod lag;
 mod least_time;
 pub mod limits;

@@ -88,7 +88,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Opti
             let expr = fields.get(table::YAW.name)?;
             match &expr.kind {
                 ExprKind::Name(name) if !cx.in_scope(name) => Written::Towards(Goal::Named(name.clone(), expr.span)),
-                _ => Written::Towards(Goal::Point(cx.triple(Due::of(&table::AT), expr)?)),
+                _ => Written::Towards(Goal::Point(cx.triple(Due::new("the point of `yaw towards`", "m"), expr)?)),
             }
         }
         "free" => Written::Free,

@@ -3,10 +3,10 @@
 use super::binding::{self, BindingRecord};
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
+use super::headings::{self, HeadingRecord};
 use super::least_time;
 use super::terminal::counted;
 use super::verdict_text::statement;
-use super::headings::{self, HeadingRecord};
 use super::volumes::{self, VolumeRecord};
 use super::waypoints::yaw_error;
 use super::waypoints::{WaypointRecord, waypoints};

@@ -116,6 +116,7 @@ pub fn waypoint(position: [f64; 3], yaw: f64) -> Waypoint {
         time: None,
         hold: 0.0,
         stop: false,
+        heading: Heading::Given,
         span: Span::default(),
         time_span: None,
         hold_span: None,
