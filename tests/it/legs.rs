@@ -369,13 +369,14 @@ fn the_yaw_follows_from_the_motion() {
     };
     let along = |row: &Row| off(row, [row.v[0], row.v[1]], 0.3);
     let towards = |row: &Row, x: f64, y: f64| off(row, [x - row.p[0], y - row.p[1]], 0.211);
-    let checks: [(usize, usize, &dyn Fn(&Row) -> Option<f64>, f64); 5] = [
+    type Error<'a> = &'a dyn Fn(&Row) -> Option<f64>;
+    let checks: [(usize, usize, Error, f64); 5] = [
         (1, 1, &|row| towards(row, 8.0, 5.0), 2.0),
         // The tolerance is written at the mast alone.
         (2, 2, &along, 6.0),
         (2, 5, &along, 2.0),
         (6, 7, &|row| towards(row, 20.0, 20.0), 2.0),
-        (9, 9, &|row| Some((row.yaw.to_degrees() - 90.0 + 180.0).rem_euclid(360.0) - 180.0).map(f64::abs), 2.0),
+        (9, 9, &|row| Some(((row.yaw.to_degrees() - 90.0 + 180.0).rem_euclid(360.0) - 180.0).abs()), 2.0),
     ];
     for (from, to, error, within) in checks {
         let errors: Vec<f64> = rows[at(from)..=at(to)].iter().filter_map(error).collect();
