@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The legs of a plan against its spec, with numpy alone: `legs.py SPEC TRAJECTORY.csv [FINER]`.
+"""The legs of a plan against its spec, with numpy alone: `legs.py SPEC TRAJECTORY.csv [FINER [SIZE_M]]`.
 
 The motion is rebuilt from the derivatives at the nodes (the snap is linear between them) on a grid FINER times finer, 50
-unless given. Shapes (`straight`, `vertical`, `corridor`), limits in braces, the mission's own limits, `stop` and
-`arrive from` are read from the spec, whose values must be literals and whose mission must consist of `start`, `waypoint` and
+unless given. SIZE_M is the radius of the vehicle, within which a point gives no yaw. Shapes (`straight`, `vertical`, `corridor`), limits in braces, the mission's own limits, `stop`,
+`arrive from` and `yaw towards`, `yaw along path` (at the nodes) are read from the spec, whose values must be literals and whose mission must consist of `start`, `waypoint` and
 `hold` statements; nothing of mavc is used. Prints the largest value of each and exits with 1 where one violates the spec by
 more than the tolerances of `mavc verify`: 1e-4 of a limit or of 1 in its unit, 0.1 mm for shapes.
 """
@@ -47,6 +47,16 @@ def limits(text):
             yield name, *((None, value(bound)) if relation == "<=" else (value(bound), None))
 
 
+def yaw(head):
+    """A point, `path`, `free`, the name of a waypoint, or an angle; `None` if nothing is written."""
+    towards = re.search(rf"\byaw\s+towards\s+(?:{QUANTITY}|(\w+))", head)
+    if towards:
+        return towards.group(3) or value(towards.group(0).split("towards")[1])
+    if re.search(r"\byaw\s+along\s+path\b", head):
+        return "path"
+    return "free" if re.search(r"\byaw\s+free\b", head) else None if clause(head, "yaw") is None else "given"
+
+
 def block(text, head):
     """What the braces after `head` hold."""
     found = re.search(head + r"\s*\{", text)
@@ -76,10 +86,18 @@ def read(path):
         words = set(re.findall(r"\b(?:straight|vertical|stop)\b", re.sub(r"^waypoint\s+\w+\s+at", "waypoint at", head)))
         tolerance = clause(head, "within")
         points.append({
-            "at": clause(head, "at"), "hold": 0.0, "words": words, "corridor": clause(head, "corridor"), "arrive": arrive,
+            "name": (re.match(r"waypoint\s+(?!at\b)(\w+)", head) or [None, None])[1], "at": clause(head, "at"), "hold": 0.0, "words": words, "corridor": clause(head, "corridor"), "arrive": arrive,
             "within": tolerance if tolerance is not None else value(within.group(1)) if within else 0.05,
-            "limits": list(limits(braces)),
+            "limits": list(limits(braces)), "yaw": yaw(head), "yaw_within": clause(head, "yaw_within"),
         })
+    turned = re.search(r"\byaw_within\s*=\s*([\d.]+\s*\w+)", block(text, r"\bplan"))
+    rule = None
+    for point in points:
+        rule = point["yaw"] = rule if point["yaw"] is None else point["yaw"]
+        if isinstance(rule, str) and rule not in ("path", "free", "given"):
+            rule = point["yaw"] = next(other["at"] for other in points if other["name"] == rule)
+        if point["yaw_within"] is None:
+            point["yaw_within"] = value(turned.group(1)) if turned else np.radians(2.0)
     return points, list(limits(block(mission, r"\blimits"))), ends_moving
 
 
@@ -99,8 +117,9 @@ def motion(path, finer):
             for order in range(5):
                 state[order, i] = sum(known[n] * t ** (n - order) / factorial(n - order) for n in range(order, 6))
         states.append(state)
+    yaws = np.array([[node["t"], node["yaw"], node["x"], node["y"], node["vx"], node["vy"]] for node in nodes])
     reached = {int(row["waypoint"]): float(row["t"]) for row in rows if row["waypoint"] not in ("", "0")}
-    return np.concatenate(times), np.concatenate(states, axis=2), [reached[k] for k in sorted(reached)]
+    return np.concatenate(times), np.concatenate(states, axis=2), [reached[k] for k in sorted(reached)], yaws
 
 
 def quantity(name, s):
@@ -118,7 +137,8 @@ def quantity(name, s):
 def main():
     spec, trajectory = sys.argv[1], sys.argv[2]
     points, general, ends_moving = read(spec)
-    times, states, reached = motion(trajectory, int(sys.argv[3]) if len(sys.argv) > 3 else 50)
+    times, states, reached, nodes = motion(trajectory, int(sys.argv[3]) if len(sys.argv) > 3 else 50)
+    size = float(sys.argv[4]) if len(sys.argv) > 4 else 0.0
     assert len(points) == len(reached), (len(points), len(reached))
     wrong = 0
 
@@ -167,6 +187,20 @@ def main():
         if "stop" in end["words"] or end["hold"] > 0.0 or leg + 1 == len(points) and not ends_moving:
             report(where + "speed at its end", float(np.linalg.norm(velocity)), 0.0, "m/s", 1e-5)
             report(where + "acceleration at its end", float(np.linalg.norm(s[2][:, -1])), 0.0, "m/s^2", 1e-4)
+    for i, point in enumerate(points):
+        rule = point["yaw"]
+        if rule is None or isinstance(rule, str) and rule != "path":
+            continue
+        same = i > 0 and np.array_equal(points[i - 1]["yaw"], rule)
+        first = reached[i - 1] + points[i - 1]["hold"] if same else reached[i]
+        on = nodes[(nodes[:, 0] >= first - 1e-9) & (nodes[:, 0] <= reached[i] + 1e-9)]
+        way = on[:, 4:6] if isinstance(rule, str) else rule[:2] - on[:, 2:4]
+        far = np.hypot(*way.T) >= (0.3 if isinstance(rule, str) else size)
+        error = on[:, 1] - np.arctan2(way[:, 1], way[:, 0])
+        error = np.abs((error + np.pi) % (2 * np.pi) - np.pi)[far]
+        if len(error):
+            what = f"yaw of {len(error)} nodes up to waypoint {i + 1}"
+            report(what, float(np.degrees(error.max())), float(np.degrees(point["yaw_within"])), "deg", 0.01)
     print(f"{len(times)} points")
     sys.exit(1 if wrong else 0)
 

@@ -16,7 +16,7 @@
    '((["use" "let" "require" "vehicle" "faults" "mission" "plan" "simulate" "campaign" "limits"
        "keep_in" "keep_out" "mode" "every"
        "curve" "rotor" "rotors" "battery" "air" "start" "end" "moving" "waypoint" "waypoints" "from" "hold" "fault" "where" "in" "as"
-       "reduced" "to" "stuck" "at"]
+       "reduced" "to" "stuck" "at" "towards" "along" "path" "free"]
       @font-lock-keyword-face)
      [(lost) (clause_word)] @font-lock-keyword-face)
    :language 'mav :feature 'definition

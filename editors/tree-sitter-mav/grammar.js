@@ -140,9 +140,15 @@ module.exports = grammar({
         field('value', $.expression),
       ),
 
-    _waypoint_clause: ($) => choice($.clause, alias($._bare, $.clause), alias($._arrival, $.clause)),
+    _waypoint_clause: ($) => choice($.clause, alias($._bare, $.clause), alias($._arrival, $.clause), alias($._heading, $.clause)),
     _bare: ($) => field('name', alias(choice(...BARE_WORDS), $.clause_word)),
     _arrival: ($) => seq(field('name', alias(FROM_WORDS[0], $.clause_word)), 'from', field('value', $.expression)),
+
+    _heading: ($) =>
+      seq(
+        field('name', alias('yaw', $.clause_word)),
+        choice(seq('towards', field('value', $.expression)), seq('along', 'path'), 'free'),
+      ),
 
     _field_name: ($) => choice($.name, alias(choice(...STATEMENT_WORDS), $.name)),
 

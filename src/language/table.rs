@@ -149,7 +149,7 @@ group! {
     waypoint:
     AT "at", Vector("m", Any), Needed, "the position `[x, y, z]`";
     YAW "yaw", Quantity("deg", Any), Otherwise("that of the previous waypoint; 0 deg for the first"),
-        "the direction in which the vehicle points";
+        "the direction in which the vehicle points; or `towards` a point or a waypoint, `along path`, or `free` ([yaw](#yaw))";
     WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "the position tolerance, a distance";
     YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "the yaw tolerance";
     WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),

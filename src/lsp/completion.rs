@@ -212,6 +212,16 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
         }
         _ => {}
     }
+    if (place, field) == (Place::Mission, "yaw") {
+        if context.after == "towards" {
+            list.extend(names(Kind::Waypoint).map(|d| Offer::new(&d.name, ItemKind::Constant, 0)));
+        } else {
+            list.extend(
+                ["towards ", "along path ", "free "]
+                    .map(|words| Offer::new(words.trim_end(), ItemKind::Keyword, 0).insert(words)),
+            );
+        }
+    }
     if let Some(parameter) = &context.parameter {
         list.push(Offer::new(parameter, ItemKind::Variable, 0).detail("the curve's parameter"));
     }
@@ -259,6 +269,7 @@ fn next_clauses(context: &Context, list: &mut Vec<Offer>) {
     let Some(opener) = &context.opener else { return };
     for word in clauses(context.place, opener).iter().filter(|word| !context.clauses.contains(**word)) {
         let entry = documentation::field(context.place, word).map(described);
-        list.push(Offer::new(word, ItemKind::Property, 4).insert(format!("{word} ")).documented(entry));
+        let text = if *word == "arrive" { "arrive from ".to_string() } else { format!("{word} ") };
+        list.push(Offer::new(word, ItemKind::Property, 4).insert(text).documented(entry));
     }
 }

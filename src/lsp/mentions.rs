@@ -181,7 +181,17 @@ impl<'a> Walk<'a> {
     fn clauses(&mut self, clauses: &'a Clauses, place: Place) {
         for clause in &clauses.clauses {
             self.note(clause.word.span, What::Field(place));
+            let is_goal = clause.how.as_ref().is_some_and(|how| how.value == "towards");
             if let Some(value) = &clause.value {
+                // `yaw towards tower`: a waypoint, unless a `let` has the name.
+                if let ExprKind::Name(name) = &value.kind
+                    && is_goal
+                    && self.names.binding(name).is_none()
+                {
+                    let goal = self.names.waypoint(name);
+                    goal.into_iter().for_each(|index| self.note(value.span, What::Reference(index)));
+                    continue;
+                }
                 self.value(value, place, &clause.word.value);
             }
         }

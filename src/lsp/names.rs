@@ -112,6 +112,10 @@ impl Names {
         self.named(Kind::Let, name)
     }
 
+    pub fn waypoint(&self, name: &str) -> Option<usize> {
+        self.named(Kind::Waypoint, name)
+    }
+
     pub fn vehicle(&self, name: &str) -> Option<usize> {
         self.named(Kind::Vehicle, name)
     }

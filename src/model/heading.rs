@@ -88,7 +88,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Opti
             let expr = fields.get(table::YAW.name)?;
             match &expr.kind {
                 ExprKind::Name(name) if !cx.in_scope(name) => Written::Towards(Goal::Named(name.clone(), expr.span)),
-                _ => Written::Towards(Goal::Point(cx.triple(Due::of(&table::AT), expr)?)),
+                _ => Written::Towards(Goal::Point(cx.triple(Due::new("the point of `yaw towards`", "m"), expr)?)),
             }
         }
         "free" => Written::Free,
@@ -97,12 +97,14 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Opti
 }
 
 /// Gives each waypoint its rule, which continues until another one is written; the yaws (rad) that the rules give at the
-/// waypoints where `yaws` has none, as far as these know it; and whether all goals are known.
+/// waypoints where `yaws` has none, as far as these know it; and whether all goals are known. `is_whole` tells whether these are all
+/// waypoints of the mission.
 pub(super) fn settle(
     cx: &mut Context,
     waypoints: &mut [Waypoint],
     written: &[Option<Written>],
     yaws: &[Option<f64>],
+    is_whole: bool,
 ) -> (Vec<Option<f64>>, bool) {
     let (mut rule, mut whole) = (Heading::Given, true);
     let places: Vec<[f64; 3]> = waypoints.iter().map(|w| w.position).collect();
@@ -117,6 +119,8 @@ pub(super) fn settle(
             Some(Written::Towards(Goal::Named(name, span))) => {
                 match waypoints.iter().find(|w| w.name.as_ref() == Some(name)) {
                     Some(goal) => rule = Heading::Towards([goal.position[0], goal.position[1]]),
+                    // A waypoint with an error may have this name.
+                    None if !is_whole => whole = false,
                     None => {
                         let named: Vec<String> = waypoints.iter().filter_map(|w| w.name.clone()).collect();
                         let known: Vec<&str> = named.iter().map(String::as_str).collect();

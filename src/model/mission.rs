@@ -231,7 +231,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         (route.broken, sure) = (true, 0);
     }
     let yaw_defaulted = matches!((route.yaws.first(), route.headings.first()), (Some(None), Some(None)));
-    let (yaws, goals_known) = heading::settle(cx, &mut route.waypoints, &route.headings, &route.yaws);
+    let (yaws, goals_known) = heading::settle(cx, &mut route.waypoints, &route.headings, &route.yaws, !route.broken);
     route.broken |= !goals_known;
     unwrap_yaw(&mut route.waypoints, &yaws);
     let in_order = times::check(cx, &route.waypoints[..sure]);

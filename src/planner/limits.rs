@@ -81,7 +81,7 @@ pub(super) fn covers(limit: &Limit, waypoint_nodes: &[usize], parts: usize, inst
     match on.part {
         Part::Start => instant == first,
         Part::End => instant == last,
-        Part::Whole if limit.kind == LimitKind::Heading && instant % parts != 0 => false,
+        Part::Whole if limit.kind == LimitKind::Heading && !instant.is_multiple_of(parts) => false,
         Part::Whole => (first..=last).contains(&instant),
     }
 }
@@ -258,7 +258,7 @@ impl Transcription<'_> {
             // Linear in yaw, position and velocity about the states nearby; without these there is no row, and the program is a
             // relaxation.
             (Bounded::Heading(target), Some(upper)) if self.plans(YAW) => {
-                let near = self.states.filter(|_| instant % self.parts == 0);
+                let near = self.states.filter(|_| instant.is_multiple_of(self.parts));
                 let Some(near) = near.and_then(|states| states.get(instant / self.parts)) else { return };
                 let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| near[axis][order]));
                 let Some([x, y]) = target.direction(position, velocity) else { return };

@@ -31,6 +31,9 @@ pub struct WaypointRecord {
     pub yaw_error_rad: f64,
     pub yaw_tolerance_rad: f64,
     pub yaw_share: f64,
+    /// Whether the yaw is free.
+    #[serde(skip)]
+    pub yaw_is_free: bool,
     /// Both errors are within their tolerances plus the [`MOST_MISS`] that `mavc verify` allows.
     pub met: bool,
 }
@@ -52,6 +55,7 @@ impl WaypointRecord {
             yaw_error_rad: turn,
             yaw_tolerance_rad: waypoint.yaw_within,
             yaw_share: turn / waypoint.yaw_within,
+            yaw_is_free: waypoint.heading == Heading::Free,
             met: distance <= waypoint.within + MOST_MISS && turn <= waypoint.yaw_within + MOST_MISS,
         }
     }
@@ -160,13 +164,17 @@ pub fn table(waypoints: &[WaypointRecord], indent: usize) -> String {
 impl WaypointRecord {
     /// Error, tolerance and share of position, then of yaw.
     pub fn cells(&self) -> [String; 6] {
+        let [error, allowed, share] = match self.yaw_is_free {
+            true => ["-", "free", "-"].map(String::from),
+            false => [angle(self.yaw_error_rad), angle(self.yaw_tolerance_rad), percent(self.yaw_share)],
+        };
         [
             length(self.position_error_m),
             length(self.position_tolerance_m),
             percent(self.position_share),
-            angle(self.yaw_error_rad),
-            angle(self.yaw_tolerance_rad),
-            percent(self.yaw_share),
+            error,
+            allowed,
+            share,
         ]
     }
 }

@@ -1,7 +1,7 @@
 //! Legs: shapes, limits of their own, stops and directions of arrival, by closed forms that share nothing with the code.
 
 use crate::cli::{mavc, mavc_with};
-use mavc::model::{Limit, LimitKind};
+use mavc::model::{Heading, Limit, LimitKind, Part};
 use mavc::verify::interval::Interval;
 use mavc::verify::limits;
 use proptest::prelude::*;
@@ -40,6 +40,7 @@ struct Row {
     v: [f64; 3],
     a: [f64; 3],
     j: [f64; 3],
+    yaw: f64,
     waypoint: usize,
 }
 
@@ -51,7 +52,7 @@ fn rows(csv: &Path) -> Vec<Row> {
         let at = |name: &str| row[column(name)].parse::<f64>().unwrap();
         let three = |prefix: &str| ["x", "y", "z"].map(|axis| at(&format!("{prefix}{axis}")));
         let waypoint = at("waypoint") as usize;
-        Row { t: at("t"), p: three(""), v: three("v"), a: three("a"), j: three("j"), waypoint }
+        Row { t: at("t"), p: three(""), v: three("v"), a: three("a"), j: three("j"), yaw: at("yaw"), waypoint }
     };
     reader.records().map(|row| read(row.unwrap())).collect()
 }
@@ -306,7 +307,8 @@ fn legs_are_formatted() {
     let spec = "mission m {
 start at [0, 0, 2] m
 waypoint a at [0, 0, 5] m   vertical stop {climb<=2 m/s;tilt<=8 deg}
-waypoint at [9, 0, 5] m corridor 2 m arrive  from [1,0,0] {
+waypoint b at [9, 0, 5] m yaw  along   path
+waypoint at [9, 0, 5] m yaw towards b yaw_within 3 deg corridor 2 m arrive  from [1,0,0] {
 speed<=3 m/s
 acceleration <= 2 m/s^2
 }
@@ -315,7 +317,8 @@ acceleration <= 2 m/s^2
     let due = "mission m {
     start at [0, 0, 2] m
     waypoint a at [0, 0, 5] m  vertical  stop { climb <= 2 m/s; tilt <= 8 deg }
-    waypoint at [9, 0, 5] m  corridor 2 m  arrive from [1, 0, 0] {
+    waypoint b at [9, 0, 5] m  yaw along path
+    waypoint at [9, 0, 5] m  yaw towards b  yaw_within 3 deg  corridor 2 m  arrive from [1, 0, 0] {
         speed        <= 3 m/s
         acceleration <= 2 m/s^2
     }
@@ -331,10 +334,151 @@ acceleration <= 2 m/s^2
     std::fs::write(&path, &ast).unwrap();
     let (_, again) = run(&["emit", "ast", path.to_str().unwrap()]);
     assert_eq!(ast, again);
+    assert!(ast.contains("yaw along path") && ast.contains("yaw towards b"), "{ast}");
     assert!(ast.contains("arrive from [1, 0, 0]") && ast.contains("acceleration <= 2 m/s^2"), "{ast}");
 }
 
+/// The yaw of a plan follows its rules at every node, by the table alone; forged specs with other rules are refused.
+#[test]
+fn the_yaw_follows_from_the_motion() {
+    const YAWS: &str = "start at [0, 0, 2] m  yaw towards mast
+    waypoint mast at [8, 5, 3] m  yaw along path  yaw_within 6 deg
+    waypoint at [16, 0, 4] m  within 20 cm
+    waypoint at [20, 8, 4] m  stop
+    waypoint at [6, 9, 4] m  within 20 cm
+    waypoint b at [0, 6, 3] m  yaw towards [20, 20, 0] m
+    waypoint at [-6, 0, 2] m
+    waypoint at [0, -4, 2] m  yaw free
+    waypoint at [4, 0, 2] m  yaw 90 deg
+    limits { speed <= 5 m/s; tilt <= 30 deg }";
+    const PLAN: &str = "time = 32 s; samples = 140";
+    let folder = tempfile::tempdir().unwrap();
+    let spec = write(folder.path(), YAWS, PLAN);
+    let spec = spec.to_str().unwrap();
+    let [csv, proof] = ["plan.csv", "proof.json"].map(|name| folder.path().join(name));
+    let outputs = ["-o", csv.to_str().unwrap(), "--certificate", proof.to_str().unwrap(), "--report", "-"];
+    let (code, text) = run(&[&["plan", spec][..], &outputs].concat());
+    assert_eq!(code, Some(0), "{text}");
+    let report: Value = serde_json::from_str(&text).unwrap();
+    let rows = rows(&csv);
+    let at = |waypoint: usize| rows.iter().position(|row| row.waypoint == waypoint).unwrap();
+    let off = |row: &Row, direction: [f64; 2], least: f64| {
+        let error = row.yaw - direction[1].atan2(direction[0]);
+        let error = error - std::f64::consts::TAU * (error / std::f64::consts::TAU).round();
+        (direction[0].hypot(direction[1]) >= least).then_some(error.abs().to_degrees())
+    };
+    let along = |row: &Row| off(row, [row.v[0], row.v[1]], 0.3);
+    let towards = |row: &Row, x: f64, y: f64| off(row, [x - row.p[0], y - row.p[1]], 0.211);
+    type Error<'a> = &'a dyn Fn(&Row) -> Option<f64>;
+    let checks: [(usize, usize, Error, f64); 5] = [
+        (1, 1, &|row| towards(row, 8.0, 5.0), 2.0),
+        // The tolerance is written at the mast alone.
+        (2, 2, &along, 6.0),
+        (2, 5, &along, 2.0),
+        (6, 7, &|row| towards(row, 20.0, 20.0), 2.0),
+        (9, 9, &|row| Some(((row.yaw.to_degrees() - 90.0 + 180.0).rem_euclid(360.0) - 180.0).abs()), 2.0),
+    ];
+    for (from, to, error, within) in checks {
+        let errors: Vec<f64> = rows[at(from)..=at(to)].iter().filter_map(error).collect();
+        assert!(!errors.is_empty(), "{from} {to}");
+        let most = errors.iter().copied().fold(0.0, f64::max);
+        assert!(most <= within + 0.01, "waypoints {from} to {to}: {most} of {within}");
+    }
+    // The path turns by more than a right angle at the stop, and the yaw with it.
+    let turned = (rows[at(5)].yaw - rows[at(4) - 3].yaw).to_degrees().abs();
+    assert!(turned > 60.0, "{turned}");
+    let told = report["planners"][0]["headings"].as_array().unwrap();
+    let names: Vec<&str> = told.iter().map(|row| row["name"].as_str().unwrap()).collect();
+    assert_eq!(names[0], "yaw at waypoint 1");
+    assert!(
+        names.contains(&"yaw on the leg to waypoint 4") && names.contains(&"yaw on the leg to waypoint 7"),
+        "{names:?}"
+    );
+    for row in told {
+        let [tolerance, nodes, largest] = ["tolerance_rad", "at_nodes_rad", "largest_rad"].map(|key| row[key].as_f64());
+        assert!(nodes.is_none_or(|nodes| nodes <= tolerance.unwrap() + 1e-4 && nodes <= largest.unwrap()), "{row}");
+    }
+    let (code, text) = run(&["verify", proof.to_str().unwrap(), spec]);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("yaw on the leg to waypoint 4 within 2 deg (between the nodes "), "{text}");
+    let certificate: Value = serde_json::from_slice(&std::fs::read(&proof).unwrap()).unwrap();
+    for (from, to, refused) in [
+        ("yaw towards [20, 20, 0] m", "yaw towards [20, 16, 0] m", "yaw on the leg to waypoint 7"),
+        ("waypoint at [20, 8, 4] m  stop", "waypoint at [20, 8, 4] m  stop  yaw towards b", "yaw"),
+        ("yaw free", "yaw free\n    waypoint at [2, -3, 2] m", "times"),
+        ("yaw towards mast", "yaw towards b", "yaw at waypoint 1"),
+    ] {
+        let other = write(folder.path(), &YAWS.replace(from, to), PLAN);
+        let other = mavc::Compiler::new().file(&other).unwrap().into_result().unwrap();
+        let mut forged = certificate.clone();
+        forged["spec_sha256"] = other.sha256().into();
+        let answer = mavc::verify(forged.to_string().as_bytes(), &other).map(|verdict| verdict.headline);
+        assert!(format!("{answer:?}").contains(refused), "{to}: {answer:?}");
+    }
+}
+
+/// A rule continues until another yaw is given, and holds on the legs between two waypoints with one rule.
+#[test]
+fn rules_of_the_yaw_continue() {
+    let folder = tempfile::tempdir().unwrap();
+    let mission = "start at [0, 0, 2] m  yaw along path
+    waypoint at [9, 0, 2] m
+    waypoint a at [9, 9, 2] m  yaw towards b
+    curve s in 0 .. 1, points = 3 { x = 9 m - s * 4 m; y = 12 m; z = 2 m }
+    waypoint b at [0, 12, 2] m  yaw 180 deg
+    waypoint at [0, 20, 2] m
+    waypoint at [9, 20, 2] m  yaw free
+    waypoint at [9, 30, 2] m  yaw towards [9, 40, 0] m";
+    let spec = mavc::Compiler::new().file(write(folder.path(), mission, "")).unwrap().into_result().unwrap();
+    let mission = spec.model().mission.clone().unwrap();
+    let to_b = Heading::Towards([0.0, 12.0]);
+    let rules: Vec<Heading> = mission.waypoints.iter().map(|w| w.heading).collect();
+    let given = Heading::Given;
+    let due = [
+        Heading::AlongPath,
+        Heading::AlongPath,
+        to_b,
+        to_b,
+        to_b,
+        to_b,
+        given,
+        given,
+        Heading::Free,
+        Heading::Towards([9.0, 40.0]),
+    ];
+    assert_eq!(rules, due);
+    let parts: Vec<(usize, Part)> =
+        mission.limits.iter().map(|l| l.leg.as_ref().unwrap()).map(|on| (on.leg, on.part)).collect();
+    assert_eq!(parts, [(0, Part::Whole), (2, Part::Whole), (3, Part::Whole), (4, Part::Whole), (8, Part::End)]);
+    // The yaw at the waypoints as they tell it: east, west by north west, west, and so on by the shorter way.
+    let yaws: Vec<f64> = mission.waypoints.iter().map(|w| w.yaw.to_degrees()).collect();
+    let to_b = 3f64.atan2(-9.0).to_degrees();
+    let due = [0.0, 0.0, to_b, 180.0, 180.0, 180.0, 180.0, 180.0, 180.0, 90.0];
+    assert!(yaws.iter().zip(due).all(|(found, due)| (found - due).abs() < 1e-9), "{yaws:?}");
+    // A rule in the hover model is refused.
+    let text = std::fs::read_to_string(folder.path().join("legs.mav")).unwrap().replace("rip;", "rip; model = hover;");
+    let codes: Vec<&str> = mavc::compile(&text).diagnostics.iter().map(|d| d.code).collect();
+    assert_eq!(codes, ["mavc::mission::heading_model"]);
+}
+
 proptest! {
+    /// The checker's violation of a yaw that follows is the sine of the error less the tolerance, and none near the point.
+    #[test]
+    fn the_checker_knows_the_error_of_the_yaw(p in prop::array::uniform2(-9.0..9.0f64), yaw in -9.0..9.0f64) {
+        let limits = limits_of("start at [9, 9, 3] m  yaw towards [1, -2, 0] m; waypoint at [4, 9, 3] m  yaw 0 deg");
+        prop_assert_eq!(limits[0].kind, LimitKind::Heading);
+        let family = limits::family(&limits[0], 9.81, Some((0, 0)));
+        let mut state = [[Interval::ZERO; 6]; 4];
+        for (axis, value) in [(0, p[0]), (1, p[1]), (3, yaw)] {
+            state[axis][0] = Interval::point(value);
+        }
+        let found = (family.evaluate)(&state, &[0])[0].value;
+        let (x, y) = (1.0 - p[0], -2.0 - p[1]);
+        let error = (yaw.cos() * x + yaw.sin() * y) / x.hypot(y);
+        let due = if x.hypot(y) < 0.211 { -1.0 } else { (error.clamp(-1.0, 1.0).acos() - 2f64.to_radians()).sin() };
+        prop_assert!((found.high - due).abs() < 1e-6 && (found.high - found.low).abs() < 1e-9, "{:?} {}", found, due);
+    }
+
     /// The checker's bound on the distance from a line holds over boxes of positions, and is sharp at points.
     #[test]
     fn the_checker_bounds_distances_from_a_line(p in prop::array::uniform3(-9.0..9.0f64), half in 0.0..0.5f64, at in prop::array::uniform3(-1.0..1.0f64)) {

@@ -120,6 +120,7 @@ pub fn waypoint(position: [f64; 3], yaw: f64) -> Waypoint {
         hold: 0.0,
         heading: mavc::model::Heading::Given,
         stop: false,
+        heading: Heading::Given,
         span: Span::default(),
         time_span: None,
         hold_span: None,

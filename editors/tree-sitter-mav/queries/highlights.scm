@@ -17,7 +17,7 @@
 
 [
   "let" "require" "vehicle" "faults" "mission" "plan" "simulate" "campaign" "limits" "keep_in" "keep_out" "mode" "every" "curve" "rotor"
-  "rotors" "battery" "air" "start" "end" "moving" "waypoint" "hold" "fault" "where" "in" "as" "reduced" "to" "stuck" "at"
+  "rotors" "battery" "air" "start" "end" "moving" "waypoint" "hold" "fault" "where" "in" "as" "reduced" "to" "stuck" "at" "towards" "along" "path" "free"
 ] @keyword
 
 (lost) @keyword

@@ -38,6 +38,8 @@ pub struct Context {
     pub present: BTreeSet<String>,
     /// The word that begins the statement.
     pub opener: Option<String>,
+    /// The word before the cursor in the statement.
+    pub after: String,
     /// The clauses that the statement has already.
     pub clauses: BTreeSet<String>,
     /// Words that may follow a value here.
@@ -103,6 +105,7 @@ impl Context {
             word,
             present,
             opener: statement.first().map(|l| l.text(text).to_string()),
+            after: statement.last().map_or("", |l| l.text(text)).to_string(),
             clauses: BTreeSet::new(),
             next: Vec::new(),
             parameter: frame.parameter,
@@ -201,8 +204,11 @@ impl Context {
         if field == "arrive" && last.start == clause.start {
             return Before::Words(&["from"]);
         }
-        if last.text(text) == "from" {
-            return Before::Value { field, ended: false };
+        match last.text(text) {
+            "from" | "towards" => return Before::Value { field, ended: false },
+            "along" if field == "yaw" => return Before::Words(&["path"]),
+            "path" | "free" if field == "yaw" => return Before::Clause,
+            _ => {}
         }
         // After a unit or a name a value is over, unless an operator continues it.
         let is_over = last.kind == Kind::Word && last.start != clause.start || last.is('%');

@@ -101,6 +101,7 @@ fn meaning(rule: Rule) -> Option<Expected> {
         Rule::kw_at => Expected::Word("at"),
         Rule::kw_from | Rule::from_word => Expected::Word("from"),
         Rule::kw_in => Expected::Word("in"),
+        Rule::path_word => Expected::Word("path"),
         Rule::kw_moving => Expected::Word("moving"),
         Rule::kw_rotor | Rule::kw_rotors => Expected::Word("rotors"),
         Rule::kw_to => Expected::Word("to"),

@@ -136,10 +136,16 @@ impl<'i> Parts<'i> {
             let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
             let word = parts.name();
             const HOWS: [Rule; 4] = [Rule::from_word, Rule::towards_word, Rule::along_word, Rule::free_word];
-            let how = HOWS.into_iter().find_map(|rule| parts.take(rule)).map(|p| {
-                let words: Vec<&str> = p.as_str().split_whitespace().collect();
-                Spanned::new(words.join(" "), span_of(self.file, &p))
-            });
+            let name = |p: Pair<'_, Rule>| Spanned::new(p.as_str().to_string(), span_of(self.file, &p));
+            let how = HOWS.into_iter().find_map(|rule| parts.take(rule)).map(name);
+            // `along path` is one word with a blank.
+            let path = parts.take(Rule::path_word).map(name);
+            let how = match (how, path) {
+                (Some(how), Some(path)) => {
+                    Some(Spanned::new(format!("{} {}", how.value, path.value), how.span.to(path.span)))
+                }
+                (how, _) => how,
+            };
             let value = if parts.pairs.peek().is_some() { Some(parts.expr()?) } else { None };
             clauses.push(Clause { word, how, value });
         }

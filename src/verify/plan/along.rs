@@ -219,7 +219,7 @@ impl Checked<'_> {
         let allowed = number(limit.upper.unwrap_or(0.0).to_degrees());
         match heading::largest(limit, &self.motion, within, OF_A_GRID) {
             Some((error, at)) => format!(
-                "{} within {allowed} deg of its direction, {} deg off at most between them, at {} s",
+                "{} within {allowed} deg (between the nodes {} deg on a grid, at {} s)",
                 limit.name(),
                 significant(error.to_degrees(), 3),
                 significant(at, 4)

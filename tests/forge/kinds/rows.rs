@@ -61,7 +61,7 @@ fn exceeded(spec: &Spec, numbers: &mut Numbers, kind: LimitKind) -> Option<Certi
         LimitKind::X => (X, 0),
         LimitKind::Y => (Y, 0),
         LimitKind::Z => (Z, 0),
-        LimitKind::Yaw => (YAW, 0),
+        LimitKind::Yaw | LimitKind::Heading => (YAW, 0),
         LimitKind::YawRate => (YAW, 1),
         LimitKind::YawAcceleration => (YAW, 2),
         LimitKind::Climb | LimitKind::Descent => (Z, 1),

@@ -145,6 +145,33 @@ fn a_battery_is_completed_and_explained() {
 }
 
 #[test]
+fn clauses_of_legs_are_offered() {
+    let all = offers(
+        "mission m {\n start at [0, 0, 2] m\n waypoint a at [1, 2, 3] m |\n waypoint at [1, 2, 5] m vertical |\n \
+         waypoint at [2, 2, 5] m arrive |\n waypoint at [3, 2, 5] m yaw |\n waypoint at [4, 2, 5] m yaw towards |\n \
+         waypoint at [5, 2, 5] m yaw free |\n waypoint at [6, 2, 5] m stop { | }\n waypoint at [7, 2, 5] m corridor 2 |\n}\n",
+    );
+    let of = |k: usize| labels(&all[k]);
+    assert!(["straight", "corridor", "arrive", "stop", "yaw"].iter().all(|word| of(0).contains(word)), "{:?}", of(0));
+    assert!(all[0].contains(&("arrive".into(), "arrive from ".into())), "{:?}", all[0]);
+    assert!(of(1).contains(&"stop") && !of(1).contains(&"vertical"), "{:?}", of(1));
+    assert_eq!(of(2), ["from"]);
+    assert!(["towards", "along path", "free"].iter().all(|word| of(3).contains(word)), "{:?}", of(3));
+    assert!(of(4).contains(&"a") && !of(4).contains(&"free"), "{:?}", of(4));
+    assert!(of(5).contains(&"within") && !of(5).contains(&"yaw"), "{:?}", of(5));
+    assert!(of(6).contains(&"speed") && of(6).contains(&"tilt") && !of(6).contains(&"at"), "{:?}", of(6));
+    assert!(of(7).contains(&"m") && !of(7).contains(&"s"), "{:?}", of(7));
+}
+
+#[test]
+fn a_waypoint_to_which_the_yaw_points_is_a_reference() {
+    let shown = hovers(
+        "mission m {\n start at [0, 0, 2] m  ya|w towards mas|t\n /// The mast.\n waypoint mast at [9, 0, 2] m\n}\n",
+    );
+    assert!(shown[0].contains("towards") && shown[1].contains("The mast."), "{shown:?}");
+}
+
+#[test]
 fn behind_a_number_units_of_the_right_dimension_are_offered() {
     let all = offers(
         "vehicle a {\n mass = 1.8 |\n rotor {\n max_speed = 8500 r|\n }\n}\nmission m {\n waypoint at [1, 2, 3] |\n \
