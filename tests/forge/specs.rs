@@ -8,7 +8,9 @@ use super::motion::{Timetable, Wish, add_spline, certificate};
 use super::numbers::Numbers;
 use super::truth::Truth;
 use mavc::certificate::{Certificate, Claim};
-use mavc::model::{Allocation, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread};
+use mavc::model::{
+    Allocation, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread, Volume,
+};
 use mavc::motion::checks::{past, peak};
 use mavc::motion::{Trajectory, X, Y, YAW, Z};
 use rayon::prelude::*;
@@ -121,8 +123,9 @@ impl Spec {
         let Draft { name, mut model, total, limits, harder } = draft;
         let honest = smooth(&model, total).unwrap_or_else(|| panic!("{name}: no motion"));
         let wanted = limits.into_iter().map(|(kind, share)| reached(&honest, kind, share, model.gravity));
-        let size = model.vehicle.radius();
+        let (size, gravity) = (model.vehicle.radius(), model.gravity);
         let mission = model.mission.as_mut().expect("a mission");
+        mission.volumes.iter_mut().for_each(|volume| volume.clearance = kept(&honest, volume, gravity) - size - ROOM);
         mission.limits = wanted.chain(mission.volumes.iter().flat_map(|volume| volume.limits(size))).collect();
         let truth = Truth::of(&model);
         let false_by = truth.of_plan(&honest);
@@ -143,6 +146,15 @@ impl Spec {
 fn smooth(model: &Model, total: f64) -> Option<Trajectory> {
     let table = Timetable::asked(model, total)?;
     Wish::of(model.mission.as_ref()?).motion(&table, super::motion::equations(model))
+}
+
+/// How much nearer than it is a motion may come to a volume, m.
+const ROOM: f64 = 0.01;
+
+/// The smallest distance of a motion's positions from the boundary of a volume, m.
+fn kept(motion: &Trajectory, volume: &Volume, gravity: f64) -> f64 {
+    let limits = Volume { clearance: 0.0, ..volume.clone() }.limits(0.0);
+    -peak(motion, |s| limits.iter().map(|l| past(l, s, gravity)).fold(f64::NEG_INFINITY, f64::max)).value
 }
 
 /// A limit at a share of what a motion reaches.

@@ -171,7 +171,8 @@ impl ScpPlanner<'_, '_> {
 
     /// A plan on a time grid from the minimum-snap motion on other sides of the volumes in its way; the first that is found.
     fn on_grid_by_other_sides(&mut self, full: &TimeGrid) -> Option<Planned> {
-        self.other_sides().into_iter().find_map(|sides| {
+        let others = self.other_sides();
+        others.into_iter().take(self.settings.guidance.quicker_sides).find_map(|sides| {
             let kept = std::mem::replace(&mut self.sides, sides);
             let smooth = self.minimum_snap(&full.flown());
             let close = self.settings.cost.close;

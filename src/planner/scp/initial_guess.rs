@@ -68,15 +68,20 @@ impl ScpPlanner<'_, '_> {
         self.coarse(Some(&initial), 0.0)
     }
 
-    /// A feasible iterate on the coarse grid, of about `near` s of flight or as short as the steps make it. The legs start with these
-    /// shares of the time, or with shares by length.
-    pub(super) fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Iterate> {
-        self.hover.effort.starts += 1;
+    /// The minimum-snap motion on the coarse grid, slowed down until it is inside the set and the limits at the nodes.
+    pub(super) fn first_motion(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Iterate> {
         let longest: f64 = shares.map_or(0.0, |legs| legs.iter().sum());
         let guess = self.hover.guess().max(near + self.held()).max(longest + self.held());
         let coarse = self.lay_out(shares, guess, self.hover.coarse_samples())?;
         let smooth = self.minimum_snap(&coarse.flown())?;
-        let mut iterate = self.slowed_until_inside(&smooth)?;
+        self.slowed_until_inside(&smooth)
+    }
+
+    /// A feasible iterate on the coarse grid, of about `near` s of flight or as short as the steps make it. The legs start with these
+    /// shares of the time, or with shares by length.
+    pub(super) fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Iterate> {
+        self.hover.effort.starts += 1;
+        let mut iterate = self.first_motion(shares, near)?;
         let mut working_set = BTreeSet::new();
         if near > iterate.grid.total {
             iterate = iterate.slower(near / iterate.grid.total);

@@ -362,8 +362,10 @@ pub struct GuidanceSettings {
     pub ways: usize,
     /// Every which instant that motion keeps the volumes. 4.
     pub instants: usize,
-    /// How many coarse iterates on other sides of volumes than the shortest ways are tried. 4.
+    /// How many other sides of volumes than those of the shortest ways are considered. 4.
     pub sides: usize,
+    /// On how many of them, the quickest by their first motions, a coarse iterate is optimised. 2.
+    pub quicker_sides: usize,
 }
 
 impl ScpSettings {
@@ -479,6 +481,7 @@ impl ScpSettings {
             ways: 3,
             instants: 4,
             sides: 4,
+            quicker_sides: 2,
         },
     };
 }

@@ -8,12 +8,13 @@ use crate::model::LimitKind;
 type Sides = BTreeMap<usize, usize>;
 
 impl ScpPlanner<'_, '_> {
-    /// Coarse iterates as [`Self::coarse`] makes them, the best first: one on the shortest ways around volumes, and one for each
-    /// other side of each leg that is tried. Without a leg in whose way a volume lies there is at most one.
+    /// Coarse iterates as [`Self::coarse`] makes them, the best first: one on the shortest ways around volumes, and one on each of
+    /// the other sides whose first motion, slowed down until it is inside, is quicker. Without a leg in whose way a volume lies
+    /// there is at most one.
     pub(super) fn coarse_on_all_sides(&mut self, shares: Option<&[f64]>, near: f64) -> Vec<(Iterate, Sides)> {
         let first = self.coarse(shares, near);
         let mut found: Vec<(Iterate, Sides)> = first.map(|iterate| (iterate, self.sides.clone())).into_iter().collect();
-        for sides in self.other_sides() {
+        for sides in self.quicker_sides(shares, near) {
             self.forget_multipliers();
             let kept = (self.input_weight, std::mem::replace(&mut self.sides, sides.clone()));
             found.extend(self.coarse(shares, near).map(|iterate| (iterate, sides)));
@@ -26,6 +27,25 @@ impl ScpPlanner<'_, '_> {
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
         found
+    }
+
+    /// The sides among [`Self::other_sides`] whose first motions are quicker than that on the shortest ways, the quickest first.
+    fn quicker_sides(&mut self, shares: Option<&[f64]>, near: f64) -> Vec<Sides> {
+        let others = self.other_sides();
+        if others.is_empty() {
+            return others;
+        }
+        let mut time = |sides: Sides| {
+            let kept = std::mem::replace(&mut self.sides, sides);
+            let found = self.first_motion(shares, near).map_or(f64::INFINITY, |iterate| iterate.grid.total);
+            self.sides = kept;
+            found
+        };
+        let direct = time(Sides::new());
+        let mut timed: Vec<(f64, Sides)> = others.into_iter().map(|sides| (time(sides.clone()), sides)).collect();
+        timed.retain(|(time, _)| *time < direct);
+        timed.sort_by(|a, b| a.0.total_cmp(&b.0));
+        timed.into_iter().take(self.settings.guidance.quicker_sides).map(|(_, sides)| sides).collect()
     }
 
     /// Sides other than those of the shortest ways: for one leg at a time, at most [`settings::GuidanceSettings::sides`] in all.

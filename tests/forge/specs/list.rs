@@ -118,10 +118,10 @@ pub fn flat_inverse() -> Draft {
     Draft { name: "RCP flat pseudo-inverse", model, total: 6.0, limits: Vec::new(), harder: false }
 }
 
-/// The body of the `index`-th volume of a mission.
+/// The `index`-th volume of a mission; its clearance is set from the honest plan.
 fn volume(index: u32, side: VolumeSide, body: Body) -> Volume {
     let span = Span { start: index, end: index + 1, ..Span::default() };
-    Volume { name: format!("v{index}"), side, bodies: vec![body], clearance: 0.1, span }
+    Volume { name: format!("v{index}"), side, bodies: vec![body], clearance: 0.0, span }
 }
 
 /// The line past one volume of each shape.
