@@ -467,7 +467,7 @@ proptest! {
     fn the_checker_knows_the_error_of_the_yaw(p in prop::array::uniform2(-9.0..9.0f64), yaw in -9.0..9.0f64) {
         let limits = limits_of("start at [9, 9, 3] m  yaw towards [1, -2, 0] m; waypoint at [4, 9, 3] m  yaw 0 deg");
         prop_assert_eq!(limits[0].kind, LimitKind::Heading);
-        let family = limits::family(&limits[0], 9.81, Some((0, 0)));
+        let family = limits::family(&limits[0], &mavc::model::Environment::vacuum(9.81), Some((0, 0)));
         let mut state = [[Interval::ZERO; 6]; 4];
         for (axis, value) in [(0, p[0]), (1, p[1]), (3, yaw)] {
             state[axis][0] = Interval::point(value);

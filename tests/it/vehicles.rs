@@ -118,9 +118,8 @@ pub fn waypoint(position: [f64; 3], yaw: f64) -> Waypoint {
         weight: 1.0,
         time: None,
         hold: 0.0,
-        heading: mavc::model::Heading::Given,
-        stop: false,
         heading: Heading::Given,
+        stop: false,
         span: Span::default(),
         time_span: None,
         hold_span: None,
@@ -139,7 +138,7 @@ pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
         end_at_rest: true,
         limits: Vec::new(),
         volumes: Vec::new(),
-        air: mavc::model::Air::still(Span::default()),
+        air: Air::still(Span::default()),
         span: Span::default(),
     }
 }

@@ -37,9 +37,8 @@ pub struct ClosedOff {
 
 /// The first waypoint that is closed off from the one before by bounds on positions; `None` where none is found to be.
 pub fn closed_off(limits: &[Limit], volumes: &[Volume], waypoints: &[Waypoint]) -> Option<ClosedOff> {
-    let bounds: Vec<usize> = (0..limits.len())
-        .filter(|&i| limits[i].is_general() && limits[i].value_at([0.0; 3]).is_some())
-        .collect();
+    let bounds: Vec<usize> =
+        (0..limits.len()).filter(|&i| limits[i].is_general() && limits[i].value_at([0.0; 3]).is_some()).collect();
     let keeps_out = |&&i: &&usize| limits[i].kind == LimitKind::Clearance;
     // Without a volume to keep out of, the bounds are convex.
     bounds.iter().find(keeps_out)?;
