@@ -359,7 +359,7 @@ fn new_writes_a_spec_that_plans_and_never_overwrites() {
 }
 
 /// The kinds of `mavc new --mission`, each with a time at which a plan is found quickly.
-const KINDS: [(&str, &str); 3] = [("inspection", "70s"), ("delivery", "150s"), ("survey", "80s")];
+const KINDS: [(&str, &str); 3] = [("inspection", "85s"), ("delivery", "150s"), ("survey", "85s")];
 
 #[test]
 fn new_writes_whole_missions_that_check_and_plan() {
