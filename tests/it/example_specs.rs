@@ -99,20 +99,17 @@ fn protection_is_cheap_where_there_is_time() {
     assert!(rcp < 1.5 * rip, "{rcp} against {rip}");
 }
 
-/// Missions of the size that people fly, planned as they are written: RSP's time is not far above a bound that holds for every
+/// A mission of the size that people fly, planned as it is written: RSP's time is not far above a bound that holds for every
 /// division of the time. The order of the planners' times is tested on coarser grids below.
 #[test]
 #[ignore = "long"]
 fn times_of_real_missions_are_near_their_bounds() {
-    for (spec, longest, bound) in
-        [("specs/missions/parcel_x8.mav", 107.0, 98.0), ("specs/missions/facade_hexa.mav", 1.15 * 25.82, 25.8)]
-    {
-        printed(&["check", spec, "--deny", "warnings"]);
-        let report = planned(spec, &["--set", "plan.planner=rsp"]);
-        let of = |field: &str| report["planners"][0][field].as_f64().unwrap();
-        let (time, least) = (of("time_s"), of("time_lower_bound_s"));
-        assert!(time <= longest && least >= bound && least < time, "{spec}: {least} {time}");
-    }
+    let spec = "specs/missions/parcel_x8.mav";
+    printed(&["check", spec, "--deny", "warnings"]);
+    let report = planned(spec, &["--set", "plan.planner=rsp"]);
+    let of = |field: &str| report["planners"][0][field].as_f64().unwrap();
+    let (time, least) = (of("time_s"), of("time_lower_bound_s"));
+    assert!(time <= 107.0 && least >= 98.0 && least < time, "{least} {time}");
 }
 
 /// The same missions with legs that share the time by their lengths: times that were found before durations were the planner's.
@@ -127,18 +124,18 @@ fn times_by_lengths_are_still_found() {
     }
 }
 
-/// Every spec with free durations that is shipped: in one comparison RIP's own time is at most RSP's, that at most the joint
+/// Two specs with free durations that are shipped: in one comparison RIP's own time is at most RSP's, that at most the joint
 /// RCP's, and RCP's of one mode lies between RIP's and the joint one; `plan` finds RSP's time within 0.5 %.
 #[test]
 #[ignore = "long"]
 fn times_of_shipped_specs_are_in_order() {
-    let missions = ["ferry_octo", "survey_quad", "facade_hexa"].map(|name| format!("specs/missions/{name}.mav"));
+    let missions = ["ferry_octo", "survey_quad"].map(|name| format!("specs/missions/{name}.mav"));
     let of_two = |spec: &String| {
         let modes = modes(spec, &[]);
         let names: Vec<&str> = modes[1..].iter().take(2).map(|mode| mode["name"].as_str().unwrap()).collect();
         format!("plan.against=[{}]", names.join(", "))
     };
-    for spec in missions.iter().chain(&SPECS.map(String::from)[1..2].to_vec()) {
+    for spec in &missions {
         let against = of_two(spec);
         let settings = ["--set", "plan.samples=60", "--set", "plan.time=minimum", "--set", &against];
         let report = |command: &str, more: &[&str]| -> Value {

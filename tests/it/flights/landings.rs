@@ -9,17 +9,13 @@ use mavc::motion::Trajectory;
 use std::sync::LazyLock;
 
 /// Specs, and what keeps their plans quick to make: any plan will do.
-const MISSIONS: [(&str, &[&str]); 10] = [
+const MISSIONS: [(&str, &[&str]); 6] = [
     ("tests/specs/landing/tower.mav", &[]),
     ("tests/specs/landing/return.mav", &[]),
-    ("specs/missions/inspection.mav", &["plan.planner=rip", "plan.samples=100"]),
     ("specs/paper/campaign.mav", &["plan.planner=rip"]),
-    ("specs/paper/case2.mav", &["plan.planner=rip", "plan.time=30s"]),
     ("specs/paper/tracking.mav", &["plan.time=25s"]),
     ("src/template.mav", &["plan.planner=rip"]),
-    ("examples/parcel_quad.mav", &["plan.planner=rip", "plan.samples=60"]),
     ("examples/survey_hexa.mav", &["plan.planner=rip", "plan.samples=60"]),
-    ("examples/tower_octo.mav", &["plan.samples=60"]),
 ];
 
 static PLANS: LazyLock<Vec<(&str, Model, Trajectory)>> =
