@@ -170,6 +170,7 @@ fn told(spec: &str) -> f64 {
 /// In a constant wind the reserve is that of hover in this wind, and takes nothing from it: plans hold position up to the airspeed
 /// without a reserve. In an interval of winds about still air they hold it up to the airspeed with the reserve.
 #[test]
+#[ignore = "long"]
 fn plans_hold_position_up_to_the_airspeed() {
     for planner in ["rip", "rcp"] {
         let [bare, kept] = [0.0, 0.1].map(|reserve| told(&hold("[0, 0, 0] m/s", reserve, planner)));

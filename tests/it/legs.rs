@@ -175,6 +175,7 @@ fn the_shortest_plan_keeps_its_legs() {
 
 /// In the hover model limits hold at the nodes; so do those of legs, and stops are at rest.
 #[test]
+#[ignore = "long"]
 fn the_hover_model_keeps_legs_at_its_nodes() {
     let folder = tempfile::tempdir().unwrap();
     let spec = write(folder.path(), MISSION, "model = hover; samples = 100");
@@ -231,6 +232,7 @@ fn limits_of_a_leg_bound_its_time() {
 
 /// Proofs that there is no plan on a grid use the rows of a leg where it is: a turn within a corridor in too little time.
 #[test]
+#[ignore = "long"]
 fn proofs_use_the_rows_of_legs() {
     let folder = tempfile::tempdir().unwrap();
     let proof = folder.path().join("proof.json");
