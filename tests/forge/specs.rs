@@ -154,7 +154,10 @@ const ROOM: f64 = 0.01;
 /// The smallest distance of a motion's positions from the boundary of a volume, m.
 fn kept(motion: &Trajectory, volume: &Volume, gravity: f64) -> f64 {
     let limits = Volume { clearance: 0.0, ..volume.clone() }.limits(0.0);
-    -peak(motion, |s| limits.iter().map(|l| past(l, s, gravity)).fold(f64::NEG_INFINITY, f64::max)).value
+    -peak(motion, |s| {
+        limits.iter().map(|l| past(l, s, &mavc::model::Environment::vacuum(gravity))).fold(f64::NEG_INFINITY, f64::max)
+    })
+    .value
 }
 
 /// A limit at a share of what a motion reaches.

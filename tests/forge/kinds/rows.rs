@@ -72,7 +72,6 @@ fn exceeded(spec: &Spec, numbers: &mut Numbers, kind: LimitKind) -> Option<Certi
         LimitKind::Jerk => (horizontal, 3),
         LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => (any, 0),
         LimitKind::Arrival => (any, 1),
-        LimitKind::Heading => (YAW, 0),
     };
     let motion = grown(spec, numbers, along, |_, found| found == Some(Falsehood::Limit(index)))?;
     Some(spec.claiming(&motion))
