@@ -19,7 +19,7 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
     let linear = solved.trajectory.model != WrenchModel::Exact;
     let (mut proved, mut checked) = (Vec::new(), Vec::new());
     for b in facets {
-        let (by_proof, on_grid) = on_facets(b, linear);
+        let (by_proof, on_grid) = on_facets(b, linear, model.environment().is_uncertain());
         proved.extend(by_proof);
         checked.extend(on_grid);
     }
@@ -57,21 +57,22 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
 }
 
 /// What is proved about the imposed facets, and what is only checked. In the `linear` model both are about that model's
-/// wrench, which is not the vehicle's.
-fn on_facets(b: &Between, linear: bool) -> (Option<String>, Option<String>) {
+/// wrench, which is not the vehicle's. In an interval of winds both are about its extreme winds.
+fn on_facets(b: &Between, linear: bool, is_windy: bool) -> (Option<String>, Option<String>) {
     let what = match (b.rows == COMMANDS, linear) {
         (true, false) => "the commanded wrench",
         (true, true) => "the linear model's commanded wrench",
         (false, false) => "the wrench",
         (false, true) => "the linear model's wrench",
     };
-    let all = format!("{what} satisfies every imposed facet");
+    let winds = if is_windy { " in each extreme wind" } else { "" };
+    let all = format!("{what} satisfies every imposed facet{winds}");
     if b.shown == Shown::Proved {
         return (Some(all), None);
     }
-    let some = (b.proved > 0).then(|| format!("{what} satisfies {} of the {} imposed planes", b.proved, b.imposed));
+    let some = (b.proved > 0).then(|| format!("{what} satisfies {} of the {} imposed planes{winds}", b.proved, b.imposed));
     let rest = match (b.violation > VIOLATED, b.imposed - b.proved) {
-        (true, _) => format!("{what} violates an imposed facet by {} of its width", percent(b.violation)),
+        (true, _) => format!("{what} violates an imposed facet by {} of its width{winds}", percent(b.violation)),
         (false, 1) if b.proved > 0 => "it satisfies the other one".into(),
         (false, others) if b.proved > 0 => format!("it satisfies the other {others}"),
         (false, _) => all,

@@ -7,7 +7,7 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-const MISSIONS: [&str; 16] = [
+const MISSIONS: [&str; 17] = [
     "missions/facade_hexa",
     "missions/ferry_octo",
     "missions/inspection",
@@ -16,6 +16,7 @@ const MISSIONS: [&str; 16] = [
     "missions/parcel_x8",
     "missions/survey_quad",
     "missions/tower_hexa",
+    "missions/valley_x8",
     "paper/campaign",
     "paper/case1",
     "paper/case2",
@@ -27,13 +28,14 @@ const MISSIONS: [&str; 16] = [
 ];
 
 /// Those with another vehicle than the paper's octocopter.
-const OTHER_VEHICLE: [&str; 6] = [
+const OTHER_VEHICLE: [&str; 7] = [
     "missions/facade_hexa",
     "missions/inspection_octo",
     "missions/mast_octo",
     "missions/parcel_x8",
     "missions/survey_quad",
     "missions/tower_hexa",
+    "missions/valley_x8",
 ];
 
 const VEHICLES: [&str; 9] = [

@@ -240,10 +240,11 @@ impl Checked<'_> {
 
     fn statement(&self, group: &Group, held: Held) -> String {
         let (held, count) = (self.setting.words(held), group.facets());
+        let winds = if self.setting.dynamics.environment.is_uncertain() { ", in each extreme wind" } else { "" };
         match group.whole {
-            true => format!("{held} inside the set of {}", group.mode),
-            false if count == 1 => format!("{held} inside 1 selected facet of {}", group.mode),
-            false => format!("{held} inside {count} selected facets of {}", group.mode),
+            true => format!("{held} inside the set of {}{winds}", group.mode),
+            false if count == 1 => format!("{held} inside 1 selected facet of {}{winds}", group.mode),
+            false => format!("{held} inside {count} selected facets of {}{winds}", group.mode),
         }
     }
 
