@@ -70,7 +70,8 @@ fn on_facets(b: &Between, linear: bool, is_windy: bool) -> (Option<String>, Opti
     if b.shown == Shown::Proved {
         return (Some(all), None);
     }
-    let some = (b.proved > 0).then(|| format!("{what} satisfies {} of the {} imposed planes{winds}", b.proved, b.imposed));
+    let some =
+        (b.proved > 0).then(|| format!("{what} satisfies {} of the {} imposed planes{winds}", b.proved, b.imposed));
     let rest = match (b.violation > VIOLATED, b.imposed - b.proved) {
         (true, _) => format!("{what} violates an imposed facet by {} of its width{winds}", percent(b.violation)),
         (false, 1) if b.proved > 0 => "it satisfies the other one".into(),
