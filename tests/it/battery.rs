@@ -3,6 +3,7 @@
 
 use crate::cli::mavc;
 use crate::schemas::schema;
+use mavc::Compiler;
 use mavc::actuation::Wrench;
 use mavc::admissible::allocation::Allocator;
 use mavc::energy::Power;
@@ -289,12 +290,15 @@ fn the_command_sets_and_shows_batteries() {
     assert!(html.contains("Charge left") && html.contains("Electrical power"));
 }
 
-/// The templates of whole missions as they are written: each plans at its shortest time, is proved and survives its flight.
+/// The templates of whole missions plan and are proved: the delivery as it is written, which also survives its flight, the
+/// others by RIP, which takes less time.
 #[test]
-#[ignore = "three shortest times with RIP, RSP and RCP"]
+#[ignore = "long"]
 fn templates_plan_are_proved_and_fly() {
     for (kind, text) in mavc::MISSION_TEMPLATES {
-        let spec = compile(text).into_result().unwrap();
+        let as_written = kind == "delivery";
+        let compiler = if as_written { Compiler::new() } else { Compiler::new().set("plan.planner=rip") };
+        let spec = compiler.text("template.mav", text.as_bytes()).into_result().unwrap();
         let planning = mavc::plan(&spec).unwrap();
         assert_eq!(planning.verdict(), mavc::Verdict::Found, "{kind}");
         let battery = battery::record(spec.model(), &planning.plan().unwrap().trajectory).unwrap();
@@ -302,6 +306,9 @@ fn templates_plan_are_proved_and_fly() {
         let certificate = serde_json::to_vec(&mavc::certify(&spec, &planning).unwrap()).unwrap();
         let verified = mavc::verify(&certificate, &spec).unwrap();
         assert!(verified.weaker.is_empty(), "{kind}: {:?}", verified.weaker);
+        if !as_written {
+            continue;
+        }
         let flight = mavc::fly(&spec, &planning).unwrap();
         let survives = matches!(flight.outcome, Outcome::Flown | Outcome::Landed { .. });
         assert!(survives && flight.max_error < 1.0, "{kind}: {:?}, {} m", flight.outcome, flight.max_error);
