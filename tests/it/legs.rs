@@ -230,7 +230,7 @@ fn limits_of_a_leg_bound_its_time() {
     }
 }
 
-/// Proofs that there is no plan on a grid use the rows of a leg where it is: a turn within a corridor in too little time.
+/// Proofs of infeasibility use the rows of a leg at the nodes of that leg: here a turn has too little time for its corridor.
 #[test]
 #[ignore = "long"]
 fn proofs_use_the_rows_of_legs() {

@@ -72,7 +72,7 @@ pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found
                 Figure::new("Risk", significant(r, 3), text.trim_end_matches('.'))
             }));
             figures.extend(planner.battery.as_ref().map(charge));
-            figures.extend(shown_between(planner));
+            figures.extend(shown_between(model, planner));
             Found { headline, figures, warnings: planner.warnings.iter().map(|c| c.message.clone()).collect() }
         }
         _ => Found {
@@ -269,11 +269,15 @@ fn charge(battery: &BatteryRecord) -> Figure {
     Figure::new("Charge left", left, note).bad_if(battery.is_short())
 }
 
-fn shown_between(planner: &PlannerRecord) -> Option<Figure> {
+fn shown_between(model: &Model, planner: &PlannerRecord) -> Option<Figure> {
     let between = planner.between_nodes.as_ref()?;
     let checked = between.iter().filter(|b| b.shown == Shown::Checked).count();
     let (value, note) = match checked {
-        0 => ("proved", format!("the imposed rows hold at every instant, to within {}", percent(MOST_PAST_LIMIT))),
+        0 => {
+            let winds = if model.environment().is_uncertain() { " in each extreme wind" } else { "" };
+            let within = percent(MOST_PAST_LIMIT);
+            ("proved", format!("the imposed rows hold at every instant{winds}, to within {within}"))
+        }
         n if n == between.len() => ("checked", "on a grid between the nodes".to_string()),
         n => ("partly proved", format!("{n} of {} kinds of rows are only checked on a grid", between.len())),
     };

@@ -63,8 +63,8 @@ type Failure = DrawingAreaErrorKind<std::io::Error>;
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Context<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// File names and texts: for every plan that is drawn, its charts, its path among volumes from above and from the side if there are
-/// any, and each set's section at hover with its path; only the sections if there is no plan.
+/// File names and texts. For every plan there are its charts, the section of each set at hover with the path of the wrench, and,
+/// if the mission has volumes, the flight path from above and from the side. Without a plan there are only the sections.
 ///
 /// # Errors
 /// The drawing library's message if it cannot draw.
