@@ -10,6 +10,7 @@ pub mod parallel;
 pub mod pseudo_inverse;
 pub mod row;
 pub mod verdict;
+pub mod without_yaw;
 
 use crate::actuation::{Actuation, Wrench};
 use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};

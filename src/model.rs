@@ -44,6 +44,7 @@ mod unreadable;
 mod vehicle;
 pub mod vocabulary;
 mod volume;
+mod yaw_drag;
 
 pub use crate::geometry::body::Body;
 pub use crate::input::MAX_TABLE_BYTES;
@@ -69,6 +70,7 @@ pub use problem::Problem;
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
 pub use volume::{Boundary, Bounded, Side as VolumeSide, Volume};
+pub use yaw_drag::YawDrag;
 
 use crate::language::Entry;
 use crate::source::Span;
@@ -132,6 +134,8 @@ pub struct Vehicle {
     pub drag: f64,
     /// The place of `drag`, if the spec gives it.
     pub drag_span: Option<Span>,
+    /// The drag of the body that turns about z; `None` if the spec gives none.
+    pub yaw_drag: Option<YawDrag>,
     /// Radius of a propeller, m, if the spec gives it.
     pub propeller_radius: Option<f64>,
     /// Radius about the centre of gravity within which the vehicle stays, m, if the spec gives it; see [`Vehicle::radius`].
@@ -170,6 +174,8 @@ pub struct Rotor {
     pub max_speed: f64,
     /// Time constant with which the speed follows its command, s; `None` if the spec gives none.
     pub time_constant: Option<f64>,
+    /// Moment of inertia about its axis, kg m^2; 0 if the spec gives none.
+    pub inertia: f64,
     /// The intervals of these numbers.
     pub spread: RotorSpread,
 }

@@ -4,6 +4,7 @@ use super::airspeed::Airspeed;
 use super::edge::{self, Place};
 use super::interval::{Robust, robust};
 use super::parallel::{Parallel, nearest_rows};
+use super::without_yaw::{self, WithoutYaw, YawFree};
 use super::{AdmissibleSet, hover, mass_at_rest};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Polytope;
@@ -68,6 +69,8 @@ pub struct ModeAnalysis {
     pub stuck: Vec<Option<f64>>,
     /// Whether hover can be reached.
     pub verdict: Verdict,
+    /// How the mode hovers with yaw given up.
+    pub yaw_free: YawFree,
     /// Where hover lies relative to the set of the verdict, which is the yaw-free set for a stabilizable mode.
     pub hover: Place,
     /// Whether hover lies inside that set.
@@ -88,6 +91,8 @@ pub struct ModeAnalysis {
     pub critical_mass_yaw_free_kg: Option<f64>,
     /// Lightest mass that can hover, kg; above 0 if rotors may not stop or are stuck.
     pub least_mass_kg: Option<f64>,
+    /// What the mode can do with yaw given up; `None` if it cannot hover without yaw.
+    pub without_yaw: Option<WithoutYaw>,
     /// The residual e_p = A Omega_s - u_ref of (31), [N, N m, N m, N m]; zero if hover can be reached.
     pub residual4: [f64; 4],
     /// The residual of (31) without tau_z, [N, N m, N m].
@@ -117,10 +122,20 @@ impl ModeAnalysis {
         if self.verdict == Verdict::Controllable { self.hover } else { Place::Outside }
     }
 
-    /// Where hover lies, in the words of all reports: for example `inside` or `on the edge, yaw free`.
+    /// Where hover lies, in the words of all reports: for example `inside`, `on the edge, yaw free` or `spinning, yaw free`.
     pub(crate) fn hover_words(&self) -> String {
         let free = if self.verdict == Verdict::Stabilizable { ", yaw free" } else { "" };
-        format!("{}{free}", self.hover.word())
+        format!("{}{free}", self.edge_words().unwrap_or(self.hover.word()))
+    }
+
+    /// What reports say of hover on the boundary of the verdict's set: `on the edge`, or `spinning` where this makes it
+    /// controllable. `None` elsewhere.
+    pub(crate) fn edge_words(&self) -> Option<&'static str> {
+        match (self.hover, self.verdict) {
+            (Place::OnEdge, Verdict::Stabilizable) => Some(self.yaw_free.word()),
+            (Place::OnEdge, _) => Some(self.hover.word()),
+            _ => None,
+        }
     }
 }
 
@@ -160,17 +175,20 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
     let size = set.zonotope.scale()[0];
     let acai = signed_margin(&set.polytope, &u_ref, edge);
     let acai_yaw_free = signed_margin(&yaw_free, &u_ref3, edge);
+    let place_yaw_free = Place::new(acai_yaw_free, residual3.norm(), edge);
     let hover = match verdict {
         Verdict::Controllable => Place::new(acai, residual4.norm(), edge),
-        Verdict::Stabilizable => Place::new(acai_yaw_free, residual3.norm(), edge),
+        Verdict::Stabilizable => place_yaw_free,
         Verdict::Unstable => Place::Outside,
     };
+    let (word, figures) = without_yaw::analyze(model, set, &yaw_free, place_yaw_free);
     ModeAnalysis {
         name: set.name.clone(),
         lost,
         capacity,
         stuck,
         verdict,
+        yaw_free: word,
         hover,
         interior: hover == Place::Inside,
         rank: set.rank,
@@ -181,6 +199,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         critical_mass_yaw_free_kg: heaviest(&yaw_free, size).and_then(|t| mass_at_rest(model, t)),
         least_mass_kg: lift(&set.polytope, size).map(|(low, _)| mass_at_rest(model, low).unwrap_or(0.0)),
         airspeed: Airspeed::of(model, set),
+        without_yaw: figures,
         residual4: residual4.into(),
         residual3: residual3.into(),
         headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),

@@ -93,7 +93,7 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
     }
 
     /// The same rows without their origins.
-    pub(crate) fn without_origins(&self) -> Polytope<D, ()> {
+    pub fn without_origins(&self) -> Polytope<D, ()> {
         let facets = self.facets.iter().map(|f| Facet { normal: f.normal, offset: f.offset, origin: () });
         Polytope { equalities: self.equalities.clone(), facets: facets.collect() }
     }

@@ -47,6 +47,11 @@ group! {
         "the radius of a propeller";
     DRAG "drag", Quantity("N*s/m", NotNegative), Otherwise("plans take no air into account"),
         "the drag force divided by the speed through the [air](#air), the same in all directions";
+    YAW_DRAG "yaw_drag", Quantity("N*m*s/rad", Positive), Otherwise("unknown"),
+        "the torque of the air about z divided by the rate at which the body turns about z. It ends the spin of a vehicle that \
+         [gives up yaw](#without-yaw)";
+    YAW_DRAG_QUADRATIC "yaw_drag_quadratic", Quantity("N*m*s^2/rad^2", NotNegative), Value(0.0, "0 N*m*s^2/rad^2", "the drag is linear"),
+        "a torque about z in addition to `yaw_drag`, divided by the square of that rate";
     SIZE "size", Quantity("m", Positive), Otherwise("the largest arm plus the propeller's radius"),
         "the radius about the centre of gravity within which the whole vehicle stays; [volumes](#volumes) keep this distance";
     INERTIA "inertia", Vector("kg*m^2", Positive), Needed,
@@ -74,6 +79,9 @@ group! {
     TIME_CONSTANT "time_constant", Quantity("s", Positive), Otherwise("20 ms in simulations"),
         "the time constant with which the speed w follows its command, w' = (command - w)/time_constant; \
          [plans](#plan) use it with `rotors = lagging`";
+    ROTOR_INERTIA "rotor_inertia", Quantity("kg*m^2", Positive), Otherwise("0: the momentum of rotors is neglected"),
+        "the moment of inertia of a rotor about its axis, propeller and motor bell together, for the equilibria of a vehicle that \
+         [gives up yaw](#without-yaw)";
 }
 
 /// The clauses of `rotor at` in `rotors { }`: two of its own, and the fields of [`rotor`].
@@ -94,6 +102,7 @@ pub mod placed_rotor {
         &MIN_SPEED,
         &MAX_SPEED,
         &TIME_CONSTANT,
+        &ROTOR_INERTIA,
     ];
 }
 

@@ -74,6 +74,13 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
     if v.drag > 0.0 {
         writeln!(f, "  drag {} N*s/m", number(v.drag))?;
     }
+    if let Some(drag) = &v.yaw_drag {
+        write!(f, "  yaw_drag {} N*m*s/rad{}", number(drag.linear), between(drag.spread))?;
+        match drag.quadratic > 0.0 {
+            true => writeln!(f, ", yaw_drag_quadratic {} N*m*s^2/rad^2", number(drag.quadratic))?,
+            false => writeln!(f)?,
+        }
+    }
     writeln!(f, "  allocation {}", v.allocation.name())?;
     if let Some(b) = &v.battery {
         write!(
@@ -115,8 +122,12 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
             }
         }
         match r.time_constant {
-            Some(time) => writeln!(f, ", time constant {} s", number(time))?,
-            None => writeln!(f)?,
+            Some(time) => write!(f, ", time constant {} s", number(time))?,
+            None => {}
+        }
+        match r.inertia > 0.0 {
+            true => writeln!(f, ", rotor_inertia {} kg*m^2", number(r.inertia))?,
+            false => writeln!(f)?,
         }
     }
     Ok(())

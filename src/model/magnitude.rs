@@ -25,13 +25,16 @@ const THRUST: Bounds = (1e-6, 1e6);
 const TORQUE: Bounds = (1e-12, 1e4);
 
 /// Fields with their own bounds: name, unit and bounds in SI units.
-const FIELDS: [(&str, &str, Bounds); 37] = [
+const FIELDS: [(&str, &str, Bounds); 40] = [
     ("gravity", "m/s^2", (1e-3, 1e4)),
     ("mass", "kg", (1e-6, 1e6)),
     ("inertia", "kg*m^2", (1e-15, 1e9)),
     ("arm", "m", (1e-4, 1e4)),
     ("propeller_radius", "m", (1e-4, 1e4)),
     ("size", "m", (1e-4, 1e4)),
+    ("yaw_drag", "N*m*s/rad", (1e-12, 1e6)),
+    ("yaw_drag_quadratic", "N*m*s^2/rad^2", (0.0, 1e6)),
+    ("rotor_inertia", "kg*m^2", (1e-15, 1e6)),
     ("max_thrust", "N", THRUST),
     ("torque_per_thrust", "m", TORQUE),
     ("max_speed", "rad/s", (0.1, 1e6)),

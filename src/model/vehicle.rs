@@ -10,7 +10,7 @@ use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
 use super::sense::{Written, check_battery, check_vehicle};
-use super::{Allocation, DefaultUsed, Spin, Vehicle};
+use super::{Allocation, DefaultUsed, Spin, Vehicle, yaw_drag};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::{placed_rotor, vehicle as table};
 use crate::language::{Entry, Group};
@@ -95,6 +95,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         Some(expr) => cx.quantity(&table::DRAG, expr, POSITIVE),
         None => Some(0.0),
     };
+    let yaw_drag = yaw_drag::read(cx, &fields);
     let allocation = match fields.word(cx, "mavc::vehicle::allocation", &table::ALLOCATION) {
         Some(word) => ALLOCATIONS.into_iter().find(|a| Some(a.name()) == word),
         None => Some(Allocation::Bounded),
@@ -107,10 +108,10 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let battery_fits = !battery_twice && read.as_ref().is_none_or(Option::is_some);
     let read = read.flatten();
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let lengths = propeller_radius.zip(size).zip(drag);
+    let lengths = propeller_radius.zip(size).zip(drag.zip(yaw_drag));
     let mut vehicle = match (mass.zip(allocation).zip(lengths), inertia, rotors, mass_expr) {
         (
-            Some((((mass, mass_spread), allocation), ((propeller_radius, size), drag))),
+            Some((((mass, mass_spread), allocation), ((propeller_radius, size), (drag, yaw_drag)))),
             Some(inertia),
             Some(rotors),
             Some(mass_expr),
@@ -123,6 +124,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
             inertia,
             drag,
             drag_span: fields.span_of("drag"),
+            yaw_drag,
             propeller_radius,
             size,
             rotors,

@@ -2,6 +2,7 @@
 
 use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_each};
+use crate::admissible::without_yaw::YawFree;
 use crate::diagnostic::{Diagnostic, Severity, nearest};
 use crate::model::{FileSet, Model};
 use crate::number::significant;
@@ -24,8 +25,10 @@ pub struct Flip {
     at: f64,
     below: Verdict,
     below_hover: Place,
+    below_yaw_free: YawFree,
     above: Verdict,
     above_hover: Place,
+    above_yaw_free: YawFree,
 }
 
 /// A sweep over one field: the verdicts at its low end, and the changes above it.
@@ -41,26 +44,40 @@ pub struct Sweep {
 
 impl Flip {
     fn new(mode: String, at: f64, below: Standing, above: Standing) -> Self {
-        let (below_hover, above_hover) = (below.hover, above.hover);
-        Flip { mode, at, below: below.verdict, below_hover, above: above.verdict, above_hover }
+        Flip {
+            mode,
+            at,
+            below: below.verdict,
+            below_hover: below.hover,
+            below_yaw_free: below.yaw_free,
+            above: above.verdict,
+            above_hover: above.hover,
+            above_yaw_free: above.yaw_free,
+        }
     }
 
     fn above(&self) -> Standing {
-        Standing { verdict: self.above, hover: self.above_hover }
+        Standing { verdict: self.above, hover: self.above_hover, yaw_free: self.above_yaw_free }
     }
 }
 
-/// A mode's verdict and the place of hover; a change of either is a flip.
+/// A mode's verdict, the place of hover, and how it hovers with yaw given up; a change of any of these is a flip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Standing {
     verdict: Verdict,
     hover: Place,
+    yaw_free: YawFree,
 }
 
 impl Standing {
-    /// `controllable`, `stabilizable, on the edge`
+    const TOO_HEAVY: Standing = Standing { verdict: Verdict::Unstable, hover: Place::Outside, yaw_free: YawFree::None };
+
+    /// `controllable`, `stabilizable, on the edge`, `stabilizable, spinning`
     fn words(self) -> String {
         match self.hover {
+            Place::OnEdge if self.verdict == Verdict::Stabilizable => {
+                format!("{}, {}", self.verdict.name(), self.yaw_free.word())
+            }
             Place::OnEdge => format!("{}, {}", self.verdict.name(), self.hover.word()),
             Place::Inside | Place::Outside => self.verdict.name().into(),
         }
@@ -68,7 +85,7 @@ impl Standing {
 }
 
 /// The fields that verdicts depend on, as written after `vehicle.`; gravity is another.
-const FIELDS: [&str; 9] = [
+const FIELDS: [&str; 11] = [
     "mass",
     "arm",
     "first",
@@ -78,6 +95,8 @@ const FIELDS: [&str; 9] = [
     "rotor.drag_coefficient",
     "rotor.min_speed",
     "rotor.max_speed",
+    "yaw_drag",
+    "yaw_drag_quadratic",
 ];
 const GRAVITY: &str = "gravity";
 
@@ -144,7 +163,7 @@ impl Subject<'_> {
     fn verdicts(&self, path: &str, value: f64, unit: &str) -> Result<Vec<Standing>, Problem> {
         let standings = |spec: Spec| {
             let modes = analyze_each(spec.model());
-            modes.iter().map(|m| Standing { verdict: m.verdict, hover: m.hover }).collect()
+            modes.iter().map(|m| Standing { verdict: m.verdict, hover: m.hover, yaw_free: m.yaw_free }).collect()
         };
         let error = match self.spec.set(&format!("{path}={value}{unit}")) {
             Ok(spec) => return Ok(standings(spec)),
@@ -153,7 +172,7 @@ impl Subject<'_> {
         let mut errors = error.diagnostics.iter().filter(|d| d.severity == Severity::Error);
         match errors.find(|d| !self.is_too_heavy(d)) {
             Some(d) => Err(format!("at {}{unit}: {}", significant(value, 6), d.message)),
-            None => Ok(vec![Standing { verdict: Verdict::Unstable, hover: Place::Outside }; self.modes.len()]),
+            None => Ok(vec![Standing::TOO_HEAVY; self.modes.len()]),
         }
     }
 
@@ -203,7 +222,8 @@ impl Sweep {
                     }
                     let mut flip = Flip::new(mode.name.clone(), 0.5 * (a + b), left.1, above);
                     if let Some(entered) = flips.pop_if(|before| is_passed(before, flip.at)) {
-                        (flip.below, flip.below_hover) = (entered.below, entered.below_hover);
+                        (flip.below, flip.below_hover, flip.below_yaw_free) =
+                            (entered.below, entered.below_hover, entered.below_yaw_free);
                     }
                     flips.push(flip);
                     left = (b, above);

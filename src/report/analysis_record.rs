@@ -5,7 +5,7 @@ use crate::model::Model;
 use serde::Serialize;
 
 /// Version of this record; raised when a field or the meaning of its values changes.
-const SCHEMA: u32 = 3;
+const SCHEMA: u32 = 4;
 
 /// `F` is the record of one flip: the value of a swept field at which a verdict changes.
 #[derive(Serialize)]

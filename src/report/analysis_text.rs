@@ -1,5 +1,7 @@
 //! Terminal output of `mavc analyze`.
 
+mod without_yaw;
+
 use super::battery;
 use super::table::Table;
 use super::terminal::vehicle_line;
@@ -117,6 +119,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         out.push_str("\nWarning: nearly parallel rows of the actuation matrix: the rotors can hardly control these axes separately\n");
         out.push_str(&table.render(0));
     }
+    out.push_str(&without_yaw::table(modes));
     out.push_str("\nHeadroom from hover to the edge of each mode's admissible set, down/up\n");
     let mut table = Table::new(&["mode", "thrust [N]", "tau_x [N m]", "tau_y [N m]", "tau_z [N m]"]);
     for m in modes {

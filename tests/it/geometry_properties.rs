@@ -24,6 +24,7 @@ fn rotor(x: f64, y: f64, p: bool, thrust: f64) -> Rotor {
         min_speed: 0.0,
         max_speed: 1000.0,
         time_constant: None,
+        inertia: 0.0,
         spread: RotorSpread::default(),
     }
 }

@@ -50,4 +50,5 @@ mod trajectories;
 mod tutorial;
 mod vehicles;
 mod volumes;
+mod without_yaw;
 mod words;

@@ -19,6 +19,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
                 min_speed: 0.0,
                 max_speed,
                 time_constant: None,
+                inertia: 0.0,
                 spread: RotorSpread::default(),
             }
         })
@@ -36,6 +37,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             battery: None,
             drag: 0.0,
             drag_span: None,
+            yaw_drag: None,
             propeller_radius: None,
             size: None,
             rotors,

@@ -5,6 +5,7 @@ use crate::actuation::Wrench;
 use crate::admissible::allocation::Allocator;
 use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::admissible::without_yaw::YawFree;
 use crate::lsp::names::Kind;
 use crate::model::{FaultMode, Model, Rotor};
 use crate::number::{down, number, percent, significant};
@@ -125,6 +126,10 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
                     " (hover lies on the edge of the admissible set)"
                 }
                 Verdict::Controllable => "",
+                Verdict::Stabilizable if one.yaw_free == YawFree::Spinning => " (hovers while it spins; yaw is lost)",
+                Verdict::Stabilizable if one.hover == Place::OnEdge => {
+                    " (hover lies on the edge of the set without yaw; yaw is lost)"
+                }
                 Verdict::Stabilizable => " (hovers, but yaw is lost)",
                 Verdict::Unstable => " (cannot hover)",
             };

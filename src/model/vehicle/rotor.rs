@@ -76,6 +76,7 @@ pub(super) struct Traits {
     min_speed: Option<Option<(f64, Span)>>,
     max_speed: Option<Option<Known>>,
     time_constant: Option<Option<f64>>,
+    inertia: Option<Option<f64>>,
 }
 
 impl Traits {
@@ -96,6 +97,10 @@ impl Traits {
             time_constant: match fields.get("time_constant") {
                 Some(expr) => Some(cx.quantity(&table::TIME_CONSTANT, expr, POSITIVE)),
                 None => fields.may_have("time_constant").then_some(None),
+            },
+            inertia: match fields.get("rotor_inertia") {
+                Some(expr) => Some(cx.quantity(&table::ROTOR_INERTIA, expr, POSITIVE)),
+                None => fields.may_have("rotor_inertia").then_some(None),
             },
             min_speed: match fields.get("min_speed") {
                 Some(expr) => Some(cx.quantity(&table::MIN_SPEED, expr, MIN_SPEED).map(|w| (w, expr.span))),
@@ -129,6 +134,7 @@ impl Traits {
             min_speed: self.min_speed.or(base.min_speed),
             max_speed: self.max_speed.or(base.max_speed),
             time_constant: self.time_constant.or(base.time_constant),
+            inertia: self.inertia.or(base.inertia),
         }
     }
 
@@ -204,6 +210,10 @@ impl Traits {
             Some(given) => Some(given?),
             None => None,
         };
+        let inertia = match self.inertia {
+            Some(given) => given?,
+            None => 0.0,
+        };
         Some(Rotor {
             position: place.position,
             spin: place.spin,
@@ -212,6 +222,7 @@ impl Traits {
             min_speed,
             max_speed,
             time_constant,
+            inertia,
             spread,
         })
     }

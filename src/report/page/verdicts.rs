@@ -4,6 +4,7 @@ use super::motion::signed_percent;
 use super::prose::terms;
 use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::admissible::without_yaw::YawFree;
 use crate::model::Model;
 use crate::motion::outside::Outside;
 use crate::number::{down, fixed, short_seconds, significant};
@@ -69,6 +70,7 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     // Columns of dashes are omitted, and so is a column that repeats another: a mission that continues is committed to a
     // mode until its last violation.
     let columns = Columns {
+        without_yaw: analyses.iter().any(|a| a.verdict == Verdict::Stabilizable),
         airspeed: analyses.iter().any(|a| a.airspeed.is_some()),
         of_plan: solved.is_some(),
         after: solved.is_some() && holds(model),
@@ -89,6 +91,9 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
                         th scope="col" { "Verdict" }
                         th.n scope="col" { "Hover margin" br; span.unit { "N, N m" } }
                         th.n scope="col" { "Heaviest" br; span.unit { "kg" } }
+                        @if columns.without_yaw {
+                            th.n scope="col" { "Without yaw" br; span.unit { "disc, N m" } }
+                        }
                         @if columns.airspeed {
                             th.n scope="col" { "Airspeed" br; span.unit { "m/s" } }
                         }
@@ -117,6 +122,12 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
         ("Hover margin", "signed distance from hover to the edge of the mode's set of full wrenches."),
         ("Heaviest", "the mass up to which hover lies inside the mode's set."),
     ];
+    if columns.without_yaw {
+        found.push((
+            "Without yaw",
+            "the largest roll and pitch torque about hover that the mode gives in every direction, if yaw is given up.",
+        ));
+    }
     if columns.airspeed {
         found.push((
             "Airspeed",
@@ -169,6 +180,8 @@ fn dash() -> String {
 /// Which columns there are beyond those of hover.
 #[derive(Clone, Copy)]
 struct Columns {
+    /// Some mode hovers only with yaw given up.
+    without_yaw: bool,
     airspeed: bool,
     of_plan: bool,
     after: bool,
@@ -179,9 +192,10 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
     let class = match (a.verdict, a.hover) {
         (Verdict::Controllable, Place::Inside) => "good",
         (Verdict::Controllable, _) | (Verdict::Stabilizable, Place::Inside) => "edge",
+        (Verdict::Stabilizable, _) if a.yaw_free == YawFree::Spinning => "edge",
         (Verdict::Stabilizable, _) | (Verdict::Unstable, _) => "bad",
     };
-    let edge = if a.hover == Place::OnEdge { format!(", {}", a.hover.word()) } else { String::new() };
+    let edge = a.edge_words().map_or_else(String::new, |words| format!(", {words}"));
     let yaw = if a.verdict == Verdict::Stabilizable { " without yaw" } else { "" };
     let [seconds, last] = outside.map_or_else(|| [dash(), dash()], |o| violation_cells(o.seconds, o.last));
     let after =
@@ -192,6 +206,9 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
             td { span.verdict.(class) { (a.verdict.name()) (yaw) (edge) } }
             td.n { (a.acai.map_or("flat".into(), |m| signed(m, 4))) }
             td.n { (a.critical_mass_kg.map_or("none".into(), |m| down(m, 4))) }
+            @if columns.without_yaw {
+                td.n { (a.without_yaw.as_ref().map_or("none".into(), |w| down(w.disc_n_m, 4))) }
+            }
             @if let Some(airspeed) = a.airspeed {
                 td.n { (airspeed.largest_m_per_s.map_or("none".into(), |speed| down(speed, 4))) }
             }

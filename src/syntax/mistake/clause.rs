@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::Place;
 
 /// Clauses of a rotor, in their usual order.
-const OF_ROTOR: [&str; 9] = [
+const OF_ROTOR: [&str; 10] = [
     "at",
     "spin",
     "max_thrust",
@@ -15,6 +15,7 @@ const OF_ROTOR: [&str; 9] = [
     "min_speed",
     "max_speed",
     "time_constant",
+    "rotor_inertia",
 ];
 
 /// Words for an axis that is not upright.
@@ -35,7 +36,7 @@ const TILTED: [&str; 13] = [
 ];
 
 /// Other words for a clause, and the clause.
-const OTHER_WORDS: [(&str, &str); 10] = [
+const OTHER_WORDS: [(&str, &str); 11] = [
     ("position", "at"),
     ("pos", "at"),
     ("turns", "spin"),
@@ -46,6 +47,7 @@ const OTHER_WORDS: [(&str, &str); 10] = [
     ("speed", "max_speed"),
     ("max_rpm", "max_speed"),
     ("rpm", "max_speed"),
+    ("inertia", "rotor_inertia"),
 ];
 
 /// A word that begins no clause: `rotor at [..] m  spin P tilt 15 deg`, `rotor at [..] m  spin P  blades 3`.

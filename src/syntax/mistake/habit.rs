@@ -32,7 +32,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     wrong_start,
 ];
 
-pub(in crate::syntax) const CLAUSES: [&str; 21] = [
+pub(in crate::syntax) const CLAUSES: [&str; 22] = [
     "at",
     "yaw",
     "yaw_within",
@@ -47,6 +47,7 @@ pub(in crate::syntax) const CLAUSES: [&str; 21] = [
     "thrust_coefficient",
     "drag_coefficient",
     "torque_per_thrust",
+    "rotor_inertia",
     "until",
     "straight",
     "vertical",

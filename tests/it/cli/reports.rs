@@ -135,13 +135,15 @@ fn the_analysis_says_what_its_words_mean() {
         format!("{TURN}faults {{ mode near {{ rotors [1, 2] lost }}; mode half {{ rotors [1, 2, 3, 4] lost }} }}");
     let text = out(&mavc_with(&["analyze", "-"], &spec));
     let row = |mode: &str| text.lines().filter(move |line| line.starts_with(mode)).map(flat).collect::<Vec<_>>();
-    let [one, left] = &row("near")[..] else { panic!("{text}") };
+    let [one, free, left] = &row("near")[..] else { panic!("{text}") };
     assert!(one.starts_with("near stabilizable inside, yaw free"), "{one}");
+    assert!(free.starts_with("near interior ") && free.ends_with(" unknown"), "{free}");
     assert_eq!(left, "near yaw is lost");
-    let [one, left] = &row("half")[..] else { panic!("{text}") };
+    let [one, free, left] = &row("half")[..] else { panic!("{text}") };
     assert!(one.starts_with("half unstable outside"), "{one}");
+    assert_eq!(free, "half none");
     assert_eq!(left, "half no hover");
-    for word in ["yaw free", "margin", "heaviest", "facets", "rank", "|e_p|"] {
+    for word in ["yaw free", "margin", "heaviest", "facets", "rank", "|e_p|", "disc", "level", "torque", "spin"] {
         assert_eq!(text.lines().filter(|line| line.starts_with(&format!("{word} "))).count(), 1, "{word}: {text}");
     }
 }

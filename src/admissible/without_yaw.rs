@@ -1,0 +1,152 @@
+//! What is left of a mode when yaw is given up: roll, pitch and thrust, while the body turns about the thrust as it may.
+//! See `docs/method.md`, section 17.
+
+mod controllability;
+pub mod core;
+pub mod relaxed_hover;
+
+use super::edge::{self, Place};
+use super::verdict::lift;
+use super::{AdmissibleSet, hover};
+use crate::actuation::Wrench;
+use crate::geometry::polytope::Polytope;
+use crate::model::{Model, YawDrag};
+use nalgebra::Vector3;
+use relaxed_hover::RelaxedHover;
+use serde::Serialize;
+
+/// How a mode hovers with yaw given up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum YawFree {
+    /// Hover lies inside the projection of the set on (T, tau_x, tau_y): torques remain about every horizontal axis.
+    #[serde(rename = "interior")]
+    Interior,
+    /// Hover lies on the boundary of the projection: in some direction no disturbance can be countered, or not as far as is
+    /// known without `yaw_drag`.
+    #[serde(rename = "on the edge")]
+    OnEdge,
+    /// Hover lies on the boundary, but the body spins, and the direction of the thrust is controllable because of it.
+    #[serde(rename = "spinning")]
+    Spinning,
+    /// Hover lies outside.
+    #[serde(rename = "none")]
+    None,
+}
+
+impl YawFree {
+    /// The word that reports print.
+    pub const fn word(self) -> &'static str {
+        match self {
+            YawFree::Interior => "interior",
+            YawFree::OnEdge => Place::OnEdge.word(),
+            YawFree::Spinning => "spinning",
+            YawFree::None => "none",
+        }
+    }
+}
+
+/// What a mode can do about hover with yaw given up. All but `relaxed_hover` is for a spin axis along z of the body.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WithoutYaw {
+    /// Radius of the largest disc of roll and pitch torques about hover that the mode produces, N m ([`core::disc`]).
+    pub disc_n_m: f64,
+    /// The same as angular acceleration about the horizontal axis with the larger moment of inertia, rad/s^2.
+    pub disc_rad_s2: f64,
+    /// The largest thrust (N) without roll and pitch torques.
+    pub level_thrust_n: f64,
+    /// The yaw torques (N m) that are possible in hover, [lowest, highest].
+    pub yaw_torque_n_m: [f64; 2],
+    /// The rates (rad/s, counter-clockwise seen from above) at which the drag balances these torques, for all values of
+    /// `yaw_drag`; `None` if it is unknown.
+    pub spin_rad_s: Option<[f64; 2]>,
+    /// Equilibria: the slowest spin about z, and where its disc vanishes the one with the largest disc, whose axis is tilted in
+    /// the body. Empty if the spec gives no `yaw_drag`, and for an interval of it at its middle.
+    pub relaxed_hover: Vec<RelaxedHover>,
+}
+
+/// The two together: the word, and the figures unless the word is `none`.
+pub(super) fn analyze(model: &Model, set: &AdmissibleSet, yaw_free: &Polytope<3, ()>, place: Place) -> Analysis {
+    match Slice::of(model, set, yaw_free) {
+        Some(slice) if place != Place::Outside => (slice.word(place), Some(slice.figures(place))),
+        _ => (YawFree::None, None),
+    }
+}
+
+type Analysis = (YawFree, Option<WithoutYaw>);
+
+/// The wrenches of hover with yaw given up.
+struct Slice<'a> {
+    model: &'a Model,
+    set: &'a AdmissibleSet,
+    yaw_free: &'a Polytope<3, ()>,
+    /// The yaw torques that are possible in hover, N m.
+    torques: [f64; 2],
+}
+
+impl<'a> Slice<'a> {
+    /// `None` where hover is outside by more than the width of the edge.
+    fn of(model: &'a Model, set: &'a AdmissibleSet, yaw_free: &'a Polytope<3, ()>) -> Option<Self> {
+        let hover = hover(model);
+        let width = edge::width(&hover);
+        let yaw = Wrench::new(0.0, 0.0, 0.0, 1.0);
+        let (low, high) = set.polytope.chord(&hover, &yaw, width)?;
+        let dust = |torque: f64| if torque.abs() <= width { 0.0 } else { torque };
+        Some(Slice { model, set, yaw_free, torques: [dust(low), dust(high)] })
+    }
+
+    /// The torque of the slowest spin, N m.
+    fn least_torque(&self) -> f64 {
+        let [low, high] = self.torques;
+        0.0_f64.clamp(low.min(high), high.max(low))
+    }
+
+    /// The rates of spin for all values of the drag, rad/s.
+    fn spins(&self) -> Option<[f64; 2]> {
+        let rates = |drag: YawDrag| self.torques.map(|torque| drag.spin(torque));
+        let [fast, slow] = self.model.vehicle.yaw_drag?.ends().map(rates);
+        Some([fast[0].min(slow[0]), fast[1].max(slow[1])])
+    }
+
+    fn word(&self, place: Place) -> YawFree {
+        match place {
+            Place::Inside => YawFree::Interior,
+            Place::Outside => YawFree::None,
+            Place::OnEdge => {
+                let hover = hover(self.model);
+                let rows = core::directions(self.yaw_free, &hover.fixed_rows::<3>(0).into_owned(), edge::width(&hover));
+                let inertia = self.model.vehicle.inertia;
+                let is_controlled = |rate: f64| controllability::is_controllable(inertia, rate, &rows);
+                match self.spins() {
+                    Some(spins) if spins.into_iter().any(is_controlled) => YawFree::Spinning,
+                    _ => YawFree::OnEdge,
+                }
+            }
+        }
+    }
+
+    fn figures(&self, place: Place) -> WithoutYaw {
+        let Slice { model, set, yaw_free, torques } = *self;
+        let hover = hover(model);
+        let disc = core::disc(yaw_free, hover[0], [0.0; 2], edge::width(&hover)).unwrap_or(0.0);
+        let [jx, jy, _] = model.vehicle.inertia;
+        let size = set.zonotope.scale()[0];
+        WithoutYaw {
+            disc_n_m: disc,
+            disc_rad_s2: disc / jx.max(jy),
+            level_thrust_n: lift(yaw_free, size).map_or(0.0, |(_, high)| high),
+            yaw_torque_n_m: torques,
+            spin_rad_s: self.spins(),
+            relaxed_hover: self.equilibria(place),
+        }
+    }
+
+    fn equilibria(&self, place: Place) -> Vec<RelaxedHover> {
+        let Slice { model, set, yaw_free, .. } = *self;
+        let Some(drag) = model.vehicle.yaw_drag else { return Vec::new() };
+        let system = relaxed_hover::System::new(model, set, yaw_free, drag);
+        let about_z = Vector3::new(0.0, 0.0, drag.spin(self.least_torque()));
+        let level = system.at(&about_z);
+        let tilted = if place == Place::OnEdge { system.widest() } else { None };
+        level.into_iter().chain(tilted).collect()
+    }
+}
