@@ -13,6 +13,7 @@ pub mod verdict;
 pub mod without_yaw;
 
 use crate::actuation::{Actuation, Wrench};
+use crate::flatness::rotor_drag;
 use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};
 use crate::geometry::zonotope::{Spanning, Zonotope};
 use crate::model::{Allocation, Environment, Model};
@@ -127,25 +128,64 @@ pub fn hover(model: &Model) -> Wrench {
     trimmed(model, &model.environment())
 }
 
-/// The wrench at rest in a wind, [m |g e_z - drag/m wind|, 0, 0, 0], N and N m: the thrust is tilted against the wind.
+/// The wrench at rest in a wind, [m |g e_z - drag/m wind|, 0, 0, 0], N and N m: the thrust is tilted against the wind. With a drag
+/// for each axis of the body the thrust is that of (94), at the yaw of the start where it depends on yaw.
 pub fn trimmed(model: &Model, environment: &Environment) -> Wrench {
     let [x, y, z] = environment.trim();
-    let thrust = if environment.has_drag() { (x * x + y * y + z * z).sqrt() } else { z };
+    let thrust = match environment.has_drag() {
+        true if environment.is_isotropic() => (x * x + y * y + z * z).sqrt(),
+        true => rotor_drag::attitude(environment, [0.0; 3], [0.0; 3], environment.yaw_at_rest).thrust,
+        false => environment.gravity,
+    };
     Wrench::new(model.vehicle.mass * thrust, 0.0, 0.0, 0.0)
 }
 
 /// The mass (kg) that a thrust (N) holds at rest in the middle of the possible winds: the inverse of [`hover`]. `None` if the
 /// wind is too strong for any mass.
 pub fn mass_at_rest(model: &Model, thrust: f64) -> Option<f64> {
-    let Environment { gravity, wind: [x, y, z], .. } = model.environment();
-    let drag = model.vehicle.drag;
-    if drag == 0.0 {
+    let environment = model.environment();
+    let Environment { gravity, wind: [x, y, z], .. } = environment;
+    if !environment.has_drag() {
         return Some(thrust / gravity);
     }
+    if !environment.is_isotropic() {
+        return heaviest_at_rest(model, &environment, thrust);
+    }
+    let drag = model.vehicle.drag[0];
     let lift = (thrust * thrust - drag * drag * (x * x + y * y)).sqrt();
     let mass = (drag * z + lift) / gravity;
     (mass > 0.0).then_some(mass)
 }
+
+/// [`mass_at_rest`] with a drag for each axis of the body, by bisection: between the mass whose weight a vertical wind carries and
+/// the one that this thrust cannot hold whatever the wind, the thrust at rest increases with the mass.
+fn heaviest_at_rest(model: &Model, environment: &Environment, thrust: f64) -> Option<f64> {
+    let drag = model.vehicle.drag;
+    let largest = drag.into_iter().fold(0.0, f64::max);
+    let speed = environment.wind.iter().map(|w| w * w).sum::<f64>().sqrt();
+    let at = |mass: f64| {
+        let of_mass = Environment { drag_rates: drag.map(|d| d / mass), ..*environment };
+        mass * rotor_drag::attitude(&of_mass, [0.0; 3], [0.0; 3], environment.yaw_at_rest).thrust
+    };
+    let high = (thrust + largest * speed) / environment.gravity;
+    let low = (largest * environment.wind[2]).max(0.0) / environment.gravity;
+    let (mut low, mut high) = (low + LEAST_MASS * high, high * (1.0 + LEAST_MASS));
+    // Not so where the thrust is negative or too large at once.
+    if !(at(low) <= thrust && at(high) >= thrust) {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if at(middle) <= thrust { low = middle } else { high = middle }
+    }
+    Some(low)
+}
+
+/// Shares of an upper bound on the mass: the smallest mass that is tried, and by how much the largest exceeds the bound.
+const LEAST_MASS: f64 = 1e-6;
+
+/// Halvings of an interval of masses, down to rounding.
+const HALVINGS: usize = 60;
 
 /// Whether the set of every fault mode lies inside the healthy set.
 ///

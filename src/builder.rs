@@ -446,7 +446,7 @@ impl Builder {
             return self.line(before, path, format!("{}{sign}{NOT_FINITE}", word(field)));
         };
         let written = match (&value, entry.takes) {
-            (Value::Number(number), Takes::Quantity(..) | Takes::QuantityOr(..)) => {
+            (Value::Number(number), Takes::Quantity(..) | Takes::QuantityOr(..) | Takes::QuantityOrVector(..)) => {
                 self.finite(&path, &[*number]);
                 format!("{}{}", digits(*number), unit(entry))
             }
@@ -454,7 +454,7 @@ impl Builder {
                 self.finite(&path, &[*number]);
                 digits(*number)
             }
-            (Value::Vector(vector), Takes::Vector(..)) => {
+            (Value::Vector(vector), Takes::Vector(..) | Takes::QuantityOrVector(..)) => {
                 self.finite(&path, vector);
                 format!("[{}]{}", vector.map(digits).join(", "), unit(entry))
             }
@@ -523,6 +523,7 @@ fn taken(entry: &Entry) -> String {
     match entry.takes {
         Takes::Quantity(..) | Takes::Bound(..) | Takes::Share | Takes::Whole(..) => "a number".into(),
         Takes::Vector(..) => "three numbers".into(),
+        Takes::QuantityOrVector(..) => "a number or three numbers".into(),
         Takes::QuantityOr(..) => format!("a number or one of {words}"),
         Takes::Words(_) => format!("one of {words}"),
         Takes::WordList(_) => format!("one or more of {words}"),

@@ -18,6 +18,8 @@
 
 mod gradient;
 mod intermediates;
+mod jet;
+pub mod rotor_drag;
 
 use crate::actuation::Wrench;
 use crate::model::Vehicle;

@@ -32,6 +32,8 @@ pub enum Takes {
     Quantity(&'static str, Range),
     /// `[x, y, z]` with a unit; the usual unit.
     Vector(&'static str, Range),
+    /// A number with a unit, or `[x, y, z]`; the usual unit.
+    QuantityOrVector(&'static str, Range),
     /// A bound on a quantity; the usual unit and the allowed forms.
     Bound(&'static str, &'static [&'static str]),
     /// `60 %` or `0.6`.
@@ -225,6 +227,7 @@ impl Entry {
         match self.takes {
             Takes::Quantity(unit, _)
             | Takes::Vector(unit, _)
+            | Takes::QuantityOrVector(unit, _)
             | Takes::Bound(unit, _)
             | Takes::QuantityOr(unit, _, _) => Some(unit),
             Takes::Share | Takes::Whole(..) => Some("1"),

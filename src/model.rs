@@ -130,8 +130,9 @@ pub struct Vehicle {
     pub mass_spread: Spread,
     /// Diagonal of the inertia matrix J: Ixx, Iyy, Izz, kg m^2.
     pub inertia: [f64; 3],
-    /// Linear drag, N s/m: the force is -drag times the velocity through the air. 0 if the spec gives none.
-    pub drag: f64,
+    /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity through the
+    /// air along it. 0 if the spec gives none.
+    pub drag: [f64; 3],
     /// The place of `drag`, if the spec gives it.
     pub drag_span: Option<Span>,
     /// The drag of the body that turns about z; `None` if the spec gives none.

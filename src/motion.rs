@@ -10,6 +10,7 @@ pub mod time_grid;
 pub mod wrench_model;
 
 use crate::actuation::Wrench;
+use crate::flatness::rotor_drag::{self, Attitude};
 use crate::model::{Environment, Vehicle};
 use wrench_model::WrenchModel;
 
@@ -173,6 +174,9 @@ pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: Wrenc
 
 /// The state with its accelerations, jerks and snaps replaced by `c - g e_z`, `c'` and `c''`, where the thrust over mass is
 /// `c = a + g e_z + drag/m (v - wind)`: (90) of `docs/method.md`, section 15. Without drag the state itself.
+///
+/// With a drag for each axis of the body, it is that of [`Environment::turning_rate`]: where it is the same along x and y, c has
+/// the direction of the thrust, but not its size.
 pub fn in_air<const N: usize>(state: &[[f64; N]; 4], environment: &Environment) -> [[f64; N]; 4] {
     if !environment.has_drag() {
         return *state;
@@ -181,7 +185,7 @@ pub fn in_air<const N: usize>(state: &[[f64; N]; 4], environment: &Environment) 
     for axis in [X, Y, Z] {
         for order in 2..N {
             let wind = if order == 2 { environment.wind[axis] } else { 0.0 };
-            felt[axis][order] += environment.drag_rate * (state[axis][order - 1] - wind);
+            felt[axis][order] += environment.turning_rate() * (state[axis][order - 1] - wind);
         }
     }
     felt
@@ -192,6 +196,10 @@ pub fn in_air<const N: usize>(state: &[[f64; N]; 4], environment: &Environment) 
 ///
 /// The third column of (4), rotated by -psi about the vertical, is (sin theta cos phi, -sin phi, cos theta cos phi).
 pub fn roll_pitch(state: &NodeState, environment: &Environment) -> (f64, f64) {
+    if !environment.turns_alike() {
+        let Attitude { roll, pitch, .. } = attitude(state, environment);
+        return (roll, pitch);
+    }
     let (s, c) = state[YAW][0].sin_cos();
     let state = in_air(state, environment);
     let (ax, ay, az) = (state[X][2], state[Y][2], state[Z][2] + environment.gravity);
@@ -199,8 +207,18 @@ pub fn roll_pitch(state: &NodeState, environment: &Environment) -> (f64, f64) {
     ((-left).atan2(forward.hypot(az)), forward.atan2(az))
 }
 
+/// The attitude with a drag for each axis of the body.
+pub(crate) fn attitude(state: &NodeState, environment: &Environment) -> Attitude {
+    let order = |order: usize| [X, Y, Z].map(|axis| state[axis][order]);
+    rotor_drag::attitude(environment, order(1), order(2), state[YAW][0])
+}
+
 /// The angle between the thrust direction and the vertical, rad; above pi/2 if the thrust points down.
 pub fn tilt(state: &NodeState, environment: &Environment) -> f64 {
+    if !environment.turns_alike() {
+        let Attitude { roll, pitch, .. } = attitude(state, environment);
+        return (roll.cos() * pitch.cos()).clamp(-1.0, 1.0).acos();
+    }
     let state = in_air(state, environment);
     state[X][2].hypot(state[Y][2]).atan2(state[Z][2] + environment.gravity)
 }

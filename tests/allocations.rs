@@ -42,7 +42,7 @@ fn a_longer_flight_allocates_no_more() {
         model.simulation.controller = controller;
         model.vehicle.allocation = allocation;
         model.simulation.gusts = 0.5;
-        model.simulation.drag = 0.2;
+        model.simulation.drag = [0.2; 3];
         let strikes = [Strike { mode: 0, at: 0.5, until: None, span: Default::default(), at_span: Default::default() }];
         let place = Reference { position: nalgebra::Vector3::new(0.0, 0.0, 10.0), ..Reference::default() };
         let count = |duration: f64| {

@@ -5,7 +5,8 @@ use super::edge;
 use super::interval::guaranteed;
 use super::verdict::lift;
 use crate::actuation::Wrench;
-use crate::model::{LimitKind, Model};
+use crate::flatness::rotor_drag;
+use crate::model::{Environment, LimitKind, Model};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -36,13 +37,17 @@ impl Airspeed {
     /// hover in still air; in still air this is the set of [`AdmissibleSet::with_reserve`]. Where the vehicle has intervals, the
     /// airspeed is possible for every value of them.
     ///
+    /// With a drag for each axis of the body it is the largest one up to which the thrust (94) is in the set whatever the angle
+    /// between nose and motion, by [`in_the_worst_heading`]. Drag along z alone does not act in level flight: `None`.
+    ///
     /// # Panics
     /// If the set is not of this model.
     pub fn of(model: &Model, set: &AdmissibleSet) -> Option<Self> {
-        let drag = model.vehicle.drag;
-        if drag <= 0.0 {
+        let [drag, across, _] = model.vehicle.drag;
+        if drag <= 0.0 && across <= 0.0 {
             return None;
         }
+        let is_isotropic = model.environment().is_isotropic();
         let full = match model.vehicle.has_uncertain_rotors() {
             true => guaranteed(model, set).and_then(|rows| lift(&rows, set.zonotope.scale()[0])),
             false => lift(&set.polytope, set.zonotope.scale()[0]),
@@ -51,7 +56,10 @@ impl Airspeed {
         let spread = model.vehicle.mass_spread;
         let ends = [spread.low, spread.high].map(|share| {
             let weight = share * model.vehicle.mass * model.gravity;
-            let by_thrust = thrust_across(weight, full?, model.plan.reserve)? / drag;
+            let by_thrust = match is_isotropic {
+                true => thrust_across(weight, full?, model.plan.reserve)? / drag,
+                false => in_the_worst_heading(model, thrusts(weight, full?, model.plan.reserve)?),
+            };
             let by_tilt = least_tilt(model).map_or(f64::INFINITY, |tilt| weight * tilt.tan() / drag);
             Some(match by_tilt < by_thrust {
                 true => (by_tilt, LimitedBy::Tilt),
@@ -66,15 +74,58 @@ impl Airspeed {
     }
 }
 
-/// The largest horizontal component (N) of a thrust whose vertical one holds a weight (N) and whose length, between the
-/// `[low, high]` of the set (N), leaves the reserve; `None` if the weight is not between these.
-fn thrust_across(weight: f64, (low, high): (f64, f64), reserve: f64) -> Option<f64> {
+/// The smallest and the largest thrust (N) between the `[low, high]` of the set (N) that leave the reserve about a weight (N);
+/// `None` if the weight is not between these.
+fn thrusts(weight: f64, (low, high): (f64, f64), reserve: f64) -> Option<(f64, f64)> {
     let edge = edge::width(&Wrench::new(weight, 0.0, 0.0, 0.0));
     if weight < low - edge || weight > high + edge {
         return None;
     }
-    let most = weight + (1.0 - reserve) * (high - weight).max(0.0);
+    let kept = |room: f64| (1.0 - reserve) * room.max(0.0);
+    Some((weight - kept(weight - low), weight + kept(high - weight)))
+}
+
+/// The largest horizontal component (N) of a thrust whose vertical one holds a weight (N) and whose length leaves the reserve;
+/// see [`thrusts`].
+fn thrust_across(weight: f64, range: (f64, f64), reserve: f64) -> Option<f64> {
+    let (_, most) = thrusts(weight, range, reserve)?;
     Some((most * most - weight * weight).sqrt())
+}
+
+/// Headings relative to the motion at which the airspeed is computed, in a quarter turn: the drag is the same in all four.
+const HEADINGS: usize = 18;
+
+/// The speeds at which the search begins and ends, m/s, and the ratio of one speed to the one before.
+const SPEEDS: (f64, f64, f64) = (0.01, 1000.0, 1.05);
+
+/// Halvings of the interval between two such speeds, down to rounding.
+const HALVINGS: usize = 50;
+
+/// The largest speed (m/s) of steady level flight up to which the thrust is between `least` and `most` (N) whatever the angle
+/// between nose and motion, sampled at [`HEADINGS`]; the last of [`SPEEDS`] if the thrust never leaves this range.
+fn in_the_worst_heading(model: &Model, (least, most): (f64, f64)) -> f64 {
+    let still = Environment { wind: [0.0; 3], ..model.environment() };
+    let edge = edge::width(&Wrench::new(most, 0.0, 0.0, 0.0));
+    let is_possible = |speed: f64| {
+        (0..=HEADINGS).all(|k| {
+            let off = FRAC_PI_2 * k as f64 / HEADINGS as f64;
+            let thrust = model.vehicle.mass * rotor_drag::attitude(&still, [speed, 0.0, 0.0], [0.0; 3], off).thrust;
+            (least - edge..=most + edge).contains(&thrust)
+        })
+    };
+    let (first, last, ratio) = SPEEDS;
+    let (mut low, mut high) = (0.0, first);
+    while is_possible(high) {
+        if high >= last {
+            return last;
+        }
+        (low, high) = (high, (ratio * high).min(last));
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if is_possible(middle) { low = middle } else { high = middle }
+    }
+    low
 }
 
 /// The smallest upper limit on tilt of the whole mission, rad; `None` if there is none below a right angle.

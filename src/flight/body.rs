@@ -14,8 +14,8 @@ pub struct Frame {
     pub inertia: Vector3<f64>,
     /// Gravity, m/s^2.
     pub gravity: f64,
-    /// Linear drag, N s/m.
-    pub drag: f64,
+    /// Linear drag along the axes of the body, N s/m.
+    pub drag: Vector3<f64>,
 }
 
 impl Frame {
@@ -25,7 +25,7 @@ impl Frame {
             mass: model.vehicle.mass,
             inertia: model.vehicle.inertia.into(),
             gravity: model.gravity,
-            drag: model.simulation.drag,
+            drag: model.simulation.drag.into(),
         }
     }
 }
@@ -85,13 +85,21 @@ impl Body {
     ///
     /// ```text
     /// p' = v                                                    (3)
-    /// v' = (T/m) R e_3 - g e_3 - (drag/m) (v - v_air)           (7) and (8) in the world frame
+    /// v' = (T/m) R e_3 - g e_3 - R D R^T (v - v_air)/m          (7) and (8) in the world frame
     /// q' = q (0, omega)/2                                       (5) and (6) without their singular angle
     /// omega' = J^-1 (tau - omega x J omega)                     (9)
     /// ```
     pub fn derivative(&self, frame: &Frame, wrench: &Wrench, air: &Vector3<f64>) -> Body {
         let Frame { mass, inertia, gravity, drag } = *frame;
-        let mut acceleration = self.up() * (wrench[0] / mass) - (self.velocity - air) * (drag / mass);
+        let through = self.velocity - air;
+        let slowing = match drag.x == drag.y && drag.y == drag.z {
+            true => through * (drag.x / mass),
+            false => {
+                let body = self.rotation();
+                body * (body.inverse() * through).component_mul(&(drag / mass))
+            }
+        };
+        let mut acceleration = self.up() * (wrench[0] / mass) - slowing;
         acceleration.z -= gravity;
         let spin = Quaternion::from_parts(0.0, 0.5 * self.rates);
         let torque = Vector3::new(wrench[1], wrench[2], wrench[3]);

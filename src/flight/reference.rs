@@ -1,5 +1,6 @@
 //! The reference that a flight follows: the plan, a stop, or a descent after a stop (`docs/flight.md`, section 5).
 
+use crate::flatness::rotor_drag;
 use crate::model::Environment;
 use crate::motion::{Trajectory, X, Y, YAW, Z};
 use nalgebra::Vector3;
@@ -45,12 +46,22 @@ pub enum Course<'a> {
 
 impl Reference {
     /// The reference with acceleration, jerk and snap replaced by those of the thrust over mass less gravity, like
-    /// [`crate::motion::in_air`]: what a controller demands that knows this air.
+    /// [`crate::motion::in_air`]: what a controller demands that knows this air. In free fall, where the attitude of a drag for each
+    /// axis of the body is not defined, the drag is taken to be isotropic.
     pub fn in_air(&self, environment: &Environment) -> Reference {
         if !environment.has_drag() {
             return *self;
         }
-        let rate = environment.drag_rate;
+        if !environment.is_isotropic() {
+            let orders = [self.velocity, self.acceleration, self.jerk, self.snap].map(Into::into);
+            let [thrust, jerk, snap] = rotor_drag::thrust_vector(environment, orders, self.yaw).map(Vector3::from);
+            let acceleration = thrust - Vector3::z() * environment.gravity;
+            let felt = Reference { acceleration, jerk, snap, ..*self };
+            if felt.is_finite() {
+                return felt;
+            }
+        }
+        let rate = environment.turning_rate();
         Reference {
             acceleration: self.acceleration + (self.velocity - Vector3::from(environment.wind)) * rate,
             jerk: self.jerk + self.acceleration * rate,

@@ -79,6 +79,7 @@ fn takes(entry: &Entry) -> String {
     match entry.takes {
         Takes::Quantity(..) | Takes::Bound(..) => unit(entry),
         Takes::Vector(..) => format!("three in {}", unit(entry)),
+        Takes::QuantityOrVector(..) => format!("one or three in {}", unit(entry)),
         Takes::Share => "share, as in `60 %`".into(),
         Takes::Whole(least, most) => format!("{} to {}", grouped(least), grouped(most)),
         Takes::Words(words) => listed(words),

@@ -2,7 +2,9 @@
 
 use super::Absent::{Needed, Otherwise, Value, Written};
 use super::Range::{Any, NotNegative, Positive};
-use super::Takes::{Bound, Names, Nothing, Quantity, QuantityOr, Share, Text, Vector, Whole, WordList, Words};
+use super::Takes::{
+    Bound, Names, Nothing, Quantity, QuantityOr, QuantityOrVector, Share, Text, Vector, Whole, WordList, Words,
+};
 use super::{Absent, Entry, Takes};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -45,8 +47,9 @@ group! {
         "the mass of the whole vehicle in flight, including its payload";
     PROPELLER_RADIUS "propeller_radius", Quantity("m", Positive), Otherwise("unknown"),
         "the radius of a propeller";
-    DRAG "drag", Quantity("N*s/m", NotNegative), Otherwise("plans take no air into account"),
-        "the drag force divided by the speed through the [air](#air), the same in all directions";
+    DRAG "drag", QuantityOrVector("N*s/m", NotNegative), Otherwise("plans take no air into account"),
+        "the drag force divided by the speed through the [air](#air): one number for all directions, or `[x, y, z]` along the \
+         axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`";
     YAW_DRAG "yaw_drag", Quantity("N*m*s/rad", Positive), Otherwise("unknown"),
         "the torque of the air about z divided by the rate at which the body turns about z. It ends the spin of a vehicle that \
          [gives up yaw](#without-yaw)";
@@ -331,8 +334,9 @@ group! {
     POSITION_NOISE "position_noise", Quantity("m", NotNegative),
         Value(0.01, "1 cm", "standard deviation of a sample on each axis"),
         "the standard deviation of a sample of the position on each axis";
-    DRAG "drag", Quantity("N*s/m", NotNegative), Value(0.0, "0 N*s/m", "as in the paper's model"),
-        "the drag force divided by the speed through the air; the vehicle's, if that has one";
+    DRAG "drag", QuantityOrVector("N*s/m", NotNegative), Value(0.0, "0 N*s/m", "as in the paper's model"),
+        "the drag force divided by the speed through the air, one number or `[x, y, z]` along the axes of the body; the vehicle's, \
+         if that has one";
     WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
         "the velocity of the air, x east, y north, z up; that of the mission's [air](#air), if it has any. It acts only through `drag`";
     GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "still air"),

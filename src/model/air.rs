@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
-use super::{Mission, Model, Plan, PlanModel, PlanRotors, Vehicle};
+use super::{LimitKind, Mission, Model, Plan, PlanModel, PlanRotors, Vehicle};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::air as table;
 use crate::language::{Entry, Group};
@@ -35,28 +35,57 @@ pub struct Air {
 }
 
 /// What acts on the vehicle besides its rotors, by the equation of motion
-/// `m c = m (a + g e_z) + drag (v - wind)`, where c is the thrust over mass.
+/// `m c b_3 = m (a + g e_z) + R D R^T (v - wind)`, where c is the thrust over mass, b_3 the third axis of the body, R its
+/// attitude and D the diagonal matrix of the drag.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Environment {
     /// Acceleration of gravity g, m/s^2.
     pub gravity: f64,
-    /// Drag over mass, 1/s.
-    pub drag_rate: f64,
+    /// Drag over mass along the axes x, y and z of the body, 1/s.
+    pub drag_rates: [f64; 3],
     /// Velocity of the air, m/s; the middle of the possible winds.
     pub wind: [f64; 3],
     /// Largest deviation of the wind from its middle on each axis, m/s.
     pub wind_spread: [f64; 3],
+    /// The yaw of the mission's start, rad, if the attitude at rest depends on yaw; otherwise 0.
+    pub yaw_at_rest: f64,
 }
 
 impl Environment {
     /// No drag.
     pub fn vacuum(gravity: f64) -> Self {
-        Environment { gravity, drag_rate: 0.0, wind: [0.0; 3], wind_spread: [0.0; 3] }
+        Environment { gravity, drag_rates: [0.0; 3], wind: [0.0; 3], wind_spread: [0.0; 3], yaw_at_rest: 0.0 }
     }
 
     /// Whether the air acts on the vehicle.
     pub fn has_drag(&self) -> bool {
-        self.drag_rate > 0.0
+        self.drag_rates != [0.0; 3]
+    }
+
+    /// Whether the drag is the same along all axes of the body.
+    pub fn is_isotropic(&self) -> bool {
+        self.drag_rates.iter().all(|rate| *rate == self.drag_rates[0])
+    }
+
+    /// Whether the drag is the same along x and y, so that the attitude follows from the motion as with the drag of x along all
+    /// axes: the drag along z only adds to the thrust.
+    pub fn turns_alike(&self) -> bool {
+        self.drag_rates[0] == self.drag_rates[1]
+    }
+
+    /// The rate of an isotropic drag with the same attitude, 1/s: that of x and y. Where these differ their mean, with which the
+    /// attitude is approximate.
+    pub fn turning_rate(&self) -> f64 {
+        match self.turns_alike() {
+            true => self.drag_rates[0],
+            false => 0.5 * (self.drag_rates[0] + self.drag_rates[1]),
+        }
+    }
+
+    /// The smallest and the largest of the three rates, 1/s.
+    pub fn extreme_rates(&self) -> [f64; 2] {
+        let [x, y, z] = self.drag_rates;
+        [x.min(y).min(z), x.max(y).max(z)]
     }
 
     /// Whether more than one wind is possible, and it matters.
@@ -78,9 +107,9 @@ impl Environment {
         all
     }
 
-    /// The thrust over mass at rest, `g e_z - drag/m wind`, m/s^2: what the rotors give to stay in place.
+    /// The thrust over mass at rest with isotropic drag, `g e_z - drag/m wind`, m/s^2: what the rotors give to stay in place.
     pub fn trim(&self) -> [f64; 3] {
-        let [x, y, z] = self.wind.map(|w| -self.drag_rate * w);
+        let [x, y, z] = self.wind.map(|w| -self.drag_rates[0] * w);
         [x, y, z + self.gravity]
     }
 }
@@ -89,11 +118,15 @@ impl Model {
     /// What acts on the vehicle during the mission.
     pub fn environment(&self) -> Environment {
         let air = self.mission.as_ref().map(|mission| &mission.air);
+        let drag_rates = self.vehicle.drag.map(|drag| drag / self.vehicle.mass);
+        let start = self.mission.as_ref().and_then(|mission| mission.waypoints.first());
+        let yaw = start.filter(|_| drag_rates[0] != drag_rates[1]).map(|start| start.yaw);
         Environment {
             gravity: self.gravity,
-            drag_rate: self.vehicle.drag / self.vehicle.mass,
+            drag_rates,
             wind: air.map_or([0.0; 3], |air| air.wind),
             wind_spread: air.map_or([0.0; 3], |air| air.wind_spread),
+            yaw_at_rest: yaw.unwrap_or(0.0),
         }
     }
 }
@@ -196,7 +229,7 @@ pub(super) fn impose(vehicle: &mut Vehicle, air: &Air) {
     if ratio == 1.0 {
         return;
     }
-    vehicle.drag *= ratio;
+    vehicle.drag = vehicle.drag.map(|drag| drag * ratio);
     for rotor in &mut vehicle.rotors {
         rotor.thrust_coefficient *= ratio;
         rotor.drag_coefficient *= ratio;
@@ -208,7 +241,7 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, mission: Option<&Mission>, ve
     let Some(mission) = mission else { return true };
     let air = &mission.air;
     let is_moving = air.wind.iter().chain(&air.wind_spread).any(|v| *v != 0.0) || air.gusts > 0.0;
-    if vehicle.drag == 0.0 {
+    if vehicle.drag == [0.0; 3] {
         if is_moving {
             let message = format!("vehicle `{}` has no `drag`, so wind and gusts do not act on it", vehicle.name);
             let warning = Diagnostic::warning("mavc::air::no_drag", air.span, message).here("moving air");
@@ -243,5 +276,30 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, mission: Option<&Mission>, ve
         cx.report(error.help("write the wind without `+-`, or `rotors = instant`"));
         return false;
     }
-    true
+    !differs_across(cx, drag, mission, vehicle)
+}
+
+/// Reports what cannot be planned with a drag that differs along x and y, with which the attitude depends on the yaw; whether
+/// there is something.
+fn differs_across(cx: &mut Context, drag: Span, mission: &Mission, vehicle: &Vehicle) -> bool {
+    if vehicle.drag[0] == vehicle.drag[1] {
+        return false;
+    }
+    let help = "write the same drag along x and y, such as their larger value";
+    let mut conflict = |message: &str, other: Span, here: &'static str| {
+        let error = Diagnostic::error(CONFLICT, other, message).here(here).also(drag, "differs along x and y");
+        cx.report(error.help(help));
+    };
+    let tilt = mission.limits.iter().find(|limit| limit.kind == LimitKind::Tilt);
+    if let Some(limit) = tilt {
+        let message =
+            "a limit on tilt cannot be combined with a `drag` that differs along x and y: tilt then depends on yaw";
+        conflict(message, limit.span, "limit on tilt");
+    }
+    let has_spread = mission.air.wind_spread.iter().any(|spread| *spread > 0.0);
+    if has_spread {
+        let message = "an interval of the wind cannot be combined with a `drag` that differs along x and y";
+        conflict(message, mission.air.span, "an interval of the wind");
+    }
+    tilt.is_some() || has_spread
 }

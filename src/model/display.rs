@@ -20,6 +20,14 @@ fn list(values: &[f64]) -> String {
     format!("[{}]", shown.join(", "))
 }
 
+/// A drag: one number if it is the same along all axes of the body, otherwise a list.
+fn along_axes(drag: &[f64; 3]) -> String {
+    match drag.iter().all(|d| *d == drag[0]) {
+        true => number(drag[0]),
+        false => list(drag),
+    }
+}
+
 /// Coordinates, with rounding errors below 1 nm shown as zero.
 fn place(position: &[f64; 3]) -> String {
     list(&position.map(|x| if x.abs() < 1e-9 { 0.0 } else { x }))
@@ -71,8 +79,8 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
             writeln!(f, "  {what} {} m", number(length))?;
         }
     }
-    if v.drag > 0.0 {
-        writeln!(f, "  drag {} N*s/m", number(v.drag))?;
+    if v.drag != [0.0; 3] {
+        writeln!(f, "  drag {} N*s/m", along_axes(&v.drag))?;
     }
     if let Some(drag) = &v.yaw_drag {
         write!(f, "  yaw_drag {} N*m*s/rad{}", number(drag.linear), between(drag.spread))?;
@@ -335,7 +343,7 @@ fn simulation(f: &mut fmt::Formatter<'_>, s: &Simulation, modes: &[FaultMode]) -
     writeln!(f, "  forgetting {}, seed {}", number(s.forgetting), s.seed)?;
     let (gyroscope, position) = (number(s.gyroscope_noise), number(s.position_noise));
     writeln!(f, "  gyroscope_noise {gyroscope} rad/s, position_noise {position} m")?;
-    writeln!(f, "  drag {} N*s/m, wind {} m/s", number(s.drag), list(&s.wind))?;
+    writeln!(f, "  drag {} N*s/m, wind {} m/s", along_axes(&s.drag), list(&s.wind))?;
     writeln!(f, "  gusts {} m/s, gust_length {} m", number(s.gusts), number(s.gust_length))?;
     writeln!(f, "  lost_beyond {} m, upside_down {} s", number(s.lost_beyond), number(s.upside_down))?;
     match s.lost_yaw {

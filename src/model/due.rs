@@ -167,6 +167,23 @@ impl<'a> Context<'a> {
         None
     }
 
+    /// A drag along the axes x, y and z of the body, in SI units: `[0.35, 0.35, 0.2] N*s/m`, or one number for all of them.
+    pub fn drag(&mut self, entry: &'static Entry, expr: &'a Expr, code: &'static str) -> Option<[f64; 3]> {
+        let due = Due::of(entry);
+        let written = self.let_behind(expr).map_or(expr, |(_, value)| value);
+        if !matches!(written.kind, ExprKind::List { .. }) {
+            return self.not_negative(due, expr, code).map(|drag| [drag; 3]);
+        }
+        let drag = self.triple(due, expr)?;
+        if let Some(bad) = drag.iter().find(|d| **d < 0.0) {
+            let error = Diagnostic::error(code, expr.span, format!("`{}` cannot be negative along any axis", due.what));
+            let error = error.here(format!("contains {} {}", number(*bad), due.unit));
+            self.report(error.help("write three values of zero or above"));
+            return None;
+        }
+        Some(drag)
+    }
+
     /// `[x, y, z] m`: three quantities of the expected dimension, in SI units.
     pub fn triple(&mut self, due: Due, expr: &'a Expr) -> Option<[f64; 3]> {
         self.expect_unit(due, expr);

@@ -144,8 +144,9 @@ pub struct Simulation {
     pub gyroscope_noise: f64,
     /// Standard deviation of a sample of the position, m on each axis.
     pub position_noise: f64,
-    /// Linear drag, N s/m: the force is -drag times the velocity through the air.
-    pub drag: f64,
+    /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity through the
+    /// air along it.
+    pub drag: [f64; 3],
     /// Mean velocity of the air in the world frame, m/s.
     pub wind: [f64; 3],
     /// Standard deviation of Dryden gusts on each axis, m/s.
@@ -208,6 +209,13 @@ impl Default for Gains {
     }
 }
 
+impl Simulation {
+    /// The largest drag along an axis of the body, N s/m.
+    pub fn largest_drag(&self) -> f64 {
+        self.drag.into_iter().fold(0.0, f64::max)
+    }
+}
+
 impl Default for Simulation {
     fn default() -> Self {
         use crate::language::table::simulate::*;
@@ -223,7 +231,7 @@ impl Default for Simulation {
             forgetting: FORGETTING.value(),
             gyroscope_noise: GYROSCOPE_NOISE.value(),
             position_noise: POSITION_NOISE.value(),
-            drag: DRAG.value(),
+            drag: [DRAG.value(); 3],
             wind: [0.0; 3],
             gusts: GUSTS.value(),
             gust_length: GUST_LENGTH.value(),

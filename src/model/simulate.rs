@@ -40,9 +40,9 @@ pub(super) struct Around<'m> {
 
 impl Around<'_> {
     /// The drag of the vehicle (N s/m), and wind and gusts of the mission (m/s).
-    pub fn air(&self) -> (f64, [f64; 3], f64) {
+    pub fn air(&self) -> ([f64; 3], [f64; 3], f64) {
         let air = self.mission.map(|mission| &mission.air);
-        let drag = self.vehicle.map_or(0.0, |vehicle| vehicle.drag);
+        let drag = self.vehicle.map_or([0.0; 3], |vehicle| vehicle.drag);
         (drag, air.map_or([0.0; 3], |air| air.wind), air.map_or(0.0, |air| air.gusts))
     }
 }
@@ -195,11 +195,12 @@ impl<'a> Reader<'a> {
     }
 
     /// Drag (N s/m), wind and gusts (m/s) of the flights: those of the plan, unless the block gives others.
-    fn air(&mut self, cx: &mut Context<'a>, around: &Around) -> (Option<f64>, Option<[f64; 3]>, Option<f64>) {
+    fn air(&mut self, cx: &mut Context<'a>, around: &Around) -> (Option<[f64; 3]>, Option<[f64; 3]>, Option<f64>) {
         let (drag_of_plan, wind_of_plan, gusts_of_plan) = around.air();
         let drag = match self.fields.get("drag") {
-            None if drag_of_plan != 0.0 => Some(drag_of_plan),
-            _ => self.quantity(cx, &table::DRAG),
+            Some(expr) => cx.drag(&table::DRAG, expr, NEGATIVE),
+            None if drag_of_plan != [0.0; 3] => Some(drag_of_plan),
+            None => Some(self.default(&table::DRAG, [table::DRAG.value(); 3])),
         };
         let wind = match self.fields.get("wind") {
             Some(expr) => cx.triple(Due::of(&table::WIND), expr),
@@ -210,7 +211,7 @@ impl<'a> Reader<'a> {
             None if gusts_of_plan != 0.0 => Some(gusts_of_plan),
             _ => self.quantity(cx, &table::GUSTS),
         };
-        if drag_of_plan > 0.0 {
+        if drag_of_plan != [0.0; 3] {
             let differs = [
                 ("drag", drag.is_some_and(|drag| drag != drag_of_plan)),
                 ("wind", wind.is_some_and(|wind| wind != wind_of_plan)),
@@ -330,13 +331,13 @@ impl<'a> Reader<'a> {
     }
 
     /// Warns of wind or gusts without drag, which have no effect.
-    fn warn_no_drag(&self, cx: &mut Context<'a>, drag: f64, wind: [f64; 3], gusts: f64) {
+    fn warn_no_drag(&self, cx: &mut Context<'a>, drag: [f64; 3], wind: [f64; 3], gusts: f64) {
         let given = [("wind", wind != [0.0; 3]), ("gusts", gusts > 0.0)];
         let Some((name, expr)) = given.iter().find(|g| g.1).and_then(|(name, _)| Some((name, self.fields.get(name)?)))
         else {
             return;
         };
-        if drag > 0.0 {
+        if drag != [0.0; 3] {
             return;
         }
         let warning = Diagnostic::warning(

@@ -92,8 +92,8 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     };
     let (propeller_radius, size) = (length(&table::PROPELLER_RADIUS), length(&table::SIZE));
     let drag = match fields.get("drag") {
-        Some(expr) => cx.quantity(&table::DRAG, expr, POSITIVE),
-        None => Some(0.0),
+        Some(expr) => cx.drag(&table::DRAG, expr, POSITIVE),
+        None => Some([0.0; 3]),
     };
     let yaw_drag = yaw_drag::read(cx, &fields);
     let allocation = match fields.word(cx, "mavc::vehicle::allocation", &table::ALLOCATION) {

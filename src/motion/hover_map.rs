@@ -78,7 +78,7 @@ impl WrenchMap {
         if !environment.has_drag() {
             return self;
         }
-        let rate = environment.drag_rate;
+        let rate = environment.turning_rate();
         let felt: Vec<_> = self.terms.iter().filter(|term| term.0 != YAW).copied().collect();
         for (axis, order, coefficient) in felt {
             if order == 2 {

@@ -3,9 +3,9 @@
 use super::hover_map::{self, WrenchMap, YawState};
 use super::{CommandState, NodeState, X, Y, YAW, Z, in_air};
 use crate::actuation::Wrench;
-use crate::flatness::{self, COMMAND_INPUTS, CommandFlatState, FlatState, INPUTS};
+use crate::flatness::{self, COMMAND_INPUTS, CommandFlatState, FlatState, INPUTS, rotor_drag};
 use crate::model::{Environment, Vehicle};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 /// The model by which the wrench follows from a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,6 +47,31 @@ fn flat(state: &NodeState) -> FlatState {
     FlatState::from_fn(|i, _| state[FLAT[i].0][FLAT[i].1])
 }
 
+/// Axis and order of the derivative in each entry of a [`rotor_drag::State`] and, with the last four, of a
+/// [`rotor_drag::CommandState`].
+const ROTOR_DRAG: [(usize, usize); rotor_drag::COMMAND_INPUTS] = {
+    let mut all = [(YAW, 3); rotor_drag::COMMAND_INPUTS];
+    (all[0], all[1], all[2]) = ((X, 1), (Y, 1), (Z, 1));
+    let mut i = 0;
+    while i < COMMAND_INPUTS {
+        all[3 + i] = COMMAND_DERIVATIVES[i];
+        i += 1;
+    }
+    all
+};
+
+/// The entries of `state` on which the wrench depends where the drag is not isotropic.
+fn rotor_drag_state<const N: usize, const M: usize>(state: &[[f64; N]; 4]) -> SVector<f64, M> {
+    SVector::from_fn(|i, _| state[ROTOR_DRAG[i].0][ROTOR_DRAG[i].1])
+}
+
+/// The affine map of a value and its slopes with respect to the entries of a [`rotor_drag`] state.
+fn tangent<const M: usize>(at: &SVector<f64, M>, value: Wrench, slope: &SMatrix<f64, 4, M>) -> WrenchMap {
+    let columns = ROTOR_DRAG.iter().zip(slope.column_iter());
+    let terms = columns.map(|(&(axis, order), c)| (axis, order, c.into_owned())).collect();
+    WrenchMap { constant: value - slope * at, terms }
+}
+
 impl WrenchModel {
     /// The order of the derivative that is the input of each axis, linear between nodes.
     ///
@@ -67,6 +92,9 @@ impl WrenchModel {
                 let [psi, rate, acceleration, ..] = state[YAW];
                 WrenchMap::new(vehicle, environment.gravity, YawState { psi, rate, acceleration }).at(state)
             }
+            WrenchModel::Exact if !environment.is_isotropic() => {
+                rotor_drag::wrench(vehicle, environment, &rotor_drag_state(state))
+            }
             WrenchModel::Exact => flatness::wrench(vehicle, environment.gravity, &flat(&in_air(state, environment))),
         }
     }
@@ -85,6 +113,11 @@ impl WrenchModel {
                 map.terms.push((YAW, 2, Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2])));
                 map
             }
+            WrenchModel::Exact if !environment.is_isotropic() => {
+                let at = rotor_drag_state(state);
+                let (wrench, slope) = rotor_drag::wrench_and_jacobian(vehicle, environment, &at);
+                tangent(&at, wrench, &slope)
+            }
             WrenchModel::Exact => {
                 let at = flat(&in_air(state, environment));
                 let (wrench, slope) = flatness::wrench_and_jacobian(vehicle, environment.gravity, &at);
@@ -101,6 +134,9 @@ impl WrenchModel {
     ///
     /// Eigenvectors of the Hessian are taken with accelerations in units of g and time in units of `tau` (s);
     /// eigenvalues at or below 1e-3 of the largest are dropped (`docs/method.md`, (73)).
+    ///
+    /// If the drag is not isotropic, the curvature is that of the wrench in the isotropic drag of [`Environment::turning_rate`]: it
+    /// only shapes the subproblem's objective, whose steps are accepted by the exact wrench.
     pub fn curvature(
         self,
         vehicle: &Vehicle,
@@ -123,6 +159,9 @@ impl WrenchModel {
     /// (83) and (84).
     pub fn commanded(self, vehicle: &Vehicle, environment: &Environment, lag: f64, state: &CommandState) -> Wrench {
         match self {
+            WrenchModel::Exact if !environment.is_isotropic() => {
+                rotor_drag::commanded(vehicle, environment, lag, &rotor_drag_state(state))
+            }
             WrenchModel::Exact => {
                 flatness::commanded(vehicle, environment.gravity, lag, &command_flat(&in_air(state, environment)))
             }
@@ -148,6 +187,11 @@ impl WrenchModel {
                 let turn = Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2]);
                 map.terms.extend([(YAW, 2, turn), (YAW, 3, lag * turn)]);
                 map
+            }
+            WrenchModel::Exact if !environment.is_isotropic() => {
+                let at = rotor_drag_state(state);
+                let (commanded, slope) = rotor_drag::commanded_and_jacobian(vehicle, environment, lag, &at);
+                tangent(&at, commanded, &slope)
             }
             WrenchModel::Exact => {
                 let at = command_flat(&in_air(state, environment));

@@ -57,10 +57,16 @@ use std::sync::Arc;
 use subproblem::{Objective, Step, change};
 
 /// By how much the thrust over mass may rise more in a wind between the extreme ones than these show, m/s^2: the largest
-/// second-order term of |c| about hover.
+/// second-order term of the thrust about hover, (95) of `docs/method.md`. With isotropic drag that of |c|.
 fn largest_curvature_of_thrust(environment: &Environment) -> f64 {
-    let changes = environment.wind_spread.map(|spread| (environment.drag_rate * spread).powi(2));
-    0.5 * changes.iter().sum::<f64>() / environment.gravity
+    let [x, _, z] = environment.drag_rates;
+    let changes = environment.wind_spread.map(|spread| (x * spread).powi(2));
+    let of_direction = 0.5 * changes.iter().sum::<f64>() / environment.gravity;
+    if environment.is_isotropic() {
+        return of_direction;
+    }
+    let spreads: f64 = environment.wind_spread.iter().map(|spread| spread.powi(2)).sum();
+    of_direction + x * (z - x).abs() * spreads / environment.gravity
 }
 
 /// Instants per interval at which a plan is checked and rows can be imposed: those at which reports look.

@@ -63,6 +63,9 @@ pub enum Row {
 /// down, ZYX angles jump, and the direction of a vanishing thrust is undefined.
 pub const UPRIGHT: f64 = 0.1;
 
+/// (98): where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this times g^2.
+pub const LEAST_PRODUCT: f64 = 0.5 * UPRIGHT * UPRIGHT;
+
 /// All that a program depends on, except its objective and the choice of rows.
 pub struct Transcription<'a> {
     pub model: &'a Model,
@@ -260,7 +263,7 @@ impl<'a> Transcription<'a> {
     pub(super) fn thrust(&self, instant: usize, environment: &Environment) -> [Affine; 3] {
         [X, Y, Z].map(|axis| {
             let gravity = if axis == Z { environment.gravity } else { 0.0 };
-            let wind = environment.drag_rate * environment.wind[axis];
+            let wind = environment.turning_rate() * environment.wind[axis];
             self.in_air(environment, axis, 2, |order| self.derivative(instant, axis, order))
                 .plus_constant(gravity - wind)
         })
@@ -277,7 +280,7 @@ impl<'a> Transcription<'a> {
     ) -> Affine {
         let mut sum = derivative(order);
         if environment.has_drag() && axis != YAW && order >= 2 {
-            sum.add(&derivative(order - 1), environment.drag_rate);
+            sum.add(&derivative(order - 1), environment.turning_rate());
         }
         sum
     }

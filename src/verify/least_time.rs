@@ -91,6 +91,9 @@ fn sideways(problem: Problem, leg: usize, force: Interval) -> f64 {
     let tilt = most(mission, leg, LimitKind::Tilt);
     let let_pass =
         Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
+    // A drag along the body's z axis of its own changes the size of the thrust, but not its direction: the limit on tilt, which is
+    // checked up to an acceleration, then does not bound the thrust.
+    let tilt = if model.environment().is_isotropic() { tilt } else { FRAC_PI_2 };
     let is_tied = tilt < FRAC_PI_2;
     let (sine, cosine) = Interval::point(tilt.min(FRAC_PI_2)).sin_cos();
     match model.plan.model {
@@ -104,15 +107,24 @@ fn sideways(problem: Problem, leg: usize, force: Interval) -> f64 {
 /// Bounds on rate and acceleration along some axes (m/s, m/s^2), for bounds on these without drag. With k = drag/m and the
 /// velocity w of the air, the rate u of a motion obeys `u' <= a + k |w| - k u`, where a is at most `most` at all times. So from
 /// rest u stays below most/k + |w|, and its rate of change below a + k (|w| + u).
+///
+/// With a drag for each axis of the body, k is a symmetric matrix with eigenvalues from k0 to k1, the smallest and the largest
+/// rate: the speed obeys `u' <= a + k1 |w| - k0 u` and `|u'| <= a + k1 (|w| + u)`. As the matrix couples the axes of the world, this
+/// holds for all three axes alone.
 fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), most: Interval, axes: &[usize]) -> (f64, f64) {
     let environment = problem.model().environment();
     if !environment.has_drag() {
         return (rate, acceleration);
     }
-    let (k, a) = (Interval::point(environment.drag_rate), Interval::point(acceleration));
+    let [k0, k] = environment.extreme_rates().map(Interval::point);
+    let a = Interval::point(acceleration);
     let wind =
         axes.iter().fold(Interval::ZERO, |sum, &axis| sum + Interval::point(environment.wind[axis]).square()).sqrt();
-    let terminal = if problem.mission().start_at_rest { (most / k + wind).high } else { f64::INFINITY };
+    let terminal = match problem.mission().start_at_rest && k0.low > 0.0 {
+        true if k0 == k => (most / k + wind).high,
+        true => ((most + k * wind) / k0).high,
+        false => f64::INFINITY,
+    };
     let rate = rate.min(terminal);
     match rate.is_finite() && acceleration.is_finite() {
         true => (rate, (a + k * (wind + Interval::point(rate))).high),
@@ -123,6 +135,7 @@ fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), most: Interval,
 /// The bounds on the displacements of a leg: along its line, horizontal, up, down, and in yaw.
 fn bounds(problem: Problem, leg: usize) -> [Most; 5] {
     let (model, mission) = (problem.model(), problem.mission());
+    let is_isotropic = model.environment().is_isotropic();
     let (force, g) = (force(model), Interval::point(model.gravity));
     let most = |kind| most(mission, leg, kind);
     let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
@@ -131,14 +144,23 @@ fn bounds(problem: Problem, leg: usize) -> [Most; 5] {
     let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
     // The thrust may be negative by the tolerance on sets.
     let vertical = (g + Interval::point(MOST_OUTSIDE) * force).high.max((force - g).high).min(whole);
-    let (rate, in_all) = with_drag(problem, (speed, in_all), force + g, &[0, 1, 2]);
+    let all = [0, 1, 2];
+    let (rate, in_all) = with_drag(problem, (speed, in_all), force + g, &all);
+    // With a drag for each axis of the body: a part of the velocity is at most the whole, and so is that of the drag.
+    let of_part = |(own, acceleration): (f64, f64), most: Interval, axes: &[usize]| match is_isotropic {
+        true => with_drag(problem, (own, acceleration), most, axes),
+        false => (own.min(rate), with_drag(problem, (rate, acceleration), force + g, &all).1),
+    };
     let along_line = Most { rate, acceleration: whole.min(in_all), jerk };
     let across = speed.min(most(LimitKind::SpeedHorizontal));
-    let (rate, in_plane) = with_drag(problem, (across, sideways(problem, leg, force)), force, &[0, 1]);
-    let horizontal =
-        Most { rate, acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane), jerk };
+    let (rate_across, in_plane) = of_part((across, sideways(problem, leg, force)), force, &[0, 1]);
+    let horizontal = Most {
+        rate: rate_across,
+        acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane),
+        jerk,
+    };
     let of_climb = |kind: LimitKind| {
-        let (rate, acceleration) = with_drag(problem, (speed.min(most(kind)), vertical), force + g, &[2]);
+        let (rate, acceleration) = of_part((speed.min(most(kind)), vertical), force + g, &[2]);
         Most { rate, acceleration: acceleration.min(whole), jerk }
     };
     let (up, down) = (of_climb(LimitKind::Climb), of_climb(LimitKind::Descent));

@@ -120,10 +120,11 @@ fn arrival_violation(limit: &Limit, state: &State, angle: f64) -> Series {
     Series::of_derivatives(&[aside * cosine - ahead * sine, Interval::WHOLE])
 }
 
+/// The drag along z does not change the direction of the thrust. Where that of x and y differ, a spec has no limit on tilt.
 fn tilt_violation(state: &State, limit: f64, environment: &Environment) -> Series {
     let (sine, cosine) = Interval::point(limit).sin_cos();
     let g = Interval::point(environment.gravity);
-    let [x, y, lift] = thrust_over_mass::<2>(state, environment);
+    let [x, y, lift] = thrust_over_mass::<2>(state, environment, environment.drag_rates[0]);
     let across = match environment.has_drag() {
         true => length_of(&[x, y]),
         false => length(state, &[X, Y], 2),

@@ -103,6 +103,23 @@ fn is_zero(v: &Exact) -> bool {
     v.iter().all(Dyadic::is_zero)
 }
 
+/// The thrust over mass at rest with a drag for each axis of the body, at the yaw of the start, rounded: the reserve is taken
+/// about this number. As in [`super::wrench::Dynamics`].
+fn thrust_at_rest(environment: &Environment) -> f64 {
+    let cross =
+        |a: [f64; 3], b: [f64; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let unit = |a: [f64; 3]| a.map(|x| x / dot(a, a).sqrt());
+    let [alpha, beta, gamma] = environment.drag_rates.map(|rate| {
+        let [x, y, z] = environment.wind.map(|w| -rate * w);
+        [x, y, z + environment.gravity]
+    });
+    let (sine, cosine) = environment.yaw_at_rest.sin_cos();
+    let b1 = unit(cross([-sine, cosine, 0.0], alpha));
+    let b2 = unit(cross(beta, b1));
+    dot(cross(b1, b2), gamma)
+}
+
 impl Generators {
     /// The generators of `healthy` or of a fault mode, by name.
     ///
@@ -142,9 +159,10 @@ impl Generators {
         }
         let mut hover = zero();
         hover[0] = match environment.has_drag() {
+            true if !environment.is_isotropic() => Dyadic::of(vehicle.mass * thrust_at_rest(environment)),
             // |m g e_z - drag wind|, rounded: the reserve is taken about this number.
             true => {
-                let [x, y, z] = environment.wind.map(|w| vehicle.drag * w);
+                let [x, y, z] = environment.wind.map(|w| vehicle.drag[0] * w);
                 let up = vehicle.mass * environment.gravity - z;
                 Dyadic::of((x * x + y * y + up * up).sqrt())
             }

@@ -87,29 +87,48 @@ impl Dynamics<'_> {
     /// The thrust carries m (p'' + g e_z) and the drag along b_3; of ZYX angles the heading is that of b_1, which is therefore
     /// orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p = -b_2.b_3',
     /// q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
+    ///
+    /// With a drag for each axis of the body, alpha, beta and gamma are the thrust over mass of the isotropic drags along x, y and z:
+    /// b_1 is orthogonal to y_C and alpha, b_2 to b_1 and beta, and the thrust is m b_3.gamma (docs/method.md, (91) to (94)).
     fn exact<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
-        let a: Vector<N> = thrust_over_mass(state, &self.environment);
+        let environment = &self.environment;
+        let [a, beta, gamma]: [Vector<N>; 3] =
+            environment.drag_rates.map(|rate| thrust_over_mass(state, environment, rate));
         let (s, c) = series(&state[YAW], 0).sin_cos();
-        let b3 = unit(&a);
-        let b1 = unit(&cross(&[-s, c, Series::constant(Interval::ZERO)], &b3));
-        let b2 = cross(&b3, &b1);
+        let left = [-s, c, Series::constant(Interval::ZERO)];
+        let (b1, b2, b3) = match environment.turns_alike() {
+            true => {
+                let b3 = unit(&a);
+                let b1 = unit(&cross(&left, &b3));
+                (b1, cross(&b3, &b1), b3)
+            }
+            false => {
+                let b1 = unit(&cross(&left, &a));
+                let b2 = unit(&cross(&beta, &b1));
+                (b1, b2, cross(&b1, &b2))
+            }
+        };
         let (b1_rate, b3_rate) = (b1.map(|x| x.rate()), b3.map(|x| x.rate()));
         let omega: Vector<N> = [-dot(&b2, &b3_rate), dot(&b1, &b3_rate), dot(&b2, &b1_rate)];
         let inertia = self.vehicle.inertia.map(Interval::point);
         let momentum: Vector<N> = std::array::from_fn(|i| omega[i].times(inertia[i]));
         let gyroscopic = cross(&omega, &momentum);
         let tau: Vector<N> = std::array::from_fn(|i| momentum[i].rate() + gyroscopic[i]);
-        let thrust = dot(&a, &a).sqrt().times(Interval::point(self.vehicle.mass));
+        let size = match environment.is_isotropic() {
+            true => dot(&a, &a).sqrt(),
+            false => dot(&b3, &gamma),
+        };
+        let thrust = size.times(Interval::point(self.vehicle.mass));
         [thrust, tau[0], tau[1], tau[2]]
     }
 }
 
-/// The thrust over mass, `p'' + g e_z + drag/m (p' - wind)`, over all possible winds, m/s^2.
-pub fn thrust_over_mass<const N: usize>(state: &State, environment: &Environment) -> Vector<N> {
+/// The thrust over mass with the same drag along all axes, `p'' + g e_z + rate (p' - wind)`, over all possible winds, m/s^2.
+pub fn thrust_over_mass<const N: usize>(state: &State, environment: &Environment, rate: f64) -> Vector<N> {
     let mut thrust = [X, Y, Z].map(|axis| series(&state[axis], 2));
     thrust[Z] = thrust[Z] + Series::constant(Interval::point(environment.gravity));
     if environment.has_drag() {
-        let rate = Interval::point(environment.drag_rate);
+        let rate = Interval::point(rate);
         for axis in [X, Y, Z] {
             let spread = Interval::around_zero(environment.wind_spread[axis]);
             let wind = Interval::point(environment.wind[axis]) + spread;

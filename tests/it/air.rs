@@ -12,7 +12,15 @@ use mavc::verify::motion::State;
 use mavc::verify::wrench::Dynamics;
 use mavc::{Compiler, PlanOutcome, Spec};
 
-const AIR: Environment = Environment { gravity: 9.81, drag_rate: 0.21, wind: [4.0, -2.0, 0.7], wind_spread: [0.0; 3] };
+const RATE: f64 = 0.21;
+
+const AIR: Environment = Environment {
+    gravity: 9.81,
+    drag_rates: [RATE; 3],
+    wind: [4.0, -2.0, 0.7],
+    wind_spread: [0.0; 3],
+    yaw_at_rest: 0.0,
+};
 
 fn state(numbers: impl Fn(usize, usize) -> f64) -> NodeState {
     std::array::from_fn(|axis| std::array::from_fn(|order| numbers(axis, order)))
@@ -26,7 +34,7 @@ fn lively(phase: f64) -> NodeState {
 #[test]
 fn level_flight_at_constant_speed_needs_the_thrust_of_the_closed_form() {
     let vehicle = octocopter("PPNNPPNN").vehicle;
-    let drag = AIR.drag_rate * vehicle.mass;
+    let drag = RATE * vehicle.mass;
     let still = Environment { wind: [0.0; 3], ..AIR };
     for speed in [0.0, 5.0, 14.0] {
         let flight = state(|axis, order| if (axis, order) == (X, 1) { speed } else { 0.0 });
@@ -51,7 +59,7 @@ fn the_wrench_in_air_is_the_checkers() {
     for k in 0..50 {
         let now = lively(0.37 * k as f64);
         let expected = WrenchModel::Exact.wrench(&vehicle, &AIR, &now);
-        if now[Z][2] + AIR.gravity + AIR.drag_rate * (now[Z][1] - AIR.wind[Z]) < 2.0 {
+        if now[Z][2] + AIR.gravity + RATE * (now[Z][1] - AIR.wind[Z]) < 2.0 {
             continue;
         }
         let enclosed: State = now.map(|axis| {
@@ -101,7 +109,7 @@ fn corners_are_those_of_the_box() {
     }
     assert!(corners.iter().all(|c| c.wind_spread == [0.0; 3]));
     // Wind that acts on nothing is no uncertainty.
-    assert_eq!(Environment { drag_rate: 0.0, ..uncertain }.corners().len(), 1);
+    assert_eq!(Environment { drag_rates: [0.0; 3], ..uncertain }.corners().len(), 1);
 }
 
 fn dash(air: &str, more: &str) -> String {
@@ -230,7 +238,7 @@ fn altitude_gives_the_density_of_the_standard_atmosphere() {
         let ratio = spec.model().mission.as_ref().unwrap().air.density_ratio;
         assert!((ratio * 1.225 - density).abs() < 2e-4, "{altitude}: {}", ratio * 1.225);
         let vehicle = &spec.model().vehicle;
-        assert!((vehicle.drag - 0.35 * ratio).abs() < 1e-12);
+        assert!((vehicle.drag[0] - 0.35 * ratio).abs() < 1e-12);
         assert!((vehicle.rotors[0].max_thrust() - 6.53 * ratio).abs() < 1e-9);
     }
 }

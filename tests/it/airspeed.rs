@@ -14,7 +14,7 @@ use serde_json::Value;
 const DRAG: f64 = 0.35;
 
 fn dragged(mut model: Model, reserve: f64) -> Model {
-    model.vehicle.drag = DRAG;
+    model.vehicle.drag = [DRAG; 3];
     model.plan.reserve = reserve;
     model
 }

@@ -35,7 +35,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             mass_spread: Spread::NONE,
             inertia,
             battery: None,
-            drag: 0.0,
+            drag: [0.0; 3],
             drag_span: None,
             yaw_drag: None,
             propeller_radius: None,

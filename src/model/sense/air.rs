@@ -44,7 +44,7 @@ pub(in crate::model) fn check(
         let slip = "check the number and its unit";
         cx.report(warning("mavc::sense::gusts", at("gust_length"), message, slip).here("length scale of the gusts"));
     }
-    if let Some(slowing) = vehicle.map(|v| simulation.drag / v.mass).filter(|slowing| *slowing > SLOWING) {
+    if let Some(slowing) = vehicle.map(|v| simulation.largest_drag() / v.mass).filter(|slowing| *slowing > SLOWING) {
         let message =
             format!("drag over mass is {} 1/s, outside the usual range of 0 to {} 1/s", short(slowing), short(SLOWING));
         let slip = "check the units of drag and mass";
@@ -58,7 +58,10 @@ fn blown_away(cx: &mut Context, simulation: &Simulation, vehicle: &Vehicle, wind
     let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
     let weight = vehicle.mass * cx.gravity;
     let sideways = (thrust * thrust - weight * weight).max(0.0).sqrt();
-    let force = simulation.drag * wind;
+    // The least that the wind can push with, whatever the heading.
+    let [x, y, _] = simulation.drag;
+    let drag_across = x.min(y);
+    let force = drag_across * wind;
     if force <= sideways {
         return;
     }
@@ -69,5 +72,5 @@ fn blown_away(cx: &mut Context, simulation: &Simulation, vehicle: &Vehicle, wind
         short(sideways)
     );
     let warning = warning("mavc::sense::wind", span, message, "check wind and drag").here("blows the vehicle away");
-    cx.report(warning.also(drag, format!("with a drag of {} N*s/m", short(simulation.drag))));
+    cx.report(warning.also(drag, format!("with a drag of {} N*s/m", short(drag_across))));
 }

@@ -94,7 +94,8 @@ pub(super) fn coarse(simulation: &Simulation, vehicle: &Vehicle) -> Option<Diagn
 
 /// The error for a time step longer than half the time constant mass/drag with which drag slows the vehicle.
 pub(super) fn coarse_drag(simulation: &Simulation, vehicle: &Vehicle) -> Option<Diagnostic> {
-    let slowing = simulation.drag / vehicle.mass;
+    let drag = simulation.largest_drag();
+    let slowing = drag / vehicle.mass;
     (2.0 * slowing > simulation.rate).then(|| {
         let message = format!(
             "a time step of {} ms is too coarse for a drag that slows the vehicle with a time constant of {} ms",
@@ -102,7 +103,7 @@ pub(super) fn coarse_drag(simulation: &Simulation, vehicle: &Vehicle) -> Option<
             number(1e3 / slowing)
         );
         Diagnostic::error("mavc::simulate::coarse_step", simulation.span, message)
-            .here(format!("`drag` is {} N*s/m here", number(simulation.drag)))
+            .here(format!("`drag` is {} N*s/m here", number(drag)))
             .help("check `drag`: that of a small multirotor is below 1 N*s/m")
     })
 }

@@ -41,8 +41,8 @@ impl Pace {
 
 /// What drag does to bounds on rates and accelerations.
 struct Drag {
-    /// Drag over mass, 1/s.
-    rate: f64,
+    /// The smallest and the largest drag over mass, 1/s.
+    rates: [f64; 2],
     /// m/s
     wind: [f64; 3],
     starts_at_rest: bool,
@@ -51,20 +51,32 @@ struct Drag {
 impl Drag {
     fn of(problem: Problem) -> Self {
         let environment = problem.model().environment();
-        Drag { rate: environment.drag_rate, wind: environment.wind, starts_at_rest: problem.mission().start_at_rest }
+        let (rates, wind) = (environment.extreme_rates(), environment.wind);
+        Drag { rates, wind, starts_at_rest: problem.mission().start_at_rest }
     }
 
     /// Bounds on rate and acceleration along some axes, where thrust and gravity accelerate by at most `acceleration` and
     /// limits allow the rate `rate`. With k = drag/m the rate u obeys `u' <= most + k |wind| - k u`, where `most` bounds what thrust
     /// and gravity give on any leg: from rest it stays below `most/k + |wind|`, and `|u'| <= acceleration + k (|wind| + u)`.
+    ///
+    /// A drag for each axis of the body has the matrix K = R diag(k) R^T, whose eigenvalues lie between the smallest rate k0 and the
+    /// largest k1: along all three axes `u' <= most + k1 |wind| - k0 u` and `|u'| <= acceleration + k1 (|wind| + u)`. It couples
+    /// the axes, so that only `axes` of all three give a bound.
     fn paced(&self, (rate, acceleration): (f64, f64), most: f64, axes: &[usize]) -> (f64, f64) {
-        if self.rate == 0.0 {
+        let [least, largest] = self.rates;
+        if largest == 0.0 {
             return (rate, acceleration);
         }
         let wind = axes.iter().map(|&axis| self.wind[axis].powi(2)).sum::<f64>().sqrt();
-        let terminal = if self.starts_at_rest { most / self.rate + wind } else { f64::INFINITY };
+        let strength = if least == largest { wind } else { largest / least * wind };
+        let terminal = if self.starts_at_rest && least > 0.0 { most / least + strength } else { f64::INFINITY };
         let rate = rate.min(terminal * (1.0 + ROUNDING));
-        (rate, acceleration + self.rate * (wind + rate))
+        (rate, acceleration + largest * (wind + rate))
+    }
+
+    /// Whether the drag is the same along all axes of the body.
+    fn is_isotropic(&self) -> bool {
+        self.rates[0] == self.rates[1]
     }
 }
 
@@ -102,6 +114,9 @@ impl Paces {
         let out = tolerance::MOST_PAST_LIMIT * FRAC_PI_2 * g;
         let tilt = most(LimitKind::Tilt);
         // Exactly |(x'', y'')| is a part of the force; about hover only a limit on tilt ties it to the thrust m (z'' + g).
+        let air = Drag::of(problem);
+        // Drag along the body's z axis changes the size of the thrust, not its direction: then tilt does not bound the force.
+        let tilt = if air.is_isotropic() { tilt } else { FRAC_PI_2 };
         let (sideways, any) = match model.plan.model {
             PlanModel::Exact => (force * tilt.min(FRAC_PI_2).sin() + out, force + g),
             PlanModel::Hover if tilt < FRAC_PI_2 => (force * tilt.tan() + out / tilt.cos(), f64::INFINITY),
@@ -111,14 +126,18 @@ impl Paces {
         // A climb slows under gravity alone and a descent under full thrust: the larger of the two holds for both ends.
         let vertical = (g + tolerance::MOST_OUTSIDE * force).max(force - g).min(whole);
         let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
-        let air = Drag::of(problem);
         let across = speed.min(most(LimitKind::SpeedHorizontal));
+        let (rate, any) = air.paced((speed, any), force + g, &[0, 1, 2]);
+        // No part of the velocity is larger than the whole, nor is that of the drag.
+        let part = |of: (f64, f64), most: f64, axes: &[usize]| match air.is_isotropic() {
+            true => air.paced(of, most, axes),
+            false => (of.0.min(rate), air.paced((rate, of.1), force + g, &[0, 1, 2]).1),
+        };
         let of_climb = |rate: LimitKind| {
-            let (rate, acceleration) = air.paced((speed.min(most(rate)), vertical), force + g, &[2]);
+            let (rate, acceleration) = part((speed.min(most(rate)), vertical), force + g, &[2]);
             Pace { rate, acceleration: acceleration.min(whole), jerk }
         };
-        let (rate, any) = air.paced((speed, any), force + g, &[0, 1, 2]);
-        let (rate_across, sideways) = air.paced((across, sideways), force, &[0, 1]);
+        let (rate_across, sideways) = part((across, sideways), force, &[0, 1]);
         Paces {
             whole: Pace { rate, acceleration: whole.min(any), jerk },
             horizontal: Pace {

@@ -5,7 +5,7 @@ use super::super::cost::{self, Purse};
 use super::super::heading;
 use super::super::interval::{Interval, exceeds};
 use super::super::limits;
-use super::super::motion::{Motion, State};
+use super::super::motion::{Motion, State, YAW, series};
 use super::super::premise::Premise;
 use super::super::proof::{Failure, Family, Measure, Rated, above_at_nodes, cost_of_grid, largest_on_grid, throughout};
 use super::super::series::Series;
@@ -13,7 +13,10 @@ use super::super::sets::{Plane, along};
 use super::super::wind;
 use super::super::wrench::{Dynamics, Held, thrust_over_mass};
 use super::super::{Reach, Rejection, Scope, Shown, schedule};
-use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
+use super::{
+    Checked, Found, Group, LEAST_PRODUCT, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear,
+    of_groups,
+};
 use crate::certificate::DynamicModel;
 use crate::model::{Environment, Limit, LimitKind, Part};
 use crate::number::{number, significant};
@@ -188,7 +191,13 @@ impl Checked<'_> {
         }
         if setting.dynamics.model == DynamicModel::Exact {
             let reach = self.reach(&upright(&setting.dynamics.environment), MOST_PAST_LIMIT, 1.0, purse);
-            found.add("vertical thrust of at least a tenth of the weight".into(), reach);
+            let statement = match setting.dynamics.environment.is_isotropic() {
+                true => "vertical thrust of at least a tenth of the weight",
+                false => {
+                    "upright attitude, with a vertical thrust before the drag along the body's z axis of at least a tenth of the weight"
+                }
+            };
+            found.add(statement.into(), reach);
         } else if setting.mission().limits.iter().any(|limit| limit.kind == LimitKind::Tilt) {
             // The linear model's thrust may vanish, and its direction is then undefined.
             let reach = self.reach(&upright(&setting.dynamics.environment), MOST_PAST_LIMIT, 1.0, purse);
@@ -300,19 +309,41 @@ impl Found {
 }
 
 /// `0.1 - (z'' + g)/g`: by how much the vertical part of the thrust is below a tenth of the weight, in weights.
+///
+/// With a drag for each axis of the body, the thrust before the drag along that axis. Where the drag differs along x and y, this of
+/// alpha and of beta, and `0.005 - (alpha_f beta_f + alpha_u beta_u)/g^2`: where all three hold, the body's z axis points up.
 fn upright(environment: &Environment) -> Family<'static> {
     let environment = *environment;
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         let g = Interval::point(environment.gravity);
-        let [.., lift] = thrust_over_mass::<2>(state, &environment);
-        let short = Series::constant(Interval::point(UPRIGHT) * g) + -lift;
-        let rated = Rated { value: short.value() / g, rate: short.slope() / g };
-        wanted.iter().map(|_| rated).collect()
+        let [x, y, _] = environment.drag_rates;
+        let of_rate = |rate: f64| {
+            let [.., lift] = thrust_over_mass::<2>(state, &environment, rate);
+            let short = Series::constant(Interval::point(UPRIGHT) * g) + -lift;
+            Rated { value: short.value() / g, rate: short.slope() / g }
+        };
+        let of_product = || {
+            let (sine, cosine) = series(&state[YAW], 0).sin_cos();
+            let [alpha, beta] = [x, y].map(|rate| {
+                let [x, y, lift] = thrust_over_mass::<2>(state, &environment, rate);
+                [cosine * x + sine * y, lift]
+            });
+            let product = alpha[0] * beta[0] + alpha[1] * beta[1];
+            let short = Series::constant(Interval::point(LEAST_PRODUCT) * g * g) + -product;
+            Rated { value: short.value() / (g * g), rate: short.slope() / (g * g) }
+        };
+        let member = |&member: &usize| match member {
+            0 => of_rate(x),
+            1 => of_rate(y),
+            _ => of_product(),
+        };
+        wanted.iter().map(member).collect()
     };
+    let members = if environment.turns_alike() { 1 } else { 3 };
     let measure = Measure { factor: 100.0, unit: "%", whole: Some("of the weight") };
     let evaluate = Box::new(evaluate);
     Family {
-        members: 1,
+        members,
         evaluate,
         linear: false,
         jumps: false,

@@ -5,7 +5,8 @@ use mavc::actuation::Wrench;
 use mavc::flight::body::{Body, Frame};
 use nalgebra::{Matrix3, Vector3};
 
-const FRAME: Frame = Frame { mass: 1.3, inertia: Vector3::new(0.021, 0.034, 0.052), gravity: 9.81, drag: 0.0 };
+const FRAME: Frame =
+    Frame { mass: 1.3, inertia: Vector3::new(0.021, 0.034, 0.052), gravity: 9.81, drag: Vector3::new(0.0, 0.0, 0.0) };
 
 /// `duration` s under a constant wrench in steps of `h`.
 fn flown(mut body: Body, frame: &Frame, wrench: Wrench, air: Vector3<f64>, duration: f64, h: f64) -> Body {
@@ -124,7 +125,7 @@ fn angles_and_up_are_those_of_the_rotation() {
 /// Numbers of benches/oracles/rigid_body.py.
 #[test]
 fn constant_wrench_leads_where_dop853_leads() {
-    let frame = Frame { drag: 0.25, ..FRAME };
+    let frame = Frame { drag: Vector3::repeat(0.25), ..FRAME };
     let wrench = Wrench::new(14.0, 0.012, -0.02, 0.009);
     let end = flown(moving(), &frame, wrench, Vector3::new(1.5, -0.7, 0.3), 2.0, 1e-3);
     let near = |name: &str, found: Vector3<f64>, wanted: [f64; 3]| {

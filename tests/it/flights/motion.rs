@@ -16,7 +16,7 @@ fn still() -> Vector3<f64> {
 fn uneven() -> Model {
     let mut model = octocopter("PPNNPPNN");
     model.vehicle.inertia = [0.03, 0.045, 0.07];
-    model.simulation.drag = 0.3;
+    model.simulation.drag = [0.3; 3];
     model
 }
 

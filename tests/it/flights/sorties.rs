@@ -85,7 +85,7 @@ fn the_same_seed_gives_the_same_flight() {
     let mut model = octocopter("PPNNPPNN");
     model.modes = vec![lost(&model, &[3])];
     model.simulation.gusts = 1.0;
-    model.simulation.drag = 0.3;
+    model.simulation.drag = [0.3; 3];
     model.simulation.wind = [3.0, 1.0, 0.0];
     assert_eq!(bits(&model, 5), bits(&model, 5));
     let (one, another) = (bits(&model, 5), bits(&model, 6));
