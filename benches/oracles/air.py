@@ -2,7 +2,8 @@
 """Wrenches of a plan in its air against the sets of its vehicle, with numpy alone: `air.py SPEC TRAJECTORY.csv [FINER]`.
 
 The motion is rebuilt from the derivatives at the nodes (the snap is linear between them) on a grid FINER times finer, 50
-unless given. The attitude follows from the thrust over mass, a + g e_z + drag/m (v - wind), and the yaw; body rates and
+unless given. The attitude R follows from the yaw and from the equation of motion, a + g e_z + R K R^T (v - wind) = c b3, whose
+matrix K = diag(drag)/m is along the axes of the body: R is iterated until R and the force of the drag agree. Body rates and
 accelerations are differences of rotation matrices, and torques follow from Euler's equation. The healthy set is the box of
 thrusts of a ring of equal rotors, described by the hyperplanes along every three rotors; with `planner = rcp` the sets with one
 rotor lost are checked too. All are shrunk by the spec's reserve. The spec must have a ring, literals and `samples`, and nothing
@@ -53,13 +54,22 @@ def derivative(h, before, after, t, order):
 def rotations(h, before, after, t, k, wind):
     """Thrust over mass and rotation matrices at times within a piece."""
     of = lambda order: np.stack([derivative(h, before[a], after[a], t, order) for a in "xyz"], axis=1)
-    c = of(2) + [0, 0, GRAVITY] + k * (of(1) - wind)
     yaw = derivative(h, before["yaw"], after["yaw"], t, 0)
-    b3 = c / np.linalg.norm(c, axis=1)[:, None]
     left = np.stack([-np.sin(yaw), np.cos(yaw), 0 * yaw], axis=1)
-    b1 = np.cross(left, b3)
-    b1 /= np.linalg.norm(b1, axis=1)[:, None]
-    return c, np.stack([b1, np.cross(b3, b1), b3], axis=2)
+    air = of(1) - wind
+    c = of(2) + [0, 0, GRAVITY] + k[0] * air
+    # With equal drags the first attitude is right; otherwise the map is a contraction, by about |k| |air| / g times their difference.
+    for _ in range(1 if np.ptp(k) == 0 else 200):
+        b3 = c / np.linalg.norm(c, axis=1)[:, None]
+        b1 = np.cross(left, b3)
+        b1 /= np.linalg.norm(b1, axis=1)[:, None]
+        r = np.stack([b1, np.cross(b3, b1), b3], axis=2)
+        before_it, c = c, of(2) + [0, 0, GRAVITY] + np.einsum("nij,j,nkj,nk->ni", r, k, r, air)
+        if np.abs(c - before_it).max() < 1e-13:
+            break
+    else:
+        assert np.ptp(k) == 0, "the attitude does not converge"
+    return c, r
 
 
 def wrenches(path, finer, mass, inertia, k, wind):
@@ -96,7 +106,7 @@ def planes(generators, hover, reserve):
 def main(spec, path, finer="50"):
     text = re.sub(r"//[^\n]*", "", open(spec).read())
     layout, arm, mass = field(text, "layout"), field(text, "arm"), float(field(text, "mass"))
-    inertia, drag = field(text, "inertia"), float(field(text, "drag"))
+    inertia, drag = field(text, "inertia"), np.ones(3) * field(text, "drag")
     full, ratio = float(field(text, "max_thrust")), float(field(text, "torque_per_thrust"))
     reserve = float(field(text, "reserve", 0.1))
     angles = np.pi / 2 - 2 * np.pi * np.arange(len(layout)) / len(layout)
@@ -108,7 +118,11 @@ def main(spec, path, finer="50"):
     spread = re.search(r"\bwind\s*=\s*\[[^\]]*\]\s*m/s\s*\+-\s*(\[[^\]]*\]|[\d.]+)", text)
     spread = np.zeros(3) + (eval(spread[1], {"__builtins__": {}}) if spread else 0.0)
     limit = re.search(r"\btilt\s*<=\s*([\d.]+)\s*deg", text)
-    hover = np.array([np.linalg.norm([0, 0, mass * GRAVITY] - drag * wind), 0, 0, 0])
+    # At rest at the yaw of the start.
+    turned = re.search(r"\bstart\s+at\s*\[[^\]]*\]\s*m\s+yaw\s+([-\d.]+)\s*deg", text)
+    rest = {axis: [0.0] * 5 for axis in "xyz"} | {"yaw": [np.radians(float(turned[1])) if turned else 0.0, 0.0, 0.0]}
+    at_rest, _ = rotations(1.0, rest, rest, np.zeros(1), drag / mass, wind)
+    hover = np.array([mass * np.linalg.norm(at_rest), 0, 0, 0])
     sets = {"healthy": generators}
     if re.search(r"planner\s*=\s*rcp", text):
         sets |= {f"M{i + 1}": np.delete(generators, i, axis=1) for i in range(len(layout))}
