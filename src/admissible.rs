@@ -129,7 +129,7 @@ pub fn hover(model: &Model) -> Wrench {
 }
 
 /// The wrench at rest in a wind, [m |g e_z - drag/m wind|, 0, 0, 0], N and N m: the thrust is tilted against the wind. With a drag
-/// for each axis of the body the thrust is that of (94), at the yaw of the start where it depends on yaw.
+/// for each axis of the body the thrust is that of (90c), at the yaw of the start where it depends on yaw.
 pub fn trimmed(model: &Model, environment: &Environment) -> Wrench {
     let [x, y, z] = environment.trim();
     let thrust = match environment.has_drag() {

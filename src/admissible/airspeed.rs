@@ -37,7 +37,7 @@ impl Airspeed {
     /// hover in still air; in still air this is the set of [`AdmissibleSet::with_reserve`]. Where the vehicle has intervals, the
     /// airspeed is possible for every value of them.
     ///
-    /// With a drag for each axis of the body it is the largest one up to which the thrust (94) is in the set whatever the angle
+    /// With a drag for each axis of the body it is the largest one up to which the thrust (90c) is in the set whatever the angle
     /// between nose and motion, by [`in_the_worst_heading`]. Drag along z alone does not act in level flight: `None`.
     ///
     /// # Panics

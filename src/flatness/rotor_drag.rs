@@ -1,4 +1,4 @@
-//! The exact wrench of a motion with a drag for each axis of the body: (91) to (96) of `docs/method.md`, section 15, after
+//! The exact wrench of a motion with a drag for each axis of the body: (90a) to (90d) of `docs/method.md`, section 15, after
 //! M. Faessler, A. Franchi, D. Scaramuzza, *Differential flatness of quadrotor dynamics subject to rotor drag for accurate
 //! tracking of high-speed trajectories*, IEEE RA-L 3:2 (2018), arXiv 1712.02402.
 //!
@@ -147,7 +147,7 @@ impl<D: DualNum<Primitive = f64> + Copy, const N: usize> Angle<D, N> {
     }
 }
 
-/// The vectors (91) in the frame that turns with the yaw, and the angles (92) and (93).
+/// The vectors (90a) in the frame that turns with the yaw, and the angles (90d).
 struct Angles<D, const N: usize> {
     alpha: [Jet<D, N>; 3],
     beta: [Jet<D, N>; 3],
@@ -172,11 +172,10 @@ impl<D: DualNum<Primitive = f64> + Copy, const N: usize> Angles<D, N> {
                 std::array::from_fn(|axis| orders(axis, 2) + Jet::constant(gravity[axis]) + air[axis].times(rate));
             [c * x + s * y, c * y - s * x, z]
         };
-        // (91)
+        // (90a)
         let [alpha, beta, gamma] = environment.drag_rates.map(felt);
-        // (92)
+        // (90d)
         let pitch = Angle::atan2(alpha[0], alpha[2]);
-        // (93)
         let up = pitch.sin * beta[0] + pitch.cos * beta[2];
         let roll = Angle::atan2(-beta[1], up);
         Angles { alpha, beta, gamma, pitch, roll }
@@ -188,7 +187,7 @@ impl<D: DualNum<Primitive = f64> + Copy, const N: usize> Angles<D, N> {
         [pitch.sin * roll.cos, -roll.sin, pitch.cos * roll.cos]
     }
 
-    /// (94): the thrust over mass, b_3.gamma.
+    /// (90c): the thrust over mass, b_3.gamma.
     fn thrust(&self) -> Jet<D, N> {
         let (up, gamma) = (self.up(), self.gamma);
         up[0] * gamma[0] + up[1] * gamma[1] + up[2] * gamma[2]

@@ -319,7 +319,7 @@ impl Transcription<'_> {
     pub(super) fn upright(&self, builder: &mut Builder, instant: usize, widening: &Widening) {
         // The vertical part does not depend on the horizontal wind.
         let Some(wind) = self.winds.last() else { return };
-        // Where the drag differs along x and y, one row for each of alpha and beta (98).
+        // Where the drag differs along x and y, one row for each of alpha and beta (90f).
         let [x, y, _] = wind.drag_rates;
         let rates = if wind.turns_alike() { vec![x] } else { vec![x, y] };
         for rate in rates {

@@ -28,6 +28,12 @@ const AIRSPEED: &str = "\
 airspeed  the largest steady airspeed in level flight with the plan's reserve; (tilt): the mission limits the tilt
 ";
 
+/// The same with a drag for each axis of the body.
+const AIRSPEED_OF_HEADINGS: &str = "\
+airspeed  the largest steady airspeed in level flight with the plan's reserve, with the nose in the worst direction; \
+(tilt): the mission limits the tilt
+";
+
 /// The whole output of `mavc analyze`: vehicle, table of modes with its legend, and headroom. `modes` are those of
 /// [`crate::admissible::verdict`], the healthy vehicle first.
 pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
@@ -82,7 +88,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     out.push_str(&table.render(0));
     out.push_str(LEGEND);
     if has_airspeeds {
-        out.push_str(AIRSPEED);
+        out.push_str(if model.environment().is_isotropic() { AIRSPEED } else { AIRSPEED_OF_HEADINGS });
     }
     if modes.iter().any(|m| m.hover == Place::OnEdge) {
         out.push_str(

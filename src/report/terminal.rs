@@ -72,8 +72,11 @@ fn airspeeds(model: &Model) -> String {
     let modes = model.plan.against.iter().map(|&mode| AdmissibleSet::of_mode(model, mode));
     let sets = std::iter::once(AdmissibleSet::healthy(model)).chain(modes);
     let each = sets.filter_map(|set| Some(format!("{} {}", set.name, airspeed(&Airspeed::of(model, &set)?))));
-    let text =
-        format!("Largest steady airspeed in level flight with the reserve: {}", each.collect::<Vec<_>>().join(", "));
+    let heading = if model.environment().is_isotropic() { "" } else { " in the worst heading" };
+    let text = format!(
+        "Largest steady airspeed in level flight{heading} with the reserve: {}",
+        each.collect::<Vec<_>>().join(", ")
+    );
     format!("{}\n", textwrap::fill(&text, textwrap::Options::new(WIDTH).subsequent_indent("  ")))
 }
 

@@ -89,7 +89,7 @@ impl Dynamics<'_> {
     /// q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
     ///
     /// With a drag for each axis of the body, alpha, beta and gamma are the thrust over mass of the isotropic drags along x, y and z:
-    /// b_1 is orthogonal to y_C and alpha, b_2 to b_1 and beta, and the thrust is m b_3.gamma (docs/method.md, (91) to (94)).
+    /// b_1 is orthogonal to y_C and alpha, b_2 to b_1 and beta, and the thrust is m b_3.gamma (docs/method.md, (90a) to (90c)).
     fn exact<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
         let environment = &self.environment;
         let [a, beta, gamma]: [Vector<N>; 3] =

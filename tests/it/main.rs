@@ -11,6 +11,7 @@ mod code_names;
 mod codes;
 mod conflicts;
 mod controllability;
+mod drag_of_axes;
 mod errors;
 mod exact;
 mod example_specs;

@@ -72,6 +72,7 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     let columns = Columns {
         without_yaw: analyses.iter().any(|a| a.verdict == Verdict::Stabilizable),
         airspeed: analyses.iter().any(|a| a.airspeed.is_some()),
+        heading: !model.environment().is_isotropic(),
         of_plan: solved.is_some(),
         after: solved.is_some() && holds(model),
     };
@@ -131,7 +132,11 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
     if columns.airspeed {
         found.push((
             "Airspeed",
-            "the largest steady airspeed in level flight with the plan's reserve, by thrust or by the mission's limit on tilt.",
+            match columns.heading {
+                false => "the largest steady airspeed in level flight with the plan's reserve, by thrust or by the mission's limit on tilt.",
+                true => "the largest steady airspeed in level flight with the plan's reserve and the nose in the worst direction, by \
+                         thrust or by the mission's limit on tilt.",
+            },
         ));
     }
     if columns.of_plan {
@@ -183,6 +188,8 @@ struct Columns {
     /// Some mode hovers only with yaw given up.
     without_yaw: bool,
     airspeed: bool,
+    /// Whether it depends on the direction of the nose.
+    heading: bool,
     of_plan: bool,
     after: bool,
 }
