@@ -209,7 +209,7 @@ fn by_flight() {
     });
     row("gusts", |m| {
         m.simulation.gusts = 1.0;
-        m.simulation.drag = 0.3;
+        m.simulation.drag = [0.3; 3];
     });
     row("controller at 1 kHz", |m| m.simulation.control_rate = 1000.0);
 }

@@ -67,6 +67,7 @@ fn every_kind_of_value_and_statement_is_written() {
         .vehicle("mass", 0.8)
         .vehicle("inertia", [0.01, 0.01, 0.02])
         .vehicle("allocation", "bounded")
+        .vehicle("drag", [0.1, 0.1, 0.05])
         .rotor("thrust_coefficient", 9e-6)
         .rotor("drag_coefficient", 1.5e-7)
         .rotor("max_speed", 800.0)
@@ -106,6 +107,7 @@ fn every_kind_of_value_and_statement_is_written() {
     assert_eq!((mission.end_at_rest, mission.limits.len(), model.plan.reserve), (false, 2, 0.05));
     assert_eq!((model.plan.against.as_slice(), model.simulation.wind), (&[0][..], [1.0, 0.0, 0.0]));
     assert_eq!((model.simulation.faults[0].at, model.campaign.times), (3.0, 3));
+    assert_eq!((model.vehicle.drag, model.simulation.drag), ([0.1, 0.1, 0.05], [0.2; 3]));
 }
 
 #[test]
