@@ -15,6 +15,7 @@ pub mod stop;
 pub mod studies;
 pub mod timing;
 pub mod transcription;
+mod upright;
 pub mod working_set;
 mod wrench_expression;
 pub mod yaw;

@@ -1,10 +1,9 @@
 //! A mission's limits as rows: linear for one axis, second-order cones for norms.
 
-use crate::flatness::rotor_drag::Attitude;
 use crate::geometry::body::{Body, Separation};
 use crate::model::{Bounded as Position, Environment, Limit, LimitKind, Part, Target};
-use crate::motion::{NodeState, X, Y, YAW, Z, attitude, in_air};
-use crate::planner::transcription::{LEAST_PRODUCT, Transcription, UPRIGHT};
+use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
+use crate::planner::transcription::Transcription;
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 
@@ -134,7 +133,7 @@ impl Widening {
     }
 
     /// A bound on a derivative of the given order; `side` is 1 for upper bounds, -1 for lower ones.
-    fn bound(&self, bound: f64, order: usize, side: f64) -> Affine {
+    pub(super) fn bound(&self, bound: f64, order: usize, side: f64) -> Affine {
         let mut wider = Affine::constant(bound);
         wider.add(&self.share, side * widens(order, bound));
         wider.add(&self.duration_change, bound * order as f64);
@@ -313,33 +312,6 @@ impl Transcription<'_> {
         let times = &self.grid.node_times;
         let apart = (times[interval + 1] - times[interval]) / self.parts as f64;
         self.model.gravity * apart * apart / 4.0
-    }
-
-    /// The row (68): z'' + g >= [`UPRIGHT`] g, with drag in addition; of the extreme winds the last, which lifts most.
-    pub(super) fn upright(&self, builder: &mut Builder, instant: usize, widening: &Widening) {
-        // The vertical part does not depend on the horizontal wind.
-        let Some(wind) = self.winds.last() else { return };
-        // Where the drag differs along x and y, one row for each of alpha and beta (90f).
-        let [x, y, _] = wind.drag_rates;
-        let rates = if wind.turns_alike() { vec![x] } else { vec![x, y] };
-        for rate in rates {
-            let [.., z] = self.thrust(instant, &Environment { drag_rates: [rate; 3], ..*wind });
-            let mut row = z.plus_constant(-wind.gravity);
-            row.add(&widening.bound(wind.gravity, 2, 1.0), 1.0 - UPRIGHT);
-            builder.nonnegative(row, RowOrigin::Upright { node: instant / self.parts });
-        }
-    }
-
-    /// The violation of (68) by a state, as a share of gravity; negative inside.
-    pub(super) fn violation_upright(&self, state: &NodeState) -> f64 {
-        let short = |wind: &Environment| match wind.turns_alike() {
-            true => UPRIGHT - 1.0 - in_air(state, wind)[Z][2] / wind.gravity,
-            false => {
-                let Attitude { lift, product, .. } = attitude(state, wind);
-                (UPRIGHT - lift).max(LEAST_PRODUCT - product)
-            }
-        };
-        self.winds.iter().map(short).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// What a limit bounds, given the integrators: the jerk along z is a state or the slope of the input.
