@@ -349,6 +349,22 @@ fn certificates_and_flights_have_the_drag_of_each_axis() {
     assert!(known < 0.1 && unknown > 2.0 * known, "{known} {unknown}");
 }
 
+/// Rotors that lag: the commanded wrench of the plan is proved as well.
+#[test]
+fn commands_of_lagging_rotors_are_certified() {
+    let folder = tempfile::tempdir().unwrap();
+    let [spec, proof] = ["dash.mav", "proof.json"].map(|name| folder.path().join(name));
+    let text =
+        dash("[0.3, 0.5, 0.2]", "").replace("max_speed = 874 rad/s", "max_speed = 874 rad/s; time_constant = 30 ms");
+    std::fs::write(&spec, text.replace("samples = 24", "samples = 24; rotors = lagging")).unwrap();
+    let [spec, proof] = [&spec, &proof].map(|path| path.to_str().unwrap());
+    assert_eq!(mavc(&["plan", spec, "--certificate", proof]).status.code(), Some(0));
+    let output = mavc(&["verify", proof, spec]);
+    let shown = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(shown.contains("commands inside the set of healthy"), "{shown}");
+}
+
 /// A scaled density scales all three.
 #[test]
 fn density_scales_every_axis() {
