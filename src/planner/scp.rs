@@ -57,7 +57,7 @@ use std::sync::Arc;
 use subproblem::{Objective, Step, change};
 
 /// By how much the thrust over mass may rise more in a wind between the extreme ones than these show, m/s^2: the largest
-/// second-order term of the thrust about hover, (90e) of `docs/method.md`; with isotropic drag that of |c|. An interval of winds has the same drag along x and y.
+/// second-order term of the thrust about hover, (90f) of `docs/method.md`; with isotropic drag that of |c|. An interval of winds has the same drag along x and y.
 fn largest_curvature_of_thrust(environment: &Environment) -> f64 {
     let [x, _, z] = environment.drag_rates;
     let changes = environment.wind_spread.map(|spread| (x * spread).powi(2));

@@ -63,7 +63,7 @@ pub enum Row {
 /// down, ZYX angles jump, and the direction of a vanishing thrust is undefined.
 pub const UPRIGHT: f64 = 0.1;
 
-/// (90f): where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this times g^2.
+/// (90e): where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this times g^2.
 pub const LEAST_PRODUCT: f64 = 0.5 * UPRIGHT * UPRIGHT;
 
 /// All that a program depends on, except its objective and the choice of rows.

@@ -1,4 +1,4 @@
-//! The upright rule of the exact model, (68) of `docs/method.md`, and (90f) where the drag differs along x and y.
+//! The upright rule of the exact model, (68) of `docs/method.md`, and (90e) where the drag differs along x and y.
 
 use crate::flatness::rotor_drag::Attitude;
 use crate::model::Environment;
@@ -13,7 +13,7 @@ impl Transcription<'_> {
     pub(super) fn upright(&self, builder: &mut Builder, instant: usize, widening: &Widening) {
         // The vertical part does not depend on the horizontal wind.
         let Some(wind) = self.winds.last() else { return };
-        // Where the drag differs along x and y, one row for each of alpha and beta (90f).
+        // Where the drag differs along x and y, one row for each of alpha and beta (90e).
         let [x, y, _] = wind.drag_rates;
         let rates = if wind.turns_alike() { vec![x] } else { vec![x, y] };
         for rate in rates {
