@@ -14,6 +14,7 @@ pub mod heading;
 pub mod indistinguishable;
 mod knowledge;
 pub mod loss;
+pub mod reduced_attitude;
 pub mod reference;
 pub mod rotors;
 mod sensors;
@@ -175,6 +176,8 @@ pub struct Flight {
     pub max_tilt: f64,
     /// Heading errors.
     pub heading: HeadingErrors,
+    /// When yaw was first given up on purpose, s since the start; `None` if it never was.
+    pub gave_up_yaw_at: Option<f64>,
     /// The detection of each fault that struck before the end.
     pub found: Vec<FaultDetection>,
     /// How often a healthy rotor was believed to have a capacity below 0.7 for longer than 0.1 s.
@@ -235,6 +238,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut wrench = Wrench::zeros();
     let mut wanted = Wrench::zeros();
     let mut duration = sortie.duration;
+    let mut momentum = 0.0;
+    let mut gave_up_yaw_at = None;
     let mut step = 0usize;
     let outcome = loop {
         let t = step as f64 / simulation.rate;
@@ -256,6 +261,11 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             let measured = sensors.measure(&body, &mut random);
             if knowledge.update(t, tick, &measured, &allocator) {
                 allocator.believe(&knowledge.belief);
+                watch.gave_up_yaw = knowledge.fault_known
+                    && reduced_attitude::gives_up_yaw(&allocator, &knowledge.hover, &knowledge.belief);
+                if watch.gave_up_yaw && gave_up_yaw_at.is_none() {
+                    gave_up_yaw_at = Some(t);
+                }
             }
             if knowledge.fault_known && simulation.after_fault != AfterFault::Continue && !watch.is_stopping {
                 let lands = simulation.after_fault == AfterFault::Land;
@@ -279,8 +289,15 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 0 => (aimed.acceleration + nalgebra::Vector3::z() * frame.gravity).norm(),
                 _ => knowledge.thrust() / frame.mass,
             };
-            wanted = control::control(simulation.controller, &frame, &simulation.gains, &measured, force, &aimed);
-            allocator.speeds(&wanted, &mut rotors.command);
+            let gains = &simulation.gains;
+            if watch.gave_up_yaw {
+                let lag = knowledge.lag();
+                wanted = reduced_attitude::control(&frame, gains, &measured, force, &aimed, lag, momentum);
+                allocator.bounded_speeds(&wanted, &mut rotors.command);
+            } else {
+                wanted = control::control(simulation.controller, &frame, gains, &measured, force, &aimed);
+                allocator.speeds(&wanted, &mut rotors.command);
+            }
             knowledge.probe(&mut rotors.command);
             knowledge.command(&rotors.command);
             if step == 0 {
@@ -303,12 +320,12 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 record(&sample);
             }
         }
-        let begin = wrench;
+        let begin = (wrench, momentum);
         rotors.half_step();
-        let middle = rotors.wrench();
+        let middle = (rotors.wrench(), rotors.momentum());
         rotors.half_step();
-        wrench = rotors.wrench();
-        body.step(&frame, h, [&begin, &middle, &wrench], &blowing);
+        (wrench, momentum) = (rotors.wrench(), rotors.momentum());
+        body.step_with(&frame, h, [&begin.0, &middle.0, &wrench], [begin.1, middle.1, momentum], &blowing);
         step += 1;
     };
     let end = step as f64 / simulation.rate;
@@ -326,6 +343,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         rms_error_after: watch.rms_error_after(),
         max_tilt: watch.max_tilt,
         heading: watch.heading_errors(),
+        gave_up_yaw_at,
         found,
         false_alarms,
         refused,

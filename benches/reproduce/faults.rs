@@ -8,7 +8,7 @@ use super::specs;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::edge::{EDGE, Place};
 use mavc::admissible::verdict::{ModeAnalysis, Verdict, analyze_all};
-use mavc::model::Model;
+use mavc::model::{Model, Spread, YawDrag};
 
 /// One unit of the paper's last digit, and rounding.
 pub const LAST_DIGIT: f64 = 0.0101;
@@ -28,7 +28,9 @@ fn explanation() -> String {
          paper follows from its zeros. The margin is the signed distance from hover to the boundary of the set in \
          the plain (N, N m) norm (the index of Du and Quan; outside the set it is that of the most violated facet), \
          or `flat` if the set has no interior. The last mass is the heaviest that can hover with all four components \
-         held.",
+         held. The paper has no counterpart to the column on yaw given up: how the vehicle hovers then, and the largest \
+         roll and pitch torque in N m that it gives in every direction ([method](method.md#17-without-yaw)). Whether a spin \
+         helps is decided with a yaw drag of 2.75e-3 N m s/rad, which the paper does not give.",
     ) + &paragraph(&format!(
         "A row agrees if the verdict is the same and no component differs by more than one unit of the paper's last \
          digit (0.01). The least residual of a bounded least-squares problem is unique, so a printed vector longer \
@@ -39,6 +41,9 @@ fn explanation() -> String {
         fixed(norm(&printed.full[1..]), 3),
     ))
 }
+
+/// The yaw drag of every vehicle, N m s/rad: that of a published quadcopter (Mueller and D'Andrea, ICRA 2014).
+const YAW_DRAG: f64 = 2.75e-3;
 
 /// A vehicle with its sets and the analysis of hover in each.
 struct Study {
@@ -52,7 +57,8 @@ impl Study {
         Self::of_model(specs::vehicle(vehicle))
     }
 
-    fn of_model(model: Model) -> Self {
+    fn of_model(mut model: Model) -> Self {
+        model.vehicle.yaw_drag = Some(YawDrag { linear: YAW_DRAG, spread: Spread::NONE, quadratic: 0.0 });
         let sets = AdmissibleSet::all(&model);
         let found = analyze_all(&model, &sets);
         Study { model, sets, found }
@@ -98,6 +104,7 @@ fn section(paper: &Table) -> String {
         "verdict",
         "margin",
         "heaviest kg",
+        "yaw given up",
         "row",
     ];
     let note = printed_twelve.as_ref().map(|t| two_matrices(paper, &study, t)).unwrap_or_default();
@@ -156,8 +163,15 @@ fn cells(row: &Row, found: &ModeAnalysis, judged: String) -> Vec<String> {
         found.verdict.name().into(),
         found.acai.map_or("flat".into(), |a| fixed(a, 4)),
         found.critical_mass_kg.map_or_else(none, |m| fixed(m, 3)),
+        without_yaw(found),
         judged,
     ]
+}
+
+/// `interior, 1.162`: how the mode hovers with yaw given up, and its disc in N m.
+fn without_yaw(found: &ModeAnalysis) -> String {
+    let disc = found.without_yaw.as_ref().map_or_else(String::new, |w| format!(", {}", fixed(w.disc_n_m, 3)));
+    format!("{}{disc}", found.yaw_free.word())
 }
 
 /// Why the paper's verdict differs, if another reading of (31) explains it.

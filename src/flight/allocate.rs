@@ -102,14 +102,23 @@ impl Allocator {
     /// Writes the rotor speeds (rad/s) for a wrench (N and N m) to `speeds` (n). A rotor believed lost gets its lowest
     /// speed, a stuck one the speed at which it is stuck.
     pub fn speeds(&mut self, wrench: &Wrench, speeds: &mut [f64]) {
+        self.speeds_by(self.method, wrench, speeds);
+    }
+
+    /// The same by bounded allocation, whatever the vehicle's method: with yaw given up.
+    pub(super) fn bounded_speeds(&mut self, wrench: &Wrench, speeds: &mut [f64]) {
+        self.speeds_by(Allocation::Bounded, wrench, speeds);
+    }
+
+    fn speeds_by(&mut self, method: Allocation, wrench: &Wrench, speeds: &mut [f64]) {
         let mut wanted = wrench.component_div(&self.extent) - self.shift;
         let bounds = Bounds { least: &self.least, most: &WHOLE };
         // No vehicle produces more yaw torque than this. A larger demand would only trade thrust for yaw.
-        if self.method == Allocation::Bounded {
+        if method == Allocation::Bounded {
             wanted[3] = wanted[3].clamp(-1.0, 1.0);
             self.lambda = bounded(&self.columns, bounds, &wanted, &WEIGHTS.into(), self.lambda);
         }
-        let (rows, by) = match self.method {
+        let (rows, by) = match method {
             Allocation::Bounded => (&self.columns, &self.lambda),
             Allocation::PseudoInverse => (&self.inverse, &wanted),
         };
@@ -119,9 +128,23 @@ impl Allocator {
         }
     }
 
+    /// Sum of the absolute wrenches of all rotors at full thrust: N, N m, N m, N m.
+    pub(super) fn extent(&self) -> &Wrench {
+        &self.extent
+    }
+
     /// The norm of the part of a wrench's thrust, roll and pitch that rotors within their bounds cannot produce under a
     /// belief, each as a share of its largest value. Yaw is left free.
     pub fn missing(&self, wrench: &Wrench, belief: &Belief) -> f64 {
+        self.missing_part(wrench, belief, Wrench::new(1e6, 1e6, 1e6, 1e-3)).fixed_rows::<3>(0).norm()
+    }
+
+    /// The same with yaw as well.
+    pub(super) fn missing_all(&self, wrench: &Wrench, belief: &Belief) -> f64 {
+        self.missing_part(wrench, belief, Wrench::repeat(1e6)).norm()
+    }
+
+    fn missing_part(&self, wrench: &Wrench, belief: &Belief, weights: Wrench) -> Wrench {
         let mut wanted = wrench.component_div(&self.extent);
         let mut columns = [Wrench::zeros(); MOST_ROTORS];
         for (k, full) in self.full.iter().enumerate() {
@@ -131,10 +154,9 @@ impl Allocator {
             }
         }
         let columns = &columns[..self.full.len()];
-        let weights = Wrench::new(1e6, 1e6, 1e6, 1e-3);
         let bounds = Bounds { least: &self.least, most: &WHOLE };
         let lambda = bounded(columns, bounds, &wanted, &weights, Wrench::zeros());
         let given = columns.iter().enumerate().map(|(k, b)| b * bounds.clip(k, b.dot(&lambda))).sum::<Wrench>();
-        (wanted - given).fixed_rows::<3>(0).norm()
+        wanted - given
     }
 }

@@ -2,7 +2,7 @@
 //! section 1).
 
 use crate::actuation::Wrench;
-use crate::model::Model;
+use crate::model::{Model, YawDrag};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The constants of the rigid body.
@@ -16,6 +16,8 @@ pub struct Frame {
     pub gravity: f64,
     /// Linear drag along the axes of the body, N s/m.
     pub drag: Vector3<f64>,
+    /// Drag about z; `None` if the spec gives none.
+    pub yaw_drag: Option<YawDrag>,
 }
 
 impl Frame {
@@ -25,6 +27,7 @@ impl Frame {
             mass: model.vehicle.mass,
             inertia: model.vehicle.inertia.into(),
             gravity: model.gravity,
+            yaw_drag: model.vehicle.yaw_drag,
             drag: model.simulation.drag.into(),
         }
     }
@@ -87,10 +90,12 @@ impl Body {
     /// p' = v                                                    (3)
     /// v' = (T/m) R e_3 - g e_3 - R D R^T (v - v_air)/m          (7) and (8) in the world frame
     /// q' = q (0, omega)/2                                       (5) and (6) without their singular angle
-    /// omega' = J^-1 (tau - omega x J omega)                     (9)
+    /// omega' = J^-1 (tau - D(r) e_3 - omega x (J omega + h))    (9)
     /// ```
-    pub fn derivative(&self, frame: &Frame, wrench: &Wrench, air: &Vector3<f64>) -> Body {
-        let Frame { mass, inertia, gravity, drag } = *frame;
+    ///
+    /// `momentum` is h, that of the rotors about z (N m s), and D the yaw drag; (9) has neither.
+    pub fn derivative(&self, frame: &Frame, wrench: &Wrench, momentum: f64, air: &Vector3<f64>) -> Body {
+        let Frame { mass, inertia, gravity, drag, yaw_drag } = *frame;
         let through = self.velocity - air;
         let slowing = match drag.x == drag.y && drag.y == drag.z {
             true => through * (drag.x / mass),
@@ -102,13 +107,17 @@ impl Body {
         let mut acceleration = self.up() * (wrench[0] / mass) - slowing;
         acceleration.z -= gravity;
         let spin = Quaternion::from_parts(0.0, 0.5 * self.rates);
-        let torque = Vector3::new(wrench[1], wrench[2], wrench[3]);
-        let momentum = inertia.component_mul(&self.rates);
+        let mut torque = Vector3::new(wrench[1], wrench[2], wrench[3]);
+        if let Some(drag) = yaw_drag {
+            torque.z -= drag.torque(self.rates.z);
+        }
+        let mut angular = inertia.component_mul(&self.rates);
+        angular.z += momentum;
         Body {
             position: self.velocity,
             velocity: acceleration,
             attitude: self.attitude * spin,
-            rates: (torque - self.rates.cross(&momentum)).component_div(&inertia),
+            rates: (torque - self.rates.cross(&angular)).component_div(&inertia),
         }
     }
 
@@ -124,11 +133,17 @@ impl Body {
 
     /// Advances the state by one classical fourth-order Runge-Kutta step of `h` s with the wrenches (N and N m) at its
     /// start, middle and end. The quaternion is normalised afterwards.
-    pub fn step(&mut self, frame: &Frame, h: f64, [start, middle, end]: [&Wrench; 3], air: &Vector3<f64>) {
-        let k1 = self.derivative(frame, start, air);
-        let k2 = self.along(&k1, 0.5 * h).derivative(frame, middle, air);
-        let k3 = self.along(&k2, 0.5 * h).derivative(frame, middle, air);
-        let k4 = self.along(&k3, h).derivative(frame, end, air);
+    pub fn step(&mut self, frame: &Frame, h: f64, wrenches: [&Wrench; 3], air: &Vector3<f64>) {
+        self.step_with(frame, h, wrenches, [0.0; 3], air);
+    }
+
+    /// [`Body::step`] with the momenta of the rotors about z (N m s) at the same instants.
+    pub fn step_with(&mut self, frame: &Frame, h: f64, wrenches: [&Wrench; 3], momenta: [f64; 3], air: &Vector3<f64>) {
+        let slope = |body: &Body, i: usize| body.derivative(frame, wrenches[i], momenta[i], air);
+        let k1 = slope(self, 0);
+        let k2 = slope(&self.along(&k1, 0.5 * h), 1);
+        let k3 = slope(&self.along(&k2, 0.5 * h), 1);
+        let k4 = slope(&self.along(&k3, h), 2);
         let sixth = h / 6.0;
         self.position += (k1.position + (k2.position + k3.position) * 2.0 + k4.position) * sixth;
         self.velocity += (k1.velocity + (k2.velocity + k3.velocity) * 2.0 + k4.velocity) * sixth;

@@ -64,19 +64,18 @@ fn pd(frame: &Frame, gains: &Gains, measured: &Body, reference: &Reference) -> W
     Wrench::new(thrust, torque.x, torque.y, torque.z)
 }
 
-/// Geometric tracking control on SE(3): T. Lee, M. Leok, N. H. McClamroch, *Geometric tracking control of a quadrotor
-/// UAV on SE(3)*, CDC 2010, equations (12), (15) and (16), with z up:
+/// The force over mass (m/s^2, world frame) that the geometric controllers demand, with its first two time derivatives: F/m of
+/// [`geometric`].
 ///
-/// ```text
-/// F/m = -k_x e_x - k_v e_v + g e_3 + x_d''     b_3d = F/|F|     T = F . R e_3
-/// e_R = (R_d' R - R' R_d)^vee / 2              e_w = w - R' R_d w_d
-/// M = -J (k_R e_R + k_w e_w) + w x J w - J (w^ R' R_d w_d - R' R_d w_d')
-/// ```
-///
-/// where R' is a transpose and w_d' a time derivative. The derivatives of F use the errors of acceleration and jerk,
-/// which follow from the present thrust and the measured rates. Feedback on position and velocity is limited to half of
-/// g.
-fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, reference: &Reference) -> Wrench {
+/// The derivatives use the errors of acceleration and jerk, which follow from the present thrust over mass `force` (m/s^2) and
+/// the measured rates. Feedback on position and velocity is limited to half of g.
+pub(super) fn demanded_force(
+    frame: &Frame,
+    gains: &Gains,
+    measured: &Body,
+    force: f64,
+    reference: &Reference,
+) -> [Vector3<f64>; 3] {
     let kx = Vector3::new(gains.position, gains.position, gains.altitude);
     let kv = Vector3::new(gains.velocity, gains.velocity, gains.climb);
     let rotation = measured.rotation().to_rotation_matrix();
@@ -103,7 +102,25 @@ fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, referenc
     let turning = r * w.cross(&e3);
     let jerk = turning * force + up * (f1.dot(&up) + f.dot(&turning));
     let back2 = if is_far { Vector3::zeros() } else { feedback(&e[2], &(reference.jerk - jerk)) };
-    let f2 = reference.snap + back2;
+    [f, f1, reference.snap + back2]
+}
+
+/// Geometric tracking control on SE(3): T. Lee, M. Leok, N. H. McClamroch, *Geometric tracking control of a quadrotor
+/// UAV on SE(3)*, CDC 2010, equations (12), (15) and (16), with z up:
+///
+/// ```text
+/// F/m = -k_x e_x - k_v e_v + g e_3 + x_d''     b_3d = F/|F|     T = F . R e_3
+/// e_R = (R_d' R - R' R_d)^vee / 2              e_w = w - R' R_d w_d
+/// M = -J (k_R e_R + k_w e_w) + w x J w - J (w^ R' R_d w_d - R' R_d w_d')
+/// ```
+///
+/// where R' is a transpose and w_d' a time derivative ([`demanded_force`] has F).
+fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, reference: &Reference) -> Wrench {
+    let [f, f1, f2] = demanded_force(frame, gains, measured, force, reference);
+    let rotation = measured.rotation().to_rotation_matrix();
+    let r: &Matrix3<f64> = rotation.matrix();
+    let up: Vector3<f64> = r.column(2).into();
+    let w = measured.rates;
     let thrust = frame.mass * f.dot(&up);
     // A demanded force near zero has no meaningful direction, so the vehicle keeps its attitude.
     let small = f.norm() < 0.05 * frame.gravity;
@@ -137,7 +154,7 @@ pub fn start(frame: &Frame, reference: &Reference) -> Body {
 }
 
 /// v/|v| and its first two time derivatives, from v and its first two.
-fn direction([v, v1, v2]: [Vector3<f64>; 3]) -> [Vector3<f64>; 3] {
+pub(super) fn direction([v, v1, v2]: [Vector3<f64>; 3]) -> [Vector3<f64>; 3] {
     let n = v.norm();
     let u = v / n;
     let n1 = u.dot(&v1);

@@ -63,7 +63,7 @@ pub(super) struct Knowledge<'a> {
     hover_speed: Vec<f64>,
     /// The belief that the current estimate suggests.
     proposal: Belief,
-    hover: Wrench,
+    pub(super) hover: Wrench,
     found: Vec<FaultDetection>,
     /// The believed capacities at each fault: n entries for each.
     at_strike: Vec<f64>,
@@ -287,6 +287,14 @@ impl<'a> Knowledge<'a> {
     pub(super) fn thrust(&self) -> f64 {
         let rotors = self.belief.capacity.iter().zip(&self.thrust_coefficient).zip(&self.modelled);
         rotors.map(|((theta, b), w)| theta * b * w * w).sum()
+    }
+
+    /// The mean time constant of the rotors that are believed to give thrust, s.
+    pub(super) fn lag(&self) -> f64 {
+        let rotors = self.model.vehicle.rotors.iter().zip(&self.belief.capacity);
+        let working = rotors.filter(|(_, capacity)| **capacity > 0.0);
+        let (count, sum) = working.fold((0, 0.0), |(count, sum), (rotor, _)| (count + 1, sum + rotor.lag()));
+        if count == 0 { 0.0 } else { sum / f64::from(count) }
     }
 
     /// Rank and condition number of the estimator's regressor; `None` without an estimator or before its first sample.

@@ -93,6 +93,8 @@ pub(super) struct Watch {
     headings: Collector,
     /// Whether a stop has begun.
     pub(super) is_stopping: bool,
+    /// Whether yaw has been given up on purpose, so that the heading error loses no vehicle.
+    pub(super) gave_up_yaw: bool,
     /// Whether the vehicle may touch the ground.
     pub(super) may_land: bool,
     /// Largest distance from the reference position, m.
@@ -119,6 +121,7 @@ impl Watch {
             heading: Heading::default(),
             headings: Collector::default(),
             is_stopping: false,
+            gave_up_yaw: false,
             may_land: false,
             max_error: 0.0,
             max_tilt: 0.0,
@@ -145,7 +148,7 @@ impl Watch {
         self.max_tilt = self.max_tilt.max(tilt);
         if body.position.z <= self.ground {
             let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
-            return match (self.may_land && soft, self.patience.is_off(self.heading.error())) {
+            return match (self.may_land && soft, self.is_off_its_heading()) {
                 (false, _) => lost(Cause::Ground),
                 (true, true) => Some(Outcome::Lost { at: t, cause: Cause::Heading, at_end: true }),
                 (true, false) => Some(Outcome::Landed { at: t }),
@@ -165,14 +168,22 @@ impl Watch {
         if self.upside_down_for > self.upside_down {
             return lost(Cause::UpsideDown);
         }
+        if self.gave_up_yaw {
+            return None;
+        }
         if self.patience.is_over(self.heading.error(), self.period) { lost(Cause::Heading) } else { None }
+    }
+
+    /// Whether the heading error alone would lose the vehicle now.
+    fn is_off_its_heading(&self) -> bool {
+        !self.gave_up_yaw && self.patience.is_off(self.heading.error())
     }
 
     /// The outcome of a flight whose duration has elapsed. A vehicle that is upside down or off its heading now is
     /// lost, for however short a time it has been so.
     pub(super) fn end(&self, t: f64, body: &Body) -> Outcome {
         let lost = |cause| Outcome::Lost { at: t, cause, at_end: true };
-        match (body.tilt() > FRAC_PI_2, self.patience.is_off(self.heading.error())) {
+        match (body.tilt() > FRAC_PI_2, self.is_off_its_heading()) {
             (true, _) => lost(Cause::UpsideDown),
             (false, true) => lost(Cause::Heading),
             (false, false) => Outcome::Flown,

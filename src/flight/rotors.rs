@@ -2,13 +2,17 @@
 //! faults reduce both (`docs/flight.md`, section 1, "Motors").
 
 use crate::actuation::{Actuation, Wrench};
-use crate::model::{FaultMode, Model};
+use crate::model::{FaultMode, Model, Spin};
 
 /// The state of the n rotors of a vehicle in flight.
 #[derive(Debug, Clone)]
 pub struct Rotors {
     /// Columns of A: wrench per squared speed.
     columns: Vec<Wrench>,
+    /// Moment of inertia of each rotor, kg m^2; below zero for one that turns clockwise. Empty if all are 0.
+    inertia: Vec<f64>,
+    /// Time constants, s.
+    lag: Vec<f64>,
     /// Largest speeds, rad/s.
     pub max_speed: Vec<f64>,
     /// Factor by which the difference of speed and command decays in half a step: exp(-h / (2 time constant)).
@@ -34,6 +38,11 @@ impl Rotors {
                 .column_iter()
                 .map(nalgebra::Matrix::into_owned)
                 .collect(),
+            inertia: match rotors.iter().all(|r| r.inertia == 0.0) {
+                true => Vec::new(),
+                false => rotors.iter().map(|r| if r.spin == Spin::P { r.inertia } else { -r.inertia }).collect(),
+            },
+            lag: rotors.iter().map(crate::model::Rotor::lag).collect(),
             max_speed: rotors.iter().map(|r| r.max_speed).collect(),
             remaining: rotors.iter().map(|r| (-0.5 * h / r.lag()).exp()).collect(),
             speed: vec![0.0; n],
@@ -77,9 +86,21 @@ impl Rotors {
         }
     }
 
-    /// The wrench A diag(theta) Omega_s of (32), N and N m.
+    /// The wrench A diag(theta) Omega_s of (32), N and N m, with the reaction to rotors whose speed changes.
     pub fn wrench(&self) -> Wrench {
         let rotors = self.columns.iter().zip(&self.capacity).zip(&self.speed);
-        rotors.fold(Wrench::zeros(), |sum, ((column, theta), w)| sum + column * (theta * w * w))
+        let mut wrench = rotors.fold(Wrench::zeros(), |sum, ((column, theta), w)| sum + column * (theta * w * w));
+        for (k, inertia) in self.inertia.iter().enumerate() {
+            if self.stuck[k].is_none() && self.capacity[k] > 0.0 {
+                wrench[3] -= inertia * (self.command[k] - self.speed[k]) / self.lag[k];
+            }
+        }
+        wrench
+    }
+
+    /// The momentum of the rotors about z, N m s. A lost rotor stands still.
+    pub fn momentum(&self) -> f64 {
+        let turning = |(k, inertia): (usize, &f64)| if self.capacity[k] > 0.0 { inertia * self.speed[k] } else { 0.0 };
+        self.inertia.iter().enumerate().map(turning).sum()
     }
 }

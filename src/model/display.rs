@@ -129,9 +129,8 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
                 write!(f, ", {what}{}", between(spread))?;
             }
         }
-        match r.time_constant {
-            Some(time) => write!(f, ", time constant {} s", number(time))?,
-            None => {}
+        if let Some(time) = r.time_constant {
+            write!(f, ", time constant {} s", number(time))?;
         }
         match r.inertia > 0.0 {
             true => writeln!(f, ", rotor_inertia {} kg*m^2", number(r.inertia))?,

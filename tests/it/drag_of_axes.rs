@@ -115,6 +115,7 @@ fn a_rigid_body_flies_the_wrench() {
     for rates in RATES {
         let environment = air(rates);
         let frame = Frame {
+            yaw_drag: None,
             mass: vehicle.mass,
             inertia: vehicle.inertia.into(),
             gravity: environment.gravity,
