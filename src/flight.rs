@@ -32,6 +32,7 @@ use loss::Watch;
 pub use loss::{Cause, Outcome};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
+use reduced_attitude::WithoutYaw;
 use reference::{Course, DESCENT, Reference, Stop};
 use rotors::Rotors;
 use sensors::Sensors;
@@ -239,6 +240,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut wanted = Wrench::zeros();
     let mut duration = sortie.duration;
     let mut momentum = 0.0;
+    let mut without_yaw: Option<WithoutYaw> = None;
     let mut gave_up_yaw_at = None;
     let mut step = 0usize;
     let outcome = loop {
@@ -261,11 +263,12 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             let measured = sensors.measure(&body, &mut random);
             if knowledge.update(t, tick, &measured, &allocator) {
                 allocator.believe(&knowledge.belief);
-                watch.gave_up_yaw = knowledge.fault_known
-                    && reduced_attitude::gives_up_yaw(&allocator, &knowledge.hover, &knowledge.belief);
-                if watch.gave_up_yaw && gave_up_yaw_at.is_none() {
-                    gave_up_yaw_at = Some(t);
-                }
+                without_yaw = match knowledge.fault_known {
+                    true => WithoutYaw::of(&allocator, &knowledge.hover, &knowledge.belief),
+                    false => None,
+                };
+                watch.gave_up_yaw = without_yaw.is_some();
+                gave_up_yaw_at = gave_up_yaw_at.or(without_yaw.map(|_| t));
             }
             if knowledge.fault_known && simulation.after_fault != AfterFault::Continue && !watch.is_stopping {
                 let lands = simulation.after_fault == AfterFault::Land;
@@ -290,9 +293,9 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 _ => knowledge.thrust() / frame.mass,
             };
             let gains = &simulation.gains;
-            if watch.gave_up_yaw {
-                let lag = knowledge.lag();
-                wanted = reduced_attitude::control(&frame, gains, &measured, force, &aimed, lag, momentum);
+            if let Some(without_yaw) = &without_yaw {
+                let rotors_are = (knowledge.lag(), momentum);
+                wanted = without_yaw.control(&frame, gains, &measured, force, &aimed, rotors_are);
                 allocator.bounded_speeds(&wanted, &mut rotors.command);
             } else {
                 wanted = control::control(simulation.controller, &frame, gains, &measured, force, &aimed);

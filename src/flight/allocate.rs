@@ -4,7 +4,10 @@
 use crate::actuation::{Actuation, Wrench};
 use crate::admissible::allocation::{Bounds, MOST_ROTORS, bounded};
 use crate::admissible::pseudo_inverse;
+use crate::geometry::polytope::Polytope;
+use crate::geometry::zonotope::Zonotope;
 use crate::model::{Allocation, Model};
+use nalgebra::Vector3;
 
 /// Weights on the missing part of T, tau_x, tau_y and tau_z, as shares of the largest value of each, relative to 1 on
 /// the rotors' shares of full thrust. Yaw is given up first, then thrust, then roll and pitch.
@@ -131,6 +134,24 @@ impl Allocator {
     /// Sum of the absolute wrenches of all rotors at full thrust: N, N m, N m, N m.
     pub(super) fn extent(&self) -> &Wrench {
         &self.extent
+    }
+
+    /// The set of (T, tau_x, tau_y) that rotors within their bounds produce under a belief, N and N m.
+    pub(super) fn without_yaw(&self, belief: &Belief) -> Polytope<3, ()> {
+        let part = |w: &Wrench| w.component_mul(&self.extent).fixed_rows::<3>(0).into_owned();
+        let mut offset = Vector3::zeros();
+        let mut generators = Vec::with_capacity(self.full.len());
+        for (k, full) in self.full.iter().enumerate() {
+            let (full, capacity) = (part(full), belief.capacity[k]);
+            match belief.stuck[k] {
+                Some(share) => offset += full * (share * capacity),
+                None => {
+                    offset += full * (self.least[k] * capacity);
+                    generators.push(full * ((1.0 - self.least[k]) * capacity));
+                }
+            }
+        }
+        Zonotope { offset, generators }.facets().without_origins()
     }
 
     /// The norm of the part of a wrench's thrust, roll and pitch that rotors within their bounds cannot produce under a

@@ -1,5 +1,5 @@
-//! Control with yaw given up: the direction of the thrust alone is controlled, while the body turns about it as the rotors
-//! that are left make it turn (`docs/flight.md`, section 2, "Without yaw").
+//! Control with yaw given up: the direction of the thrust alone is controlled, while the body turns as the rotors that are left
+//! make it turn (`docs/flight.md`, section 2, "Without yaw").
 //!
 //! Relaxing the attitude of a vehicle with lost rotors in this way is due to M. W. Mueller and R. D'Andrea (ICRA 2014, doi
 //! 10.1109/ICRA.2014.6906588); their patent US 9,856,016 covers such flight controllers.
@@ -9,66 +9,134 @@ use super::body::{Body, Frame};
 use super::control::{demanded_force, direction};
 use super::reference::Reference;
 use crate::actuation::Wrench;
+use crate::geometry::polytope::Polytope;
 use crate::model::Gains;
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 
-/// Hover keeps all axes if thrust and torques can still change by this share of their largest values in both directions.
+/// Hover keeps all axes if each torque can still change by this share of its largest value in both directions.
 const KEPT: f64 = 0.01;
 
 /// At most this share of a wrench may be missing.
 const REACHED: f64 = 1e-3;
 
-/// Whether a vehicle that believes these capacities has no control of yaw left about hover, so that yaw is given up. `hover` is in N
-/// and N m.
-pub fn gives_up_yaw(allocator: &Allocator, hover: &Wrench, belief: &Belief) -> bool {
-    let both_ways = |axis: usize| {
-        [KEPT, -KEPT].into_iter().any(|share| {
+/// The largest tangent of the angle between the primary axis and z. A larger one leaves less of the thrust upright, a smaller one
+/// takes longer to free torques in both directions.
+const MOST_TILT: f64 = 0.35;
+
+/// Below this rate of spin (rad/s) the primary axis is z.
+const SLOW: f64 = 0.5;
+
+/// A body that gives up yaw, and the torques that its spin shall take.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WithoutYaw {
+    /// Roll and pitch torques (N m) that the rotors give about the equilibrium, in the middle of those that are possible at the
+    /// thrust of hover; 0 if torques are possible in every direction about 0.
+    bias: Vector2<f64>,
+}
+
+impl WithoutYaw {
+    /// `None` if the vehicle keeps control of all axes about hover under these beliefs. `hover` is in N and N m.
+    pub fn of(allocator: &Allocator, hover: &Wrench, belief: &Belief) -> Option<Self> {
+        let is_missing = |axis: usize, share: f64| {
             let mut wrench = *hover;
             wrench[axis] += share * allocator.extent()[axis];
             allocator.missing_all(&wrench, belief) > REACHED
-        })
-    };
-    (1..4).any(both_ways)
+        };
+        let gives_up = (1..4).any(|axis| is_missing(axis, KEPT) || is_missing(axis, -KEPT));
+        gives_up.then(|| WithoutYaw { bias: bias(&allocator.without_yaw(belief), hover[0]) })
+    }
+
+    /// The wrench (N and N m, body frame) for the direction of the thrust.
+    ///
+    /// The primary axis n of the body is that of an equilibrium at the present rate r, which balances the bias b:
+    ///
+    /// ```text
+    /// n = w0/|w0|      w0 = (b_y/((Jx - Jz) r - h), b_x/((Jz - Jy) r + h), r)      its angle from z limited
+    /// ```
+    ///
+    /// With the demanded force over mass F, its direction d, and s = R n in the world frame,
+    ///
+    /// ```text
+    /// alpha  = d x d'' + k_R angle(s, d) (s x d)/|s x d| + k_w (d x d' - R w_n)        w_n = w - (w.n) n, across n
+    /// w'     = R^T alpha - (w.n) n x w_n + l n,  with l for which r' = 0
+    /// tau    = J w' + w x (J w + h e_z)         T = m F.s/n_z
+    /// ```
+    ///
+    /// A torque that is fixed in space turns at -r in the body, faster than lagging rotors follow. So the difference u of tau to
+    /// that of the equilibrium is commanded ahead by the rotors' time constant `lag` (s): `u + lag (r u_y, -r u_x)`. The yaw torque
+    /// slows the spin as far as rotors are left for it. `momentum` is that of the rotors about z (h, N m s), and `force` the present
+    /// thrust over mass, m/s^2.
+    pub fn control(
+        &self,
+        frame: &Frame,
+        gains: &Gains,
+        measured: &Body,
+        force: f64,
+        reference: &Reference,
+        (lag, momentum): (f64, f64),
+    ) -> Wrench {
+        let inertia = frame.inertia;
+        let torque_of = |w: &Vector3<f64>| w.cross(&(inertia.component_mul(w) + Vector3::z() * momentum));
+        let w = measured.rates;
+        let steady = self.steady(&inertia, w.z, momentum);
+        let n = if w.z.abs() < SLOW { Vector3::z() } else { steady.normalize() * w.z.signum() };
+        let rotation = measured.rotation();
+        let s = rotation * n;
+        let demanded = demanded_force(frame, gains, measured, force, reference);
+        let small = demanded[0].norm() < 0.05 * frame.gravity;
+        let [d, d1, d2] = if small { [s, Vector3::zeros(), Vector3::zeros()] } else { direction(demanded) };
+        let across = w - n * w.dot(&n);
+        let axis = s.cross(&d);
+        let angle = axis.norm().atan2(s.dot(&d));
+        // Exactly upside down every axis across s will do.
+        let towards = if axis.norm() > 1e-9 { axis.normalize() * angle } else { rotation * Vector3::x() * angle };
+        let rate_error = d.cross(&d1) - rotation * across;
+        let alpha = d.cross(&d2) + towards * gains.attitude + rate_error * gains.attitude_rate;
+        let turned = rotation.inverse() * alpha - n.cross(&across) * w.dot(&n);
+        let acceleration = turned - n * (turned.z / n.z);
+        let torque = inertia.component_mul(&acceleration) + torque_of(&w);
+        let ahead = torque - torque_of(&steady);
+        let thrust = frame.mass * demanded[0].dot(&s) / n.z;
+        let [x, y] = [torque.x + lag * w.z * ahead.y, torque.y - lag * w.z * ahead.x];
+        Wrench::new(thrust, x, y, -gains.yaw_rate * inertia.z * w.z)
+    }
+
+    /// w0: the angular velocity of the equilibrium at a rate r (rad/s).
+    fn steady(&self, inertia: &Vector3<f64>, r: f64, momentum: f64) -> Vector3<f64> {
+        let (by_p, by_q) = ((inertia.x - inertia.z) * r - momentum, (inertia.z - inertia.y) * r + momentum);
+        let ratio = |torque: f64, by: f64| if torque == 0.0 || by == 0.0 { 0.0 } else { torque / by };
+        let across = Vector2::new(ratio(self.bias.y, by_p), ratio(self.bias.x, by_q));
+        let most = MOST_TILT * r.abs();
+        let across = if across.norm() > most { across * (most / across.norm()) } else { across };
+        Vector3::new(across.x, across.y, r)
+    }
 }
 
-/// The wrench (N and N m, body frame) for the direction of the thrust. With the demanded force over mass F, its direction n_d and the
-/// body's z axis s in the world frame,
-///
-/// ```text
-/// alpha = n_d x n_d'' + k_R angle(s, n_d) (s x n_d)/|s x n_d| + k_w (n_d x n_d' - s x s')    across s, in body axes (a_x, a_y, .)
-/// p'    = a_x + r q                      q'    = a_y - r p
-/// tau_x = Jx p' + (Jz - Jy) q r + h q    tau_y = Jy q' + (Jx - Jz) r p - h p    T = m F . s
-/// ```
-///
-/// h is the momentum of the rotors about z, N m s. A torque that is fixed in space turns at -r in the body, faster than lagging
-/// rotors follow, so it is commanded ahead by their time constant `lag` (s): `tau + lag (r tau_y, -r tau_x)`. The yaw torque slows the spin
-/// with the gain of the yaw rate, as far as rotors are left for it.
-pub fn control(
-    frame: &Frame,
-    gains: &Gains,
-    measured: &Body,
-    force: f64,
-    reference: &Reference,
-    lag: f64,
-    momentum: f64,
-) -> Wrench {
-    let demanded = demanded_force(frame, gains, measured, force, reference);
-    let s = measured.up();
-    let thrust = frame.mass * demanded[0].dot(&s);
-    let small = demanded[0].norm() < 0.05 * frame.gravity;
-    let [n, n1, n2] = if small { [s, Vector3::zeros(), Vector3::zeros()] } else { direction(demanded) };
-    let [p, q, r] = measured.rates.into();
-    let rotation = measured.rotation();
-    let turning = rotation * Vector3::new(p, q, 0.0);
-    let axis = s.cross(&n);
-    let angle = axis.norm().atan2(s.dot(&n));
-    // Exactly upside down every axis across s will do.
-    let towards = if axis.norm() > 1e-9 { axis.normalize() * angle } else { rotation * Vector3::x() * angle };
-    let alpha = n.cross(&n2) + towards * gains.attitude + (n.cross(&n1) - turning) * gains.attitude_rate;
-    let alpha = rotation.inverse() * alpha;
-    let [jx, jy, jz] = frame.inertia.into();
-    let (p1, q1) = (alpha.x + r * q, alpha.y - r * p);
-    let tau_x = jx * p1 + (jz - jy) * q * r + momentum * q;
-    let tau_y = jy * q1 + (jx - jz) * r * p - momentum * p;
-    Wrench::new(thrust, tau_x + lag * r * tau_y, tau_y - lag * r * tau_x, -gains.yaw_rate * jz * r)
+/// The middle of the roll and pitch torques that are possible at a thrust (N), if those about 0 end in some direction; N m.
+fn bias(projection: &Polytope<3, ()>, thrust: f64) -> Vector2<f64> {
+    if !projection.equalities.is_empty() {
+        return Vector2::zeros();
+    }
+    // Distance from the nearest facet in the plane of constant thrust.
+    let radius = |at: Vector2<f64>| {
+        let point = Vector3::new(thrust, at.x, at.y);
+        let distances = projection.facets.iter().filter_map(|facet| {
+            let across = facet.normal.fixed_rows::<2>(1).norm();
+            (across > 1e-9).then(|| facet.slack(&point) / across)
+        });
+        distances.fold(f64::INFINITY, f64::min)
+    };
+    let reach = projection.facets.iter().map(|facet| facet.offset.abs()).fold(0.0, f64::max);
+    let (mut middle, mut step) = (Vector2::zeros(), 0.5 * reach);
+    while step > 1e-4 * reach {
+        let ways = (0..16).map(|k| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 16.0).sin_cos();
+            middle + Vector2::new(cos, sin) * step
+        });
+        match ways.max_by(|a, b| radius(*a).total_cmp(&radius(*b))) {
+            Some(next) if radius(next) > radius(middle) => middle = next,
+            _ => step /= 2.0,
+        }
+    }
+    if radius(Vector2::zeros()) >= 0.5 * radius(middle) { Vector2::zeros() } else { middle }
 }
