@@ -214,7 +214,7 @@ fn limits_of_a_leg_bound_its_time() {
     let proof = folder.path().join("proof.json");
     let proof = proof.to_str().unwrap();
     for model in ["exact", "hover"] {
-        let plan = format!("model = {model}; samples = 60; time = 11 s; timing = optimal");
+        let plan = format!("model = {model}; samples = 20; time = 11 s; timing = optimal");
         let spec = write(folder.path(), &mission("{ speed <= 1 m/s }"), &plan);
         let (code, text) = run(&["plan", spec.to_str().unwrap(), "--certificate", proof]);
         assert_eq!(code, Some(3), "{text}");

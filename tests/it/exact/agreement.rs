@@ -114,26 +114,31 @@ fn a_comparison_shows_the_plan() {
     one_plan_at_a_time(Scope::Everything, &[PlannerKind::Rip, PlannerKind::Rcp, PlannerKind::Rsp]);
 }
 
-#[test]
-#[ignore = "long"]
-fn every_command_finds_the_same_times_in_the_order_of_the_sets() {
-    commands_agree(&random_mission(0), 24);
-}
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
 
-/// Times 1.02 to 2 times the shortest, without lower bounds on rates. `benches/longer.py` tries 200 missions.
-#[test]
-#[ignore = "long"]
-fn longer_times_have_plans() {
-    let asked = |seed: u64| -> Vec<(u64, f64)> {
-        let mission = random_mission(seed);
-        let shortest = solved(last(&found(&free(mission.clone(), PlannerKind::Rip), Scope::Plan))).time;
-        let is_missed = |factor: &f64| {
-            let mut model = free(mission.clone(), PlannerKind::Rip);
-            model.plan.time = MissionTime::Fixed(factor * shortest);
-            !matches!(last(&found(&model, Scope::Plan)).outcome, PlanOutcome::Planned(_))
+    #[test]
+    #[ignore = "long"]
+    fn every_command_finds_the_same_times_in_the_order_of_the_sets() {
+        commands_agree(&random_mission(0), 24);
+    }
+
+    /// Times 1.02 to 2 times the shortest, without lower bounds on rates. `benches/longer.py` tries 200 missions.
+    #[test]
+    #[ignore = "long"]
+    fn longer_times_have_plans() {
+        let asked = |seed: u64| -> Vec<(u64, f64)> {
+            let mission = random_mission(seed);
+            let shortest = solved(last(&found(&free(mission.clone(), PlannerKind::Rip), Scope::Plan))).time;
+            let is_missed = |factor: &f64| {
+                let mut model = free(mission.clone(), PlannerKind::Rip);
+                model.plan.time = MissionTime::Fixed(factor * shortest);
+                !matches!(last(&found(&model, Scope::Plan)).outcome, PlanOutcome::Planned(_))
+            };
+            [1.02, 1.05, 1.1, 1.3, 2.0].into_iter().filter(is_missed).map(|factor| (seed, factor)).collect()
         };
-        [1.02, 1.05, 1.1, 1.3, 2.0].into_iter().filter(is_missed).map(|factor| (seed, factor)).collect()
-    };
-    let missed: Vec<(u64, f64)> = (0..4).into_par_iter().flat_map(asked).collect();
-    assert!(missed.is_empty(), "of 20 times: {missed:?}");
+        let missed: Vec<(u64, f64)> = (0..4).into_par_iter().flat_map(asked).collect();
+        assert!(missed.is_empty(), "of 20 times: {missed:?}");
+    }
 }
