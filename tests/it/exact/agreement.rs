@@ -78,15 +78,6 @@ fn commands_agree(mission: &Mission, samples: usize) {
     }
 }
 
-/// With one leg there is nothing to choose but the mission time; RIP's own search ends longer than RCP's here.
-#[test]
-#[ignore = "long"]
-fn a_single_leg_has_the_same_time_in_every_command() {
-    let mut leg = mission(vec![waypoint([0.0, 0.0, 5.0], 0.0), waypoint([3.8, -9.7, 8.6], 0.0)]);
-    leg.limits = vec![limit(LimitKind::Tilt, f64::to_radians(35.0))];
-    commands_agree(&leg, 16);
-}
-
 /// At a time that the spec fixes a campaign flies, and a comparison shows, the plan that `plan` writes.
 fn one_plan_at_a_time(scope: Scope, planners: &[PlannerKind]) {
     let at_30_s = |planner: PlannerKind| {
@@ -117,6 +108,15 @@ fn a_comparison_shows_the_plan() {
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
+
+    /// With one leg there is nothing to choose but the mission time; RIP's own search ends longer than RCP's here.
+    #[test]
+    #[ignore = "long"]
+    fn a_single_leg_has_the_same_time_in_every_command() {
+        let mut leg = mission(vec![waypoint([0.0, 0.0, 5.0], 0.0), waypoint([3.8, -9.7, 8.6], 0.0)]);
+        leg.limits = vec![limit(LimitKind::Tilt, f64::to_radians(35.0))];
+        commands_agree(&leg, 16);
+    }
 
     #[test]
     #[ignore = "long"]
