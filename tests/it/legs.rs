@@ -166,13 +166,6 @@ fn a_plan_keeps_its_legs() {
     plan_and_check("time = 22 s; samples = 80");
 }
 
-/// The same in the shortest time.
-#[test]
-#[ignore = "long"]
-fn the_shortest_plan_keeps_its_legs() {
-    plan_and_check("samples = 150");
-}
-
 /// A limit of one leg bounds the time of that leg: 10 m at 1 m/s after 10 m at up to 8 m/s. The bound is a certificate.
 #[test]
 fn limits_of_a_leg_bound_its_time() {
@@ -530,5 +523,12 @@ mod thorough {
         let (code, text) = run(&["verify", proof.to_str().unwrap(), spec.to_str().unwrap()]);
         // Between the nodes of this model limits are exceeded, as ever.
         assert!(code == Some(7) && text.contains("100 pieces join") && text.contains("is a plan of"), "{text}");
+    }
+
+    /// The same in the shortest time.
+    #[test]
+    #[ignore = "long"]
+    fn the_shortest_plan_keeps_its_legs() {
+        plan_and_check("samples = 150");
     }
 }

@@ -204,20 +204,6 @@ fn a_required_risk_is_kept_in_the_exact_model() {
     }
 }
 
-#[test]
-#[ignore = "long"]
-fn the_facet_passed_last_is_among_what_is_tried() {
-    // At the shortest times adding one facet is cheaper than adding all that are violated.
-    let finer = |bound: f64| {
-        let mut model = required(bound, MissionTime::Minimum);
-        model.plan.samples = 60;
-        run(&model, Scope::Plan)
-    };
-    let found = finer(0.9 * finer(0.9).trade_off[0].risk);
-    let added: Vec<&Protection> = found.trade_off.iter().map(|step| &step.added).collect();
-    assert!(matches!(added[1], Protection::Facets { facets: 1, .. }), "{added:?}");
-}
-
 /// A descent that no lost rotor can catch above the floor.
 const DROP: &str = r#"
 vehicle octo {
@@ -372,4 +358,23 @@ fn a_required_risk_is_reported_in_the_exact_model() {
     assert!(curve.last().unwrap()["risk"].as_f64().unwrap() <= bound);
     assert_eq!((&json["model"], &json["planners"][0]["verdict"]), (&"exact".into(), &"found".into()));
     assert!(text.contains("exact model") && text.contains("Protection for a risk"), "{text}");
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn the_facet_passed_last_is_among_what_is_tried() {
+        // At the shortest times adding one facet is cheaper than adding all that are violated.
+        let finer = |bound: f64| {
+            let mut model = required(bound, MissionTime::Minimum);
+            model.plan.samples = 60;
+            run(&model, Scope::Plan)
+        };
+        let found = finer(0.9 * finer(0.9).trade_off[0].risk);
+        let added: Vec<&Protection> = found.trade_off.iter().map(|step| &step.added).collect();
+        assert!(matches!(added[1], Protection::Facets { facets: 1, .. }), "{added:?}");
+    }
 }

@@ -126,20 +126,6 @@ fn a_descent_towards_other_bodies_is_committed_as_above_a_floor() {
     is_committed_as_above_a_floor(PlanModel::Hover, &[room()], 60);
 }
 
-/// The same with a floor far below: nothing is in the way.
-#[test]
-#[ignore = "long"]
-fn without_a_floor_the_descent_is_never_committed() {
-    for wrench in [PlanModel::Hover, PlanModel::Exact] {
-        let mut model = held(descent(wrench));
-        model.mission.as_mut().unwrap().limits = vec![at_least(LimitKind::Z, -200.0)];
-        let comparison = run(&model);
-        let s = solved(&comparison);
-        assert!(s.outside[0].committed() > 4.0, "{:?}", s.outside);
-        assert_eq!(s.committed, [0.0]);
-    }
-}
-
 /// In the hover model chains of integrators are null controllable however small their bounds, so without limits every plan can
 /// be stopped from everywhere: the vehicle without a rotor only needs time.
 #[test]
@@ -284,4 +270,23 @@ fn what_is_found_is_a_stop() {
 #[ignore = "long"]
 fn what_is_found_in_the_hover_model_is_a_stop() {
     [0.0, 0.8].into_iter().for_each(|yaw| finds_stops(PlanModel::Hover, yaw));
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// The same with a floor far below: nothing is in the way.
+    #[test]
+    #[ignore = "long"]
+    fn without_a_floor_the_descent_is_never_committed() {
+        for wrench in [PlanModel::Hover, PlanModel::Exact] {
+            let mut model = held(descent(wrench));
+            model.mission.as_mut().unwrap().limits = vec![at_least(LimitKind::Z, -200.0)];
+            let comparison = run(&model);
+            let s = solved(&comparison);
+            assert!(s.outside[0].committed() > 4.0, "{:?}", s.outside);
+            assert_eq!(s.committed, [0.0]);
+        }
+    }
 }

@@ -97,25 +97,6 @@ fn legs_between_fixed_times_divide_their_time_anew() {
     assert!(!matches!(last(&super::compared(&kept)).outcome, PlanOutcome::Planned(_)));
 }
 
-/// Who chooses times can choose these, so what is proved of all times is proved of these.
-#[test]
-#[ignore = "long"]
-fn a_proof_covers_every_division_of_time() {
-    let at = |mission: Mission, chooses_times: bool| {
-        let mut model = quick(mission, chooses_times);
-        model.plan.time = MissionTime::Fixed(2.3);
-        last(&super::compared(&model)).outcome.clone()
-    };
-    let legs = vec![Leg { share: 0.27 }, Leg { share: 0.73 }];
-    let given = at(Mission { legs, ..uneven() }, false);
-    let chosen = at(uneven(), true);
-    assert!(!matches!(given, PlanOutcome::Infeasible(Proof { .. })), "{given:?}");
-    assert!(
-        !matches!(chosen, PlanOutcome::Infeasible(Proof { .. })),
-        "{chosen:?}, but {given:?} with legs of 27 % and 73 %"
-    );
-}
-
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
@@ -140,5 +121,24 @@ mod thorough {
         println!("chosen {chosen}, tried {tried:?}");
         assert!(worst > 1.2 * best, "shares make no difference: {tried:?}");
         assert!(chosen <= 1.02 * best, "{chosen} s, and {best} s with shares of a grid: {tried:?}");
+    }
+
+    /// Who chooses times can choose these, so what is proved of all times is proved of these.
+    #[test]
+    #[ignore = "long"]
+    fn a_proof_covers_every_division_of_time() {
+        let at = |mission: Mission, chooses_times: bool| {
+            let mut model = quick(mission, chooses_times);
+            model.plan.time = MissionTime::Fixed(2.3);
+            last(&super::super::compared(&model)).outcome.clone()
+        };
+        let legs = vec![Leg { share: 0.27 }, Leg { share: 0.73 }];
+        let given = at(Mission { legs, ..uneven() }, false);
+        let chosen = at(uneven(), true);
+        assert!(!matches!(given, PlanOutcome::Infeasible(Proof { .. })), "{given:?}");
+        assert!(
+            !matches!(chosen, PlanOutcome::Infeasible(Proof { .. })),
+            "{chosen:?}, but {given:?} with legs of 27 % and 73 %"
+        );
     }
 }
