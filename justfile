@@ -12,9 +12,9 @@ ci:
 test NAME="":
     cargo test {{ if NAME == "" { "" } else { "--test it " + NAME } }}
 
-# The long tests.
-test-long:
-    cargo test --test it -- --ignored
+# The long tests; `very` for the very long ones.
+test-long WHICH="":
+    cargo test --test it -- --ignored {{ if WHICH == "very" { "thorough" } else { "--skip thorough" } }}
 
 # Accept what the stages print now, and show what changed.
 snapshots:

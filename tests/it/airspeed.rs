@@ -169,24 +169,26 @@ fn told(spec: &str) -> f64 {
 
 /// In a constant wind the reserve is that of hover in this wind, and takes nothing from it: plans hold position up to the airspeed
 /// without a reserve. In an interval of winds about still air they hold it up to the airspeed with the reserve.
+fn hold_position_up_to_the_airspeed(planner: &str) {
+    let [bare, kept] = [0.0, 0.1].map(|reserve| told(&hold("[0, 0, 0] m/s", reserve, planner)));
+    assert!(kept < 0.97 * bare, "{kept} {bare}");
+    let constant = |speed: f64| format!("[{speed}, 0, 0] m/s");
+    let between = |speed: f64| format!("[0, 0, 0] m/s +- [0, {speed}, 0] m/s");
+    for (reserve, wind, limit) in [
+        (0.0, &constant as &dyn Fn(f64) -> String, bare),
+        (0.1, &constant, bare),
+        (0.0, &between, bare),
+        (0.1, &between, kept),
+    ] {
+        let found = [0.99, 1.01].map(|factor| is_found(&hold(&wind(factor * limit), reserve, planner)));
+        assert_eq!(found, [true, false], "{planner} {reserve} {}", wind(limit));
+    }
+}
+
 #[test]
 #[ignore = "long"]
 fn plans_hold_position_up_to_the_airspeed() {
-    for planner in ["rip", "rcp"] {
-        let [bare, kept] = [0.0, 0.1].map(|reserve| told(&hold("[0, 0, 0] m/s", reserve, planner)));
-        assert!(kept < 0.97 * bare, "{kept} {bare}");
-        let constant = |speed: f64| format!("[{speed}, 0, 0] m/s");
-        let between = |speed: f64| format!("[0, 0, 0] m/s +- [0, {speed}, 0] m/s");
-        for (reserve, wind, limit) in [
-            (0.0, &constant as &dyn Fn(f64) -> String, bare),
-            (0.1, &constant, bare),
-            (0.0, &between, bare),
-            (0.1, &between, kept),
-        ] {
-            let found = [0.99, 1.01].map(|factor| is_found(&hold(&wind(factor * limit), reserve, planner)));
-            assert_eq!(found, [true, false], "{planner} {reserve} {}", wind(limit));
-        }
-    }
+    hold_position_up_to_the_airspeed("rip");
 }
 
 /// The report of a plan names the airspeeds of the healthy vehicle and of the modes planned against.
@@ -226,5 +228,16 @@ fn fast_plans_without_drag_have_a_caveat() {
     assert!(kinds(&spec("", 3.0)).contains(&"no_drag".to_string()));
     for (vehicle, time) in [("", 20.0), ("drag = 0 N*s/m", 3.0), ("drag = 0.35 N*s/m", 3.0)] {
         assert!(!kinds(&spec(vehicle, time)).contains(&"no_drag".to_string()), "{vehicle} {time}");
+    }
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn plans_against_a_loss_hold_position_up_to_the_airspeed() {
+        hold_position_up_to_the_airspeed("rcp");
     }
 }

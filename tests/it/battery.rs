@@ -122,14 +122,14 @@ fn power_follows_momentum_theory() {
     assert!((twice / (220.0 * 2.0_f64.powf(1.5)) - 1.0).abs() < 1e-9, "{twice}");
 }
 
-/// The energy of a plan against the trapezoidal rule on the rotor speeds of its table, fifty times finer than its nodes.
+/// The energy of a plan against the trapezoidal rule on the rotor speeds of its table, a hundred times finer than its nodes.
 #[test]
 fn the_energy_is_that_of_the_rotor_speeds_in_the_table() {
-    for settings in ["time = 5 s", "time = 5 s; model = hover"] {
+    for settings in ["time = 5 s; samples = 100", "time = 5 s; samples = 100; model = hover"] {
         let spec = octo(BATTERY, HOP, settings);
         let (model, plan) = (spec.model(), planned(&spec));
         let used = Power::of(model).unwrap().along(&plan.trajectory);
-        let rate = 50.0 * 200.0 / plan.time;
+        let rate = 100.0 * 100.0 / plan.time;
         let table = trajectory_csv::table(&plan.trajectory, model, Some(rate)).unwrap();
         let mut reader = csv::Reader::from_reader(table.as_bytes());
         let columns: Vec<usize> = (1..=8)
@@ -167,7 +167,8 @@ fn the_energy_is_that_of_the_largest_mass() {
 /// A battery without `thrust_at_empty` changes no plan; the report of the same plan has a line more, and JSON an object.
 #[test]
 fn a_battery_alone_changes_no_plan() {
-    let (without, with) = (octo("", HOP, "time = 5 s"), octo(BATTERY, HOP, "time = 5 s"));
+    let settings = "time = 8 s; samples = 30";
+    let (without, with) = (octo("", HOP, settings), octo(BATTERY, HOP, settings));
     let (plain, powered) = (planned(&without), planned(&with));
     assert_eq!(plain.trajectory, powered.trajectory);
     assert!(battery::record(without.model(), &plain.trajectory).is_none());
@@ -206,8 +207,9 @@ fn a_plan_that_leaves_too_little_is_told() {
 /// With `thrust_at_empty`, sets and plans are those of a vehicle with the full thrust at the charge `keep`.
 #[test]
 fn sets_use_full_thrust_at_the_lowest_charge() {
+    let settings = "time = 6 s; samples = 60";
     let sagging = BATTERY.replace(" }", "; keep = 30 %; thrust_at_empty = 70 % }");
-    let (full, low) = (octo(BATTERY, HOP, "time = 6 s"), octo(&sagging, HOP, "time = 6 s"));
+    let (full, low) = (octo(BATTERY, HOP, settings), octo(&sagging, HOP, settings));
     let share = 0.7 + 0.3 * 0.3;
     for (a, b) in full.model().vehicle.rotors.iter().zip(&low.model().vehicle.rotors) {
         assert!((b.max_thrust() / a.max_thrust() - share).abs() < 1e-12);
@@ -221,7 +223,7 @@ fn sets_use_full_thrust_at_the_lowest_charge() {
         6.53 * share,
         874.0 * share.sqrt()
     );
-    let written = octo_with(&rotor, "", HOP, "time = 6 s");
+    let written = octo_with(&rotor, "", HOP, settings);
     let margins = |spec: &Spec| mavc::analyze(spec).iter().map(|mode| mode.acai.unwrap()).collect::<Vec<_>>();
     for (a, b) in margins(&low).iter().zip(margins(&written)) {
         assert!((a - b).abs() < 1e-9, "{a} {b}");
@@ -253,7 +255,7 @@ fn a_weak_battery_costs_fault_modes() {
 #[test]
 fn reports_with_a_battery_are_as_their_schema_says() {
     let schema = schema("report");
-    let spec = octo(BATTERY, HOP, "time = 6 s");
+    let spec = octo(BATTERY, HOP, "time = 6 s; samples = 60");
     let planning = mavc::plan(&spec).unwrap();
     let record =
         mavc::report::record::Record::new(spec.problem().unwrap(), planning.comparison(), spec.sha256().into());
@@ -290,29 +292,18 @@ fn the_command_sets_and_shows_batteries() {
     assert!(html.contains("Charge left") && html.contains("Electrical power"));
 }
 
-/// The templates of whole missions plan and are proved: the delivery as it is written, which also survives its flight, the
-/// others by RIP, which takes less time.
-#[test]
-#[ignore = "long"]
-fn templates_plan_are_proved_and_fly() {
-    for (kind, text) in mavc::MISSION_TEMPLATES {
-        let as_written = kind == "delivery";
-        let compiler = if as_written { Compiler::new() } else { Compiler::new().set("plan.planner=rip") };
-        let spec = compiler.text("template.mav", text.as_bytes()).into_result().unwrap();
-        let planning = mavc::plan(&spec).unwrap();
-        assert_eq!(planning.verdict(), mavc::Verdict::Found, "{kind}");
-        let battery = battery::record(spec.model(), &planning.plan().unwrap().trajectory).unwrap();
-        assert!(!battery.is_short(), "{kind}: {battery:?}");
-        let certificate = serde_json::to_vec(&mavc::certify(&spec, &planning).unwrap()).unwrap();
-        let verified = mavc::verify(&certificate, &spec).unwrap();
-        assert!(verified.weaker.is_empty(), "{kind}: {:?}", verified.weaker);
-        if !as_written {
-            continue;
-        }
-        let flight = mavc::fly(&spec, &planning).unwrap();
-        let survives = matches!(flight.outcome, Outcome::Flown | Outcome::Landed { .. });
-        assert!(survives && flight.max_error < 1.0, "{kind}: {:?}, {} m", flight.outcome, flight.max_error);
-    }
+/// A template of a whole mission: its plan is found, leaves what it must of the charge, and is proved.
+fn proved_template(kind: &str, compiler: &Compiler) -> (Spec, mavc::Planning) {
+    let (_, text) = mavc::MISSION_TEMPLATES.into_iter().find(|(name, _)| *name == kind).unwrap();
+    let spec = compiler.text("template.mav", text.as_bytes()).into_result().unwrap();
+    let planning = mavc::plan(&spec).unwrap();
+    assert_eq!(planning.verdict(), mavc::Verdict::Found, "{kind}");
+    let battery = battery::record(spec.model(), &planning.plan().unwrap().trajectory).unwrap();
+    assert!(!battery.is_short(), "{kind}: {battery:?}");
+    let certificate = serde_json::to_vec(&mavc::certify(&spec, &planning).unwrap()).unwrap();
+    let verified = mavc::verify(&certificate, &spec).unwrap();
+    assert!(verified.weaker.is_empty(), "{kind}: {:?}", verified.weaker);
+    (spec, planning)
 }
 
 /// A battery built from values is the written one, and its mistakes are those of the calls.
@@ -334,4 +325,29 @@ fn batteries_are_built_from_values() {
     let told: Vec<_> = problems.iter().map(|p| (p.field.as_str(), p.code)).collect();
     assert!(told.contains(&("vehicle.battery.charge", "mavc::name::unknown_field")), "{told:?}");
     assert!(told.contains(&("vehicle.battery.keep", "mavc::vehicle::battery")), "{told:?}");
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// The delivery as it is written, which also survives its flight.
+    #[test]
+    #[ignore = "long"]
+    fn the_delivery_is_proved_and_flies() {
+        let (spec, planning) = proved_template("delivery", &Compiler::new());
+        let flight = mavc::fly(&spec, &planning).unwrap();
+        let survives = matches!(flight.outcome, Outcome::Flown | Outcome::Landed { .. });
+        assert!(survives && flight.max_error < 1.0, "{:?}, {} m", flight.outcome, flight.max_error);
+    }
+
+    /// The others by RIP, which takes less time.
+    #[test]
+    #[ignore = "long"]
+    fn the_other_templates_are_proved() {
+        let others = mavc::MISSION_TEMPLATES.map(|(kind, _)| kind).into_iter().filter(|kind| *kind != "delivery");
+        for kind in others {
+            proved_template(kind, &Compiler::new().set("plan.planner=rip"));
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use crate::cli::mavc;
 use serde_json::Value;
+use std::sync::LazyLock;
 
 const SPECS: [&str; 3] = ["examples/parcel_quad.mav", "examples/survey_hexa.mav", "examples/tower_octo.mav"];
 
@@ -28,6 +29,10 @@ fn planned(spec: &str, more: &[&str]) -> Value {
     serde_json::from_str(&printed(&[&["plan", spec, "--report", "-"], more].concat())).unwrap()
 }
 
+/// Reports that two tests look at.
+static TOWER: LazyLock<Value> = LazyLock::new(|| planned(SPECS[2], &[]));
+static SURVEY_BY_RIP: LazyLock<Value> = LazyLock::new(|| planned(SPECS[1], &["--set", "plan.planner=rip"]));
+
 /// Modes whose set the plan leaves at some instant.
 fn left(report: &Value) -> usize {
     let modes = report["planners"][0]["modes"].as_array().unwrap();
@@ -45,15 +50,17 @@ fn examples_have_no_problems_and_plans_inside_every_set() {
     assert_eq!(found, SPECS);
     for spec in SPECS {
         printed(&["check", spec, "--deny", "warnings"]);
-        assert_eq!(left(&planned(spec, &[])), 0, "{spec}");
+    }
+    let other = SPECS[..2].iter().map(|spec| planned(spec, &[]));
+    for report in other.chain([TOWER.clone()]) {
+        assert_eq!(left(&report), 0, "{}", report["mission"]);
     }
 }
 
 #[test]
 fn examples_have_something_to_guard_against() {
-    for spec in &SPECS[..2] {
-        assert!(left(&planned(spec, &["--set", "plan.planner=rip"])) > 0, "{spec}");
-    }
+    assert!(left(&planned(SPECS[0], &["--set", "plan.planner=rip"])) > 0);
+    assert!(left(&SURVEY_BY_RIP) > 0);
 }
 
 #[test]
@@ -79,7 +86,7 @@ fn a_hexacopter_s_layout_decides() {
 
 #[test]
 fn an_octocopter_keeps_to_a_bound_on_the_risk() {
-    let report = planned(SPECS[2], &[]);
+    let report = &*TOWER;
     let steps = report["trade_off"].as_array().unwrap();
     let risks: Vec<f64> = steps.iter().map(|step| step["risk"].as_f64().unwrap()).collect();
     // Without protection it would not be kept.
@@ -91,72 +98,77 @@ fn an_octocopter_keeps_to_a_bound_on_the_risk() {
 /// continues. A slow survey that keeps to four fault sets costs hardly more than one that keeps to none.
 #[test]
 fn protection_is_cheap_where_there_is_time() {
-    let cost = |planner: &str| {
-        let planner = format!("plan.planner={planner}");
-        planned("examples/survey_hexa.mav", &["--set", &planner])["planners"][0]["objective"].as_f64().unwrap()
-    };
-    let (rip, rcp) = (cost("rip"), cost("rcp"));
+    let cost = |report: &Value| report["planners"][0]["objective"].as_f64().unwrap();
+    let (rip, rcp) = (cost(&SURVEY_BY_RIP), cost(&planned(SPECS[1], &["--set", "plan.planner=rcp"])));
     assert!(rcp < 1.5 * rip, "{rcp} against {rip}");
 }
 
-/// A mission of the size that people fly, planned as it is written: RSP's time is not far above a bound that holds for every
-/// division of the time. The order of the planners' times is tested on coarser grids below.
-#[test]
-#[ignore = "long"]
-fn times_of_real_missions_are_near_their_bounds() {
-    let spec = "specs/missions/parcel_x8.mav";
-    printed(&["check", spec, "--deny", "warnings"]);
-    let report = planned(spec, &["--set", "plan.planner=rsp"]);
-    let of = |field: &str| report["planners"][0][field].as_f64().unwrap();
-    let (time, least) = (of("time_s"), of("time_lower_bound_s"));
-    assert!(time <= 107.0 && least >= 98.0 && least < time, "{least} {time}");
-}
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
 
-/// The same missions with legs that share the time by their lengths: times that were found before durations were the planner's.
-#[test]
-#[ignore = "long"]
-fn times_by_lengths_are_still_found() {
-    for (mission, before) in [("parcel_x8", 360.94), ("tower_hexa", 95.13), ("facade_hexa", 35.73)] {
-        let spec = format!("specs/missions/{mission}.mav");
-        let settings = ["--set", "plan.timing=proportional", "--set", "plan.planner=rcp"];
-        let time = planned(&spec, &settings)["planners"][0]["time_s"].as_f64().unwrap();
-        assert!(time <= 1.01 * before, "{mission}: {time} s, {before} s before");
+    /// A mission of the size that people fly, planned as it is written: RSP's time is not far above a bound that holds for every
+    /// division of the time. The order of the planners' times is tested on coarser grids below.
+    #[test]
+    #[ignore = "long"]
+    fn times_of_real_missions_are_near_their_bounds() {
+        let spec = "specs/missions/parcel_x8.mav";
+        printed(&["check", spec, "--deny", "warnings"]);
+        let report = planned(spec, &["--set", "plan.planner=rsp"]);
+        let of = |field: &str| report["planners"][0][field].as_f64().unwrap();
+        let (time, least) = (of("time_s"), of("time_lower_bound_s"));
+        assert!(time <= 107.0 && least >= 98.0 && least < time, "{least} {time}");
     }
-}
 
-/// Two specs with free durations that are shipped: in one comparison RIP's own time is at most RSP's, that at most the joint
-/// RCP's, and RCP's of one mode lies between RIP's and the joint one; `plan` finds RSP's time within 0.5 %.
-#[test]
-#[ignore = "long"]
-fn times_of_shipped_specs_are_in_order() {
-    let missions = ["ferry_octo", "survey_quad"].map(|name| format!("specs/missions/{name}.mav"));
-    let of_two = |spec: &String| {
-        let modes = modes(spec, &[]);
-        let names: Vec<&str> = modes[1..].iter().take(2).map(|mode| mode["name"].as_str().unwrap()).collect();
-        format!("plan.against=[{}]", names.join(", "))
-    };
-    for spec in &missions {
-        let against = of_two(spec);
-        let settings = ["--set", "plan.samples=60", "--set", "plan.time=minimum", "--set", &against];
-        let report = |command: &str, more: &[&str]| -> Value {
-            let args = [&[command, spec, "--report", "-"], &settings[..], more].concat();
-            serde_json::from_str(&printed(&args)).unwrap()
+    /// The same missions with legs that share the time by their lengths: times that were found before durations were the planner's.
+    #[test]
+    #[ignore = "long"]
+    fn times_by_lengths_are_still_found() {
+        for (mission, before) in [("parcel_x8", 360.94), ("tower_hexa", 95.13), ("facade_hexa", 35.73)] {
+            let spec = format!("specs/missions/{mission}.mav");
+            let settings = ["--set", "plan.timing=proportional", "--set", "plan.planner=rcp"];
+            let time = planned(&spec, &settings)["planners"][0]["time_s"].as_f64().unwrap();
+            assert!(time <= 1.01 * before, "{mission}: {time} s, {before} s before");
+        }
+    }
+
+    /// Two specs with free durations that are shipped: in one comparison RIP's own time is at most RSP's, that at most the joint
+    /// RCP's, and RCP's of one mode lies between RIP's and the joint one; `plan` finds RSP's time within 0.5 %.
+    #[test]
+    #[ignore = "long"]
+    fn times_of_shipped_specs_are_in_order() {
+        let missions = ["ferry_octo", "survey_quad"].map(|name| format!("specs/missions/{name}.mav"));
+        let of_two = |spec: &String| {
+            let modes = modes(spec, &[]);
+            let names: Vec<&str> = modes[1..].iter().take(2).map(|mode| mode["name"].as_str().unwrap()).collect();
+            format!("plan.against=[{}]", names.join(", "))
         };
-        let compared = report("compare", &[]);
-        let runs = compared["planners"].as_array().unwrap();
-        let own = |planner: &str, modes: Option<usize>| -> Vec<f64> {
-            let is_it = |run: &&Value| {
-                let of = run["against"].as_array().map_or(0, Vec::len);
-                run["name"] == planner && run["run"] == "own" && modes.is_none_or(|n| of == n)
+        for spec in &missions {
+            let against = of_two(spec);
+            let settings = ["--set", "plan.samples=60", "--set", "plan.time=minimum", "--set", &against];
+            let report = |command: &str, more: &[&str]| -> Value {
+                let args = [&[command, spec, "--report", "-"], &settings[..], more].concat();
+                serde_json::from_str(&printed(&args)).unwrap()
             };
-            runs.iter().filter(is_it).map(|run| run["time_s"].as_f64().unwrap()).collect()
-        };
-        let (rip, rsp, joint) = (own("rip", None), own("rsp", None), own("rcp", Some(2)));
-        assert!(rip.len() == 1 && rsp.len() == 1 && joint.len() == 1, "{spec}: {rip:?} {rsp:?} {joint:?}");
-        assert!(rip[0] <= rsp[0] && rsp[0] <= joint[0], "{spec}: {rip:?} {rsp:?} {joint:?}");
-        let singles = own("rcp", Some(1));
-        assert!(singles.len() == 2 && singles.iter().all(|t| rip[0] <= *t && *t <= joint[0]), "{spec}: {singles:?}");
-        let planned = report("plan", &["--set", "plan.planner=rsp"])["planners"][0]["time_s"].as_f64().unwrap();
-        assert!((planned - rsp[0]).abs() <= 5e-3 * rsp[0], "{spec}: {planned} {rsp:?}");
+            let compared = report("compare", &[]);
+            let runs = compared["planners"].as_array().unwrap();
+            let own = |planner: &str, modes: Option<usize>| -> Vec<f64> {
+                let is_it = |run: &&Value| {
+                    let of = run["against"].as_array().map_or(0, Vec::len);
+                    run["name"] == planner && run["run"] == "own" && modes.is_none_or(|n| of == n)
+                };
+                runs.iter().filter(is_it).map(|run| run["time_s"].as_f64().unwrap()).collect()
+            };
+            let (rip, rsp, joint) = (own("rip", None), own("rsp", None), own("rcp", Some(2)));
+            assert!(rip.len() == 1 && rsp.len() == 1 && joint.len() == 1, "{spec}: {rip:?} {rsp:?} {joint:?}");
+            assert!(rip[0] <= rsp[0] && rsp[0] <= joint[0], "{spec}: {rip:?} {rsp:?} {joint:?}");
+            let singles = own("rcp", Some(1));
+            assert!(
+                singles.len() == 2 && singles.iter().all(|t| rip[0] <= *t && *t <= joint[0]),
+                "{spec}: {singles:?}"
+            );
+            let planned = report("plan", &["--set", "plan.planner=rsp"])["planners"][0]["time_s"].as_f64().unwrap();
+            assert!((planned - rsp[0]).abs() <= 5e-3 * rsp[0], "{spec}: {planned} {rsp:?}");
+        }
     }
 }

@@ -310,7 +310,7 @@ fn cases(cases: u32) -> ProptestConfig {
 }
 
 proptest! {
-    #![proptest_config(cases(500))]
+    #![proptest_config(cases(200))]
 
     #[test]
     fn mangled_specs_keep_their_substance(spec in 0..SPECS.len(), choices in prop::collection::vec(any::<u8>(), 7..97)) {

@@ -166,38 +166,6 @@ fn a_plan_keeps_its_legs() {
     plan_and_check("time = 22 s; samples = 80");
 }
 
-/// The same in the shortest time.
-#[test]
-#[ignore = "long"]
-fn the_shortest_plan_keeps_its_legs() {
-    plan_and_check("samples = 150");
-}
-
-/// In the hover model limits hold at the nodes; so do those of legs, and stops are at rest.
-#[test]
-#[ignore = "long"]
-fn the_hover_model_keeps_legs_at_its_nodes() {
-    let folder = tempfile::tempdir().unwrap();
-    let spec = write(folder.path(), MISSION, "model = hover; samples = 100");
-    let [csv, proof] = ["plan.csv", "proof.json"].map(|name| folder.path().join(name));
-    let outputs = ["-o", csv.to_str().unwrap(), "--certificate", proof.to_str().unwrap()];
-    let (code, text) = run(&[&["plan", spec.to_str().unwrap()][..], &outputs].concat());
-    assert_eq!(code, Some(0), "{text}");
-    let rows = rows(&csv);
-    let near = |found: f64, most: f64| assert!(found <= most + 1e-5, "{found} of {most}");
-    near(largest(leg(&rows, 2), |r| r.p[0].hypot(r.p[1])), 0.05);
-    near(largest(leg(&rows, 2), |r| r.v[2]), 2.0);
-    near(largest(leg(&rows, 3), |r| norm(r.v)), 3.0);
-    near(largest(leg(&rows, 3), |r| r.p[1].hypot(r.p[2] - 10.0)), 0.05);
-    let [stop, arrival] = [4, 5].map(|waypoint| rows.iter().find(|r| r.waypoint == waypoint).unwrap());
-    assert_eq!((stop.v, stop.a), ([0.0; 3], [0.0; 3]));
-    assert!(arrival.v[1].hypot(arrival.v[2]).atan2(-arrival.v[0]) < 5.001f64.to_radians(), "{:?}", arrival.v);
-    assert!(largest(&rows, |r| norm(r.v)) > 5.0);
-    let (code, text) = run(&["verify", proof.to_str().unwrap(), spec.to_str().unwrap()]);
-    // Between the nodes of this model limits are exceeded, as ever.
-    assert!(code == Some(7) && text.contains("100 pieces join") && text.contains("is a plan of"), "{text}");
-}
-
 /// A limit of one leg bounds the time of that leg: 10 m at 1 m/s after 10 m at up to 8 m/s. The bound is a certificate.
 #[test]
 fn limits_of_a_leg_bound_its_time() {
@@ -214,7 +182,7 @@ fn limits_of_a_leg_bound_its_time() {
     let proof = folder.path().join("proof.json");
     let proof = proof.to_str().unwrap();
     for model in ["exact", "hover"] {
-        let plan = format!("model = {model}; samples = 60; time = 11 s; timing = optimal");
+        let plan = format!("model = {model}; samples = 20; time = 11 s; timing = optimal");
         let spec = write(folder.path(), &mission("{ speed <= 1 m/s }"), &plan);
         let (code, text) = run(&["plan", spec.to_str().unwrap(), "--certificate", proof]);
         assert_eq!(code, Some(3), "{text}");
@@ -525,5 +493,42 @@ proptest! {
         let angle = (ahead / norm(v)).clamp(-1.0, 1.0).acos() - 5f64.to_radians();
         prop_assert!((found.high - norm(v) * angle.sin()).abs() < 1e-9, "{:?} {}", found, norm(v) * angle.sin());
         prop_assert!((found.high - found.low).abs() < 1e-9);
+    }
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// In the hover model limits hold at the nodes; so do those of legs, and stops are at rest.
+    #[test]
+    #[ignore = "long"]
+    fn the_hover_model_keeps_legs_at_its_nodes() {
+        let folder = tempfile::tempdir().unwrap();
+        let spec = write(folder.path(), MISSION, "model = hover; samples = 100");
+        let [csv, proof] = ["plan.csv", "proof.json"].map(|name| folder.path().join(name));
+        let outputs = ["-o", csv.to_str().unwrap(), "--certificate", proof.to_str().unwrap()];
+        let (code, text) = run(&[&["plan", spec.to_str().unwrap()][..], &outputs].concat());
+        assert_eq!(code, Some(0), "{text}");
+        let rows = rows(&csv);
+        let near = |found: f64, most: f64| assert!(found <= most + 1e-5, "{found} of {most}");
+        near(largest(leg(&rows, 2), |r| r.p[0].hypot(r.p[1])), 0.05);
+        near(largest(leg(&rows, 2), |r| r.v[2]), 2.0);
+        near(largest(leg(&rows, 3), |r| norm(r.v)), 3.0);
+        near(largest(leg(&rows, 3), |r| r.p[1].hypot(r.p[2] - 10.0)), 0.05);
+        let [stop, arrival] = [4, 5].map(|waypoint| rows.iter().find(|r| r.waypoint == waypoint).unwrap());
+        assert_eq!((stop.v, stop.a), ([0.0; 3], [0.0; 3]));
+        assert!(arrival.v[1].hypot(arrival.v[2]).atan2(-arrival.v[0]) < 5.001f64.to_radians(), "{:?}", arrival.v);
+        assert!(largest(&rows, |r| norm(r.v)) > 5.0);
+        let (code, text) = run(&["verify", proof.to_str().unwrap(), spec.to_str().unwrap()]);
+        // Between the nodes of this model limits are exceeded, as ever.
+        assert!(code == Some(7) && text.contains("100 pieces join") && text.contains("is a plan of"), "{text}");
+    }
+
+    /// The same in the shortest time.
+    #[test]
+    #[ignore = "long"]
+    fn the_shortest_plan_keeps_its_legs() {
+        plan_and_check("samples = 150");
     }
 }

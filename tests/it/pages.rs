@@ -7,6 +7,9 @@ use std::process::Output;
 
 const CASE_1: &str = "specs/paper/case1.mav";
 
+/// Enough samples to draw, and a third of the time to plan.
+const FEWER: &str = "plan.samples=60";
+
 /// A spec that plans in a moment, with the worst names and comments that its words can hold.
 const HOSTILE: &str = r#"
 // </script><script>alert("comment")</script> <img src=x onerror=alert(1)> <!-- <script>
@@ -64,9 +67,9 @@ fn written(dir: &Path, spec: &str) -> String {
 #[test]
 fn pages_stand_alone_and_come_out_alike() {
     let dir = tempfile::tempdir().unwrap();
-    let (ran, first) = page(&["plan", CASE_1], dir.path());
+    let (ran, first) = page(&["plan", CASE_1, "--set", FEWER], dir.path());
     assert_eq!(ran.status.code(), Some(0));
-    let (_, second) = page(&["plan", CASE_1], dir.path());
+    let (_, second) = page(&["plan", CASE_1, "--set", FEWER], dir.path());
     assert_eq!(first, second);
     assert!(first.len() < 3_000_000, "{}", first.len());
     assert!(first.starts_with("<!DOCTYPE html>"));
@@ -110,7 +113,7 @@ fn pages_say_what_the_records_say() {
     let dir = tempfile::tempdir().unwrap();
     let report = dir.path().join("report.json");
     for command in ["plan", "compare"] {
-        let (_, page) = page(&[command, CASE_1, "--report", report.to_str().unwrap()], dir.path());
+        let (_, page) = page(&[command, CASE_1, "--set", FEWER, "--report", report.to_str().unwrap()], dir.path());
         let record: Value = serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap();
         let content = content(&page);
         assert_eq!(content["record"], record);
@@ -385,7 +388,7 @@ fn charts_become_svg_files() {
     assert!(drawn[0] == 2 && drawn[1] > 20 && drawn[2] > 20, "{drawn:?}");
     // Planners side by side: every one's figures have its name.
     let side_by_side = dir.path().join("side by side");
-    let ran = mavc(&["compare", "specs/paper/case1.mav", "--svg", side_by_side.to_str().unwrap()]);
+    let ran = mavc(&["compare", CASE_1, "--set", FEWER, "--svg", side_by_side.to_str().unwrap()]);
     assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
     let drawn = |name: &str| std::fs::read_to_string(side_by_side.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));
     for name in ["thrust-RIP.svg", "thrust-RCP-M1.svg", "set-M1-RIP.svg", "set-healthy-RSP.svg"] {

@@ -82,7 +82,9 @@ fn shortest_rcp_jointly_with_tilt_limit() {
 
 #[test]
 fn case_1_compared() {
-    let model = paper_case(PlannerKind::Rsp, &[0]);
+    let mut model = paper_case(PlannerKind::Rsp, &[0]);
+    // The paper's times, with the paper's samples, are those of the tests above.
+    model.plan.samples = 100;
     let comparison = run(&model, Scope::Everything);
     let of = |planner, which| {
         let mut found = comparison.runs.iter().filter(|r| r.planner == planner && r.run == which);

@@ -147,32 +147,6 @@ fn the_page_says_what_is_computed() {
     assert!(found.is_empty(), "{REMEDY}\n{}", found.join("\n"));
 }
 
-/// Searches in the exact model take minutes. Cheaper: the hover model's cells, and that RIP has a plan a little later than
-/// the page says, of which an evaluation of its own finds nothing outside.
-#[test]
-#[ignore = "long"]
-fn shortest_times_of_the_exact_model_are_reproduced() {
-    let page = page();
-    let rows: Vec<Vec<&str>> = exact::written(&page)
-        .lines()
-        .filter(|line| line.starts_with("| ") && !line.starts_with("| case"))
-        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-        .collect();
-    let seconds = |cell: &str| cell.strip_suffix(" s").and_then(|t| t.parse::<f64>().ok()).expect(cell);
-    assert_eq!(rows.len(), 4, "{REMEDY}");
-    for row in &rows {
-        let hover = plans::of_case(row[0].parse().expect("a case")).shortest(row[1]);
-        assert!((seconds(row[2]) - hover).abs() < 1.01 * RESOLUTION, "{REMEDY}: {row:?}, now {hover}");
-        assert!((seconds(row[3]) / seconds(row[2]) - row[4].parse::<f64>().unwrap()).abs() < 0.006, "{row:?}");
-        assert_eq!(row[7], "never", "{row:?}");
-    }
-    let time = 1.1 * seconds(rows[0][3]);
-    let spec = exact::exact_case(1, PlannerKind::Rip, Some(time));
-    let planning = exact::plan(&spec).unwrap_or_else(|| panic!("no plan at {time} s, {REMEDY}"));
-    let plan = planning.plan().unwrap();
-    assert_eq!(exact::exactly(plan, spec.model(), &planning.set().rows).outside, 0.0);
-}
-
 #[test]
 fn a_changed_page_is_noticed() {
     let page = "## Fault sets and verdicts\n\n| 1 | 0.1956 | agrees |\n\n## Case 1\n\n\
@@ -197,5 +171,36 @@ fn a_changed_page_is_noticed() {
         let changed = page.replace(from, to);
         assert_ne!(page, changed);
         assert_eq!(!differences(page, &changed).is_empty(), noticed, "{from} -> {to}");
+    }
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// Searches in the exact model take minutes. Cheaper: the hover model's cells, and that RIP has a plan a little later than
+    /// the page says, of which an evaluation of its own finds nothing outside.
+    #[test]
+    #[ignore = "long"]
+    fn shortest_times_of_the_exact_model_are_reproduced() {
+        let page = page();
+        let rows: Vec<Vec<&str>> = exact::written(&page)
+            .lines()
+            .filter(|line| line.starts_with("| ") && !line.starts_with("| case"))
+            .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+            .collect();
+        let seconds = |cell: &str| cell.strip_suffix(" s").and_then(|t| t.parse::<f64>().ok()).expect(cell);
+        assert_eq!(rows.len(), 4, "{REMEDY}");
+        for row in &rows {
+            let hover = plans::of_case(row[0].parse().expect("a case")).shortest(row[1]);
+            assert!((seconds(row[2]) - hover).abs() < 1.01 * RESOLUTION, "{REMEDY}: {row:?}, now {hover}");
+            assert!((seconds(row[3]) / seconds(row[2]) - row[4].parse::<f64>().unwrap()).abs() < 0.006, "{row:?}");
+            assert_eq!(row[7], "never", "{row:?}");
+        }
+        let time = 1.1 * seconds(rows[0][3]);
+        let spec = exact::exact_case(1, PlannerKind::Rip, Some(time));
+        let planning = exact::plan(&spec).unwrap_or_else(|| panic!("no plan at {time} s, {REMEDY}"));
+        let plan = planning.plan().unwrap();
+        assert_eq!(exact::exactly(plan, spec.model(), &planning.set().rows).outside, 0.0);
     }
 }

@@ -104,38 +104,46 @@ fn required(bound: f64, time: MissionTime) -> Model {
     model
 }
 
+fn each_addition_takes_risk_away(time: MissionTime) {
+    let free = required(0.9, time);
+    let nothing = run(&free, Scope::Plan);
+    // A bound that the RIP plan keeps needs no protection.
+    assert_eq!(nothing.trade_off.len(), 1);
+    assert_eq!(nothing.trade_off[0].added, Protection::Nothing);
+    let before = nothing.trade_off[0].risk;
+    assert!(before > 0.0, "the plan is committed to some mode");
+    let bound = 0.3 * before;
+    let model = required(bound, time);
+    let found = run(&model, Scope::Plan);
+    let s = solved(&found);
+    let rates: Vec<Option<f64>> = model.modes.iter().map(|m| m.rate).collect();
+    let kept = rated_risk(&rates, &s.committed).unwrap();
+    assert!(kept <= bound, "{kept}");
+    assert_eq!((found.trade_off[0].risk, found.trade_off.last().unwrap().risk), (before, kept));
+    assert!(found.trade_off.len() > 1);
+    assert!(found.trade_off.windows(2).all(|w| w[1].risk < w[0].risk && w[1].time >= w[0].time));
+    // The plan is inside the set that it reports.
+    for w in s.trajectory.node_wrenches(&model.vehicle, &model.environment()) {
+        assert!(found.runs[0].set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
+    }
+}
+
 #[test]
 fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
-    for time in [MissionTime::Minimum, MissionTime::Fixed(18.0)] {
-        let free = required(0.9, time);
-        let nothing = run(&free, Scope::Plan);
-        // A bound that the RIP plan keeps needs no protection.
-        assert_eq!(nothing.trade_off.len(), 1);
-        assert_eq!(nothing.trade_off[0].added, Protection::Nothing);
-        let before = nothing.trade_off[0].risk;
-        assert!(before > 0.0, "the plan is committed to some mode");
-        let bound = 0.3 * before;
-        let model = required(bound, time);
-        let found = run(&model, Scope::Plan);
-        let s = solved(&found);
-        let rates: Vec<Option<f64>> = model.modes.iter().map(|m| m.rate).collect();
-        let kept = rated_risk(&rates, &s.committed).unwrap();
-        assert!(kept <= bound, "{kept}");
-        assert_eq!((found.trade_off[0].risk, found.trade_off.last().unwrap().risk), (before, kept));
-        assert!(found.trade_off.len() > 1);
-        assert!(found.trade_off.windows(2).all(|w| w[1].risk < w[0].risk && w[1].time >= w[0].time));
-        // The plan is inside the set that it reports.
-        for w in s.trajectory.node_wrenches(&model.vehicle, &model.environment()) {
-            assert!(found.runs[0].set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
-        }
-    }
+    each_addition_takes_risk_away(MissionTime::Fixed(18.0));
+}
+
+#[test]
+#[ignore = "long"]
+fn a_required_risk_is_kept_in_the_shortest_time() {
+    each_addition_takes_risk_away(MissionTime::Minimum);
 }
 
 #[test]
 fn a_risk_that_cannot_be_kept_is_reported_with_the_best_curve() {
     // At 16 s RIP has a plan and RCP jointly, from 16.83 s on, has none.
     let mut model = required(0.0, MissionTime::Fixed(16.2));
-    model.plan.samples = 100;
+    model.plan.samples = 60;
     let found = run(&model, Scope::Plan);
     let outcome = &found.runs[0].outcome;
     assert!(
@@ -194,20 +202,6 @@ fn a_required_risk_is_kept_in_the_exact_model() {
         let last = instants().rev().find(|t| worst(&set.rows, *t) > VIOLATED).unwrap_or(0.0);
         assert!((committed - last).abs() <= 2.0 * s.time / f64::from(steps), "{committed} {last}");
     }
-}
-
-#[test]
-#[ignore = "long"]
-fn the_facet_passed_last_is_among_what_is_tried() {
-    // At the shortest times adding one facet is cheaper than adding all that are violated.
-    let finer = |bound: f64| {
-        let mut model = required(bound, MissionTime::Minimum);
-        model.plan.samples = 60;
-        run(&model, Scope::Plan)
-    };
-    let found = finer(0.9 * finer(0.9).trade_off[0].risk);
-    let added: Vec<&Protection> = found.trade_off.iter().map(|step| &step.added).collect();
-    assert!(matches!(added[1], Protection::Facets { facets: 1, .. }), "{added:?}");
 }
 
 /// A descent that no lost rotor can catch above the floor.
@@ -364,4 +358,23 @@ fn a_required_risk_is_reported_in_the_exact_model() {
     assert!(curve.last().unwrap()["risk"].as_f64().unwrap() <= bound);
     assert_eq!((&json["model"], &json["planners"][0]["verdict"]), (&"exact".into(), &"found".into()));
     assert!(text.contains("exact model") && text.contains("Protection for a risk"), "{text}");
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn the_facet_passed_last_is_among_what_is_tried() {
+        // At the shortest times adding one facet is cheaper than adding all that are violated.
+        let finer = |bound: f64| {
+            let mut model = required(bound, MissionTime::Minimum);
+            model.plan.samples = 60;
+            run(&model, Scope::Plan)
+        };
+        let found = finer(0.9 * finer(0.9).trade_off[0].risk);
+        let added: Vec<&Protection> = found.trade_off.iter().map(|step| &step.added).collect();
+        assert!(matches!(added[1], Protection::Facets { facets: 1, .. }), "{added:?}");
+    }
 }

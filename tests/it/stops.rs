@@ -78,54 +78,52 @@ fn a_descent_is_committed_until_it_can_be_braked() {
     }
 }
 
-/// The same where the floor is the boundary of a volume: to stay outside, in the exact model, or inside.
-#[test]
-fn a_descent_towards_a_volume_is_committed_as_above_a_floor() {
-    let wide = |reach: f64| vec![[-reach, -reach], [reach, -reach], [reach, reach], [-reach, reach]];
-    let below = Body::Prism { corners: wide(40.0), bottom: -5.0, top: 0.0 };
-    let ball = Body::Ball { centre: [0.0, 0.0, -500.0], radius: 500.0 };
-    let hill = Body::HalfSpace { normal: [0.0, 0.0, 1.0], offset: 0.0 };
-    let room = Body::Prism { corners: wide(60.0), bottom: 0.0, top: 90.0 };
-    let committed = |wrench: PlanModel, side: VolumeSide, body: Option<&Body>| {
+/// The same where the floor is the boundary of volumes: to stay outside, or inside.
+fn is_committed_as_above_a_floor(wrench: PlanModel, volumes: &[(VolumeSide, Body)], samples: usize) {
+    let committed = |volume: Option<&(VolumeSide, Body)>| {
         let mut model = held(descent(wrench));
-        model.plan.samples = 60;
+        // Each node is asked for a stop.
+        model.plan.samples = samples;
         let size = model.vehicle.radius();
-        if let Some(body) = body {
+        if let Some((side, body)) = volume {
             let clearance = FLOOR - size;
             let bodies = vec![body.clone()];
-            let volume = Volume { name: "v".into(), side, bodies, clearance, span: Span::default() };
+            let volume = Volume { name: "v".into(), side: *side, bodies, clearance, span: Span::default() };
             let mission = model.mission.as_mut().unwrap();
             mission.limits = volume.limits(size);
             mission.volumes = vec![volume];
         }
         solved(&run(&model)).committed[0]
     };
-    for (wrench, side, bodies) in [
-        (PlanModel::Exact, VolumeSide::KeepOut, vec![below, ball, hill]),
-        (PlanModel::Exact, VolumeSide::KeepIn, vec![room.clone()]),
-        (PlanModel::Hover, VolumeSide::KeepIn, vec![room]),
-    ] {
-        let floor = committed(wrench, side, None);
-        for body in &bodies {
-            let found = committed(wrench, side, Some(body));
-            println!("{wrench:?} {side:?} {body:?}: {found} s, above a floor {floor} s");
-            assert!((found - floor).abs() <= 2.0 * 5.0 / 60.0, "{body:?}: {found} s, {floor} s");
-        }
+    let floor = committed(None);
+    for volume in volumes {
+        let found = committed(Some(volume));
+        println!("{wrench:?} {volume:?}: {found} s, above a floor {floor} s");
+        assert!((found - floor).abs() <= 2.0 * 5.0 / samples as f64, "{volume:?}: {found} s, {floor} s");
     }
 }
 
-/// The same with a floor far below: nothing is in the way.
+fn square(reach: f64) -> Vec<[f64; 2]> {
+    vec![[-reach, -reach], [reach, -reach], [reach, reach], [-reach, reach]]
+}
+
+fn room() -> (VolumeSide, Body) {
+    (VolumeSide::KeepIn, Body::Prism { corners: square(60.0), bottom: 0.0, top: 90.0 })
+}
+
+#[test]
+fn a_descent_towards_a_volume_is_committed_as_above_a_floor() {
+    let below = Body::Prism { corners: square(40.0), bottom: -5.0, top: 0.0 };
+    is_committed_as_above_a_floor(PlanModel::Exact, &[(VolumeSide::KeepOut, below), room()], 40);
+}
+
 #[test]
 #[ignore = "long"]
-fn without_a_floor_the_descent_is_never_committed() {
-    for wrench in [PlanModel::Hover, PlanModel::Exact] {
-        let mut model = held(descent(wrench));
-        model.mission.as_mut().unwrap().limits = vec![at_least(LimitKind::Z, -200.0)];
-        let comparison = run(&model);
-        let s = solved(&comparison);
-        assert!(s.outside[0].committed() > 4.0, "{:?}", s.outside);
-        assert_eq!(s.committed, [0.0]);
-    }
+fn a_descent_towards_other_bodies_is_committed_as_above_a_floor() {
+    let ball = Body::Ball { centre: [0.0, 0.0, -500.0], radius: 500.0 };
+    let hill = Body::HalfSpace { normal: [0.0, 0.0, 1.0], offset: 0.0 };
+    is_committed_as_above_a_floor(PlanModel::Exact, &[ball, hill].map(|body| (VolumeSide::KeepOut, body)), 60);
+    is_committed_as_above_a_floor(PlanModel::Hover, &[room()], 60);
 }
 
 /// In the hover model chains of integrators are null controllable however small their bounds, so without limits every plan can
@@ -230,45 +228,65 @@ fn is_a_stop(model: &Model, sets: &PlanningSets, struck: &NodeState, slope: &Nod
 
 /// Flown round a corner with a turning nose, so that a plan for a healthy vehicle is outside the set of a fault: each stop
 /// found is one.
+fn finds_stops(wrench: PlanModel, yaw: f64) {
+    let mut model = octocopter("PPNNPPNN");
+    model.modes = vec![lost(&model, &[1])];
+    let points = [[0.0, 0.0, 4.0], [8.0, 0.0, 6.0], [8.0, 8.0, 4.0]];
+    let points = points.iter().enumerate().map(|(i, p)| waypoint(*p, yaw * i as f64)).collect();
+    let limits = vec![
+        Limit { kind: LimitKind::Speed, lower: None, upper: Some(8.0), span: Span::default(), volume: None, leg: None },
+        at_least(LimitKind::Z, 3.0),
+    ];
+    model.mission = Some(Mission { limits, ..mission(points) });
+    model.plan.planner = PlannerKind::Rip;
+    model.plan.against = vec![0];
+    model.plan.model = wrench;
+    model.plan.samples = 40;
+    model.plan.time = MissionTime::Fixed(5.0);
+    let comparison = run(&model);
+    let s = solved(&comparison);
+    let sets = PlanningSets::of(&model);
+    let mut stops = Stops::new(Problem::of(&model).unwrap(), &sets.healthy, &sets.modes[0], s.trajectory.model);
+    let mut found = 0;
+    for node in (0..s.trajectory.nodes.len() - 1).step_by(8) {
+        let struck = &s.trajectory.nodes[node];
+        if let Some(stop) = stops.find(struck) {
+            // Derivatives of the plan's derivatives are the next ones.
+            let slope: NodeState =
+                std::array::from_fn(|a| std::array::from_fn(|m| if m < 4 { struck[a][m + 1] } else { 0.0 }));
+            is_a_stop(&model, &sets, struck, &slope, &stop);
+            found += 1;
+        }
+    }
+    assert!(found >= 3, "{found}");
+}
+
 #[test]
 fn what_is_found_is_a_stop() {
-    for (wrench, yaw) in [(PlanModel::Hover, 0.0), (PlanModel::Hover, 0.8), (PlanModel::Exact, 0.8)] {
-        let mut model = octocopter("PPNNPPNN");
-        model.modes = vec![lost(&model, &[1])];
-        let points = [[0.0, 0.0, 4.0], [8.0, 0.0, 6.0], [8.0, 8.0, 4.0]];
-        let points = points.iter().enumerate().map(|(i, p)| waypoint(*p, yaw * i as f64)).collect();
-        let limits = vec![
-            Limit {
-                kind: LimitKind::Speed,
-                lower: None,
-                upper: Some(8.0),
-                span: Span::default(),
-                volume: None,
-                leg: None,
-            },
-            at_least(LimitKind::Z, 3.0),
-        ];
-        model.mission = Some(Mission { limits, ..mission(points) });
-        model.plan.planner = PlannerKind::Rip;
-        model.plan.against = vec![0];
-        model.plan.model = wrench;
-        model.plan.samples = 40;
-        model.plan.time = MissionTime::Fixed(5.0);
-        let comparison = run(&model);
-        let s = solved(&comparison);
-        let sets = PlanningSets::of(&model);
-        let mut stops = Stops::new(Problem::of(&model).unwrap(), &sets.healthy, &sets.modes[0], s.trajectory.model);
-        let mut found = 0;
-        for node in (0..s.trajectory.nodes.len() - 1).step_by(8) {
-            let struck = &s.trajectory.nodes[node];
-            if let Some(stop) = stops.find(struck) {
-                // Derivatives of the plan's derivatives are the next ones.
-                let slope: NodeState =
-                    std::array::from_fn(|a| std::array::from_fn(|m| if m < 4 { struck[a][m + 1] } else { 0.0 }));
-                is_a_stop(&model, &sets, struck, &slope, &stop);
-                found += 1;
-            }
+    finds_stops(PlanModel::Exact, 0.8);
+}
+
+#[test]
+#[ignore = "long"]
+fn what_is_found_in_the_hover_model_is_a_stop() {
+    [0.0, 0.8].into_iter().for_each(|yaw| finds_stops(PlanModel::Hover, yaw));
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// The same with a floor far below: nothing is in the way.
+    #[test]
+    #[ignore = "long"]
+    fn without_a_floor_the_descent_is_never_committed() {
+        for wrench in [PlanModel::Hover, PlanModel::Exact] {
+            let mut model = held(descent(wrench));
+            model.mission.as_mut().unwrap().limits = vec![at_least(LimitKind::Z, -200.0)];
+            let comparison = run(&model);
+            let s = solved(&comparison);
+            assert!(s.outside[0].committed() > 4.0, "{:?}", s.outside);
+            assert_eq!(s.committed, [0.0]);
         }
-        assert!(found >= 3, "{found}");
     }
 }

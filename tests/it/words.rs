@@ -144,29 +144,6 @@ fn rsp_without_a_common_time_is_not_attempted() {
     assert!(text.contains("not found: no plan was found") && !text.contains("proved infeasible"), "{text}");
 }
 
-/// A proof about RIP is one about RSP; without a proof and without a plan of RIP there is nothing to select RSP's facets by.
-#[test]
-#[ignore = "long"]
-fn rsp_without_a_plan_of_rip_is_not_attempted_but_where_that_is_proved() {
-    let mut model = on_the_edge();
-    let to = &mut model.mission.as_mut().unwrap().waypoints[1];
-    (to.position, to.yaw) = ([0.0, 0.0, 2.2], 2.6);
-    for (time, verdicts) in [
-        (0.6, [Verdict::NotFound, Verdict::NotAttempted]),
-        (0.05, [Verdict::ProvedInfeasible, Verdict::ProvedInfeasible]),
-    ] {
-        model.plan.time = MissionTime::Fixed(time);
-        for (planner, verdict) in [PlannerKind::Rip, PlannerKind::Rsp].into_iter().zip(verdicts) {
-            model.plan.planner = planner;
-            let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
-            assert_eq!(comparison.runs[0].outcome.verdict(), verdict, "{planner:?} in {time} s");
-        }
-        let all = compare(Problem::of(&model).unwrap(), Scope::Everything, None);
-        let rsp = all.runs.iter().find(|run| run.planner == PlannerKind::Rsp && run.run == Run::Common).unwrap();
-        assert_eq!(rsp.outcome.verdict(), verdicts[1], "{time} s");
-    }
-}
-
 /// Every command decides by one function and one tolerance whether hover lies inside a mode's set, on its edge or outside.
 #[test]
 fn the_edge_is_one_for_every_command() {
@@ -319,5 +296,33 @@ fn schemas_have_the_same_words() {
         // A conflict is told only where no plan was found.
         let few: Value = ["proved infeasible", "not found"].as_slice().into();
         assert!(found.iter().all(|enumerated| **enumerated == words || **enumerated == few), "{name}: {found:?}");
+    }
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// A proof about RIP is one about RSP; without a proof and without a plan of RIP there is nothing to select RSP's facets by.
+    #[test]
+    #[ignore = "long"]
+    fn rsp_without_a_plan_of_rip_is_not_attempted_but_where_that_is_proved() {
+        let mut model = on_the_edge();
+        let to = &mut model.mission.as_mut().unwrap().waypoints[1];
+        (to.position, to.yaw) = ([0.0, 0.0, 2.2], 2.6);
+        for (time, verdicts) in [
+            (0.6, [Verdict::NotFound, Verdict::NotAttempted]),
+            (0.05, [Verdict::ProvedInfeasible, Verdict::ProvedInfeasible]),
+        ] {
+            model.plan.time = MissionTime::Fixed(time);
+            for (planner, verdict) in [PlannerKind::Rip, PlannerKind::Rsp].into_iter().zip(verdicts) {
+                model.plan.planner = planner;
+                let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
+                assert_eq!(comparison.runs[0].outcome.verdict(), verdict, "{planner:?} in {time} s");
+            }
+            let all = compare(Problem::of(&model).unwrap(), Scope::Everything, None);
+            let rsp = all.runs.iter().find(|run| run.planner == PlannerKind::Rsp && run.run == Run::Common).unwrap();
+            assert_eq!(rsp.outcome.verdict(), verdicts[1], "{time} s");
+        }
     }
 }

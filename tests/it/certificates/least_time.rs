@@ -116,7 +116,8 @@ fn shipped(name: &str) -> Model {
 #[test]
 fn plans_stay_above_their_bounds() {
     for name in ["paper/case1", "paper/case2", "paper/figure12", "missions/inspection"] {
-        let model = shipped(name);
+        let mut model = shipped(name);
+        model.plan.samples = 60;
         let mission = model.mission.clone().unwrap();
         let found = planned(&model);
         let Some(solved) = found.runs.last().unwrap().outcome.plan() else { panic!("{name}") };

@@ -17,7 +17,7 @@ mission turn {
     waypoint at [3, 1, 3] m
     waypoint at [5, 0, 2] m
 }
-plan { model = hover; timing = proportional; planner = rsp; against = [M1, M2]; time = 9 s; samples = 40; reserve = 0 % }
+plan { model = hover; timing = proportional; planner = rsp; against = [M1, M2]; time = 9 s; samples = 20; reserve = 0 % }
 "#;
 
 fn flat(text: &str) -> String {
@@ -116,16 +116,20 @@ fn without_a_first_plan_there_is_nothing_to_protect() {
 /// A plan that is outside, while a stop is found wherever a fault may strike.
 #[test]
 fn zero_risk_with_stops_is_reported_as_such() {
-    let fast = ["plan", "-", "--set", "plan.time=1.7s", "--set", "plan.planner=rip", "--set", "plan.after_fault=hold"];
-    let told = |spec: &str| flat(&out(&mavc_with(&fast, spec)));
-    let text = told(TURN);
-    assert!(text.contains("1.70 s hold never"), "{text}");
+    let told = |spec: &str, after: &str| {
+        let after = format!("plan.after_fault={after}");
+        let fast = ["plan", "-", "--set", "plan.time=1.8s", "--set", "plan.planner=rip", "--set", &after];
+        flat(&out(&mavc_with(&fast, spec)))
+    };
+    let text = told(TURN, "hold");
+    assert!(text.contains("1.80 s hold never"), "{text}");
     assert!(
         text.contains("Risk 0: the plan violates only the sets of modes after which the mission holds, and from"),
         "{text}"
     );
     // What never strikes may well be outside.
-    let text = told(&TURN.replace("rate = 1e-5 1/h", "rate = 0 1/h"));
+    let text = told(&TURN.replace("rate = 1e-5 1/h", "rate = 0 1/h"), "continue");
+    assert!(text.contains(" 1.80 s "), "{text}");
     assert!(text.contains("Risk 0: the plan never violates the set of a mode with a rate above zero."), "{text}");
 }
 

@@ -157,7 +157,8 @@ fn few_statements_among_many_are_found() {
 fn what_is_not_asked_is_not_claimed() {
     let mut model = spec();
     let flown = model.mission.as_mut().unwrap();
-    let mut points: Vec<_> = (0..400).map(|i| waypoint([3.0 * f64::from(i), 0.0, 2.0], 0.0)).collect();
+    let mut points: Vec<_> =
+        (0..2 * MOST_QUESTIONS as u32 + 20).map(|i| waypoint([3.0 * f64::from(i), 0.0, 2.0], 0.0)).collect();
     points.iter_mut().enumerate().for_each(|(i, point)| point.span.start = i as u32);
     flown.legs = mission(points.clone()).legs;
     flown.waypoints = points;

@@ -78,15 +78,6 @@ fn commands_agree(mission: &Mission, samples: usize) {
     }
 }
 
-/// With one leg there is nothing to choose but the mission time; RIP's own search ends longer than RCP's here.
-#[test]
-#[ignore = "long"]
-fn a_single_leg_has_the_same_time_in_every_command() {
-    let mut leg = mission(vec![waypoint([0.0, 0.0, 5.0], 0.0), waypoint([3.8, -9.7, 8.6], 0.0)]);
-    leg.limits = vec![limit(LimitKind::Tilt, f64::to_radians(35.0))];
-    commands_agree(&leg, 16);
-}
-
 /// At a time that the spec fixes a campaign flies, and a comparison shows, the plan that `plan` writes.
 fn one_plan_at_a_time(scope: Scope, planners: &[PlannerKind]) {
     let at_30_s = |planner: PlannerKind| {
@@ -114,26 +105,40 @@ fn a_comparison_shows_the_plan() {
     one_plan_at_a_time(Scope::Everything, &[PlannerKind::Rip, PlannerKind::Rcp, PlannerKind::Rsp]);
 }
 
-#[test]
-#[ignore = "long"]
-fn every_command_finds_the_same_times_in_the_order_of_the_sets() {
-    commands_agree(&random_mission(0), 24);
-}
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
 
-/// Times 1.02 to 2 times the shortest, without lower bounds on rates. `benches/longer.py` tries 200 missions.
-#[test]
-#[ignore = "long"]
-fn longer_times_have_plans() {
-    let asked = |seed: u64| -> Vec<(u64, f64)> {
-        let mission = random_mission(seed);
-        let shortest = solved(last(&found(&free(mission.clone(), PlannerKind::Rip), Scope::Plan))).time;
-        let is_missed = |factor: &f64| {
-            let mut model = free(mission.clone(), PlannerKind::Rip);
-            model.plan.time = MissionTime::Fixed(factor * shortest);
-            !matches!(last(&found(&model, Scope::Plan)).outcome, PlanOutcome::Planned(_))
+    /// With one leg there is nothing to choose but the mission time; RIP's own search ends longer than RCP's here.
+    #[test]
+    #[ignore = "long"]
+    fn a_single_leg_has_the_same_time_in_every_command() {
+        let mut leg = mission(vec![waypoint([0.0, 0.0, 5.0], 0.0), waypoint([3.8, -9.7, 8.6], 0.0)]);
+        leg.limits = vec![limit(LimitKind::Tilt, f64::to_radians(35.0))];
+        commands_agree(&leg, 16);
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn every_command_finds_the_same_times_in_the_order_of_the_sets() {
+        commands_agree(&random_mission(0), 24);
+    }
+
+    /// Times 1.02 to 2 times the shortest, without lower bounds on rates. `benches/longer.py` tries 200 missions.
+    #[test]
+    #[ignore = "long"]
+    fn longer_times_have_plans() {
+        let asked = |seed: u64| -> Vec<(u64, f64)> {
+            let mission = random_mission(seed);
+            let shortest = solved(last(&found(&free(mission.clone(), PlannerKind::Rip), Scope::Plan))).time;
+            let is_missed = |factor: &f64| {
+                let mut model = free(mission.clone(), PlannerKind::Rip);
+                model.plan.time = MissionTime::Fixed(factor * shortest);
+                !matches!(last(&found(&model, Scope::Plan)).outcome, PlanOutcome::Planned(_))
+            };
+            [1.02, 1.05, 1.1, 1.3, 2.0].into_iter().filter(is_missed).map(|factor| (seed, factor)).collect()
         };
-        [1.02, 1.05, 1.1, 1.3, 2.0].into_iter().filter(is_missed).map(|factor| (seed, factor)).collect()
-    };
-    let missed: Vec<(u64, f64)> = (0..4).into_par_iter().flat_map(asked).collect();
-    assert!(missed.is_empty(), "of 20 times: {missed:?}");
+        let missed: Vec<(u64, f64)> = (0..4).into_par_iter().flat_map(asked).collect();
+        assert!(missed.is_empty(), "of 20 times: {missed:?}");
+    }
 }

@@ -100,42 +100,6 @@ fn fewer_rows_do_not_make_a_plan_dearer() {
     assert!(rip.0 <= 1.01 * rsp.0 && rsp.0 <= 1.01 * rcp.0, "{rip:?} {rsp:?} {rcp:?}");
 }
 
-/// Few waypoints and many samples make stiff splines: a fine grid must still give what a coarse one gives, or better.
-#[test]
-#[ignore = "long"]
-fn fine_grids_are_no_dearer_than_coarse_ones() {
-    let hop = || {
-        let mut hop = mission(vec![
-            waypoint([0.0, 0.0, 1.0], 0.0),
-            waypoint([3.0, 2.0, 2.0], 0.0),
-            waypoint([6.0, 0.0, 1.0], 0.0),
-            waypoint([6.0, 4.0, 1.0], 0.0),
-        ]);
-        hop.waypoints[1..=2].iter_mut().for_each(|w| w.within = 0.2);
-        hop
-    };
-    // High, far and slow: a small cost, which the solver's digits must still tell.
-    let lift = || {
-        let mut lift = mission(vec![
-            waypoint([0.0, 0.0, 1.0], 0.0),
-            waypoint([0.0, 0.0, 31.0], 0.0),
-            waypoint([60.0, 0.0, 31.0], 0.0),
-            waypoint([60.0, 30.0, 11.0], 0.0),
-        ]);
-        lift.waypoints[2].within = 0.5;
-        lift
-    };
-    let objective = |mission: &Mission, time: f64, samples: usize| {
-        let mut model = planning(mission.clone(), PlannerKind::Rsp, &[0], MissionTime::Fixed(time));
-        model.plan.samples = samples;
-        solved(last(&super::compared(&model))).objective
-    };
-    for (mission, time) in [(hop(), 3.6), (lift(), 16.0)] {
-        let (coarse, fine) = (objective(&mission, time, 48), objective(&mission, time, 200));
-        assert!(fine <= 1.01 * coarse, "{fine} with 200 samples and {coarse} with 48 in {time} s");
-    }
-}
-
 /// Where steps begin should matter little for the cost at which they end.
 #[test]
 fn plans_cost_the_same_wherever_steps_begin() {
@@ -150,4 +114,45 @@ fn plans_cost_the_same_wherever_steps_begin() {
         other => panic!("{other:?}"),
     });
     assert!((anew / begun).ln().abs() < 0.1, "{anew}, and {begun} begun from another plan");
+}
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// Few waypoints and many samples make stiff splines: a fine grid must still give what a coarse one gives, or better.
+    #[test]
+    #[ignore = "long"]
+    fn fine_grids_are_no_dearer_than_coarse_ones() {
+        let hop = || {
+            let mut hop = mission(vec![
+                waypoint([0.0, 0.0, 1.0], 0.0),
+                waypoint([3.0, 2.0, 2.0], 0.0),
+                waypoint([6.0, 0.0, 1.0], 0.0),
+                waypoint([6.0, 4.0, 1.0], 0.0),
+            ]);
+            hop.waypoints[1..=2].iter_mut().for_each(|w| w.within = 0.2);
+            hop
+        };
+        // High, far and slow: a small cost, which the solver's digits must still tell.
+        let lift = || {
+            let mut lift = mission(vec![
+                waypoint([0.0, 0.0, 1.0], 0.0),
+                waypoint([0.0, 0.0, 31.0], 0.0),
+                waypoint([60.0, 0.0, 31.0], 0.0),
+                waypoint([60.0, 30.0, 11.0], 0.0),
+            ]);
+            lift.waypoints[2].within = 0.5;
+            lift
+        };
+        let objective = |mission: &Mission, time: f64, samples: usize| {
+            let mut model = planning(mission.clone(), PlannerKind::Rsp, &[0], MissionTime::Fixed(time));
+            model.plan.samples = samples;
+            solved(last(&super::super::compared(&model))).objective
+        };
+        for (mission, time) in [(hop(), 3.6), (lift(), 16.0)] {
+            let (coarse, fine) = (objective(&mission, time, 48), objective(&mission, time, 200));
+            assert!(fine <= 1.01 * coarse, "{fine} with 200 samples and {coarse} with 48 in {time} s");
+        }
+    }
 }

@@ -32,28 +32,6 @@ fn shortest(model: &Model) -> f64 {
 static EVEN: LazyLock<f64> = LazyLock::new(|| shortest(&quick(uneven(), false)));
 static CHOSEN: LazyLock<f64> = LazyLock::new(|| shortest(&quick(uneven(), true)));
 
-/// The shortest time over shares of the first leg from 15 % to 60 %, each planned for itself.
-#[test]
-#[ignore = "long"]
-fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
-    let chosen = *CHOSEN;
-    let with_share = |percent: u32| -> Option<f64> {
-        let first = f64::from(percent) / 100.0;
-        let legs = vec![Leg { share: first }, Leg { share: 1.0 - first }];
-        let comparison = super::compared(&quick(Mission { legs, ..uneven() }, false));
-        match &last(&comparison).outcome {
-            PlanOutcome::Planned(solved) => Some(solved.time),
-            _ => None,
-        }
-    };
-    let tried: Vec<(u32, f64)> = (15..=60).step_by(5).filter_map(|p| Some((p, with_share(p)?))).collect();
-    let best = tried.iter().map(|t| t.1).fold(f64::INFINITY, f64::min);
-    let worst = tried.iter().map(|t| t.1).fold(0.0, f64::max);
-    println!("chosen {chosen}, tried {tried:?}");
-    assert!(worst > 1.2 * best, "shares make no difference: {tried:?}");
-    assert!(chosen <= 1.02 * best, "{chosen} s, and {best} s with shares of a grid: {tried:?}");
-}
-
 #[test]
 #[ignore = "long"]
 fn chosen_times_are_never_slower_than_even_ones() {
@@ -113,28 +91,54 @@ fn legs_between_fixed_times_divide_their_time_anew() {
     assert!(up > 1.2 * along, "{arrivals:?}");
     model.plan.time = MissionTime::Fixed(11.0);
     assert_eq!(shortest(&model).1, 11.0);
-    // The same divisions for the planner to keep.
-    for legs in [[1.0; 4].map(|share| Leg { share }), [0.5, 4.0, 12.0, 3.0].map(|share| Leg { share })] {
-        let kept = quick(Mission { legs: legs.to_vec(), ..mission.clone() }, false);
-        assert!(!matches!(last(&super::compared(&kept)).outcome, PlanOutcome::Planned(_)), "{legs:?}");
-    }
+    // The division by lengths, for the planner to keep.
+    let legs = [0.5, 4.0, 12.0, 3.0].map(|share| Leg { share }).to_vec();
+    let kept = quick(Mission { legs, ..mission }, false);
+    assert!(!matches!(last(&super::compared(&kept)).outcome, PlanOutcome::Planned(_)));
 }
 
-/// Who chooses times can choose these, so what is proved of all times is proved of these.
-#[test]
-#[ignore = "long"]
-fn a_proof_covers_every_division_of_time() {
-    let at = |mission: Mission, chooses_times: bool| {
-        let mut model = quick(mission, chooses_times);
-        model.plan.time = MissionTime::Fixed(2.3);
-        last(&super::compared(&model)).outcome.clone()
-    };
-    let legs = vec![Leg { share: 0.27 }, Leg { share: 0.73 }];
-    let given = at(Mission { legs, ..uneven() }, false);
-    let chosen = at(uneven(), true);
-    assert!(!matches!(given, PlanOutcome::Infeasible(Proof { .. })), "{given:?}");
-    assert!(
-        !matches!(chosen, PlanOutcome::Infeasible(Proof { .. })),
-        "{chosen:?}, but {given:?} with legs of 27 % and 73 %"
-    );
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// The shortest time over shares of the first leg from 15 % to 60 %, each planned for itself.
+    #[test]
+    #[ignore = "long"]
+    fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
+        let chosen = *CHOSEN;
+        let with_share = |percent: u32| -> Option<f64> {
+            let first = f64::from(percent) / 100.0;
+            let legs = vec![Leg { share: first }, Leg { share: 1.0 - first }];
+            let comparison = super::super::compared(&quick(Mission { legs, ..uneven() }, false));
+            match &last(&comparison).outcome {
+                PlanOutcome::Planned(solved) => Some(solved.time),
+                _ => None,
+            }
+        };
+        let tried: Vec<(u32, f64)> = (15..=60).step_by(5).filter_map(|p| Some((p, with_share(p)?))).collect();
+        let best = tried.iter().map(|t| t.1).fold(f64::INFINITY, f64::min);
+        let worst = tried.iter().map(|t| t.1).fold(0.0, f64::max);
+        println!("chosen {chosen}, tried {tried:?}");
+        assert!(worst > 1.2 * best, "shares make no difference: {tried:?}");
+        assert!(chosen <= 1.02 * best, "{chosen} s, and {best} s with shares of a grid: {tried:?}");
+    }
+
+    /// Who chooses times can choose these, so what is proved of all times is proved of these.
+    #[test]
+    #[ignore = "long"]
+    fn a_proof_covers_every_division_of_time() {
+        let at = |mission: Mission, chooses_times: bool| {
+            let mut model = quick(mission, chooses_times);
+            model.plan.time = MissionTime::Fixed(2.3);
+            last(&super::super::compared(&model)).outcome.clone()
+        };
+        let legs = vec![Leg { share: 0.27 }, Leg { share: 0.73 }];
+        let given = at(Mission { legs, ..uneven() }, false);
+        let chosen = at(uneven(), true);
+        assert!(!matches!(given, PlanOutcome::Infeasible(Proof { .. })), "{given:?}");
+        assert!(
+            !matches!(chosen, PlanOutcome::Infeasible(Proof { .. })),
+            "{chosen:?}, but {given:?} with legs of 27 % and 73 %"
+        );
+    }
 }

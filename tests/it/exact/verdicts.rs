@@ -187,18 +187,18 @@ fn a_waypoint_due_too_early_is_proved_infeasible_at_any_mission_time() {
 /// Where there is a plan at another time that is said, and no statement is blamed.
 #[test]
 fn plans_at_other_times_are_named_before_anything_is_blamed() {
-    let round = "start at [0, 0, 2] m\n waypoint at [4, 0, 2] m yaw 60 deg\n waypoint at [4, 4, 3] m";
-    let (code, text) = plan(round, "time = minimum");
+    let turn = "start at [0, 0, 2] m\n waypoint at [4, 0, 2] m yaw 60 deg";
+    let (code, text) = plan(turn, "time = minimum");
     assert_eq!(code, 0, "{text}");
     let found = text.split_once("found, ").unwrap().1;
     let shortest: f64 = found.split(' ').next().unwrap().parse().unwrap();
-    let (code, text) = plan(round, &format!("time = {:.2} s", 0.95 * shortest));
+    let (code, text) = plan(turn, &format!("time = {:.2} s", 0.95 * shortest));
     assert_eq!(code, 4, "{text}");
     assert!(text.contains("A plan was found at ") && text.contains("whether one exists is open"), "{text}");
     assert!(!text.contains("mavc::plan::conflict"), "{text}");
     // That time has a plan.
     let named = text.split_once("A plan was found at ").unwrap().1.split_once(" s.").unwrap().0;
-    let (code, text) = plan(round, &format!("time = {named} s"));
+    let (code, text) = plan(turn, &format!("time = {named} s"));
     assert_eq!(code, 0, "{text}");
 }
 

@@ -82,25 +82,30 @@ fn no_stop_leads_into_the_ground() {
     assert!(saved > 10, "only {saved} stops would have struck the ground: the test shows little");
 }
 
-/// A sound vehicle that takes itself for faulty lands, whenever that comes. What it meets is its own path.
-#[test]
-#[ignore = "long"]
-fn landings_from_any_instant_end_on_the_ground_and_not_in_it() {
-    for (name, model, plan) in PLANS.iter() {
-        let mut model = model.clone();
-        let rotors = model.vehicle.rotors.len();
-        model.modes = vec![FaultMode {
-            capacity: vec![1.0; rotors],
-            stuck: vec![None; rotors],
-            ..model.modes.first().cloned().unwrap_or_else(|| crate::vehicles::lost(&model, &[1]))
-        }];
-        (model.simulation.detection, model.simulation.after_fault) = (Detection::After(0.0), AfterFault::Land);
-        for k in 0..10 {
-            // Most of them late, where the ground is near.
-            let begin = plan.duration() * (1.0 - (f64::from(k) / 10.0).powi(2)) - 0.01;
-            let strikes = [strike(0, begin)];
-            let flight = fly(&Sortie::along(&model, plan, &strikes, 1), None);
-            assert!(matches!(flight.outcome, Outcome::Landed { .. }), "{name} from {begin}: {flight:?}");
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// A sound vehicle that takes itself for faulty lands, whenever that comes. What it meets is its own path.
+    #[test]
+    #[ignore = "long"]
+    fn landings_from_any_instant_end_on_the_ground_and_not_in_it() {
+        for (name, model, plan) in PLANS.iter() {
+            let mut model = model.clone();
+            let rotors = model.vehicle.rotors.len();
+            model.modes = vec![FaultMode {
+                capacity: vec![1.0; rotors],
+                stuck: vec![None; rotors],
+                ..model.modes.first().cloned().unwrap_or_else(|| crate::vehicles::lost(&model, &[1]))
+            }];
+            (model.simulation.detection, model.simulation.after_fault) = (Detection::After(0.0), AfterFault::Land);
+            for k in 0..10 {
+                // Most of them late, where the ground is near.
+                let begin = plan.duration() * (1.0 - (f64::from(k) / 10.0).powi(2)) - 0.01;
+                let strikes = [strike(0, begin)];
+                let flight = fly(&Sortie::along(&model, plan, &strikes, 1), None);
+                assert!(matches!(flight.outcome, Outcome::Landed { .. }), "{name} from {begin}: {flight:?}");
+            }
         }
     }
 }

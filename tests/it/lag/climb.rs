@@ -78,16 +78,21 @@ fn the_quickest_climb_is_that_of_the_closed_form() {
     }
 }
 
-/// In the exact model the thrust is twice differentiable and never falls below a tenth of the weight.
-#[test]
-#[ignore = "long"]
-fn the_exact_model_climbs_as_quickly_as_it_may() {
-    let (up, down) = reach(&climb(PlanModel::Exact, None));
-    let tau = 0.2;
-    let mut model = climb(PlanModel::Exact, Some(tau));
-    model.plan.samples = 40;
-    let found = shortest(&model);
-    let least = quickest(HEIGHT - 2.0 * WITHIN, up, down, tau);
-    let most = 1.06 * quickest(HEIGHT, up, 0.9 * down, tau);
-    assert!(found >= least && found <= most, "{found} s with {tau} s, between {least} and {most} s");
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// In the exact model the thrust is twice differentiable and never falls below a tenth of the weight.
+    #[test]
+    #[ignore = "long"]
+    fn the_exact_model_climbs_as_quickly_as_it_may() {
+        let (up, down) = reach(&climb(PlanModel::Exact, None));
+        let tau = 0.2;
+        let mut model = climb(PlanModel::Exact, Some(tau));
+        model.plan.samples = 40;
+        let found = shortest(&model);
+        let least = quickest(HEIGHT - 2.0 * WITHIN, up, down, tau);
+        let most = 1.06 * quickest(HEIGHT, up, 0.9 * down, tau);
+        assert!(found >= least && found <= most, "{found} s with {tau} s, between {least} and {most} s");
+    }
 }
