@@ -264,7 +264,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             if knowledge.update(t, tick, &measured, &allocator) {
                 allocator.believe(&knowledge.belief);
                 without_yaw = match knowledge.fault_known {
-                    true => WithoutYaw::of(&allocator, &knowledge.hover, &knowledge.belief),
+                    true => WithoutYaw::of(knowledge.gives_up_yaw(t), &allocator, &knowledge.hover, &knowledge.belief),
                     false => None,
                 };
                 watch.gave_up_yaw = without_yaw.is_some();

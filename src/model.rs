@@ -44,6 +44,7 @@ mod unreadable;
 mod vehicle;
 pub mod vocabulary;
 mod volume;
+mod without_yaw;
 mod yaw_drag;
 
 pub use crate::geometry::body::Body;
@@ -70,6 +71,7 @@ pub use problem::Problem;
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
 pub use volume::{Boundary, Bounded, Side as VolumeSide, Volume};
+pub use without_yaw::GiveUpYaw;
 pub use yaw_drag::YawDrag;
 
 use crate::language::Entry;
@@ -212,6 +214,8 @@ pub struct FaultMode {
     pub rate: Option<f64>,
     /// The mode's own reaction to the fault, if it gives one: see [`Model::after_fault`].
     pub after_fault: Option<AfterFault>,
+    /// Whether yaw is given up after this fault, if the mode says so: see [`Model::gives_up_yaw`].
+    pub without_yaw: Option<GiveUpYaw>,
     pub span: Span,
 }
 

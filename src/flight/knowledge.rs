@@ -6,7 +6,7 @@ use super::body::Body;
 use super::estimate::Estimator;
 use crate::actuation::Wrench;
 use crate::admissible::hover;
-use crate::model::{Detection, Model, Simulation, Strike};
+use crate::model::{Detection, GiveUpYaw, Model, Simulation, Strike};
 
 /// The belief takes over the estimate if some capacity differs by more than this.
 const MOVED: f64 = 0.05;
@@ -287,6 +287,12 @@ impl<'a> Knowledge<'a> {
     pub(super) fn thrust(&self) -> f64 {
         let rotors = self.belief.capacity.iter().zip(&self.thrust_coefficient).zip(&self.modelled);
         rotors.map(|((theta, b), w)| theta * b * w * w).sum()
+    }
+
+    /// Whether yaw is given up after the last fault that has struck by `t` s; by the plan's word if none has.
+    pub(super) fn gives_up_yaw(&self, t: f64) -> GiveUpYaw {
+        let struck = self.strikes.iter().rev().find(|strike| strike.at <= t + 1e-9);
+        struck.map_or(self.model.plan.without_yaw, |strike| self.model.gives_up_yaw(strike.mode))
     }
 
     /// The mean time constant of the rotors that are believed to give thrust, s.

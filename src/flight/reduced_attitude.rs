@@ -10,7 +10,7 @@ use super::control::{demanded_force, direction};
 use super::reference::Reference;
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Polytope;
-use crate::model::Gains;
+use crate::model::{Gains, GiveUpYaw};
 use nalgebra::{Vector2, Vector3};
 
 /// Hover keeps all axes if each torque can still change by this share of its largest value in both directions.
@@ -35,14 +35,19 @@ pub struct WithoutYaw {
 }
 
 impl WithoutYaw {
-    /// `None` if the vehicle keeps control of all axes about hover under these beliefs. `hover` is in N and N m.
-    pub fn of(allocator: &Allocator, hover: &Wrench, belief: &Belief) -> Option<Self> {
+    /// `None` if yaw is not given up; with [`GiveUpYaw::WhereNeeded`], if the vehicle keeps control of all axes about hover under
+    /// these beliefs. `hover` is in N and N m.
+    pub fn of(gives_up: GiveUpYaw, allocator: &Allocator, hover: &Wrench, belief: &Belief) -> Option<Self> {
         let is_missing = |axis: usize, share: f64| {
             let mut wrench = *hover;
             wrench[axis] += share * allocator.extent()[axis];
             allocator.missing_all(&wrench, belief) > REACHED
         };
-        let gives_up = (1..4).any(|axis| is_missing(axis, KEPT) || is_missing(axis, -KEPT));
+        let gives_up = match gives_up {
+            GiveUpYaw::Never => false,
+            GiveUpYaw::WhereNeeded => (1..4).any(|axis| is_missing(axis, KEPT) || is_missing(axis, -KEPT)),
+            GiveUpYaw::Always => true,
+        };
         gives_up.then(|| WithoutYaw { bias: bias(&allocator.without_yaw(belief), hover[0]) })
     }
 

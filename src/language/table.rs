@@ -134,6 +134,8 @@ group! {
     DETECTION "detection", Whole(1, 10), NO_DEFAULT, "the FMEA detection";
     AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Otherwise("as in `plan`"),
         "the reaction to this fault that the risk of the mission assumes";
+    WITHOUT_YAW "without_yaw", Words(&["never", "where_needed", "always"]), Otherwise("as in `plan`"),
+        "whether flights give up yaw after this fault";
 }
 
 group! {
@@ -257,6 +259,10 @@ group! {
          facets that the plan of the previous round would violate";
     AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Written("continue", "the mission continues"),
         "the reaction to a fault that the risk of the mission assumes: `continue`, or `hold`, that is, come to rest and stay";
+    WITHOUT_YAW "without_yaw", Words(&["never", "where_needed", "always"]),
+        Written("where_needed", "flights give up yaw where a fault leaves no control of it"),
+        "whether flights [give up yaw](#without-yaw) once a fault is known: `never`, `where_needed`, that is, where the rotors that \
+         are left do not control all axes about hover, or `always`";
     AGAINST "against", Names(&["all"]), Written("all", "every declared fault mode"),
         "the modes to tolerate: `all`; a mode `M1`; all modes `M` of `every ... as M`; a range of them, `M1 .. M4`; a list of \
          these, `[M1 .. M4, worn]`; or `where FIELD RELATION VALUE` with `rpn`, `severity`, `occurrence`, `detection` or `rate` \

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt;
 
+use super::GiveUpYaw;
 use super::Heading;
 use super::{
     AfterFault, Air, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, PlanRotors,
@@ -180,6 +181,9 @@ fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode) -> fmt::Result {
     if let Some(then) = m.after_fault {
         write!(f, ", after_fault {}", then.name())?;
     }
+    if let Some(yaw) = m.without_yaw {
+        write!(f, ", without_yaw {}", yaw.name())?;
+    }
     writeln!(f)?;
     m.doc.iter().flat_map(|text| text.lines()).try_for_each(|line| writeln!(f, "    /// {line}"))
 }
@@ -309,6 +313,9 @@ fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Resul
     }
     if p.after_fault != AfterFault::Continue {
         writeln!(f, "  after_fault {}", p.after_fault.name())?;
+    }
+    if p.without_yaw != GiveUpYaw::default() {
+        writeln!(f, "  without_yaw {}", p.without_yaw.name())?;
     }
     writeln!(f, "  reserve {} %", number(p.reserve * 100.0))?;
     writeln!(f, "  snap {}, acceleration {}", number(p.snap_weight), number(p.acceleration_weight))

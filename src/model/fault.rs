@@ -8,7 +8,7 @@ use super::context::{Context, duplicate};
 use super::due::Due;
 use super::expression::Value;
 use super::fields::Fields;
-use super::{AfterFault, FaultMode, after_fault, sense};
+use super::{AfterFault, FaultMode, GiveUpYaw, after_fault, sense, without_yaw};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::mode as table;
 use crate::language::{Entry, Group};
@@ -314,6 +314,7 @@ fn indices<'a>(cx: &mut Context<'a>, expr: &'a Expr, rotors: Option<usize>) -> O
 /// The fields of a mode: rate, FMEA numbers, and the reaction to the fault.
 struct Numbers {
     after_fault: Option<AfterFault>,
+    without_yaw: Option<GiveUpYaw>,
     rate: Option<f64>,
     severity: Option<u8>,
     occurrence: Option<u8>,
@@ -331,8 +332,10 @@ impl Numbers {
         let (severity, occurrence, detection) =
             (fmea(&table::SEVERITY), fmea(&table::OCCURRENCE), fmea(&table::DETECTION));
         let after_fault = after_fault::read(cx, &fields);
+        let without_yaw = without_yaw::read(cx, &fields);
         Some(Numbers {
             after_fault: settled(after_fault)?,
+            without_yaw: settled(without_yaw)?,
             rate: settled(rate)?,
             severity: settled(severity)?,
             occurrence: settled(occurrence)?,
@@ -352,6 +355,7 @@ impl Numbers {
             detection: self.detection,
             rate: self.rate,
             after_fault: self.after_fault,
+            without_yaw: self.without_yaw,
             span,
         }
     }

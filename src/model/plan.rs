@@ -11,7 +11,8 @@ use super::grid::Spacing;
 use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
 use super::{
-    AfterFault, DefaultUsed, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault, edits,
+    AfterFault, DefaultUsed, GiveUpYaw, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault,
+    edits, without_yaw,
 };
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::table::plan as table;
@@ -214,6 +215,10 @@ impl<'a> Draft<'a> {
             Some(written) => written,
             None => Some(self.default(&table::AFTER_FAULT, AfterFault::Continue)),
         };
+        let without_yaw = match self.fields.as_ref().and_then(|fields| without_yaw::read(cx, fields)) {
+            Some(written) => written,
+            None => Some(self.default(&table::WITHOUT_YAW, GiveUpYaw::WhereNeeded)),
+        };
         let reserve = match self.get("reserve") {
             Some(e) => self.reserve(cx, e),
             None => Some(self.default(&table::RESERVE, table::RESERVE.value())),
@@ -256,7 +261,7 @@ impl<'a> Draft<'a> {
             reserve,
             snap,
             acceleration,
-            after_fault,
+            after_fault.zip(without_yaw),
         ) {
             (
                 Some(planner),
@@ -269,7 +274,7 @@ impl<'a> Draft<'a> {
                 Some(reserve),
                 Some(snap_weight),
                 Some(acceleration_weight),
-                Some(after_fault),
+                Some((after_fault, without_yaw)),
             ) if !self.broken => Some(Plan {
                 planner,
                 model,
@@ -281,6 +286,7 @@ impl<'a> Draft<'a> {
                 rounds,
                 require_risk,
                 after_fault,
+                without_yaw,
                 require_span: self.require.map_or(span, |r| r.1),
                 reserve,
                 snap_weight,

@@ -1,6 +1,6 @@
 //! How the mission is planned: the settings of the `plan` block.
 
-use super::AfterFault;
+use super::{AfterFault, GiveUpYaw};
 use crate::source::Span;
 
 /// Which sets the plan must stay in.
@@ -105,6 +105,8 @@ pub struct Plan {
     /// The reaction to a fault that the risk assumes: [`AfterFault::Continue`] or [`AfterFault::Hold`]. A mode may have its
     /// own: see [`super::Model::after_fault`].
     pub after_fault: AfterFault,
+    /// Whether flights give up yaw once a fault is known. A mode may have its own: see [`super::Model::gives_up_yaw`].
+    pub without_yaw: GiveUpYaw,
     /// The place of the `require` statement, or of the plan where there is none.
     pub require_span: Span,
 }

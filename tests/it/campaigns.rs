@@ -20,7 +20,7 @@ vehicle quad {
     rotor { thrust_coefficient = 9.9865e-6 N*s^2/rad^2; drag_coefficient = 1.5978e-7 N*m*s^2/rad^2; max_speed = 840 rad/s }
 }
 faults {
-    mode gone { rotor 2 lost }
+    mode gone { rotor 2 lost; without_yaw = never }
     mode weak { rotor 1 reduced to 85 % }
 }
 mission hop {

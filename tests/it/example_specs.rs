@@ -64,14 +64,18 @@ fn examples_have_something_to_guard_against() {
 }
 
 #[test]
-fn a_quadcopter_tolerates_weak_rotors_but_no_lost_one() {
+fn a_quadcopter_tolerates_weak_rotors_and_lands_without_one() {
     let modes = modes(SPECS[0], &[]);
     let verdicts = verdicts(&modes);
     assert_eq!(verdicts.len(), 9);
     assert!(verdicts[1..5].iter().all(|verdict| *verdict == ("stabilizable", false)));
     assert!(verdicts[5..].iter().all(|verdict| *verdict == ("controllable", true)));
     let flight = mavc(&["simulate", SPECS[0]]);
-    assert_eq!(flight.status.code(), Some(6));
+    assert_eq!(flight.status.code(), Some(0));
+    let text = String::from_utf8(flight.stdout).unwrap();
+    assert!(text.contains("\nLanded at ") && text.contains("\n  yaw given up at 6.0"), "{text}");
+    let held = mavc(&["simulate", SPECS[0], "--set", "plan.without_yaw=never"]);
+    assert_eq!(held.status.code(), Some(6));
 }
 
 #[test]

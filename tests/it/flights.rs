@@ -12,6 +12,7 @@ mod motion;
 mod plans;
 mod reference;
 mod sorties;
+mod without_yaw;
 
 use mavc::flight::body::Body;
 use mavc::flight::reference::Course;

@@ -286,7 +286,9 @@ fn the_schemas_of_reports_have_the_same_words() {
     let mut compared = 0;
     for (group, entry) in entries().filter(|(_, entry)| matches!(entry.takes, Takes::Words(_))) {
         let own: BTreeSet<String> = entry.words().iter().map(ToString::to_string).collect();
-        let reported = found.iter().filter(|values| values.contains(entry.words()[0])).collect::<Vec<_>>();
+        // A word such as `never` belongs to more than one field, so two must be common.
+        let shared = |values: &&BTreeSet<String>| own.intersection(values).count() >= 2;
+        let reported = found.iter().filter(shared).collect::<Vec<_>>();
         let is_same = reported.iter().any(|values| own.is_subset(values));
         assert!(reported.is_empty() || is_same, "{} of {group:?}: {own:?} against {reported:?}", entry.name);
         compared += usize::from(is_same);

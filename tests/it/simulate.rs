@@ -181,7 +181,7 @@ fn a_vehicle_that_turns_away_is_lost_unless_the_spec_says_otherwise() {
     let report = folder.path().join("sim.json");
     let flown = |more: &str| {
         let block = format!(
-            "faults {{ mode neighbours {{ rotors [1, 2] lost }} }}\n\
+            "faults {{ mode neighbours {{ rotors [1, 2] lost; without_yaw = never }} }}\n\
              simulate {{ fault neighbours at 1 s; detection = 50 ms; duration = 15 s; {more} }}\n"
         );
         let ran = simulate(&hop(folder.path(), &block), &["--report", report.to_str().unwrap()]);

@@ -67,6 +67,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             rounds: 1,
             require_risk: None,
             after_fault: AfterFault::Continue,
+            without_yaw: mavc::model::GiveUpYaw::WhereNeeded,
             require_span: span,
         },
         simulation: Default::default(),
@@ -95,6 +96,7 @@ pub fn lost(model: &Model, rotors: &[usize]) -> FaultMode {
         detection: None,
         rate: None,
         after_fault: None,
+        without_yaw: None,
         span: Span::default(),
     }
 }

@@ -49,9 +49,9 @@
 ; Words that some fields take.
 ((field value: (reference (name) @constant.builtin))
   (#any-of? @constant.builtin
-    "all" "bounded" "box" "continue" "cylinder" "distance" "estimator" "exact" "geometric" "half_space" "hold"
+    "all" "always" "bounded" "box" "continue" "cylinder" "distance" "estimator" "exact" "geometric" "half_space" "hold"
     "hover" "instant" "lagging" "land" "minimum" "never" "off" "optimal" "pd" "polygon" "proportional"
-    "pseudo_inverse" "rcp" "rip" "rsp" "sphere" "uniform"))
+    "pseudo_inverse" "rcp" "rip" "rsp" "sphere" "uniform" "where_needed"))
 ((field value: (list (reference (name) @constant.builtin)))
   (#any-of? @constant.builtin "rcp" "rip" "rsp"))
 ((clause value: (reference (name) @constant.builtin))

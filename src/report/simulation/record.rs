@@ -54,6 +54,9 @@ pub struct FlightRecord {
     pub max_heading_error_after_rad: Option<f64>,
     /// Largest number of whole turns away from the planned heading.
     pub turns: usize,
+    /// When yaw was first given up on purpose; `None` if it never was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gave_up_yaw_at_s: Option<f64>,
     pub faults: Vec<FaultRecord>,
     pub false_alarms: usize,
     pub refused_reconfigurations: usize,
@@ -142,6 +145,7 @@ impl FlightRecord {
             max_heading_error_rad: flight.heading.max,
             max_heading_error_after_rad: (!flight.found.is_empty()).then_some(flight.heading.max_after),
             turns: flight.heading.turns,
+            gave_up_yaw_at_s: flight.gave_up_yaw_at,
             faults: faults(model, strikes, flight),
             false_alarms: flight.false_alarms,
             refused_reconfigurations: flight.refused,

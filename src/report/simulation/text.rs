@@ -41,6 +41,9 @@ pub fn text(flown: &Flown) -> String {
     ));
     out.pop();
     out.push_str(&past_limit(flown));
+    if let Some(at) = record.gave_up_yaw_at_s {
+        out.push_str(&format!("  yaw given up at {} s: the heading error loses no vehicle after this\n", fixed(at, 2)));
+    }
     if !record.faults.is_empty() {
         let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);
         let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));

@@ -11,7 +11,7 @@ fn desk(more: &str) -> Desk {
     let text = format!(
         "use \"{}\"\nfaults {{ mode spin {{ rotors [1, 2] lost }}\n mode dead {{ rotors [1, 2, 3, 4] lost }} }}\n\
          mission hop {{ start at [0, 0, 2] m\n waypoint at [4, 1, 4] m }}\n\
-         plan {{ model = hover; planner = rip; against = []; time = 12 s; samples = 40 }}\n\
+         plan {{ model = hover; planner = rip; against = []; time = 12 s; samples = 40; without_yaw = never }}\n\
          campaign {{ planners = rip }}\n{more}\n",
         vehicle.display()
     );

@@ -42,7 +42,13 @@ fn angles(r: &Matrix3<f64>) -> Vector3<f64> {
 fn misses(vehicle: &Vehicle, motion: &Motion, w: Vector3<f64>) -> [f64; 2] {
     let begin = (motion.at)(motion.pieces[0].0);
     let r = attitude(&begin);
-    let frame = Frame { mass: vehicle.mass, inertia: vehicle.inertia.into(), gravity: G, drag: Vector3::zeros(), yaw_drag: None };
+    let frame = Frame {
+        mass: vehicle.mass,
+        inertia: vehicle.inertia.into(),
+        gravity: G,
+        drag: Vector3::zeros(),
+        yaw_drag: None,
+    };
     let quaternion = UnitQuaternion::from_matrix(&r).into_inner();
     let (position, velocity) = (place(&begin, 0), place(&begin, 1));
     let mut body = Body { position, velocity, attitude: quaternion, rates: w };

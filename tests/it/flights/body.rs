@@ -5,8 +5,13 @@ use mavc::actuation::Wrench;
 use mavc::flight::body::{Body, Frame};
 use nalgebra::{Matrix3, Vector3};
 
-const FRAME: Frame =
-    Frame { mass: 1.3, inertia: Vector3::new(0.021, 0.034, 0.052), gravity: 9.81, drag: Vector3::new(0.0, 0.0, 0.0), yaw_drag: None };
+const FRAME: Frame = Frame {
+    mass: 1.3,
+    inertia: Vector3::new(0.021, 0.034, 0.052),
+    gravity: 9.81,
+    drag: Vector3::new(0.0, 0.0, 0.0),
+    yaw_drag: None,
+};
 
 /// `duration` s under a constant wrench in steps of `h`.
 fn flown(mut body: Body, frame: &Frame, wrench: Wrench, air: Vector3<f64>, duration: f64, h: f64) -> Body {

@@ -5,7 +5,7 @@ use crate::vehicles::{lost, octocopter, quadcopter};
 use mavc::flight::body::Body;
 use mavc::flight::heading::{DEFINED_UP_TO, Heading, Patience, wrapped};
 use mavc::flight::{Cause, Outcome, Sample, Sortie, fly};
-use mavc::model::{Controller, Detection, Model};
+use mavc::model::{Controller, Detection, GiveUpYaw, Model};
 use mavc::motion::{X, Y, YAW};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -85,6 +85,7 @@ fn spinning() -> Model {
     let mut model = quiet(octocopter("PPNNPPNN"));
     model.simulation.detection = Detection::After(0.1);
     model.modes = vec![lost(&model, &[1, 2])];
+    model.plan.without_yaw = GiveUpYaw::Never;
     model
 }
 

@@ -182,6 +182,7 @@ fn defaults_are_listed() {
             "plan.samples",
             "plan.rounds",
             "plan.after_fault",
+            "plan.without_yaw",
             "plan.snap",
             "plan.acceleration"
         ]
