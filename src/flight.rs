@@ -8,6 +8,7 @@
 pub mod air;
 pub mod allocate;
 pub mod body;
+pub mod capture;
 pub mod control;
 pub mod estimate;
 pub mod heading;

@@ -42,7 +42,7 @@ pub use diagnostic::{Diagnostic, Severity};
 pub use observer::Observer;
 pub use pipeline::{
     Explained, NoFlight, OtherSpec, Planning, Refusal, Rejected, Task, Uncertified, Unexplained, analyze, campaign,
-    certify, check, compare, compile, explain, fly, format, plan, verify,
+    capture, certify, check, compare, compile, explain, fly, format, plan, verify,
 };
 pub use planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof};
 pub use spec::{CompileError, Compiled, Compiler, Spec};

@@ -22,6 +22,7 @@ pub(crate) use flights::sized;
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::admissible::verdict::{ModeAnalysis, analyze_each};
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
+use crate::flight::capture::{Capture, captures};
 use crate::flight::indistinguishable;
 use crate::source::{FileId, Source};
 use crate::spec::{Compiled, Compiler, Spec};
@@ -76,6 +77,21 @@ pub fn format(text: &str) -> Result<String, Vec<Diagnostic>> {
 /// ```
 pub fn analyze(spec: &Spec) -> Vec<ModeAnalysis> {
     analyze_each(spec.model())
+}
+
+/// Simulates, for each mode in which yaw is given up, the height (m) that the vehicle loses from the fault until it flies level
+/// again: over delays of 20 to 300 ms until the fault is known, at rest and at 5 m/s, with the rotors' time constant and twice that. Never
+/// fails; empty if yaw is given up in no mode. See docs/flight.md, section 2, "Without yaw"; nothing of this is proved.
+///
+/// ```
+/// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
+/// for case in mavc::capture(&spec) {
+///     println!("{} after {} s: {:?} m", case.mode, case.delay_s, case.height_m);
+/// }
+/// # Ok::<(), mavc::CompileError>(())
+/// ```
+pub fn capture(spec: &Spec) -> Vec<Capture> {
+    captures(spec.model())
 }
 
 /// Checks a spec against the admissible sets and the estimator: fault modes that the plan must tolerate but cannot (errors),

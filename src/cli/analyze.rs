@@ -5,9 +5,9 @@ use super::results::compact_json;
 use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files, spec};
 use crate::model::FlightBlocks;
 use crate::observer::timed;
-use crate::pipeline::{Sweep, analyze};
+use crate::pipeline::{Sweep, analyze, capture};
 use crate::report::analysis_record::AnalysisRecord;
-use crate::report::analysis_text;
+use crate::report::{analysis_text, capture_text};
 
 pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
     let watch = Watch::new(options);
@@ -15,15 +15,18 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
     findings.eprint(options);
     let Some(spec) = &spec else { return Ok(SPEC_ERRORS) };
     let modes = timed(&watch, "verdicts", || analyze(spec));
+    let captures = args.capture.then(|| timed(&watch, "captures", || capture(spec)));
     let sweep = args.sweep.as_ref().map(|text| Sweep::run(text, spec, &modes)).transpose()?;
     match args.format {
         Format::Json => {
-            let record = AnalysisRecord::new(spec.model(), &modes, sweep.as_ref().map(|sweep| sweep.flips.as_slice()));
+            let flips = sweep.as_ref().map(|sweep| sweep.flips.as_slice());
+            let record = AnalysisRecord::new(spec.model(), &modes, flips, captures.as_deref());
             files::print(&compact_json(&record)?)?;
         }
-        Format::Human => files::print(&match &sweep {
-            None => analysis_text::analysis(spec.model(), &modes),
-            Some(sweep) => sweep.to_text(spec.model()),
+        Format::Human => files::print(&match (&sweep, &captures) {
+            (Some(sweep), _) => sweep.to_text(spec.model()),
+            (None, Some(captures)) => capture_text::captures(spec.model(), captures),
+            (None, None) => analysis_text::analysis(spec.model(), &modes),
         })?,
     }
     Ok(FINE)

@@ -150,6 +150,9 @@ pub(super) struct AnalyzeArgs {
     /// Vary a field of the vehicle, gravity or a `let`, and print where verdicts change: mass=1.5..2.5kg
     #[arg(long, value_name = "FIELD=LOW..HIGH", value_hint = clap::ValueHint::Other)]
     pub sweep: Option<String>,
+    /// Simulate what faults after which yaw is given up cost: the height lost until the vehicle flies level again, by delay
+    #[arg(long, conflicts_with = "sweep")]
+    pub capture: bool,
 }
 
 #[derive(Args)]

@@ -1,6 +1,7 @@
 //! The machine-readable report of an analysis (`mavc analyze --format json`).
 
 use crate::admissible::verdict::ModeAnalysis;
+use crate::flight::capture::Capture;
 use crate::model::Model;
 use serde::Serialize;
 
@@ -16,11 +17,18 @@ pub struct AnalysisRecord<'a, F> {
     modes: &'a [ModeAnalysis],
     #[serde(skip_serializing_if = "Option::is_none")]
     flips: Option<&'a [F]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    captures: Option<&'a [Capture]>,
 }
 
 impl<'a, F> AnalysisRecord<'a, F> {
-    pub fn new(model: &'a Model, modes: &'a [ModeAnalysis], flips: Option<&'a [F]>) -> Self {
+    pub fn new(
+        model: &'a Model,
+        modes: &'a [ModeAnalysis],
+        flips: Option<&'a [F]>,
+        captures: Option<&'a [Capture]>,
+    ) -> Self {
         let (vehicle, rotors) = (model.vehicle.name.as_str(), model.vehicle.rotors.len());
-        AnalysisRecord { schema: SCHEMA, vehicle, rotors, modes, flips }
+        AnalysisRecord { schema: SCHEMA, vehicle, rotors, modes, flips, captures }
     }
 }

@@ -67,7 +67,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             rounds: 1,
             require_risk: None,
             after_fault: AfterFault::Continue,
-            without_yaw: mavc::model::GiveUpYaw::WhereNeeded,
+            without_yaw: GiveUpYaw::WhereNeeded,
             require_span: span,
         },
         simulation: Default::default(),

@@ -2,7 +2,8 @@
 
 use super::{seen, sortie, staying, strike};
 use crate::vehicles::{lost, ring_model};
-use mavc::flight::{Flight, Outcome};
+use mavc::flight::capture::{SEEDS, captures};
+use mavc::flight::{Cause, Flight, Outcome};
 use mavc::model::{AfterFault, Detection, Model, Spread, YawDrag};
 use nalgebra::Vector3;
 
@@ -72,6 +73,25 @@ fn without_two_opposite_rotors_the_direction_of_the_thrust_is_kept() {
     let (flight, height, ..) = hover(&model, 9.0);
     assert_eq!(flight.outcome, Outcome::Flown);
     assert!(height < 0.5 && flight.max_tilt < 0.2, "{height} {flight:?}");
+}
+
+/// The shipped quadcopter survives the loss of a rotor above the height that `mavc analyze --capture` names, and is lost below it.
+#[test]
+fn the_height_named_decides() {
+    let spec = mavc::compile(include_str!("../../../examples/parcel_quad.mav")).into_result().unwrap();
+    let mut model = spec.model().clone();
+    model.modes.truncate(1);
+    let cases = captures(&model);
+    let case = cases.iter().find(|c| (c.speed_m_per_s, c.delay_s) == (0.0, 0.1) && c.lag_s == 0.02).unwrap();
+    let ([_, _, most], SEEDS) = (case.height_m.unwrap(), case.regained as u64) else { panic!("{case:?}") };
+    model.simulation.detection = Detection::After(0.1);
+    (model.simulation.after_fault, model.simulation.lost_beyond) = (AfterFault::Hold, 30.0);
+    for (height, survives) in [(most + 0.3, true), (most - 0.7, false)] {
+        model.simulation.ground = 40.0 - height;
+        let (flight, ..) = hover(&model, 16.0);
+        let lost = matches!(flight.outcome, Outcome::Lost { cause: Cause::Ground, .. });
+        assert_eq!((flight.outcome == Outcome::Flown, lost), (survives, !survives), "{height} {flight:?}");
+    }
 }
 
 #[test]
