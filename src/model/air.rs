@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
-use super::{Mission, Model, Plan, PlanModel, PlanRotors, Vehicle};
+use super::{Mission, Model, Plan, PlanModel, Vehicle};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::air as table;
 use crate::language::{Entry, Group};
@@ -234,13 +234,6 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, mission: Option<&Mission>, ve
         let error = Diagnostic::error(CONFLICT, drag, message).here("with drag");
         let error = error.also(vehicle.mass_span, "an interval");
         cx.report(error.help("write the mass without `+-`, for example its largest value"));
-        return false;
-    }
-    let has_spread = air.wind_spread.iter().any(|s| *s > 0.0);
-    if has_spread && plan.rotors == PlanRotors::Lagging {
-        let message = "an interval of the wind cannot be combined with `rotors = lagging`";
-        let error = Diagnostic::error(CONFLICT, air.span, message).here("an interval of the wind");
-        cx.report(error.help("write the wind without `+-`, or `rotors = instant`"));
         return false;
     }
     true

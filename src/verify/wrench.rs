@@ -2,7 +2,8 @@
 
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
-use super::series::{Series, Vector, cross, dot, unit};
+use super::series::{Scalar, Series, Vector, cross, dot, unit};
+use super::taylor::Taylor;
 use crate::certificate::DynamicModel;
 use crate::model::{Environment, Vehicle};
 
@@ -17,9 +18,9 @@ pub enum Held {
 
 /// Value and rate of change of T, tau_x, tau_y, tau_z: N, N m and per second.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wrench {
-    pub value: [Interval; 4],
-    pub rate: [Interval; 4],
+pub struct Wrench<S = Interval> {
+    pub value: [S; 4],
+    pub rate: [S; 4],
 }
 
 /// The equations that give the wrench of a motion.
@@ -45,6 +46,11 @@ impl Dynamics<'_> {
         self.series::<3>(state).map(|part| part.value())
     }
 
+    /// Whether more than one wind is possible, and the equations depend on it.
+    pub fn is_in_winds(&self) -> bool {
+        self.model == DynamicModel::Exact && self.environment.is_uncertain()
+    }
+
     /// The same equations in each of the extreme winds.
     pub fn in_each_wind(&self) -> Vec<Self> {
         self.environment.corners().into_iter().map(|environment| Dynamics { environment, ..self.clone() }).collect()
@@ -58,10 +64,33 @@ impl Dynamics<'_> {
         }
     }
 
+    /// The quantity `held` in the exact model as a function of the wind's deviation from its middle.
+    pub fn held_by_wind(&self, held: Held, state: &State) -> Wrench<Taylor> {
+        match held {
+            Held::Wrench => rated(self.exact::<4, _>(state, &self.thrust_by_wind(state))),
+            Held::Commands { tau } => {
+                let wrench = self.exact::<5, _>(state, &self.thrust_by_wind(state));
+                rated(wrench.map(|w| w + w.rate().times(tau)))
+            }
+        }
+    }
+
+    /// The thrust over mass as a function of the wind's deviation, which changes its value and none of its derivatives, m/s^2.
+    fn thrust_by_wind<const N: usize>(&self, state: &State) -> Vector<N, Taylor> {
+        let Environment { drag_rate, wind_spread, .. } = self.environment;
+        let middle = Environment { wind_spread: [0.0; 3], ..self.environment };
+        let mut thrust = thrust_over_mass::<N>(state, &middle).map(|part| part.lifted());
+        for (axis, part) in thrust.iter_mut().enumerate() {
+            let largest = -(Interval::point(drag_rate) * Interval::point(wind_spread[axis]));
+            *part = *part + Series::constant(Taylor::deviation(axis, largest));
+        }
+        thrust
+    }
+
     fn series<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
         match self.model {
             DynamicModel::Hover => self.about_hover(state),
-            DynamicModel::Exact => self.exact(state),
+            DynamicModel::Exact => self.exact(state, &thrust_over_mass(state, &self.environment)),
         }
     }
 
@@ -84,22 +113,22 @@ impl Dynamics<'_> {
         [thrust, roll.times(ixx), pitch.times(iyy), series(&state[YAW], 2).times(izz)]
     }
 
-    /// The thrust carries m (p'' + g e_z) and the drag along b_3; of ZYX angles the heading is that of b_1, which is therefore
-    /// orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p = -b_2.b_3',
-    /// q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
-    fn exact<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
-        let a: Vector<N> = thrust_over_mass(state, &self.environment);
+    /// The thrust carries m `a`, which is m (p'' + g e_z) and the drag, along b_3; of ZYX angles the heading is that of b_1,
+    /// which is therefore orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product:
+    /// p = -b_2.b_3', q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
+    fn exact<const N: usize, S: Scalar>(&self, state: &State, a: &Vector<N, S>) -> [Series<N, S>; 4] {
         let (s, c) = series(&state[YAW], 0).sin_cos();
-        let b3 = unit(&a);
-        let b1 = unit(&cross(&[-s, c, Series::constant(Interval::ZERO)], &b3));
+        let left: Vector<N> = [-s, c, Series::constant(Interval::ZERO)];
+        let b3 = unit(a);
+        let b1 = unit(&cross(&left.map(|part| part.lifted()), &b3));
         let b2 = cross(&b3, &b1);
         let (b1_rate, b3_rate) = (b1.map(|x| x.rate()), b3.map(|x| x.rate()));
-        let omega: Vector<N> = [-dot(&b2, &b3_rate), dot(&b1, &b3_rate), dot(&b2, &b1_rate)];
+        let omega: Vector<N, S> = [-dot(&b2, &b3_rate), dot(&b1, &b3_rate), dot(&b2, &b1_rate)];
         let inertia = self.vehicle.inertia.map(Interval::point);
-        let momentum: Vector<N> = std::array::from_fn(|i| omega[i].times(inertia[i]));
+        let momentum: Vector<N, S> = std::array::from_fn(|i| omega[i].times(inertia[i]));
         let gyroscopic = cross(&omega, &momentum);
-        let tau: Vector<N> = std::array::from_fn(|i| momentum[i].rate() + gyroscopic[i]);
-        let thrust = dot(&a, &a).sqrt().times(Interval::point(self.vehicle.mass));
+        let tau: Vector<N, S> = std::array::from_fn(|i| momentum[i].rate() + gyroscopic[i]);
+        let thrust = dot(a, a).sqrt().times(Interval::point(self.vehicle.mass));
         [thrust, tau[0], tau[1], tau[2]]
     }
 }
@@ -119,6 +148,6 @@ pub fn thrust_over_mass<const N: usize>(state: &State, environment: &Environment
     thrust
 }
 
-fn rated<const N: usize>(parts: [Series<N>; 4]) -> Wrench {
+fn rated<const N: usize, S: Scalar>(parts: [Series<N, S>; 4]) -> Wrench<S> {
     Wrench { value: parts.map(|p| p.value()), rate: parts.map(|p| p.slope()) }
 }

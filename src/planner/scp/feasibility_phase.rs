@@ -100,7 +100,7 @@ impl ScpPlanner<'_, '_> {
         working_set.retain(|r| {
             let state = iterate.at(r.instant);
             let violation = match r.row {
-                Row::Facet(facet) => self.worst_of_row(facet, &self.wrenches_at(&state)),
+                Row::Facet(facet) => self.violation_of_row(facet, &self.wrench_at(&state)),
                 Row::Limit(limit) => match &self.hover.mission().limits[limit] {
                     limit if form.covers(limit, r.instant) => form.violation_of(limit, &state, 0.0),
                     _ => f64::NEG_INFINITY,
