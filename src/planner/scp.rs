@@ -295,8 +295,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let linear = self.linearise(iterate, working_set);
         let curvature = self.curvature(iterate);
         let chosen: Vec<RowAt> = working_set.iter().copied().collect();
+        let by_wind = self.tightening_by_wind(iterate, &chosen);
         let local_tightening: Vec<f64> =
-            chosen.iter().map(|r| self.local_tightening_of(r) + self.tightening_by_wind(iterate, r)).collect();
+            chosen.iter().zip(by_wind).map(|(r, by_wind)| self.local_tightening_of(r) + by_wind).collect();
         let commands = self.linearise_commands(iterate, working_set);
         let step = Step {
             settings: &settings,

@@ -10,15 +10,27 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         OverWinds::of_wrench(self.wrench, &self.hover.model().vehicle, &self.environment, state)
     }
 
-    /// By how much more a facet may be violated in the worst of the possible winds than in their middle, at an iterate. Steps
+    /// The same at an instant of an iterate; `known` holds those computed before, as several rows may be at one instant.
+    pub(super) fn wrench_at_instant<'k>(
+        &self,
+        iterate: &Iterate,
+        instant: usize,
+        known: &'k mut BTreeMap<usize, OverWinds>,
+    ) -> &'k OverWinds {
+        known.entry(instant).or_insert_with(|| self.wrench_at(&iterate.at(instant)))
+    }
+
+    /// By how much more each row may be violated in the worst of the possible winds than in their middle, at an iterate. Steps
     /// impose facets on the wrench in the middle, tightened by this much.
-    pub(super) fn tightening_by_wind(&self, iterate: &Iterate, &RowAt { row, instant }: &RowAt) -> f64 {
-        match row {
+    pub(super) fn tightening_by_wind(&self, iterate: &Iterate, rows: &[RowAt]) -> Vec<f64> {
+        let mut known = BTreeMap::new();
+        let of_row = |&RowAt { row, instant }: &RowAt| match row {
             Row::Facet(facet) if self.environment.is_uncertain() => {
-                self.wrench_at(&iterate.at(instant)).excess(&self.set.rows[facet])
+                self.wrench_at_instant(iterate, instant, &mut known).excess(&self.set.rows[facet])
             }
             _ => 0.0,
-        }
+        };
+        rows.iter().map(of_row).collect()
     }
 
     /// The largest violation of a row in all winds, in widths of the healthy set; a flat set's equalities hold to within the margin on
