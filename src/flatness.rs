@@ -24,8 +24,8 @@ pub mod rotor_drag;
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
 use intermediates::Intermediates;
-use nalgebra::{SMatrix, SVector};
-use num_dual::{Dual, DualNum, jacobian};
+use nalgebra::{Const, SMatrix, SVector};
+use num_dual::{Dual, Dual2SVec64, DualNum, jacobian};
 
 /// Number of derivatives that the wrench depends on.
 pub const INPUTS: usize = 12;
@@ -110,4 +110,48 @@ fn commanded_of<D: DualNum<Primitive = f64> + Copy>(
     state: &SVector<D, COMMAND_INPUTS>,
 ) -> SVector<D, 4> {
     Intermediates::new(gravity, &moving(state)).wrench(vehicle).map(|w| w.re + w.eps * D::from(tau))
+}
+
+/// The indices i <= j of the axes of [`ByAcceleration::curvatures`].
+pub const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
+/// First and second derivatives of a wrench with respect to x'', y'' and z'', with all other derivatives fixed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ByAcceleration {
+    /// By x'', y'', z''.
+    pub slopes: [SVector<f64, 4>; 3],
+    /// By each of [`PAIRS`].
+    pub curvatures: [SVector<f64, 4>; 6],
+}
+
+/// Derivatives of the wrench with respect to the acceleration.
+pub fn wrench_by_acceleration(vehicle: &Vehicle, gravity: f64, state: &FlatState) -> ByAcceleration {
+    by_acceleration(Intermediates::new(gravity, &accelerating(state)).wrench(vehicle))
+}
+
+/// Derivatives of the commanded wrench (84) with respect to the acceleration.
+pub fn commanded_by_acceleration(
+    vehicle: &Vehicle,
+    gravity: f64,
+    tau: f64,
+    state: &CommandFlatState,
+) -> ByAcceleration {
+    by_acceleration(commanded_of(vehicle, gravity, tau, &accelerating(state)))
+}
+
+/// A state whose first three entries, x'', y'' and z'', are the variables.
+fn accelerating<const N: usize>(state: &SVector<f64, N>) -> SVector<Dual2SVec64<3>, N> {
+    SVector::from_fn(|i, _| {
+        let value = Dual2SVec64::from_re(state[i]);
+        if i < 3 { value.derivative(i) } else { value }
+    })
+}
+
+fn by_acceleration(wrench: SVector<Dual2SVec64<3>, 4>) -> ByAcceleration {
+    let slopes = wrench.map(|w| w.v1.unwrap_generic(Const::<1>, Const::<3>));
+    let curvatures = wrench.map(|w| w.v2.unwrap_generic(Const::<3>, Const::<3>));
+    ByAcceleration {
+        slopes: std::array::from_fn(|i| SVector::from_fn(|row, _| slopes[row][i])),
+        curvatures: PAIRS.map(|at| SVector::from_fn(|row, _| curvatures[row][at])),
+    }
 }

@@ -7,11 +7,13 @@ pub mod nearness;
 pub mod outside;
 pub mod risk;
 pub mod time_grid;
+pub mod winds;
 pub mod wrench_model;
 
 use crate::actuation::Wrench;
 use crate::flatness::rotor_drag::{self, Attitude};
 use crate::model::{Environment, Vehicle};
+use winds::OverWinds;
 use wrench_model::WrenchModel;
 
 /// Index of the axis x (east, m) in a [`NodeState`].
@@ -129,9 +131,33 @@ impl Trajectory {
         k: usize,
         state: &NodeState,
     ) -> Wrench {
+        self.model.commanded(vehicle, environment, tau, &self.sloped(k, state))
+    }
+
+    /// The wrench of a state in every wind of an interval.
+    pub(crate) fn in_every_wind(&self, vehicle: &Vehicle, environment: &Environment, state: &NodeState) -> OverWinds {
+        OverWinds::of_wrench(self.model, vehicle, environment, state)
+    }
+
+    /// The commanded wrench of a state within interval `k` in every wind of an interval, like [`Self::commanded`].
+    ///
+    /// # Panics
+    /// If there is no interval `k`.
+    pub(crate) fn commanded_in_every_wind(
+        &self,
+        vehicle: &Vehicle,
+        environment: &Environment,
+        tau: f64,
+        k: usize,
+        state: &NodeState,
+    ) -> OverWinds {
+        OverWinds::of_commands(self.model, vehicle, environment, tau, &self.sloped(k, state))
+    }
+
+    /// A state within interval `k` with the slopes of the inputs there.
+    fn sloped(&self, k: usize, state: &NodeState) -> CommandState {
         let ends = [&self.nodes[k], &self.nodes[k + 1]];
-        let sloped = with_slopes(state, ends, self.times[k + 1] - self.times[k], self.model.orders());
-        self.model.commanded(vehicle, environment, tau, &sloped)
+        with_slopes(state, ends, self.times[k + 1] - self.times[k], self.model.orders())
     }
 
     /// The wrench at every node, N and N m.

@@ -21,8 +21,9 @@ mod read;
 mod schedule;
 pub mod series;
 pub mod sets;
+pub mod taylor;
 mod volumes;
-mod wind;
+pub mod wind;
 pub mod wrench;
 
 use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord};

@@ -2,14 +2,14 @@
 //! a grid.
 
 use super::witness::{model_of, motion};
-use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
 use crate::model::{Limit, LimitKind, Part, Problem};
 use crate::motion::checks::{leg_intervals, past_as_checked, peak_of};
+use crate::motion::winds::OverWinds;
 use crate::motion::{NodeState, Trajectory};
 use crate::planner::studies::{MissionPlan, PlannerRun};
 use crate::verify::Premises;
-use crate::verify::cost::Purse;
+use crate::verify::cost::{OF_EXACT_WRENCH, Purse};
 use crate::verify::interval::Interval;
 use crate::verify::motion::Motion;
 use crate::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT, OF_A_GRID, Setting, wrench_family};
@@ -83,21 +83,20 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     let other_sides = rows.iter().filter(|r| r.equality).map(|r| plane(-1.0, r));
     let planes: Vec<Plane> = rows.iter().map(|r| plane(1.0, r)).chain(other_sides).collect();
     let environment = model.environment();
-    let winds = environment.corners();
-    let largest = |wrenches: Vec<Wrench>| rows.iter().map(|row| row.worst(&wrenches)).fold(f64::NEG_INFINITY, f64::max);
+    let largest = |wrench: &OverWinds| rows.iter().map(|row| wrench.worst(row)).fold(f64::NEG_INFINITY, f64::max);
     let mut found = vec![kept_facets((setting.dynamics(), &motion), Held::Wrench, &planes, trajectory, |_, state| {
-        largest(trajectory.wrenches(&model.vehicle, &winds, state))
+        largest(&trajectory.in_every_wind(&model.vehicle, &environment, state))
     })];
     found.extend(mission.limits.iter().map(|limit| kept_limit(&setting, &motion, limit, trajectory)));
     if let Some((held, tau)) = setting.commands().zip(model.thrust_lag()) {
         // If the wrench stays in a plane, so does its rate, and so do the commands.
         let planes: Vec<Plane> = rows.iter().filter(|r| !r.equality).map(|r| plane(1.0, r)).collect();
-        let largest = |commanded: &Wrench| {
+        let largest = |commanded: &OverWinds| {
             let rows = rows.iter().filter(|r| !r.equality);
-            rows.map(|row| row.violation(commanded)).fold(f64::NEG_INFINITY, f64::max)
+            rows.map(|row| commanded.worst(row)).fold(f64::NEG_INFINITY, f64::max)
         };
         found.push(kept_facets((setting.dynamics(), &motion), held, &planes, trajectory, |k, state| {
-            largest(&trajectory.commanded(&model.vehicle, &environment, tau, k, state))
+            largest(&trajectory.commanded_in_every_wind(&model.vehicle, &environment, tau, k, state))
         }));
     }
     found
@@ -114,7 +113,9 @@ fn kept_facets(
 ) -> Between {
     let rows = if held == Held::Wrench { WRENCH } else { COMMANDS }.to_string();
     let family = wrench_family(dynamics, held, planes);
-    let mut purse = Purse(WORK.max(WORK_EACH * (planes.len() * trajectory.intervals()) as u64));
+    // A state in every wind of an interval counts as many in one.
+    let winds = (family.overhead / OF_EXACT_WRENCH).max(1);
+    let mut purse = Purse(winds * WORK.max(WORK_EACH * (planes.len() * trajectory.intervals()) as u64));
     let proved = throughout(&family, motion, MOST_OUTSIDE, &mut purse).into_iter().filter(|&proved| proved).count();
     let (shown, points, violation) = match proved == planes.len() {
         true => (Shown::Proved, None, MOST_OUTSIDE),

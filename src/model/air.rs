@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
-use super::{LimitKind, Mission, Model, Plan, PlanModel, PlanRotors, Vehicle};
+use super::{LimitKind, Mission, Model, Plan, PlanModel, Vehicle};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::air as table;
 use crate::language::{Entry, Group};
@@ -269,37 +269,31 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, mission: Option<&Mission>, ve
         cx.report(error.help("write the mass without `+-`, for example its largest value"));
         return false;
     }
-    let has_spread = air.wind_spread.iter().any(|s| *s > 0.0);
-    if has_spread && plan.rotors == PlanRotors::Lagging {
-        let message = "an interval of the wind cannot be combined with `rotors = lagging`";
-        let error = Diagnostic::error(CONFLICT, air.span, message).here("an interval of the wind");
-        cx.report(error.help("write the wind without `+-`, or `rotors = instant`"));
+    let has_spread = mission.air.wind_spread.iter().any(|spread| *spread > 0.0);
+    let [x, y, z] = vehicle.drag;
+    if has_spread && !(x == y && y == z) {
+        let message = "an interval of the wind needs the same `drag` along all axes";
+        let error = Diagnostic::error(CONFLICT, mission.air.span, message).here("an interval of the wind");
+        let error = error.also(drag, "differs along the axes");
+        cx.report(
+            error.help("write one number for `drag`, such as the largest of the three, or the wind without `+-`"),
+        );
         return false;
     }
-    !differs_across(cx, drag, mission, vehicle)
+    !limits_tilt(cx, drag, mission, vehicle)
 }
 
-/// Reports what cannot be planned with a drag that differs along x and y, with which the attitude depends on the yaw; whether
-/// there is something.
-fn differs_across(cx: &mut Context, drag: Span, mission: &Mission, vehicle: &Vehicle) -> bool {
+/// Reports limits on tilt with a drag that differs along x and y, with which the attitude depends on the yaw; whether there is
+/// one.
+fn limits_tilt(cx: &mut Context, drag: Span, mission: &Mission, vehicle: &Vehicle) -> bool {
     if vehicle.drag[0] == vehicle.drag[1] {
         return false;
     }
-    let help = "write the same drag along x and y, such as their larger value";
-    let mut conflict = |message: &str, other: Span, here: &'static str| {
-        let error = Diagnostic::error(CONFLICT, other, message).here(here).also(drag, "differs along x and y");
-        cx.report(error.help(help));
-    };
-    let tilt = mission.limits.iter().find(|limit| limit.kind == LimitKind::Tilt);
-    if let Some(limit) = tilt {
-        let message =
-            "a limit on tilt cannot be combined with a `drag` that differs along x and y: tilt then depends on yaw";
-        conflict(message, limit.span, "limit on tilt");
-    }
-    let has_spread = mission.air.wind_spread.iter().any(|spread| *spread > 0.0);
-    if has_spread {
-        let message = "an interval of the wind cannot be combined with a `drag` that differs along x and y";
-        conflict(message, mission.air.span, "an interval of the wind");
-    }
-    tilt.is_some() || has_spread
+    let Some(limit) = mission.limits.iter().find(|limit| limit.kind == LimitKind::Tilt) else { return false };
+    let message =
+        "a limit on tilt cannot be combined with a `drag` that differs along x and y: tilt then depends on yaw";
+    let error = Diagnostic::error(CONFLICT, limit.span, message).here("limit on tilt");
+    let error = error.also(drag, "differs along x and y");
+    cx.report(error.help("write the same drag along x and y, such as their larger value"));
+    true
 }

@@ -36,14 +36,14 @@ pub const COMMAND_DERIVATIVES: [(usize, usize); COMMAND_INPUTS] = {
     all
 };
 
-fn command_flat(state: &CommandState) -> CommandFlatState {
+pub(super) fn command_flat(state: &CommandState) -> CommandFlatState {
     CommandFlatState::from_fn(|i, _| state[COMMAND_DERIVATIVES[i].0][COMMAND_DERIVATIVES[i].1])
 }
 
 /// Axis and order of the derivative in each entry of the vectors that [`WrenchModel::curvature`] returns.
 pub const DIRECTIONS: [(usize, usize); INPUTS] = FLAT;
 
-fn flat(state: &NodeState) -> FlatState {
+pub(super) fn flat(state: &NodeState) -> FlatState {
     FlatState::from_fn(|i, _| state[FLAT[i].0][FLAT[i].1])
 }
 

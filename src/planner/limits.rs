@@ -216,8 +216,10 @@ impl Transcription<'_> {
                 cone(widening.bound(upper, order, 1.0), parts(axes, order));
             }
             (Bounded::Tilt, Some(upper)) if self.plans(X) => {
-                // The cone is convex, so that it contains the thrust in every wind if it does so in the extreme ones.
-                for wind in &self.winds {
+                // The cone is convex, so that it contains the thrust in every wind if it does so in the extreme ones; of those
+                // that differ in their vertical part alone, the one that lifts most is the hardest.
+                let lifts_most = self.winds.iter().map(|wind| wind.wind[Z]).fold(f64::NEG_INFINITY, f64::max);
+                for wind in self.winds.iter().filter(|wind| wind.wind[Z] == lifts_most) {
                     let [x, y, z] = self.thrust(instant, wind);
                     let mut reach = z.plus_constant(-wind.gravity).times(upper.tan());
                     reach.add(&widening.bound(wind.gravity, 2, 1.0), upper.tan());

@@ -41,6 +41,7 @@ use crate::flatness::FlatState;
 use crate::model::{Environment, Limit};
 use crate::motion::hover_map::WrenchMap;
 use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};
+use crate::motion::winds::OverWinds;
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::hover::{ACCEPTED, HoverPlanner, Planned};
@@ -55,19 +56,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 use subproblem::{Objective, Step, change};
-
-/// By how much the thrust over mass may rise more in a wind between the extreme ones than these show, m/s^2: the largest
-/// second-order term of the thrust about hover, (90f) of `docs/method.md`; with isotropic drag that of |c|. An interval of winds has the same drag along x and y.
-fn largest_curvature_of_thrust(environment: &Environment) -> f64 {
-    let [x, _, z] = environment.drag_rates;
-    let changes = environment.wind_spread.map(|spread| (x * spread).powi(2));
-    let of_direction = 0.5 * changes.iter().sum::<f64>() / environment.gravity;
-    if environment.is_isotropic() {
-        return of_direction;
-    }
-    let spreads: f64 = environment.wind_spread.iter().map(|spread| spread.powi(2)).sum();
-    of_direction + x * (z - x).abs() * spreads / environment.gravity
-}
 
 /// Instants per interval at which a plan is checked and rows can be imposed: those at which reports look.
 pub use crate::motion::outside::PARTS;
@@ -151,9 +139,8 @@ pub struct ScpPlanner<'e, 'a> {
     input_weight: f64,
     /// Where rotors lag.
     lag: Option<Lag>,
-    /// What acts on the vehicle, in the middle of the possible winds and in each of the extreme ones.
+    /// What acts on the vehicle.
     environment: Environment,
-    winds: Vec<Environment>,
     /// By leg which of the ways around volumes it takes, where that is not the shortest; see [`Self::way_around`].
     sides: BTreeMap<usize, usize>,
     /// Of the last step, with the times of the nodes, s.
@@ -193,14 +180,13 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
     ) -> Self {
         let model = hover.model();
         let environment = model.environment();
-        let winds = environment.corners();
-        let at_rest: Vec<Wrench> = winds.iter().map(|wind| admissible::trimmed(model, wind)).collect();
+        let at_rest = admissible::trimmed(model, &environment);
+        let in_winds = OverWinds::of_wrench(wrench, &model.vehicle, &environment, &NodeState::default());
         let margin = settings.tightening.margin;
-        let of_winds = largest_curvature_of_thrust(&environment) * model.vehicle.mass;
         // No more can be kept free than hover itself does.
         let tightening = set.rows.iter().map(|row| match row.equality {
             true => -margin,
-            false => (margin + of_winds * row.normal[0].abs()).min(-0.5 * row.worst(&at_rest)).max(0.0),
+            false => margin.min(-0.5 * (row.violation(&at_rest) + in_winds.excess(row))).max(0.0),
         });
         let lag = model.thrust_lag().map(|tau| Lag::new(tau, set));
         let local_tightening = BTreeMap::new();
@@ -216,7 +202,6 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             input_weight: settings.proximal.input_weight,
             lag,
             environment,
-            winds,
             sides: BTreeMap::new(),
             splines: None,
         }
@@ -310,8 +295,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let linear = self.linearise(iterate, working_set);
         let curvature = self.curvature(iterate);
         let chosen: Vec<RowAt> = working_set.iter().copied().collect();
+        let by_wind = self.tightening_by_wind(iterate, &chosen);
         let local_tightening: Vec<f64> =
-            chosen.iter().map(|r| self.local_tightening_of(r) + self.tightening_by_wind(iterate, r)).collect();
+            chosen.iter().zip(by_wind).map(|(r, by_wind)| self.local_tightening_of(r) + by_wind).collect();
         let commands = self.linearise_commands(iterate, working_set);
         let step = Step {
             settings: &settings,

@@ -57,7 +57,7 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
 }
 
 /// What is proved about the imposed facets, and what is only checked. In the `linear` model both are about that model's
-/// wrench, which is not the vehicle's. In an interval of winds both are about its extreme winds.
+/// wrench, which is not the vehicle's. In an interval of winds both are about every wind.
 fn on_facets(b: &Between, linear: bool, is_windy: bool) -> (Option<String>, Option<String>) {
     let what = match (b.rows == COMMANDS, linear) {
         (true, false) => "the commanded wrench",
@@ -65,7 +65,7 @@ fn on_facets(b: &Between, linear: bool, is_windy: bool) -> (Option<String>, Opti
         (false, false) => "the wrench",
         (false, true) => "the linear model's wrench",
     };
-    let winds = if is_windy { " in each extreme wind" } else { "" };
+    let winds = if is_windy { " in every wind" } else { "" };
     let all = format!("{what} satisfies every imposed facet{winds}");
     if b.shown == Shown::Proved {
         return (Some(all), None);

@@ -142,7 +142,7 @@ impl<'a> Setting<'a> {
     fn overhead(&self) -> u64 {
         match self.dynamics.model {
             DynamicModel::Hover => cost::OF_HOVER_WRENCH,
-            DynamicModel::Exact if self.dynamics.environment.is_uncertain() => wind::COST * cost::OF_EXACT_WRENCH,
+            DynamicModel::Exact if self.dynamics.is_in_winds() => wind::cost(&self.dynamics) * cost::OF_EXACT_WRENCH,
             DynamicModel::Exact => cost::OF_EXACT_WRENCH,
         }
     }

@@ -1,22 +1,49 @@
-//! Truncated Taylor series in time with interval coefficients: enclosures of a quantity and its first derivatives without
-//! explicit formulas for these (Moore, Kearfott, Cloud, chapter 9).
+//! Truncated Taylor series in time: enclosures of a quantity and its first derivatives without explicit formulas for these
+//! (Moore, Kearfott, Cloud, chapter 9). The coefficients are intervals, or Taylor models in the wind.
 
 use super::interval::Interval;
 use std::ops::{Add, Mul, Neg, Sub};
 
+/// What coefficients are: enclosures of a number, or of a function of the wind.
+pub trait Scalar: Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> + Mul<Output = Self> {
+    /// A number that depends on nothing else.
+    fn of(value: Interval) -> Self;
+    /// The product with such a number.
+    fn scaled(self, factor: Interval) -> Self;
+    fn sqrt(self) -> Self;
+    /// The form of a divisor that [`Self::divided`] takes; several quotients with the same divisor share it.
+    fn as_divisor(self) -> Self;
+    fn divided(self, by: Self) -> Self;
+}
+
+impl Scalar for Interval {
+    fn of(value: Interval) -> Self {
+        value
+    }
+
+    fn scaled(self, factor: Interval) -> Self {
+        self * factor
+    }
+
+    fn sqrt(self) -> Self {
+        Interval::sqrt(self)
+    }
+
+    fn as_divisor(self) -> Self {
+        self
+    }
+
+    fn divided(self, by: Self) -> Self {
+        self / by
+    }
+}
+
 /// `sum of c_n s^n` for n < N. A quantity and its rate of change need two coefficients, plus one for each derivative taken
 /// in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Series<const N: usize>(pub [Interval; N]);
+pub struct Series<const N: usize, S = Interval>(pub [S; N]);
 
 impl<const N: usize> Series<N> {
-    /// A quantity that does not change.
-    pub fn constant(value: Interval) -> Self {
-        let mut c = [Interval::ZERO; N];
-        c[0] = value;
-        Series(c)
-    }
-
     /// From a quantity's derivatives: `c_n = d_n / n!`.
     pub fn of_derivatives(derivatives: &[Interval]) -> Self {
         let mut factorial = 1.0;
@@ -30,49 +57,9 @@ impl<const N: usize> Series<N> {
         }))
     }
 
-    /// Enclosure of the value.
-    pub fn value(&self) -> Interval {
-        self.0[0]
-    }
-
-    /// Enclosure of the first derivative.
-    pub fn slope(&self) -> Interval {
-        self.0[1]
-    }
-
-    /// The product with a constant.
-    pub fn times(&self, factor: Interval) -> Self {
-        Series(self.0.map(|c| c * factor))
-    }
-
-    /// The derivative with respect to time, of which one coefficient fewer is known.
-    pub fn rate(&self) -> Self {
-        Series(std::array::from_fn(|n| match self.0.get(n + 1) {
-            Some(&c) => c * Interval::point((n + 1) as f64),
-            None => Interval::WHOLE,
-        }))
-    }
-
-    /// `self / divisor`: q_n = (a_n - sum over j < n of q_j b_(n-j)) / b_0.
-    pub fn over(&self, divisor: &Self) -> Self {
-        let mut q = [Interval::ZERO; N];
-        for n in 0..N {
-            let known = (0..n).fold(self.0[n], |sum, j| sum - q[j] * divisor.0[n - j]);
-            q[n] = known / divisor.0[0];
-        }
-        Series(q)
-    }
-
-    /// s_0 = sqrt(a_0), s_n = (a_n - sum over 0 < j < n of s_j s_(n-j)) / (2 s_0).
-    pub fn sqrt(&self) -> Self {
-        let mut s = [Interval::ZERO; N];
-        s[0] = self.0[0].sqrt();
-        let double = s[0] * Interval::point(2.0);
-        for n in 1..N {
-            let known = (1..n).fold(self.0[n], |sum, j| sum - s[j] * s[n - j]);
-            s[n] = known / double;
-        }
-        Series(s)
+    /// The same with coefficients of another kind.
+    pub fn lifted<S: Scalar>(&self) -> Series<N, S> {
+        Series(self.0.map(S::of))
     }
 
     /// n s_n = sum over j of j a_j c_(n-j), n c_n = -(sum over j of j a_j s_(n-j)).
@@ -92,46 +79,101 @@ impl<const N: usize> Series<N> {
     }
 }
 
-impl<const N: usize> Add for Series<N> {
+impl<const N: usize, S: Scalar> Series<N, S> {
+    /// A quantity that does not change.
+    pub fn constant(value: S) -> Self {
+        let mut c = [S::of(Interval::ZERO); N];
+        c[0] = value;
+        Series(c)
+    }
+
+    /// Enclosure of the value.
+    pub fn value(&self) -> S {
+        self.0[0]
+    }
+
+    /// Enclosure of the first derivative.
+    pub fn slope(&self) -> S {
+        self.0[1]
+    }
+
+    /// The product with a constant.
+    pub fn times(&self, factor: Interval) -> Self {
+        Series(self.0.map(|c| c.scaled(factor)))
+    }
+
+    /// The derivative with respect to time, of which one coefficient fewer is known.
+    pub fn rate(&self) -> Self {
+        Series(std::array::from_fn(|n| match self.0.get(n + 1) {
+            Some(&c) => c.scaled(Interval::point((n + 1) as f64)),
+            None => S::of(Interval::WHOLE),
+        }))
+    }
+
+    /// `self / divisor`: q_n = (a_n - sum over j < n of q_j b_(n-j)) / b_0.
+    pub fn over(&self, divisor: &Self) -> Self {
+        let mut q = [S::of(Interval::ZERO); N];
+        let first = divisor.0[0].as_divisor();
+        for n in 0..N {
+            let known = (0..n).fold(self.0[n], |sum, j| sum - q[j] * divisor.0[n - j]);
+            q[n] = known.divided(first);
+        }
+        Series(q)
+    }
+
+    /// s_0 = sqrt(a_0), s_n = (a_n - sum over 0 < j < n of s_j s_(n-j)) / (2 s_0).
+    pub fn sqrt(&self) -> Self {
+        let mut s = [S::of(Interval::ZERO); N];
+        s[0] = self.0[0].sqrt();
+        let double = s[0].scaled(Interval::point(2.0)).as_divisor();
+        for n in 1..N {
+            let known = (1..n).fold(self.0[n], |sum, j| sum - s[j] * s[n - j]);
+            s[n] = known.divided(double);
+        }
+        Series(s)
+    }
+}
+
+impl<const N: usize, S: Scalar> Add for Series<N, S> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Series(std::array::from_fn(|n| self.0[n] + other.0[n]))
     }
 }
 
-impl<const N: usize> Neg for Series<N> {
+impl<const N: usize, S: Scalar> Neg for Series<N, S> {
     type Output = Self;
     fn neg(self) -> Self {
         Series(self.0.map(|c| -c))
     }
 }
 
-impl<const N: usize> Sub for Series<N> {
+impl<const N: usize, S: Scalar> Sub for Series<N, S> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl<const N: usize> Mul for Series<N> {
+impl<const N: usize, S: Scalar> Mul for Series<N, S> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Series(std::array::from_fn(|n| (0..=n).fold(Interval::ZERO, |sum, j| sum + self.0[j] * other.0[n - j])))
+        Series(std::array::from_fn(|n| (0..=n).fold(S::of(Interval::ZERO), |sum, j| sum + self.0[j] * other.0[n - j])))
     }
 }
 
 /// A vector whose components change with time.
-pub type Vector<const N: usize> = [Series<N>; 3];
+pub type Vector<const N: usize, S = Interval> = [Series<N, S>; 3];
 
-pub fn dot<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Series<N> {
+pub fn dot<const N: usize, S: Scalar>(a: &Vector<N, S>, b: &Vector<N, S>) -> Series<N, S> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub fn cross<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
+pub fn cross<const N: usize, S: Scalar>(a: &Vector<N, S>, b: &Vector<N, S>) -> Vector<N, S> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-pub fn unit<const N: usize>(a: &Vector<N>) -> Vector<N> {
+pub fn unit<const N: usize, S: Scalar>(a: &Vector<N, S>) -> Vector<N, S> {
     let length = dot(a, a).sqrt();
     [a[0].over(&length), a[1].over(&length), a[2].over(&length)]
 }

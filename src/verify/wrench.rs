@@ -2,7 +2,8 @@
 
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
-use super::series::{Series, Vector, cross, dot, unit};
+use super::series::{Scalar, Series, Vector, cross, dot, unit};
+use super::taylor::Taylor;
 use crate::certificate::DynamicModel;
 use crate::model::{Environment, Vehicle};
 
@@ -17,9 +18,9 @@ pub enum Held {
 
 /// Value and rate of change of T, tau_x, tau_y, tau_z: N, N m and per second.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wrench {
-    pub value: [Interval; 4],
-    pub rate: [Interval; 4],
+pub struct Wrench<S = Interval> {
+    pub value: [S; 4],
+    pub rate: [S; 4],
 }
 
 /// The equations that give the wrench of a motion.
@@ -45,6 +46,11 @@ impl Dynamics<'_> {
         self.series::<3>(state).map(|part| part.value())
     }
 
+    /// Whether more than one wind is possible, and the equations depend on it.
+    pub fn is_in_winds(&self) -> bool {
+        self.model == DynamicModel::Exact && self.environment.is_uncertain()
+    }
+
     /// The same equations in each of the extreme winds.
     pub fn in_each_wind(&self) -> Vec<Self> {
         self.environment.corners().into_iter().map(|environment| Dynamics { environment, ..self.clone() }).collect()
@@ -58,10 +64,38 @@ impl Dynamics<'_> {
         }
     }
 
+    /// The quantity `held` in the exact model as a function of the wind's deviation from its middle.
+    pub fn held_by_wind(&self, held: Held, state: &State) -> Wrench<Taylor> {
+        match held {
+            Held::Wrench => rated(self.exact::<4, _>(state, &[self.thrust_by_wind(state); 3])),
+            Held::Commands { tau } => {
+                let wrench = self.exact::<5, _>(state, &[self.thrust_by_wind(state); 3]);
+                rated(wrench.map(|w| w + w.rate().times(tau)))
+            }
+        }
+    }
+
+    /// The thrust over mass as a function of the wind's deviation, which changes its value and none of its derivatives, m/s^2. An
+    /// interval of winds has the same drag along all axes.
+    fn thrust_by_wind<const N: usize>(&self, state: &State) -> Vector<N, Taylor> {
+        let wind_spread = self.environment.wind_spread;
+        let drag_rate = self.environment.turning_rate();
+        let middle = Environment { wind_spread: [0.0; 3], ..self.environment };
+        let mut thrust = thrust_over_mass::<N>(state, &middle, drag_rate).map(|part| part.lifted());
+        for (axis, part) in thrust.iter_mut().enumerate() {
+            let largest = -(Interval::point(drag_rate) * Interval::point(wind_spread[axis]));
+            *part = *part + Series::constant(Taylor::deviation(axis, largest));
+        }
+        thrust
+    }
+
     fn series<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
         match self.model {
             DynamicModel::Hover => self.about_hover(state),
-            DynamicModel::Exact => self.exact(state),
+            DynamicModel::Exact => {
+                let environment = &self.environment;
+                self.exact(state, &environment.drag_rates.map(|rate| thrust_over_mass(state, environment, rate)))
+            }
         }
     }
 
@@ -90,33 +124,33 @@ impl Dynamics<'_> {
     ///
     /// With a drag for each axis of the body, alpha, beta and gamma are the thrust over mass of the isotropic drags along x, y and z:
     /// b_1 is orthogonal to y_C and alpha, b_2 to b_1 and beta, and the thrust is m b_3.gamma (docs/method.md, (90a) to (90c)).
-    fn exact<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
+    fn exact<const N: usize, S: Scalar>(&self, state: &State, thrusts: &[Vector<N, S>; 3]) -> [Series<N, S>; 4] {
         let environment = &self.environment;
-        let [a, beta, gamma]: [Vector<N>; 3] =
-            environment.drag_rates.map(|rate| thrust_over_mass(state, environment, rate));
+        let [a, beta, gamma] = thrusts;
         let (s, c) = series(&state[YAW], 0).sin_cos();
-        let left = [-s, c, Series::constant(Interval::ZERO)];
+        let left: Vector<N> = [-s, c, Series::constant(Interval::ZERO)];
+        let left = left.map(|part| part.lifted());
         let (b1, b2, b3) = match environment.turns_alike() {
             true => {
-                let b3 = unit(&a);
+                let b3 = unit(a);
                 let b1 = unit(&cross(&left, &b3));
                 (b1, cross(&b3, &b1), b3)
             }
             false => {
-                let b1 = unit(&cross(&left, &a));
-                let b2 = unit(&cross(&beta, &b1));
+                let b1 = unit(&cross(&left, a));
+                let b2 = unit(&cross(beta, &b1));
                 (b1, b2, cross(&b1, &b2))
             }
         };
         let (b1_rate, b3_rate) = (b1.map(|x| x.rate()), b3.map(|x| x.rate()));
-        let omega: Vector<N> = [-dot(&b2, &b3_rate), dot(&b1, &b3_rate), dot(&b2, &b1_rate)];
+        let omega: Vector<N, S> = [-dot(&b2, &b3_rate), dot(&b1, &b3_rate), dot(&b2, &b1_rate)];
         let inertia = self.vehicle.inertia.map(Interval::point);
-        let momentum: Vector<N> = std::array::from_fn(|i| omega[i].times(inertia[i]));
+        let momentum: Vector<N, S> = std::array::from_fn(|i| omega[i].times(inertia[i]));
         let gyroscopic = cross(&omega, &momentum);
-        let tau: Vector<N> = std::array::from_fn(|i| momentum[i].rate() + gyroscopic[i]);
+        let tau: Vector<N, S> = std::array::from_fn(|i| momentum[i].rate() + gyroscopic[i]);
         let size = match environment.is_isotropic() {
-            true => dot(&a, &a).sqrt(),
-            false => dot(&b3, &gamma),
+            true => dot(a, a).sqrt(),
+            false => dot(&b3, gamma),
         };
         let thrust = size.times(Interval::point(self.vehicle.mass));
         [thrust, tau[0], tau[1], tau[2]]
@@ -138,6 +172,6 @@ pub fn thrust_over_mass<const N: usize>(state: &State, environment: &Environment
     thrust
 }
 
-fn rated<const N: usize>(parts: [Series<N>; 4]) -> Wrench {
+fn rated<const N: usize, S: Scalar>(parts: [Series<N, S>; 4]) -> Wrench<S> {
     Wrench { value: parts.map(|p| p.value()), rate: parts.map(|p| p.slope()) }
 }

@@ -1,8 +1,10 @@
 //! Kinds of forgery, each a way to make a false certificate on purpose.
 
+mod air;
 mod infeasible;
 mod joints;
 mod least_time;
+mod legs;
 mod pieces;
 mod rest;
 mod rows;
@@ -57,12 +59,14 @@ const fn unfounded(name: &'static str, premises: &'static [Premise], make: Make)
 
 /// Every kind.
 pub fn all() -> Vec<Kind> {
-    let families: [&[Kind]; 9] = [
+    let families: [&[Kind]; 11] = [
         joints::KINDS,
         pieces::KINDS,
         times::KINDS,
         rest::KINDS,
         rows::KINDS,
+        legs::KINDS,
+        air::KINDS,
         selection::KINDS,
         shape::KINDS,
         infeasible::KINDS,

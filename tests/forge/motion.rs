@@ -75,6 +75,8 @@ pub struct Wish {
     pub end_at_rest: bool,
     /// Whether the motion stands still from a waypoint to the node after it.
     pub held: Vec<bool>,
+    /// Whether it comes to rest at a waypoint.
+    pub stops: Vec<bool>,
 }
 
 impl Wish {
@@ -85,6 +87,7 @@ impl Wish {
             start_at_rest: mission.start_at_rest,
             end_at_rest: mission.end_at_rest,
             held: mission.waypoints.iter().map(|w| w.hold > 0.0).collect(),
+            stops: mission.waypoints.iter().map(|w| w.stop).collect(),
         }
     }
 
@@ -92,11 +95,14 @@ impl Wish {
     fn given(&self, table: &Timetable, axis: usize, order: usize) -> Vec<(usize, usize, f64)> {
         let last = table.times.len() - 1;
         let mut given = Vec::new();
-        for ((place, &node), &held) in self.places.iter().zip(&table.waypoint_nodes).zip(&self.held) {
+        for (i, (place, &node)) in self.places.iter().zip(&table.waypoint_nodes).enumerate() {
             given.push((node, 0, place[axis]));
-            if held {
+            if self.held[i] {
                 given.extend((1..=order).map(|i| (node, i, 0.0)));
                 given.push((node + 1, order, 0.0));
+            } else if self.stops[i] {
+                // Without an input the legs on both sides do not depend on each other.
+                given.extend((1..=order).map(|i| (node, i, 0.0)));
             }
         }
         for (node, rests) in [(0, self.start_at_rest), (last, self.end_at_rest)] {
@@ -104,7 +110,8 @@ impl Wish {
             // A hold at the very end holds its second node still by the first.
             let follows = node == last && self.held.last() == Some(&true);
             if rests && !here && !follows {
-                given.extend((1..=order.min(3)).map(|i| (node, i, 0.0)));
+                // Without an input the legs on both sides do not depend on each other.
+                given.extend((1..=order).map(|i| (node, i, 0.0)));
             }
         }
         given

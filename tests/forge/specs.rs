@@ -9,7 +9,7 @@ use super::numbers::Numbers;
 use super::truth::Truth;
 use mavc::certificate::{Certificate, Claim};
 use mavc::model::{
-    Allocation, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread, Volume,
+    Allocation, Environment, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread, Volume,
 };
 use mavc::motion::checks::{past, peak};
 use mavc::motion::{Trajectory, X, Y, YAW, Z};
@@ -42,6 +42,9 @@ pub enum Easier {
     Instant,
     Bounded,
     StoppingRotors,
+    NoDrag,
+    OtherWind,
+    OneWind,
 }
 
 /// In what a spec without a plan is harder.
@@ -122,11 +125,15 @@ impl Spec {
     pub fn of(draft: Draft) -> Self {
         let Draft { name, mut model, total, limits, harder } = draft;
         let honest = smooth(&model, total).unwrap_or_else(|| panic!("{name}: no motion"));
-        let wanted = limits.into_iter().map(|(kind, share)| reached(&honest, kind, share, model.gravity));
+        let air = model.environment();
+        let wanted = limits.into_iter().map(|(kind, share)| reached(&honest, kind, share, &air));
         let (size, gravity) = (model.vehicle.radius(), model.gravity);
         let mission = model.mission.as_mut().expect("a mission");
         mission.volumes.iter_mut().for_each(|volume| volume.clearance = kept(&honest, volume, gravity) - size - ROOM);
-        mission.limits = wanted.chain(mission.volumes.iter().flat_map(|volume| volume.limits(size))).collect();
+        // Those of a spec in text are kept: they are of legs.
+        let written = std::mem::take(&mut mission.limits);
+        let of_volumes = mission.volumes.iter().flat_map(|volume| volume.limits(size));
+        mission.limits = wanted.chain(of_volumes).chain(written).collect();
         let truth = Truth::of(&model);
         let false_by = truth.of_plan(&honest);
         assert!(false_by.is_none(), "{name}: the honest plan is false by {false_by:?}");
@@ -155,26 +162,23 @@ const ROOM: f64 = 0.01;
 fn kept(motion: &Trajectory, volume: &Volume, gravity: f64) -> f64 {
     let limits = Volume { clearance: 0.0, ..volume.clone() }.limits(0.0);
     -peak(motion, |s| {
-        limits.iter().map(|l| past(l, s, &mavc::model::Environment::vacuum(gravity))).fold(f64::NEG_INFINITY, f64::max)
+        limits.iter().map(|l| past(l, s, &Environment::vacuum(gravity))).fold(f64::NEG_INFINITY, f64::max)
     })
     .value
 }
 
 /// A limit at a share of what a motion reaches.
-fn reached(motion: &Trajectory, kind: LimitKind, share: f64, gravity: f64) -> Limit {
+fn reached(motion: &Trajectory, kind: LimitKind, share: f64, air: &Environment) -> Limit {
     let bound = |lower, upper| Limit { kind, lower, upper, span: Default::default(), volume: None, leg: None };
-    let most = peak(motion, |s| past(&bound(None, Some(0.0)), s, &mavc::model::Environment::vacuum(gravity))).value;
+    let most = peak(motion, |s| past(&bound(None, Some(0.0)), s, air)).value;
+    let least = || peak(motion, |s| past(&bound(Some(0.0), None), s, air)).value;
     match kind {
         // Room beside the motion, m and rad.
         LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => {
-            let least =
-                peak(motion, |s| past(&bound(Some(0.0), None), s, &mavc::model::Environment::vacuum(gravity))).value;
-            bound(Some(-least - (share - 1.0)), Some(most + (share - 1.0)))
+            bound(Some(-least() - (share - 1.0)), Some(most + (share - 1.0)))
         }
         LimitKind::YawRate | LimitKind::YawAcceleration => {
-            let least =
-                peak(motion, |s| past(&bound(Some(0.0), None), s, &mavc::model::Environment::vacuum(gravity))).value;
-            let size = most.max(least).max(0.1) * share;
+            let size = most.max(least()).max(0.1) * share;
             bound(Some(-size), Some(size))
         }
         _ => bound(None, Some(most.max(0.1) * share)),
@@ -242,6 +246,17 @@ fn easier(model: &Model) -> Vec<(Easier, Model)> {
     }
     if vehicle.allocation == Allocation::PseudoInverse {
         found.push(changed(Easier::Bounded, &|m| m.vehicle.allocation = Allocation::Bounded));
+    }
+    if vehicle.drag[0] > 0.0 {
+        found.push(changed(Easier::NoDrag, &|m| m.vehicle.drag = [0.0; 3]));
+        let turned = |m: &mut Model| {
+            let air = &mut m.mission.as_mut().expect("a mission").air;
+            air.wind = air.wind.map(|w| -w);
+        };
+        found.push(changed(Easier::OtherWind, &turned));
+    }
+    if model.environment().is_uncertain() {
+        found.push(changed(Easier::OneWind, &|m| m.mission.as_mut().expect("a mission").air.wind_spread = [0.0; 3]));
     }
     if vehicle.rotors.iter().any(|r| r.min_speed > 0.0) {
         found.push(changed(Easier::StoppingRotors, &|m| m.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = 0.0)));

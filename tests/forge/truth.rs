@@ -14,10 +14,10 @@ use mavc::actuation::Wrench;
 use mavc::admissible::row::SetRow;
 use mavc::certificate::{Certificate, Claim, DynamicModel, PlanClaim};
 use mavc::model::grid::{leg_durations, pieces};
-use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{Environment, Limit, LimitKind, Mission, MissionTime, Model, Part, PlanModel, PlannerKind};
 use mavc::motion::checks::past;
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z, in_air};
 use mavc::planner::selection::PlanningSet;
 use mavc::planner::selection::sets::PlanningSets;
 
@@ -192,7 +192,9 @@ impl Truth {
         let ends = (!mission.start_at_rest || still(0, false)) && (!mission.end_at_rest || still(last, false));
         let holds = mission.waypoints.iter().enumerate().filter(|(_, w)| w.hold > 0.0);
         let mut held = holds.map(|(i, _)| (motion.waypoint_nodes[i], self.leaves(motion, i).unwrap_or(last)));
-        ends && held.all(|(from, to)| (from..=to).all(|node| still(node, true)))
+        let mut stops = mission.waypoints.iter().zip(&motion.waypoint_nodes).filter(|(point, _)| point.stop);
+        let stopped = stops.all(|(_, &node)| still(node, false));
+        ends && stopped && held.all(|(from, to)| (from..=to).all(|node| still(node, true)))
     }
 
     fn arrives(&self, motion: &Trajectory) -> bool {
@@ -225,7 +227,12 @@ impl Truth {
                     over.iter().copied().for_each(&mut note);
                 }
                 since.retain(|(what, _)| over.contains(what));
-                for what in over {
+                // A yaw that follows from the motion is required at nodes alone.
+                let is_of_nodes = |what: &Falsehood| match what {
+                    Falsehood::Limit(i) => self.mission().limits[*i].kind == LimitKind::Heading,
+                    _ => false,
+                };
+                for what in over.into_iter().filter(|what| !is_of_nodes(what)) {
                     match since.iter().find(|(known, _)| *known == what) {
                         Some((_, from)) if now - from >= 1.001 * longest => note(what),
                         Some(_) => {}
@@ -253,33 +260,52 @@ impl Truth {
         (0..motion.intervals()).map(of).collect()
     }
 
-    /// Every kind of row with its largest excess in tolerances, `at` seconds into a piece.
+    /// Every kind of row with its largest excess in tolerances, `at` seconds into a piece; in an interval of winds in the worst of
+    /// its corners.
     fn excesses(&self, motion: &Trajectory, k: usize, at: f64, role: Role) -> Vec<(Falsehood, f64)> {
         let state = motion.within(k, at);
+        let environment = self.model.environment();
+        let winds = environment.corners();
+        let worst = |of: &dyn Fn(&Environment) -> f64| winds.iter().map(of).fold(f64::NEG_INFINITY, larger);
         let g = self.model.gravity;
-        let limits = self.mission().limits.iter().enumerate();
+        let lift = |wind: &Environment| in_air(&state, wind)[Z][2] + g;
+        let limits = self.mission().limits.iter().enumerate().filter(|(_, limit)| self.holds(limit, motion, k, at));
         let mut found: Vec<(Falsehood, f64)> = limits
             .map(|(i, limit)| {
                 let over = match (limit.kind, limit.upper) {
-                    (LimitKind::Tilt, Some(upper)) => {
-                        (state[X][2].hypot(state[Y][2]) * upper.cos() - (state[Z][2] + g) * upper.sin()) / g
-                    }
-                    _ => past(limit, &state, &mavc::model::Environment::vacuum(g)),
+                    (LimitKind::Tilt, Some(upper)) => worst(&|wind| {
+                        let felt = in_air(&state, wind);
+                        (felt[X][2].hypot(felt[Y][2]) * upper.cos() - lift(wind) * upper.sin()) / g
+                    }),
+                    _ => past(limit, &state, &environment),
                 };
                 (Falsehood::Limit(i), over / (ROW * limit.size()))
             })
             .collect();
         let rows = if role == Role::Asked { &self.asked.rows } else { &self.sets.rip.rows };
-        let wrench = motion.wrench(&self.model.vehicle, &mavc::model::Environment::vacuum(g), &state);
-        found.push((Falsehood::Set, most(rows, &wrench) / ROW));
+        let vehicle = &self.model.vehicle;
+        found.push((Falsehood::Set, worst(&|wind| most(rows, &motion.wrench(vehicle, wind, &state))) / ROW));
         if let Some(tau) = self.model.thrust_lag() {
-            let lead = motion.commanded(&self.model.vehicle, &mavc::model::Environment::vacuum(g), tau, k, &state);
-            found.push((Falsehood::Commands, most(rows, &lead) / ROW));
+            let lead = |wind: &Environment| most(rows, &motion.commanded(vehicle, wind, tau, k, &state));
+            found.push((Falsehood::Commands, worst(&lead) / ROW));
         }
         if self.equations == WrenchModel::Exact {
-            found.push((Falsehood::Upright, (UPRIGHT - (state[Z][2] + g) / g) / ROW));
+            found.push((Falsehood::Upright, worst(&|wind| UPRIGHT - lift(wind) / g) / ROW));
         }
         found
+    }
+
+    /// Whether a limit holds `at` seconds into a piece: always, or on its leg, which begins after a hold.
+    fn holds(&self, limit: &Limit, motion: &Trajectory, k: usize, at: f64) -> bool {
+        let Some(on) = limit.leg.as_deref() else { return true };
+        let (first, last) = (self.leaves(motion, on.leg), motion.waypoint_nodes[on.leg + 1]);
+        let first = first.unwrap_or(motion.waypoint_nodes[on.leg]);
+        let is_end = at == motion.times[k + 1] - motion.times[k];
+        match on.part {
+            Part::Whole => first <= k && k < last,
+            Part::Start => k == first && at == 0.0,
+            Part::End => k + 1 == last && is_end,
+        }
     }
 
     /// The largest excess of any row at a node in tolerances: not above 0 where the motion keeps everything.
@@ -334,6 +360,11 @@ impl Truth {
 /// Whether a number is above another; what is no number is above everything.
 fn exceeds(x: f64, most: f64) -> bool {
     x.partial_cmp(&most).is_none_or(std::cmp::Ordering::is_gt)
+}
+
+/// The larger of two numbers; what is no number stays.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
 }
 
 fn most(rows: &[SetRow], wrench: &Wrench) -> f64 {

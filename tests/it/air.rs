@@ -180,21 +180,61 @@ fn a_plan_stays_in_its_set_and_tilt_in_its_wind() {
     assert!(blown > 35.0, "{blown}");
 }
 
-/// In the corners of the interval; between them nothing is proved, and samples there violate rows by less than 0.1 %.
+/// A plan in an interval of winds, with its certificate: accepted in full, and true in winds inside.
+fn proved_in_every_wind(air: &str, winds: impl Fn(f64, f64, f64) -> [f64; 3], more: &str) {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, proof] = ["dash.mav", "proof.json"].map(|name| folder.path().join(name));
+    let text = dash(air, "").replace("samples = 24", &format!("samples = 24; {more}"));
+    let text = text.replace("874 rad/s }", "874 rad/s; time_constant = 40 ms }");
+    std::fs::write(&path, &text).unwrap();
+    let [path, proof] = [&path, &proof].map(|path| path.to_str().unwrap());
+    let output = mavc(&["plan", path, "--certificate", proof]);
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{printed}{}", String::from_utf8_lossy(&output.stderr));
+    assert!(
+        printed.split_whitespace().collect::<Vec<_>>().join(" ").contains("every imposed facet in every wind"),
+        "{printed}"
+    );
+    let verified = mavc(&["verify", proof, path]);
+    let printed = String::from_utf8_lossy(&verified.stdout).into_owned();
+    assert_eq!(verified.status.code(), Some(0), "{printed}{}", String::from_utf8_lossy(&verified.stderr));
+    assert!(printed.contains("inside the set of healthy, in every wind"), "{printed}");
+    let spec = compiled(&text);
+    let (plan, _) = planned(&spec);
+    for k in 0..27 {
+        let part = |place: i32| f64::from(place % 3 - 1);
+        let wind = winds(part(k), part(k / 3), part(k / 9));
+        let (out, tilt) = worst(spec.model(), &plan, wind);
+        assert!(out < 1e-4 && tilt < 30.01, "{wind:?}: {out} {tilt}");
+    }
+}
+
 #[test]
 fn a_plan_stays_in_its_set_in_every_wind_of_an_interval() {
-    let spec = compiled(&dash("air { wind = [6, 0, 0] m/s +- [2, 2, 0.5] m/s }", ""));
-    let (plan, slow) = planned(&spec);
-    for k in 0..27 {
-        let part = |place: i32, spread: f64| f64::from(place % 3 - 1) * spread;
-        let wind = [6.0 + part(k, 2.0), part(k / 3, 2.0), part(k / 9, 0.5)];
-        let (out, tilt) = worst(spec.model(), &plan, wind);
-        let is_corner = [k, k / 3, k / 9].iter().all(|place| place % 3 != 1);
-        let allowed = if is_corner { 1e-4 } else { 1e-3 };
-        assert!(out < allowed && tilt < 30.01, "{wind:?}: {out} {tilt}");
-    }
-    let (_, quick) = planned(&compiled(&dash("air { wind = [6, 0, 0] m/s }", "")));
-    assert!(slow > quick, "{slow} {quick}");
+    let winds = |x: f64, y: f64, z: f64| [6.0 + 2.0 * x, 2.0 * y, 0.5 * z];
+    proved_in_every_wind("air { wind = [6, 0, 0] m/s +- [2, 2, 0.5] m/s }", winds, "time = 5 s");
+}
+
+#[test]
+#[ignore = "long"]
+fn lagging_rotors_and_wide_intervals_are_proved_in_every_wind() {
+    let winds = |x: f64, y: f64, z: f64| [6.0 + 2.0 * x, 2.0 * y, 0.5 * z];
+    let air = "air { wind = [6, 0, 0] m/s +- [2, 2, 0.5] m/s }";
+    proved_in_every_wind(air, winds, "time = 5 s; rotors = lagging");
+    // So wide that it is divided.
+    let winds = |x: f64, y: f64, z: f64| [5.0 * x, 5.0 * y, z];
+    proved_in_every_wind("air { wind = [0, 0, 0] m/s +- [5, 5, 1] m/s }", winds, "time = 6 s");
+}
+
+#[test]
+#[ignore = "long"]
+fn an_interval_takes_more_time_than_its_middle() {
+    let time = |spread: &str| {
+        let text = dash(&format!("air {{ wind = [6, 0, 0] m/s {spread} }}"), "");
+        planned(&compiled(&text.replace("samples = 24", "samples = 12"))).1
+    };
+    let times = [time(""), time("+- [2, 2, 0.5] m/s")];
+    assert!(times[0] < times[1], "{times:?}");
 }
 
 #[test]

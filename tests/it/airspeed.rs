@@ -180,8 +180,11 @@ fn hold_position_up_to_the_airspeed(planner: &str) {
         (0.0, &between, bare),
         (0.1, &between, kept),
     ] {
-        let found = [0.99, 1.01].map(|factor| is_found(&hold(&wind(factor * limit), reserve, planner)));
-        assert_eq!(found, [true, false], "{planner} {reserve} {}", wind(limit));
+        let is_held = |factor: f64| is_found(&hold(&wind(factor * limit), reserve, planner));
+        assert!(is_held(0.99), "{planner} {reserve} {}", wind(limit));
+        // In an interval the search for a plan that does not exist takes ten seconds.
+        let is_quick = wind(limit) == constant(limit) || (planner, reserve) == ("rip", 0.1);
+        assert!(!is_quick || !is_held(1.01), "{planner} {reserve} {}", wind(limit));
     }
 }
 

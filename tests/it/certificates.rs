@@ -15,6 +15,7 @@ mod relaxation;
 mod selection;
 mod sets;
 mod tampering;
+mod winds;
 mod wrench;
 
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};

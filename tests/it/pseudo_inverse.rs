@@ -5,7 +5,7 @@ use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::verdict::{Verdict, analyze, analyze_all};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
-use mavc::model::{Allocation, MissionTime, Model, PlannerKind, Problem};
+use mavc::model::{Allocation, Environment, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -201,4 +201,39 @@ fn what_is_given_away_costs_time() {
     (model.plan.planner, model.plan.against, model.plan.samples) = (PlannerKind::Rcp, vec![0], 40);
     let (bounded, clipped) = (time(&model), time(&pseudo(model.clone())));
     assert!(clipped > bounded + 0.04, "{clipped} {bounded}");
+}
+
+/// In drag and wind the formula clips nothing along the plan, at nodes and between them, in any wind of the interval.
+#[test]
+fn plans_in_air_ask_for_nothing_that_is_clipped() {
+    let mut model = pseudo(octocopter("PPNNPPNN"));
+    model.modes = vec![lost(&model, &[1]), lost(&model, &[3])];
+    let mut flight = mission(vec![waypoint([0.0, 0.0, 5.0], 0.0), waypoint([15.0, 4.0, 7.0], 0.0)]);
+    (flight.air.wind, flight.air.wind_spread) = ([5.0, -2.0, 0.3], [1.0, 1.0, 0.0]);
+    (model.vehicle.drag, model.mission) = ([0.35; 3], Some(flight));
+    (model.plan.planner, model.plan.against, model.plan.samples) = (PlannerKind::Rcp, vec![0, 1], 20);
+    (model.plan.model, model.plan.time) = (PlanModel::Exact, MissionTime::Fixed(2.8));
+    let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
+    let PlanOutcome::Planned(plan) = &comparison.runs[0].outcome else { panic!("{:?}", comparison.runs[0].outcome) };
+    let motion = &plan.trajectory;
+    let mut least = f64::INFINITY;
+    for (k, i) in (0..motion.intervals()).flat_map(|k| (0..=4).map(move |i| (k, i))) {
+        let state = motion.within(k, 0.25 * f64::from(i) * (motion.times[k + 1] - motion.times[k]));
+        for (x, y) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0), (0.0, 0.0), (0.3, -0.7)] {
+            let wind = Environment { wind: [5.0 + x, -2.0 + y, 0.3], wind_spread: [0.0; 3], ..model.environment() };
+            let w = motion.wrench(&model.vehicle, &wind, &state);
+            least = (0..2).map(|mode| room(&model, mode, &w)).fold(least, f64::min);
+        }
+    }
+    // In shares of a rotor's full speed squared.
+    assert!(least > -1e-3, "{least}");
+    // Bounded allocation gives more, and its plan is clipped by the formula.
+    let mut bounded = model.clone();
+    bounded.vehicle.allocation = Allocation::Bounded;
+    let comparison = compare(Problem::of(&bounded).unwrap(), Scope::Plan, None);
+    let PlanOutcome::Planned(other) = &comparison.runs[0].outcome else { panic!("{:?}", comparison.runs[0].outcome) };
+    let air = model.environment();
+    let worst =
+        other.trajectory.node_wrenches(&model.vehicle, &air).iter().map(|w| room(&model, 0, w)).fold(1.0, f64::min);
+    assert!(worst < -0.01, "{worst}");
 }

@@ -140,7 +140,8 @@ fn analyses_are_as_their_schema_says() {
     assert_eq!(record["modes"][5]["stuck"][1], json!(0.4));
     assert!(!record["flips"].as_array().unwrap().is_empty());
     assert_strict(&schema, &record, &["flips"]);
-    let spec = format!("{QUAD}faults {{ mode M {{ rotor 1 lost }} }}\n").replace("rotor {", "yaw_drag = 2.75e-3 N*m*s/rad; rotor {");
+    let spec = format!("{QUAD}faults {{ mode M {{ rotor 1 lost }} }}\n")
+        .replace("rotor {", "yaw_drag = 2.75e-3 N*m*s/rad; rotor {");
     let record = json_of(&["analyze", "-", "--format", "json", "--capture"], &spec);
     schema.assert_valid(&record);
     assert_eq!(record["captures"].as_array().unwrap().len(), 24);

@@ -10,7 +10,7 @@ const SMALL: f64 = 1e-9;
 /// torques in the given directions; n is the vertical in body axes, and the thrust is held. Linearised about the spin,
 ///
 /// ```text
-/// (94)  p' = (Jy - Jz) r q / Jx + tau_x / Jx      n_x' = -q + r n_y
+/// (97)  p' = (Jy - Jz) r q / Jx + tau_x / Jx      n_x' = -q + r n_y
 ///       q' = (Jz - Jx) r p / Jy + tau_y / Jy      n_y' =  p - r n_x
 /// ```
 ///

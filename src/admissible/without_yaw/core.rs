@@ -7,7 +7,7 @@ use nalgebra::{Vector2, Vector3};
 /// projection of a mode's set on (T, tau_x, tau_y), with facets `a T + b.tau <= e`:
 ///
 /// ```text
-/// (92)  a T + b.torque + |b| rho <= e   for every facet
+/// (95)  a T + b.torque + |b| rho <= e   for every facet
 /// ```
 ///
 /// 0 for a flat projection, which has no disc; `None` if the middle of the disc is outside by more than `tolerance` (N, N m).

@@ -31,7 +31,7 @@ pub struct RelaxedHover {
 /// The equations of the equilibria of a mode, with the vertical n and w = omega n in body axes:
 ///
 /// ```text
-/// (93)  w x (J w + h) = tau - D(w) e_z      T n_z = m g
+/// (96)  w x (J w + h) = tau - D(w) e_z      T n_z = m g
 /// ```
 ///
 /// D is the drag about z, and h the momentum of the rotors, along z.
@@ -62,7 +62,7 @@ impl<'a> System<'a> {
         System { model, set, yaw_free, drag, allocation: Allocation::new(model, set), healthy }
     }
 
-    /// The wrench that an angular velocity (rad/s) takes: (93). `momentum` (N m s) is that of the rotors.
+    /// The wrench that an angular velocity (rad/s) takes: (96). `momentum` (N m s) is that of the rotors.
     fn wrench(&self, w: &Vector3<f64>, momentum: f64) -> Wrench {
         let inertia = Vector3::from(self.model.vehicle.inertia);
         let torque =

@@ -4,6 +4,7 @@
 
 use super::*;
 use crate::flatness::CommandFlatState;
+use crate::motion::winds::OverWinds;
 use crate::motion::wrench_model::COMMAND_DERIVATIVES;
 use crate::motion::{CommandState, with_slopes};
 use crate::planner::commands::{CommandAt, Slope, interval_of};
@@ -34,6 +35,7 @@ struct LinearisedCommand {
     wrench: Wrench,
     /// Change per relative change of the duration.
     time_sensitivity: Wrench,
+    in_winds: OverWinds,
 }
 
 /// The commanded wrench about an iterate, for one subproblem.
@@ -59,9 +61,14 @@ impl ScpPlanner<'_, '_> {
         Some(self.sloped(iterate, interval, &iterate.at(at.0)))
     }
 
+    /// The commanded wrench of a state in every possible wind, N and N m.
+    fn command_at(&self, lag: &Lag, state: &CommandState) -> OverWinds {
+        OverWinds::of_commands(self.wrench, &self.hover.model().vehicle, &self.environment, lag.tau, state)
+    }
+
     /// The violation of each row of the set by the commanded wrench, with its local tightening.
     fn command_violations<'s>(&'s self, lag: &'s Lag, state: &CommandState) -> impl Iterator<Item = f64> + 's {
-        let wrench = self.wrench.commanded(&self.hover.model().vehicle, &self.environment, lag.tau, state);
+        let wrench = self.command_at(lag, state);
         self.set.rows.iter().zip(&lag.local_tightening).enumerate().map(move |(facet, (row, tightening))| {
             match row.equality {
                 true => f64::NEG_INFINITY,
@@ -85,8 +92,7 @@ impl ScpPlanner<'_, '_> {
         let Some((lag, state)) = self.lag.as_ref().zip(self.command_state(iterate, at)) else {
             return f64::NEG_INFINITY;
         };
-        let vehicle = &self.hover.model().vehicle;
-        self.violation_of_row(facet, &self.wrench.commanded(vehicle, &self.environment, lag.tau, &state))
+        self.violation_of_row(facet, &self.command_at(lag, &state))
     }
 
     /// Rows on the commanded wrench with a violation over `threshold`, on both sides of a node.
@@ -158,7 +164,8 @@ impl ScpPlanner<'_, '_> {
                 sum - c * (order as f64 * state[axis][order])
             };
             let time_sensitivity = map.terms.iter().fold(Wrench::zeros(), change);
-            linearised.insert(at, LinearisedCommand { wrench: map.at(&state), time_sensitivity, map });
+            let in_winds = self.command_at(lag, &state);
+            linearised.insert(at, LinearisedCommand { wrench: map.at(&state), time_sensitivity, map, in_winds });
         }
         let unit = self.transcription(&iterate.grid, &[]).mean_tau();
         let curvature = lag.multipliers.iter().filter_map(|(&at, n)| {
@@ -188,7 +195,7 @@ impl Transcription<'_> {
         let jump = |node: usize, axis: usize, order: usize| self.jump(step, node, axis, order);
         let command =
             known.entry(at).or_insert_with(|| self.command_expression(&linearised.map, at, &jump)).as_ref()?;
-        let kept = step.tightening[facet] + commands.local_tightening[facet];
+        let kept = step.tightening[facet] + commands.local_tightening[facet] + linearised.in_winds.excess(row);
         let mut slack = command.along(&-row.normal).plus_constant(row.offset - kept);
         let free = row.offset - row.normal.dot(&linearised.wrench);
         let change = ORDER_OF_TIME * free - row.normal.dot(&linearised.time_sensitivity);

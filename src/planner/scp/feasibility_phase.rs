@@ -97,10 +97,13 @@ impl ScpPlanner<'_, '_> {
     /// Drops the rows with more slack at an iterate than [`settings::SubproblemSettings::slack_of_working_set`].
     fn prune(&self, iterate: &Iterate, working_set: &mut BTreeSet<RowAt>) {
         let form = self.transcription(&iterate.grid, &[]);
+        let mut known = BTreeMap::new();
         working_set.retain(|r| {
             let state = iterate.at(r.instant);
             let violation = match r.row {
-                Row::Facet(facet) => self.worst_of_row(facet, &self.wrenches_at(&state)),
+                Row::Facet(facet) => {
+                    self.violation_of_row(facet, self.wrench_at_instant(iterate, r.instant, &mut known))
+                }
                 Row::Limit(limit) => match &self.hover.mission().limits[limit] {
                     limit if form.covers(limit, r.instant) => form.violation_of(limit, &state, 0.0),
                     _ => f64::NEG_INFINITY,

@@ -2,39 +2,45 @@
 
 use super::*;
 use crate::model::LimitKind;
+use crate::motion::winds::OverWinds;
 
 impl<'e, 'a> ScpPlanner<'e, 'a> {
-    /// The wrench of a state in each of the extreme winds, N and N m.
-    pub(super) fn wrenches_at(&self, state: &NodeState) -> Vec<Wrench> {
-        let vehicle = &self.hover.model().vehicle;
-        self.winds.iter().map(|wind| self.wrench.wrench(vehicle, wind, state)).collect()
+    /// The wrench of a state in every possible wind, N and N m.
+    pub(super) fn wrench_at(&self, state: &NodeState) -> OverWinds {
+        OverWinds::of_wrench(self.wrench, &self.hover.model().vehicle, &self.environment, state)
     }
 
-    /// By how much more a facet is violated in the worst of the possible winds than in their middle, at an iterate. Steps
+    /// The same at an instant of an iterate; `known` holds those computed before, as several rows may be at one instant.
+    pub(super) fn wrench_at_instant<'k>(
+        &self,
+        iterate: &Iterate,
+        instant: usize,
+        known: &'k mut BTreeMap<usize, OverWinds>,
+    ) -> &'k OverWinds {
+        known.entry(instant).or_insert_with(|| self.wrench_at(&iterate.at(instant)))
+    }
+
+    /// By how much more each row may be violated in the worst of the possible winds than in their middle, at an iterate. Steps
     /// impose facets on the wrench in the middle, tightened by this much.
-    pub(super) fn tightening_by_wind(&self, iterate: &Iterate, &RowAt { row, instant }: &RowAt) -> f64 {
-        let Row::Facet(facet) = row else { return 0.0 };
-        if !self.environment.is_uncertain() {
-            return 0.0;
-        }
-        let (state, row) = (iterate.at(instant), &self.set.rows[facet]);
-        let middle = self.wrench.wrench(&self.hover.model().vehicle, &self.environment, &state);
-        let more = row.worst(&self.wrenches_at(&state)) - row.violation(&middle);
-        if more.is_finite() { more } else { 0.0 }
+    pub(super) fn tightening_by_wind(&self, iterate: &Iterate, rows: &[RowAt]) -> Vec<f64> {
+        let mut known = BTreeMap::new();
+        let of_row = |&RowAt { row, instant }: &RowAt| match row {
+            Row::Facet(facet) if self.environment.is_uncertain() => {
+                self.wrench_at_instant(iterate, instant, &mut known).excess(&self.set.rows[facet])
+            }
+            _ => 0.0,
+        };
+        rows.iter().map(of_row).collect()
     }
 
-    /// The violation of a row, in widths of the healthy set; a flat set's equalities hold to within the margin on both sides.
-    pub(super) fn violation_of_row(&self, facet: usize, wrench: &Wrench) -> f64 {
+    /// The largest violation of a row in all winds, in widths of the healthy set; a flat set's equalities hold to within the margin on
+    /// both sides.
+    pub(super) fn violation_of_row(&self, facet: usize, wrench: &OverWinds) -> f64 {
         let row = &self.set.rows[facet];
         let violation =
-            if row.equality { row.violation(wrench) - self.settings.tightening.margin } else { row.violation(wrench) };
+            if row.equality { wrench.worst(row) - self.settings.tightening.margin } else { wrench.worst(row) };
         // A wrench that is not finite violates every row.
         if violation.is_nan() { f64::INFINITY } else { violation }
-    }
-
-    /// The largest violation of a row by some wrenches, as in [`Self::violation_of_row`].
-    pub(super) fn worst_of_row(&self, facet: usize, wrenches: &[Wrench]) -> f64 {
-        wrenches.iter().map(|wrench| self.violation_of_row(facet, wrench)).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The violation of every facet and then of every limit for one state, at which the limits that `holds` selects hold.
@@ -44,8 +50,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         state: &'s NodeState,
         holds: impl Fn(&Limit) -> bool + 's,
     ) -> impl Iterator<Item = f64> + 's {
-        let wrenches = self.wrenches_at(state);
-        let facets = (0..self.set.rows.len()).map(move |facet| self.worst_of_row(facet, &wrenches));
+        let wrench = self.wrench_at(state);
+        let facets = (0..self.set.rows.len()).map(move |facet| self.violation_of_row(facet, &wrench));
         // Limits on places have no width for a margin.
         let of_limit = move |limit: &Limit| match holds(limit) {
             true => form.violation_of(limit, state, 0.0) - if place(limit.kind) { ACCEPTED } else { 0.0 },

@@ -274,7 +274,7 @@ fn shown_between(model: &Model, planner: &PlannerRecord) -> Option<Figure> {
     let checked = between.iter().filter(|b| b.shown == Shown::Checked).count();
     let (value, note) = match checked {
         0 => {
-            let winds = if model.environment().is_uncertain() { " in each extreme wind" } else { "" };
+            let winds = if model.environment().is_uncertain() { " in every wind" } else { "" };
             let within = percent(MOST_PAST_LIMIT);
             ("proved", format!("the imposed rows hold at every instant{winds}, to within {within}"))
         }

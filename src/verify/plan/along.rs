@@ -209,9 +209,6 @@ impl Checked<'_> {
                 ));
             }
         }
-        if setting.dynamics.environment.is_uncertain() {
-            found.weaker.push(wind::BETWEEN.into());
-        }
         let planes = all_planes(&self.groups);
         for held in [Some(Held::Wrench), setting.commands].into_iter().flatten() {
             let family = of_groups(setting, held, &planes);
@@ -249,7 +246,7 @@ impl Checked<'_> {
 
     fn statement(&self, group: &Group, held: Held) -> String {
         let (held, count) = (self.setting.words(held), group.facets());
-        let winds = if self.setting.dynamics.environment.is_uncertain() { ", in each extreme wind" } else { "" };
+        let winds = if self.setting.dynamics.is_in_winds() { ", in every wind" } else { "" };
         match group.whole {
             true => format!("{held} inside the set of {}{winds}", group.mode),
             false if count == 1 => format!("{held} inside 1 selected facet of {}{winds}", group.mode),
@@ -358,12 +355,13 @@ fn upright(environment: &Environment) -> Family<'static> {
 pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'b [Plane]) -> Family<'b> {
     let linear = is_linear(dynamics);
     let dynamics = dynamics.clone();
-    let is_windy = dynamics.environment.is_uncertain();
-    let winds = dynamics.in_each_wind();
+    let is_windy = dynamics.is_in_winds();
+    let boxes = if is_windy { wind::boxes(&dynamics) } else { Vec::new() };
+    let overhead = if is_windy { wind::cost(&dynamics) } else { 1 } * cost::OF_EXACT_WRENCH;
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         if is_windy {
             let planes: Vec<&Plane> = wanted.iter().filter_map(|&m| planes.get(m)).collect();
-            return wind::violations(&winds, held, state, &planes);
+            return wind::violations(&boxes, held, state, &planes);
         }
         let found = dynamics.held(held, state);
         let planes = wanted.iter().filter_map(|&m| planes.get(m));
@@ -371,7 +369,6 @@ pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'
     };
     // The rate of the wrench contains the slopes of the inputs, which change at nodes.
     let jumps = held != Held::Wrench;
-    let overhead = if is_windy { wind::COST * cost::OF_EXACT_WRENCH } else { cost::OF_EXACT_WRENCH };
     let measure = Measure::WIDTH;
     let (within, at_nodes_only) = (None, false);
     Family {

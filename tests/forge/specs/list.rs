@@ -154,6 +154,56 @@ fn in_volumes() -> Vec<Volume> {
     .collect()
 }
 
+/// Strong drag in a strong wind, which is one of an interval.
+fn in_air(mut model: Model, spread: [f64; 3]) -> Model {
+    model.vehicle.drag = [0.6; 3];
+    let air = &mut model.mission.as_mut().expect("a mission").air;
+    (air.wind, air.wind_spread) = ([-7.0, 3.0, 0.5], spread);
+    exact(model)
+}
+
+/// A spec in text, for what the compiler derives: the limits of legs, and a yaw that follows from the motion.
+fn written(waypoints: &str, plan: &str) -> Model {
+    let text = format!(
+        "vehicle octo {{
+            layout = \"PPNNPPNN\"
+            arm = 0.211 m
+            mass = 1.8 kg
+            inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+            rotor {{ max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }}
+        }}
+        mission legs {{ {waypoints} }}
+        plan {{ planner = rip; {plan} }}"
+    );
+    let spec = mavc::Compiler::new().text("legs.mav", text.as_bytes()).into_result().expect("a spec");
+    spec.model().clone()
+}
+
+/// Legs of every shape, with stops between them: a motion from rest to rest stays on its line.
+const LEGS: &str = "
+    start at [0, 0, 2] m
+    waypoint at [0, 0, 5] m  vertical  stop
+    waypoint at [4, 1, 5] m  straight  stop { speed <= 2.6 m/s }
+    waypoint at [6, -1, 4] m  corridor 40 cm  stop
+    waypoint at [3, 0, 4] m { climb <= 0.3 m/s }";
+
+/// Fewer, for the exact model.
+const TWO_LEGS: &str = "
+    start at [0, 0, 2] m
+    waypoint at [3, 1, 4] m  straight  stop { speed <= 2.3 m/s }
+    waypoint at [6, -1, 3] m  corridor 40 cm";
+
+/// Through the second waypoint the motion flies along the line of all three.
+const ARRIVAL: &str = "
+    start at [0, 0, 2] m
+    waypoint at [3, 1.5, 2] m  arrive from [-2, -1, 0]
+    waypoint at [6, 3, 2] m";
+
+/// Towards a point so far away that the yaw changes almost as the position.
+const TOWARDS: &str = "
+    start at [0, 0, 2] m  yaw towards [2, 40, 0] m
+    waypoint at [4, 1, 2.5] m";
+
 /// Every draft.
 pub fn drafts() -> Vec<Draft> {
     use LimitKind::{
@@ -247,6 +297,13 @@ pub fn drafts() -> Vec<Draft> {
     add("exact among volumes", 6.0, fixed(exact(between(octo(line(), Rip, 24), among_volumes))), &[]);
     add("in volumes", 6.0, fixed(between(octo(line(), Rip, 24), in_volumes)), &[(Speed, 1.02)]);
     add("exact RCP in volumes", 7.0, fixed(exact(between(octo(line(), Rcp, 24), in_volumes))), &[]);
+    add("legs", 14.0, fixed(written(LEGS, "model = hover; samples = 56")), &[]);
+    add("exact legs", 8.0, fixed(written(TWO_LEGS, "samples = 24")), &[]);
+    add("arrival", 7.0, fixed(written(ARRIVAL, "model = hover; samples = 28")), &[]);
+    add("exact yaw towards a point", 7.0, fixed(written(TOWARDS, "samples = 28")), &[]);
+    add("in air", 7.0, fixed(in_air(octo(line(), Rip, 24), [0.0; 3])), &[(Tilt, 1.05)]);
+    add("RCP in winds", 9.0, fixed(in_air(octo(line(), Rcp, 24), [1.5, 1.5, 0.5])), &[(Tilt, 1.2)]);
+    add("lag in winds", 9.0, fixed(lagging(in_air(octo(line(), Rip, 24), [1.5, 0.0, 0.0]), 0.1)), &[]);
     let harder = [
         "line",
         "hop with a hold",
