@@ -60,6 +60,33 @@ impl Taylor {
         self.rest == 0.0 && self.linear.iter().all(is_zero) && self.quadratic.iter().all(is_zero)
     }
 
+    /// The product: terms up to second order go to the polynomial, and all others to the rest.
+    fn times(&self, other: &Self) -> Self {
+        if other.is_constant() {
+            return self.scaled(other.constant);
+        }
+        if self.is_constant() {
+            return other.scaled(self.constant);
+        }
+        let (a, b) = (self, other);
+        let quadratic = |(p, (i, j)): (usize, (usize, usize))| {
+            let crossed = a.linear[i] * b.linear[j];
+            let crossed = if i == j { crossed } else { crossed + a.linear[j] * b.linear[i] };
+            a.constant * b.quadratic[p] + a.quadratic[p] * b.constant + crossed
+        };
+        let mut pairs = PAIRS.into_iter().enumerate();
+        let ([a1, a2], [b1, b2]) = (a.sizes(), b.sizes());
+        let (whole_a, whole_b) = (sum(a.constant.magnitude(), sum(a1, a2)), sum(b.constant.magnitude(), sum(b1, b2)));
+        let third_and_fourth = sum(product(a1, b2), product(a2, sum(b1, b2)));
+        let of_rests = sum(product(whole_a, b.rest), product(a.rest, sum(whole_b, b.rest)));
+        Taylor {
+            constant: a.constant * b.constant,
+            linear: std::array::from_fn(|i| a.constant * b.linear[i] + a.linear[i] * b.constant),
+            quadratic: std::array::from_fn(|_| pairs.next().map_or(Interval::ZERO, quadratic)),
+            rest: sum(third_and_fourth, of_rests),
+        }
+    }
+
     /// The largest absolute values of the linear and the quadratic part.
     fn sizes(&self) -> [f64; 2] {
         [magnitudes(&self.linear), magnitudes(&self.quadratic)]
@@ -181,30 +208,7 @@ impl Sub for Taylor {
 
 impl Mul for Taylor {
     type Output = Self;
-    /// Products up to second order go to the polynomial, and all others to the rest.
     fn mul(self, other: Self) -> Self {
-        if other.is_constant() {
-            return self.scaled(other.constant);
-        }
-        if self.is_constant() {
-            return other.scaled(self.constant);
-        }
-        let (a, b) = (&self, &other);
-        let quadratic = |(p, (i, j)): (usize, (usize, usize))| {
-            let crossed = a.linear[i] * b.linear[j];
-            let crossed = if i == j { crossed } else { crossed + a.linear[j] * b.linear[i] };
-            a.constant * b.quadratic[p] + a.quadratic[p] * b.constant + crossed
-        };
-        let mut pairs = PAIRS.into_iter().enumerate();
-        let ([a1, a2], [b1, b2]) = (a.sizes(), b.sizes());
-        let (whole_a, whole_b) = (sum(a.constant.magnitude(), sum(a1, a2)), sum(b.constant.magnitude(), sum(b1, b2)));
-        let third_and_fourth = sum(product(a1, b2), product(a2, sum(b1, b2)));
-        let of_rests = sum(product(whole_a, b.rest), product(a.rest, sum(whole_b, b.rest)));
-        Taylor {
-            constant: a.constant * b.constant,
-            linear: std::array::from_fn(|i| a.constant * b.linear[i] + a.linear[i] * b.constant),
-            quadratic: std::array::from_fn(|_| pairs.next().map_or(Interval::ZERO, quadratic)),
-            rest: sum(third_and_fourth, of_rests),
-        }
+        self.times(&other)
     }
 }

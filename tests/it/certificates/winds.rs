@@ -139,17 +139,17 @@ fn wrenches_by_wind_hold_those_in_each_wind() {
                 let d = deviation(&mut numbers);
                 let inside: State = path.map(|axis| axis.map(|x| Interval::point(x + 0.99 * wide * numbers.unit())));
                 let found = dynamics(&vehicle, blowing(&environment, d)).held(held, &inside);
-                for i in 0..4 {
+                for (i, seen) in seen.iter_mut().enumerate() {
                     let (value, rate) = (found.value[i].middle(), found.rate[i].middle());
                     assert!(model.value[i].at(d).contains(value), "{i}: {value} {:?}", model.value[i].at(d));
                     assert!(model.rate[i].range().contains(rate), "{i}: {rate} {:?}", model.rate[i].range());
-                    seen[i] = (seen[i].0.min(value), seen[i].1.max(value));
+                    *seen = (seen.0.min(value), seen.1.max(value));
                 }
             }
             if wide == 0.0 && held == Held::Wrench {
                 let plain = whole.held(held, &state);
-                for i in 1..4 {
-                    let (range, between) = (model.value[i].range(), seen[i].1 - seen[i].0);
+                for (i, seen) in seen.iter().enumerate().skip(1) {
+                    let (range, between) = (model.value[i].range(), seen.1 - seen.0);
                     by_models += (range.high - range.low - between) / vehicle.inertia[i - 1];
                     by_intervals += (plain.value[i].high - plain.value[i].low - between) / vehicle.inertia[i - 1];
                 }
