@@ -271,16 +271,16 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, mission: Option<&Mission>, ve
     }
     let has_spread = mission.air.wind_spread.iter().any(|spread| *spread > 0.0);
     let [x, y, z] = vehicle.drag;
-    if has_spread && !(x == y && y == z) {
+    let differs = has_spread && !(x == y && y == z);
+    if differs {
         let message = "an interval of the wind needs the same `drag` along all axes";
         let error = Diagnostic::error(CONFLICT, mission.air.span, message).here("an interval of the wind");
         let error = error.also(drag, "differs along the axes");
         cx.report(
             error.help("write one number for `drag`, such as the largest of the three, or the wind without `+-`"),
         );
-        return false;
     }
-    !limits_tilt(cx, drag, mission, vehicle)
+    !limits_tilt(cx, drag, mission, vehicle) && !differs
 }
 
 /// Reports limits on tilt with a drag that differs along x and y, with which the attitude depends on the yaw; whether there is
