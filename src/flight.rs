@@ -180,6 +180,8 @@ pub struct Flight {
     pub heading: HeadingErrors,
     /// When yaw was first given up on purpose, s since the start; `None` if it never was.
     pub gave_up_yaw_at: Option<f64>,
+    /// For how long some body rate was beyond the range of the gyroscope, s.
+    pub gyroscope_saturated: f64,
     /// The detection of each fault that struck before the end.
     pub found: Vec<FaultDetection>,
     /// How often a healthy rotor was believed to have a capacity below 0.7 for longer than 0.1 s.
@@ -348,6 +350,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         max_tilt: watch.max_tilt,
         heading: watch.heading_errors(),
         gave_up_yaw_at,
+        gyroscope_saturated: sensors.saturated,
         found,
         false_alarms,
         refused,

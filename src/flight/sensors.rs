@@ -21,6 +21,10 @@ const DAMPING: f64 = std::f64::consts::FRAC_1_SQRT_2;
 pub(super) struct Sensors {
     period: f64,
     rate_noise: f64,
+    /// Largest rate on each axis that is measured, rad/s.
+    range: f64,
+    /// For how long some rate has been beyond the range, s.
+    pub(super) saturated: f64,
     position_noise: f64,
     position_error: Vector3<f64>,
     velocity_error: Vector3<f64>,
@@ -32,6 +36,8 @@ impl Sensors {
         Sensors {
             period,
             rate_noise: simulation.gyroscope_noise,
+            range: simulation.gyroscope_range,
+            saturated: 0.0,
             position_noise: simulation.position_noise,
             position_error: Vector3::zeros(),
             velocity_error: Vector3::zeros(),
@@ -44,6 +50,10 @@ impl Sensors {
         let mut measured = *body;
         if self.rate_noise > 0.0 {
             measured.rates += white() * self.rate_noise;
+        }
+        if measured.rates.amax() > self.range {
+            measured.rates = measured.rates.map(|rate| rate.clamp(-self.range, self.range));
+            self.saturated += self.period;
         }
         if self.position_noise > 0.0 {
             let difference = self.position_error - white() * self.position_noise;

@@ -337,6 +337,9 @@ group! {
     GYROSCOPE_NOISE "gyroscope_noise", Quantity("rad/s", NotNegative),
         Value(0.005, "0.005 rad/s", "standard deviation of a sample of a small MEMS gyroscope"),
         "the standard deviation of a sample of the body rates on each axis";
+    GYROSCOPE_RANGE "gyroscope_range", Quantity("deg/s", Positive),
+        Value(34.906_585_039_886_59, "2000 deg/s", "range of the gyroscopes of most flight controllers"),
+        "the largest body rate on each axis that the gyroscope measures; larger ones are measured as this";
     POSITION_NOISE "position_noise", Quantity("m", NotNegative),
         Value(0.01, "1 cm", "standard deviation of a sample on each axis"),
         "the standard deviation of a sample of the position on each axis";

@@ -349,6 +349,9 @@ fn simulation(f: &mut fmt::Formatter<'_>, s: &Simulation, modes: &[FaultMode]) -
     writeln!(f, "  forgetting {}, seed {}", number(s.forgetting), s.seed)?;
     let (gyroscope, position) = (number(s.gyroscope_noise), number(s.position_noise));
     writeln!(f, "  gyroscope_noise {gyroscope} rad/s, position_noise {position} m")?;
+    if s.gyroscope_range != Simulation::default().gyroscope_range {
+        writeln!(f, "  gyroscope_range {} deg/s", degrees(s.gyroscope_range))?;
+    }
     writeln!(f, "  drag {} N*s/m, wind {} m/s", along_axes(&s.drag), list(&s.wind))?;
     writeln!(f, "  gusts {} m/s, gust_length {} m", number(s.gusts), number(s.gust_length))?;
     writeln!(f, "  lost_beyond {} m, upside_down {} s", number(s.lost_beyond), number(s.upside_down))?;

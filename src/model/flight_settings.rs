@@ -142,6 +142,8 @@ pub struct Simulation {
     pub forgetting: f64,
     /// Standard deviation of a sample of the body rates, rad/s.
     pub gyroscope_noise: f64,
+    /// Largest body rate on each axis that is measured, rad/s.
+    pub gyroscope_range: f64,
     /// Standard deviation of a sample of the position, m on each axis.
     pub position_noise: f64,
     /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity through the
@@ -230,6 +232,7 @@ impl Default for Simulation {
             gains: Gains::default(),
             forgetting: FORGETTING.value(),
             gyroscope_noise: GYROSCOPE_NOISE.value(),
+            gyroscope_range: GYROSCOPE_RANGE.value(),
             position_noise: POSITION_NOISE.value(),
             drag: [DRAG.value(); 3],
             wind: [0.0; 3],

@@ -120,6 +120,7 @@ impl<'a> Reader<'a> {
         let gains = self.gains(cx);
         let forgetting = self.forgetting(cx);
         let gyroscope_noise = self.quantity(cx, &table::GYROSCOPE_NOISE);
+        let gyroscope_range = self.quantity(cx, &table::GYROSCOPE_RANGE);
         let position_noise = self.quantity(cx, &table::POSITION_NOISE);
         let (drag, wind, gusts) = self.air(cx, around);
         let gust_length = self.quantity(cx, &table::GUST_LENGTH);
@@ -163,6 +164,7 @@ impl<'a> Reader<'a> {
             gains: gains?,
             forgetting: forgetting?,
             gyroscope_noise: gyroscope_noise?,
+            gyroscope_range: gyroscope_range?,
             position_noise: position_noise?,
             drag: drag?,
             wind: wind?,

@@ -57,6 +57,9 @@ pub struct FlightRecord {
     /// When yaw was first given up on purpose; `None` if it never was.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gave_up_yaw_at_s: Option<f64>,
+    /// For how long some body rate was beyond the range of the gyroscope; `None` if never.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gyroscope_saturated_s: Option<f64>,
     pub faults: Vec<FaultRecord>,
     pub false_alarms: usize,
     pub refused_reconfigurations: usize,
@@ -146,6 +149,7 @@ impl FlightRecord {
             max_heading_error_after_rad: (!flight.found.is_empty()).then_some(flight.heading.max_after),
             turns: flight.heading.turns,
             gave_up_yaw_at_s: flight.gave_up_yaw_at,
+            gyroscope_saturated_s: Some(flight.gyroscope_saturated).filter(|seconds| *seconds > 0.0),
             faults: faults(model, strikes, flight),
             false_alarms: flight.false_alarms,
             refused_reconfigurations: flight.refused,

@@ -41,8 +41,18 @@ pub fn text(flown: &Flown) -> String {
     ));
     out.pop();
     out.push_str(&past_limit(flown));
+    if let Some(seconds) = record.gyroscope_saturated_s {
+        let range = number(model.simulation.gyroscope_range.to_degrees());
+        out.push_str(&format!(
+            "  a body rate was beyond the {range} deg/s that the gyroscope measures for {} s\n",
+            fixed(seconds, 2)
+        ));
+    }
     if let Some(at) = record.gave_up_yaw_at_s {
         out.push_str(&format!("  yaw given up at {} s: the heading error loses no vehicle after this\n", fixed(at, 2)));
+        if model.vehicle.yaw_drag.is_none() {
+            out.push_str("  the vehicle has no `yaw_drag`, so that the air does not slow its spin\n");
+        }
     }
     if !record.faults.is_empty() {
         let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);

@@ -64,6 +64,16 @@ fn a_quadcopter_is_captured_at_the_cost_of_height() {
     }
 }
 
+/// A gyroscope that ends below the spin: the controller is misled, and the report says so.
+#[test]
+fn a_gyroscope_that_ends_below_the_spin_is_told() {
+    let mut model = without("PNPN", &[1], 0.02);
+    assert_eq!(hover(&model, 10.0).0.gyroscope_saturated, 0.0);
+    model.simulation.gyroscope_range = 10.0;
+    let (flight, ..) = hover(&model, 10.0);
+    assert!(flight.gyroscope_saturated > 1.0, "{flight:?}");
+}
+
 /// Two opposite rotors lost: torques about one axis alone, which the spin carries around.
 #[test]
 fn without_two_opposite_rotors_the_direction_of_the_thrust_is_kept() {
