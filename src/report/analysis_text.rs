@@ -90,7 +90,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     if has_airspeeds {
         out.push_str(if model.environment().is_isotropic() { AIRSPEED } else { AIRSPEED_OF_HEADINGS });
     }
-    if modes.iter().any(|m| m.hover == Place::OnEdge) {
+    if modes.iter().any(|m| m.edge_words() == Some(Place::OnEdge.word())) {
         out.push_str(
             "the edge  hover can be reached, but in some direction no disturbance, however small, can be countered\n",
         );

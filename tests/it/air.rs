@@ -167,6 +167,7 @@ fn worst(model: &Model, plan: &Trajectory, wind: [f64; 3]) -> (f64, f64) {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_plan_stays_in_its_set_and_tilt_in_its_wind() {
     let spec = compiled(&dash("air { wind = [-6, 0, 0] m/s }", ""));
     let (plan, _) = planned(&spec);
@@ -238,6 +239,7 @@ fn an_interval_takes_more_time_than_its_middle() {
 }
 
 #[test]
+#[ignore = "long"]
 fn times_grow_with_the_wind() {
     let time = |wind: u32| planned(&compiled(&dash(&format!("air {{ wind = [-{wind}, 0, 0] m/s }}"), ""))).1;
     let times = [0, 8].map(time);

@@ -60,6 +60,7 @@ fn no_round_is_rip_one_is_rsp_and_many_end_at_rcp() {
 }
 
 #[test]
+#[ignore = "long"]
 fn rounds_side_by_side() {
     let mut model = tight();
     model.plan.samples = 60;

@@ -112,6 +112,7 @@ fn room() -> (VolumeSide, Body) {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_descent_towards_a_volume_is_committed_as_above_a_floor() {
     let below = Body::Prism { corners: square(40.0), bottom: -5.0, top: 0.0 };
     is_committed_as_above_a_floor(PlanModel::Exact, &[(VolumeSide::KeepOut, below), room()], 40);

@@ -119,6 +119,7 @@ pub fn is_updating() -> bool {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_tutorial_tells_the_truth() {
     let mut page = PAGE.to_string();
     let folder = tempfile::tempdir().unwrap();

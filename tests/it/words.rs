@@ -54,6 +54,7 @@ fn planned(to: &str, plan: &str) -> Told {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_verdict_has_one_word_everywhere() {
     let turned = format!("{THERE} yaw 150 deg");
     for (to, plan, code, verdict) in [
@@ -123,6 +124,7 @@ fn on_the_edge() -> Model {
 
 /// That no mode has a plan is no proof about RSP, whose sets are larger than the modes'; nor about the modes.
 #[test]
+#[ignore = "long"]
 fn rsp_without_a_common_time_is_not_attempted() {
     let model = on_the_edge();
     let problem = Problem::of(&model).unwrap();

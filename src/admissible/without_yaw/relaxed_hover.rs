@@ -53,6 +53,9 @@ const MOST_TILT: f64 = 0.6;
 const TILTS: usize = 24;
 const AZIMUTHS: usize = 36;
 
+/// Directions of the search that follows. The disc has ridges, along which few directions lead upwards.
+const WAYS: usize = 24;
+
 impl<'a> System<'a> {
     /// `yaw_free` is the projection of the mode's set on (T, tau_x, tau_y).
     pub fn new(model: &'a Model, set: &'a AdmissibleSet, yaw_free: &'a Polytope<3, ()>, drag: YawDrag) -> Self {
@@ -172,9 +175,12 @@ impl<'a> System<'a> {
         // Compass search.
         let mut step = MOST_TILT / TILTS as f64;
         while step > 1e-7 {
-            let around =
-                [Vector2::x(), -Vector2::x(), Vector2::y(), -Vector2::y()].map(|way| best(found.0 + way * step));
-            match around.into_iter().fold(None, larger) {
+            let from = found.0;
+            let around = (0..WAYS).map(|k| {
+                let (sin, cos) = (std::f64::consts::TAU * k as f64 / WAYS as f64).sin_cos();
+                best(from + Vector2::new(cos, sin) * step)
+            });
+            match around.fold(None, larger) {
                 Some(next) if next.1.disc_n_m > found.1.disc_n_m => found = next,
                 _ => step /= 2.0,
             }

@@ -18,6 +18,7 @@ fn errors(text: &str) -> usize {
 }
 
 #[test]
+#[ignore = "long"]
 fn what_flies_nothing_warns_of_mistakes_in_how_it_is_flown() {
     let dir = folder();
     let (spec, traj) = (dir.path().join("hop.mav"), dir.path().join("traj.csv"));

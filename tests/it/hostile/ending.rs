@@ -88,6 +88,7 @@ fn a_campaign_that_is_interrupted_says_how_to_go_on() {
 }
 
 #[test]
+#[ignore = "long"]
 fn without_a_file_nothing_can_be_gone_on_with() {
     let dir = desk();
     let mut child =
