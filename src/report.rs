@@ -16,6 +16,7 @@ pub mod headings;
 pub mod heat;
 pub mod least_time;
 #[cfg(feature = "report")]
+pub mod mjcf;
 pub mod page;
 pub mod record;
 pub mod simulation;

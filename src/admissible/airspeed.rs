@@ -38,7 +38,7 @@ impl Airspeed {
     /// airspeed is possible for every value of them.
     ///
     /// With a drag for each axis of the body it is the largest one up to which the thrust (90c) is in the set whatever the angle
-    /// between nose and motion, by [`in_the_worst_heading`]. Drag along z alone does not act in level flight: `None`.
+    /// between nose and motion, by `in_the_worst_heading`. Drag along z alone does not act in level flight: `None`.
     ///
     /// # Panics
     /// If the set is not of this model.

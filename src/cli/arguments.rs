@@ -271,4 +271,6 @@ pub(super) enum Stage {
     Constraints,
     /// The convex program of the hover model, at the time of the plan
     Qp,
+    /// The vehicle and the mission for the simulator MuJoCo (MJCF)
+    Mjcf,
 }

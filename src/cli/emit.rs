@@ -7,7 +7,7 @@ use super::{EmitArgs, EmitFormat, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, 
 use crate::diagnostic::sort;
 use crate::model::FlightBlocks;
 use crate::observer::Silent;
-use crate::pipeline::{Task, actuation_text, sets_text};
+use crate::pipeline::{Task, actuation_text, mjcf_text, sets_text};
 use crate::source::visible;
 use crate::spec::Spec;
 
@@ -19,8 +19,9 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
     if args.stage == Stage::Ast {
         return ast(spec::parse(&args.spec, &watch)?, options);
     }
-    // The model is printed with its `simulate` and `campaign` blocks; the other stages need neither.
-    let flights = if args.stage == Stage::Model { FlightBlocks::Used } else { FlightBlocks::Unused };
+    // The model is printed with its flight blocks, and MuJoCo has the rate of `simulate`.
+    let is_flown = matches!(args.stage, Stage::Model | Stage::Mjcf);
+    let flights = if is_flown { FlightBlocks::Used } else { FlightBlocks::Unused };
     let (spec, mut findings) = spec::read(&args.spec, flights, &watch)?;
     if let (Some(spec), Stage::Constraints | Stage::Qp) = (&spec, args.stage) {
         return planned(args, spec, &mut findings, options);
@@ -30,6 +31,7 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
             Stage::Model => spec.model().to_string(),
             Stage::Actuation => actuation_text(spec),
             Stage::Sets => sets_text(spec),
+            Stage::Mjcf => mjcf_text(spec),
             Stage::Ast | Stage::Constraints | Stage::Qp => String::new(),
         })?;
     }

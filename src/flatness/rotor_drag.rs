@@ -15,7 +15,7 @@
 //! c = b_3.gamma     b_3 = (sin theta cos phi, -sin phi, cos theta cos phi)
 //! ```
 //!
-//! Body rates and torques follow from the angles as without drag. All of these are series in time ([`Jet`]), so that no
+//! Body rates and torques follow from the angles as without drag. All of these are series in time (`Jet`), so that no
 //! derivative has an explicit formula.
 
 use super::jet::Jet;

@@ -8,6 +8,7 @@ use crate::planner::selection::PlanningSet;
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use crate::planner::transcription::{Purpose, Transcription};
 use crate::qp::{QuadraticProgram, mps};
+use crate::report::mjcf;
 use crate::spec::Spec;
 use serde::Serialize;
 use std::error::Error;
@@ -59,6 +60,11 @@ impl Program {
 /// The actuation matrix A, from rotor thrusts (N) to wrench (N, N m): `mavc emit actuation`.
 pub fn actuation_text(spec: &Spec) -> String {
     Actuation::of(&spec.model().vehicle).to_string()
+}
+
+/// The vehicle and its mission as a model of MuJoCo (XML): `mavc emit mjcf`.
+pub fn mjcf_text(spec: &Spec) -> String {
+    mjcf::text(spec.model())
 }
 
 /// The admissible set of the healthy vehicle and of every declared mode: `mavc emit sets`.

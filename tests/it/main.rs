@@ -29,6 +29,7 @@ mod legs;
 mod lsp;
 mod many;
 mod method;
+mod mjcf;
 mod model;
 mod modules;
 mod other_spec;
