@@ -61,19 +61,21 @@ def quaternion(roll, pitch, yaw):
     return np.array([cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy])
 
 
-def thrusts(log, coefficients, k):
-    """Simpson's mean over the step after row k, with the commands that lead to row k + 1 by the lag."""
+def thrusts(log, coefficients, k, lost_at):
+    """Simpson's mean over the step after row k, with the commands that lead to row k + 1 by the lag. Rotor 1 gives nothing from
+    `lost_at` s on; the capacities in the log are those that the controller assumes."""
     n = len(coefficients)
     begin = np.array([log[f"omega_{i + 1}"][k] for i in range(n)])
     end = np.array([log[f"omega_{i + 1}"][k + 1] for i in range(n)])
-    theta = np.array([log[f"theta_{i + 1}"][k + 1] for i in range(n)])
+    theta = np.ones(n)
+    theta[0] = 0.0 if log["t"][k] >= lost_at - 0.5 / RATE else 1.0
     decay = np.exp(-1.0 / RATE / LAG)
     command = (end - begin * decay) / (1.0 - decay)
     middle = command + (begin - command) * np.sqrt(decay)
     return theta * coefficients * (begin**2 + 4.0 * middle**2 + end**2) / 6.0
 
 
-def compare(xml, log, coefficients):
+def compare(xml, log, coefficients, lost_at):
     model = mujoco.MjModel.from_xml_string(xml)
     data = mujoco.MjData(model)
     data.qpos[:3] = [log["x"][0], log["y"][0], log["z"][0]]
@@ -83,7 +85,7 @@ def compare(xml, log, coefficients):
     worst = np.zeros(3)
     steps = min(len(log["t"]) - 1, int(SECONDS * RATE))
     for k in range(steps):
-        data.ctrl[:] = thrusts(log, coefficients, k)
+        data.ctrl[:] = thrusts(log, coefficients, k, lost_at)
         # Drag in the world frame and yaw drag in the body frame are generalised forces of the free joint.
         data.qfrc_applied[:3] = -DRAG * data.qvel[:3]
         data.qfrc_applied[3:6] = [0.0, 0.0, -YAW_DRAG * data.qvel[5]]
@@ -112,8 +114,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for vehicle in VEHICLES:
             coefficients = coefficients_of(mavc, vehicle)
-            for name, fault in [("none", ""), ("rotor 1 lost", "fault out at 500 ms")]:
-                found, _ = compare(*flown(mavc, folder, vehicle, fault), coefficients)
+            for name, fault, lost_at in [("none", "", np.inf), ("rotor 1 lost", "fault out at 500 ms", 0.5)]:
+                found, _ = compare(*flown(mavc, folder, vehicle, fault), coefficients, lost_at)
                 print(f"{vehicle:16} {name:12} {found[0]:14.2e} {found[1]:15.2e} {found[2]:14.2e}")
                 worst = np.maximum(worst, found)
     print("largest          {:12} {:14.2e} {:15.2e} {:14.2e}".format("", *worst))

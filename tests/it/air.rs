@@ -218,28 +218,6 @@ fn a_plan_stays_in_its_set_in_every_wind_of_an_interval() {
 
 #[test]
 #[ignore = "long"]
-fn lagging_rotors_and_wide_intervals_are_proved_in_every_wind() {
-    let winds = |x: f64, y: f64, z: f64| [6.0 + 2.0 * x, 2.0 * y, 0.5 * z];
-    let air = "air { wind = [6, 0, 0] m/s +- [2, 2, 0.5] m/s }";
-    proved_in_every_wind(air, winds, "time = 5 s; rotors = lagging");
-    // So wide that it is divided.
-    let winds = |x: f64, y: f64, z: f64| [5.0 * x, 5.0 * y, z];
-    proved_in_every_wind("air { wind = [0, 0, 0] m/s +- [5, 5, 1] m/s }", winds, "time = 6 s");
-}
-
-#[test]
-#[ignore = "long"]
-fn an_interval_takes_more_time_than_its_middle() {
-    let time = |spread: &str| {
-        let text = dash(&format!("air {{ wind = [6, 0, 0] m/s {spread} }}"), "");
-        planned(&compiled(&text.replace("samples = 24", "samples = 12"))).1
-    };
-    let times = [time(""), time("+- [2, 2, 0.5] m/s")];
-    assert!(times[0] < times[1], "{times:?}");
-}
-
-#[test]
-#[ignore = "long"]
 fn times_grow_with_the_wind() {
     let time = |wind: u32| planned(&compiled(&dash(&format!("air {{ wind = [-{wind}, 0, 0] m/s }}"), ""))).1;
     let times = [0, 8].map(time);
@@ -282,5 +260,32 @@ fn altitude_gives_the_density_of_the_standard_atmosphere() {
         let vehicle = &spec.model().vehicle;
         assert!((vehicle.drag[0] - 0.35 * ratio).abs() < 1e-12);
         assert!((vehicle.rotors[0].max_thrust() - 6.53 * ratio).abs() < 1e-9);
+    }
+}
+
+/// Those that take longest: see CONTRIBUTING.md.
+mod thorough {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn lagging_rotors_and_wide_intervals_are_proved_in_every_wind() {
+        let winds = |x: f64, y: f64, z: f64| [6.0 + 2.0 * x, 2.0 * y, 0.5 * z];
+        let air = "air { wind = [6, 0, 0] m/s +- [2, 2, 0.5] m/s }";
+        proved_in_every_wind(air, winds, "time = 5 s; rotors = lagging");
+        // So wide that it is divided.
+        let winds = |x: f64, y: f64, z: f64| [5.0 * x, 5.0 * y, z];
+        proved_in_every_wind("air { wind = [0, 0, 0] m/s +- [5, 5, 1] m/s }", winds, "time = 6 s");
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn an_interval_takes_more_time_than_its_middle() {
+        let time = |spread: &str| {
+            let text = dash(&format!("air {{ wind = [6, 0, 0] m/s {spread} }}"), "");
+            planned(&compiled(&text.replace("samples = 24", "samples = 12"))).1
+        };
+        let times = [time(""), time("+- [2, 2, 0.5] m/s")];
+        assert!(times[0] < times[1], "{times:?}");
     }
 }

@@ -188,12 +188,6 @@ fn hold_position_up_to_the_airspeed(planner: &str) {
     }
 }
 
-#[test]
-#[ignore = "long"]
-fn plans_hold_position_up_to_the_airspeed() {
-    hold_position_up_to_the_airspeed("rip");
-}
-
 /// The report of a plan names the airspeeds of the healthy vehicle and of the modes planned against.
 #[test]
 fn reports_of_plans_print_the_airspeeds() {
@@ -237,6 +231,12 @@ fn fast_plans_without_drag_have_a_caveat() {
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn plans_hold_position_up_to_the_airspeed() {
+        hold_position_up_to_the_airspeed("rip");
+    }
 
     #[test]
     #[ignore = "long"]
