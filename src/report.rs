@@ -15,8 +15,8 @@ pub mod conflict_record;
 pub mod headings;
 pub mod heat;
 pub mod least_time;
-#[cfg(feature = "report")]
 pub mod mjcf;
+#[cfg(feature = "report")]
 pub mod page;
 pub mod record;
 pub mod simulation;
