@@ -25,6 +25,9 @@ pub const MAX_MULTIPLIERS: usize = 1_000_000;
 /// Most motions from which RSP selects facets: one per round.
 pub const MAX_SELECTIONS: usize = crate::model::MAX_ROUNDS;
 
+/// Most modes for which a plan gives up yaw.
+pub const MAX_FREED: usize = 10_000;
+
 /// The version of the records.
 pub const SCHEMA: u32 = 2;
 
@@ -69,9 +72,20 @@ pub struct PlanClaim {
     /// RSP: the plans from which it selects facets, the RIP plan first, then one per further round.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_SELECTIONS, _, _>")]
     pub selected_by: Vec<MotionRecord>,
+    /// The modes for which the plan gives up yaw.
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_FREED, _, _>")]
+    pub without_yaw: Vec<SpinRecord>,
     /// Lower bound on the time of every motion that satisfies the spec's limits at every instant, s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_time_s: Option<f64>,
+}
+
+/// A mode for which the plan gives up yaw, and a range of rates of the body about its thrust, rad/s, that it cannot leave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SpinRecord {
+    pub mode: String,
+    pub spin_rad_s: [f64; 2],
 }
 
 /// A waypoint is due before any motion that satisfies the spec's limits at every instant can reach it.

@@ -24,7 +24,8 @@ pub fn of(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Res
     let (model, mission) = (problem.model(), problem.mission());
     match comparison.runs.last().map(|run| (run, &run.outcome)) {
         Some((_, PlanOutcome::Planned(solved))) => {
-            let mut certificate = witness::certificate(&solved.trajectory, &comparison.selected_by, spec_sha256);
+            let mut certificate =
+                witness::certificate(problem.model(), &solved.trajectory, &comparison.selected_by, spec_sha256);
             if let Claim::Plan(claim) = &mut certificate.claim {
                 // A time that the spec fixes needs no bound.
                 let is_open = determined(mission).is_none();

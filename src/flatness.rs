@@ -44,6 +44,31 @@ pub fn wrench_and_jacobian(vehicle: &Vehicle, gravity: f64, state: &FlatState) -
     jacobian(|s| Intermediates::new(gravity, &s).wrench(vehicle), state)
 }
 
+/// T (N), `s x s''` and s' across the direction s of the thrust, in body axes, and the rate of the body about s: what a motion takes
+/// whatever the heading, since another heading turns both pairs alike.
+///
+/// ```text
+/// (99)  s' = (q, -p)     s x s'' = (p' - q r, q' + p r)
+/// ```
+fn turning_of<D: DualNum<Primitive = f64> + Copy>(
+    mass: f64,
+    gravity: f64,
+    state: &SVector<D, INPUTS>,
+) -> SVector<D, 6> {
+    let Intermediates { n, rates: [p, q, r], accelerations: [p1, q1, _], .. } = Intermediates::new(gravity, state);
+    SVector::from([n * D::from(mass), p1 - q * r, q1 + p * r, q, -p, r])
+}
+
+/// [`turning_of`] in SI units: N, 1/s^2, 1/s, rad/s.
+pub fn turning(mass: f64, gravity: f64, state: &FlatState) -> SVector<f64, 6> {
+    turning_of(mass, gravity, state)
+}
+
+/// The same and its derivatives with respect to the flat state (6 x 12).
+pub fn turning_and_jacobian(mass: f64, gravity: f64, state: &FlatState) -> (SVector<f64, 6>, SMatrix<f64, 6, INPUTS>) {
+    jacobian(|s| turning_of(mass, gravity, &s), state)
+}
+
 /// The second derivatives of n.w with respect to the flat state (12 x 12), by forward-mode differentiation of the
 /// reverse-mode gradient. Each operation then carries 13 numbers instead of the 157 of forward mode applied twice.
 pub fn curvature(vehicle: &Vehicle, gravity: f64, state: &FlatState, n: &Wrench) -> SMatrix<f64, INPUTS, INPUTS> {

@@ -1,12 +1,14 @@
 //! Trajectories as piecewise polynomials, the wrench that a motion needs, and when this wrench leaves a set.
 
 pub mod checks;
+mod felt;
 pub mod hover_map;
 mod joined;
 pub mod nearness;
 pub mod outside;
 pub mod risk;
 pub mod time_grid;
+pub mod turning;
 pub mod winds;
 pub mod wrench_model;
 

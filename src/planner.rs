@@ -4,6 +4,7 @@
 //! convex, and [`scp::ExactPlanner`] for the exact model, whose sequential convex programming finds local optima.
 
 pub mod commands;
+mod cores;
 mod cost;
 pub mod hover;
 mod limits;

@@ -7,6 +7,10 @@ pub const MOST_MISS: f64 = 1e-5;
 /// A limit may be violated by this share of its size ([`crate::model::Limit::size`]).
 pub const MOST_PAST_LIMIT: f64 = 1e-4;
 
+/// Hover is on the edge of a set if its distance from the boundary, or from a flat set, is at most this, in N and N m
+/// alike; for a vehicle that weighs less than 1 N, times its weight in N.
+pub const EDGE: f64 = 1e-6;
+
 /// A set may be violated by this share of the healthy set's width, in which reports measure violations.
 pub const MOST_OUTSIDE: f64 = 1e-4;
 

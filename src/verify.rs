@@ -3,6 +3,7 @@
 //! errors. The conditions to check follow from the spec; docs/certificates.md states them as a theorem, whose premises are
 //! those of [`Premise`].
 
+pub mod core;
 pub mod cost;
 pub mod dyadic;
 pub mod facets;
@@ -233,6 +234,19 @@ fn required(model: &Model) -> Vec<String> {
         PlannerKind::Rcp => against.collect(),
         _ => vec![sets::HEALTHY.into()],
     }
+}
+
+/// The modes of [`required`] in whose whole sets every plan stays: those in which plans may give up yaw are left out, and then the
+/// healthy vehicle's is one of them.
+fn required_whole(model: &Model) -> Vec<String> {
+    let mut modes = required(model);
+    let kept = |name: &String| mode_named(model, name).is_none_or(|mode| !core::may_be_freed(model, mode));
+    let before = modes.len();
+    modes.retain(kept);
+    if modes.len() < before && !modes.iter().any(|mode| mode == sets::HEALTHY) {
+        modes.insert(0, sets::HEALTHY.into());
+    }
+    modes
 }
 
 /// Whether a fault mode's set may extend beyond the healthy set: a lost rotor gives less than the idle thrust of a rotor that

@@ -1,5 +1,7 @@
 //! Diagnostics from the admissible sets: fault modes the plan must tolerate but cannot.
 
+mod without_yaw;
+
 use super::edge::{self, Place};
 use super::interval::{Certainty, Robust};
 use super::parallel::{Parallel, least_angle};
@@ -63,7 +65,9 @@ pub(crate) fn diagnose_by(
         }
         let span = model.modes[index].span;
         let faint = || mode.nearest_rows.filter(|row| !before(row)).and_then(|row| nearly_parallel(&row, span));
-        let Some(answer) = judge(model, &mode, span).or_else(faint) else { continue };
+        let without_yaw = without_yaw::judge(model, &mode, index);
+        let Some(mut answer) = without_yaw.or_else(|| judge(model, &mode, span)).or_else(faint) else { continue };
+        answer.also = without_yaw::could_be_planned(model, &mode, index).filter(|_| answer.severity == Severity::Error);
         match found.iter_mut().find(|earlier| earlier.is_same(&answer)) {
             Some(earlier) => earlier.modes.push(mode.name),
             None => found.push(Answer { modes: vec![mode.name], ..answer }),
@@ -86,6 +90,8 @@ struct Answer {
     reserve: bool,
     /// Names of the modes; empty for the healthy vehicle.
     modes: Vec<String>,
+    /// A further way to plan.
+    also: Option<&'static str>,
 }
 
 impl Answer {
@@ -108,6 +114,7 @@ impl Answer {
         // Without `against` the plan must tolerate every mode, and there is no list to take a mode out of.
         let listing = "out by listing the others in `against`";
         let help = if pointed { help } else { help.replace("out of `against`", listing) };
+        let help = self.also.filter(|also| !help.contains(also)).map_or(help.clone(), |also| format!("{help}; {also}"));
         let mut diagnostic = Diagnostic::new(self.severity, self.code, self.span, message).here(self.label).help(help);
         if self.reserve && is_written(model, "plan.reserve") {
             diagnostic = diagnostic.also(model.plan.reserve_span, "the required reserve");
@@ -154,6 +161,7 @@ fn nearly_parallel(row: &Parallel, span: Span) -> Option<Answer> {
         help: "leave the mode out of `against`, or place the rotors so that the remaining ones separate the two axes",
         reserve: false,
         modes: Vec::new(),
+        also: None,
     })
 }
 
@@ -177,7 +185,17 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
     // If hover is on the edge although a heavier vehicle could hover, it is on the edge at every mass.
     let at_heaviest = mode.critical_mass_kg.is_some_and(|most| most <= model.vehicle.mass * (1.0 + 1e-6));
     let answer = |severity, code, what: &str, label: String, help| {
-        Some(Answer { severity, code, span, what: what.into(), label, help, reserve: false, modes: Vec::new() })
+        Some(Answer {
+            severity,
+            code,
+            span,
+            what: what.into(),
+            label,
+            help,
+            reserve: false,
+            modes: Vec::new(),
+            also: None,
+        })
     };
     match (mode.verdict, mode.hover) {
         (Verdict::Controllable, Place::Inside) => {

@@ -5,9 +5,7 @@ use super::AdmissibleSet;
 use crate::actuation::Wrench;
 use serde::Serialize;
 
-/// Hover is on the edge of a set if its distance from the boundary, or from a flat set, is at most this, in N and N m
-/// alike. For a vehicle that weighs less than 1 N it is a share of the weight; see [`width`].
-pub const EDGE: f64 = 1e-6;
+pub use crate::tolerance::EDGE;
 
 /// The width of the edge for a vehicle with this hover wrench, in N and N m alike: `EDGE * min(m g, 1 N)`.
 pub fn width(hover: &Wrench) -> f64 {

@@ -1,5 +1,6 @@
 //! Facets as dimensionless rows, by which a wrench is compared with a set.
 
+use super::without_yaw::planned::{CoreRow, Turning};
 use super::{AdmissibleSet, FacetOf};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Facet;
@@ -19,6 +20,8 @@ pub struct SetRow {
     pub equality: bool,
     /// All facets in this plane.
     pub origin: Vec<FacetOf>,
+    /// A row of a core, whose `normal` is along T alone; see [`CoreRow`].
+    pub core: Option<CoreRow>,
 }
 
 impl SetRow {
@@ -26,6 +29,12 @@ impl SetRow {
     pub fn violation(&self, w: &Wrench) -> f64 {
         let v = self.normal.dot(w) - self.offset;
         if self.equality { v.abs() } else { v }
+    }
+
+    /// What a core adds to the violation by the thrust; 0 for other rows. Without a `turning` the bound on the thrust alone is
+    /// left, which is weaker.
+    pub fn of_core(&self, turning: Option<&Turning>) -> f64 {
+        self.core.zip(turning).map_or(0.0, |(core, turning)| core.share(turning))
     }
 }
 
@@ -39,5 +48,5 @@ impl SetRow {
 /// The dimensionless row of a facet: normal and offset divided by the width of the `healthy` zonotope along the normal.
 pub fn row<O>(facet: &Facet<4, O>, healthy: &AdmissibleSet, origin: Vec<FacetOf>) -> SetRow {
     let width = healthy.zonotope.width(&facet.normal);
-    SetRow { normal: facet.normal / width, offset: facet.offset / width, equality: false, origin }
+    SetRow { normal: facet.normal / width, offset: facet.offset / width, equality: false, origin, core: None }
 }

@@ -163,7 +163,7 @@ fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow
     }
     let equalities = set.polytope.equalities.iter().map(|e| {
         let width = healthy.zonotope.width(&e.normal);
-        SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new() }
+        SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new(), core: None }
     });
     let facets = set.polytope.facets.iter().map(|f| row(f, healthy, Vec::new()));
     (equalities.chain(facets).collect(), inside)

@@ -73,7 +73,8 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     let kind = model_of(trajectory);
     let setting = Setting::new(problem, kind, Premises::default());
     let Ok(motion) = setting.motion(&motion(trajectory)) else { return Vec::new() };
-    let rows = &run.set.rows;
+    // Cores are not linear in the wrench.
+    let rows: Vec<SetRow> = run.set.rows.iter().filter(|row| row.core.is_none()).cloned().collect();
     let plane = |side: f64, row: &SetRow| Plane {
         normal: std::array::from_fn(|i| Interval::point(side * row.normal[i])),
         offset: Interval::point(side * row.offset),

@@ -38,14 +38,14 @@ pub fn is_plan(problem: Problem, time: f64, motion: &Trajectory, selected_by: &[
     planned.plan.require_risk = None;
     // Variants of a spec are planned with one round.
     planned.plan.rounds = planned.plan.rounds.min(1);
-    let certificate = certificate(motion, selected_by, String::new());
+    let certificate = certificate(&planned, motion, selected_by, String::new());
     !matches!(verify::decide_at_nodes(&certificate, &planned, Settings::default()), Err(Refusal::Rejected(_)))
 }
 
 /// Checks a plan of a model at the nodes.
 fn decide(planned: &Model, outcome: &mut PlanOutcome, selected_by: &[Trajectory]) {
     let PlanOutcome::Planned(solved) = outcome else { return };
-    let certificate = certificate(&solved.trajectory, selected_by, String::new());
+    let certificate = certificate(planned, &solved.trajectory, selected_by, String::new());
     match verify::decide_at_nodes(&certificate, planned, Settings::default()) {
         Ok(verdict) if verdict.undecided.is_empty() => solved.verification = Verification::Passed,
         Ok(verdict) => solved.verification = Verification::Undecided(verdict.undecided.join("; ")),

@@ -1,14 +1,38 @@
 //! Certificates of plans: the trajectory as a record.
 
-use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord, PlanClaim, SCHEMA, Vertical};
+use crate::admissible::AdmissibleSet;
+use crate::admissible::without_yaw::planned::{Obstacle, Provision};
+use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord, PlanClaim, SCHEMA, SpinRecord, Vertical};
+use crate::model::{Model, PlannerKind};
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 
-/// The certificate of a plan; `selected_by` are the plans from which RSP selected facets, in order.
-pub(super) fn certificate(trajectory: &Trajectory, selected_by: &[Trajectory], sha256: String) -> Certificate {
+/// The certificate of a plan of a model; `selected_by` are the plans from which RSP selected facets, in order.
+pub(super) fn certificate(
+    model: &Model,
+    trajectory: &Trajectory,
+    selected_by: &[Trajectory],
+    sha256: String,
+) -> Certificate {
     let selected_by = selected_by.iter().map(motion).collect();
-    let claim = PlanClaim { motion: motion(trajectory), selected_by, least_time_s: None };
+    let claim =
+        PlanClaim { motion: motion(trajectory), selected_by, without_yaw: without_yaw(model), least_time_s: None };
     Certificate { schema: SCHEMA, spec_sha256: sha256, model: model_of(trajectory), claim: Claim::Plan(claim) }
+}
+
+/// The modes for which a plan of the model gives up yaw; none for RIP, which no mode concerns.
+fn without_yaw(model: &Model) -> Vec<SpinRecord> {
+    if model.plan.planner == PlannerKind::Rip || Obstacle::of(model).is_some() {
+        return Vec::new();
+    }
+    let healthy = AdmissibleSet::healthy(model);
+    let record = |&mode: &usize| match Provision::of(model, &AdmissibleSet::of_mode(model, mode), &healthy) {
+        Provision::WithoutYaw(core) => {
+            Some(SpinRecord { mode: model.modes[mode].name.clone(), spin_rad_s: core.spin_rad_s })
+        }
+        Provision::WithYaw | Provision::Capture => None,
+    };
+    model.plan.against.iter().filter_map(record).collect()
 }
 
 /// The model of the wrench that the plan uses.

@@ -1,6 +1,7 @@
 //! How near the planned wrench comes to the boundary of a set over the course of a trajectory.
 
 use super::Trajectory;
+use super::felt::Flown;
 use super::outside::PARTS;
 use crate::admissible::row::SetRow;
 use crate::model::{Environment, Vehicle};
@@ -15,12 +16,12 @@ pub fn nearness(
     rows: &[SetRow],
     columns: usize,
 ) -> Vec<f64> {
-    let corners = environment.corners();
+    let flown = Flown::new(trajectory, vehicle, environment, rows);
     let step = trajectory.duration() / columns as f64;
     let mut smallest = vec![f64::INFINITY; columns];
     let margin = |k: usize, t: f64| {
-        let wrenches = trajectory.wrenches(vehicle, &corners, &trajectory.within(k, t));
-        rows.iter().map(|r| -r.worst(&wrenches)).fold(f64::INFINITY, f64::min)
+        let felt = flown.at(&trajectory.within(k, t));
+        rows.iter().map(|row| -felt.worst(row)).fold(f64::INFINITY, f64::min)
     };
     let mut note = |column: usize, m: f64| {
         if let Some(s) = smallest.get_mut(column) {

@@ -1,10 +1,10 @@
 //! When the planned wrench is outside a set, to the instant: `docs/method.md`, section 8, "Violation" and "Outside".
 
 use super::Trajectory;
+use super::felt::{Felt, Flown};
 use crate::actuation::Wrench;
 use crate::admissible::row::{SetRow, VIOLATED};
 use crate::model::{Environment, Vehicle};
-use crate::motion::wrench_model::WrenchModel;
 
 /// The violations of one set by a trajectory. A row is violated where its violation exceeds [`VIOLATED`].
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -37,14 +37,14 @@ pub const PARTS: usize = 16;
 /// follow in closed form. Otherwise they are bisected on each of [`PARTS`] parts of an interval, so that a violation
 /// within one part may be missed.
 pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, environment: &Environment, rows: &[SetRow]) -> Outside {
-    let corners = environment.corners();
+    let flown = Flown::new(trajectory, vehicle, environment, rows);
     let mut found = Outside { max_violation: f64::NEG_INFINITY, ..Outside::default() };
     let mut violated = vec![false; rows.len()];
     for node in &trajectory.nodes {
-        let wrenches = trajectory.wrenches(vehicle, &corners, node);
+        let felt = flown.at(node);
         let mut any = false;
         for (i, row) in rows.iter().enumerate() {
-            let violation = row.worst(&wrenches);
+            let violation = felt.worst(row);
             found.max_violation = found.max_violation.max(violation);
             if violation > VIOLATED {
                 any = true;
@@ -57,7 +57,7 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, environment: &Environ
     found.facets = (0..rows.len()).filter(|&i| violated[i]).collect();
     let mut highest: Option<Sample> = None;
     for k in 0..trajectory.intervals() {
-        let (intervals, worst) = violation_intervals(trajectory, vehicle, environment, rows, k);
+        let (intervals, worst) = violations_within(&flown, rows, k);
         highest = highest.into_iter().chain(worst).max_by(|a, b| a.violation.total_cmp(&b.violation));
         intervals.iter().for_each(|interval| violated[interval.row] = true);
         for (a, b) in merged(intervals.into_iter().map(|s| (s.from, s.to)).collect()) {
@@ -66,7 +66,7 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, environment: &Environ
         }
     }
     if let Some(sample) = highest {
-        found.max_violation = found.max_violation.max(refined(trajectory, vehicle, environment, rows, sample));
+        found.max_violation = found.max_violation.max(refined(&flown, &rows[sample.row], sample));
     }
     found.violated = (0..rows.len()).filter(|&i| violated[i]).collect();
     found
@@ -89,19 +89,13 @@ pub(crate) struct Sample {
 const REFINEMENTS: usize = 30;
 
 /// The largest violation of the sample's row between the neighbouring samples.
-fn refined(
-    trajectory: &Trajectory,
-    vehicle: &Vehicle,
-    environment: &Environment,
-    rows: &[SetRow],
-    sample: Sample,
-) -> f64 {
-    if matches!(trajectory.model, WrenchModel::HoverAt(_)) {
+fn refined(flown: &Flown, row: &SetRow, sample: Sample) -> f64 {
+    if !flown.is_curved() {
         // The wrench is linear between samples.
         return sample.violation;
     }
-    let corners = environment.corners();
-    let at = |t: f64| rows[sample.row].worst(&trajectory.wrenches(vehicle, &corners, &trajectory.at(t)));
+    let trajectory = flown.trajectory;
+    let at = |t: f64| flown.at(&trajectory.at(t)).worst(row);
     let (mut low, mut high) =
         ((sample.at - sample.apart).max(0.0), (sample.at + sample.apart).min(trajectory.duration()));
     let golden = 0.5 * (5f64.sqrt() - 1.0);
@@ -137,13 +131,17 @@ pub(crate) fn violation_intervals(
     rows: &[SetRow],
     k: usize,
 ) -> (Vec<ViolationInterval>, Option<Sample>) {
+    violations_within(&Flown::new(trajectory, vehicle, environment, rows), rows, k)
+}
+
+fn violations_within(flown: &Flown, rows: &[SetRow], k: usize) -> (Vec<ViolationInterval>, Option<Sample>) {
+    let trajectory = flown.trajectory;
     let begin = trajectory.times[k];
     let h = trajectory.times[k + 1] - begin;
-    let curved = !matches!(trajectory.model, WrenchModel::HoverAt(_));
+    let curved = flown.is_curved();
     let parts = if curved { PARTS } else { 1 };
-    let corners = environment.corners();
-    let at = |t: f64| trajectory.wrenches(vehicle, &corners, &trajectory.within(k, t));
-    let at_node = |node: usize| trajectory.wrenches(vehicle, &corners, &trajectory.nodes[node]);
+    let at = |t: f64| flown.at(&trajectory.within(k, t));
+    let at_node = |node: usize| flown.at(&trajectory.nodes[node]);
     let mut found = Vec::new();
     let mut worst: Option<Sample> = None;
     let apart = h / parts as f64;
@@ -152,16 +150,19 @@ pub(crate) fn violation_intervals(
         let t = h * p as f64 / parts as f64;
         let right = (t, if p == parts { at_node(k + 1) } else { at(t) });
         for (i, row) in rows.iter().enumerate() {
-            let violation = row.worst(&right.1);
+            let violation = right.1.worst(row);
             if worst.is_none_or(|sample| violation > sample.violation) {
                 worst = Some(Sample { row: i, violation, at: begin + t, apart });
             }
-            let at = curved.then_some(&at as &dyn Fn(f64) -> Vec<Wrench>);
+            let at = curved.then_some(&at as &dyn Fn(f64) -> Felt);
             // The plane of an equality can be left on either side.
             let sides: &[f64] = if row.equality { &[1.0, -1.0] } else { &[1.0] };
             let spans_of = |&side| {
                 let one = |w: &Wrench| side * (row.normal.dot(w) - row.offset) - VIOLATED;
-                let over = |wrenches: &[Wrench]| wrenches.iter().map(one).fold(f64::NEG_INFINITY, f64::max);
+                let over = |felt: &Felt| {
+                    let worst = felt.wrenches.iter().map(one).fold(f64::NEG_INFINITY, f64::max);
+                    worst + row.of_core(felt.turning.as_ref())
+                };
                 let (from, to) = span_outside(over, &left, &right, at)?;
                 Some(ViolationInterval { row: i, from: begin + from, to: begin + to })
             };
@@ -173,12 +174,12 @@ pub(crate) fn violation_intervals(
 }
 
 /// The part of [left, right] in which `over` is positive, assuming at most one change of sign. `curved` evaluates the
-/// wrenches if it is not linear in between.
+/// rows' arguments if they are not linear in between.
 fn span_outside(
-    over: impl Fn(&[Wrench]) -> f64,
-    left: &(f64, Vec<Wrench>),
-    right: &(f64, Vec<Wrench>),
-    curved: Option<&dyn Fn(f64) -> Vec<Wrench>>,
+    over: impl Fn(&Felt) -> f64,
+    left: &(f64, Felt),
+    right: &(f64, Felt),
+    curved: Option<&dyn Fn(f64) -> Felt>,
 ) -> Option<(f64, f64)> {
     let (a, b) = (over(&left.1), over(&right.1));
     match (a > 0.0, b > 0.0) {

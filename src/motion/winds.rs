@@ -5,6 +5,7 @@ use super::wrench_model::{WrenchModel, command_flat, flat};
 use super::{CommandState, NodeState, X, Y, YAW, Z, in_air};
 use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
+use crate::admissible::without_yaw::planned::Turning;
 use crate::flatness::{self, ByAcceleration, PAIRS};
 use crate::model::{Environment, Vehicle};
 
@@ -15,6 +16,8 @@ pub struct OverWinds {
     pub middle: Wrench,
     /// One for each of [`boxes`]; none where one wind is possible.
     parts: Vec<Part>,
+    /// How the motion turns, for rows of cores, which a spec with more than one wind does not have.
+    turning: Option<Turning>,
 }
 
 /// The wrench `w + sum over i of l_i d_i + sum over i <= j of q_ij d_i d_j` (91), N and N m, in a box of winds, for every
@@ -39,7 +42,12 @@ impl OverWinds {
             Part::new(middle, by, winds, rest(vehicle, winds, &felt, 0.0))
         };
         let middle = model.wrench(vehicle, environment, state);
-        OverWinds { middle, parts: boxes(model, environment).iter().map(of_box).collect() }
+        OverWinds { middle, parts: boxes(model, environment).iter().map(of_box).collect(), turning: None }
+    }
+
+    /// The same with how the motion turns.
+    pub fn turning(self, turning: Turning) -> Self {
+        OverWinds { turning: Some(turning), ..self }
     }
 
     /// The commanded wrench of rotors with a lag of time constant `lag`, s, likewise.
@@ -57,13 +65,13 @@ impl OverWinds {
             Part::new(middle, by, winds, rest(vehicle, winds, &felt, lag))
         };
         let middle = model.commanded(vehicle, environment, lag, state);
-        OverWinds { middle, parts: boxes(model, environment).iter().map(of_box).collect() }
+        OverWinds { middle, parts: boxes(model, environment).iter().map(of_box).collect(), turning: None }
     }
 
     /// An upper bound of a row's violation in every wind; where one wind is possible, its violation.
     pub fn worst(&self, row: &SetRow) -> f64 {
         if self.parts.is_empty() {
-            return row.violation(&self.middle);
+            return row.violation(&self.middle) + row.of_core(self.turning.as_ref());
         }
         let of_part = |part: &Part| match row.equality {
             true => (part.most(&row.normal) - row.offset).max(part.most(&-row.normal) + row.offset),
@@ -76,7 +84,7 @@ impl OverWinds {
 
     /// By how much [`Self::worst`] is above the violation in the middle of the winds.
     pub fn excess(&self, row: &SetRow) -> f64 {
-        let more = self.worst(row) - row.violation(&self.middle);
+        let more = self.worst(row) - row.violation(&self.middle) - row.of_core(self.turning.as_ref());
         if more.is_finite() { more } else { 0.0 }
     }
 }

@@ -233,7 +233,8 @@ impl<'a> HoverPlanner<'a> {
         let WrenchModel::HoverAt(_) = planned.model else { return false };
         let own_times = self.mission().waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some());
         let least_rates = self.mission().limits.iter().any(|l| !place(l.kind) && l.lower.is_some_and(|b| b > 0.0));
-        if own_times || least_rates {
+        // Parts of a core's rows of different order may cancel.
+        if own_times || least_rates || set.has_cores() {
             return false;
         }
         let slow = |state: &NodeState| -> NodeState {

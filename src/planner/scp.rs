@@ -141,6 +141,8 @@ pub struct ScpPlanner<'e, 'a> {
     lag: Option<Lag>,
     /// What acts on the vehicle.
     environment: Environment,
+    /// Whether the set has rows of cores.
+    has_cores: bool,
     /// By leg which of the ways around volumes it takes, where that is not the shortest; see [`Self::way_around`].
     sides: BTreeMap<usize, usize>,
     /// Of the last step, with the times of the nodes, s.
@@ -202,6 +204,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             input_weight: settings.proximal.input_weight,
             lag,
             environment,
+            has_cores: set.has_cores(),
             sides: BTreeMap::new(),
             splines: None,
         }

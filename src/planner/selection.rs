@@ -14,12 +14,23 @@ pub struct PlanningSet {
 }
 
 impl PlanningSet {
+    /// Whether some rows are those of a core, which depend on how the motion turns.
+    pub fn has_cores(&self) -> bool {
+        self.rows.iter().any(|row| row.core.is_some())
+    }
+
     /// The minimal description of the intersection of `sets`, measured against the healthy set's widths.
     pub fn of(sets: &[&AdmissibleSet], healthy: &AdmissibleSet) -> Self {
         let joint = intersection(sets);
         let equalities = joint.equalities.iter().map(|e| {
             let width = healthy.zonotope.width(&e.normal);
-            SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new() }
+            SetRow {
+                normal: e.normal / width,
+                offset: e.offset / width,
+                equality: true,
+                origin: Vec::new(),
+                core: None,
+            }
         });
         let facets = joint.facets.iter().map(|f| row(f, healthy, f.origin.clone()));
         PlanningSet { rows: equalities.chain(facets).collect() }
@@ -32,6 +43,7 @@ impl PlanningSet {
             let same = |old: &SetRow| {
                 let (a, b) = (old.normal.normalize(), new.normal.normalize());
                 old.equality == new.equality
+                    && old.core == new.core
                     && (a - b).amax() < 1e-9
                     && (old.offset - new.offset).abs() < 1e-9 * old.offset.abs().max(1.0)
             };

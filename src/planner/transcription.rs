@@ -356,6 +356,10 @@ impl<'a> Transcription<'a> {
             match row {
                 Row::Facet(facet) => {
                     let row = &self.set.rows[facet];
+                    if let Some(core) = &row.core {
+                        self.core(&mut builder, (row, core), (facet, instant), &widening, (&Affine::default(), 0.0));
+                        continue;
+                    }
                     let mut expression = along(instant, &-row.normal).plus_constant(row.offset);
                     expression.add(&widening, 1.0);
                     builder.nonnegative(expression, RowOrigin::Facet { facet, node });

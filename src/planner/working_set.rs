@@ -32,7 +32,7 @@ impl WorkingSet {
 
     /// The rows with the same normals in another set, and all rows of limits.
     pub fn translated(&self, from: &PlanningSet, to: &PlanningSet) -> WorkingSet {
-        let same = |a: &SetRow, b: &SetRow| (a.normal - b.normal).amax() <= 1e-9 * a.normal.amax();
+        let same = |a: &SetRow, b: &SetRow| a.core == b.core && (a.normal - b.normal).amax() <= 1e-9 * a.normal.amax();
         let image: Vec<Option<usize>> =
             from.rows.iter().map(|a| to.rows.iter().position(|b| !b.equality && same(a, b))).collect();
         let moved = |r: &RowAt| match r.row {

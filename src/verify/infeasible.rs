@@ -14,6 +14,7 @@
 mod inputs;
 mod rows;
 
+use super::core::WithoutYaw;
 use super::cost::{self, Budget, Estimate};
 use super::facets::named;
 use super::interval::Interval;
@@ -22,7 +23,7 @@ use super::plan::Setting;
 use super::premise::{Premise, Premises};
 use super::schedule::{self, Grid};
 use super::sets::Plane;
-use super::{Refusal, Rejection, Shown, Verdict, lag, required};
+use super::{Refusal, Rejection, Shown, Verdict, lag, required_whole};
 use crate::certificate::{DynamicModel, FacetRecord, InfeasibleClaim};
 use crate::model::Problem;
 use crate::number::{number, plural};
@@ -67,7 +68,7 @@ pub(super) fn decide(
     if !estimate.fits(budget) {
         return Err(Refusal::Budget { estimate, budget });
     }
-    let selected_by = setting.selected_by(&claim.selected_by)?;
+    let selected_by = setting.selected_by(&claim.selected_by, &WithoutYaw::wherever_possible(model))?;
     let planes = planes(setting, claim, &selected_by)?;
     let (total, pieces) = (grid.total, grid.times.len() - 1);
     let yaw = Interval::point(first.yaw).sin_cos();
@@ -115,7 +116,7 @@ fn estimate(setting: &Setting, claim: &InfeasibleClaim, grid: &Grid) -> Result<E
 /// The planes of the listed facets. Each must belong to a set in which every plan stays, or be selected by the included
 /// plans.
 fn planes(setting: &Setting, claim: &InfeasibleClaim, selected_by: &[Motion]) -> Result<Vec<Plane>, Rejection> {
-    let required = required(setting.model());
+    let required = required_whole(setting.model());
     let mut planes = Vec::new();
     let mut to_select = Vec::new();
     for (index, facet) in claim.facets.iter().enumerate() {

@@ -2,8 +2,10 @@
 //! motion is used, and for RSP the motions from which it selects facets.
 
 mod along;
+mod cores;
 mod selection;
 
+use super::core::{Core, WithoutYaw};
 use super::cost::{self, Budget, Estimate, Purse, times};
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, X, Y, YAW, Z};
@@ -31,6 +33,8 @@ struct Checked<'m> {
     motion: Motion,
     /// Whole sets, and under RSP the selected facets.
     groups: Vec<Group>,
+    /// The modes without yaw, and the rows of their cores that are imposed.
+    cores: Vec<ImposedCore>,
     /// Sets that the checker cannot compute, and why.
     undecided: Vec<String>,
     /// Remarks on the selection.
@@ -48,6 +52,13 @@ struct Group {
     whole: bool,
     span: Option<Span>,
     planes: Vec<Plane>,
+}
+
+/// A core with the members of its family that are imposed: all, or under RSP those that it selects.
+struct ImposedCore {
+    core: Core,
+    members: Vec<usize>,
+    whole: bool,
 }
 
 /// The spec, equations and premises of a decision.
@@ -163,11 +174,12 @@ impl<'a> Setting<'a> {
         if !estimate.fits(budget) {
             return Err(Refusal::Budget { estimate, budget });
         }
+        let without_yaw = WithoutYaw::of(self.model(), &claim.without_yaw)?;
         let selected_by = match self.premises.has(Premise::SelectedBy) {
-            true => self.selections(claim)?,
+            true => self.selections(claim, &without_yaw)?,
             false => self.unchecked(&claim.selected_by)?,
         };
-        let checked = self.at_nodes(&claim.motion, &selected_by, Role::Claimed)?;
+        let checked = self.at_nodes(&claim.motion, &selected_by, (Role::Claimed, &without_yaw))?;
         let mut purse = Purse(budget.units().saturating_sub(estimate.units));
         let mut found = checked.found();
         match between {
@@ -178,7 +190,12 @@ impl<'a> Setting<'a> {
     }
 
     /// Checks all conditions at the nodes of one motion.
-    fn at_nodes(&self, record: &MotionRecord, selected_by: &[Motion], role: Role) -> Result<Checked<'_>, Rejection> {
+    fn at_nodes(
+        &self,
+        record: &MotionRecord,
+        selected_by: &[Motion],
+        (role, without_yaw): (Role, &WithoutYaw),
+    ) -> Result<Checked<'_>, Rejection> {
         let mut motion = self.motion(record)?;
         let coarser = schedule::check(self.problem, &mut motion, self.premises)?;
         if self.premises.has(Premise::Joints) {
@@ -194,24 +211,39 @@ impl<'a> Setting<'a> {
         if self.premises.has(Premise::Upright) {
             self.upright_at_nodes(&motion)?;
         }
-        let (mut groups, undecided) = self.sets(role)?;
+        let (mut groups, undecided) = self.sets(role, without_yaw)?;
         self.inside_at_nodes(&motion, &groups)?;
         let mut remarks = Vec::new();
         if self.premises.has(Premise::Selection) {
-            let selected = self.select(&motion, selected_by)?;
+            let selected = self.select(&motion, selected_by, without_yaw)?;
             groups.extend(selected.groups);
             remarks = selected.remarks;
         }
-        Ok(Checked { motion, groups, undecided, selection: remarks, coarser_legs: coarser.legs, setting: self })
+        let cores = match role {
+            Role::Claimed => self.imposed_cores(&motion, selected_by, without_yaw)?,
+            Role::SelectedBy => Vec::new(),
+        };
+        if role == Role::Claimed && !without_yaw.caught.is_empty() {
+            let modes = without_yaw.caught.join(", ");
+            remarks.push(format!(
+                "no row provides for {modes}: the vehicle is caught by its spin and landed, which no certificate shows"
+            ));
+        }
+        Ok(Checked { motion, groups, cores, undecided, selection: remarks, coarser_legs: coarser.legs, setting: self })
     }
 
     /// The sets that the planner imposes whole, and those that cannot be computed.
-    fn sets(&self, role: Role) -> Result<(Vec<Group>, Vec<String>), Rejection> {
+    fn sets(&self, role: Role, without_yaw: &WithoutYaw) -> Result<(Vec<Group>, Vec<String>), Rejection> {
         let (mut groups, mut undecided) = (Vec::new(), Vec::new());
-        let modes = match role {
+        let mut modes = match role {
             Role::Claimed => required(self.model()),
             Role::SelectedBy => vec![HEALTHY.into()],
         };
+        // Cores leave the yaw torque free, which until the fault is that of the healthy vehicle.
+        if modes.iter().any(|mode| without_yaw.frees(mode)) {
+            modes.retain(|mode| mode != HEALTHY && !without_yaw.frees(mode));
+            modes.insert(0, HEALTHY.into());
+        }
         for mode in modes {
             let span = self.span_of(&mode);
             match Generators::of(self.model(), &mode)?.planes() {

@@ -67,6 +67,19 @@ pub struct Failure {
 /// Most bisections of one piece.
 const DEEPEST: u32 = 24;
 
+impl<'a> Family<'a> {
+    /// Some members alone, in the given order.
+    pub fn only(self, members: &[usize]) -> Family<'a> {
+        let (members, evaluate) = (members.to_vec(), self.evaluate);
+        let count = members.len();
+        let of_these = move |state: &State, wanted: &[usize]| {
+            let wanted: Vec<usize> = wanted.iter().filter_map(|&i| members.get(i).copied()).collect();
+            evaluate(state, &wanted)
+        };
+        Family { members: count, evaluate: Box::new(of_these), ..self }
+    }
+}
+
 impl Family<'_> {
     fn units(&self, members: usize) -> u64 {
         self.overhead.saturating_add(members as u64)

@@ -179,6 +179,11 @@ impl Generators {
         }
     }
 
+    /// The thrust of hover, N.
+    pub fn hover_thrust(&self) -> Interval {
+        self.hover[0].enclosure()
+    }
+
     /// Most planes that [`Generators::planes`] may return.
     pub fn planes_at_most(&self) -> u64 {
         let n = self.own.len() as u64;

@@ -23,6 +23,16 @@ pub struct Wrench<S = Interval> {
     pub rate: [S; 4],
 }
 
+/// What a motion takes whatever the heading: the thrust T, N, `s x s''` and s' with s the direction of the thrust, and the rate about
+/// s of a body with the motion's yaw, rad/s. Value and rate of change.
+#[derive(Debug, Clone, Copy)]
+pub struct Turned {
+    pub thrust: Series<2>,
+    pub swing: Vector<2>,
+    pub rate: Vector<2>,
+    pub spin: Series<2>,
+}
+
 /// The equations that give the wrench of a motion.
 #[derive(Debug, Clone)]
 pub struct Dynamics<'a> {
@@ -87,6 +97,42 @@ impl Dynamics<'_> {
             *part = *part + Series::constant(Taylor::deviation(axis, largest));
         }
         thrust
+    }
+
+    /// How the motion turns, in one wind and with the same drag along all axes.
+    pub fn turned(&self, state: &State) -> Turned {
+        let begin = |s: Series<4>| Series([s.0[0], s.0[1]]);
+        let mass = Interval::point(self.vehicle.mass);
+        let g = Interval::point(self.environment.gravity);
+        match self.model {
+            // s = (x''/g, y''/g, 1) to first order.
+            DynamicModel::Hover => {
+                let over_g =
+                    |axis: usize, order: usize| begin(Series(series::<4>(&state[axis], order).0.map(|c| c / g)));
+                let zero = Series::constant(Interval::ZERO);
+                let lift = series::<4>(&state[Z], 2) + Series::constant(g);
+                Turned {
+                    thrust: begin(lift.times(mass)),
+                    swing: [-over_g(Y, 4), over_g(X, 4), zero],
+                    rate: [over_g(X, 3), over_g(Y, 3), zero],
+                    spin: begin(series(&state[YAW], 1)),
+                }
+            }
+            DynamicModel::Exact => {
+                let (sine, cosine) = series::<4>(&state[YAW], 0).sin_cos();
+                let a: Vector<4> = thrust_over_mass(state, &self.environment, self.environment.turning_rate());
+                let b3 = unit(&a);
+                let b1 = unit(&cross(&[-sine, cosine, Series::constant(Interval::ZERO)], &b3));
+                let b2 = cross(&b3, &b1);
+                let rate = b3.map(|part| part.rate());
+                Turned {
+                    thrust: begin(dot(&a, &a).sqrt().times(mass)),
+                    swing: cross(&b3, &rate.map(|part| part.rate())).map(begin),
+                    rate: rate.map(begin),
+                    spin: begin(dot(&b2, &b1.map(|part| part.rate()))),
+                }
+            }
+        }
     }
 
     fn series<const N: usize>(&self, state: &State) -> [Series<N>; 4] {

@@ -326,8 +326,12 @@ pub fn of_record(record: &MotionRecord, model: WrenchModel) -> Option<Trajectory
 
 /// The certificate that claims a motion to be a plan.
 pub fn certificate(motion: &Trajectory, selected_by: &[Trajectory]) -> Certificate {
-    let claim =
-        PlanClaim { motion: record(motion), selected_by: selected_by.iter().map(record).collect(), least_time_s: None };
+    let claim = PlanClaim {
+        motion: record(motion),
+        selected_by: selected_by.iter().map(record).collect(),
+        without_yaw: vec![],
+        least_time_s: None,
+    };
     let model = if motion.model == WrenchModel::Exact { DynamicModel::Exact } else { DynamicModel::Hover };
     Certificate { schema: SCHEMA, spec_sha256: super::SHA.into(), model, claim: Claim::Plan(claim) }
 }

@@ -42,7 +42,11 @@ impl HoverPlanner<'_> {
             .with_commands(commands.as_ref());
         let kept = self.settings.kept_slack;
         working_set.rows.retain(|r| match r.row {
-            Row::Facet(facet) => set.rows[facet].violation(&maps[r.instant].at(&states[r.instant])) > sigma - kept,
+            Row::Facet(facet) => {
+                let row = &set.rows[facet];
+                let violation = row.violation(&maps[r.instant].at(&states[r.instant]));
+                row.core.map_or(violation, |_| stages.core_violation(row, states, r.instant)) > sigma - kept
+            }
             Row::Limit(limit) => {
                 stages.limit_violation(&self.mission().limits[limit], states, r.instant, sigma) > -kept
             }
@@ -149,12 +153,16 @@ fn violated_rows(form: &Transcription, states: &[NodeState], sigma: f64, accepte
     let mut found = Vec::new();
     // The facet with the largest violation stands for its neighbours; those follow in a later round if they are still violated.
     let most_violated = |wrench: &Wrench| {
-        let inequalities = (0..rows.len()).filter(|&f| !rows[f].equality);
+        let inequalities = (0..rows.len()).filter(|&f| !rows[f].equality && rows[f].core.is_none());
         let violations = inequalities.map(|f| (f, rows[f].violation(wrench) - sigma));
         violations.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|worst| worst.1 > accepted).map(|(f, _)| f)
     };
     for (node, (state, map)) in states.iter().zip(form.maps).enumerate() {
         let facet = most_violated(&map.at(state)).map(Row::Facet);
+        let cores = (0..rows.len()).filter(|&f| rows[f].core.is_some());
+        let cores = cores.map(|f| (f, form.core_violation(&rows[f], states, node) - sigma));
+        let core =
+            cores.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|worst| worst.1 > accepted).map(|(f, _)| Row::Facet(f));
         let command = |slope: Slope| {
             let facet = most_violated(&form.command_wrench(states, (node, slope))?)?;
             Some(Row::Command { facet, slope })
@@ -162,7 +170,7 @@ fn violated_rows(form: &Transcription, states: &[NodeState], sigma: f64, accepte
         let commands = [Slope::Before, Slope::After].into_iter().filter_map(command);
         let limits = form.mission.limits.iter().enumerate();
         let limits = limits.filter(|(_, l)| form.limit_violation(l, states, node, sigma) > accepted);
-        for row in facet.into_iter().chain(commands).chain(limits.map(|(i, _)| Row::Limit(i))) {
+        for row in facet.into_iter().chain(core).chain(commands).chain(limits.map(|(i, _)| Row::Limit(i))) {
             let around = node.saturating_sub(1)..=(node + 1).min(last);
             found.extend(around.map(|instant| RowAt { row, instant }));
         }

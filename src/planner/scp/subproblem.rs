@@ -142,10 +142,23 @@ impl Transcription<'_> {
         };
         let mut places = Vec::with_capacity(chosen.len());
         for (&RowAt { row, instant }, &local) in chosen.iter().zip(step.local_tightening) {
-            places.push(matches!(row, Row::Facet(_) | Row::Command { .. }).then(|| builder.inequalities()));
+            // The multiplier of a cone weighs no normal.
+            let is_plane = match row {
+                Row::Facet(facet) => self.set.rows[facet].core.is_none(),
+                Row::Command { .. } => true,
+                Row::Limit(_) | Row::Upright => false,
+            };
+            places.push(is_plane.then(|| builder.inequalities()));
             match row {
                 Row::Facet(facet) => {
                     let free = step.tightening[facet] + local;
+                    if let Some(core) = &self.set.rows[facet].core {
+                        let free = violation.clone().plus_constant(-free);
+                        let change = self.duration_change(step, self.leg_of(instant));
+                        let row = (&self.set.rows[facet], core);
+                        self.core(&mut builder, row, (facet, instant), &free, (&change, ORDER_OF_TIME));
+                        continue;
+                    }
                     let mut expression = violation.clone().plus_constant(-free);
                     expression.add(&slack(instant, &self.set.rows[facet]), 1.0);
                     builder.nonnegative(expression, RowOrigin::Facet { facet, node: instant / self.parts });

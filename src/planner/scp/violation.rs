@@ -7,7 +7,12 @@ use crate::motion::winds::OverWinds;
 impl<'e, 'a> ScpPlanner<'e, 'a> {
     /// The wrench of a state in every possible wind, N and N m.
     pub(super) fn wrench_at(&self, state: &NodeState) -> OverWinds {
-        OverWinds::of_wrench(self.wrench, &self.hover.model().vehicle, &self.environment, state)
+        let vehicle = &self.hover.model().vehicle;
+        let wrench = OverWinds::of_wrench(self.wrench, vehicle, &self.environment, state);
+        match self.has_cores {
+            true => wrench.turning(self.wrench.turning(vehicle, &self.environment, state)),
+            false => wrench,
+        }
     }
 
     /// The same at an instant of an iterate; `known` holds those computed before, as several rows may be at one instant.

@@ -1,6 +1,7 @@
 //! The sets that each planner imposes on the wrench of one spec.
 
 use crate::admissible::row::SetRow;
+use crate::admissible::without_yaw::planned::Provision;
 use crate::admissible::{AdmissibleSet, faults_only_take};
 use crate::model::Model;
 use crate::motion::outside::outside;
@@ -20,10 +21,13 @@ pub struct PlanningSets {
     pub singles: Vec<PlanningSet>,
     /// RCP's set for all modes of `against`, in the same way.
     pub joint: PlanningSet,
-    /// Each mode's set alone, by which violations of plans are measured.
+    /// Each mode's set alone, or its core, by which violations of plans are measured; without rows where the mode is caught and
+    /// landed.
     pub modes: Vec<PlanningSet>,
     /// Names of the modes, in their order.
     pub names: Vec<String>,
+    /// How plans provide for each mode.
+    pub provisions: Vec<Provision>,
 }
 
 impl PlanningSets {
@@ -31,19 +35,32 @@ impl PlanningSets {
     pub fn of(model: &Model) -> Self {
         let healthy = AdmissibleSet::healthy(model);
         let planned = |set: AdmissibleSet| set.guaranteed(model).with_reserve(model.plan.reserve);
-        let sets: Vec<AdmissibleSet> =
-            model.plan.against.iter().map(|&mode| planned(AdmissibleSet::of_mode(model, mode))).collect();
+        let of_mode = |&mode: &usize| {
+            let set = AdmissibleSet::of_mode(model, mode);
+            let provision = Provision::of(model, &set, &healthy);
+            (planned(set), provision)
+        };
+        let modes: Vec<(AdmissibleSet, Provision)> = model.plan.against.iter().map(of_mode).collect();
         let shrunk = planned(healthy.clone());
-        let imposed = |modes: &[AdmissibleSet]| {
-            let before = (modes.is_empty() || !faults_only_take(model)).then_some(&shrunk);
-            PlanningSet::of(&before.into_iter().chain(modes).collect::<Vec<_>>(), &healthy)
+        // Until a fault strikes the vehicle is healthy, and cores leave the yaw torque free.
+        let imposed = |modes: &[(AdmissibleSet, Provision)]| {
+            let whole: Vec<&AdmissibleSet> =
+                modes.iter().filter(|(_, provision)| *provision == Provision::WithYaw).map(|(set, _)| set).collect();
+            let before = (whole.is_empty() || whole.len() < modes.len() || !faults_only_take(model)).then_some(&shrunk);
+            let joint = PlanningSet::of(&before.into_iter().chain(whole).collect::<Vec<_>>(), &healthy);
+            joint.with(modes.iter().flat_map(|(_, provision)| provision.core_rows().to_vec()).collect())
+        };
+        let alone = |(set, provision): &(AdmissibleSet, Provision)| match provision {
+            Provision::WithYaw => PlanningSet::of(&[set], &healthy),
+            _ => PlanningSet { rows: provision.core_rows().to_vec() },
         };
         PlanningSets {
             rip: PlanningSet::of(&[&shrunk], &healthy),
-            singles: sets.iter().map(|s| imposed(std::slice::from_ref(s))).collect(),
-            joint: imposed(&sets),
-            modes: sets.iter().map(|s| PlanningSet::of(&[s], &healthy)).collect(),
-            names: sets.iter().map(|s| s.name.clone()).collect(),
+            singles: modes.iter().map(|mode| imposed(std::slice::from_ref(mode))).collect(),
+            joint: imposed(&modes),
+            modes: modes.iter().map(alone).collect(),
+            names: modes.iter().map(|(set, _)| set.name.clone()).collect(),
+            provisions: modes.into_iter().map(|(_, provision)| provision).collect(),
             healthy,
         }
     }

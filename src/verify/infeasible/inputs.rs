@@ -3,7 +3,7 @@
 use super::super::interval::Interval;
 use super::super::motion::{X, Y, Z};
 use super::super::sets::{Generators, along};
-use super::super::{Rejection, required};
+use super::super::{Rejection, required_whole};
 use super::Rows;
 use crate::certificate::DynamicModel;
 use crate::model::LimitKind;
@@ -20,7 +20,7 @@ impl Rows<'_> {
 
     /// Bounds on x'''', y'''', z'', psi'' from the set of a mode in which every plan stays.
     fn inputs_about_hover(&self) -> Result<[Interval; 4], Rejection> {
-        let required = required(self.problem.model());
+        let required = required_whole(self.problem.model());
         let Some(mode) = required.first() else { return Ok([Interval::WHOLE; 4]) };
         let reach = Generators::of(self.problem.model(), mode)?.extent();
         let vehicle = &self.problem.model().vehicle;
@@ -130,7 +130,7 @@ impl Rows<'_> {
                 *left = *left - weight * *normal;
             }
         }
-        let required = required(self.problem.model());
+        let required = required_whole(self.problem.model());
         let Some(mode) = required.first() else { return wrong("the planner imposes no set") };
         let reach = Generators::of(self.problem.model(), mode)?.extent();
         Ok(most + along(&rest, &reach))

@@ -123,7 +123,7 @@ fn limited(limit: &Limit) -> String {
 }
 
 /// The rejection for a row that is violated at a node.
-fn violated(claim: String, failure: &Failure, measure: Measure, most: f64) -> Rejection {
+pub(super) fn violated(claim: String, failure: &Failure, measure: Measure, most: f64) -> Rejection {
     let of = measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
     let detail = format!("violated by {}{of}; at most {} is allowed", measure.of(failure.violation), measure.of(most));
     Rejection { at: Some(failure.at), ..Rejection::new(claim, detail) }
@@ -214,6 +214,7 @@ impl Checked<'_> {
             let family = of_groups(setting, held, &planes);
             self.groups_between(&family, held, purse, found);
         }
+        self.cores_between(purse, found);
         if purse.0 == 0 && before > 0 {
             found.weaker.push("the budget ended before every row was proved; a larger `--budget` may show more".into());
         }
@@ -242,6 +243,7 @@ impl Checked<'_> {
         for group in &self.groups {
             found.shown.push(Shown::new(self.statement(group, Held::Wrench), Reach::NODES));
         }
+        self.cores_at_nodes(found);
     }
 
     fn statement(&self, group: &Group, held: Held) -> String {
@@ -266,7 +268,7 @@ impl Checked<'_> {
         }
     }
 
-    fn reach(&self, family: &Family, most: f64, size: f64, purse: &mut Purse) -> Reach {
+    pub(super) fn reach(&self, family: &Family, most: f64, size: f64, purse: &mut Purse) -> Reach {
         let proved = throughout(family, &self.motion, most, purse);
         let open: Vec<usize> = (0..family.members).filter(|&member| !proved[member]).collect();
         let mut reach = self.on_grid(family, &open, most, purse);
@@ -297,7 +299,7 @@ impl Checked<'_> {
 
 impl Found {
     /// Adds a statement; one that is not shown at every instant makes the result weaker.
-    fn add(&mut self, statement: String, reach: Reach) {
+    pub(super) fn add(&mut self, statement: String, reach: Reach) {
         if let Some(why) = reach.weaker(&statement) {
             self.weaker.push(why);
         }

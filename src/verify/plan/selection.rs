@@ -2,6 +2,7 @@
 //! with more `rounds`, those violated by each plan for the selection so far. A certificate includes these plans; each is
 //! checked like a plan, and the facets that it violates are computed here.
 
+use super::super::core::{WithoutYaw, may_be_freed};
 use super::super::cost;
 use super::super::interval::Interval;
 use super::super::motion::Motion;
@@ -11,16 +12,16 @@ use super::super::sets::{Generators, Plane};
 use super::super::{Rejection, mode_named};
 use super::{Group, MOST_OUTSIDE, Role, Setting, of_groups};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
-use crate::model::{Model, PlannerKind};
+use crate::model::{FaultMode, Model, PlannerKind};
 use crate::number::number;
 use rayon::prelude::*;
 
 /// A facet counts as violated from this share of the healthy set's width.
-const VIOLATED: f64 = 1e-4;
+pub(super) const VIOLATED: f64 = 1e-4;
 
 /// In the exact model, where the wrench is not linear, violations are searched for at the ends of this many parts of a
 /// piece.
-const PARTS: usize = 16;
+pub(super) const PARTS: usize = 16;
 
 /// The rows imposed for a selection.
 pub(super) struct Selected {
@@ -39,16 +40,20 @@ pub(in crate::verify) fn selects(model: &Model) -> bool {
 
 impl Setting<'_> {
     /// The motions from which a claim selects facets, after checking that each is a plan.
-    pub(super) fn selections(&self, claim: &PlanClaim) -> Result<Vec<Motion>, Rejection> {
+    pub(super) fn selections(&self, claim: &PlanClaim, without_yaw: &WithoutYaw) -> Result<Vec<Motion>, Rejection> {
         if selects(self.model()) && claim.selected_by.is_empty() {
             let why = "RSP selects facets from a RIP plan, but the certificate includes none";
             return Err(Rejection { span: Some(self.model().plan.span), ..Rejection::new("the selection", why) });
         }
-        self.selected_by(&claim.selected_by)
+        self.selected_by(&claim.selected_by, without_yaw)
     }
 
     /// The same for any claim; a claim that there is no plan may select no facets.
-    pub(in crate::verify) fn selected_by(&self, records: &[MotionRecord]) -> Result<Vec<Motion>, Rejection> {
+    pub(in crate::verify) fn selected_by(
+        &self,
+        records: &[MotionRecord],
+        without_yaw: &WithoutYaw,
+    ) -> Result<Vec<Motion>, Rejection> {
         if !selects(self.model()) && !records.is_empty() {
             let why = "the spec's planner selects no facets, but the certificate includes plans to select from";
             return Err(Rejection { span: Some(self.model().plan.span), ..Rejection::new("the selection", why) });
@@ -65,7 +70,7 @@ impl Setting<'_> {
         for (round, record) in records.iter().enumerate() {
             let named =
                 |r: Rejection| Rejection { claim: format!("plan {} to select from: {}", round + 1, r.claim), ..r };
-            let checked = self.at_nodes(record, &before, Role::SelectedBy).map_err(named)?;
+            let checked = self.at_nodes(record, &before, (Role::SelectedBy, without_yaw)).map_err(named)?;
             if let Some(why) = checked.undecided.first() {
                 return Err(named(Rejection::new("the plan", why.clone())));
             }
@@ -88,12 +93,17 @@ impl Setting<'_> {
     }
 
     /// The facets that the earlier plans violate, after checking that the motion satisfies them at the nodes.
-    pub(super) fn select(&self, motion: &Motion, selected_by: &[Motion]) -> Result<Selected, Rejection> {
+    pub(super) fn select(
+        &self,
+        motion: &Motion,
+        selected_by: &[Motion],
+        without_yaw: &WithoutYaw,
+    ) -> Result<Selected, Rejection> {
         let mut out = Selected { groups: Vec::new(), remarks: Vec::new() };
         if !selects(self.model()) || selected_by.is_empty() {
             return Ok(out);
         }
-        let (bounding, undecided) = self.planes_of_modes()?;
+        let (bounding, undecided) = self.planes_of_modes(without_yaw)?;
         out.remarks.extend(
             undecided.into_iter().map(|(mode, why)| format!("the selected facets of {mode} are not decided: {why}")),
         );
@@ -136,7 +146,7 @@ impl Setting<'_> {
         }
         if selected_by.len() < self.model().plan.rounds
             && !out.groups.is_empty()
-            && !self.closed(motion, selected_by)?
+            && !self.closed(motion, selected_by, without_yaw)?
         {
             out.remarks.push(format!(
                 "the spec selects in {} rounds, but the certificate includes the plans of {}",
@@ -149,8 +159,8 @@ impl Setting<'_> {
 
     /// Whether further rounds would select nothing: the last plan to select from, or the motion itself, violates no facet
     /// that the plans before it did not violate.
-    fn closed(&self, motion: &Motion, selected_by: &[Motion]) -> Result<bool, Rejection> {
-        let (bounding, _) = self.planes_of_modes()?;
+    fn closed(&self, motion: &Motion, selected_by: &[Motion], without_yaw: &WithoutYaw) -> Result<bool, Rejection> {
+        let (bounding, _) = self.planes_of_modes(without_yaw)?;
         let over = |motions: &[Motion]| self.violated(bounding.iter().map(|(_, plane)| plane), motions);
         let new_in = |motion: &Motion, before: &[Motion]| {
             let (now, known) = (over(std::slice::from_ref(motion)), over(before));
@@ -174,9 +184,13 @@ impl Setting<'_> {
     /// The planes that bound the sets of the modes planned against, each with its mode; and the modes whose set cannot be
     /// computed, with the reason.
     #[allow(clippy::type_complexity)]
-    fn planes_of_modes(&self) -> Result<(Vec<(String, Plane)>, Vec<(String, String)>), Rejection> {
+    fn planes_of_modes(
+        &self,
+        without_yaw: &WithoutYaw,
+    ) -> Result<(Vec<(String, Plane)>, Vec<(String, String)>), Rejection> {
         let (mut bounding, mut undecided) = (Vec::new(), Vec::new());
-        for mode in self.model().plan.against.iter().filter_map(|&i| self.model().modes.get(i)) {
+        let against = self.model().plan.against.iter().filter_map(|&i| self.model().modes.get(i));
+        for mode in against.filter(|mode| !without_yaw.frees(&mode.name)) {
             match Generators::of(self.model(), &mode.name)?.planes() {
                 Ok(planes) => bounding.extend(planes.into_iter().map(|plane| (mode.name.clone(), plane))),
                 Err(why) => undecided.push((mode.name.clone(), why)),
@@ -234,6 +248,9 @@ impl Setting<'_> {
     /// Whether facets of a mode may be selected.
     pub(in crate::verify) fn selects_facets_of(&self, mode: &str) -> bool {
         let against = self.model().plan.against.iter().filter_map(|&i| self.model().modes.get(i));
-        selects(self.model()) && mode_named(self.model(), mode).is_some() && against.into_iter().any(|m| m.name == mode)
+        let is_whole = |mode: &FaultMode| !may_be_freed(self.model(), mode);
+        selects(self.model())
+            && mode_named(self.model(), mode).is_some_and(is_whole)
+            && against.into_iter().any(|m| m.name == mode)
     }
 }

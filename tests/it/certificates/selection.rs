@@ -12,7 +12,12 @@ fn claim(certificate: &Certificate) -> &PlanClaim {
 }
 
 fn with(certificate: &Certificate, motion: &MotionRecord, selected_by: &[MotionRecord]) -> Certificate {
-    let claim = PlanClaim { motion: motion.clone(), selected_by: selected_by.to_vec(), least_time_s: None };
+    let claim = PlanClaim {
+        motion: motion.clone(),
+        selected_by: selected_by.to_vec(),
+        without_yaw: vec![],
+        least_time_s: None,
+    };
     Certificate { claim: Claim::Plan(claim), ..certificate.clone() }
 }
 

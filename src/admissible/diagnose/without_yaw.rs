@@ -1,0 +1,96 @@
+//! Findings about modes in which a plan gives up yaw, or would have to.
+
+use super::Answer;
+use crate::admissible::AdmissibleSet;
+use crate::admissible::verdict::ModeAnalysis;
+use crate::admissible::without_yaw::YawFree;
+use crate::admissible::without_yaw::planned::{Obstacle, Provision};
+use crate::diagnostic::Severity;
+use crate::model::{GiveUpYaw, Model};
+
+/// Code: the plan gives up yaw after a fault of a mode.
+const YAW_GIVEN_UP: &str = "mavc::analysis::yaw_given_up";
+/// Code: a mode adds no rows to the plan; the vehicle is caught and landed.
+const CAPTURE: &str = "mavc::analysis::capture";
+/// Code: the spec asks to give up yaw where plans cannot.
+const YAW_KEPT: &str = "mavc::analysis::yaw_kept";
+
+/// The finding about a mode in which yaw is given up; `None` where it is kept.
+pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<Answer> {
+    let asked = model.gives_up_yaw(index);
+    let is_needed = !mode.keeps_full_control();
+    if asked == GiveUpYaw::Never || (asked == GiveUpYaw::WhereNeeded && !is_needed) {
+        return None;
+    }
+    // One statement for all modes alike, where the plan is asked for.
+    let span = match model.defaults.iter().any(|default| default.field == "plan.against") {
+        true => model.plan.span,
+        false => model.plan.against_span,
+    };
+    let answer = |severity, code, what: &str, label: String, help| {
+        Some(Answer {
+            severity,
+            code,
+            span,
+            what: what.into(),
+            label,
+            help,
+            reserve: false,
+            modes: Vec::new(),
+            also: None,
+        })
+    };
+    if let Some(obstacle) = Obstacle::of(model) {
+        // Where yaw has to be given up, the finding about the mode itself says more.
+        return match is_needed {
+            true => None,
+            false => {
+                answer(Severity::Error, YAW_KEPT, "no plan can give up yaw", why(obstacle).into(), remedy(obstacle))
+            }
+        };
+    }
+    let set = AdmissibleSet::of_mode(model, index);
+    let healthy = AdmissibleSet::healthy(model);
+    match Provision::of(model, &set, &healthy) {
+        Provision::WithYaw => None,
+        Provision::WithoutYaw(_) => answer(
+            Severity::Warning,
+            YAW_GIVEN_UP,
+            "the plan gives up yaw",
+            "the motion stays in the core of the mode, and the body turns as it may".into(),
+            "with `without_yaw = never` a plan keeps yaw, or says why it cannot",
+        ),
+        Provision::Capture => answer(
+            Severity::Warning,
+            CAPTURE,
+            "the plan keeps no rows: no torque is left in some direction",
+            "caught by its spin and landed, which flights judge: `mavc analyze --capture`".into(),
+            "leave the mode out of `against` if it need not be survived",
+        ),
+    }
+}
+
+/// What to add to the help of a finding about a mode that could be planned without yaw but for an obstacle.
+pub(super) fn could_be_planned(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<&'static str> {
+    let allowed = model.gives_up_yaw(index) != GiveUpYaw::Never;
+    let obstacle = Obstacle::of(model).filter(|_| allowed && mode.yaw_free == YawFree::Interior)?;
+    Some(remedy(obstacle))
+}
+
+fn why(obstacle: Obstacle) -> &'static str {
+    match obstacle {
+        Obstacle::NoYawDrag => "without `yaw_drag` nothing bounds the spin",
+        Obstacle::LaggingRotors => "with `rotors = lagging` the commands would turn with the body",
+        Obstacle::Winds => "a plan without yaw is made for one wind",
+        Obstacle::DragOfAxes => "with a drag for each axis of the body the motion depends on the heading",
+    }
+}
+
+fn remedy(obstacle: Obstacle) -> &'static str {
+    match obstacle {
+        Obstacle::NoYawDrag => "with `yaw_drag` in `vehicle` the plan gives up yaw for the mode",
+        Obstacle::LaggingRotors => "with `rotors = instant` the plan gives up yaw for the mode",
+        Obstacle::Winds => "with one wind the plan gives up yaw for the mode",
+        Obstacle::DragOfAxes => "with one `drag` for all axes the plan gives up yaw for the mode",
+    }
+}

@@ -1,0 +1,386 @@
+//! The core of a mode in which yaw is given up: the thrusts and roll and pitch torques that rotors give in every heading while the
+//! body's rate stays in a range that it cannot leave. docs/method.md, section 17, "Plans".
+
+use super::interval::Interval;
+use super::motion::State;
+use super::proof::{Family, Measure, Rated};
+use super::series::{Series, Vector};
+use super::sets::{Generators, Plane};
+use super::wrench::{Dynamics, Turned};
+use super::{Rejection, cost, lag, mode_named};
+use crate::certificate::SpinRecord;
+use crate::model::{FaultMode, GiveUpYaw, Model, Spin, YawDrag};
+use crate::tolerance::{EDGE, MOST_OUTSIDE};
+
+/// A row `thrust T + torque rho <= offset` for both ends of the spin; over a width of the healthy set.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    thrust: Interval,
+    torque: Interval,
+    offset: Interval,
+}
+
+/// The rows of a mode.
+#[derive(Debug, Clone)]
+pub struct Core {
+    pub mode: String,
+    rows: Vec<Row>,
+    /// Momenta about the thrust (N m s), each with its rate (rad/s).
+    corners: Vec<(Interval, Interval)>,
+    /// The least and the largest rate, rad/s.
+    spin: [f64; 2],
+    /// Mean moment of inertia about x and y, and half their difference, kg m^2.
+    inertia: Interval,
+    unevenness: Interval,
+}
+
+/// How the plan's modes are judged.
+#[derive(Debug, Clone, Default)]
+pub struct WithoutYaw {
+    pub cores: Vec<Core>,
+    /// Modes that add no rows: nothing is left to torques in some direction.
+    pub caught: Vec<String>,
+}
+
+impl WithoutYaw {
+    /// The cores of a claim's modes, and the modes without one, for the spec's `against`.
+    ///
+    /// # Errors
+    /// A record names a mode whose yaw the spec does not give up, or a range of rates that is not one.
+    pub fn of(model: &Model, records: &[SpinRecord]) -> Result<Self, Rejection> {
+        let mut found = WithoutYaw::default();
+        for record in records {
+            found.cores.push(Core::of(model, record)?);
+        }
+        for mode in model.plan.against.iter().filter_map(|&i| model.modes.get(i)) {
+            let is_recorded = records.iter().any(|record| record.mode == mode.name);
+            if !is_recorded && gives_up_yaw(model, mode) && obstacle(model).is_none() && !has_disc(model, mode) {
+                found.caught.push(mode.name.clone());
+            }
+        }
+        Ok(found)
+    }
+
+    /// Every mode of `against` in which plans may give up yaw, without rows.
+    pub fn wherever_possible(model: &Model) -> Self {
+        let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i));
+        let caught = against.filter(|mode| may_be_freed(model, mode)).map(|mode| mode.name.clone());
+        WithoutYaw { cores: Vec::new(), caught: caught.collect() }
+    }
+
+    /// Whether the set of a mode is not imposed whole.
+    pub fn frees(&self, mode: &str) -> bool {
+        self.cores.iter().any(|core| core.mode == mode) || self.caught.iter().any(|name| name == mode)
+    }
+}
+
+/// Why the spec's plans cannot give up yaw.
+fn obstacle(model: &Model) -> Option<&'static str> {
+    let environment = model.environment();
+    let all = [
+        (model.vehicle.yaw_drag.is_none(), "the spec gives no `yaw_drag`"),
+        (lag::constant(model).is_some(), "the rotors lag"),
+        (environment.is_uncertain(), "more than one wind is possible"),
+        (!environment.is_isotropic(), "the drag is not the same for all axes of the body"),
+    ];
+    all.into_iter().find(|(is_there, _)| *is_there).map(|(_, why)| why)
+}
+
+/// Whether the spec lets plans give up yaw after a fault of the mode.
+fn gives_up_yaw(model: &Model, mode: &FaultMode) -> bool {
+    match mode.without_yaw.unwrap_or(model.plan.without_yaw) {
+        GiveUpYaw::Never => false,
+        GiveUpYaw::Always => true,
+        GiveUpYaw::WhereNeeded => !controls_all(model, mode),
+    }
+}
+
+/// Whether plans may be made without yaw for a mode, so that its whole set proves nothing about them.
+pub fn may_be_freed(model: &Model, mode: &FaultMode) -> bool {
+    obstacle(model).is_none() && gives_up_yaw(model, mode)
+}
+
+fn generators(model: &Model, mode: &FaultMode) -> Generators {
+    Generators::new(&model.vehicle, &model.environment(), Some(mode), 0.0)
+}
+
+/// The width of the edge: distances up to it, in N and N m, count as none.
+fn width_of_edge(hover: f64) -> f64 {
+    EDGE * hover.abs().min(1.0)
+}
+
+/// Whether hover lies inside the whole set of a mode by more than the width of the edge.
+fn controls_all(model: &Model, mode: &FaultMode) -> bool {
+    let generators = generators(model, mode);
+    let hover = generators.hover_thrust().middle();
+    let Ok(planes) = generators.planes() else { return false };
+    let slack = |plane: &Plane| {
+        let normal = plane.normal.map(Interval::middle);
+        let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+        (plane.offset.middle() - normal[0] * hover) / length
+    };
+    planes.iter().map(slack).fold(f64::INFINITY, f64::min) > width_of_edge(hover)
+}
+
+/// Whether hover has a disc of torques in the projection of a mode's set.
+fn has_disc(model: &Model, mode: &FaultMode) -> bool {
+    let generators = generators(model, mode);
+    let hover = generators.hover_thrust().middle();
+    let Ok(planes) = generators.planes() else { return false };
+    let slack = |row: &Row| {
+        let [a, b, e] = [row.thrust, row.torque, row.offset].map(Interval::middle);
+        (e - a * hover) / a.hypot(b)
+    };
+    eliminated(&planes, None).iter().map(slack).fold(f64::INFINITY, f64::min) > width_of_edge(hover)
+}
+
+impl Core {
+    fn of(model: &Model, record: &SpinRecord) -> Result<Self, Rejection> {
+        let named = || format!("the mode {} without yaw", record.mode);
+        let wrong = |why: &str| Err(Rejection::new(named(), why));
+        let Some(mode) = mode_named(model, &record.mode) else { return wrong("the spec has no such mode") };
+        if let Some(why) = obstacle(model) {
+            return wrong(why);
+        }
+        if !gives_up_yaw(model, mode) {
+            return wrong("the spec does not give up its yaw");
+        }
+        let Some(drag) = model.vehicle.yaw_drag else { return wrong("the spec gives no `yaw_drag`") };
+        let spin @ [low, high] = record.spin_rad_s;
+        if !(low <= 0.0 && high >= 0.0 && low.is_finite() && high.is_finite()) {
+            return wrong("the range of its spin does not contain zero");
+        }
+        let whole = Generators::of(model, &mode.name)?;
+        let planes = whole.planes().map_err(|why| Rejection::new(named(), why))?;
+        let kept = Interval::ONE - Interval::point(model.plan.reserve);
+        let torques = spin.map(|rate| balanced(&drag, rate) * kept);
+        let mut rows = eliminated(&planes, Some(torques));
+        // Opposite planes leave a row that says nothing: its normal vanishes but for rounding.
+        rows.retain(|row| width(model, row) > NEGLIGIBLE * row.offset.low);
+        rows.iter_mut().for_each(|row| *row = row.over(width(model, row)));
+        let [jx, jy, _] = model.vehicle.inertia.map(Interval::point);
+        let half = Interval::point(0.5);
+        Ok(Core {
+            mode: mode.name.clone(),
+            rows: irredundant(rows),
+            corners: corners(model, spin),
+            spin,
+            inertia: (jx + jy) * half,
+            unevenness: ((jx - jy) * half).abs(),
+        })
+    }
+
+    /// The number of edges.
+    pub fn edges(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The rates of the body, rad/s.
+    pub fn spin(&self) -> [f64; 2] {
+        self.spin
+    }
+
+    /// The violation of every row at both ends of the spin, and by how much the plan itself turns faster, as a share of the tolerance
+    /// of rows.
+    pub fn family<'a>(&'a self, dynamics: &'a Dynamics<'a>) -> Family<'a> {
+        let of_rows = self.rows.len() * self.corners.len();
+        let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
+            let turned = dynamics.turned(state);
+            let torques: Vec<Series<2>> = self.corners.iter().map(|corner| self.torque(&turned, *corner)).collect();
+            let member = |&member: &usize| match member.checked_sub(of_rows) {
+                None => self.violation(
+                    &self.rows[member / self.corners.len()],
+                    &turned,
+                    &torques[member % self.corners.len()],
+                ),
+                Some(side) => self.beyond(&turned, side),
+            };
+            wanted.iter().map(member).map(|s| Rated { value: s.value(), rate: s.slope() }).collect()
+        };
+        Family {
+            members: of_rows + 2,
+            evaluate: Box::new(evaluate),
+            linear: false,
+            // The rate of change of a torque contains the slopes of the inputs.
+            jumps: false,
+            within: None,
+            at_nodes_only: false,
+            measure: Measure::WIDTH,
+            overhead: cost::OF_EXACT_WRENCH,
+        }
+    }
+
+    fn violation(&self, row: &Row, turned: &Turned, torque: &Series<2>) -> Series<2> {
+        turned.thrust.times(row.thrust) + torque.times(row.torque) - Series::constant(row.offset)
+    }
+
+    /// By how much the rate of the plan lies beyond one end, in rad/s times the tolerance of rows.
+    fn beyond(&self, turned: &Turned, side: usize) -> Series<2> {
+        let sign = if side == 0 { -1.0 } else { 1.0 };
+        let past = turned.spin.times(Interval::point(sign)) - Series::constant(Interval::point(sign * self.spin[side]));
+        past.times(Interval::point(MOST_OUTSIDE))
+    }
+
+    /// rho = |J s x s'' + H s'| + |delta| |s x s'' + 2 r s'|.
+    fn torque(&self, turned: &Turned, (momentum, spin): (Interval, Interval)) -> Series<2> {
+        let combined = |swing: Interval, rate: Interval| -> Vector<2> {
+            std::array::from_fn(|i| turned.swing[i].times(swing) + turned.rate[i].times(rate))
+        };
+        let even = length(&combined(self.inertia, momentum));
+        if self.unevenness == Interval::ZERO {
+            return even;
+        }
+        even + length(&combined(Interval::ONE, spin * Interval::point(2.0))).times(self.unevenness)
+    }
+}
+
+/// The length of a vector; its rate of change is at most that of the vector.
+fn length(parts: &Vector<2>) -> Series<2> {
+    let sum =
+        |of: &dyn Fn(&Series<2>) -> Interval| parts.iter().fold(Interval::ZERO, |sum, p| sum + of(p).square()).sqrt();
+    let value = sum(&|p| p.value());
+    let steepest = Interval::around_zero(sum(&|p| p.slope()).high);
+    let along = parts.iter().fold(Interval::ZERO, |sum, p| sum + p.value() * p.slope());
+    Series::of_derivatives(&[value, (along / value).meet(steepest)])
+}
+
+/// The largest torque, in size, up to which every drag of the interval keeps a body from turning faster than `rate`, rad/s; N m.
+fn balanced(drag: &YawDrag, rate: f64) -> Interval {
+    let [linear, share, quadratic, rate] = [drag.linear, drag.spread.low, drag.quadratic, rate].map(Interval::point);
+    linear * share * rate + quadratic * rate * rate.abs()
+}
+
+/// The corners of the box of momenta and rates, in which rho is convex.
+fn corners(model: &Model, spin: [f64; 2]) -> Vec<(Interval, Interval)> {
+    let inertia = Interval::point(model.vehicle.inertia[2]);
+    let (mut low, mut high) = (Interval::ZERO, Interval::ZERO);
+    for rotor in &model.vehicle.rotors {
+        let most = Interval::point(rotor.inertia) * Interval::point(rotor.max_speed);
+        match rotor.spin {
+            Spin::P => high = high + most,
+            Spin::N => low = low - most,
+        }
+    }
+    let of_rotors = if low == high { vec![low] } else { vec![low, high] };
+    let of_rate = |rate: f64| {
+        let rate = Interval::point(rate);
+        of_rotors.iter().map(move |h| (inertia * rate + *h, rate)).collect::<Vec<_>>()
+    };
+    spin.into_iter().flat_map(of_rate).collect()
+}
+
+impl Row {
+    fn new(head: [Interval; 3], offset: Interval) -> Self {
+        let [thrust, x, y] = head;
+        Row { thrust, torque: (x.square() + y.square()).sqrt(), offset }
+    }
+
+    fn over(&self, width: f64) -> Self {
+        let width = Interval::point(width);
+        Row { thrust: self.thrust / width, torque: self.torque / width, offset: self.offset / width }
+    }
+
+    /// The smallest row that implies both.
+    fn hull(&self, other: &Row) -> Self {
+        let hull = |a: Interval, b: Interval| Interval::new(a.low.min(b.low), a.high.max(b.high));
+        Row {
+            thrust: hull(self.thrust, other.thrust),
+            torque: hull(self.torque, other.torque),
+            offset: hull(self.offset, other.offset),
+        }
+    }
+
+    /// As `rho <= slope T + height`; `None` for a bound on the thrust.
+    fn line(&self) -> Option<(f64, f64)> {
+        let [a, b, e] = [self.thrust, self.torque, self.offset].map(Interval::middle);
+        (b > 1e-9 * a.abs()).then(|| (-a / b, e / b))
+    }
+}
+
+/// The rows on T and rho for which there is a yaw torque that satisfies all planes, in every direction of the roll and pitch torque;
+/// if given, a torque between two bounds, N m.
+fn eliminated(planes: &[Plane], torques: Option<[Interval; 2]>) -> Vec<Row> {
+    let most =
+        torques.map_or(Interval::ZERO, |[low, high]| Interval::around_zero(low.magnitude().max(high.magnitude())));
+    let (mut upper, mut lower, mut rows) = (Vec::new(), Vec::new(), Vec::new());
+    for plane in planes {
+        let [t, x, y, z] = plane.normal;
+        if z.low > 0.0 {
+            upper.push(([t / z, x / z, y / z], plane.offset / z));
+        } else if z.high < 0.0 {
+            lower.push(([-t / z, -x / z, -y / z], -plane.offset / z));
+        } else {
+            // Whatever the yaw torque.
+            rows.push(Row::new([t, x, y], plane.offset - z * most));
+        }
+    }
+    if let Some([low, high]) = torques {
+        upper.push(([Interval::ZERO; 3], high));
+        lower.push(([Interval::ZERO; 3], -low));
+    }
+    for (up, above) in &upper {
+        for (down, below) in &lower {
+            let head: [Interval; 3] = std::array::from_fn(|i| up[i] + down[i]);
+            rows.push(Row::new(head, *above + *below));
+        }
+    }
+    // The two bounds on the torque alone leave a row without a normal.
+    rows.retain(|row| row.thrust.magnitude() > 0.0 || row.torque.magnitude() > 0.0);
+    rows
+}
+
+/// A width of the healthy set along a row, by which violations are measured.
+fn width(model: &Model, row: &Row) -> f64 {
+    let (a, b) = (row.thrust.middle(), row.torque.middle());
+    let along = |x: f64, y: f64| -> f64 {
+        let of_rotor = |rotor: &crate::model::Rotor| {
+            let full = rotor.thrust_coefficient * (rotor.max_speed.powi(2) - rotor.min_speed.powi(2));
+            (full * (a + x * rotor.position[1] - y * rotor.position[0])).abs()
+        };
+        model.vehicle.rotors.iter().map(of_rotor).sum()
+    };
+    along(b, 0.0).max(along(0.0, b))
+}
+
+/// A row whose normal takes a smaller share of its offset over the whole healthy set bounds nothing.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// Lines closer than this, relative to their size, count as one.
+const SAME: f64 = 1e-9;
+
+/// The rows without those that others imply by a margin that rounding cannot close; equal ones become their hull.
+fn irredundant(rows: Vec<Row>) -> Vec<Row> {
+    let (lines, mut kept): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(|row| row.line().is_some());
+    let mut lines: Vec<((f64, f64), Row)> = lines.into_iter().filter_map(|row| Some((row.line()?, row))).collect();
+    let size = |of: fn(&(f64, f64)) -> f64| lines.iter().map(|(line, _)| of(line).abs()).fold(0.0, f64::max);
+    let (slope, height) = (SAME * size(|l| l.0), SAME * size(|l| l.1));
+    // By falling slope: the lower envelope from small to large thrusts.
+    lines.sort_by(|(a, _), (b, _)| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
+    let mut merged: Vec<((f64, f64), Row)> = Vec::new();
+    for (line, row) in lines {
+        let parallel = merged.iter_mut().rev().take_while(|(other, _)| (other.0 - line.0).abs() <= slope);
+        match { parallel }.find(|(other, _)| (other.1 - line.1).abs() <= height) {
+            Some((_, same)) => *same = same.hull(&row),
+            None => merged.push((line, row)),
+        }
+    }
+    let mut envelope: Vec<((f64, f64), Row)> = Vec::new();
+    for next in merged {
+        // Of parallel lines the lowest comes first.
+        if envelope.last().is_some_and(|(last, _)| (last.0 - next.0.0).abs() <= slope && next.0.1 > last.1 + height) {
+            continue;
+        }
+        while let [.., (a, _), (b, _)] = &envelope[..] {
+            // b is above the meeting point of a and the next line.
+            let (run, rise) = (a.0 - next.0.0, next.0.1 - a.1);
+            let share = (a.0 - b.0) / run;
+            match run > slope && a.1 + share * rise + height < b.1 {
+                true => envelope.pop(),
+                false => break,
+            };
+        }
+        envelope.push(next);
+    }
+    kept.extend(envelope.into_iter().map(|(_, row)| row));
+    kept
+}
