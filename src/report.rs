@@ -27,3 +27,4 @@ pub mod verdict_text;
 pub mod verification_text;
 pub mod volumes;
 pub mod waypoints;
+pub mod without_yaw;

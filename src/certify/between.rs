@@ -3,12 +3,13 @@
 
 use super::witness::{model_of, motion};
 use crate::admissible::row::SetRow;
-use crate::model::{Limit, LimitKind, Part, Problem};
+use crate::model::{Limit, LimitKind, Model, Part, Problem};
 use crate::motion::checks::{leg_intervals, past_as_checked, peak_of};
 use crate::motion::winds::OverWinds;
 use crate::motion::{NodeState, Trajectory};
 use crate::planner::studies::{MissionPlan, PlannerRun};
 use crate::verify::Premises;
+use crate::verify::core::{self, Member};
 use crate::verify::cost::{OF_EXACT_WRENCH, Purse};
 use crate::verify::interval::Interval;
 use crate::verify::motion::Motion;
@@ -35,7 +36,7 @@ const PAST: [f64; 3] = [1e-6, 1e-5, MOST_PAST_LIMIT];
 /// The rows of one kind, and to what extent they are shown to hold.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Between {
-    /// `wrench`: the facets imposed on the wrench; `commands`: the same on the commanded wrench of lagging rotors; otherwise
+    /// `wrench`: the facets imposed on the wrench; `cores`: the rows of modes without yaw; `commands`: the same on the commanded wrench of lagging rotors; otherwise
     /// the limited quantity, in words.
     pub rows: String,
     pub shown: Shown,
@@ -61,10 +62,13 @@ pub enum Shown {
 /// The name of the rows on the wrench.
 pub const WRENCH: &str = "wrench";
 
+/// The name of the rows of cores.
+pub const CORES: &str = "cores";
+
 /// The name of the rows on the commanded wrench of lagging rotors.
 pub const COMMANDS: &str = "commands";
 
-/// Results for the wrench, then each limit in the spec's order, then the commands of lagging rotors. Rows that are linear
+/// Results for the wrench, then cores if there are any, then each limit in the spec's order, then the commands of lagging rotors. Rows that are linear
 /// over each piece (hover model with one yaw) are decided at the nodes; all others are proved in interval arithmetic or
 /// checked on a grid. The tolerances are those of `mavc verify`, so that both report the same.
 pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<Between> {
@@ -88,6 +92,10 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     let mut found = vec![kept_facets((setting.dynamics(), &motion), Held::Wrench, &planes, trajectory, |_, state| {
         largest(&trajectory.in_every_wind(&model.vehicle, &environment, state))
     })];
+    let cores: Vec<&SetRow> = run.set.rows.iter().filter(|row| row.core.is_some()).collect();
+    if !cores.is_empty() {
+        found.push(kept_cores((setting.dynamics(), &motion), &cores, trajectory, model));
+    }
     found.extend(mission.limits.iter().map(|limit| kept_limit(&setting, &motion, limit, trajectory)));
     if let Some((held, tau)) = setting.commands().zip(model.thrust_lag()) {
         // If the wrench stays in a plane, so does its rate, and so do the commands.
@@ -123,6 +131,36 @@ fn kept_facets(
         false => (Shown::Checked, Some(GRID), seen(trajectory, violation)),
     };
     Between { rows, shown, points, imposed: planes.len(), proved, violation }
+}
+
+/// The result for rows of cores, like [`kept_facets`].
+fn kept_cores(
+    (dynamics, motion): (&Dynamics, &Motion),
+    rows: &[&SetRow],
+    trajectory: &Trajectory,
+    model: &Model,
+) -> Between {
+    let member = |row: &&SetRow| {
+        let core = row.core?;
+        let [thrust, torque, offset] = [row.normal[0], core.torque, row.offset].map(Interval::point);
+        let [inertia, unevenness] = [core.inertia, core.unevenness.abs()].map(Interval::point);
+        let [momentum, spin] = [core.momentum, core.spin].map(Interval::point);
+        Some(Member { thrust, torque, offset, inertia, unevenness, momentum, spin })
+    };
+    let family = core::family(dynamics, rows.iter().filter_map(member).collect(), None);
+    let mut purse = Purse(WORK.max(WORK_EACH * (rows.len() * trajectory.intervals()) as u64));
+    let proved = throughout(&family, motion, MOST_OUTSIDE, &mut purse).into_iter().filter(|&proved| proved).count();
+    let environment = model.environment();
+    let violation = |_: usize, state: &NodeState| {
+        let turning = trajectory.model.turning(&model.vehicle, &environment, state);
+        let of = |row: &&SetRow| row.normal[0] * turning[0] - row.offset + row.of_core(Some(&turning));
+        rows.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let (shown, points, violation) = match proved == rows.len() {
+        true => (Shown::Proved, None, MOST_OUTSIDE),
+        false => (Shown::Checked, Some(GRID), seen(trajectory, violation)),
+    };
+    Between { rows: CORES.into(), shown, points, imposed: rows.len(), proved, violation }
 }
 
 /// The result for a limit: the first bound of [`PAST`] that is proved, otherwise what a grid shows.

@@ -135,7 +135,7 @@ group! {
     AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Otherwise("as in `plan`"),
         "the reaction to this fault that the risk of the mission assumes";
     WITHOUT_YAW "without_yaw", Words(&["never", "where_needed", "always"]), Otherwise("as in `plan`"),
-        "whether flights give up yaw after this fault";
+        "whether plans and flights give up yaw after this fault";
 }
 
 group! {
@@ -260,8 +260,8 @@ group! {
     AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Written("continue", "the mission continues"),
         "the reaction to a fault that the risk of the mission assumes: `continue`, or `hold`, that is, come to rest and stay";
     WITHOUT_YAW "without_yaw", Words(&["never", "where_needed", "always"]),
-        Written("where_needed", "flights give up yaw where a fault leaves no control of it"),
-        "whether flights [give up yaw](#without-yaw) once a fault is known: `never`, `where_needed`, that is, where the rotors that \
+        Written("where_needed", "yaw is given up where a fault leaves no control of it"),
+        "whether plans and flights [give up yaw](#without-yaw) after a fault: `never`, `where_needed`, that is, where the rotors that \
          are left do not control all axes about hover, or `always`";
     AGAINST "against", Names(&["all"]), Written("all", "every declared fault mode"),
         "the modes to tolerate: `all`; a mode `M1`; all modes `M` of `every ... as M`; a range of them, `M1 .. M4`; a list of \

@@ -3,7 +3,7 @@
 use super::caveats::exceeded_limits;
 use super::terminal::WIDTH;
 use crate::admissible::row::VIOLATED;
-use crate::certify::between::{Between, COMMANDS, GRID, Shown, WRENCH};
+use crate::certify::between::{Between, COMMANDS, CORES, GRID, Shown, WRENCH};
 use crate::model::{LimitKind, Model};
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::percent;
@@ -15,7 +15,7 @@ use crate::tolerance::MOST_PAST_LIMIT;
 /// that the plan exceeds are omitted: the caveats report by how much and when.
 pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String {
     let (facets, limits): (Vec<&Between>, Vec<&Between>) =
-        found.iter().partition(|b| b.rows == WRENCH || b.rows == COMMANDS);
+        found.iter().partition(|b| [WRENCH, CORES, COMMANDS].contains(&b.rows.as_str()));
     let linear = solved.trajectory.model != WrenchModel::Exact;
     let (mut proved, mut checked) = (Vec::new(), Vec::new());
     for b in facets {
@@ -59,21 +59,24 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
 /// What is proved about the imposed facets, and what is only checked. In the `linear` model both are about that model's
 /// wrench, which is not the vehicle's. In an interval of winds both are about every wind.
 fn on_facets(b: &Between, linear: bool, is_windy: bool) -> (Option<String>, Option<String>) {
-    let what = match (b.rows == COMMANDS, linear) {
-        (true, false) => "the commanded wrench",
-        (true, true) => "the linear model's commanded wrench",
-        (false, false) => "the wrench",
-        (false, true) => "the linear model's wrench",
+    let what = match (b.rows.as_str(), linear) {
+        (COMMANDS, false) => "the commanded wrench",
+        (COMMANDS, true) => "the linear model's commanded wrench",
+        (CORES, false) => "the motion without yaw",
+        (CORES, true) => "the linear model's motion without yaw",
+        (_, false) => "the wrench",
+        (_, true) => "the linear model's wrench",
     };
+    let (facet, planes) = if b.rows == CORES { ("row of a core", "rows of cores") } else { ("facet", "planes") };
     let winds = if is_windy { " in every wind" } else { "" };
-    let all = format!("{what} satisfies every imposed facet{winds}");
+    let all = format!("{what} satisfies every imposed {facet}{winds}");
     if b.shown == Shown::Proved {
         return (Some(all), None);
     }
     let some =
-        (b.proved > 0).then(|| format!("{what} satisfies {} of the {} imposed planes{winds}", b.proved, b.imposed));
+        (b.proved > 0).then(|| format!("{what} satisfies {} of the {} imposed {planes}{winds}", b.proved, b.imposed));
     let rest = match (b.violation > VIOLATED, b.imposed - b.proved) {
-        (true, _) => format!("{what} violates an imposed facet by {} of its width{winds}", percent(b.violation)),
+        (true, _) => format!("{what} violates an imposed {facet} by {} of its width{winds}", percent(b.violation)),
         (false, 1) if b.proved > 0 => "it satisfies the other one".into(),
         (false, others) if b.proved > 0 => format!("it satisfies the other {others}"),
         (false, _) => all,

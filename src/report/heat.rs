@@ -37,7 +37,9 @@ pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, co
         .sets
         .iter()
         .map(|set| nearness(trajectory, &model.vehicle, &model.environment(), &set.rows, COLUMNS));
-    let lines: Vec<(&String, Vec<f64>)> = comparison.modes.iter().zip(margins).collect();
+    let lines = comparison.modes.iter().zip(margins).zip(&comparison.sets);
+    // A mode without rows has no margin.
+    let lines: Vec<(&String, Vec<f64>)> = lines.filter(|(_, set)| !set.rows.is_empty()).map(|(line, _)| line).collect();
     if lines.is_empty() {
         return String::new();
     }

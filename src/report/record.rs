@@ -11,6 +11,7 @@ use super::verdict_text::statement;
 use super::volumes::{self, VolumeRecord};
 use super::waypoints::yaw_error;
 use super::waypoints::{WaypointRecord, waypoints};
+use super::without_yaw::{self, WithoutYawRecord};
 use crate::certify::between::Between;
 use crate::model::{Mission, Model, Problem};
 use crate::motion::risk::rated_risk;
@@ -182,6 +183,9 @@ pub struct ModeRecord {
     /// With `continue`, the last violation; with `hold`, the last instant from which no stop inside the set was found, s; 0
     /// if there is none.
     pub committed_s: f64,
+    /// How the plan provides for the mode if it gives up yaw; omitted if it does not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub without_yaw: Option<WithoutYawRecord>,
 }
 
 /// Waypoint errors of a plan.
@@ -321,7 +325,8 @@ fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Plann
                 .iter()
                 .zip(&solved.outside)
                 .zip(model.plan.against.iter().zip(&solved.committed))
-                .map(|((name, out), (&mode, &committed_s))| ModeRecord {
+                .zip(&comparison.provisions)
+                .map(|(((name, out), (&mode, &committed_s)), provision)| ModeRecord {
                     name: name.clone(),
                     violated_facets: counted(solved, out),
                     violated_rows: out.rows,
@@ -331,6 +336,7 @@ fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Plann
                     last_violation_s: out.last,
                     after_fault: model.after_fault(mode).name(),
                     committed_s,
+                    without_yaw: without_yaw::record(provision),
                 })
                 .collect();
         }

@@ -9,10 +9,12 @@ use super::record::{errors, rates};
 use super::table::Table;
 use super::verdict_text::{self, statement};
 use super::waypoints;
+use super::without_yaw;
 use super::{headings, volumes};
 use crate::admissible::AdmissibleSet;
 use crate::admissible::airspeed::Airspeed;
 use crate::admissible::row::VIOLATED;
+use crate::admissible::without_yaw::planned::Provision;
 use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::outside::Outside;
@@ -54,6 +56,9 @@ pub(super) fn head(problem: Problem, comparison: &Comparison) -> String {
     if let Some(tau) = model.thrust_lag() {
         let milliseconds = significant(1e3 * tau, 3);
         out.push_str(&format!("Rotors lag: thrusts follow their commands with a time constant of {milliseconds} ms\n"));
+    }
+    for sentence in without_yaw::head(comparison) {
+        out.push_str(&format!("{}\n", textwrap::fill(&sentence, WIDTH)));
     }
     out.push_str(&battery::full_thrust(model));
     if model.environment().has_drag() {
@@ -128,7 +133,12 @@ pub fn plan(problem: Problem, comparison: &Comparison, color: bool) -> String {
         match &run.outcome {
             PlanOutcome::Planned(solved) => out.push_str(&solved_run(problem, comparison, run, solved, color)),
             _ => {
+                let of_proof = match &run.outcome {
+                    PlanOutcome::Infeasible(_) if !run.against.is_empty() => without_yaw::of_proof(comparison),
+                    _ => None,
+                };
                 let text = format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run));
+                let text = of_proof.map_or(text.clone(), |note| format!("{text}. {note}"));
                 out.push_str(&format!("{}\n", textwrap::fill(&text, WIDTH)));
             }
         }
@@ -332,6 +342,10 @@ fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> T
     let mut table = Table::new(&headings);
     for (i, (name, out)) in comparison.modes.iter().zip(&solved.outside).enumerate() {
         let mut cells = match out.last {
+            None if comparison.provisions[i] == Provision::Capture => {
+                let dash = || "-".to_string();
+                vec![name.clone(), "no rows".into(), dash(), dash(), dash(), "caught".into()]
+            }
             None => {
                 let dash = || "-".to_string();
                 vec![name.clone(), "0".into(), "0".into(), dash(), dash(), "never".into()]

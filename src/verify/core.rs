@@ -170,67 +170,93 @@ impl Core {
         })
     }
 
-    /// The number of edges.
-    pub fn edges(&self) -> usize {
-        self.rows.len()
-    }
-
     /// The rates of the body, rad/s.
     pub fn spin(&self) -> [f64; 2] {
         self.spin
     }
 
-    /// The violation of every row at both ends of the spin, and by how much the plan itself turns faster, as a share of the tolerance
-    /// of rows.
-    pub fn family<'a>(&'a self, dynamics: &'a Dynamics<'a>) -> Family<'a> {
-        let of_rows = self.rows.len() * self.corners.len();
-        let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
-            let turned = dynamics.turned(state);
-            let torques: Vec<Series<2>> = self.corners.iter().map(|corner| self.torque(&turned, *corner)).collect();
-            let member = |&member: &usize| match member.checked_sub(of_rows) {
-                None => self.violation(
-                    &self.rows[member / self.corners.len()],
-                    &turned,
-                    &torques[member % self.corners.len()],
-                ),
-                Some(side) => self.beyond(&turned, side),
+    /// Every row at every corner of momenta and rates.
+    fn members(&self) -> Vec<Member> {
+        let of_row = |row: &Row| {
+            let Row { thrust, torque, offset } = *row;
+            let at = move |&(momentum, spin): &(Interval, Interval)| Member {
+                thrust,
+                torque,
+                offset,
+                inertia: self.inertia,
+                unevenness: self.unevenness,
+                momentum,
+                spin,
             };
-            wanted.iter().map(member).map(|s| Rated { value: s.value(), rate: s.slope() }).collect()
+            self.corners.iter().map(at).collect::<Vec<_>>()
         };
-        Family {
-            members: of_rows + 2,
-            evaluate: Box::new(evaluate),
-            linear: false,
-            // The rate of change of a torque contains the slopes of the inputs.
-            jumps: false,
-            within: None,
-            at_nodes_only: false,
-            measure: Measure::WIDTH,
-            overhead: cost::OF_EXACT_WRENCH,
-        }
+        self.rows.iter().flat_map(of_row).collect()
     }
 
-    fn violation(&self, row: &Row, turned: &Turned, torque: &Series<2>) -> Series<2> {
-        turned.thrust.times(row.thrust) + torque.times(row.torque) - Series::constant(row.offset)
+    /// The violation of every row at every corner, then by how much the plan itself turns faster than at the ends of the spin.
+    pub fn family<'a>(&self, dynamics: &Dynamics<'a>) -> Family<'a> {
+        family(dynamics, self.members(), Some(self.spin))
+    }
+}
+
+/// A row at one momentum and rate: `thrust T + torque rho <= offset`, over a width of the healthy set.
+#[derive(Debug, Clone, Copy)]
+pub struct Member {
+    pub thrust: Interval,
+    pub torque: Interval,
+    pub offset: Interval,
+    pub inertia: Interval,
+    pub unevenness: Interval,
+    pub momentum: Interval,
+    pub spin: Interval,
+}
+
+impl Member {
+    fn violation(&self, turned: &Turned) -> Series<2> {
+        turned.thrust.times(self.thrust) + self.rho(turned).times(self.torque) - Series::constant(self.offset)
     }
 
-    /// By how much the rate of the plan lies beyond one end, in rad/s times the tolerance of rows.
-    fn beyond(&self, turned: &Turned, side: usize) -> Series<2> {
-        let sign = if side == 0 { -1.0 } else { 1.0 };
-        let past = turned.spin.times(Interval::point(sign)) - Series::constant(Interval::point(sign * self.spin[side]));
-        past.times(Interval::point(MOST_OUTSIDE))
-    }
-
-    /// rho = |J s x s'' + H s'| + |delta| |s x s'' + 2 r s'|.
-    fn torque(&self, turned: &Turned, (momentum, spin): (Interval, Interval)) -> Series<2> {
+    /// `|J s x s'' + H s'| + |delta| |s x s'' + 2 r s'|`
+    fn rho(&self, turned: &Turned) -> Series<2> {
         let combined = |swing: Interval, rate: Interval| -> Vector<2> {
             std::array::from_fn(|i| turned.swing[i].times(swing) + turned.rate[i].times(rate))
         };
-        let even = length(&combined(self.inertia, momentum));
+        let even = length(&combined(self.inertia, self.momentum));
         if self.unevenness == Interval::ZERO {
             return even;
         }
-        even + length(&combined(Interval::ONE, spin * Interval::point(2.0))).times(self.unevenness)
+        let uneven = combined(Interval::ONE, self.spin * Interval::point(2.0));
+        even + length(&uneven).times(self.unevenness)
+    }
+}
+
+/// The violations of rows along a motion; with a range of rates (rad/s) also by how much the motion's own rate leaves it at either
+/// end, in rad/s times the tolerance of rows.
+pub fn family<'a>(dynamics: &Dynamics<'a>, rows: Vec<Member>, spin: Option<[f64; 2]>) -> Family<'a> {
+    let dynamics = dynamics.clone();
+    let members = rows.len() + if spin.is_some() { 2 } else { 0 };
+    let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
+        let turned = dynamics.turned(state);
+        let beyond = |side: usize| {
+            let (sign, end) = (if side == 0 { -1.0 } else { 1.0 }, spin.map_or(0.0, |ends| ends[side]));
+            let past = turned.spin.times(Interval::point(sign)) - Series::constant(Interval::point(sign * end));
+            past.times(Interval::point(MOST_OUTSIDE))
+        };
+        let member = |&member: &usize| match rows.get(member) {
+            Some(row) => row.violation(&turned),
+            None => beyond(member - rows.len()),
+        };
+        wanted.iter().map(member).map(|s| Rated { value: s.value(), rate: s.slope() }).collect()
+    };
+    Family {
+        members,
+        evaluate: Box::new(evaluate),
+        linear: false,
+        jumps: false,
+        within: None,
+        at_nodes_only: false,
+        measure: Measure::WIDTH,
+        overhead: cost::OF_EXACT_WRENCH,
     }
 }
 

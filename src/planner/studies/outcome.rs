@@ -1,6 +1,7 @@
 //! The outcomes of planners, alone or side by side.
 
 use crate::admissible::row::SetRow;
+use crate::admissible::without_yaw::planned::Provision;
 use crate::model::{MissionTime, PlanModel, PlannerKind, Problem};
 use crate::motion::Trajectory;
 use crate::motion::outside::Outside;
@@ -165,9 +166,9 @@ pub enum Verification {
 }
 
 impl MissionPlan {
-    /// The smallest margin to any mode's set, in widths of the healthy set; `None` without modes.
+    /// The smallest margin to any mode's set or core, in widths of the healthy set; `None` without modes that have one.
     pub fn smallest_margin(&self) -> Option<f64> {
-        self.outside.iter().map(|o| -o.max_violation).min_by(f64::total_cmp)
+        self.outside.iter().map(|o| -o.max_violation).filter(|margin| margin.is_finite()).min_by(f64::total_cmp)
     }
 }
 
@@ -191,8 +192,10 @@ pub struct Comparison {
     pub runs: Vec<PlannerRun>,
     /// T_d, s: the spec's time, else the joint RCP's shortest, else the largest single-mode one.
     pub common_time: Option<f64>,
-    /// Each mode's set alone, in the order of `modes`.
+    /// Each mode's set alone, or its core, in the order of `modes`; without rows where there is neither.
     pub sets: Vec<PlanningSet>,
+    /// How plans provide for each mode, in the order of `modes`.
+    pub provisions: Vec<Provision>,
     /// Facets (of `against` modes) that RSP selects at T_d, as rows: those the RIP plan violates, and with more rounds those
     /// that the plans of the rounds before violate.
     pub selected: Vec<SetRow>,

@@ -204,6 +204,7 @@ impl<'a> Setting<'a> {
         Comparison {
             modes: self.sets.names.clone(),
             sets: self.sets.modes.clone(),
+            provisions: self.sets.provisions.clone(),
             runs: Vec::new(),
             common_time: self.fixed_time(),
             selected: Vec::new(),

@@ -231,7 +231,7 @@ fn run_content(subject: &Subject, label: String, solved: &MissionPlan, shown: &[
     let trajectory = &solved.trajectory;
     let strip = |set: usize, s: &ShownSet| Strip {
         set,
-        margins: nearness(trajectory, &model.vehicle, &model.environment(), &s.set.rows, CELLS)
+        margins: nearness(trajectory, &model.vehicle, &model.environment(), s.measure(), CELLS)
             .into_iter()
             // A cell shows no more than two decimals of a percent.
             .map(|m| (1e4 * m).round() / 100.0)

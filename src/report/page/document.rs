@@ -7,6 +7,7 @@ use super::{Subject, embed};
 use crate::number::part_of_all;
 use crate::planner::studies::Comparison;
 use crate::report::terminal::vehicle_line;
+use crate::report::without_yaw;
 use crate::source::visible;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -104,12 +105,16 @@ impl Document<'_> {
             n if n > 12 => format!("against {n} fault modes, "),
             _ => format!("against {}, ", modes.join(", ")),
         };
-        format!(
+        let mut setting = format!(
             "{against}{} model, reserve {} % of each set, {} samples",
             plan.model.name(),
             part_of_all(plan.reserve),
             plan.samples
-        )
+        );
+        for sentence in self.comparison.map_or_else(Vec::new, without_yaw::head) {
+            setting.push_str(&format!(". {sentence}"));
+        }
+        setting
     }
 }
 

@@ -75,6 +75,8 @@ pub fn columns(problem: Problem, solved: &MissionPlan, shown: &[ShownSet], most:
         add("yaw_acceleration", &|s| s[YAW][2].to_degrees());
     }
     let wrenches: Vec<_> = states.iter().map(|(_, s)| trajectory.wrench(&model.vehicle, &environment, s)).collect();
+    let turning = |s: &NodeState| trajectory.model.turning(&model.vehicle, &environment, s);
+    let turnings: Vec<_> = states.iter().map(|(_, s)| turning(s)).collect();
     columns.insert("t".into(), states.iter().map(|(t, _)| rounded(*t)).collect());
     for (axis, name) in WRENCH.iter().enumerate() {
         columns.insert((*name).into(), column(wrenches.iter().map(|w| w[axis])));
@@ -89,7 +91,7 @@ pub fn columns(problem: Problem, solved: &MissionPlan, shown: &[ShownSet], most:
     }
     for (i, set) in shown.iter().enumerate().filter(|(_, s)| s.against.is_some()) {
         // Thousandths of a percent.
-        let margins = wrenches.iter().map(|w| (1e5 * set.margin(w)).round() / 1e3);
+        let margins = wrenches.iter().zip(&turnings).map(|(w, turning)| (1e5 * set.margin(w, turning)).round() / 1e3);
         columns.insert(format!("margin_{i}"), margins.collect());
     }
     let distances = volumes::distances(problem, solved, states.iter().map(|(_, s)| s));
@@ -168,7 +170,8 @@ fn margins(solved: &MissionPlan, shown: &[ShownSet]) -> Chart {
 
 /// Index of the mode planned against with the smallest margin; the first of several whose margins print the same.
 pub fn nearest(solved: &MissionPlan) -> Option<usize> {
-    let worst = solved.outside.iter().map(|o| o.max_violation).max_by(f64::total_cmp)?;
+    // Modes without rows have no margin.
+    let worst = solved.outside.iter().map(|o| o.max_violation).filter(|v| v.is_finite()).max_by(f64::total_cmp)?;
     // Thousandths of a percent, as in the columns of margins.
     solved.outside.iter().position(|o| o.max_violation >= worst - 1e-5)
 }

@@ -6,6 +6,7 @@ use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
 use crate::admissible::edge::Place;
 use crate::admissible::row::SetRow;
+use crate::admissible::without_yaw::planned::{Provision, Turning};
 use crate::model::Model;
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::{Comparison, PlanOutcome};
@@ -23,12 +24,20 @@ pub struct ShownSet {
     /// Index of the mode in the comparison, if plans are measured against it.
     pub against: Option<usize>,
     pub set: PlanningSet,
+    /// The core by which plans are measured, where they give up yaw; they are then measured by no wrench.
+    pub core: Option<PlanningSet>,
 }
 
 impl ShownSet {
-    /// The smallest margin of a wrench, in widths of the healthy set; negative outside.
-    pub fn margin(&self, w: &Wrench) -> f64 {
-        self.set.rows.iter().map(|r| -r.violation(w)).fold(f64::INFINITY, f64::min)
+    /// The rows by which plans are measured.
+    pub fn measure(&self) -> &[SetRow] {
+        &self.core.as_ref().unwrap_or(&self.set).rows
+    }
+
+    /// The smallest margin of a wrench, or to a core of how a motion turns, in widths of the healthy set; negative outside.
+    pub fn margin(&self, w: &Wrench, turning: &Turning) -> f64 {
+        let of = |row: &SetRow| -row.violation(w) - row.of_core(Some(turning));
+        self.measure().iter().map(of).fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -76,13 +85,23 @@ pub fn shown(model: &Model, comparison: &Comparison) -> Vec<ShownSet> {
     order.sort_by(|a, b| nearest(a).total_cmp(&nearest(b)));
     let mut kept: Vec<usize> = order.into_iter().take(MOST_MODES).collect();
     kept.sort_unstable();
-    let measured = kept.into_iter().map(|against| ShownSet {
-        name: comparison.modes[against].clone(),
-        title: model.modes[model.plan.against[against]].title.clone(),
-        against: Some(against),
-        set: comparison.sets[against].clone(),
-    });
     let healthy = AdmissibleSet::healthy(model);
+    let measured = kept.into_iter().map(|against| match &comparison.provisions[against] {
+        Provision::WithYaw => ShownSet {
+            name: comparison.modes[against].clone(),
+            title: model.modes[model.plan.against[against]].title.clone(),
+            against: Some(against),
+            set: comparison.sets[against].clone(),
+            core: None,
+        },
+        // The whole set is drawn.
+        Provision::WithoutYaw(_) => ShownSet {
+            against: Some(against),
+            core: Some(comparison.sets[against].clone()),
+            ..mode(model, model.plan.against[against], &healthy)
+        },
+        Provision::Capture => mode(model, model.plan.against[against], &healthy),
+    });
     let others = (0..model.modes.len()).filter(|i| !model.plan.against.contains(i)).map(|i| mode(model, i, &healthy));
     within_reason(std::iter::once(whole(model, &healthy)).chain(measured).chain(others))
 }
@@ -111,11 +130,17 @@ fn planned(model: &Model, set: &AdmissibleSet, healthy: &AdmissibleSet) -> Plann
 }
 
 fn whole(model: &Model, healthy: &AdmissibleSet) -> ShownSet {
-    ShownSet { name: healthy.name.clone(), title: None, against: None, set: planned(model, healthy, healthy) }
+    ShownSet {
+        name: healthy.name.clone(),
+        title: None,
+        against: None,
+        set: planned(model, healthy, healthy),
+        core: None,
+    }
 }
 
 fn mode(model: &Model, index: usize, healthy: &AdmissibleSet) -> ShownSet {
     let set = AdmissibleSet::of_mode(model, index);
     let title = model.modes[index].title.clone();
-    ShownSet { name: set.name.clone(), title, against: None, set: planned(model, &set, healthy) }
+    ShownSet { name: set.name.clone(), title, against: None, set: planned(model, &set, healthy), core: None }
 }

@@ -3,6 +3,7 @@
 use super::flown::headline;
 use super::motion::{nearest, signed_percent};
 use crate::admissible::verdict::ModeAnalysis;
+use crate::admissible::without_yaw::planned::Provision;
 use crate::certify::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE, Problem};
@@ -232,7 +233,10 @@ fn stays(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
         None => Some(Figure::new(
             "Violations of fault sets",
             "none",
-            "the wrench is inside the set of every mode planned against at all times",
+            match comparison.provisions.iter().all(|provision| *provision == Provision::WithYaw) {
+                true => "the wrench is inside the set of every mode planned against at all times",
+                false => "the motion is inside the set, or without yaw the core, of every mode with rows at all times",
+            },
         )),
         Some((name, o, last)) => Some(
             Figure::new(
