@@ -1,6 +1,8 @@
 //! Hover with yaw given up: the core of each mode, spins and equilibria, against figures computed by other code, published
 //! ones and brute force.
 
+mod plans;
+
 use crate::vehicles::{lost, ring_model};
 use mavc::admissible::verdict::{ModeAnalysis, analyze};
 use mavc::admissible::without_yaw::relaxed_hover::{RelaxedHover, System};
