@@ -37,13 +37,22 @@ class Vehicle:
         n = len(layout)
         angles = pi / 2 - 2 * pi * np.arange(n) / n  # the first rotor to the left, then clockwise; x forward, y left
         x, y = float(number(text, "arm")) * np.cos(angles), float(number(text, "arm")) * np.sin(angles)
-        b, d, speed = (float(number(text, key)) for key in ("thrust_coefficient", "drag_coefficient", "max_speed"))
-        kappa = np.array([-d / b if turn == "P" else d / b for turn in layout])
+        if number(text, "max_thrust") is not None:
+            full, ratio = float(number(text, "max_thrust")), float(number(text, "torque_per_thrust"))
+        else:
+            b, d, speed = (float(number(text, key)) for key in ("thrust_coefficient", "drag_coefficient", "max_speed"))
+            full, ratio = b * speed**2, d / b
+        kappa = np.array([-ratio if turn == "P" else ratio for turn in layout])
         self.matrix = np.stack([np.ones(n), y, -x, kappa])
-        self.full = np.full(n, b * speed**2)
+        self.full = np.full(n, full)
         self.mass, self.inertia = float(number(text, "mass")), np.array(number(text, "inertia"), float)
-        self.drag, self.reserve = float(number(text, "yaw_drag")), float(number(text, "reserve", 0.0))
+        spread = re.search(r"\byaw_drag\s*=[^\n+]*\+-\s*([\d.]+)\s*%", text)
+        # The smallest drag of an interval holds the body to the range, so that larger ones do.
+        self.drag = float(number(text, "yaw_drag")) * (1.0 - float(spread[1]) / 100.0 if spread else 1.0)
+        self.reserve = float(number(text, "reserve", 0.0))
         self.lost = {name: [int(k) - 1 for k in re.findall(r"\d+", rotors)] for name, rotors in MODE.findall(text)}
+        for name in re.findall(r"every 1 rotor lost as (\w+)", text):
+            self.lost |= {f"{name}{k + 1}": [k] for k in range(n)}
 
 
 MODE = re.compile(r"mode\s+(\w+)[^{\n]*\{\s*rotors?\s+(\[[^\]]*\]|\d+)\s+lost")

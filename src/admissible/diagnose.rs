@@ -65,8 +65,11 @@ pub(crate) fn diagnose_by(
         }
         let span = model.modes[index].span;
         let faint = || mode.nearest_rows.filter(|row| !before(row)).and_then(|row| nearly_parallel(&row, span));
-        let without_yaw = without_yaw::judge(model, &mode, index);
-        let Some(mut answer) = without_yaw.or_else(|| judge(model, &mode, span)).or_else(faint) else { continue };
+        let answer = match without_yaw::judge(model, &mode, index) {
+            Some(answer) => answer,
+            None => judge(model, &mode, span),
+        };
+        let Some(mut answer) = answer.or_else(faint) else { continue };
         answer.also = without_yaw::could_be_planned(model, &mode, index).filter(|_| answer.severity == Severity::Error);
         match found.iter_mut().find(|earlier| earlier.is_same(&answer)) {
             Some(earlier) => earlier.modes.push(mode.name),

@@ -36,6 +36,9 @@ pub const FEASIBLE: f64 = 1e-6;
 /// program itself hold to the solver's tolerance.)
 pub const ACCEPTED: f64 = 1e-7;
 
+/// Why a program without a solution proves nothing.
+const UNEVEN: &str = "the rows of cores with different moments of inertia about x and y are stricter in the program";
+
 /// Plans one mission in the hover model, and counts the solver's effort.
 pub struct HoverPlanner<'a> {
     pub problem: Problem<'a>,
@@ -188,6 +191,8 @@ impl<'a> HoverPlanner<'a> {
                 objective: solution.objective.max(0.0),
                 rows: attempt.rows,
             })),
+            // Cones of uneven cores are stricter than their rows (101).
+            Outcome::Infeasible { .. } if set.has_uneven_cores() => Decision::Inconclusive(UNEVEN.into()),
             Outcome::Infeasible { .. } => Decision::Infeasible,
             Outcome::Inconclusive { status, .. } if quickly => Decision::Inconclusive(status),
             Outcome::Inconclusive { status, .. } => self.decide_by_overshoot(&layout, set, working_set, status),
@@ -267,6 +272,7 @@ impl<'a> HoverPlanner<'a> {
         let epsilon = share / most;
         let attempt = self.generate(layout, set, Purpose::Overshoot { epsilon }, &mut working_set.clone());
         match attempt.outcome {
+            _ if set.has_uneven_cores() => Decision::Inconclusive(UNEVEN.into()),
             Outcome::Solved(solution) if solution.bound > FEASIBLE + share => Decision::Infeasible,
             Outcome::Infeasible { .. } => Decision::Infeasible,
             _ => Decision::Inconclusive(status),

@@ -19,6 +19,11 @@ impl PlanningSet {
         self.rows.iter().any(|row| row.core.is_some())
     }
 
+    /// Whether some cores are those of a vehicle whose moments of inertia about x and y differ.
+    pub fn has_uneven_cores(&self) -> bool {
+        self.rows.iter().any(|row| row.core.is_some_and(|core| core.unevenness != 0.0))
+    }
+
     /// The minimal description of the intersection of `sets`, measured against the healthy set's widths.
     pub fn of(sets: &[&AdmissibleSet], healthy: &AdmissibleSet) -> Self {
         let joint = intersection(sets);
@@ -73,7 +78,16 @@ impl fmt::Display for PlanningSet {
             let relation = if row.equality { "= " } else { "<=" };
             let offset = if row.offset.abs() < 5e-10 { 0.0 } else { row.offset };
             let origin: Vec<String> = row.origin.iter().map(|o| format!("{}.{}", o.mode, o.facet)).collect();
-            writeln!(f, "  {relation} {offset:>12.9}   {}", origin.join(" "))?;
+            write!(f, "  {relation} {offset:>12.9}   {}", origin.join(" "))?;
+            match &row.core {
+                // a T + b rho <= e, (98).
+                Some(core) => writeln!(
+                    f,
+                    "   with {:.9} rho, H {:.6} N m s, r {:.4} rad/s",
+                    core.torque, core.momentum, core.spin
+                )?,
+                None => writeln!(f)?,
+            }
         }
         Ok(())
     }

@@ -7,13 +7,14 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-const MISSIONS: [&str; 17] = [
+const MISSIONS: [&str; 18] = [
     "missions/facade_hexa",
     "missions/ferry_octo",
     "missions/inspection",
     "missions/inspection_octo",
     "missions/mast_octo",
     "missions/parcel_x8",
+    "missions/ridge_hexa",
     "missions/survey_quad",
     "missions/tower_hexa",
     "missions/valley_x8",
@@ -28,11 +29,12 @@ const MISSIONS: [&str; 17] = [
 ];
 
 /// Those with another vehicle than the paper's octocopter.
-const OTHER_VEHICLE: [&str; 7] = [
+const OTHER_VEHICLE: [&str; 8] = [
     "missions/facade_hexa",
     "missions/inspection_octo",
     "missions/mast_octo",
     "missions/parcel_x8",
+    "missions/ridge_hexa",
     "missions/survey_quad",
     "missions/tower_hexa",
     "missions/valley_x8",
@@ -123,6 +125,7 @@ fn quick(name: &str) -> Vec<&'static str> {
         "missions/ferry_octo" => vec!["--set", "plan.samples=60", "--set", "plan.time=120s"],
         "missions/survey_quad" => vec!["--set", "plan.samples=200", "--set", "plan.time=150s"],
         "missions/facade_hexa" => vec!["--set", "plan.samples=120", "--set", "plan.time=40s"],
+        "missions/ridge_hexa" => vec!["--set", "plan.samples=60", "--set", "plan.time=40s"],
         // With 60 samples the search for its plan takes ten times as long.
         "missions/mast_octo" => vec!["--set", "plan.samples=40", "--set", "plan.time=20s"],
         _ => vec!["--set", "plan.samples=60", "--set", "plan.time=20s"],

@@ -15,8 +15,8 @@ const CAPTURE: &str = "mavc::analysis::capture";
 /// Code: the spec asks to give up yaw where plans cannot.
 const YAW_KEPT: &str = "mavc::analysis::yaw_kept";
 
-/// The finding about a mode in which yaw is given up; `None` where it is kept.
-pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<Answer> {
+/// The finding about a mode in which yaw is given up, which may be nothing to report; `None` where yaw is kept.
+pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<Option<Answer>> {
     let asked = model.gives_up_yaw(index);
     let is_needed = !mode.keeps_full_control();
     if asked == GiveUpYaw::Never || (asked == GiveUpYaw::WhereNeeded && !is_needed) {
@@ -28,7 +28,7 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<
         false => model.plan.against_span,
     };
     let answer = |severity, code, what: &str, label: String, help| {
-        Some(Answer {
+        Some(Some(Answer {
             severity,
             code,
             span,
@@ -38,7 +38,7 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<
             reserve: false,
             modes: Vec::new(),
             also: None,
-        })
+        }))
     };
     if let Some(obstacle) = Obstacle::of(model) {
         // Where yaw has to be given up, the finding about the mode itself says more.
@@ -51,14 +51,18 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<
     }
     let set = AdmissibleSet::of_mode(model, index);
     let healthy = AdmissibleSet::healthy(model);
+    let is_default = model.defaults.iter().any(|default| default.field == "plan.without_yaw");
+    let is_written = model.modes[index].without_yaw.is_some() || !is_default;
     match Provision::of(model, &set, &healthy) {
         Provision::WithYaw => None,
+        // Who writes the word knows.
+        Provision::WithoutYaw(_) if is_written => Some(None),
         Provision::WithoutYaw(_) => answer(
             Severity::Warning,
             YAW_GIVEN_UP,
             "the plan gives up yaw",
             "the motion stays in the core of the mode, and the body turns as it may".into(),
-            "with `without_yaw = never` a plan keeps yaw, or says why it cannot",
+            "write `without_yaw = where_needed` in `plan` to accept this, or `never` to keep yaw",
         ),
         Provision::Capture => answer(
             Severity::Warning,

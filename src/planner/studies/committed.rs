@@ -1,6 +1,7 @@
 //! How long a mission is committed to each mode, by what it does after a fault.
 
 use super::Setting;
+use crate::admissible::without_yaw::planned::Provision;
 use crate::model::AfterFault;
 use crate::motion::Trajectory;
 use crate::motion::outside::{Outside, violation_intervals};
@@ -11,12 +12,15 @@ use std::sync::PoisonError;
 
 impl Setting<'_> {
     /// The last time, s, at which a fault of each mode would still meet a violation: if the mission goes on after the fault, the last
-    /// instant outside the mode's set; if it holds, the last one from which no stop inside the set was found. In the order of
+    /// instant outside the mode's set; if it holds, the last one from which no stop inside the set was found; if it is caught and landed, all of the mission. In the order of
     /// `against`.
     pub(super) fn committed(&self, trajectory: &Trajectory, outside: &[Outside]) -> Vec<f64> {
         let against = self.model().plan.against.par_iter().zip(&self.sets.modes).zip(outside);
         against
-            .map(|((&mode, set), out)| match self.model().after_fault(mode) {
+            .zip(&self.sets.provisions)
+            .map(|(((&mode, set), out), provision)| match self.model().after_fault(mode) {
+                // No row says anything of such a fault.
+                _ if *provision == Provision::Capture => trajectory.duration(),
                 AfterFault::Hold => self.without_stop(trajectory, set),
                 _ => out.committed(),
             })
