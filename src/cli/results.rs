@@ -227,6 +227,6 @@ pub fn compact_json(record: &impl Serialize) -> Result<String, Problem> {
 }
 
 /// The subject of a page.
-pub fn subject<'a>(task: &Task<'a>, diagnostics: &'a [Diagnostic]) -> Subject<'a> {
+pub fn subject<'a>(task: &'a Task<'_>, diagnostics: &'a [Diagnostic]) -> Subject<'a> {
     Subject { problem: task.problem(), sources: task.spec().sources(), diagnostics }
 }
