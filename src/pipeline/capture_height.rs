@@ -1,11 +1,14 @@
 //! The height that a fault without control of yaw costs: what plans keep, and how long they fly lower. All of it is simulated.
 
+use super::tasks::{Planning, Task};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::flight::capture::exposed::{Exposed, exposed};
 use crate::flight::capture::needed::Needed;
 use crate::model::{Detection, Model};
 use crate::motion::{Trajectory, X, Y};
 use crate::number::{number, significant};
+use crate::planner::studies::{Comparison, PlannerRun};
+use crate::report::capture_height::ExposedRecord;
 use std::sync::Arc;
 
 /// Code: no mode is concerned by the statement.
@@ -86,8 +89,32 @@ pub(super) fn needed_for(model: &Model, plans: &[&Trajectory]) -> Option<Needed>
     Needed::simulate(model, delay, top.max(1.0), MOST_MODES)
 }
 
-/// When a plan is lower than every mode asks for.
-pub(super) fn exposure(model: &Model, needed: &Needed, plan: &Trajectory) -> Vec<Exposed> {
-    let ground = model.mission.as_ref().and_then(|mission| mission.ground);
-    ground.map_or(Vec::new(), |ground| exposed(needed, plan, ground))
+impl Task<'_> {
+    /// The captures against which an outcome's plan is measured; simulated once. `None` without a ground or a plan, or if no mode is
+    /// concerned.
+    pub(super) fn needed(&self, planning: &Planning) -> Option<Arc<Needed>> {
+        planning.needed.get_or_init(|| self.needed_of(planning.comparison())).clone()
+    }
+
+    /// The same for all plans of a comparison.
+    pub(super) fn needed_of(&self, comparison: &Comparison) -> Option<Arc<Needed>> {
+        let plans: Vec<&Trajectory> =
+            comparison.runs.iter().filter_map(|run| run.outcome.plan()).map(|plan| &plan.trajectory).collect();
+        match &self.kept {
+            _ if plans.is_empty() => None,
+            Some(kept) => Some(kept.needed.clone()),
+            None => needed_for(self.model(), &plans).map(Arc::new),
+        }
+    }
+
+    /// How long each run's plan is lower than the captures ask for, in the order of the runs.
+    pub(super) fn exposed(&self, comparison: &Comparison, needed: Option<&Needed>) -> Vec<Vec<ExposedRecord>> {
+        let ground = self.mission().ground;
+        let of_run = |run: &PlannerRun| match (run.outcome.plan(), needed, ground) {
+            (Some(plan), Some(needed), Some(ground)) => exposed(needed, &plan.trajectory, ground),
+            _ => Vec::new(),
+        };
+        let records = |found: Vec<Exposed>| found.iter().map(ExposedRecord::new).collect();
+        comparison.runs.iter().map(of_run).map(records).collect()
+    }
 }

@@ -8,6 +8,7 @@ use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::nearby::{self, Nearby};
 use crate::explain::planners::Planners;
 use crate::explain::{self, Explanation};
+use crate::flight::capture::needed::Needed;
 use crate::model::{MAX_SAMPLES_OF_A_SEARCH, Mission, Model, Problem};
 use crate::observer::{Observer, Silent, timed};
 use crate::planner::studies::rounds::{Round, rounds};
@@ -19,6 +20,7 @@ use crate::verdict::Verdict;
 use std::cell::Cell;
 use std::error::Error;
 use std::fmt;
+use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
 /// The spec has no mission to plan.
@@ -178,7 +180,7 @@ impl Error for Refusal {}
 pub struct Task<'s> {
     spec: &'s Spec,
     /// With `require capture_height`: what is planned instead of the spec's model.
-    kept: Option<Kept>,
+    pub(super) kept: Option<Kept>,
     remarks: Vec<Diagnostic>,
 }
 
@@ -190,6 +192,8 @@ pub struct Planning {
     spec: Identity,
     /// The simulated height that its limits keep, m.
     pub(super) height: Option<f64>,
+    /// The captures against which it is measured, once they are simulated.
+    pub(super) needed: OnceLock<Option<Arc<Needed>>>,
 }
 
 impl Planning {
@@ -320,7 +324,7 @@ impl<'s> Task<'s> {
     pub fn plan(&self, observer: &dyn Observer) -> Planning {
         let required = self.model().plan.require_capture;
         let height = required.and_then(|required| required.height);
-        Planning { comparison: self.run(Scope::Plan, observer), spec: self.spec.identity(), height }
+        Planning { comparison: self.run(Scope::Plan, observer), spec: self.spec.identity(), height, needed: OnceLock::new() }
     }
 
     /// As [`compare`], with an observer.
