@@ -89,7 +89,7 @@ impl<'a> Places<'a> {
         let record = task.report(planning, &Explained::default(), None);
         let mut results = Results::new(self);
         results.report(&record)?;
-        results.page(|| page::plans(Kind::Plan, &subject(task, &findings.diagnostics), comparison, &record));
+        results.page(|| page::plans(Kind::Plan, &subject(task, &findings.diagnostics), comparison, &record, &[]));
         results.print(&task.text(planning, &Explained::default(), None, results.are_coloured()))?;
         results.print("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n")?;
         results.write()?;

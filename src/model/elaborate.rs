@@ -179,8 +179,9 @@ fn whole<'a>(
     if mission.is_some() && flown.is_none() {
         return None;
     }
-    // A campaign uses every mode, and which modes a block with errors uses is unknown.
-    if names_modes && !campaign.written && !cx.softened {
+    // A campaign uses every mode, `require capture_height` those that give up yaw, and which modes a block with errors uses is
+    // unknown.
+    if names_modes && !campaign.written && plan.require_capture.is_none() && !cx.softened {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
         against::warn_unused(cx, &modes, &plan.against, &used, empty_against);

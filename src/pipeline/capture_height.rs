@@ -2,8 +2,10 @@
 
 use super::tasks::{Planning, Task};
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::{Exposed, exposed};
 use crate::flight::capture::needed::Needed;
+use crate::model::capture_height::LOW;
 use crate::model::{Detection, Model};
 use crate::motion::{Trajectory, X, Y};
 use crate::number::{number, significant};
@@ -73,7 +75,7 @@ pub(super) fn diagnose(model: &Model) -> Option<Diagnostic> {
 
 /// Whether a diagnostic is about the height that faults cost.
 pub(super) fn is_about(diagnostic: &Diagnostic) -> bool {
-    diagnostic.severity == Severity::Error && diagnostic.code.starts_with("mavc::plan::capture")
+    diagnostic.severity == Severity::Error && [LOW, HOPELESS].contains(&diagnostic.code)
 }
 
 /// The captures against which plans are measured, of a spec that gives the ground and does not require the height: at the plans'
@@ -94,6 +96,11 @@ impl Task<'_> {
     /// concerned.
     pub(super) fn needed(&self, planning: &Planning) -> Option<Arc<Needed>> {
         planning.needed.get_or_init(|| self.needed_of(planning.comparison())).clone()
+    }
+
+    /// The captures over delays of 20 to 300 ms that the page draws: at most four modes, at rest and at the largest speed.
+    pub fn capture_curves(&self, planning: &Planning) -> Vec<Capture> {
+        self.needed(planning).map_or(Vec::new(), |needed| needed.curves(self.model()))
     }
 
     /// The same for all plans of a comparison.

@@ -1,7 +1,7 @@
 //! The height that a plan should have above the ground, mode by mode and speed by speed: captures at one delay, with the rotors'
 //! own lag.
 
-use super::{Capture, capture, is_captured};
+use super::{Capture, DELAYS, capture, is_captured};
 use crate::model::Model;
 use rayon::prelude::*;
 
@@ -9,6 +9,9 @@ use rayon::prelude::*;
 const STEP: f64 = 5.0;
 /// and the most steps.
 const MOST_STEPS: usize = 8;
+
+/// The most modes of a chart.
+const DRAWN: usize = 4;
 
 /// The captures of modes at some speeds.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +41,26 @@ impl Needed {
             taken.iter().flat_map(|&mode| speeds.iter().map(move |&speed| (mode, speed))).collect();
         let cases = cases.into_par_iter().map(|(mode, speed)| capture(model, mode, 1.0, speed, delay)).collect();
         Some(Needed { delay, speeds, cases, left_out: concerned.len() - taken.len() })
+    }
+
+    /// Captures over all delays of [`DELAYS`], at the lowest and at the highest speed, of at most [`DRAWN`] modes: those that cost the
+    /// most, in the order of the modes, then by speed and delay.
+    pub fn curves(&self, model: &Model) -> Vec<Capture> {
+        let mut costly: Vec<(usize, f64)> =
+            self.modes().enumerate().map(|(k, of_mode)| (k, of_mode.iter().map(worst).fold(0.0, f64::max))).collect();
+        costly.sort_by(|a, b| b.1.total_cmp(&a.1));
+        costly.truncate(DRAWN);
+        costly.sort_by_key(|(k, _)| *k);
+        let names: Vec<&str> = self.modes().map(|of_mode| of_mode[0].mode.as_str()).collect();
+        let index = |k: usize| model.modes.iter().position(|mode| mode.name == names[k]);
+        let ends = [self.speeds[0], self.speeds[self.speeds.len() - 1]];
+        let cases: Vec<(usize, f64, f64)> = costly
+            .iter()
+            .filter_map(|(k, _)| index(*k))
+            .flat_map(|mode| ends.map(|speed| (mode, speed)))
+            .flat_map(|(mode, speed)| DELAYS.map(|delay| (mode, speed, delay)))
+            .collect();
+        cases.into_par_iter().map(|(mode, speed, delay)| capture(model, mode, 1.0, speed, delay)).collect()
     }
 
     /// The cases of each mode.
