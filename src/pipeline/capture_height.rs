@@ -98,7 +98,7 @@ impl Task<'_> {
         planning.needed.get_or_init(|| self.needed_of(planning.comparison())).clone()
     }
 
-    /// The captures over delays of 20 to 300 ms that the page draws: at most four modes, at rest and at the largest speed.
+    /// The captures over delays of 20 to 300 ms that the page draws: at most two modes, at rest and at the largest speed.
     pub fn capture_curves(&self, planning: &Planning) -> Vec<Capture> {
         self.needed(planning).map_or(Vec::new(), |needed| needed.curves(self.model()))
     }

@@ -13,7 +13,7 @@ const SIZE: [f64; 2] = [560.0, 330.0];
 const MARGINS: [f64; 4] = [46.0, 14.0, 14.0, 46.0];
 
 /// A colour for each mode, with a contrast of at least 3 on the paper of both themes, and dashes for each speed.
-const COLORS: [&str; 4] = ["#0072b2", "#d55e00", "#008a64", "#a8468a"];
+const COLORS: [&str; 2] = ["#2a7fc4", "#d55e00"];
 const DASHES: [&str; 2] = ["none", "7 4"];
 
 /// The section of a plan that was measured; `curves` are captures over delays, at rest and at the largest speed, in the order of the
@@ -37,6 +37,9 @@ pub fn section(record: &Record, curves: &[Capture]) -> Option<Section> {
 
 fn headline(captures: &CaptureRecord, exposed: &[ExposedRecord]) -> String {
     let known = format!("with the fault known after {} ms", number(1e3 * captures.delay_s));
+    if captures.captures.iter().any(|case| heights(case).is_none()) {
+        return format!("After some faults without control of yaw no height is known to be enough, {known}");
+    }
     let greatest = captures.captures.iter().filter_map(|case| case.height_m).map(|[_, _, most]| most).fold(0.0, f64::max);
     let costs = format!("A fault without control of yaw costs up to {} m, {known}", significant(greatest, 3));
     match (captures.height_m, exposed.iter().reduce(|a, b| if b.seconds > a.seconds { b } else { a })) {
@@ -139,6 +142,7 @@ fn figure(captures: &CaptureRecord, curves: &[Capture]) -> Markup {
             figcaption.note {
                 "Simulated: the median of " (flights) " flights with different noise and gusts, and their range as a band. A line ends where not "
                 "every flight regains level flight. The dotted line is the delay of the table."
+                @if captures.captures.iter().any(|case| !modes.contains(&case.mode.as_str())) { " Modes that cost less are not drawn." }
             }
         }
     }
