@@ -80,7 +80,8 @@ impl Rule<'_> {
                 None => {}
             }
         }
-        let above = |leg: usize, part: Part| self.limit(LimitKind::Z, (Some(self.level), None), Bounded::Coordinate, leg, part);
+        let above =
+            |leg: usize, part: Part| self.limit(LimitKind::Z, (Some(self.level), None), Bounded::Coordinate, leg, part);
         let near = |leg: usize, centre: [f64; 3]| {
             let about = Bounded::FromAxis([centre[0], centre[1]]);
             self.limit(LimitKind::Distance, (None, Some(self.radius)), about, leg, Part::Whole)

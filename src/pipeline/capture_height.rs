@@ -6,7 +6,7 @@ use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::{Exposed, exposed};
 use crate::flight::capture::needed::Needed;
 use crate::model::capture_height::LOW;
-use crate::model::{Detection, Model};
+use crate::model::{Detection, Mission, Model};
 use crate::motion::{Trajectory, X, Y};
 use crate::number::{number, significant};
 use crate::planner::studies::{Comparison, PlannerRun};
@@ -38,11 +38,12 @@ pub(super) struct Kept {
 /// No height is enough, or the waypoints are too low.
 pub(super) fn keep(model: &Model) -> Result<(Option<Kept>, Option<Diagnostic>), Box<Diagnostic>> {
     let mission = model.mission.as_ref();
-    let Some((required, top)) = model.plan.require_capture.zip(mission.and_then(|mission| mission.top_speed())) else {
+    let Some((required, top)) = model.plan.require_capture.zip(mission.and_then(Mission::top_speed)) else {
         return Ok((None, None));
     };
     let Some(needed) = Needed::simulate(model, required.delay, top, usize::MAX) else {
-        let message = "`require capture_height` has no effect: no declared fault mode gives up yaw and can hover without it";
+        let message =
+            "`require capture_height` has no effect: no declared fault mode gives up yaw and can hover without it";
         let warning = Diagnostic::warning(IDLE, required.span, message).here("concerns no mode");
         let help = "remove it, or declare such a mode, as in `every 1 rotor lost as L` of a quadcopter with `yaw_drag`";
         return Ok((None, Some(warning.help(help))));

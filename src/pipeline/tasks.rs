@@ -324,7 +324,12 @@ impl<'s> Task<'s> {
     pub fn plan(&self, observer: &dyn Observer) -> Planning {
         let required = self.model().plan.require_capture;
         let height = required.and_then(|required| required.height);
-        Planning { comparison: self.run(Scope::Plan, observer), spec: self.spec.identity(), height, needed: OnceLock::new() }
+        Planning {
+            comparison: self.run(Scope::Plan, observer),
+            spec: self.spec.identity(),
+            height,
+            needed: OnceLock::new(),
+        }
     }
 
     /// As [`compare`], with an observer.

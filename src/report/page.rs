@@ -60,13 +60,7 @@ pub enum Kind {
 
 /// The page of `mavc plan` or `mavc compare`; `record` is the JSON report, and `captures` are those that are drawn over delays.
 /// Complete HTML, the same for the same input.
-pub fn plans(
-    kind: Kind,
-    subject: &Subject,
-    comparison: &Comparison,
-    record: &Record,
-    captures: &[Capture],
-) -> String {
+pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Record, captures: &[Capture]) -> String {
     let problem = subject.problem;
     let (model, mission) = (problem.model(), problem.mission());
     let analyses = analyze_each(model);

@@ -107,7 +107,11 @@ fn certificates_of_another_height_are_decided_by_that_height() {
 
 #[test]
 fn a_dip_below_the_height_is_rejected() {
-    let both = |z: f64| format!("waypoint at [0, 0, 12] m; waypoint at [8, 0, {z}] m; waypoint at [15, 0, 12] m; waypoint at [15, 0, 3] m");
+    let both = |z: f64| {
+        format!(
+            "waypoint at [0, 0, 12] m; waypoint at [8, 0, {z}] m; waypoint at [15, 0, 12] m; waypoint at [15, 0, 3] m"
+        )
+    };
     let (high, low) = (spec(&text("ground = 0 m", &both(12.0), REQUIRED)), spec(&text("ground = 0 m", &both(6.0), "")));
     let mut dips = mavc::certify(&low, &planned(&low)).unwrap();
     dips.capture_height_m = Some(7.0);
@@ -152,8 +156,8 @@ fn waypoints_show_where_the_way_up_ends() {
 #[test]
 fn where_no_height_is_enough_nothing_is_planned() {
     // With twice the lag some rotors' losses are not survived at 5 m/s and 150 ms: `mavc analyze --capture`.
-    let slow = text("ground = 0 m", OVER, "require capture_height { detection = 150 ms }")
-        .replace("20 ms }", "40 ms }");
+    let slow =
+        text("ground = 0 m", OVER, "require capture_height { detection = 150 ms }").replace("20 ms }", "40 ms }");
     let Refusal::TooLow(found) = refusal(&slow) else { panic!() };
     assert_eq!(found[0].code, "mavc::plan::capture_unregained");
     assert!(found[0].message.contains("after mode L: with the fault known after 150 ms at 5 m/s, 0 of 5"), "{found:?}");
@@ -185,7 +189,8 @@ fn reports_tell_when_a_plan_is_lower() {
     let planner = &record["planners"][0];
     assert!((planner["exposed"][0]["seconds"].as_f64().unwrap() - 16.0).abs() < 1e-9, "{planner}");
     assert_eq!(planner["exposed"][0]["intervals_s"], serde_json::json!([[0.0, 16.0]]));
-    let kinds: Vec<&str> = planner["warnings"].as_array().unwrap().iter().map(|w| w["kind"].as_str().unwrap()).collect();
+    let kinds: Vec<&str> =
+        planner["warnings"].as_array().unwrap().iter().map(|w| w["kind"].as_str().unwrap()).collect();
     assert!(kinds.contains(&"capture_height"), "{kinds:?}");
     assert!(told.contains("If mode L strikes from 0.00 s to 16.00 s, the plan is too low"), "{told}");
     assert_eq!(record["capture_height"]["delay_s"], 0.1);

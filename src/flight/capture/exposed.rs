@@ -1,7 +1,7 @@
 //! When a plan flies lower than its captures ask for.
 
-use super::needed::Needed;
 use super::Capture;
+use super::needed::Needed;
 use crate::motion::{NodeState, Trajectory, X, Y, Z};
 use crate::tolerance::MOST_PAST_LIMIT;
 
@@ -32,9 +32,7 @@ pub fn exposed(needed: &Needed, trajectory: &Trajectory, ground: f64) -> Vec<Exp
 }
 
 fn of(needed: &Needed, of_mode: &[Capture], trajectory: &Trajectory, ground: f64) -> Option<Exposed> {
-    let short = |state: &NodeState| {
-        needed.height(of_mode, state[X][1].hypot(state[Y][1])) - (state[Z][0] - ground)
-    };
+    let short = |state: &NodeState| needed.height(of_mode, state[X][1].hypot(state[Y][1])) - (state[Z][0] - ground);
     let mut found = Exposed {
         mode: of_mode[0].mode.clone(),
         seconds: 0.0,

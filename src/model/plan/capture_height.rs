@@ -95,7 +95,8 @@ pub fn check(
     let Written { radius, detection, span } = written;
     let mut fine = true;
     let mut needs = |what: &str, at: Option<Span>, label: &str, help: &str| {
-        let error = Diagnostic::error(CODE, span, format!("`require capture_height` needs {what}")).here("required here");
+        let error =
+            Diagnostic::error(CODE, span, format!("`require capture_height` needs {what}")).here("required here");
         let error = at.map_or(error.clone(), |at| error.also(at, label));
         cx.report(error.help(help));
         fine = false;

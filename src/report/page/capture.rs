@@ -40,7 +40,8 @@ fn headline(captures: &CaptureRecord, exposed: &[ExposedRecord]) -> String {
     if captures.captures.iter().any(|case| heights(case).is_none()) {
         return format!("After some faults without control of yaw no height is known to be enough, {known}");
     }
-    let greatest = captures.captures.iter().filter_map(|case| case.height_m).map(|[_, _, most]| most).fold(0.0, f64::max);
+    let greatest =
+        captures.captures.iter().filter_map(|case| case.height_m).map(|[_, _, most]| most).fold(0.0, f64::max);
     let costs = format!("A fault without control of yaw costs up to {} m, {known}", significant(greatest, 3));
     match (captures.height_m, exposed.iter().reduce(|a, b| if b.seconds > a.seconds { b } else { a })) {
         (Some(height), _) => format!("{costs}; the plan keeps {} m outside of start and end", significant(height, 3)),
@@ -81,68 +82,112 @@ impl Scale {
     }
 
     fn points(&self, line: &[(f64, f64)]) -> String {
-        let point = |(delay, height): &(f64, f64)| format!("{},{}", fixed(self.x(*delay), 1), fixed(self.y(*height), 1));
+        let point =
+            |(delay, height): &(f64, f64)| format!("{},{}", fixed(self.x(*delay), 1), fixed(self.y(*height), 1));
         line.iter().map(point).collect::<Vec<_>>().join(" ")
     }
 }
 
-fn figure(captures: &CaptureRecord, curves: &[Capture]) -> Markup {
-    let scale = Scale::of(curves);
-    let lines: Vec<&[Capture]> =
-        curves.chunk_by(|a, b| a.mode == b.mode && a.speed_m_per_s == b.speed_m_per_s).collect();
-    let modes: Vec<&str> = lines.chunk_by(|a, b| a[0].mode == b[0].mode).map(|of| of[0][0].mode.as_str()).collect();
-    let color = |line: &[Capture]| {
-        COLORS[modes.iter().position(|mode| *mode == line[0].mode).unwrap_or(0) % COLORS.len()]
+/// One curve: a mode at a speed, over delays.
+struct Curve<'a> {
+    cases: &'a [Capture],
+    color: &'static str,
+    dash: &'static str,
+}
+
+fn figure(captures: &CaptureRecord, drawn: &[Capture]) -> Markup {
+    let scale = Scale::of(drawn);
+    let of: Vec<&[Capture]> = drawn.chunk_by(|a, b| a.mode == b.mode && a.speed_m_per_s == b.speed_m_per_s).collect();
+    let modes: Vec<&str> = of.chunk_by(|a, b| a[0].mode == b[0].mode).map(|of| of[0][0].mode.as_str()).collect();
+    let curve = |cases: &&'_ [Capture]| {
+        let mode = modes.iter().position(|mode| *mode == cases[0].mode).unwrap_or(0);
+        (COLORS[mode % COLORS.len()], DASHES[usize::from(cases[0].speed_m_per_s > 0.0)])
     };
-    let dash = |line: &[Capture]| if line[0].speed_m_per_s > 0.0 { DASHES[1] } else { DASHES[0] };
-    let flights = curves.first().map_or(0, |case| case.flights);
-    let [left, right] = [scale.x(0.0), scale.x(scale.longest)];
-    let [bottom, top] = [scale.y(0.0), scale.y(scale.highest)];
-    let heights_of_grid = (0..=(scale.highest / scale.step).round() as usize).map(|k| k as f64 * scale.step);
-    let delays_of_grid: Vec<f64> = (0..=6).map(|k| scale.longest * f64::from(k) / 6.0).collect();
-    let view = format!("0 0 {} {}", SIZE[0], SIZE[1]);
+    let curves: Vec<Curve> = of
+        .iter()
+        .map(|cases| {
+            let (color, dash) = curve(cases);
+            Curve { cases, color, dash }
+        })
+        .collect();
+    let flights = drawn.first().map_or(0, |case| case.flights);
     html! {
         figure {
-            div.legend {
-                @for line in &lines {
-                    span.entry {
-                        svg width="26" height="10" aria-hidden="true" {
-                            line x1="0" y1="5" x2="26" y2="5" stroke=(color(line)) stroke-width="2.5" stroke-dasharray=(dash(line)) { }
-                        }
-                        (line[0].mode) " at " (unbroken(&format!("{} m/s", significant(line[0].speed_m_per_s, 3))))
-                    }
-                }
-            }
-            svg viewBox=(view) width="100%" role="img" aria-label="Height lost against the delay until the fault is known, simulated" {
-                @for height in heights_of_grid {
-                    line x1=(left) x2=(right) y1=(fixed(scale.y(height), 1)) y2=(fixed(scale.y(height), 1)) stroke="var(--grid)" { }
-                    text x=(left - 7.0) y=(fixed(scale.y(height) + 4.0, 1)) text-anchor="end" font-size="12" fill="var(--soft)" { (number(height)) }
-                }
-                @for delay in &delays_of_grid {
-                    line x1=(fixed(scale.x(*delay), 1)) x2=(fixed(scale.x(*delay), 1)) y1=(top) y2=(bottom) stroke="var(--grid)" { }
-                    text x=(fixed(scale.x(*delay), 1)) y=(bottom + 17.0) text-anchor="middle" font-size="12" fill="var(--soft)" { (number(1e3 * delay)) }
-                }
-                text x=(0.5 * (left + right)) y=(SIZE[1] - 8.0) text-anchor="middle" font-size="12" fill="var(--soft)" { "delay until the fault is known, ms" }
-                text transform={ "rotate(-90) translate(" (-0.5 * (top + bottom)) " 12)" } text-anchor="middle" font-size="12" fill="var(--soft)" { "height lost, m" }
-                @if captures.delay_s <= scale.longest {
-                    line x1=(fixed(scale.x(captures.delay_s), 1)) x2=(fixed(scale.x(captures.delay_s), 1)) y1=(top) y2=(bottom) stroke="var(--soft)" stroke-dasharray="2 3" { }
-                }
-                @for line in &lines {
-                    @for part in parts(line) {
-                        @let spread: Vec<(f64, f64)> = part.iter().map(|(t, h)| (*t, h[0])).chain(part.iter().rev().map(|(t, h)| (*t, h[2]))).collect();
-                        @let middle: Vec<(f64, f64)> = part.iter().map(|(t, h)| (*t, h[1])).collect();
-                        polygon points=(scale.points(&spread)) fill=(color(line)) fill-opacity="0.22" stroke="none" { }
-                        polyline points=(scale.points(&middle)) fill="none" stroke=(color(line)) stroke-width="2.2" stroke-dasharray=(dash(line)) { }
-                        @for (delay, height) in &middle {
-                            circle cx=(fixed(scale.x(*delay), 1)) cy=(fixed(scale.y(*height), 1)) r="2.6" fill=(color(line)) { }
-                        }
-                    }
-                }
+            div.legend { @for curve in &curves { (curve.entry()) } }
+            svg viewBox={ "0 0 " (SIZE[0]) " " (SIZE[1]) } width="100%" role="img" aria-label="Height lost against the delay until the fault is known, simulated" {
+                (scale.axes())
+                @if captures.delay_s <= scale.longest { (scale.upright(captures.delay_s, "var(--soft)", "2 3")) }
+                @for curve in &curves { (curve.draw(&scale)) }
             }
             figcaption.note {
                 "Simulated: the median of " (flights) " flights with different noise and gusts, and their range as a band. A line ends where not "
                 "every flight regains level flight. The dotted line is the delay of the table."
                 @if captures.captures.iter().any(|case| !modes.contains(&case.mode.as_str())) { " Modes that cost less are not drawn." }
+            }
+        }
+    }
+}
+
+impl Scale {
+    /// A vertical line at a delay.
+    fn upright(&self, delay: f64, stroke: &str, dash: &str) -> Markup {
+        let x = fixed(self.x(delay), 1);
+        html! { line x1=(x) x2=(x) y1=(self.y(self.highest)) y2=(self.y(0.0)) stroke=(stroke) stroke-dasharray=(dash) { } }
+    }
+
+    /// Grid, numbers and names of both axes.
+    fn axes(&self) -> Markup {
+        let [left, right] = [self.x(0.0), self.x(self.longest)];
+        let [bottom, top] = [self.y(0.0), self.y(self.highest)];
+        let heights = (0..=(self.highest / self.step).round() as usize).map(|k| k as f64 * self.step);
+        let delays = (0..=6).map(|k| self.longest * f64::from(k) / 6.0);
+        let words = |x: f64, y: f64, anchor: &str, text: &str| {
+            html! { text x=(fixed(x, 1)) y=(fixed(y, 1)) text-anchor=(anchor) font-size="12" fill="var(--soft)" { (text) } }
+        };
+        let turned = format!("rotate(-90) translate({} 12)", fixed(-0.5 * (top + bottom), 1));
+        html! {
+            @for height in heights {
+                @let y = fixed(self.y(height), 1);
+                line x1=(left) x2=(right) y1=(y) y2=(y) stroke="var(--grid)" { }
+                (words(left - 7.0, self.y(height) + 4.0, "end", &number(height)))
+            }
+            @for delay in delays {
+                (self.upright(delay, "var(--grid)", "none"))
+                (words(self.x(delay), bottom + 17.0, "middle", &number(1e3 * delay)))
+            }
+            (words(0.5 * (left + right), SIZE[1] - 8.0, "middle", "delay until the fault is known, ms"))
+            g transform=(turned) { (words(0.0, 0.0, "middle", "height lost, m")) }
+        }
+    }
+}
+
+impl Curve<'_> {
+    /// Its entry of the legend.
+    fn entry(&self) -> Markup {
+        let Capture { mode, speed_m_per_s, .. } = &self.cases[0];
+        html! {
+            span.entry {
+                svg width="26" height="10" aria-hidden="true" {
+                    line x1="0" y1="5" x2="26" y2="5" stroke=(self.color) stroke-width="2.5" stroke-dasharray=(self.dash) { }
+                }
+                (mode) " at " (unbroken(&format!("{} m/s", significant(*speed_m_per_s, 3))))
+            }
+        }
+    }
+
+    /// The median as a line, and the range as a band.
+    fn draw(&self, scale: &Scale) -> Markup {
+        let of = |part: &[(f64, [f64; 3])], which: usize| -> Vec<(f64, f64)> {
+            part.iter().map(|(delay, heights)| (*delay, heights[which])).collect()
+        };
+        html! {
+            @for part in parts(self.cases) {
+                @let spread: Vec<(f64, f64)> = of(&part, 0).into_iter().chain(of(&part, 2).into_iter().rev()).collect();
+                polygon points=(scale.points(&spread)) fill=(self.color) fill-opacity="0.22" stroke="none" { }
+                polyline points=(scale.points(&of(&part, 1))) fill="none" stroke=(self.color) stroke-width="2.2" stroke-dasharray=(self.dash) { }
+                @for (delay, height) in of(&part, 1) {
+                    circle cx=(fixed(scale.x(delay), 1)) cy=(fixed(scale.y(height), 1)) r="2.6" fill=(self.color) { }
+                }
             }
         }
     }
