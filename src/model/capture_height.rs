@@ -145,7 +145,7 @@ impl Rule<'_> {
     fn too_far(&self, index: usize, centre: [f64; 3], of: &str) -> Box<Diagnostic> {
         let at = &self.mission.waypoints[index];
         let apart = significant(horizontal(at.position, centre), 3);
-        let message = format!("no waypoint within {} m of the {of} is {}", number(self.radius), self.height());
+        let message = format!("no waypoint within {} m of the {of} reaches {}", number(self.radius), self.height());
         let (before, label) = match of {
             "start" => ("before", format!("the first one that high, {apart} m from the start")),
             _ => ("after", format!("the last one that high, {apart} m from the end")),
@@ -161,7 +161,7 @@ impl Rule<'_> {
         let points = self.mission.waypoints.iter().enumerate();
         let highest = points.max_by(|a, b| a.1.position[2].total_cmp(&b.1.position[2]));
         let (index, at) = highest.unwrap_or((0, &self.mission.waypoints[0]));
-        let message = format!("no waypoint is {}, as `require capture_height` needs", self.height());
+        let message = format!("no waypoint reaches {}, as `require capture_height` needs", self.height());
         let label = format!("{} is the highest, at {} m", which((index, at)), number(at.position[2]));
         let help = format!("raise waypoints to {} m or more", self.written(self.level));
         Box::new(self.error(at, message, &label).help(help))

@@ -1,9 +1,11 @@
 //! `require capture_height`: the height that a fault without control of yaw costs, kept by plans.
 
 use mavc::certificate::Certificate;
+use mavc::flight::capture::Capture;
 use mavc::flight::capture::needed::Needed;
 use mavc::flight::{Outcome, Sortie, fly};
 use mavc::model::{AfterFault, Detection, LimitKind, Strike};
+use mavc::report::page::{self, Kind, Subject};
 use mavc::{Planning, Refusal, Spec, Task};
 
 /// A quadcopter that may lose rotor 1, and a mission over a yard; `{ground}`, `{up}` and `{require}` are filled in.
@@ -150,7 +152,7 @@ fn waypoints_show_where_the_way_up_ends() {
     assert!(down.contains("no waypoint within 4 m of the end") && down.contains("after it"), "{down}");
     let between = "waypoint at [0, 0, 12] m; waypoint at [8, 0, 6] m; waypoint at [15, 0, 12] m";
     assert!(code(between).contains("waypoint 3 is 1."), "{}", code(between));
-    assert!(code("waypoint at [15, 0, 3] m").contains("no waypoint is 7."));
+    assert!(code("waypoint at [15, 0, 3] m").contains("no waypoint reaches 7."));
 }
 
 #[test]
@@ -208,6 +210,43 @@ fn reports_tell_when_a_plan_is_lower() {
     let (record, told) = report(&text("", low, ""));
     assert!(record.get("capture_height").is_none() && record["planners"][0].get("exposed").is_none());
     assert!(!told.contains("level flight"), "{told}");
+}
+
+#[test]
+fn the_page_draws_heights_over_delays() {
+    let spec = spec(&text("ground = 0 m", OVER, &format!("{REQUIRED}; model = hover")));
+    let (task, planning) = (Task::new(&spec).unwrap(), planned(&spec));
+    let record = task.report(&planning, &mavc::Explained::default(), None);
+    let case = |speed: f64, delay: f64, regained: usize| Capture {
+        mode: "L".into(),
+        lag_s: 0.02,
+        speed_m_per_s: speed,
+        delay_s: delay,
+        flights: 5,
+        regained,
+        height_m: Some([20.0 * delay, 30.0 * delay, 40.0 * delay]),
+        drift_m: None,
+    };
+    let at = |speed: f64, regained: [usize; 5]| {
+        (1_u8..).zip(regained).map(move |(k, n)| case(speed, 0.05 * f64::from(k), n))
+    };
+    // At 5 m/s not all flights regain level flight after 150 ms: the line has a gap there.
+    let curves: Vec<Capture> = at(0.0, [5; 5]).chain(at(5.0, [5, 5, 4, 5, 5])).collect();
+    let subject = Subject { problem: task.problem(), sources: spec.sources(), diagnostics: &[] };
+    let page = page::plans(Kind::Plan, &subject, planning.comparison(), &record, &curves);
+    let (_, section) = page.split_once("<section id=\"capture\">").unwrap();
+    let (section, _) = section.split_once("</section>").unwrap();
+    let lines: Vec<usize> = section
+        .split("<polyline points=\"")
+        .skip(1)
+        .map(|rest| rest.split_once('"').unwrap().0.split(' ').count())
+        .collect();
+    assert_eq!(lines, [5, 2, 2]);
+    // Heights of 30 m a second of delay up to 7.5 m at 0.25 s, on a scale to 10 m: 75 % of the way from 0 (y = 284) to 10 m (14).
+    assert!(section.contains("546.0,81.5"), "{section}");
+    assert!(section.contains("Simulated: the median of 5 flights") && section.contains("L</th>"));
+    let without = page::plans(Kind::Plan, &subject, planning.comparison(), &record, &[]);
+    assert!(without.contains("Table of heights") && !without.contains("<polyline"));
 }
 
 #[test]
