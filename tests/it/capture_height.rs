@@ -1,10 +1,12 @@
 //! `require capture_height`: the height that a fault without control of yaw costs, kept by plans.
 
+use crate::schemas::{assert_strict, schema};
 use mavc::certificate::Certificate;
 use mavc::flight::capture::Capture;
 use mavc::flight::capture::needed::Needed;
 use mavc::flight::{Outcome, Sortie, fly};
 use mavc::model::{AfterFault, Detection, LimitKind, Strike};
+use mavc::observer::Silent;
 use mavc::report::page::{self, Kind, Subject};
 use mavc::{Planning, Refusal, Spec, Task};
 
@@ -66,6 +68,7 @@ fn plans_of_both_models_keep_the_height_and_a_flight_in_it_survives() {
         }
         let certificate = mavc::certify(&spec, &planning).unwrap();
         assert_eq!(certificate.capture_height_m, Some(height));
+        schema("certificate").assert_valid(&serde_json::to_value(&certificate).unwrap());
         let shown = mavc::verify(&serde_json::to_vec(&certificate).unwrap(), &spec).unwrap();
         assert!(shown.shown.iter().any(|shown| shown.statement == "capture height"), "{:?}", shown.shown);
         assert!(shown.weaker.iter().any(|weaker| weaker.contains("was simulated, not proved")), "{:?}", shown.weaker);
@@ -180,7 +183,8 @@ fn a_mode_that_keeps_yaw_is_not_concerned() {
 fn reports_tell_when_a_plan_is_lower() {
     let report = |text: &str| {
         let spec = spec(text);
-        let (task, planning) = (Task::new(&spec).unwrap(), planned(&spec));
+        let task = Task::new(&spec).unwrap();
+        let planning = task.plan(&Silent);
         let explained = mavc::Explained::default();
         let text = task.text(&planning, &explained, None, false);
         (serde_json::to_value(task.report(&planning, &explained, None)).unwrap(), text)
@@ -205,6 +209,9 @@ fn reports_tell_when_a_plan_is_lower() {
     assert_eq!((intervals[0][0].as_f64(), intervals[1][1].as_f64()), (Some(0.0), Some(16.0)));
     assert!(told.contains("m above the ground outside 4 m of start and end") && !told.contains("too low"), "{told}");
     assert_eq!(record["capture_height"]["radius_m"], 4.0);
+    let of_report = schema("report");
+    of_report.assert_valid(&record);
+    assert_strict(&of_report, &record, &["capture_height", "exposed", "height_m", "radius_m"]);
 
     // Without a ground nothing is simulated, and nothing told.
     let (record, told) = report(&text("", low, ""));
@@ -215,7 +222,8 @@ fn reports_tell_when_a_plan_is_lower() {
 #[test]
 fn the_page_draws_heights_over_delays() {
     let spec = spec(&text("ground = 0 m", OVER, &format!("{REQUIRED}; model = hover")));
-    let (task, planning) = (Task::new(&spec).unwrap(), planned(&spec));
+    let task = Task::new(&spec).unwrap();
+    let planning = task.plan(&Silent);
     let record = task.report(&planning, &mavc::Explained::default(), None);
     let case = |speed: f64, delay: f64, regained: usize| Capture {
         mode: "L".into(),
