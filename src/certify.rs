@@ -8,7 +8,7 @@ mod infeasible;
 mod witness;
 
 use crate::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
-use crate::model::{MissionTime, PlanModel, Problem};
+use crate::model::{MissionTime, Model, PlanModel, Problem};
 use crate::motion::time_grid::determined;
 use crate::planner::studies::{Comparison, PlanOutcome, Proof, Verification};
 use crate::planner::timing::kinematics::{ROUNDING, least_time_within};
@@ -26,6 +26,7 @@ pub fn of(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Res
         Some((_, PlanOutcome::Planned(solved))) => {
             let mut certificate =
                 witness::certificate(problem.model(), &solved.trajectory, &comparison.selected_by, spec_sha256);
+            certificate.capture_height_m = height(model);
             if let Claim::Plan(claim) = &mut certificate.claim {
                 // A time that the spec fixes needs no bound.
                 let is_open = determined(mission).is_none();
@@ -45,6 +46,11 @@ pub fn of(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Res
         }
         _ => by_multipliers(problem, comparison, spec_sha256),
     }
+}
+
+/// The simulated height that the limits of a mission keep, m.
+fn height(model: &Model) -> Option<f64> {
+    model.plan.require_capture.and_then(|required| required.height)
 }
 
 /// The certificate that the last run has no plan on the spec's grid of nodes: multipliers of its rows.
@@ -80,7 +86,7 @@ fn too_early(problem: Problem, spec_sha256: String) -> Result<Certificate, Strin
         PlanModel::Hover => DynamicModel::Hover,
         PlanModel::Exact => DynamicModel::Exact,
     };
-    let certificate = Certificate { schema: SCHEMA, spec_sha256, model: kind, claim };
+    let certificate = Certificate { schema: SCHEMA, spec_sha256, model: kind, capture_height_m: height(model), claim };
     // A certificate that does not show its claim is not written.
     match verify::decide(&certificate, model, Settings::default()) {
         Ok(_) => Ok(certificate),

@@ -89,6 +89,8 @@ pub enum Group {
     Battery,
     /// The fields of `mode` and `every`.
     Mode,
+    /// The fields of `mission`, beside its statements.
+    Mission,
     Curve,
     /// The options after the range of a `curve`.
     CurveHead,
@@ -99,6 +101,8 @@ pub enum Group {
     Volume,
     Air,
     Plan,
+    /// The fields of `require capture_height`.
+    Requirement,
     Simulate,
     /// The clauses of `fault` in `simulate`.
     Strike,
@@ -109,13 +113,14 @@ pub enum Group {
 
 impl Group {
     /// Every group that has entries.
-    pub const ALL: [Group; 16] = [
+    pub const ALL: [Group; 18] = [
         Group::Top,
         Group::Vehicle,
         Group::Rotor,
         Group::PlacedRotor,
         Group::Battery,
         Group::Mode,
+        Group::Mission,
         Group::Curve,
         Group::CurveHead,
         Group::Waypoint,
@@ -123,6 +128,7 @@ impl Group {
         Group::Volume,
         Group::Air,
         Group::Plan,
+        Group::Requirement,
         Group::Simulate,
         Group::Strike,
         Group::Campaign,
@@ -140,10 +146,12 @@ impl Group {
             Place::Limits => Group::Limits,
             Place::KeepIn | Place::KeepOut => Group::Volume,
             Place::Air => Group::Air,
+            Place::Mission => Group::Mission,
             Place::Plan => Group::Plan,
+            Place::Requirement => Group::Requirement,
             Place::Simulate => Group::Simulate,
             Place::Campaign => Group::Campaign,
-            Place::Rotors | Place::Faults | Place::Mission | Place::Unknown => Group::Nothing,
+            Place::Rotors | Place::Faults | Place::Unknown => Group::Nothing,
         }
     }
 
@@ -161,7 +169,7 @@ impl Group {
     pub fn within(place: Place) -> &'static [Group] {
         match place {
             Place::Rotors => &[Group::PlacedRotor],
-            Place::Mission => &[Group::Waypoint],
+            Place::Mission => &[Group::Mission, Group::Waypoint],
             Place::Curve => &[Group::Curve, Group::CurveHead],
             Place::Simulate => &[Group::Simulate, Group::Strike],
             Place::Top => &[Group::Top],
@@ -173,6 +181,7 @@ impl Group {
             Place::KeepIn | Place::KeepOut => &[Group::Volume],
             Place::Air => &[Group::Air],
             Place::Plan => &[Group::Plan],
+            Place::Requirement => &[Group::Requirement],
             Place::Campaign => &[Group::Campaign],
             Place::Faults | Place::Unknown => &[],
         }
@@ -187,6 +196,7 @@ impl Group {
             Group::PlacedRotor => table::placed_rotor::ENTRIES,
             Group::Battery => table::battery::ENTRIES,
             Group::Mode => table::mode::ENTRIES,
+            Group::Mission => table::mission::ENTRIES,
             Group::Curve => table::curve::ENTRIES,
             Group::CurveHead => table::curve_head::ENTRIES,
             Group::Waypoint => table::waypoint::ENTRIES,
@@ -194,6 +204,7 @@ impl Group {
             Group::Volume => table::volume::ENTRIES,
             Group::Air => table::air::ENTRIES,
             Group::Plan => table::plan::ENTRIES,
+            Group::Requirement => table::requirement::ENTRIES,
             Group::Simulate => table::simulate::ENTRIES,
             Group::Strike => table::strike::ENTRIES,
             Group::Campaign => table::campaign::ENTRIES,

@@ -9,6 +9,7 @@ mod battery;
 mod blame;
 mod blocks;
 mod campaign;
+pub mod capture_height;
 mod context;
 mod display;
 mod due;
@@ -66,7 +67,7 @@ pub(crate) use near_files::is_unfit;
 pub use near_files::{List, entries};
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use plan::{MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH};
-pub use plan_settings::{MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
+pub use plan_settings::{CaptureHeight, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
 pub use problem::Problem;
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
@@ -250,6 +251,8 @@ pub struct Mission {
     pub limits: Vec<Limit>,
     pub volumes: Vec<Volume>,
     pub air: Air,
+    /// z of the ground, below every waypoint, m, if the spec gives it.
+    pub ground: Option<f64>,
     pub span: Span,
 }
 

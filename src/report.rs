@@ -8,6 +8,7 @@ pub mod between;
 pub mod binding;
 pub mod campaign_record;
 pub mod campaign_text;
+pub mod capture_height;
 pub mod capture_text;
 pub mod caveats;
 pub mod comparison_text;

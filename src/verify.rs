@@ -3,6 +3,7 @@
 //! errors. The conditions to check follow from the spec; docs/certificates.md states them as a theorem, whose premises are
 //! those of [`Premise`].
 
+mod capture_height;
 pub mod core;
 pub mod cost;
 pub mod dyadic;
@@ -310,6 +311,7 @@ pub fn decide_at_nodes(certificate: &Certificate, model: &Model, settings: Setti
 }
 
 fn decided(certificate: &Certificate, model: &Model, settings: Settings, between: bool) -> Result<Verdict, Refusal> {
+    let model = &*capture_height::kept(certificate, model)?;
     let Some(problem) = Problem::of(model) else {
         return Err(Rejection::new("the mission", "the spec has none").into());
     };
@@ -345,7 +347,8 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
                 found.shown.push(Shown { statement, reach: None });
             }
             let headline = plan_headline(problem, found.total, &claim.selected_by);
-            Ok(Verdict { headline, shown: found.shown, weaker: found.weaker, undecided: found.undecided })
+            let weaker = found.weaker.into_iter().chain(capture_height::weaker(model)).collect();
+            Ok(Verdict { headline, shown: found.shown, weaker, undecided: found.undecided })
         }
         Claim::TooEarly(claim) => {
             let headline = match settings.premises.has(Premise::LeastTime) {
@@ -354,7 +357,11 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
             };
             Ok(Verdict { headline, shown: Vec::new(), weaker: Vec::new(), undecided: Vec::new() })
         }
-        Claim::Infeasible(claim) => infeasible::decide(&setting, certificate.model, claim, settings.budget),
+        Claim::Infeasible(claim) => {
+            let mut verdict = infeasible::decide(&setting, certificate.model, claim, settings.budget)?;
+            verdict.weaker.extend(capture_height::weaker(model));
+            Ok(verdict)
+        }
     }
 }
 

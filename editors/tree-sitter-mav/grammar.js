@@ -69,7 +69,7 @@ module.exports = grammar({
       choice(
         $.vehicle, $.faults, $.mission, $.plan, $.simulate, $.campaign, $.limits, $.volume, $.mode, $.curve,
         $.rotor_block, $.rotors_block, $.battery, $.air, alias($._every_block, $.every), alias($._start_block, $.start),
-        alias($._waypoint_block, $.waypoint),
+        alias($._waypoint_block, $.waypoint), alias($._requirement_block, $.requirement),
       ),
 
     // ---- blocks
@@ -115,6 +115,7 @@ module.exports = grammar({
       ),
 
     requirement: ($) => seq('require', field('name', $.name), '<=', field('value', $.expression)),
+    _requirement_block: ($) => seq('require', field('name', $.name), field('body', $.body)),
     import: ($) => seq('use', field('path', $.text)),
     binding: ($) => seq('let', field('name', $.name), '=', field('value', $.expression)),
 

@@ -91,7 +91,13 @@ pub fn certificate(
     let mut last = String::from("no multipliers were found");
     for (part, share) in tried {
         let claim = Claim::Infeasible(about(part, share));
-        let certificate = Certificate { schema: SCHEMA, spec_sha256: sha256.clone(), model: kind, claim };
+        let certificate = Certificate {
+            schema: SCHEMA,
+            spec_sha256: sha256.clone(),
+            model: kind,
+            capture_height_m: super::height(problem.model()),
+            claim,
+        };
         // A certificate that does not show its claim is not written.
         match verify::decide(&certificate, model, Settings::default()) {
             Ok(_) => return Ok(certificate),

@@ -17,7 +17,8 @@ pub(super) fn certificate(
     let selected_by = selected_by.iter().map(motion).collect();
     let claim =
         PlanClaim { motion: motion(trajectory), selected_by, without_yaw: without_yaw(model), least_time_s: None };
-    Certificate { schema: SCHEMA, spec_sha256: sha256, model: model_of(trajectory), claim: Claim::Plan(claim) }
+    let (model, claim) = (model_of(trajectory), Claim::Plan(claim));
+    Certificate { schema: SCHEMA, spec_sha256: sha256, model, capture_height_m: None, claim }
 }
 
 /// The modes for which a plan of the model gives up yaw; none for RIP, which no mode concerns.

@@ -31,7 +31,7 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let record = task.comparison_report(&comparison, rounds.as_deref());
     let mut results = Results::new(&places);
     results.report(&record)?;
-    results.page(|| page::plans(Kind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record));
+    results.page(|| page::plans(Kind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record, &[]));
     results.print(&comparison_text::compare(problem, &comparison, results.are_coloured()))?;
     if let Some(rounds) = &rounds {
         results.print(&comparison_text::rounds(problem, &comparison, rounds))?;

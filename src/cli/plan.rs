@@ -49,7 +49,9 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         results.report(&record)?;
         let shown: Vec<Diagnostic> = findings.diagnostics.iter().chain(&conflict).cloned().collect();
         let comparison = planning.comparison();
-        results.page(|| page::plans(Kind::Plan, &subject(&task, &shown), comparison, &record));
+        results.page(|| {
+            page::plans(Kind::Plan, &subject(&task, &shown), comparison, &record, &task.capture_curves(&planning))
+        });
         let text = task.text(&planning, &explained, between.as_deref(), results.are_coloured());
         results.print(&text)?;
         results.charts(&subject(&task, &[]), comparison)?;

@@ -89,7 +89,7 @@ impl<'a> Places<'a> {
         let record = task.report(planning, &Explained::default(), None);
         let mut results = Results::new(self);
         results.report(&record)?;
-        results.page(|| page::plans(Kind::Plan, &subject(task, &findings.diagnostics), comparison, &record));
+        results.page(|| page::plans(Kind::Plan, &subject(task, &findings.diagnostics), comparison, &record, &[]));
         results.print(&task.text(planning, &Explained::default(), None, results.are_coloured()))?;
         results.print("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n")?;
         results.write()?;
@@ -227,6 +227,6 @@ pub fn compact_json(record: &impl Serialize) -> Result<String, Problem> {
 }
 
 /// The subject of a page.
-pub fn subject<'a>(task: &Task<'a>, diagnostics: &'a [Diagnostic]) -> Subject<'a> {
+pub fn subject<'a>(task: &'a Task<'_>, diagnostics: &'a [Diagnostic]) -> Subject<'a> {
     Subject { problem: task.problem(), sources: task.spec().sources(), diagnostics }
 }

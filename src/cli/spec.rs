@@ -115,7 +115,9 @@ impl Findings {
         match prepared {
             Some(Ok(task)) => Start::Task(Box::new(task)),
             Some(Err(Refusal::Intolerable(_))) => Start::Refused,
-            Some(Err(Refusal::NoMission(_) | Refusal::TooLarge(_))) | None => Start::Ended(SPEC_ERRORS),
+            Some(Err(Refusal::NoMission(_) | Refusal::TooLarge(_) | Refusal::TooLow(_))) | None => {
+                Start::Ended(SPEC_ERRORS)
+            }
         }
     }
 }

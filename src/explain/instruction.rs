@@ -58,6 +58,9 @@ impl Change {
             Change::NoLimit(limit) => {
                 let limit = &mission.limits[limit];
                 let of_leg = on_leg(limit);
+                if plan.require_capture.is_some_and(|required| required.span == limit.span) {
+                    return "remove `require capture_height`".into();
+                }
                 if let Some((clause, on)) = clause(limit).zip(limit.leg.as_ref()) {
                     return format!("remove `{clause}` at {}", at(on.leg + 1));
                 }

@@ -1,6 +1,7 @@
 //! The statements of a spec that a plan must satisfy.
 
 use super::oracle::Part;
+use crate::model::capture_height;
 use crate::model::{Limit, LimitKind, MissionTime, Model, PlannerKind, Problem};
 use crate::number::{number, part_of_all};
 use crate::planner::transcription::UNBOUNDED;
@@ -188,6 +189,9 @@ impl Statement {
 /// The clause of a waypoint that imposes a limit, if one does.
 pub(super) fn clause(limit: &Limit) -> Option<&'static str> {
     let on = limit.leg.as_ref()?;
+    if limit.volume.is_some() && on.name == capture_height::NAME {
+        return Some("require capture_height");
+    }
     let is_shape = |word: &&str| limit.volume.is_some() && on.name.starts_with(word);
     match limit.kind {
         LimitKind::Arrival => Some("arrive from"),

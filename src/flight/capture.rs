@@ -2,6 +2,9 @@
 //!
 //! Nothing of this is proved: another controller, or another course of events, may lose less or more.
 
+pub mod exposed;
+pub mod needed;
+
 use super::allocate::{Allocator, Belief};
 use super::reduced_attitude::WithoutYaw;
 use super::reference::Course;

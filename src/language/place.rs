@@ -29,6 +29,8 @@ pub enum Place {
     /// `air { }` in a mission.
     Air,
     Plan,
+    /// `require capture_height { }` in a plan.
+    Requirement,
     Simulate,
     Campaign,
     /// A block that could not be recognised: anything is allowed in it.
@@ -164,6 +166,7 @@ impl Place {
             Place::KeepOut => "in a `keep_out`",
             Place::Air => "in `air`",
             Place::Plan => "in a `plan`",
+            Place::Requirement => "in a `require` block",
             Place::Simulate => "in `simulate`",
             Place::Campaign => "in `campaign`",
             Place::Unknown => "in this block",

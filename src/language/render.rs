@@ -6,7 +6,13 @@ use super::{Absent, EFFECTS, Entry, Group, Place, STATEMENTS, Takes};
 pub fn markdown(group: Group) -> String {
     let subject = match group {
         Group::Top => "top level",
-        Group::Vehicle | Group::Mode | Group::Plan | Group::Simulate | Group::Campaign => "field",
+        Group::Vehicle
+        | Group::Mode
+        | Group::Mission
+        | Group::Plan
+        | Group::Requirement
+        | Group::Simulate
+        | Group::Campaign => "field",
         Group::Rotor => "of a rotor",
         Group::PlacedRotor => "of one rotor",
         Group::Battery => "of the battery",

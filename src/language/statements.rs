@@ -33,6 +33,7 @@ pub const BLOCKS: &[BlockEntry] = &[
     block("keep_in", Place::KeepIn, true, Place::Mission),
     block("keep_out", Place::KeepOut, true, Place::Mission),
     block("air", Place::Air, false, Place::Mission),
+    block("require", Place::Requirement, true, Place::Plan),
 ];
 
 /// The words that begin a statement in each place, other than fields.
@@ -94,11 +95,18 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
     (Place::Rotors, &[statement("rotor", "rotor at POSITION spin P", "places one rotor")]),
     (
         Place::Plan,
-        &[statement(
-            "require",
-            "require risk <= BOUND",
-            "lets the planner choose what to protect until the risk of the mission is at most this bound",
-        )],
+        &[
+            statement(
+                "require",
+                "require risk <= BOUND",
+                "lets the planner choose what to protect until the risk of the mission is at most this bound",
+            ),
+            statement(
+                "require",
+                "require capture_height { }",
+                "keeps the height above the mission's `ground` that a fault without control of yaw costs, as simulated",
+            ),
+        ],
     ),
     (Place::Simulate, &[statement("fault", "fault NAME at TIME", "a declared fault mode strikes at this time")]),
     (

@@ -244,6 +244,14 @@ group! {
 }
 
 group! {
+    /// The fields of `mission { }`, beside its statements.
+    mission:
+    GROUND "ground", Quantity("m", Any), Otherwise("unknown"),
+        "the height of the ground, below every waypoint. [`require capture_height`](#capture-height) counts from it, and flights \
+         have it unless `simulate` gives another";
+}
+
+group! {
     /// The fields of `plan { }`.
     plan:
     MODEL "model", Words(&["hover", "exact"]), Written("exact", "how the required thrust and torques are computed"),
@@ -291,6 +299,15 @@ group! {
          time in proportion to its length, on curves too";
     VEHICLE "vehicle", Names(&[]), Otherwise("the only one"), "the name of the vehicle to use, if the spec has several";
     MISSION "mission", Names(&[]), Otherwise("the only one"), "the name of the mission to plan, if the spec has several";
+}
+
+group! {
+    /// The fields of `require capture_height { }`.
+    requirement:
+    RADIUS "radius", Quantity("m", Positive), Value(5.0, "5 m", "room to take off and to land"),
+        "the horizontal distance from start and end within which the height is not required: the way up and the way down";
+    DETECTION "detection", Quantity("s", NotNegative), Otherwise("that of `simulate`"),
+        "the delay after which a fault is known; required unless `simulate` gives a delay";
 }
 
 group! {
@@ -368,7 +385,8 @@ group! {
         "how long the heading error may exceed `lost_yaw` ([how it is \
          counted](flight.md#5-after-a-fault-and-when-the-vehicle-is-lost))";
     GROUND "ground", Quantity("m", Any), Value(0.0, "0 m", "height of the ground"),
-        "the height of the ground, below every waypoint; 1 m below the lowest waypoint if that is not above 0 m";
+        "the height of the ground, below every waypoint; that of the [mission](#mission), if it gives one; 1 m below the lowest \
+         waypoint if that is not above 0 m";
 }
 
 group! {

@@ -114,7 +114,9 @@ impl<'a> Walk<'a> {
 
     fn block(&mut self, block: &'a Block) {
         self.note(block.keyword.span, What::Keyword);
-        block.name.iter().for_each(|name| self.define(name));
+        // `require capture_height` defines nothing.
+        let defined = block.name.iter().filter(|_| block.keyword.value != "require");
+        defined.for_each(|name| self.define(name));
         block.title.iter().for_each(|title| self.note(title.span, What::Text));
         let place = Place::of_block(&block.keyword.value).unwrap_or(Place::Unknown);
         self.statements(&block.body, place);

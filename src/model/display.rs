@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt;
 
+use super::CaptureHeight;
 use super::GiveUpYaw;
 use super::Heading;
 use super::{
@@ -238,6 +239,9 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
     if *gusts > 0.0 {
         writeln!(f, "  gusts {} m/s", number(*gusts))?;
     }
+    if let Some(ground) = m.ground {
+        writeln!(f, "  ground {} m", number(ground))?;
+    }
     if *density_ratio != 1.0 {
         writeln!(f, "  density {} kg/m^3", number(density_ratio * STANDARD_DENSITY))?;
     }
@@ -310,6 +314,9 @@ fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Resul
     }
     if let Some(bound) = p.require_risk {
         writeln!(f, "  risk at most {}", number(bound))?;
+    }
+    if let Some(CaptureHeight { radius, delay, .. }) = p.require_capture {
+        writeln!(f, "  capture height beyond {} m, {} s after a fault", number(radius), number(delay))?;
     }
     if p.after_fault != AfterFault::Continue {
         writeln!(f, "  after_fault {}", p.after_fault.name())?;

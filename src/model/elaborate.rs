@@ -7,7 +7,7 @@ use super::fault::Modes;
 use super::flight_blocks::{self, FlightBlocks};
 use super::load::FileSet;
 use super::overrides::{Override, apply};
-use super::plan::{Draft, against};
+use super::plan::{Draft, against, capture_height};
 use super::simulate::Around;
 use super::understanding::Understanding;
 use super::{DefaultUsed, FaultMode, Model, Vehicle, air, lag, mission, sense, vehicle, volume};
@@ -142,7 +142,7 @@ fn whole<'a>(
     let volumes_fit = flown.as_mut().zip(known).is_none_or(|(flown, vehicle)| volume::impose(cx, flown, vehicle));
     let flown = flown.as_ref();
     let (names_modes, empty_against) = (draft.names_modes(), draft.empty_against());
-    let draft_span = draft.span;
+    let (draft_span, written_capture) = (draft.span, draft.capture_height);
     let (plan, plan_time, plan_defaults) = draft.finish(cx, &modes, incomplete, flown, fallback);
     let plan_written = !blocks.plans.is_empty();
     if plan_written || mission.is_some() {
@@ -168,13 +168,20 @@ fn whole<'a>(
     };
     let flight_blocks = [&blocks.simulations, &blocks.campaigns].map(|blocks| blocks.first().copied());
     let (simulation, campaign) = flight_blocks::read(cx, flight_blocks, flights, &around, &mut defaults);
-    let plan = plan.filter(|_| manner_fine && lags_known && volumes_fit && model_fits && air_fits)?;
+    let (mut plan, mut captures_known) = (plan, true);
+    if let Some((plan, written)) = plan.as_mut().zip(written_capture.flatten()) {
+        let required = capture_height::check(cx, written, flown, known, simulation.as_ref());
+        captures_known = required.is_some();
+        plan.require_capture = required;
+    }
+    let plan = plan.filter(|_| captures_known && manner_fine && lags_known && volumes_fit && model_fits && air_fits)?;
     let (simulation, campaign) = (simulation?, campaign?);
     if mission.is_some() && flown.is_none() {
         return None;
     }
-    // A campaign uses every mode, and which modes a block with errors uses is unknown.
-    if names_modes && !campaign.written && !cx.softened {
+    // A campaign uses every mode, `require capture_height` those that give up yaw, and which modes a block with errors uses is
+    // unknown.
+    if names_modes && !campaign.written && plan.require_capture.is_none() && !cx.softened {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
         against::warn_unused(cx, &modes, &plan.against, &used, empty_against);

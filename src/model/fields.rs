@@ -33,11 +33,12 @@ const ELSEWHERE: &[(&str, &str)] = &[
 ];
 
 /// The owners of the groups of fields, as messages name them.
-const OWNERS: [(Group, &str); 9] = [
+const OWNERS: [(Group, &str); 10] = [
     (Group::Plan, "of `plan`"),
     (Group::Vehicle, "of `vehicle`"),
     (Group::Rotor, "of `rotor` in a `vehicle`"),
     (Group::Battery, "of `battery` in a `vehicle`"),
+    (Group::Mission, "of a `mission`"),
     (Group::Curve, "of a `curve`"),
     (Group::Waypoint, "of a `waypoint`"),
     (Group::Mode, "of a fault mode, between the braces of `mode` or `every`,"),
@@ -187,9 +188,10 @@ impl<'a> Fields<'a> {
             error = error.also(first.span, message).help("remove one");
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
-        } else if known == Group::Nothing {
-            let place = if self.owner.starts_with("mission") { Place::Mission } else { Place::Faults };
-            error = error.help(format!("remove it; only {} are allowed here", listed(place.openers())));
+        } else if matches!(known, Group::Nothing | Group::Mission) {
+            let place = if known == Group::Mission { Place::Mission } else { Place::Faults };
+            let allowed: Vec<&str> = place.openers().iter().copied().chain(known.names()).collect();
+            error = error.help(format!("remove it; only {} are allowed here", listed(&allowed)));
         } else {
             error = error.help(format!("use one of the fields {}", listed(&known.names().collect::<Vec<_>>())));
         }

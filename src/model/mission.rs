@@ -19,6 +19,7 @@ use super::{Air, Heading, Mission, Waypoint, air, edits, heading, limits, sense,
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::curve_head::POINTS;
+use crate::language::table::mission as of_mission;
 use crate::language::table::waypoint as table;
 use crate::number::number;
 use crate::source::Span;
@@ -133,7 +134,7 @@ impl Route {
 pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Manner, files: &'a FileSet) -> Outline {
     let name = block.name.as_ref().map_or("mission", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
-    Fields::of_block(cx, format!("mission `{name}`"), span, &block.body, Group::Nothing);
+    let fields = Fields::of_block(cx, format!("mission `{name}`"), span, &block.body, Group::Mission);
     let mut route = Route {
         waypoints: Vec::new(),
         yaws: Vec::new(),
@@ -247,6 +248,8 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     sense::check_limits(cx, &limits);
     limits::check(cx, &limits, &route.waypoints, &numbers, sure);
     route.broken |= !in_order;
+    let ground = ground(cx, &fields, &route);
+    route.broken |= ground.is_none();
     let legs = shares(&route.waypoints, &route.curves, manner.timing);
     let air = air.filter(|_| limits_whole && volumes_whole && !route.broken);
     let mission = air.map(|air| Mission {
@@ -260,9 +263,25 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         limits,
         volumes,
         air,
+        ground: ground.flatten(),
         span,
     });
     Outline { name, span, mission, yaw_defaulted }
+}
+
+/// The height of the ground; `Some(None)` if it is not given.
+fn ground<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, route: &Route) -> Option<Option<f64>> {
+    const CODE: &str = "mavc::mission::ground";
+    let Some(expr) = fields.get("ground") else { return Some(None) };
+    let ground = cx.quantity(&of_mission::GROUND, expr, CODE)?;
+    let heights = route.waypoints.iter().map(|w| (w.position[2], w.span));
+    let lowest = heights.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|_| !route.broken);
+    let Some((z, span)) = lowest.filter(|(z, _)| *z <= ground) else { return Some(Some(ground)) };
+    let message = format!("`ground` must be below every waypoint, not at {} m", number(ground));
+    let error = Diagnostic::error(CODE, expr.span, message).here("too high");
+    let error = error.also(span, format!("the lowest waypoint is at {} m", number(z)));
+    cx.report(error.help(format!("write a height below {} m, such as `{} m`", number(z), number(z - 1.0))));
+    None
 }
 
 /// Reports the second block of a kind of which a mission may have one.

@@ -1,6 +1,7 @@
 //! The `plan` block and its defaults.
 
 pub(super) mod against;
+pub(super) mod capture_height;
 mod fit;
 mod require;
 
@@ -41,6 +42,8 @@ pub(super) struct Draft<'a> {
     against: Option<&'a Field>,
     /// The bound of `require risk`, `None` if it has an error, and its place.
     require: Option<(Option<f64>, Span)>,
+    /// `require capture_height`, `Some(None)` if it has an error.
+    pub capture_height: Option<Option<capture_height::Written>>,
     /// Whether some statement of the block could not be parsed.
     broken: bool,
     /// Whether the planner chooses waypoint times.
@@ -55,6 +58,7 @@ impl<'a> Draft<'a> {
             fields: None,
             against: None,
             require: None,
+            capture_height: None,
             broken: false,
             chooses_times: false,
             span: None,
@@ -65,6 +69,7 @@ impl<'a> Draft<'a> {
         draft.broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
         let mut fields = Fields::of_block(cx, "`plan`".into(), block.keyword.span, &[], Group::Plan);
         draft.require = require::read(cx, &block.body);
+        draft.capture_height = capture_height::read(cx, &block.body, &mut draft.defaults);
         for statement in &block.body {
             let Statement::Field(field) = statement else {
                 continue;
@@ -275,7 +280,7 @@ impl<'a> Draft<'a> {
                 Some(snap_weight),
                 Some(acceleration_weight),
                 Some((after_fault, without_yaw)),
-            ) if !self.broken => Some(Plan {
+            ) if !self.broken && self.capture_height.is_none_or(|written| written.is_some()) => Some(Plan {
                 planner,
                 model,
                 rotors,
@@ -285,6 +290,7 @@ impl<'a> Draft<'a> {
                 samples,
                 rounds,
                 require_risk,
+                require_capture: None,
                 after_fault,
                 without_yaw,
                 require_span: self.require.map_or(span, |r| r.1),

@@ -72,6 +72,20 @@ pub enum MissionTime {
     Fixed(f64),
 }
 
+/// `require capture_height`: a height above the mission's ground that a plan keeps outside a radius about start and end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CaptureHeight {
+    /// Horizontal distance from start and end within which the height is not required, m; positive.
+    pub radius: f64,
+    /// Delay after which a fault is known, s.
+    pub delay: f64,
+    /// The height that the limits of the mission keep, m above the ground; `None` before it is simulated
+    /// ([`super::Model::keeping`]).
+    pub height: Option<f64>,
+    /// The place of the statement, without its braces.
+    pub span: Span,
+}
+
 /// The `plan` block, or its defaults.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
@@ -102,6 +116,7 @@ pub struct Plan {
     pub rounds: usize,
     /// The largest risk that the plan may have, a probability; the planner then chooses what to protect.
     pub require_risk: Option<f64>,
+    pub require_capture: Option<CaptureHeight>,
     /// The reaction to a fault that the risk assumes: [`AfterFault::Continue`] or [`AfterFault::Hold`]. A mode may have its
     /// own: see [`super::Model::after_fault`].
     pub after_fault: AfterFault,

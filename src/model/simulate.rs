@@ -56,7 +56,9 @@ pub(super) fn elaborate<'a>(
     around: &Around,
 ) -> (Option<Simulation>, Vec<DefaultUsed>) {
     let Some(block) = block else {
-        let ground = lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(table::GROUND.value(), |(z, _)| z - 1.0);
+        let ground = own_ground(around.mission).unwrap_or_else(|| {
+            lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(table::GROUND.value(), |(z, _)| z - 1.0)
+        });
         let rate_span = campaign.unwrap_or(around.fallback);
         let (drag, wind, gusts) = around.air();
         let flown = Simulation { drag, wind, gusts, ..Simulation::default() };
@@ -86,6 +88,11 @@ pub(super) fn elaborate<'a>(
 fn lowest(mission: Option<&Mission>) -> Option<(f64, Span)> {
     let heights = mission?.waypoints.iter().map(|w| (w.position[2], w.span));
     heights.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// The ground of the mission, if that gives it.
+fn own_ground(mission: Option<&Mission>) -> Option<f64> {
+    mission.and_then(|mission| mission.ground)
 }
 
 /// The seed of the random noise: a plain whole number.
@@ -304,6 +311,9 @@ impl<'a> Reader<'a> {
     fn ground(&mut self, cx: &mut Context<'a>, mission: Option<&Mission>) -> Option<f64> {
         let lowest = lowest(mission);
         let Some(expr) = self.fields.get("ground") else {
+            if let Some(ground) = own_ground(mission) {
+                return Some(ground);
+            }
             return Some(match lowest.filter(|(z, _)| *z <= 0.0) {
                 Some((z, _)) => {
                     self.defaults.push(DefaultUsed {

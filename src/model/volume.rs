@@ -5,7 +5,7 @@ pub mod passage;
 mod read;
 mod split;
 
-pub(super) use impose::{impose, only_in_the_exact_model};
+pub(super) use impose::{impose, only_in_the_exact_model, which};
 pub(super) use read::{is_one, read};
 
 use super::{Limit, LimitKind, Rotor, Vehicle};

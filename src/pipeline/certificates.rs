@@ -4,6 +4,7 @@ use super::tasks::{OtherSpec, Planning};
 use crate::certificate::Certificate;
 use crate::certify as write;
 use crate::diagnostic::{Diagnostic, render_human};
+use crate::model::Problem;
 use crate::source::{Source, SourceMap, visible};
 use crate::spec::Spec;
 use crate::verify::cost::Budget;
@@ -33,7 +34,10 @@ const MOST_ESCAPED: usize = 1 << 20;
 /// ```
 pub fn certify(spec: &Spec, planning: &Planning) -> Result<Certificate, Uncertified> {
     planning.check_spec(spec).map_err(Uncertified::OtherSpec)?;
-    let Some(problem) = spec.problem() else { return Err(Uncertified::Other("the spec has no mission".into())) };
+    let kept = planning.height.map(|height| spec.model().keeping(height).map_err(|error| error.message.clone()));
+    let kept = kept.transpose().map_err(Uncertified::Other)?;
+    let problem = Problem::of(kept.as_ref().unwrap_or(spec.model()));
+    let Some(problem) = problem else { return Err(Uncertified::Other("the spec has no mission".into())) };
     write::of(problem, planning.comparison(), spec.sha256().into()).map_err(Uncertified::Other)
 }
 

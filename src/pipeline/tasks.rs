@@ -1,5 +1,6 @@
 //! Planning: the check that every mode can be tolerated, a plan, a comparison of planners, and why no plan was found.
 
+use super::capture_height::{self, Kept};
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certify;
 use crate::certify::between::{Between, between};
@@ -7,6 +8,7 @@ use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::nearby::{self, Nearby};
 use crate::explain::planners::Planners;
 use crate::explain::{self, Explanation};
+use crate::flight::capture::needed::Needed;
 use crate::model::{MAX_SAMPLES_OF_A_SEARCH, Mission, Model, Problem};
 use crate::observer::{Observer, Silent, timed};
 use crate::planner::studies::rounds::{Round, rounds};
@@ -18,6 +20,7 @@ use crate::verdict::Verdict;
 use std::cell::Cell;
 use std::error::Error;
 use std::fmt;
+use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
 /// The spec has no mission to plan.
@@ -146,13 +149,18 @@ pub enum Refusal {
     TooLarge(Vec<Diagnostic>),
     /// Hover is not inside every set that the plan must keep to.
     Intolerable(Vec<Diagnostic>),
+    /// The mission cannot keep the height that `require capture_height` asks for.
+    TooLow(Vec<Diagnostic>),
 }
 
 impl Refusal {
     /// The reasons, and warnings, at their places in the spec.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         match self {
-            Refusal::NoMission(found) | Refusal::TooLarge(found) | Refusal::Intolerable(found) => found,
+            Refusal::NoMission(found)
+            | Refusal::TooLarge(found)
+            | Refusal::Intolerable(found)
+            | Refusal::TooLow(found) => found,
         }
     }
 }
@@ -171,7 +179,8 @@ impl Error for Refusal {}
 #[derive(Debug, Clone)]
 pub struct Task<'s> {
     spec: &'s Spec,
-    problem: Problem<'s>,
+    /// With `require capture_height`: what is planned instead of the spec's model.
+    pub(super) kept: Option<Kept>,
     remarks: Vec<Diagnostic>,
 }
 
@@ -181,6 +190,10 @@ pub struct Planning {
     comparison: Comparison,
     /// The spec that was planned.
     spec: Identity,
+    /// The simulated height that its limits keep, m.
+    pub(super) height: Option<f64>,
+    /// The captures against which it is measured, once they are simulated.
+    pub(super) needed: OnceLock<Option<Arc<Needed>>>,
 }
 
 impl Planning {
@@ -217,7 +230,7 @@ impl Planning {
         observer.begins("looking for a proof of every instant");
         Ok(timed(observer, "prove", || {
             let run = self.run();
-            run.outcome.plan().map(|plan| between(task.problem, run, plan))
+            run.outcome.plan().map(|plan| between(task.problem(), run, plan))
         }))
     }
 
@@ -242,7 +255,8 @@ impl<'s> Task<'s> {
     /// the plan must tolerate.
     ///
     /// # Errors
-    /// The spec has no mission, its sets are too large, or a mode cannot hover.
+    /// The spec has no mission, its sets are too large, a mode cannot hover, or the mission cannot keep the height that
+    /// `require capture_height` asks for.
     pub fn new(spec: &'s Spec) -> Result<Self, Refusal> {
         let model = spec.model();
         let answers = diagnose(model);
@@ -256,7 +270,16 @@ impl<'s> Task<'s> {
             _ if is_too_large => Err(Refusal::TooLarge(remarks)),
             None => Err(Refusal::NoMission(remarks)),
             Some(_) if is_intolerable => Err(Refusal::Intolerable(remarks)),
-            Some(problem) => Ok(Task { spec, problem, remarks }),
+            Some(_) => match capture_height::keep(model) {
+                Ok((kept, remark)) => {
+                    remarks.extend(remark);
+                    Ok(Task { spec, kept, remarks })
+                }
+                Err(error) => {
+                    remarks.push(*error);
+                    Err(Refusal::TooLow(remarks))
+                }
+            },
         }
     }
 
@@ -275,17 +298,21 @@ impl<'s> Task<'s> {
         self.spec
     }
 
-    /// The spec's model and mission.
-    pub fn problem(&self) -> Problem<'s> {
-        self.problem
+    /// The model and the mission that are planned.
+    ///
+    /// # Panics
+    /// Never: [`Task::new`] makes no task of a spec without a mission.
+    pub fn problem(&self) -> Problem<'_> {
+        Problem::of(self.model()).expect("a task has a mission")
     }
 
-    pub fn model(&self) -> &'s Model {
-        self.problem.model()
+    /// The spec's model; with `require capture_height` the limits that keep the height are among those of the mission.
+    pub fn model(&self) -> &Model {
+        self.kept.as_ref().map_or(self.spec.model(), |kept| &kept.model)
     }
 
-    pub fn mission(&self) -> &'s Mission {
-        self.problem.mission()
+    pub fn mission(&self) -> &Mission {
+        self.problem().mission()
     }
 
     /// Warnings about the sets of modes, such as hover on an edge.
@@ -295,7 +322,14 @@ impl<'s> Task<'s> {
 
     /// As [`plan`], with an observer.
     pub fn plan(&self, observer: &dyn Observer) -> Planning {
-        Planning { comparison: self.run(Scope::Plan, observer), spec: self.spec.identity() }
+        let required = self.model().plan.require_capture;
+        let height = required.and_then(|required| required.height);
+        Planning {
+            comparison: self.run(Scope::Plan, observer),
+            spec: self.spec.identity(),
+            height,
+            needed: OnceLock::new(),
+        }
     }
 
     /// As [`compare`], with an observer.
@@ -312,8 +346,8 @@ impl<'s> Task<'s> {
     pub fn rounds(&self, comparison: &mut Comparison, wanted: (usize, usize), observer: &dyn Observer) -> Vec<Round> {
         let tries = |round: &str, time: f64| observer.tries(round, time);
         timed(observer, "rounds", || {
-            let mut found = rounds(self.problem, comparison, wanted, Some(&tries));
-            certify::check_rounds(self.problem, &mut found);
+            let mut found = rounds(self.problem(), comparison, wanted, Some(&tries));
+            certify::check_rounds(self.problem(), &mut found);
             found
         })
     }
@@ -321,8 +355,8 @@ impl<'s> Task<'s> {
     fn run(&self, scope: Scope, observer: &dyn Observer) -> Comparison {
         let tries = |planner: &str, time: f64| observer.tries(planner, time);
         observer.begins("building the admissible sets");
-        let mut comparison = timed(observer, "plan", || compare_planners(self.problem, scope, Some(&tries)));
-        timed(observer, "check", || certify::check(self.problem, &mut comparison));
+        let mut comparison = timed(observer, "plan", || compare_planners(self.problem(), scope, Some(&tries)));
+        timed(observer, "check", || certify::check(self.problem(), &mut comparison));
         observer.solved(&comparison.effort);
         comparison
     }
@@ -350,7 +384,7 @@ impl<'s> Task<'s> {
             observer.begins(&format!("no plan was found; looking for times with one, near {time:.2} s"));
         };
         let begin = Instant::now();
-        let (nearby, effort) = nearby::nearby(self.problem, &planning.comparison, &tries);
+        let (nearby, effort) = nearby::nearby(self.problem(), &planning.comparison, &tries);
         if effort.solves > 0 {
             observer.ended("nearby", begin.elapsed());
             observer.asked(None, &effort);
@@ -366,7 +400,7 @@ impl<'s> Task<'s> {
             observer.begins(&format!("no plan; which statements conflict? Variant {variant} of the spec, {time:.2} s"));
         };
         let mut planner = Planners::new(Some(&tries));
-        let found = timed(observer, "why", || explain::explain(self.problem, &mut planner));
+        let found = timed(observer, "why", || explain::explain(self.problem(), &mut planner));
         observer.asked(Some(found.as_ref().map_or(0, |e| e.questions)), &planner.effort);
         found
     }

@@ -19,7 +19,7 @@ pub struct Caveat {
     /// The exceeded limit, in words.
     pub limit: Option<String>,
     /// SI: by how much a limit is exceeded, the number of legs with fewer pieces, the speed, the tilt (rad), the thrust (N), the
-    /// share of the charge that is left.
+    /// share of the charge that is left, the seconds during which a plan is too low.
     pub value: f64,
     /// The worst instant, s since the start.
     pub at_s: f64,
@@ -44,6 +44,8 @@ pub enum CaveatKind {
     Thrust,
     /// The plan leaves less charge than the battery's `keep`.
     Charge,
+    /// The plan is too low to regain level flight after a fault, as simulated.
+    CaptureHeight,
 }
 
 /// The limits that a plan exceeds between its nodes by more than the check of plans tolerates, in the spec's order.

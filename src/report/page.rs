@@ -5,6 +5,7 @@
 //! script the page still has every result that matters.
 
 mod binding_table;
+mod capture;
 mod chart;
 mod content;
 mod document;
@@ -27,6 +28,7 @@ mod waypoint_table;
 
 use crate::admissible::verdict::analyze_each;
 use crate::diagnostic::Diagnostic;
+use crate::flight::capture::Capture;
 use crate::model::{Model, Problem};
 use crate::planner::studies::{Comparison, PlanOutcome, Run};
 use crate::report::campaign_record::CampaignRecord;
@@ -56,8 +58,9 @@ pub enum Kind {
     Compare,
 }
 
-/// The page of `mavc plan` or `mavc compare`; `record` is the JSON report. Complete HTML, the same for the same input.
-pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Record) -> String {
+/// The page of `mavc plan` or `mavc compare`; `record` is the JSON report, and `captures` are those that are drawn over delays.
+/// Complete HTML, the same for the same input.
+pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Record, captures: &[Capture]) -> String {
     let problem = subject.problem;
     let (model, mission) = (problem.model(), problem.mission());
     let analyses = analyze_each(model);
@@ -68,6 +71,7 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
         sections.extend(record.planners.last().and_then(waypoint_table::section));
         sections.extend(record.planners.last().and_then(|planner| volumes::section(problem, planner)));
         sections.extend(record.planners.last().and_then(|planner| binding_table::section(mission, planner)));
+        sections.extend(capture::section(record, captures));
     } else {
         sections.insert(0, Section::new("planners", "Planners", planners::section(comparison, record)));
     }

@@ -2,6 +2,7 @@
 
 use super::battery::{self, BatteryRecord};
 use super::binding::{self, BindingRecord};
+use super::capture_height::{self, CaptureRecord, ExposedRecord};
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::headings::{self, HeadingRecord};
@@ -45,6 +46,9 @@ pub struct Record {
     pub conflict: Option<ConflictRecord>,
     /// Results for each number of rounds, with `mavc compare --rounds`.
     pub rounds: Option<Vec<RoundRecord>>,
+    /// The height that a fault without control of yaw costs, as simulated; omitted where nothing was simulated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub capture_height: Option<CaptureRecord>,
     /// Under `require risk`: the plan without protection, then after each addition of the greedy choice.
     pub trade_off: Option<Vec<AdditionRecord>>,
 }
@@ -163,6 +167,9 @@ pub struct PlannerRecord {
     /// How far the yaw is off the directions that it follows; omitted where it follows none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub headings: Vec<HeadingRecord>,
+    /// When the plan is lower than captures ask for; omitted where it never is.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub exposed: Vec<ExposedRecord>,
     /// To what extent the plan's rows are shown to hold between nodes, if `mavc plan` wrote the report.
     pub between_nodes: Option<Vec<Between>>,
 }
@@ -228,6 +235,7 @@ impl Record {
             found_at_s: Vec::new(),
             conflict: None,
             rounds: None,
+            capture_height: None,
             trade_off: (!comparison.trade_off.is_empty()).then(steps),
         }
     }
@@ -255,8 +263,20 @@ impl Record {
             found_at_s: Vec::new(),
             conflict: None,
             rounds: None,
+            capture_height: None,
             trade_off: None,
         }
+    }
+}
+
+impl Record {
+    /// Adds the captures, and to each planner with a plan how long that is lower; `exposed` is in the order of the planners.
+    pub fn measured(mut self, captures: Option<CaptureRecord>, exposed: Vec<Vec<ExposedRecord>>) -> Self {
+        for (planner, exposed) in self.planners.iter_mut().zip(exposed) {
+            planner.warnings.extend(captures.as_ref().and_then(|captures| capture_height::caveat(captures, &exposed)));
+            planner.exposed = exposed;
+        }
+        Record { capture_height: captures, ..self }
     }
 }
 

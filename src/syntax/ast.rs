@@ -55,7 +55,7 @@ pub enum Relation {
 }
 
 /// `keyword name "title" { statements }`: every braced block has this shape. Keywords: `vehicle`, `faults`,
-/// `mission`, `plan`, `simulate`, `campaign` at the top level; `rotor`, `rotors` in a vehicle; `limits` in a mission;
+/// `mission`, `plan`, `simulate`, `campaign` at the top level; `rotor`, `rotors` in a vehicle; `limits` in a mission; `require` in a plan;
 /// others where a statement below carries one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {

@@ -333,5 +333,11 @@ pub fn certificate(motion: &Trajectory, selected_by: &[Trajectory]) -> Certifica
         least_time_s: None,
     };
     let model = if motion.model == WrenchModel::Exact { DynamicModel::Exact } else { DynamicModel::Hover };
-    Certificate { schema: SCHEMA, spec_sha256: super::SHA.into(), model, claim: Claim::Plan(claim) }
+    Certificate {
+        schema: SCHEMA,
+        spec_sha256: super::SHA.into(),
+        model,
+        capture_height_m: None,
+        claim: Claim::Plan(claim),
+    }
 }

@@ -5,6 +5,7 @@ mod airspeed;
 mod battery;
 mod building;
 mod campaigns;
+mod capture_height;
 mod certificates;
 mod cli;
 mod code_names;

@@ -65,7 +65,7 @@ impl Schema {
 }
 
 /// Every member of every object is needed, and none may be added.
-fn assert_strict(schema: &Schema, record: &Value, optional: &[&str]) {
+pub fn assert_strict(schema: &Schema, record: &Value, optional: &[&str]) {
     for pointer in objects(record, String::new()) {
         let members: Vec<String> = record.pointer(&pointer).unwrap().as_object().unwrap().keys().cloned().collect();
         let mut more = record.clone();

@@ -65,6 +65,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             reserve_span: span,
             rotors_span: span,
             rounds: 1,
+            require_capture: None,
             require_risk: None,
             after_fault: AfterFault::Continue,
             without_yaw: GiveUpYaw::WhereNeeded,
@@ -142,6 +143,7 @@ pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
         end_at_rest: true,
         limits: Vec::new(),
         volumes: Vec::new(),
+        ground: None,
         air: Air::still(Span::default()),
         span: Span::default(),
     }

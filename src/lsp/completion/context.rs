@@ -175,7 +175,7 @@ impl Context {
                 if words.is_empty() { value("time") } else { Before::Words(words) }
             }
             (Place::Plan, "require") => match statement.len() {
-                1 => Before::Words(&["risk <="]),
+                1 => Before::Words(&["risk <=", "capture_height {"]),
                 _ => value(""),
             },
             (Place::Simulate, "fault") if statement.len() == 1 => Before::Mode,

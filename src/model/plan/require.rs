@@ -1,4 +1,4 @@
-//! `require risk <= 1e-6`: a bound that the plan must satisfy.
+//! `require risk <= 1e-6`: a bound that the plan must satisfy. `require capture_height { }` has a reader of its own.
 
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
@@ -30,10 +30,16 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(O
                 cx.report(error.help("write a probability for the whole mission, such as `1e-6`"));
                 None
             }),
+            "capture_height" => {
+                let message = "`require capture_height` takes no bound: the height is simulated";
+                let error = Diagnostic::error(CODE, at_most.span, message).here("remove the bound");
+                cx.report(error.help("write `require capture_height { }`"));
+                None
+            }
             other => {
                 let error = Diagnostic::error(CODE, name.span, format!("`{other}` cannot be required"));
-                let error = error.here("only `risk` can be required");
-                cx.report(error.help("write `require risk <= 1e-6`; limits go into the mission's `limits` block"));
+                let error = error.here("neither `risk` nor `capture_height`");
+                cx.report(error.help("write `require risk <= 1e-6` or `require capture_height { }`; limits go into the mission's `limits` block"));
                 None
             }
         };

@@ -65,7 +65,7 @@ fn listed(names: &[String]) -> String {
 }
 
 /// As messages name a waypoint with its index.
-fn which((index, waypoint): (usize, &Waypoint)) -> String {
+pub fn which((index, waypoint): (usize, &Waypoint)) -> String {
     match &waypoint.name {
         Some(name) => format!("waypoint `{name}`"),
         None if index == 0 => "the start".to_string(),

@@ -17,7 +17,13 @@ pub fn claiming(spec: &Spec, claim: InfeasibleClaim) -> Certificate {
         PlanModel::Exact => DynamicModel::Exact,
         PlanModel::Hover => DynamicModel::Hover,
     };
-    Certificate { schema: SCHEMA, spec_sha256: crate::SHA.into(), model, claim: Claim::Infeasible(claim) }
+    Certificate {
+        schema: SCHEMA,
+        spec_sha256: crate::SHA.into(),
+        model,
+        capture_height_m: None,
+        claim: Claim::Infeasible(claim),
+    }
 }
 
 /// A claim without anything to show it.

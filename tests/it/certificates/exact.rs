@@ -101,7 +101,13 @@ fn certificate() -> Certificate {
         waypoint_nodes: vec![0, PIECES],
     };
     let claim = PlanClaim { motion, selected_by: vec![], without_yaw: vec![], least_time_s: None };
-    Certificate { schema: SCHEMA, spec_sha256: SHA.into(), model: DynamicModel::Exact, claim: Claim::Plan(claim) }
+    Certificate {
+        schema: SCHEMA,
+        spec_sha256: SHA.into(),
+        model: DynamicModel::Exact,
+        capture_height_m: None,
+        claim: Claim::Plan(claim),
+    }
 }
 
 fn motion(certificate: &Certificate) -> &MotionRecord {

@@ -32,7 +32,7 @@ fn claiming(model: &Model, waypoint: usize, soonest_s: f64) -> Certificate {
         PlanModel::Hover => DynamicModel::Hover,
     };
     let claim = Claim::TooEarly(TooEarlyClaim { waypoint, soonest_s });
-    Certificate { schema: SCHEMA, spec_sha256: SHA.into(), model: kind, claim }
+    Certificate { schema: SCHEMA, spec_sha256: SHA.into(), model: kind, capture_height_m: None, claim }
 }
 
 /// Missions whose least time has a closed form, up to the tolerances of waypoints and of the check.
