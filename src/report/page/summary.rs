@@ -191,7 +191,10 @@ fn outside(comparison: &Comparison, solved: &MissionPlan) -> String {
     left.sort_by(|a, b| b.1.total_cmp(&a.1));
     match left.as_slice() {
         _ if comparison.modes.is_empty() => "and is planned against no fault mode".into(),
-        [] => "and stays inside the sets of all modes planned against".into(),
+        [] if comparison.provisions.iter().all(|provision| *provision == Provision::WithYaw) => {
+            "and stays inside the sets of all modes planned against".into()
+        }
+        [] => "and stays inside the sets and cores of all modes with rows".into(),
         [(name, seconds)] => format!("and leaves the set of {name} for {} s", short_seconds(*seconds)),
         [(name, seconds), rest @ ..] => {
             format!("and leaves the sets of {} modes, that of {name} for {} s", rest.len() + 1, short_seconds(*seconds))
@@ -217,7 +220,8 @@ fn margin(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
     let mode = nearest(solved)?;
     let (name, outside) = (comparison.modes.get(mode)?, &solved.outside[mode]);
     let margin = -outside.max_violation;
-    let note = format!("to the set of {name}, in widths of the healthy set");
+    let of = if comparison.provisions[mode] == Provision::WithYaw { "set" } else { "core" };
+    let note = format!("to the {of} of {name}, in widths of the healthy set");
     Some(Figure::new("Smallest margin", signed_percent(margin), note).bad_if(outside.last.is_some()))
 }
 
