@@ -4,7 +4,7 @@ mod losses;
 
 use mavc::campaign::cases::{Cases, Shard, fault_time, noise_seed};
 use mavc::campaign::rows::{COLUMNS, Row};
-use mavc::campaign::statistics::{Contingency, Moments, spearman, wilson};
+use mavc::campaign::statistics::{Contingency, Moments, brier, rank_interval, spearman, spearman_within, wilson};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -118,6 +118,55 @@ fn rank_correlation_by_hand() {
     assert_eq!(spearman(&[]), None);
 }
 
+/// phi is Pearson's correlation of the two 0/1 columns, and so Spearman's, which has other code.
+#[test]
+fn phi_is_the_correlation_of_what_it_counts() {
+    for (hits, misses, false_alarms, correct_negatives) in [(20, 5, 10, 15), (1, 0, 3, 40), (2, 9, 8, 1)] {
+        let table = Contingency { hits, misses, false_alarms, correct_negatives };
+        let pairs: Vec<(f64, f64)> =
+            [(hits, (1.0, 1.0)), (misses, (0.0, 1.0)), (false_alarms, (1.0, 0.0)), (correct_negatives, (0.0, 0.0))]
+                .into_iter()
+                .flat_map(|(count, pair)| std::iter::repeat_n(pair, count))
+                .collect();
+        assert!((table.phi().unwrap() - spearman(&pairs).unwrap()).abs() < 1e-12, "{table:?}");
+    }
+}
+
+#[test]
+fn brier_scores_by_closed_form() {
+    // Of 0 or 1: the share that is wrong, here 3 of 20.
+    let sharp = [(1.0, 7, 9), (0.0, 1, 11)];
+    assert!((brier(&sharp).unwrap() - 3.0 / 20.0).abs() < 1e-15);
+    // Of the base rate b for all: b (1 - b).
+    let base = 8.0 / 20.0;
+    assert!((brier(&[(base, 7, 9), (base, 1, 11)]).unwrap() - base * (1.0 - base)).abs() < 1e-15);
+    // Murphy's (1973) decomposition: reliability - resolution + uncertainty.
+    let classes = [(0.8, 7, 9), (0.3, 1, 11), (0.1, 2, 5)];
+    let n: f64 = classes.iter().map(|c| c.2 as f64).sum();
+    let mean = classes.iter().map(|c| c.1 as f64).sum::<f64>() / n;
+    let rate = |c: &(f64, usize, usize)| c.1 as f64 / c.2 as f64;
+    let reliability: f64 = classes.iter().map(|c| c.2 as f64 * (c.0 - rate(c)).powi(2)).sum::<f64>() / n;
+    let resolution: f64 = classes.iter().map(|c| c.2 as f64 * (rate(c) - mean).powi(2)).sum::<f64>() / n;
+    assert!((brier(&classes).unwrap() - (reliability - resolution + mean * (1.0 - mean))).abs() < 1e-15);
+    assert_eq!(brier(&[]), None);
+}
+
+#[test]
+fn rank_correlation_within_groups_by_hand() {
+    // Each group is ordered perfectly, though the groups as a whole are ordered the other way.
+    let groups = vec![vec![(1.0, 10.0), (2.0, 11.0), (3.0, 12.0)], vec![(4.0, 1.0), (5.0, 2.0)], vec![(6.0, 0.0)]];
+    assert_eq!(spearman_within(&groups), (Some(1.0), 2));
+    assert!(spearman(&groups.concat()).unwrap() < -0.5);
+    // One group: the plain correlation. A group in which one side never varies does not count.
+    let one = vec![(1.0, 10.0), (2.0, 30.0), (3.0, 20.0), (4.0, 50.0), (5.0, 40.0)];
+    assert!((spearman_within(&[one.clone()]).0.unwrap() - spearman(&one).unwrap()).abs() < 1e-12);
+    assert_eq!(spearman_within(&[vec![(1.0, 5.0), (2.0, 5.0)]]), (None, 0));
+    // tanh(atanh(0.6) -+ 1.96 sqrt((1 + 0.18)/17)).
+    let interval = rank_interval(0.6, 20).unwrap();
+    assert!(near(interval.low, 0.17495) && near(interval.high, 0.83654), "{interval:?}");
+    assert_eq!((rank_interval(0.6, 9), rank_interval(1.0, 50)), (None, None));
+}
+
 #[test]
 fn moments_by_hand() {
     let mut moments = Moments::default();
@@ -166,7 +215,8 @@ fn noise_depends_on_the_seeds_alone() {
 #[test]
 fn rows_read_back_as_written_and_strictly() {
     // The checksum by `printf %s '00ff...,2,1' | sha256sum`.
-    let line = "00ff00ff00ff00ff,153,7,rsp,weak,0.25,1,lost,upside_down,1.398,0.1,2.5,1e-7,1.6,0.5,0.75,0.7,3,0.01,,2,1,8f26d871";
+    let line = "00ff00ff00ff00ff,153,7,rsp,weak,0.25,1,lost,upside_down,1.398,0.1,2.5,1e-7,2.25,0.5,1.6,0.5,0.75,0.7,3,true,5,4,\
+                speed+tilt,0.01,,2,1,2645a808";
     let row = Row::read(line).unwrap();
     assert_eq!(row.line(), line);
     assert!(row.is_lost() && !row.is_lost_before());
@@ -185,6 +235,10 @@ fn rows_read_back_as_written_and_strictly() {
         ("0.25", "0.250"),
         ("1.398", "1.399"),
         ("rsp", "rip"),
+        ("speed+tilt", "tilt+speed"),
+        ("speed+tilt", "mood"),
+        ("speed+tilt", ""),
+        ("true", "yes"),
     ] {
         assert!(Row::read(&line.replacen(from, to, 1)).is_err(), "{from} as {to}");
     }
@@ -412,8 +466,19 @@ fn reports_are_as_their_schema_says() {
     assert_eq!((&gone["name"], &gone["hover_inside"]), (&Value::from("gone"), &Value::from(false)));
     assert_eq!(gone["last_violation_s"], 4.0);
     assert_eq!(gone["flights"]["survival"]["share"], 0.0);
-    for pointer in ["", "/planners/0", "/planners/0/modes/0", "/planners/0/modes/0/flights", "/agreement/0/by_flight/0"]
-    {
+    predictors_are_those_of_the_rows(&desk, &whole);
+    for pointer in [
+        "",
+        "/planners/0",
+        "/planners/0/modes/0",
+        "/planners/0/modes/0/flights",
+        "/agreement/0/by_flight/0",
+        "/agreement/0/harm/0",
+        "/predictors/0",
+        "/predictors/0/classes/0",
+        "/planners/0/healthy/path",
+        "/planners/0/modes/0/times/0",
+    ] {
         let mut more = whole.clone();
         more.pointer_mut(pointer).unwrap()["surplus"] = 1.into();
         assert!(!schema.is_valid(&more), "{pointer} may have any member");
@@ -425,4 +490,54 @@ fn reports_are_as_their_schema_says() {
     assert_eq!(report("r.json")["planners"][0]["verdict"], "proved infeasible");
     desk.run(&[&size[..], &["--set", "plan.against=[gone]"]].concat(), 3);
     schema.assert_valid(&report("r.json"));
+}
+
+/// Counts, scores and the path again, from the rows alone: without yaw to give up, `gone` is predicted lost by its verdict.
+fn predictors_are_those_of_the_rows(desk: &Desk, record: &Value) {
+    desk.run(&["hop.mav", "--times", "3", "--seeds", "2", "-o", "rows.csv", "--quiet"], 0);
+    let rows: Vec<Row> = desk.lines("rows.csv")[1..].iter().map(|line| Row::read(line).unwrap()).collect();
+    // RSP and RIP may have the same plan, which counts once: flights with the same seeds are the same then.
+    let key =
+        |r: &Row| (r.mode.clone(), r.fault_time.map(f64::to_bits), r.seed, r.end.to_bits(), r.rms_error.to_bits());
+    let mut seen = BTreeSet::new();
+    let struck: Vec<&Row> = rows.iter().filter(|r| r.fault_time.is_some() && seen.insert(key(r))).collect();
+    let predicted = |r: &Row| r.mode == "gone";
+    let count = |p: bool, l: bool| struck.iter().filter(|r| predicted(r) == p && r.is_lost() == l).count();
+    let forecasts = record["predictors"].as_array().unwrap();
+    for name in ["verdict", "core"] {
+        let found = forecasts.iter().find(|f| f["predictor"] == name).unwrap();
+        let table =
+            ["hits", "misses", "false_alarms", "correct_negatives"].map(|of| found[of].as_u64().unwrap() as usize);
+        assert_eq!(table, [count(true, true), count(false, true), count(true, false), count(false, false)], "{found}");
+        let wrong = (table[1] + table[2]) as f64 / struck.len() as f64;
+        assert!((found["brier"].as_f64().unwrap() - wrong).abs() < 1e-12);
+        // Each class has one mode, so that its other modes have no flights and the probability is 1/2; of all flights the other
+        // mode's share is known.
+        assert!((found["brier_by_class"].as_f64().unwrap() - 0.25).abs() < 1e-12, "{found}");
+        let squares = |mode: &str| {
+            let own: Vec<&&Row> = struck.iter().filter(|r| r.mode == mode).collect();
+            let others: Vec<&&Row> = struck.iter().filter(|r| r.mode != mode).collect();
+            let p = (others.iter().filter(|r| r.is_lost()).count() + 1) as f64 / (others.len() + 2) as f64;
+            own.iter().map(|r| (p - f64::from(u8::from(r.is_lost()))).powi(2)).sum::<f64>()
+        };
+        let base = (squares("gone") + squares("weak")) / struck.len() as f64;
+        assert!((found["brier_base"].as_f64().unwrap() - base).abs() < 1e-12, "{found}");
+    }
+    assert!(forecasts.iter().all(|f| f["predictor"] != "capture"));
+    for (p, planner) in ["rip", "rsp", "rcp"].into_iter().enumerate() {
+        for (m, mode) in ["gone", "weak"].into_iter().enumerate() {
+            let own: Vec<&Row> = rows.iter().filter(|r| r.planner == planner && r.mode == mode).collect();
+            let path = &record["planners"][p]["modes"][m]["flights"]["path"];
+            let sum = |of: fn(&mavc::campaign::rows::Path) -> usize| {
+                own.iter().filter_map(|r| r.path.as_ref()).map(of).sum::<usize>()
+            };
+            assert_eq!(path["waypoints_due"], sum(|p| p.due));
+            assert_eq!(path["waypoints_missed"], sum(|p| p.missed));
+            assert_eq!(path["heading_broken"], sum(|p| usize::from(p.heading_broken)));
+            assert_eq!(path["limits_broken"], sum(|p| usize::from(p.limits.any())));
+            let mean = own.iter().filter_map(|r| r.max_error_after).sum::<f64>() / own.len() as f64;
+            assert!((path["deviation_m"]["mean"].as_f64().unwrap() - mean).abs() < 1e-9);
+            assert!(own.iter().all(|r| r.max_error_after.unwrap() <= r.max_error));
+        }
+    }
 }
