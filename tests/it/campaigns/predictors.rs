@@ -1,0 +1,53 @@
+//! Predicted against flown, and the path, worked out again from the rows.
+
+use super::*;
+
+/// Counts, scores and the path again, from the rows alone: without yaw to give up, `gone` is predicted lost by its verdict.
+pub(super) fn are_those_of_the_rows(desk: &Desk, record: &Value) {
+    desk.run(&["hop.mav", "--times", "3", "--seeds", "2", "-o", "rows.csv", "--quiet"], 0);
+    let rows: Vec<Row> = desk.lines("rows.csv")[1..].iter().map(|line| Row::read(line).unwrap()).collect();
+    // RSP and RIP may have the same plan, which counts once: flights with the same seeds are the same then.
+    let key =
+        |r: &Row| (r.mode.clone(), r.fault_time.map(f64::to_bits), r.seed, r.end.to_bits(), r.rms_error.to_bits());
+    let mut seen = BTreeSet::new();
+    let struck: Vec<&Row> = rows.iter().filter(|r| r.fault_time.is_some() && seen.insert(key(r))).collect();
+    let predicted = |r: &Row| r.mode == "gone";
+    let count = |p: bool, l: bool| struck.iter().filter(|r| predicted(r) == p && r.is_lost() == l).count();
+    let forecasts = record["predictors"].as_array().unwrap();
+    for name in ["verdict", "core"] {
+        let found = forecasts.iter().find(|f| f["predictor"] == name).unwrap();
+        let table =
+            ["hits", "misses", "false_alarms", "correct_negatives"].map(|of| found[of].as_u64().unwrap() as usize);
+        assert_eq!(table, [count(true, true), count(false, true), count(true, false), count(false, false)], "{found}");
+        let wrong = (table[1] + table[2]) as f64 / struck.len() as f64;
+        assert!((found["brier"].as_f64().unwrap() - wrong).abs() < 1e-12);
+        // Each class has one mode, so that its other modes have no flights and the probability is 1/2; of all flights the other
+        // mode's share is known.
+        assert!((found["brier_by_class"].as_f64().unwrap() - 0.25).abs() < 1e-12, "{found}");
+        let squares = |mode: &str| {
+            let own: Vec<&&Row> = struck.iter().filter(|r| r.mode == mode).collect();
+            let others: Vec<&&Row> = struck.iter().filter(|r| r.mode != mode).collect();
+            let p = (others.iter().filter(|r| r.is_lost()).count() + 1) as f64 / (others.len() + 2) as f64;
+            own.iter().map(|r| (p - f64::from(u8::from(r.is_lost()))).powi(2)).sum::<f64>()
+        };
+        let base = (squares("gone") + squares("weak")) / struck.len() as f64;
+        assert!((found["brier_base"].as_f64().unwrap() - base).abs() < 1e-12, "{found}");
+    }
+    assert!(forecasts.iter().all(|f| f["predictor"] != "capture"));
+    for (p, planner) in ["rip", "rsp", "rcp"].into_iter().enumerate() {
+        for (m, mode) in ["gone", "weak"].into_iter().enumerate() {
+            let own: Vec<&Row> = rows.iter().filter(|r| r.planner == planner && r.mode == mode).collect();
+            let path = &record["planners"][p]["modes"][m]["flights"]["path"];
+            let sum = |of: fn(&mavc::campaign::rows::Path) -> usize| {
+                own.iter().filter_map(|r| r.path.as_ref()).map(of).sum::<usize>()
+            };
+            assert_eq!(path["waypoints_due"], sum(|p| p.due));
+            assert_eq!(path["waypoints_missed"], sum(|p| p.missed));
+            assert_eq!(path["heading_broken"], sum(|p| usize::from(p.heading_broken)));
+            assert_eq!(path["limits_broken"], sum(|p| usize::from(p.limits.any())));
+            let mean = own.iter().filter_map(|r| r.max_error_after).sum::<f64>() / own.len() as f64;
+            assert!((path["deviation_m"]["mean"].as_f64().unwrap() - mean).abs() < 1e-9);
+            assert!(own.iter().all(|r| r.max_error_after.unwrap() <= r.max_error));
+        }
+    }
+}
