@@ -140,11 +140,24 @@ struct Bound<'a> {
     span: Option<[f64; 2]>,
 }
 
+/// The errors at a sample.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Errors {
+    /// Distance from the reference position, m.
+    pub(super) position: f64,
+    /// rad
+    pub(super) tilt: f64,
+    /// rad; `None` once yaw is given up on purpose.
+    pub(super) heading: Option<f64>,
+}
+
 /// Collects the [`Damage`] of a flight.
 #[derive(Debug, Clone)]
 pub(super) struct Collector<'a> {
     gates: Vec<Gate>,
     bounds: Vec<Bound<'a>>,
+    needs_acceleration: bool,
+    needs_yaw_rate: bool,
     environment: Environment,
     /// Index of the waypoint whose turn it is, and the nearest distance from it so far, m.
     next: usize,
@@ -162,7 +175,10 @@ impl<'a> Collector<'a> {
             (Course::Plan(trajectory), Some(mission)) => (gates(trajectory, mission), bounds(trajectory, mission)),
             _ => (Vec::new(), Vec::new()),
         };
+        let needs = |kinds: &[LimitKind]| bounds.iter().any(|bound| kinds.contains(&bound.limit.kind));
         Collector {
+            needs_acceleration: needs(&[LimitKind::Acceleration, LimitKind::AccelerationHorizontal]),
+            needs_yaw_rate: needs(&[LimitKind::YawRate]),
             gates,
             bounds,
             environment: sortie.model.environment(),
@@ -179,14 +195,13 @@ impl<'a> Collector<'a> {
         self.stopped = self.stopped.min(t);
     }
 
-    /// Processes a sample at time `t` (s). `heading_error` (rad) is `None` once yaw is given up on purpose; `acceleration` gives that
-    /// of the body, m/s^2, where a limit needs it.
+    /// Processes a sample at time `t` (s); `acceleration` gives that of the body, m/s^2, where a limit needs it.
     pub(super) fn look(
         &mut self,
         t: f64,
         body: &Body,
         reference: &Reference,
-        heading_error: Option<f64>,
+        errors: Errors,
         acceleration: impl FnOnce() -> Vector3<f64>,
     ) {
         while let Some(gate) = self.gates.get(self.next).copied() {
@@ -200,15 +215,15 @@ impl<'a> Collector<'a> {
             return;
         }
         let damage = &mut self.damage;
-        damage.max_error = damage.max_error.max((body.position - reference.position).norm());
+        damage.max_error = damage.max_error.max(errors.position);
         damage.max_drop = damage.max_drop.max(reference.position.z - body.position.z);
-        damage.heading_broken |= heading_error.is_some_and(|error| error.abs() > HEADING_BROKEN);
-        self.judge(t, body, heading_error.is_some(), acceleration);
+        damage.heading_broken |= errors.heading.is_some_and(|error| error.abs() > HEADING_BROKEN);
+        self.judge(t, body, errors, acceleration);
     }
 
     /// Judges the limits that hold at `t` s and are not broken yet.
-    fn judge(&mut self, t: f64, body: &Body, keeps_yaw: bool, acceleration: impl FnOnce() -> Vector3<f64>) {
-        let broken = self.damage.limits;
+    fn judge(&mut self, t: f64, body: &Body, errors: Errors, acceleration: impl FnOnce() -> Vector3<f64>) {
+        let (broken, keeps_yaw) = (self.damage.limits, errors.heading.is_some());
         let holds = |bound: &&Bound| {
             let now = bound.span.is_none_or(|[begin, end]| (begin..=end).contains(&t) && t < self.stopped);
             now && !broken.has(bound.class) && (keeps_yaw || bound.limit.kind != LimitKind::YawRate)
@@ -217,10 +232,11 @@ impl<'a> Collector<'a> {
         if due.peek().is_none() {
             return;
         }
-        let state = state(body, &acceleration());
+        let acceleration = if self.needs_acceleration { acceleration() } else { Vector3::zeros() };
+        let state = state(body, &acceleration, self.needs_yaw_rate);
         for bound in due {
             let over = match (bound.limit.kind, bound.limit.upper) {
-                (LimitKind::Tilt, Some(upper)) => body.tilt() - upper,
+                (LimitKind::Tilt, Some(upper)) => errors.tilt - upper,
                 _ => past(bound.limit, &state, &self.environment),
             };
             if over > bound.slack {
@@ -249,14 +265,16 @@ impl<'a> Collector<'a> {
 }
 
 /// The motion of a body in the variables in which limits are written; yaw itself is not in it.
-fn state(body: &Body, acceleration: &Vector3<f64>) -> NodeState {
+fn state(body: &Body, acceleration: &Vector3<f64>, with_yaw_rate: bool) -> NodeState {
     let mut state = NodeState::default();
     for (k, axis) in [X, Y, Z].into_iter().enumerate() {
         (state[axis][0], state[axis][1], state[axis][2]) = (body.position[k], body.velocity[k], acceleration[k]);
     }
-    // psi' = (Q sin(phi) + R cos(phi))/cos(theta), (6) of the paper.
-    let [roll, pitch, _] = body.angles();
-    state[YAW][1] = (body.rates.y * roll.sin() + body.rates.z * roll.cos()) / pitch.cos();
+    if with_yaw_rate {
+        // psi' = (Q sin(phi) + R cos(phi))/cos(theta), (6) of the paper.
+        let [roll, pitch, _] = body.angles();
+        state[YAW][1] = (body.rates.y * roll.sin() + body.rates.z * roll.cos()) / pitch.cos();
+    }
     state
 }
 

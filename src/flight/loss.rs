@@ -2,7 +2,7 @@
 
 use super::Sortie;
 use super::body::Body;
-use super::damage::{self, Damage};
+use super::damage::{self, Damage, Errors};
 use super::heading::{Collector, Heading, HeadingErrors, Patience};
 use super::reference::Reference;
 use nalgebra::Vector3;
@@ -165,8 +165,8 @@ impl<'a> Watch<'a> {
         self.heading.look(body, reference.yaw[0]);
         self.max_error = self.max_error.max(error);
         self.max_tilt = self.max_tilt.max(tilt);
-        let kept_yaw = (!self.gave_up_yaw).then(|| self.heading.error());
-        self.damage.look(t, body, reference, kept_yaw, acceleration);
+        let heading = (!self.gave_up_yaw).then(|| self.heading.error());
+        self.damage.look(t, body, reference, Errors { position: error, tilt, heading }, acceleration);
         if body.position.z <= self.ground {
             let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
             return match (self.may_land && soft, self.is_off_its_heading()) {
