@@ -8,6 +8,7 @@ on one thread, and prints the tables of docs/campaigns.md. Needs Python alone. S
 """
 
 import json
+import resource
 import subprocess
 import sys
 import tempfile
@@ -77,32 +78,59 @@ def number(value, digits=2):
     return "-" if value is None else f"{value:.{digits}f}"
 
 
-def flights(record):
-    """One row for each planner: struck flights lost, of modes with hover inside their sets and of the others; and the path."""
+def share(count, of):
+    return f"{100 * count / of:.0f} %" if of else "-"
+
+
+def losses(planner, inside):
+    """Struck flights lost, of how many, over the modes with hover inside their sets or over the others."""
+    cells = [c for m in planner["modes"] if m["hover_inside"] == inside for c in m["times"]]
+    return sum(c["lost"] for c in cells), sum(c["struck"] for c in cells)
+
+
+def lost_row(record):
+    planners = [p for p in record["planners"] if p["modes"]]
+    row = [f"{record['mission_time_s']:.1f} s", ", ".join(str(p["healthy"]["lost"]) for p in planners)]
+    for inside in (True, False):
+        found = [losses(p, inside) for p in planners]
+        row += [str(found[0][1]), ", ".join(str(lost) for lost, _ in found)]
+    return row
+
+
+def path_row(record):
+    """Over modes with hover inside their sets, RIP, RSP and RCP: deviation, waypoints missed (healthy), limits, heading."""
+    rows = [[], [], [], []]
     for planner in record["planners"]:
-        if not planner["modes"]:
-            yield [planner["name"].upper(), planner["verdict"]] + ["-"] * 8
+        paths = [m["flights"]["path"] for m in planner["modes"] if m["hover_inside"]]
+        flights = sum(p["flights"] for p in paths)
+        if flights == 0:
             continue
-        healthy = planner["healthy"]
-        cells = [planner["name"].upper(), f"{healthy['lost']} of {healthy['flights']}"]
-        groups = [[m for m in planner["modes"] if m["hover_inside"] == inside] for inside in (True, False)]
-        for modes in groups:
-            struck = sum(c["struck"] for m in modes for c in m["times"])
-            lost = sum(c["lost"] for m in modes for c in m["times"])
-            cells.append(f"{lost} of {struck}")
-        inside = groups[0]
-        cells.append(number(sum(m["violation_duration_s"] for m in inside) / max(len(inside), 1)))
-        paths = [m["flights"]["path"] for m in inside]
-        judged = sum(p["flights"] for p in paths)
-        mean = sum(p["deviation_m"]["mean"] * p["flights"] for p in paths if p["deviation_m"])
-        cells.append(number(mean / judged) if judged else "-")
-        due = sum(p["waypoints_due"] for p in paths)
-        share = lambda count, of: f"{100 * count / of:.0f} %" if of else "-"
-        cells.append(share(sum(p["waypoints_missed"] for p in paths), due))
-        cells.append(share(healthy["path"]["waypoints_missed"], healthy["path"]["waypoints_due"]))
-        cells.append(share(sum(p["limits_broken"] for p in paths), judged))
-        cells.append(share(sum(p["heading_broken"] for p in paths), judged))
-        yield cells
+        sum_of = lambda key: sum(p[key] for p in paths)
+        healthy = planner["healthy"]["path"]
+        rows[0].append(number(sum(p["deviation_m"]["mean"] * p["flights"] for p in paths if p["deviation_m"]) / flights))
+        before = share(healthy["waypoints_missed"], healthy["waypoints_due"])
+        rows[1].append(f"{share(sum_of('waypoints_missed'), sum_of('waypoints_due'))} ({before})")
+        rows[2].append(share(sum_of("limits_broken"), flights))
+        rows[3].append(share(sum_of("heading_broken"), flights))
+    return [", ".join(cells) for cells in rows]
+
+
+def predictor_rows(record):
+    for p in record["predictors"]:
+        counts = [str(p[k]) for k in ("hits", "misses", "false_alarms", "correct_negatives")]
+        scores = [number(p[k], 3) for k in ("brier", "brier_by_class", "brier_base")]
+        yield [p["predictor"].replace("_", " ")] + counts + [number(p["phi"])] + scores
+
+
+def harm_row(record):
+    """Violation duration against each harm, over modes with hover inside: over all pairs, and within modes (their number)."""
+    of = {c["harm"]: c for c in record["agreement"][1]["harm"] if c["quality"] == "violation_duration"}
+    row = [str(of["lost"]["pairs"])]
+    for harm in ("lost", "deviation", "waypoints_missed", "heading_broken"):
+        c = of[harm]
+        within = f"{number(c['within_modes'])} ({c['modes']})" if c["modes"] else "-"
+        row += [f"{number(c['rank_correlation'])}; {within}"]
+    return row
 
 
 def table(headings, rows):
@@ -116,38 +144,32 @@ def table(headings, rows):
 def main():
     mavc = str(Path(sys.argv[1]).resolve())
     times, seeds = sys.argv[2:4] if len(sys.argv) > 3 else ("12", "2")
-    lost, predicted, harm = [], [], []
-    total = 0.0
+    lost, path, predicted, harm = [], [], [], []
+    flights = 0
     with tempfile.TemporaryDirectory() as name:
         for case in CASES:
             for delay in DELAYS:
                 record, seconds = fly(mavc, Path(name), case, delay, times, seeds)
-                total += seconds
                 print(f"{case[0]}, {delay}: {seconds:.0f} s", file=sys.stderr)
                 if record is None:
                     continue
-                title = f"{case[0]}; {delay.replace('ms', ' ms')}"
-                t = f"{record['mission_time_s']:.1f} s"
-                lost += [[title, t] + cells for cells in flights(record)]
-                for p in record["predictors"]:
-                    counts = [str(p[k]) for k in ("hits", "misses", "false_alarms", "correct_negatives")]
-                    scores = [number(p[k], 3) for k in ("brier", "brier_by_class", "brier_base")]
-                    predicted.append([title, p["predictor"].replace("_", " ")] + counts + [number(p["phi"])] + scores)
-                inside = record["agreement"][1]
-                for c in inside["harm"]:
-                    if c["rank_correlation"] is None and c["within_modes"] is None:
-                        continue
-                    interval = c["interval"]
-                    span = f"{number(interval['low'])} .. {number(interval['high'])}" if interval else "-"
-                    cells = [c["quality"].replace("_", " "), c["harm"].replace("_", " "), str(c["pairs"])]
-                    harm.append([title] + cells + [number(c["rank_correlation"]), span, number(c["within_modes"]), str(c["modes"])])
-    table(
-        ["campaign", "T_d", "planner", "lost healthy", "lost, hover inside", "lost, other modes", "violated", "deviation", "missed", "missed healthy", "limits", "heading"],
-        lost,
-    )
-    table(["campaign", "predictor", "hits", "misses", "false alarms", "correct negatives", "phi", "Brier", "by class", "base"], predicted)
-    table(["campaign", "quality", "harm", "pairs", "rank correlation", "95 % interval", "within modes", "modes"], harm)
-    print(f"{total:.0f} s", file=sys.stderr)
+                flights += record["flights"]
+                title = [case[0], delay.replace("ms", " ms")]
+                lost.append(title + lost_row(record))
+                path.append(title + path_row(record))
+                predicted += [title + row for row in predictor_rows(record)]
+                harm.append(title + harm_row(record))
+    each = "RIP, RSP, RCP"
+    print(f"Lost ({each})\n")
+    table(["campaign", "delay", "T_d", "healthy", "struck, hover inside", "lost", "struck, others", "lost"], lost)
+    print(f"The path, modes with hover inside ({each})\n")
+    table(["campaign", "delay", "deviation [m]", "missed (healthy)", "limits", "heading"], path)
+    counts = ["hits", "misses", "false alarms", "correct negatives"]
+    table(["campaign", "delay", "predictor", *counts, "phi", "Brier", "by class", "base rate"], predicted)
+    print("Violation duration against harm, modes with hover inside: all pairs; within modes (modes)\n")
+    table(["campaign", "delay", "pairs", "lost", "deviation", "missed", "heading"], harm)
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    print(f"{flights} flights, {used.ru_utime + used.ru_stime:.0f} s of processor time", file=sys.stderr)
 
 
 main()

@@ -59,7 +59,7 @@ pub fn correlations(design: &Design, tally: &Tally, modes: &[usize]) -> Vec<Corr
         let pair = |p: usize, m: usize| {
             let path = &tally.mode(p, m).path;
             let lost = tally.cells(p, m).iter().map(|cell| cell.lost).sum();
-            Some((quality.of(&design.plans[p].outside[m]), harm.of(path, lost)?))
+            Some((quality.of(&design.plans[p].outside[m]), harm.of(path, lost, &tally.healthy(p).path)?))
         };
         let groups: Vec<Vec<(f64, f64)>> =
             modes.iter().map(|&m| plans.iter().filter_map(|&p| pair(p, m)).collect()).collect();

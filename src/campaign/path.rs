@@ -68,7 +68,8 @@ pub enum Harm {
     Lost,
     /// Mean of the largest distances from the reference since the fault, m.
     Deviation,
-    /// Share of the due waypoints that were missed.
+    /// Share of the due waypoints that were missed, less the share that flights without a fault miss: a plan that uses up the
+    /// tolerance of a waypoint misses it by any tracking error.
     WaypointsMissed,
     /// Share of the flights that broke a limit.
     LimitsBroken,
@@ -91,13 +92,14 @@ impl Harm {
         }
     }
 
-    /// Its value for the flights of `path`, of which `lost` were lost; `None` without flights, or without a waypoint that was due.
-    pub fn of(self, path: &PathSums, lost: usize) -> Option<f64> {
+    /// Its value for the flights of `path`, of which `lost` were lost, along a plan whose flights without a fault are `healthy`;
+    /// `None` without flights, or without a waypoint that was due.
+    pub fn of(self, path: &PathSums, lost: usize, healthy: &PathSums) -> Option<f64> {
         let share = |count: usize, of: usize| (of > 0).then(|| count as f64 / of as f64);
         match self {
             Harm::Lost => share(lost, path.flights),
             Harm::Deviation => path.deviation.summary().map(|s| s.mean),
-            Harm::WaypointsMissed => share(path.missed, path.due),
+            Harm::WaypointsMissed => Some(share(path.missed, path.due)? - share(healthy.missed, healthy.due)?),
             Harm::LimitsBroken => share(path.any_limit, path.flights),
             Harm::HeadingBroken => share(path.heading, path.flights),
         }

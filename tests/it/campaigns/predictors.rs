@@ -51,3 +51,34 @@ pub(super) fn are_those_of_the_rows(desk: &Desk, record: &Value) {
         }
     }
 }
+
+/// At a constant height one comparison predicts every flight of a mode: the height of capture against that over the ground, and
+/// against how far below its reference the vehicle may be.
+#[test]
+fn capture_predicts_by_the_height_over_the_ground() {
+    let desk = Desk::new();
+    let level =
+        HOP.replace("; without_yaw = never", "").replace("[0, 0, 2]", "[0, 0, 5]").replace("[3, 1, 4]", "[3, 1, 5]");
+    for (simulate, word) in [
+        ("detection = 20 ms; lost_beyond = 20 m", "high enough"),
+        ("detection = 20 ms; lost_beyond = 20 m; ground = 4.9 m", "too low"),
+        ("detection = 20 ms; lost_beyond = 5 cm", "beyond lost_beyond"),
+    ] {
+        std::fs::write(desk.path("hop.mav"), format!("{level}simulate {{ {simulate} }}\n")).unwrap();
+        let size = ["hop.mav", "--times", "2", "--seeds", "1", "--quiet", "--report", "r.json"];
+        desk.run(&[&size[..], &["--set", "campaign.planners=rip"]].concat(), 0);
+        let record: Value = serde_json::from_slice(&desk.bytes("r.json")).unwrap();
+        crate::schemas::schema("campaign").assert_valid(&record);
+        let gone = &record["planners"][0]["modes"][0];
+        let at_rest = &gone["capture"][0];
+        let needed = at_rest["height_m"].as_f64().unwrap();
+        assert!(at_rest["regained"] == 5 && needed > 0.1 && needed < 5.0, "{at_rest}");
+        let forecasts = record["predictors"].as_array().unwrap();
+        let found = forecasts.iter().find(|f| f["predictor"] == "capture").unwrap();
+        let class = &found["classes"][0];
+        assert_eq!((&class["class"], &class["predicted_lost"]), (&word.into(), &(word != "high enough").into()));
+        let sum = |key: &str| gone["times"].as_array().unwrap().iter().map(|c| c[key].as_u64().unwrap()).sum::<u64>();
+        assert_eq!((class["struck"].as_u64(), class["lost"].as_u64()), (Some(sum("struck")), Some(sum("lost"))));
+        assert_eq!(found["classes"].as_array().unwrap().len(), 1, "{found}");
+    }
+}
