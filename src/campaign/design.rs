@@ -4,6 +4,7 @@ use super::cases::{Case, Cases, fault_time};
 use crate::admissible::edge::Place;
 use crate::admissible::row::{SetRow, row};
 use crate::admissible::without_yaw::YawFree;
+use crate::admissible::without_yaw::planned::Provision;
 use crate::admissible::{self, AdmissibleSet, verdict::analyze};
 use crate::flight::capture::{self, CaptureHeight};
 use crate::model::{Detection, FaultMode, GiveUpYaw, Model, PlannerKind};
@@ -192,7 +193,7 @@ fn judge(model: &Model, plans: &mut [Plan]) -> Vec<Standing> {
     modes
 }
 
-/// A declared mode's set as rows, and its standing.
+/// A declared mode's set as rows, or its core where plans provide for the mode without yaw; and its standing.
 fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow>, Standing) {
     let mut set = AdmissibleSet::of_mode(model, mode);
     let analysis = analyze(model, &set);
@@ -207,6 +208,9 @@ fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow
         gives_up_yaw,
         capture: Vec::new(),
     };
+    if gives_up_yaw && let Provision::WithoutYaw(core) = Provision::of(model, &set, healthy) {
+        return (core.rows, standing);
+    }
     if standing.is_inside() {
         set = set.with_reserve(model.plan.reserve);
     }
