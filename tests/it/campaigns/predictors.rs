@@ -57,8 +57,11 @@ pub(super) fn are_those_of_the_rows(desk: &Desk, record: &Value) {
 #[test]
 fn capture_predicts_by_the_height_over_the_ground() {
     let desk = Desk::new();
-    let level =
-        HOP.replace("; without_yaw = never", "").replace("[0, 0, 2]", "[0, 0, 5]").replace("[3, 1, 4]", "[3, 1, 5]");
+    let level = HOP
+        .replace("; without_yaw = never", "")
+        .replace("[0, 0, 2]", "[0, 0, 5]")
+        .replace("[3, 1, 4]", "[3, 1, 5]")
+        .replace("    rotor {", "    yaw_drag = 2.75e-3 N*m*s/rad\n    rotor {");
     for (simulate, word) in [
         ("detection = 20 ms; lost_beyond = 20 m", "high enough"),
         ("detection = 20 ms; lost_beyond = 20 m; ground = 4.9 m", "too low"),
