@@ -7,10 +7,13 @@
 
 pub mod agreement;
 pub mod cases;
+pub mod correlations;
 pub mod design;
 pub mod merge;
 #[cfg(feature = "parquet")]
 pub mod parquet;
+pub mod path;
+pub mod predictors;
 pub mod rows;
 pub mod run;
 pub mod scan;

@@ -10,6 +10,7 @@ pub mod allocate;
 pub mod body;
 pub mod capture;
 pub mod control;
+pub mod damage;
 pub mod estimate;
 pub mod heading;
 pub mod indistinguishable;
@@ -21,11 +22,12 @@ pub mod rotors;
 mod sensors;
 
 use crate::actuation::Wrench;
-use crate::model::{AfterFault, Model, Simulation, Strike};
+use crate::model::{AfterFault, Mission, Model, Simulation, Strike};
 use crate::motion::{NodeState, Trajectory, X, Y, Z};
 use air::Air;
 use allocate::Allocator;
 use body::{Body, Frame};
+pub use damage::{BrokenLimits, Damage};
 use heading::{Heading, HeadingErrors};
 pub use knowledge::FaultDetection;
 use knowledge::Knowledge;
@@ -47,6 +49,8 @@ pub struct Sortie<'a> {
     pub simulation: &'a Simulation,
     /// The course that is followed until a fault is known.
     pub course: Course<'a>,
+    /// The mission whose waypoints and limits the path is judged by, if the course is its plan.
+    pub mission: Option<&'a Mission>,
     /// The faults, in the order of their times.
     pub strikes: &'a [Strike],
     /// Seed of gusts and sensor noise.
@@ -70,6 +74,7 @@ impl<'a> Sortie<'a> {
             model,
             simulation: &model.simulation,
             course: Course::Plan(trajectory),
+            mission: model.mission.as_ref(),
             strikes,
             seed,
             duration: model.simulation.duration.unwrap_or(trajectory.duration()).min(longest),
@@ -178,6 +183,8 @@ pub struct Flight {
     pub max_tilt: f64,
     /// Heading errors.
     pub heading: HeadingErrors,
+    /// What happened to the path since the first fault, or over the whole flight without one.
+    pub damage: Damage,
     /// When yaw was first given up on purpose, s since the start; `None` if it never was.
     pub gave_up_yaw_at: Option<f64>,
     /// For how long some body rate was beyond the range of the gyroscope, s.
@@ -231,7 +238,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut knowledge = Knowledge::new(model, simulation, strikes, period, estimator_ticks);
     let mut allocator = Allocator::new(model, model.vehicle.allocation);
     let mut course = sortie.course.clone();
-    let mut watch = Watch::new(simulation, period);
+    let mut watch = Watch::new(sortie, period);
     // One entry for each sample of the regressor; only long landings need more room.
     let mut conditions = Vec::with_capacity((sortie.duration.min(1e4) * CONDITION_RATE) as usize + 400);
     let mut reference = course.at(0.0);
@@ -255,7 +262,9 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         if step.is_multiple_of(control_steps) {
             let tick = step / control_steps;
             reference = course.at(t);
-            if let Some(end) = watch.look(t, &body, &reference, !strikes.is_empty() && t >= strikes[0].at) {
+            let acceleration = || body.derivative(&frame, &wrench, momentum, &blowing).velocity;
+            let is_after = !strikes.is_empty() && t >= strikes[0].at;
+            if let Some(end) = watch.look(t, &body, &reference, is_after, acceleration) {
                 break end;
             }
             // A duration that is NaN counts as elapsed.
@@ -285,8 +294,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 };
                 course = Course::Stop(Box::new(stop));
                 reference = course.at(t);
-                watch.is_stopping = true;
-                watch.may_land = lands;
+                watch.stop(t, lands);
             }
             // The controller knows the air of the plan, in the middle of the possible winds.
             let aimed = reference.in_air(&environment);
@@ -349,6 +357,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         rms_error_after: watch.rms_error_after(),
         max_tilt: watch.max_tilt,
         heading: watch.heading_errors(),
+        damage: watch.damage(end, outcome.is_lost()),
         gave_up_yaw_at,
         gyroscope_saturated: sensors.saturated,
         found,

@@ -52,6 +52,7 @@ fn a_longer_flight_allocates_no_more() {
                     model: &model,
                     simulation: &model.simulation,
                     course: Course::Stop(Box::new(Stop::from(&place, 0.0, false, 0.0))),
+                    mission: None,
                     strikes: &strikes,
                     seed: 1,
                     duration,

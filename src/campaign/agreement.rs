@@ -6,7 +6,9 @@
 //! A mode without full control violates its set at all times, whatever is planned. A prediction that only separates such
 //! modes from the others is of little value, so the modes with hover inside their sets are also counted separately.
 
+use super::correlations::{Correlation, correlations};
 use super::design::Design;
+use super::predictors::Forecast;
 use super::statistics::{Contingency, spearman};
 use super::tally::Tally;
 use crate::model::PlannerKind;
@@ -23,6 +25,8 @@ const STRONG: f64 = 0.5;
 pub struct Agreement {
     pub all: Scope,
     pub inside: Scope,
+    /// Every predictor, over all modes.
+    pub forecasts: Vec<Forecast>,
 }
 
 /// Agreement over some modes.
@@ -36,6 +40,8 @@ pub struct Scope {
     pub rank_correlation: Option<f64>,
     /// Pairs of plan and mode with struck flights.
     pub pairs: usize,
+    /// Whether worse plans do more harm to the path.
+    pub harm: Vec<Correlation>,
 }
 
 /// How strong an agreement is.
@@ -69,10 +75,11 @@ impl Strength {
 impl Agreement {
     /// From the flights counted so far.
     pub fn new(design: &Design, tally: &Tally) -> Self {
-        let hold = |m: &usize| design.inside[*m];
+        let hold = |m: &usize| design.modes[*m].is_inside();
         Agreement {
             all: Scope::new(design, tally, (0..design.cases.modes).collect()),
             inside: Scope::new(design, tally, (0..design.cases.modes).filter(hold).collect()),
+            forecasts: Forecast::all(design, tally),
         }
     }
 }
@@ -82,8 +89,7 @@ impl Scope {
         let mut scope = Scope { modes: modes.len(), ..Scope::default() };
         let mut pairs = Vec::new();
         for (p, plan) in design.plans.iter().enumerate() {
-            let is_repeated =
-                design.plans[..p].iter().any(|earlier| earlier.trajectory.is_same_motion(&plan.trajectory));
+            let is_repeated = design.is_repeated(p);
             let mut table = Contingency::default();
             for &m in &modes {
                 let outside = &plan.outside[m];
@@ -105,6 +111,7 @@ impl Scope {
         }
         scope.rank_correlation = spearman(&pairs);
         scope.pairs = pairs.len();
+        scope.harm = correlations(design, tally, &modes);
         scope
     }
 }

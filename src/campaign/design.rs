@@ -1,13 +1,18 @@
 //! The design of a campaign: plans at one mission time, and the violations of every declared mode's set by each plan.
 
 use super::cases::{Case, Cases, fault_time};
-use crate::admissible::AdmissibleSet;
+use crate::admissible::edge::Place;
 use crate::admissible::row::{SetRow, row};
-use crate::model::{FaultMode, Model, PlannerKind};
+use crate::admissible::without_yaw::YawFree;
+use crate::admissible::without_yaw::planned::Provision;
+use crate::admissible::{self, AdmissibleSet, verdict::analyze};
+use crate::flight::capture::{self, CaptureHeight};
+use crate::model::{Detection, FaultMode, GiveUpYaw, Model, PlannerKind};
 use crate::motion::Trajectory;
 use crate::motion::outside::{Outside, outside};
 use crate::planner::studies::{Comparison, PlanOutcome};
 use crate::verdict::Verdict;
+use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 use std::fmt;
 use std::str::FromStr;
@@ -21,6 +26,32 @@ pub struct Plan {
     pub trajectory: Trajectory,
     /// Violations of every declared mode's set, in their order, with the spec's reserve.
     pub outside: Vec<Outside>,
+}
+
+/// What is known of a mode without a flight.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Standing {
+    /// The paper's verdict.
+    pub verdict: admissible::verdict::Verdict,
+    /// Where hover lies relative to the set of the verdict, as `mavc analyze` reports it.
+    pub hover: Place,
+    /// Where it lies relative to the set of full wrenches. A plan can keep a reserve only against modes with hover inside.
+    pub hover_all_axes: Place,
+    /// The same in the words of all reports, such as `on the edge, yaw free`.
+    pub words: String,
+    /// How the mode hovers with yaw given up.
+    pub yaw_free: YawFree,
+    /// Whether yaw may be given up after this fault, once it is known.
+    pub gives_up_yaw: bool,
+    /// The height that the fault costs ([`capture::heights`]); empty if yaw is not given up after it.
+    pub capture: Vec<CaptureHeight>,
+}
+
+impl Standing {
+    /// Whether hover lies inside the set of full wrenches.
+    pub fn is_inside(&self) -> bool {
+        self.hover_all_axes == Place::Inside
+    }
 }
 
 /// A planner without a plan to fly.
@@ -45,9 +76,8 @@ pub struct Design<'a> {
     /// In the order of the spec's planners; never empty.
     pub plans: Vec<Plan>,
     pub missing: Vec<Missing>,
-    /// For each declared mode whether hover lies inside its set of full wrenches: only against such modes can a plan keep a
-    /// reserve.
-    pub inside: Vec<bool>,
+    /// For each declared mode what is known of it without a flight.
+    pub modes: Vec<Standing>,
     /// T_d, s.
     pub time: f64,
     pub cases: Cases,
@@ -101,8 +131,8 @@ impl<'a> Design<'a> {
         let campaign = &model.campaign;
         let cases =
             Cases { planners: plans.len(), modes: model.modes.len(), times: campaign.times, seeds: campaign.seeds };
-        let inside = judge(model, &mut plans);
-        let mut design = Design { model, plans, missing, inside, time, cases, id: Identity(0) };
+        let modes = judge(model, &mut plans);
+        let mut design = Design { model, plans, missing, modes, time, cases, id: Identity(0) };
         design.id = design.identity(origin);
         Ok(design)
     }
@@ -122,6 +152,12 @@ impl<'a> Design<'a> {
         Identity(bytes.iter().take(8).fold(0, |id, byte| id << 8 | u64::from(*byte)))
     }
 
+    /// Whether a plan before this one is the same motion: it counts once where plans are compared.
+    pub fn is_repeated(&self, plan: usize) -> bool {
+        let trajectory = &self.plans[plan].trajectory;
+        self.plans[..plan].iter().any(|earlier| earlier.trajectory.is_same_motion(trajectory))
+    }
+
     /// The plan that a case flies.
     pub fn plan(&self, case: &Case) -> &Plan {
         &self.plans[case.planner]
@@ -138,27 +174,44 @@ impl<'a> Design<'a> {
     }
 }
 
-/// Computes for each declared mode whether hover lies inside its set ([`crate::admissible::edge`]), and the violations of
-/// each plan. Sets with hover inside are shrunk by the reserve; the others cannot be shrunk about hover. Only one set is in
-/// memory at a time: those of all modes may not fit.
-fn judge(model: &Model, plans: &mut [Plan]) -> Vec<bool> {
+/// The standing of each declared mode ([`crate::admissible::edge`]), and the violations of each plan. Sets with hover inside are
+/// shrunk by the reserve; the others cannot be shrunk about hover. Only one set is in memory at a time: those of all modes may
+/// not fit.
+fn judge(model: &Model, plans: &mut [Plan]) -> Vec<Standing> {
     let healthy = AdmissibleSet::healthy(model);
-    let mut inside = Vec::new();
+    let mut modes = Vec::new();
     for mode in 0..model.modes.len() {
-        let (rows, is_inside) = mode_rows(model, mode, &healthy);
+        let (rows, standing) = mode_rows(model, mode, &healthy);
         for plan in plans.iter_mut() {
             plan.outside.push(outside(&plan.trajectory, &model.vehicle, &model.environment(), &rows));
         }
-        inside.push(is_inside);
+        modes.push(standing);
     }
-    inside
+    modes.par_iter_mut().enumerate().filter(|(_, standing)| standing.gives_up_yaw).for_each(|(mode, standing)| {
+        standing.capture = capture::heights(model, mode);
+    });
+    modes
 }
 
-/// A declared mode's set as rows, and whether hover lies inside.
-fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow>, bool) {
+/// A declared mode's set as rows, or its core where plans provide for the mode without yaw; and its standing.
+fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow>, Standing) {
     let mut set = AdmissibleSet::of_mode(model, mode);
-    let inside = set.has_hover_inside();
-    if inside {
+    let analysis = analyze(model, &set);
+    let is_known = model.simulation.detection != Detection::Never;
+    let gives_up_yaw = is_known && model.gives_up_yaw(mode) != GiveUpYaw::Never;
+    let standing = Standing {
+        verdict: analysis.verdict,
+        hover: analysis.hover,
+        hover_all_axes: analysis.hover_all_axes(),
+        words: analysis.hover_words(),
+        yaw_free: analysis.yaw_free,
+        gives_up_yaw,
+        capture: Vec::new(),
+    };
+    if gives_up_yaw && let Provision::WithoutYaw(core) = Provision::of(model, &set, healthy) {
+        return (core.rows, standing);
+    }
+    if standing.is_inside() {
         set = set.with_reserve(model.plan.reserve);
     }
     let equalities = set.polytope.equalities.iter().map(|e| {
@@ -166,5 +219,5 @@ fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow
         SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new(), core: None }
     });
     let facets = set.polytope.facets.iter().map(|f| row(f, healthy, Vec::new()));
-    (equalities.chain(facets).collect(), inside)
+    (equalities.chain(facets).collect(), standing)
 }

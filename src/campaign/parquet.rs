@@ -2,7 +2,7 @@
 
 use super::rows::{FlightOutcome, Row, header};
 use parquet::basic::Compression;
-use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
+use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
@@ -28,11 +28,17 @@ const SCHEMA: &str = "message campaign {
     required double rms_error_m;
     required double max_error_m;
     optional double rms_error_after_m;
+    optional double max_error_after_m;
+    optional double max_drop_after_m;
     required double max_tilt_rad;
     required double rms_heading_error_rad;
     required double max_heading_error_rad;
     optional double max_heading_error_after_rad;
     required int64 turns;
+    optional boolean heading_broken;
+    optional int64 waypoints_due;
+    optional int64 waypoints_missed;
+    optional byte_array limits_broken (UTF8);
     optional double detected_after_s;
     optional double isolated_after_s;
     required int64 false_alarms;
@@ -93,11 +99,17 @@ fn group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, rows: &[Row]) ->
     columns.float(|r| r.rms_error)?;
     columns.float(|r| r.max_error)?;
     columns.optional(|r| r.rms_error_after)?;
+    columns.optional(|r| r.max_error_after)?;
+    columns.optional(|r| r.max_drop_after)?;
     columns.float(|r| r.max_tilt)?;
     columns.float(|r| r.rms_heading_error)?;
     columns.float(|r| r.max_heading_error)?;
     columns.optional(|r| r.max_heading_error_after)?;
     columns.count(|r| r.turns)?;
+    columns.nullable::<BoolType>(|r| r.path.map(|p| p.heading_broken))?;
+    columns.nullable::<Int64Type>(|r| r.path.map(|p| p.due as i64))?;
+    columns.nullable::<Int64Type>(|r| r.path.map(|p| p.missed as i64))?;
+    columns.text(|r| r.path.map(|p| p.limits.text()), true)?;
     columns.optional(|r| r.detected_after)?;
     columns.optional(|r| r.isolated_after)?;
     columns.count(|r| r.false_alarms)?;
@@ -139,9 +151,13 @@ impl<W: Write + Send> Columns<'_, W> {
     }
 
     fn optional(&mut self, of: impl Fn(&Row) -> Option<f64>) -> Result<()> {
-        let cells: Vec<Option<f64>> = self.rows.iter().map(of).collect();
+        self.nullable::<DoubleType>(of)
+    }
+
+    fn nullable<T: DataType>(&mut self, of: impl Fn(&Row) -> Option<T::T>) -> Result<()> {
+        let cells: Vec<Option<T::T>> = self.rows.iter().map(of).collect();
         let levels: Vec<i16> = cells.iter().map(|c| i16::from(c.is_some())).collect();
-        let values: Vec<f64> = cells.into_iter().flatten().collect();
-        self.write::<DoubleType>(&values, Some(&levels))
+        let values: Vec<T::T> = cells.into_iter().flatten().collect();
+        self.write::<T>(&values, Some(&levels))
     }
 }

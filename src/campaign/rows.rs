@@ -3,13 +3,13 @@
 use super::HEALTHY;
 use super::cases::Case;
 use super::design::{Design, Identity};
-use crate::flight::{Cause, Flight, Outcome};
+use crate::flight::{BrokenLimits, Cause, Damage, Flight, Outcome};
 use crate::number::shortest;
 use sha2::{Digest, Sha256};
 use std::io::{BufRead, ErrorKind, Read};
 
 /// Names of the columns.
-pub const COLUMNS: [&str; 23] = [
+pub const COLUMNS: [&str; 29] = [
     "campaign",
     "cases",
     "case",
@@ -23,11 +23,17 @@ pub const COLUMNS: [&str; 23] = [
     "rms_error_m",
     "max_error_m",
     "rms_error_after_m",
+    "max_error_after_m",
+    "max_drop_after_m",
     "max_tilt_rad",
     "rms_heading_error_rad",
     "max_heading_error_rad",
     "max_heading_error_after_rad",
     "turns",
+    "heading_broken",
+    "waypoints_due",
+    "waypoints_missed",
+    "limits_broken",
     "detected_after_s",
     "isolated_after_s",
     "false_alarms",
@@ -81,6 +87,9 @@ pub struct Row {
     pub max_error: f64,
     /// m; `None` if no fault struck before the end.
     pub rms_error_after: Option<f64>,
+    pub max_error_after: Option<f64>,
+    /// Largest height below the reference, m; `None` if no fault struck before the end.
+    pub max_drop_after: Option<f64>,
     /// rad
     pub max_tilt: f64,
     /// Heading error, rad; `None` if no fault struck before the end.
@@ -89,11 +98,31 @@ pub struct Row {
     pub max_heading_error_after: Option<f64>,
     /// Largest number of whole turns away from the planned heading.
     pub turns: usize,
+    /// Since the fault, or over the whole flight without one; `None` if the fault did not strike before the end.
+    pub path: Option<Path>,
     /// Seconds after the fault.
     pub detected_after: Option<f64>,
     pub isolated_after: Option<f64>,
     pub false_alarms: usize,
     pub refused: usize,
+}
+
+/// What happened to the path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Path {
+    /// Whether the heading error exceeded its threshold before yaw was given up on purpose.
+    pub heading_broken: bool,
+    /// Waypoints that were due, and those of them that were missed.
+    pub due: usize,
+    pub missed: usize,
+    pub limits: BrokenLimits,
+}
+
+impl Path {
+    fn new(damage: &Damage) -> Self {
+        let Damage { waypoints_due, waypoints_missed, limits, heading_broken, .. } = *damage;
+        Path { heading_broken, due: waypoints_due, missed: waypoints_missed, limits }
+    }
 }
 
 /// How a flight ended.
@@ -130,11 +159,14 @@ impl Row {
             max_error: flight.max_error,
             // A vehicle that was lost before the fault was never struck.
             rms_error_after: found.map(|_| flight.rms_error_after),
+            max_error_after: found.map(|_| flight.damage.max_error),
+            max_drop_after: found.map(|_| flight.damage.max_drop),
             max_tilt: flight.max_tilt,
             rms_heading_error: flight.heading.rms,
             max_heading_error: flight.heading.max,
             max_heading_error_after: found.map(|_| flight.heading.max_after),
             turns: flight.heading.turns,
+            path: (fault_time.is_none() || found.is_some()).then(|| Path::new(&flight.damage)),
             detected_after: found.and_then(|f| f.detected_after),
             isolated_after: found.and_then(|f| f.isolated_after),
             false_alarms: flight.false_alarms,
@@ -184,8 +216,11 @@ impl Row {
             FlightOutcome::Lost(cause) => ("lost", cause.name()),
             FlightOutcome::Diverged => ("diverged", ""),
         };
+        let path = self.path.map_or(",,,".into(), |Path { heading_broken, due, missed, limits }| {
+            format!("{heading_broken},{due},{missed},{}", limits.text())
+        });
         format!(
-            "{},{},{},{},{},{},{},{outcome},{cause},{},{},{},{},{},{},{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{outcome},{cause},{},{},{},{},{},{},{},{},{},{},{},{path},{},{},{},{}",
             self.campaign,
             self.cases,
             self.case,
@@ -197,6 +232,8 @@ impl Row {
             shortest(self.rms_error),
             shortest(self.max_error),
             optional(self.rms_error_after),
+            optional(self.max_error_after),
+            optional(self.max_drop_after),
             shortest(self.max_tilt),
             shortest(self.rms_heading_error),
             shortest(self.max_heading_error),
@@ -240,6 +277,15 @@ impl Row {
             ("diverged", None) if cells[8].is_empty() => FlightOutcome::Diverged,
             _ => return Err(format!("{:?} with cause {:?} is not a valid outcome", cells[7], cells[8])),
         };
+        let path = match cells[20..24].iter().all(|cell| cell.is_empty()) {
+            true => None,
+            false => Some(Path {
+                heading_broken: cells[20].parse().map_err(|_| wrong(20))?,
+                due: count(21)?,
+                missed: count(22)?,
+                limits: BrokenLimits::read(cells[23]).ok_or_else(|| wrong(23))?,
+            }),
+        };
         Ok(Row {
             campaign: cells[0].parse().map_err(|()| wrong(0))?,
             cases: count(1)?,
@@ -253,15 +299,18 @@ impl Row {
             rms_error: float(10)?,
             max_error: float(11)?,
             rms_error_after: optional(12)?,
-            max_tilt: float(13)?,
-            rms_heading_error: float(14)?,
-            max_heading_error: float(15)?,
-            max_heading_error_after: optional(16)?,
-            turns: count(17)?,
-            detected_after: optional(18)?,
-            isolated_after: optional(19)?,
-            false_alarms: count(20)?,
-            refused: count(21)?,
+            max_error_after: optional(13)?,
+            max_drop_after: optional(14)?,
+            max_tilt: float(15)?,
+            rms_heading_error: float(16)?,
+            max_heading_error: float(17)?,
+            max_heading_error_after: optional(18)?,
+            turns: count(19)?,
+            path,
+            detected_after: optional(24)?,
+            isolated_after: optional(25)?,
+            false_alarms: count(26)?,
+            refused: count(27)?,
         })
     }
 }

@@ -121,6 +121,55 @@ pub fn spearman(pairs: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| sum(&|x, y| x * y) / spread.sqrt())
 }
 
+/// A 95 % confidence interval.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Interval {
+    pub low: f64,
+    pub high: f64,
+}
+
+/// The interval of a rank correlation over `n` independent pairs, by Fisher's transform with the variance of Bonett and Wright
+/// (2000), (1 + r^2/2)/(n - 3); `None` for fewer than [`FEWEST`] pairs and for a perfect correlation.
+pub fn rank_interval(correlation: f64, n: usize) -> Option<Interval> {
+    if n < FEWEST || correlation.abs() >= 1.0 {
+        return None;
+    }
+    let half = Z * ((1.0 + 0.5 * correlation * correlation) / (n as f64 - 3.0)).sqrt();
+    let at = |offset: f64| (correlation.atanh() + offset).tanh();
+    Some(Interval { low: at(-half), high: at(half) })
+}
+
+/// Fewest pairs for which an interval of a rank correlation is given.
+pub const FEWEST: usize = 10;
+
+/// Spearman's rank correlation with ranks taken within each group, about the group's mean rank: it compares the members of a
+/// group with each other, not the groups. Also the number of groups in which both sides vary; `None` if there are none.
+pub fn spearman_within(groups: &[Vec<(f64, f64)>]) -> (Option<f64>, usize) {
+    let (mut products, mut x_squares, mut y_squares, mut varied) = (0.0, 0.0, 0.0, 0);
+    for group in groups {
+        let mean = (group.len() as f64 + 1.0) / 2.0;
+        let [x, y] = [ranks(group.iter().map(|p| p.0)), ranks(group.iter().map(|p| p.1))];
+        let spread = |ranks: &[f64]| ranks.iter().map(|r| (r - mean).powi(2)).sum::<f64>();
+        if spread(&x) > 0.0 && spread(&y) > 0.0 {
+            varied += 1;
+            products += x.iter().zip(&y).map(|(x, y)| (x - mean) * (y - mean)).sum::<f64>();
+            x_squares += spread(&x);
+            y_squares += spread(&y);
+        }
+    }
+    ((varied > 0).then(|| products / (x_squares * y_squares).sqrt()), varied)
+}
+
+/// The Brier score (1950) of predicted probabilities: the mean of (probability - outcome)^2, with outcome 1 for a loss. Each entry
+/// has a probability, and how many of the flights that have it were lost, of how many. `None` without flights.
+pub fn brier(predicted: &[(f64, usize, usize)]) -> Option<f64> {
+    let flights: usize = predicted.iter().map(|p| p.2).sum();
+    let squares = predicted.iter().map(|&(probability, lost, of)| {
+        lost as f64 * (1.0 - probability).powi(2) + (of - lost) as f64 * probability * probability
+    });
+    (flights > 0).then(|| squares.sum::<f64>() / flights as f64)
+}
+
 /// Ranks from 1; equal values have the mean of their ranks.
 fn ranks(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let values: Vec<f64> = values.collect();

@@ -1,12 +1,13 @@
 //! Counts and sums over a stream of rows; their number does not depend on the number of seeds.
 
 use super::cases::{Case, Cases};
+use super::path::{PathCell, PathSums};
 use super::rows::{FlightOutcome, Row};
 use super::statistics::Moments;
 use crate::flight::Cause;
 
 /// Flights with the same plan, mode and instant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Cell {
     pub flights: usize,
     /// Flights that were still flying when the fault struck.
@@ -15,6 +16,8 @@ pub struct Cell {
     pub lost: usize,
     /// Neither struck nor lost: their simulation diverged.
     pub diverged: usize,
+    /// Over the struck flights.
+    pub path: PathCell,
 }
 
 /// Flights with the same plan and mode, or without a fault.
@@ -33,6 +36,8 @@ pub struct Group {
     pub rms_error: Moments,
     /// m, the same flights, over the whole flight.
     pub max_error: Moments,
+    /// m, the same flights: since the fault, or, without a fault, over the whole flight.
+    pub max_error_after: Moments,
     /// Largest heading error, rad, the same flights: since the fault, or, without a fault, over the whole flight.
     pub max_heading_error: Moments,
     /// s, over the flights in which it happened.
@@ -40,6 +45,8 @@ pub struct Group {
     pub isolated_after: Moments,
     pub false_alarms: usize,
     pub refused: usize,
+    /// What happened to the path, lost flights included.
+    pub path: PathSums,
 }
 
 impl Group {
@@ -72,12 +79,14 @@ impl Group {
         if row.is_survived() {
             self.rms_error.add(row.rms_error_after.unwrap_or(row.rms_error));
             self.max_error.add(row.max_error);
+            self.max_error_after.add(row.max_error_after.unwrap_or(row.max_error));
             self.max_heading_error.add(row.max_heading_error_after.unwrap_or(row.max_heading_error));
         }
         row.detected_after.into_iter().for_each(|s| self.detected_after.add(s));
         row.isolated_after.into_iter().for_each(|s| self.isolated_after.add(s));
         self.false_alarms += row.false_alarms;
         self.refused += row.refused;
+        self.path.add(row);
     }
 }
 
@@ -111,6 +120,9 @@ impl Tally {
             cell.diverged += usize::from(diverged);
             cell.struck += usize::from(struck);
             cell.lost += usize::from(struck && row.is_lost());
+            if struck {
+                cell.path.add(row);
+            }
         }
     }
 

@@ -67,6 +67,38 @@ pub fn captures(model: &Model) -> Vec<Capture> {
     cases.into_par_iter().map(|(mode, lag, speed, delay)| capture(model, mode, lag, speed, delay)).collect()
 }
 
+/// The height that a fault costs at a horizontal speed, with the detection of the spec.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CaptureHeight {
+    pub speed_m_per_s: f64,
+    /// Number of flights, and of those that regained level flight.
+    pub flights: usize,
+    pub regained: usize,
+    /// Median of the heights that these lost; `None` if there are none.
+    pub height_m: Option<f64>,
+}
+
+/// The heights that a fault costs at each of [`SPEEDS`], in flights as in [`captures`], but with the rotors' own time constant
+/// and the spec's detection. Empty if yaw is not given up after it, or hover is not possible then.
+pub fn heights(model: &Model, mode: usize) -> Vec<CaptureHeight> {
+    if !is_captured(model, mode) {
+        return Vec::new();
+    }
+    let at = |speed: f64| {
+        let seeds = (0..SEEDS).map(|seed| model.simulation.seed + seed);
+        let lost = seeds.filter_map(|seed| flight(model, mode, speed, model.simulation.detection, seed));
+        let mut heights: Vec<f64> = lost.map(|found| found.0).collect();
+        heights.sort_by(f64::total_cmp);
+        CaptureHeight {
+            speed_m_per_s: speed,
+            flights: SEEDS as usize,
+            regained: heights.len(),
+            height_m: heights.get(heights.len() / 2).copied(),
+        }
+    };
+    SPEEDS.map(at).to_vec()
+}
+
 /// Whether yaw is given up after a fault, and hover is possible then.
 fn is_captured(model: &Model, mode: usize) -> bool {
     let fault = &model.modes[mode];
@@ -82,8 +114,9 @@ fn capture(model: &Model, mode: usize, lag: f64, speed: f64, delay: f64) -> Capt
     for rotor in &mut slower.vehicle.rotors {
         rotor.time_constant = Some(lag * rotor.lag());
     }
-    let flights: Vec<Option<(f64, f64)>> =
-        (0..SEEDS).map(|seed| flight(&slower, mode, speed, delay, model.simulation.seed + seed)).collect();
+    let flights: Vec<Option<(f64, f64)>> = (0..SEEDS)
+        .map(|seed| flight(&slower, mode, speed, Detection::After(delay), model.simulation.seed + seed))
+        .collect();
     let mut heights: Vec<f64> = flights.iter().flatten().map(|found| found.0).collect();
     heights.sort_by(f64::total_cmp);
     let rotors = &slower.vehicle.rotors;
@@ -101,9 +134,9 @@ fn capture(model: &Model, mode: usize, lag: f64, speed: f64, delay: f64) -> Capt
 
 /// The height lost and the largest horizontal distance from the reference (m) of a flight in which `mode` strikes at a horizontal
 /// speed; `None` if it does not regain level flight.
-fn flight(model: &Model, mode: usize, speed: f64, delay: f64, seed: u64) -> Option<(f64, f64)> {
+fn flight(model: &Model, mode: usize, speed: f64, detection: Detection, seed: u64) -> Option<(f64, f64)> {
     let simulation = Simulation {
-        detection: Detection::After(delay),
+        detection,
         after_fault: AfterFault::Hold,
         ground: 0.0,
         lost_beyond: HIGH,
@@ -129,6 +162,7 @@ fn flight(model: &Model, mode: usize, speed: f64, delay: f64, seed: u64) -> Opti
         model,
         simulation: &simulation,
         course: Course::Plan(&trajectory),
+        mission: None,
         strikes: &strikes,
         seed,
         duration: ENDS,

@@ -1,9 +1,11 @@
 //! When a vehicle is lost, and its errors of position and heading until then (`docs/flight.md`, section 5).
 
+use super::Sortie;
 use super::body::Body;
+use super::damage::{self, Damage, Errors};
 use super::heading::{Collector, Heading, HeadingErrors, Patience};
 use super::reference::Reference;
-use crate::model::Simulation;
+use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A vehicle lands if it touches the ground no faster than this (m/s) and with no more than this tilt (rad).
@@ -79,7 +81,7 @@ impl Cause {
 
 /// Monitors the vehicle every `period` s.
 #[derive(Debug, Clone)]
-pub(super) struct Watch {
+pub(super) struct Watch<'a> {
     lost_beyond: f64,
     upside_down: f64,
     ground: f64,
@@ -91,12 +93,13 @@ pub(super) struct Watch {
     patience: Patience,
     pub(super) heading: Heading,
     headings: Collector,
+    damage: damage::Collector<'a>,
     /// Whether a stop has begun.
     pub(super) is_stopping: bool,
     /// Whether yaw has been given up on purpose, so that the heading error loses no vehicle.
     pub(super) gave_up_yaw: bool,
     /// Whether the vehicle may touch the ground.
-    pub(super) may_land: bool,
+    may_land: bool,
     /// Largest distance from the reference position, m.
     pub(super) max_error: f64,
     /// Largest tilt, rad.
@@ -108,8 +111,9 @@ pub(super) struct Watch {
     samples_after: usize,
 }
 
-impl Watch {
-    pub(super) fn new(simulation: &Simulation, period: f64) -> Self {
+impl<'a> Watch<'a> {
+    pub(super) fn new(sortie: &Sortie<'a>, period: f64) -> Self {
+        let simulation = sortie.simulation;
         Watch {
             lost_beyond: simulation.lost_beyond,
             upside_down: simulation.upside_down,
@@ -120,6 +124,7 @@ impl Watch {
             patience: Patience::new(simulation.lost_yaw, simulation.lost_yaw_after),
             heading: Heading::default(),
             headings: Collector::default(),
+            damage: damage::Collector::new(sortie),
             is_stopping: false,
             gave_up_yaw: false,
             may_land: false,
@@ -132,9 +137,23 @@ impl Watch {
         }
     }
 
-    /// Processes a sample at time `t` (s); `after` is whether a fault has struck. Returns the outcome if the flight
-    /// ends here.
-    pub(super) fn look(&mut self, t: f64, body: &Body, reference: &Reference, after: bool) -> Option<Outcome> {
+    /// A stop begins at `t` s, which ends in a landing if it `lands`.
+    pub(super) fn stop(&mut self, t: f64, lands: bool) {
+        self.is_stopping = true;
+        self.may_land = lands;
+        self.damage.stop(t);
+    }
+
+    /// Processes a sample at time `t` (s); `after` is whether a fault has struck, and `acceleration` gives that of the body,
+    /// m/s^2. Returns the outcome if the flight ends here.
+    pub(super) fn look(
+        &mut self,
+        t: f64,
+        body: &Body,
+        reference: &Reference,
+        after: bool,
+        acceleration: impl FnOnce() -> Vector3<f64>,
+    ) -> Option<Outcome> {
         let lost = |cause| Some(Outcome::Lost { at: t, cause, at_end: false });
         let error = (body.position - reference.position).norm();
         // The distance of finite positions, or its square, may overflow.
@@ -146,6 +165,8 @@ impl Watch {
         self.heading.look(body, reference.yaw[0]);
         self.max_error = self.max_error.max(error);
         self.max_tilt = self.max_tilt.max(tilt);
+        let heading = (!self.gave_up_yaw).then(|| self.heading.error());
+        self.damage.look(t, body, reference, Errors { position: error, tilt, heading }, acceleration);
         if body.position.z <= self.ground {
             let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
             return match (self.may_land && soft, self.is_off_its_heading()) {
@@ -192,6 +213,11 @@ impl Watch {
 
     pub(super) fn heading_errors(&self) -> HeadingErrors {
         self.headings.errors()
+    }
+
+    /// What happened to the path of a flight that ended at `end` s.
+    pub(super) fn damage(&mut self, end: f64, is_lost: bool) -> Damage {
+        self.damage.finish(end, is_lost)
     }
 
     /// Root mean square of the position error, m.

@@ -1,16 +1,26 @@
 //! The machine-readable report of a campaign, schema in `docs/schema/campaign.schema.json`.
 
-use crate::campaign::agreement::{Agreement, Scope, Strength};
+mod agreement;
+mod path;
+
+pub use agreement::{AgreementRecord, PredictorRecord, TableRecord};
+pub use path::{LimitRecord, PathRecord};
+
+use crate::admissible;
+use crate::admissible::edge::Place;
+use crate::admissible::without_yaw::YawFree;
+use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
 use crate::campaign::design::{Design, Missing};
-use crate::campaign::statistics::{Contingency, Share, Summary, wilson};
-use crate::campaign::tally::{Group, Tally};
+use crate::campaign::statistics::{Share, Summary, wilson};
+use crate::campaign::tally::{Cell, Group, Tally};
+use crate::flight::capture::CaptureHeight;
 use crate::model::{Detection, Model};
 use crate::verdict::Verdict;
 use serde::Serialize;
 
 /// Version of this record; raised when a field or the meaning of its values changes.
-const SCHEMA: u32 = 3;
+const SCHEMA: u32 = 4;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CampaignRecord {
@@ -38,6 +48,8 @@ pub struct CampaignRecord {
     pub planners: Vec<PlannerRecord>,
     /// Over all modes, then over the modes with hover inside their sets; empty if nothing was flown.
     pub agreement: Vec<AgreementRecord>,
+    /// Everything that predicts losses, over all modes; empty if nothing was flown.
+    pub predictors: Vec<PredictorRecord>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -60,12 +72,26 @@ pub struct PlannerRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeRecord {
     pub name: String,
-    /// Whether hover lies inside the mode's set of full wrenches, as `mavc analyze` reports it.
+    /// Verdict, place of hover and the word for yaw given up, as `mavc analyze` reports them.
+    pub verdict: admissible::verdict::Verdict,
+    pub hover: Place,
+    /// The place of hover in the words of tables.
+    #[serde(skip)]
+    pub hover_words: String,
+    pub yaw_free: YawFree,
+    /// Whether hover lies inside the mode's set of full wrenches.
     pub hover_inside: bool,
+    /// Whether yaw may be given up after this fault, once it is known.
+    pub gives_up_yaw: bool,
+    /// The height that the fault costs if yaw is given up after it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub capture: Vec<CaptureHeight>,
     /// How long the plan violates the mode's set.
     pub violation_duration_s: f64,
     /// The last instant at which it does; `None` if there is none.
     pub last_violation_s: Option<f64>,
+    /// The largest violation, in widths of the healthy set; negative inside, where it is the margin.
+    pub worst_violation: f64,
     pub flights: GroupRecord,
     pub times: Vec<CellRecord>,
 }
@@ -88,12 +114,15 @@ pub struct GroupRecord {
     /// Since the fault, over the flights that survived.
     pub rms_error_m: Option<Summary>,
     pub max_error_m: Option<Summary>,
+    /// Largest position error since the fault, over the flights that survived.
+    pub max_error_after_m: Option<Summary>,
     /// Largest heading error since the fault, over the flights that survived.
     pub max_heading_error_rad: Option<Summary>,
     pub detected_after_s: Option<Summary>,
     pub isolated_after_s: Option<Summary>,
     pub false_alarms: usize,
     pub refused_reconfigurations: usize,
+    pub path: PathRecord,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -106,30 +135,32 @@ pub struct CellRecord {
     pub lost: usize,
     /// Flights whose simulation diverged.
     pub diverged: usize,
+    /// Mean over the struck flights, lost ones included, of the largest distance from the reference since the fault; `None`
+    /// without struck flights.
+    pub mean_deviation_m: Option<f64>,
+    /// Of the struck flights together.
+    pub waypoints_due: usize,
+    pub waypoints_missed: usize,
+    /// Struck flights that broke a limit, or the heading.
+    pub limits_broken: usize,
+    pub heading_broken: usize,
 }
 
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct AgreementRecord {
-    /// `all` or `inside`.
-    pub modes: &'static str,
-    pub mode_count: usize,
-    /// All planners, then each.
-    pub by_flight: Vec<TableRecord>,
-    /// Spearman's, between violation duration and share lost.
-    pub rank_correlation: Option<f64>,
-    pub rank_strength: Strength,
-    pub pairs: usize,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct TableRecord {
-    /// `None` for all planners together.
-    pub planner: Option<&'static str>,
-    #[serde(flatten)]
-    pub counts: Contingency,
-    pub base_rate: Option<f64>,
-    pub phi: Option<f64>,
-    pub strength: Strength,
+impl CellRecord {
+    fn new(fault_time_s: f64, cell: &Cell) -> Self {
+        CellRecord {
+            fault_time_s,
+            flights: cell.flights,
+            struck: cell.struck,
+            lost: cell.lost,
+            diverged: cell.diverged,
+            mean_deviation_m: (cell.struck > 0).then(|| cell.path.deviation / cell.struck as f64),
+            waypoints_due: cell.path.due,
+            waypoints_missed: cell.path.missed,
+            limits_broken: cell.path.limits,
+            heading_broken: cell.path.heading,
+        }
+    }
 }
 
 impl CampaignRecord {
@@ -142,7 +173,7 @@ impl CampaignRecord {
             healthy: Some(GroupRecord::new(tally.healthy(p))),
             modes: (0..design.model.modes.len()).map(|m| mode(design, tally, p, m)).collect(),
         });
-        let Agreement { all, inside } = Agreement::new(design, tally);
+        let Agreement { all, inside, forecasts } = Agreement::new(design, tally);
         CampaignRecord {
             campaign: Some(design.id.to_string()),
             shard: (shard != Shard::WHOLE).then_some(ShardRecord { index: shard.index + 1, of: shard.of }),
@@ -151,6 +182,7 @@ impl CampaignRecord {
             flights: tally.flights(),
             planners: planners.chain(design.missing.iter().map(missing)).collect(),
             agreement: vec![AgreementRecord::new("all", &all), AgreementRecord::new("inside", &inside)],
+            predictors: forecasts.into_iter().map(PredictorRecord::new).collect(),
             ..CampaignRecord::without_flights(design.model, &[], spec_sha256)
         }
     }
@@ -181,6 +213,7 @@ impl CampaignRecord {
             after_fault: simulation.after_fault.name(),
             planners: left_out.iter().map(missing).collect(),
             agreement: Vec::new(),
+            predictors: Vec::new(),
         }
     }
 }
@@ -197,22 +230,22 @@ fn missing(missing: &Missing) -> PlannerRecord {
 
 fn mode(design: &Design, tally: &Tally, planner: usize, mode: usize) -> ModeRecord {
     let outside = &design.plans[planner].outside[mode];
+    let standing = &design.modes[mode];
     let cells = tally.cells(planner, mode).iter().enumerate();
     ModeRecord {
         name: design.model.modes[mode].name.clone(),
-        hover_inside: design.inside[mode],
+        verdict: standing.verdict,
+        hover: standing.hover,
+        hover_words: standing.words.clone(),
+        yaw_free: standing.yaw_free,
+        hover_inside: standing.is_inside(),
+        gives_up_yaw: standing.gives_up_yaw,
+        capture: standing.capture.clone(),
         violation_duration_s: outside.seconds,
         last_violation_s: outside.last,
+        worst_violation: outside.max_violation,
         flights: GroupRecord::new(tally.mode(planner, mode)),
-        times: cells
-            .map(|(k, cell)| CellRecord {
-                fault_time_s: design.fault_time(k),
-                flights: cell.flights,
-                struck: cell.struck,
-                lost: cell.lost,
-                diverged: cell.diverged,
-            })
-            .collect(),
+        times: cells.map(|(k, cell)| CellRecord::new(design.fault_time(k), cell)).collect(),
     }
 }
 
@@ -233,32 +266,13 @@ impl GroupRecord {
             survival: wilson(group.survived(), group.flights),
             rms_error_m: group.rms_error.summary(),
             max_error_m: group.max_error.summary(),
+            max_error_after_m: group.max_error_after.summary(),
             max_heading_error_rad: group.max_heading_error.summary(),
             detected_after_s: group.detected_after.summary(),
             isolated_after_s: group.isolated_after.summary(),
             false_alarms: group.false_alarms,
             refused_reconfigurations: group.refused,
-        }
-    }
-}
-
-impl AgreementRecord {
-    fn new(modes: &'static str, scope: &Scope) -> Self {
-        let table = |planner: Option<&'static str>, counts: &Contingency| TableRecord {
-            planner,
-            counts: *counts,
-            base_rate: counts.base_rate(),
-            phi: counts.phi(),
-            strength: Strength::of(counts.phi()),
-        };
-        let each = scope.planners.iter().map(|(planner, counts)| table(Some(planner.name()), counts));
-        AgreementRecord {
-            modes,
-            mode_count: scope.modes,
-            by_flight: std::iter::once(table(None, &scope.total)).chain(each).collect(),
-            rank_correlation: scope.rank_correlation,
-            rank_strength: Strength::of(scope.rank_correlation),
-            pairs: scope.pairs,
+            path: PathRecord::new(&group.path),
         }
     }
 }

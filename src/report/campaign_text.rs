@@ -1,14 +1,19 @@
 //! Terminal report of a campaign.
 
+mod agreement;
+mod path;
+
+pub use agreement::by_flight;
+
 use super::table::Table;
 use super::terminal::vehicle_line;
 use crate::campaign::HEALTHY;
-use crate::campaign::agreement::{Agreement, Scope, Strength};
+use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
 use crate::campaign::design::{Design, Missing, Plan};
 use crate::campaign::run::AFTERMATH;
-use crate::campaign::statistics::{Contingency, Share, wilson};
-use crate::campaign::tally::{Cell, Group, Tally};
+use crate::campaign::statistics::{Share, wilson};
+use crate::campaign::tally::{Group, Tally};
 use crate::flight::Cause;
 use crate::model::{Detection, Simulation};
 use crate::number::{fixed, number, part_of_all, percent, significant};
@@ -17,8 +22,6 @@ use std::cmp::Reverse;
 
 /// Columns of running text.
 const WIDTH: usize = 110;
-/// Columns of a map.
-const MAP: usize = 80;
 
 /// Most modes that are listed one by one.
 const SHOWN: usize = 40;
@@ -30,7 +33,7 @@ pub fn campaign(design: &Design, shard: Shard, tally: &Tally) -> String {
         out.push_str(&format!("\n{}\n", planned(design, tally, p, plan)));
     }
     out.push_str(&left_out(&design.missing));
-    out.push_str(&agreement(&Agreement::new(design, tally)));
+    out.push_str(&agreement::agreement(&Agreement::new(design, tally)));
     out
 }
 
@@ -137,8 +140,9 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
     }
     out.push_str(&table.render(2));
     out.push_str(
-        "  errors and headings are those of the flights that survived; violations are the plan's, in % of its time\n",
+        "  errors and headings are those of the flights that survived, since the fault; violations are the plan's, in % of its time\n",
     );
+    out.push_str(&path::table(design, tally, p, &modes));
     if let lost @ 1.. = healthy.all_lost() {
         let text = format!(
             "Warning: {lost} of {} without a fault {} lost. The vehicle cannot fly this plan, so its losses say little \
@@ -162,7 +166,7 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
         )));
     }
     if !modes.is_empty() {
-        out.push_str(&map(design, tally, p, &modes));
+        out.push_str(&path::maps(design, tally, p, &modes));
     }
     out.pop();
     out
@@ -183,7 +187,7 @@ fn worst(tally: &Tally, p: usize, modes: usize) -> Vec<usize> {
 fn group_cells(name: &str, group: &Group) -> Vec<String> {
     // No share is printed if every outcome is unknown.
     let survival = wilson(group.survived(), group.flights).filter(|_| group.diverged < group.flights);
-    let (rms, max) = (group.rms_error.summary(), group.max_error.summary());
+    let (rms, max) = (group.rms_error.summary(), group.max_error_after.summary());
     let heading = group.max_heading_error.summary();
     let detected = group.detected_after.summary().map(|d| {
         let all = d.count == group.struck();
@@ -227,47 +231,6 @@ fn hundred(share: f64) -> String {
     if share < 1.0 && share > 0.99949 { part_of_all(share) } else { fixed(100.0 * share, 1) }
 }
 
-/// A map of the share of struck flights that were lost: one line per mode, one column per instant.
-fn map(design: &Design, tally: &Tally, p: usize, modes: &[usize]) -> String {
-    let times = design.cases.times;
-    let columns = times.min(MAP);
-    let name = |m: usize| design.model.modes[m].name.as_str();
-    let width = modes.iter().map(|&m| name(m).chars().count()).max().unwrap_or(0);
-    let mut out = String::from("\n  Share lost, by the instant of the fault: . none, 1 to 9 tenths, # all");
-    let any = |of: fn(&Cell) -> bool| modes.iter().any(|&m| tally.cells(p, m).iter().any(of));
-    if any(|c| c.flights > 0 && c.struck == 0 && c.diverged == 0) {
-        out.push_str(", x lost before it");
-    }
-    if any(|c| c.diverged > 0) {
-        out.push_str(", ? diverged");
-    }
-    out.push('\n');
-    for &m in modes {
-        let cells = tally.cells(p, m);
-        let line = (0..columns).map(|c| mark(&cells[c * times / columns..(c + 1) * times / columns]));
-        out.push_str(&format!("  {:width$}  {}\n", name(m), line.collect::<String>()));
-    }
-    let end = format!("{} s", number(design.time));
-    let gap = columns.saturating_sub(3).max(end.len() + 2);
-    out + &format!("  {:width$}  0 s{end:>gap$}\n", "")
-}
-
-/// The character of a column, which may cover several cells.
-fn mark(cells: &[Cell]) -> char {
-    let sum = |of: fn(&Cell) -> usize| cells.iter().map(of).sum::<usize>();
-    match (sum(|c| c.flights), sum(|c| c.struck), sum(|c| c.lost)) {
-        (0, ..) => ' ',
-        _ if sum(|c| c.diverged) > 0 => '?',
-        (_, 0, _) => 'x',
-        (_, _, 0) => '.',
-        (_, struck, lost) if lost == struck => '#',
-        // Some are lost and some are not: neither 0 nor 10.
-        (_, struck, lost) => {
-            char::from_digit(((10 * lost + struck / 2) / struck).clamp(1, 9) as u32, 10).unwrap_or('9')
-        }
-    }
-}
-
 /// The planners without a plan, with the reasons.
 pub fn left_out(missing: &[Missing]) -> String {
     let mut out = String::new();
@@ -283,108 +246,6 @@ pub fn left_out(missing: &[Missing]) -> String {
         out.push_str(&format!("\n{} is not flown; {verdict}: {why}\n", planner.name().to_uppercase()));
     }
     out
-}
-
-fn agreement(agreement: &Agreement) -> String {
-    let mut out = String::from("\nDo the plans predict which flights are lost?\n");
-    out.push_str(&filled(
-        "Predicted lost: the fault strikes before the plan's last violation of the mode's set. Only flights that were \
-         still flying when the fault struck are counted. A plan that several planners share is counted once.",
-    ));
-    let Agreement { all, inside } = agreement;
-    if inside.modes == all.modes {
-        out.push_str(&scope(all));
-    } else if inside.modes == 0 {
-        out.push_str(&scope(all));
-        out.push_str(&filled("No mode has hover inside its set, so no plan can keep a reserve against any mode."));
-    } else {
-        out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
-        let n = counted(inside.modes, "mode");
-        out.push_str(&format!(
-            "\n  Only the {n} with hover inside their sets: no plan can keep a reserve against the others\n"
-        ));
-        out.push_str(&scope(inside));
-    }
-    out.push('\n');
-    out.push_str(&filled(
-        "Intervals treat flights as independent. Flights struck at the same instant differ only in their noise, so \
-         the true uncertainty is larger; more instants help more than more seeds.",
-    ));
-    out
-}
-
-/// The contingency table and its interpretation.
-fn scope(scope: &Scope) -> String {
-    let headings =
-        ["planner", "hits", "misses", "false alarms", "correct negatives", "lost", "lost if predicted", "phi"];
-    let mut table = Table::new(&headings);
-    let mut row = |name: String, t: &Contingency| {
-        let share =
-            |a: usize, b: usize| if b == 0 { "-".into() } else { format!("{} %", part_of_all(a as f64 / b as f64)) };
-        let mut cells = vec![name];
-        cells.extend([t.hits, t.misses, t.false_alarms, t.correct_negatives].map(|n| n.to_string()));
-        cells.push(share(t.hits + t.misses, t.total()));
-        cells.push(share(t.hits, t.hits + t.false_alarms));
-        cells.push(t.phi().map_or("undefined".into(), |phi| fixed(phi, 2)));
-        table.row(cells);
-    };
-    scope.planners.iter().for_each(|(planner, t)| row(planner.name().to_uppercase(), t));
-    row("all".into(), &scope.total);
-    let safe = scope.planners.iter().filter(|(_, t)| t.hits + t.false_alarms == 0 && t.misses > 0);
-    let called_safe: String = safe
-        .map(|(planner, t)| {
-            let (name, all) = (planner.name().to_uppercase(), counted(t.total(), "struck flight"));
-            filled(&format!("{name} predicts no loss, yet {} of {all} were lost.", t.misses))
-        })
-        .collect();
-    table.render(2) + &filled(&by_flight(&scope.total)) + &called_safe + &filled(&by_mode(scope))
-}
-
-/// The interpretation of phi.
-pub fn by_flight(t: &Contingency) -> String {
-    let lost = t.hits + t.misses;
-    match (Strength::of(t.phi()), t.phi()) {
-        (Strength::Undefined, _) if t.total() == 0 => {
-            "No flight with a known outcome was struck by its fault: the prediction cannot be judged.".into()
-        }
-        (Strength::Undefined, _) if lost == 0 => {
-            "No flight was lost to a fault: the prediction cannot be judged.".into()
-        }
-        (Strength::Undefined, _) if lost == t.total() => {
-            "Every struck flight was lost: the prediction cannot be judged.".into()
-        }
-        (strength, phi) => {
-            let phi = phi.map_or(String::new(), |phi| format!(" (phi {})", fixed(phi, 2)));
-            let what = match strength {
-                Strength::Undefined => {
-                    "is the same for every flight, so it carries no information: no better than chance"
-                }
-                Strength::Opposite => "is worse than chance: flights predicted safe are lost more often",
-                Strength::Chance => "is no better than chance",
-                Strength::Weak => "agrees weakly with the outcomes",
-                Strength::Moderate => "agrees moderately with the outcomes",
-                Strength::Strong => "agrees strongly with the outcomes",
-            };
-            format!("Flight by flight, the prediction {what}{phi}.")
-        }
-    }
-}
-
-/// The interpretation of the rank correlation.
-fn by_mode(scope: &Scope) -> String {
-    let rho = scope.rank_correlation;
-    let what = match Strength::of(rho) {
-        Strength::Undefined => {
-            return "Violation durations cannot be ranked against losses: one of the two never varies.".into();
-        }
-        Strength::Opposite => "longer violations go with fewer losses",
-        Strength::Chance => "the duration of violations predicts losses no better than chance",
-        Strength::Weak => "longer violations correlate weakly with more losses",
-        Strength::Moderate => "longer violations correlate moderately with more losses",
-        Strength::Strong => "longer violations correlate strongly with more losses",
-    };
-    let rho = rho.map_or(String::new(), |rho| fixed(rho, 2));
-    format!("Over {} of plan and mode, {what} (Spearman's rank correlation {rho}).", counted(scope.pairs, "pair"))
 }
 
 fn filled(text: &str) -> String {

@@ -15,7 +15,9 @@ mod instants;
 mod motion;
 mod opening;
 mod outline;
+mod path_harm;
 mod planners;
+mod predicted;
 mod prose;
 mod sets;
 mod spec;
@@ -140,6 +142,7 @@ pub fn campaign(subject: &Subject, record: &CampaignRecord) -> String {
     let sections = vec![
         Section::new("planners", "Planners", survival::table(record)),
         Section::new("map", "Map", survival::maps(record)),
+        Section::new("path", "Path", path_harm::tables(record)),
         Section::new("agreement", "Agreement", survival::agreement(record)),
         Section::new("modes", "Modes", verdicts::refused(model, &analyses)),
         document::sets(),

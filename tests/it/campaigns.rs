@@ -1,10 +1,11 @@
 //! Campaigns: statistics against values worked by hand, cases, rows, and shards as schedulers run them.
 
 mod losses;
+mod predictors;
+mod statistics;
 
 use mavc::campaign::cases::{Cases, Shard, fault_time, noise_seed};
 use mavc::campaign::rows::{COLUMNS, Row};
-use mavc::campaign::statistics::{Contingency, Moments, spearman, wilson};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -72,64 +73,6 @@ fn text(ran: &Output) -> String {
     String::from_utf8_lossy(&ran.stdout).into_owned() + &String::from_utf8_lossy(&ran.stderr)
 }
 
-fn near(a: f64, b: f64) -> bool {
-    (a - b).abs() < 5e-5
-}
-
-#[test]
-fn wilson_intervals_are_as_published() {
-    // Brown, Cai and DasGupta (2001) and common tables.
-    for (successes, of, low, high) in
-        [(0, 10, 0.0, 0.2775), (5, 10, 0.2366, 0.7634), (10, 10, 0.7225, 1.0), (1, 29, 0.0061, 0.1718)]
-    {
-        let share = wilson(successes, of).unwrap();
-        assert!(near(share.low, low) && near(share.high, high), "{successes}/{of}: {share:?}");
-        assert_eq!(share.share, successes as f64 / of as f64);
-    }
-    // Newcombe (1998): 81/263 -> 0.2553 .. 0.3662.
-    let share = wilson(81, 263).unwrap();
-    assert!(near(share.low, 0.2553) && near(share.high, 0.3662), "{share:?}");
-    assert_eq!(wilson(0, 0), None);
-}
-
-#[test]
-fn phi_and_base_rate_by_hand() {
-    let table = Contingency { hits: 20, misses: 5, false_alarms: 10, correct_negatives: 15 };
-    // (20 * 15 - 10 * 5) / sqrt(30 * 20 * 25 * 25)
-    assert!(near(table.phi().unwrap(), 250.0 / 375_000_f64.sqrt()));
-    assert_eq!(table.base_rate(), Some(0.5));
-    let perfect = Contingency { hits: 3, correct_negatives: 4, ..Contingency::default() };
-    assert_eq!(perfect.phi(), Some(1.0));
-    let opposite = Contingency { misses: 3, false_alarms: 4, ..Contingency::default() };
-    assert_eq!(opposite.phi(), Some(-1.0));
-    let constant = Contingency { hits: 3, false_alarms: 4, ..Contingency::default() };
-    assert_eq!(constant.phi(), None);
-    assert_eq!(Contingency::default().base_rate(), None);
-}
-
-#[test]
-fn rank_correlation_by_hand() {
-    // Without ties 1 - 6 sum(d^2) / (n (n^2 - 1)): d = 0, -1, 1, -1, 1.
-    let pairs = [(1.0, 10.0), (2.0, 30.0), (3.0, 20.0), (4.0, 50.0), (5.0, 40.0)];
-    assert!(near(spearman(&pairs).unwrap(), 1.0 - 6.0 * 4.0 / 120.0));
-    // Ranks 1.5, 1.5, 3 against 1, 2, 3: 1.5 / sqrt(1.5 * 2).
-    assert!(near(spearman(&[(0.0, 1.0), (0.0, 2.0), (7.0, 3.0)]).unwrap(), 1.5 / 3_f64.sqrt()));
-    assert_eq!(spearman(&[(1.0, 2.0), (1.0, 3.0)]), None);
-    assert_eq!(spearman(&[]), None);
-}
-
-#[test]
-fn moments_by_hand() {
-    let mut moments = Moments::default();
-    assert_eq!(moments.summary(), None);
-    [2.0, 4.0, 4.0, 6.0].into_iter().for_each(|v| moments.add(v));
-    let summary = moments.summary().unwrap();
-    // Standard deviation sqrt(8/3), standard error sqrt(2/3).
-    let half = 1.959964 * (2.0_f64 / 3.0).sqrt();
-    assert!(near(summary.mean, 4.0) && near(summary.low, 4.0 - half) && near(summary.high, 4.0 + half));
-    assert_eq!((summary.count, summary.max), (4, 6.0));
-}
-
 #[test]
 fn cases_are_every_combination_once() {
     let cases = Cases { planners: 3, modes: 4, times: 5, seeds: 2 };
@@ -166,7 +109,8 @@ fn noise_depends_on_the_seeds_alone() {
 #[test]
 fn rows_read_back_as_written_and_strictly() {
     // The checksum by `printf %s '00ff...,2,1' | sha256sum`.
-    let line = "00ff00ff00ff00ff,153,7,rsp,weak,0.25,1,lost,upside_down,1.398,0.1,2.5,1e-7,1.6,0.5,0.75,0.7,3,0.01,,2,1,8f26d871";
+    let line = "00ff00ff00ff00ff,153,7,rsp,weak,0.25,1,lost,upside_down,1.398,0.1,2.5,1e-7,2.25,0.5,1.6,0.5,0.75,0.7,3,true,5,4,\
+                speed+tilt,0.01,,2,1,2645a808";
     let row = Row::read(line).unwrap();
     assert_eq!(row.line(), line);
     assert!(row.is_lost() && !row.is_lost_before());
@@ -185,6 +129,10 @@ fn rows_read_back_as_written_and_strictly() {
         ("0.25", "0.250"),
         ("1.398", "1.399"),
         ("rsp", "rip"),
+        ("speed+tilt", "tilt+speed"),
+        ("speed+tilt", "mood"),
+        ("speed+tilt", ""),
+        ("true", "yes"),
     ] {
         assert!(Row::read(&line.replacen(from, to, 1)).is_err(), "{from} as {to}");
     }
@@ -412,8 +360,19 @@ fn reports_are_as_their_schema_says() {
     assert_eq!((&gone["name"], &gone["hover_inside"]), (&Value::from("gone"), &Value::from(false)));
     assert_eq!(gone["last_violation_s"], 4.0);
     assert_eq!(gone["flights"]["survival"]["share"], 0.0);
-    for pointer in ["", "/planners/0", "/planners/0/modes/0", "/planners/0/modes/0/flights", "/agreement/0/by_flight/0"]
-    {
+    predictors::are_those_of_the_rows(&desk, &whole);
+    for pointer in [
+        "",
+        "/planners/0",
+        "/planners/0/modes/0",
+        "/planners/0/modes/0/flights",
+        "/agreement/0/by_flight/0",
+        "/agreement/0/harm/0",
+        "/predictors/0",
+        "/predictors/0/classes/0",
+        "/planners/0/healthy/path",
+        "/planners/0/modes/0/times/0",
+    ] {
         let mut more = whole.clone();
         more.pointer_mut(pointer).unwrap()["surplus"] = 1.into();
         assert!(!schema.is_valid(&more), "{pointer} may have any member");

@@ -4,6 +4,7 @@ mod air;
 mod allocation;
 mod body;
 mod control;
+mod damage;
 mod estimation;
 mod faults;
 mod headings;
@@ -56,6 +57,7 @@ fn sortie<'a>(model: &'a Model, along: &'a Trajectory, strikes: &'a [Strike]) ->
         model,
         simulation: &model.simulation,
         course: Course::Plan(along),
+        mission: None,
         strikes,
         seed: 7,
         duration: along.duration(),

@@ -1,5 +1,6 @@
 //! A campaign: survival, the map over instants of the fault, and whether the plans predicted the losses.
 
+use super::predicted;
 use super::prose::true_minus;
 use super::summary::{Figure, Found};
 use crate::campaign::statistics::{Share, wilson};
@@ -8,6 +9,7 @@ use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord
 use crate::report::campaign_text::by_flight;
 use crate::report::simulation::detection;
 use maud::{Markup, html};
+use std::ops::Range;
 
 /// Most modes of one map.
 const MOST_MODES: usize = 60;
@@ -15,7 +17,7 @@ const MOST_MODES: usize = 60;
 const MOST_COLUMNS: usize = 24;
 
 /// Classes of the share lost: name and largest share.
-const CLASSES: [(&str, f64); 5] =
+pub(super) const CLASSES: [(&str, f64); 5] =
     [("none", 0.0), ("up to 25 %", 0.25), ("up to 50 %", 0.5), ("over 50 %", 0.999_999), ("all", 1.0)];
 
 /// The headline and figures of the campaign.
@@ -134,6 +136,17 @@ pub fn maps(record: &CampaignRecord) -> Markup {
     }
 }
 
+/// The instants of each column of a map.
+pub(super) fn columns(times: usize) -> Vec<Range<usize>> {
+    let columns = times.min(MOST_COLUMNS);
+    (0..columns).map(|c| c * times / columns..(c + 1) * times / columns).collect()
+}
+
+/// The class of a share, an index into [`CLASSES`].
+pub(super) fn class_of(share: f64) -> usize {
+    CLASSES.iter().position(|(_, most)| share <= *most).unwrap_or(CLASSES.len() - 1)
+}
+
 fn map(planner: &PlannerRecord) -> Markup {
     let mut modes: Vec<&ModeRecord> = planner.modes.iter().collect();
     if modes.len() > MOST_MODES {
@@ -141,8 +154,7 @@ fn map(planner: &PlannerRecord) -> Markup {
         modes.truncate(MOST_MODES);
     }
     let times = planner.modes.first().map_or(&[][..], |m| &m.times);
-    let columns = times.len().min(MOST_COLUMNS);
-    let part = |c: usize| c * times.len() / columns..(c + 1) * times.len() / columns;
+    let parts = columns(times.len());
     let name = planner.name.to_uppercase();
     html! {
         h3 { (name) }
@@ -152,14 +164,14 @@ fn map(planner: &PlannerRecord) -> Markup {
                 thead {
                     tr {
                         th scope="col" { "Mode" }
-                        @for c in 0..columns { th.n scope="col" { (significant(times[part(c).start].fault_time_s, 3)) } }
+                        @for part in &parts { th.n scope="col" { (significant(times[part.start].fault_time_s, 3)) } }
                     }
                 }
                 tbody {
                     @for mode in &modes {
                         tr {
                             th scope="row" { (mode.name) }
-                            @for c in 0..columns { (cell(&mode.times[part(c)])) }
+                            @for part in &parts { (cell(&mode.times[part.clone()])) }
                         }
                     }
                 }
@@ -183,9 +195,7 @@ fn cell(cells: &[CellRecord]) -> Markup {
     if struck == 0 {
         return html! { td.before { "before" } };
     }
-    let share = lost as f64 / struck as f64;
-    let class = CLASSES.iter().position(|(_, most)| share <= *most).unwrap_or(CLASSES.len() - 1);
-    html! { td.{ "lost" (class) } { (lost) "/" (struck) } }
+    html! { td.{ "lost" (class_of(lost as f64 / struck as f64)) } { (lost) "/" (struck) } }
 }
 
 /// Whether the plans predict which flights are lost.
@@ -229,5 +239,6 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
             }
             @if let Some(all) = a.by_flight.first() { p.note { (true_minus(&by_flight(&all.counts))) } }
         }
+        @if !record.predictors.is_empty() { (predicted::predictors(record)) (predicted::harm(record)) }
     }
 }

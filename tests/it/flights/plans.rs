@@ -7,7 +7,7 @@ use mavc::motion::Trajectory;
 use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use std::sync::LazyLock;
 
-static CASE: LazyLock<(Model, Trajectory)> =
+pub(super) static CASE: LazyLock<(Model, Trajectory)> =
     LazyLock::new(|| planned("case1", |model| model.plan.time = MissionTime::Fixed(30.0)));
 
 /// A spec of the paper with its plan.
@@ -23,7 +23,7 @@ fn planned(name: &str, change: impl FnOnce(&mut Model)) -> (Model, Trajectory) {
 }
 
 /// Rotor 3 is mode 2.
-const THIRD: usize = 2;
+pub(super) const THIRD: usize = 2;
 
 fn flown(change: impl FnOnce(&mut Model), faulty: bool, mut look: impl FnMut(&Sample)) -> Flight {
     let (model, plan) = &*CASE;

@@ -1,0 +1,136 @@
+//! A campaign: what the faults do to the path, by mode, and by mode and instant of the fault.
+
+use super::prose::true_minus;
+use super::survival::{CLASSES, class_of, columns};
+use crate::flight::damage::HEADING_BROKEN;
+use crate::number::{number, part_of_all, significant};
+use crate::report::campaign_record::{CampaignRecord, CellRecord, ModeRecord, PathRecord, PlannerRecord};
+use maud::{Markup, html};
+
+/// Most modes of one table.
+const MOST_MODES: usize = 60;
+
+/// The path after the fault, for each planner.
+pub fn tables(record: &CampaignRecord) -> Markup {
+    let flown = || record.planners.iter().filter(|p| !p.modes.is_empty());
+    html! {
+        h2 { "The path after the fault" }
+        p.note {
+            "Over all struck flights, lost ones included. Deviation: largest distance from the reference since the fault, mean and "
+            "largest. A limit is broken if it is exceeded by more than the tolerance of campaigns, the heading if it is more than "
+            (number(HEADING_BROKEN.to_degrees())) " deg off before yaw is given up."
+        }
+        @for planner in flown() { (table(planner)) }
+        p.note { "Maps: mean deviation in m; colour: share of the due waypoints missed; columns: instant of the fault in s." }
+        div.legend {
+            @for (k, (name, _)) in CLASSES.iter().enumerate() {
+                span.entry { span.swatch.{ "lost" (k) } aria-hidden="true" { } (name) }
+            }
+        }
+        div.maps { @for planner in flown() { div { (map(planner)) } } }
+    }
+}
+
+/// The modes that suffer most, in their order, and how many are left out.
+fn worst(planner: &PlannerRecord) -> (Vec<&ModeRecord>, usize) {
+    let mut modes: Vec<&ModeRecord> = planner.modes.iter().collect();
+    if modes.len() > MOST_MODES {
+        let mean = |m: &ModeRecord| m.flights.path.deviation_m.map_or(0.0, |s| s.mean);
+        modes.sort_by(|a, b| mean(b).total_cmp(&mean(a)));
+        modes.truncate(MOST_MODES);
+    }
+    let left_out = planner.modes.len() - modes.len();
+    (modes, left_out)
+}
+
+fn table(planner: &PlannerRecord) -> Markup {
+    let name = planner.name.to_uppercase();
+    let (modes, left_out) = worst(planner);
+    html! {
+        h3 { (name) }
+        div.scroll tabindex="0" role="region" aria-label={ "Path after the fault, " (name) } {
+            table {
+                thead {
+                    tr {
+                        th scope="col" { "Mode" }
+                        th scope="col" { "Hover" }
+                        th.n scope="col" { "Flights" }
+                        th.n scope="col" { "Deviation" br; span.unit { "m, mean" } }
+                        th.n scope="col" { "Largest" br; span.unit { "m" } }
+                        th.n scope="col" { "Below reference" br; span.unit { "m, largest" } }
+                        th.n scope="col" { "Waypoints missed" }
+                        th.n scope="col" { "Heading broken" }
+                        th scope="col" { "Limits broken" }
+                    }
+                }
+                tbody {
+                    @if let Some(healthy) = &planner.healthy { (row("healthy", "", &healthy.path)) }
+                    @for mode in &modes { (row(&mode.name, &mode.hover_words, &mode.flights.path)) }
+                }
+            }
+        }
+        @if left_out > 0 { p.note { (left_out) " modes with less deviation are omitted." } }
+    }
+}
+
+fn row(name: &str, hover: &str, path: &PathRecord) -> Markup {
+    let metres = |value: Option<f64>| value.map_or("\u{2013}".into(), |m| true_minus(&significant(m, 3)));
+    let limits: Vec<String> = path.limits.iter().map(|l| format!("{} {}", l.flights, l.limit)).collect();
+    html! {
+        tr {
+            th scope="row" { (name) }
+            td { (hover) }
+            td.n { (path.flights) }
+            td.n { (metres(path.deviation_m.map(|s| s.mean))) }
+            td.n { (metres(path.deviation_m.map(|s| s.max))) }
+            td.n { (metres(path.drop_m.map(|s| s.max))) }
+            td.n { (path.waypoints_missed) " of " (path.waypoints_due) }
+            td.n { (path.heading_broken) }
+            td { @if limits.is_empty() { "\u{2013}" } @else { (limits.join(", ")) } }
+        }
+    }
+}
+
+fn map(planner: &PlannerRecord) -> Markup {
+    let (modes, _) = worst(planner);
+    let times = planner.modes.first().map_or(&[][..], |m| &m.times);
+    let parts = columns(times.len());
+    let name = planner.name.to_uppercase();
+    html! {
+        h3 { (name) }
+        div.scroll tabindex="0" role="region" aria-label={ "Map of deviations, " (name) } {
+            table.map {
+                thead {
+                    tr {
+                        th scope="col" { "Mode" }
+                        @for part in &parts { th.n scope="col" { (significant(times[part.start].fault_time_s, 3)) } }
+                    }
+                }
+                tbody {
+                    @for mode in &modes {
+                        tr {
+                            th scope="row" { (mode.name) }
+                            @for part in &parts { (cell(&mode.times[part.clone()])) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn cell(cells: &[CellRecord]) -> Markup {
+    let sum = |of: fn(&CellRecord) -> usize| cells.iter().map(of).sum::<usize>();
+    let struck = sum(|c| c.struck);
+    if struck == 0 {
+        return html! { td { } };
+    }
+    let deviation: f64 = cells.iter().filter_map(|c| Some(c.mean_deviation_m? * c.struck as f64)).sum();
+    let text = significant(deviation / struck as f64, 2);
+    let (missed, due) = (sum(|c| c.waypoints_missed), sum(|c| c.waypoints_due));
+    if due == 0 {
+        return html! { td { (text) } };
+    }
+    let title = format!("{missed} of {due} waypoints missed ({} %)", part_of_all(missed as f64 / due as f64));
+    html! { td.{ "lost" (class_of(missed as f64 / due as f64)) } title=(title) { (text) } }
+}
