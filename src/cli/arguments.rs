@@ -245,7 +245,8 @@ pub(super) struct EmitArgs {
     pub stage: Stage,
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// The format of `qp`: text, json (P, q, A, b, cones, origins of rows) or free MPS, which has no cones
+    /// The format of `qp`: text, json (P, q, A, b, cones, origins of rows) or free MPS, which has no cones. `model` has json too,
+    /// with all digits
     #[arg(long, value_enum, default_value_t = EmitFormat::Text)]
     pub format: EmitFormat,
 }

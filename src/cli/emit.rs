@@ -7,13 +7,15 @@ use super::{EmitArgs, EmitFormat, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, 
 use crate::diagnostic::sort;
 use crate::model::FlightBlocks;
 use crate::observer::Silent;
-use crate::pipeline::{Task, actuation_text, mjcf_text, sets_text};
+use crate::pipeline::{Task, actuation_text, mjcf_text, model_record, sets_text};
 use crate::source::visible;
 use crate::spec::Spec;
 
 pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
-    if args.stage != Stage::Qp && args.format != EmitFormat::Text {
-        return Err("--format json and --format mps are for the stage qp".into());
+    match (args.stage, args.format) {
+        (Stage::Qp, _) | (_, EmitFormat::Text) | (Stage::Model, EmitFormat::Json) => {}
+        (_, EmitFormat::Json) => return Err("--format json is for the stages model and qp".into()),
+        (_, EmitFormat::Mps) => return Err("--format mps is for the stage qp".into()),
     }
     let watch = Watch::new(options);
     if args.stage == Stage::Ast {
@@ -28,6 +30,7 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
     }
     if let Some(spec) = &spec {
         files::print(&match args.stage {
+            Stage::Model if args.format == EmitFormat::Json => compact_json(&model_record(spec))?,
             Stage::Model => spec.model().to_string(),
             Stage::Actuation => actuation_text(spec),
             Stage::Sets => sets_text(spec),
