@@ -46,8 +46,8 @@ class Allocator:
         return all(self.missing(hover + change) <= 1e-3 for change in changes)
 
     def middle(self, thrust):
-        """The middle of the roll and pitch torques (N m) that are possible at a thrust (N): the centre of the largest disc among them,
-        or 0 if the disc about 0 is at least half as large, or if they lie on a line."""
+        """The middle of the roll and pitch torques (N m) that are possible at a thrust (N), or 0 if the largest disc about 0 is at least half
+        as large as that about the middle, or if the torques lie on a line."""
         polygon = hull(slice_at(self.full[:3] * self.capacity, self.least, thrust))
         if len(polygon) < 3:
             return np.zeros(2)
@@ -145,15 +145,16 @@ def distance_inside(polygon, point):
 
 
 def largest_disc(polygon):
-    """Centre and radius of the largest disc inside: it touches three edges, and of all discs that touch three none is larger inside."""
+    """Centre and radius of the largest disc inside. Where the centres of the largest discs fill a segment, as between two parallel edges,
+    it is the middle of that segment. A disc at an end of the segment, or the only one, touches three edges."""
     normals, offsets = edges(polygon)
-    best = (polygon.mean(axis=0), distance_inside(polygon, polygon.mean(axis=0)))
+    found = []
     for three in combinations(range(len(offsets)), 3):
         matrix = np.column_stack([normals[list(three)], np.ones(3)])
-        if abs(np.linalg.det(matrix)) < 1e-9:
-            continue
-        centre = np.linalg.solve(matrix, offsets[list(three)])[:2]
-        radius = distance_inside(polygon, centre)
-        if radius > best[1] + 1e-12:
-            best = (centre, radius)
-    return best
+        if abs(np.linalg.det(matrix)) > 1e-9:
+            centre = np.linalg.solve(matrix, offsets[list(three)])[:2]
+            found.append((distance_inside(polygon, centre), centre))
+    radius = max(each[0] for each in found)
+    ends = [centre for size, centre in found if size >= radius - 1e-9 * np.abs(polygon).max()]
+    apart = max(((a, b) for a in ends for b in ends), key=lambda pair: np.linalg.norm(pair[0] - pair[1]))
+    return (apart[0] + apart[1]) / 2, radius

@@ -251,6 +251,18 @@ pub(super) struct EmitArgs {
     pub format: EmitFormat,
 }
 
+impl EmitArgs {
+    /// Whether the stage is printed in this format.
+    pub fn has_format(&self) -> bool {
+        matches!((self.stage, self.format), (_, EmitFormat::Text) | (Stage::Qp, _) | (Stage::Model, EmitFormat::Json))
+    }
+
+    /// Whether the flight blocks matter: the model is printed with them, and MuJoCo has the rate of `simulate`.
+    pub fn is_flown(&self) -> bool {
+        matches!(self.stage, Stage::Model | Stage::Mjcf)
+    }
+}
+
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub(super) enum EmitFormat {
     Text,

@@ -12,18 +12,14 @@ use crate::source::visible;
 use crate::spec::Spec;
 
 pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
-    match (args.stage, args.format) {
-        (Stage::Qp, _) | (_, EmitFormat::Text) | (Stage::Model, EmitFormat::Json) => {}
-        (_, EmitFormat::Json) => return Err("--format json is for the stages model and qp".into()),
-        (_, EmitFormat::Mps) => return Err("--format mps is for the stage qp".into()),
+    if !args.has_format() {
+        return Err("--format json is for the stages model and qp, --format mps for qp".into());
     }
     let watch = Watch::new(options);
     if args.stage == Stage::Ast {
         return ast(spec::parse(&args.spec, &watch)?, options);
     }
-    // The model is printed with its flight blocks, and MuJoCo has the rate of `simulate`.
-    let is_flown = matches!(args.stage, Stage::Model | Stage::Mjcf);
-    let flights = if is_flown { FlightBlocks::Used } else { FlightBlocks::Unused };
+    let flights = if args.is_flown() { FlightBlocks::Used } else { FlightBlocks::Unused };
     let (spec, mut findings) = spec::read(&args.spec, flights, &watch)?;
     if let (Some(spec), Stage::Constraints | Stage::Qp) = (&spec, args.stage) {
         return planned(args, spec, &mut findings, options);

@@ -126,10 +126,9 @@ fn vehicle(vehicle: &Vehicle) -> VehicleRecord<'_> {
         inertia_kg_m2: vehicle.inertia,
         allocation: vehicle.allocation.name(),
         drag_n_s_per_m: vehicle.drag,
-        yaw_drag: vehicle.yaw_drag.map(|drag| YawDragRecord {
-            linear_n_m_s_per_rad: drag.linear,
-            quadratic_n_m_s2_per_rad2: drag.quadratic,
-        }),
+        yaw_drag: vehicle
+            .yaw_drag
+            .map(|drag| YawDragRecord { linear_n_m_s_per_rad: drag.linear, quadratic_n_m_s2_per_rad2: drag.quadratic }),
         rotors: vehicle.rotors.iter().map(rotor).collect(),
     }
 }

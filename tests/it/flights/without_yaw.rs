@@ -64,6 +64,27 @@ fn a_quadcopter_is_captured_at_the_cost_of_height() {
     }
 }
 
+/// Rotors of one vehicle that are alike up to a turn or a reflection cost the same height. The X frame has two parallel edges among
+/// its possible torques, between which many discs are the largest.
+#[test]
+fn rotors_that_are_alike_cost_the_same_height() {
+    let spec = mavc::compile(include_str!("../../../examples/parcel_quad.mav")).into_result().unwrap();
+    let mut model = spec.model().clone();
+    model.modes = (1..=4).map(|rotor| lost(&model, &[rotor])).collect();
+    model.simulation.detection = Detection::After(0.1);
+    (model.simulation.after_fault, model.simulation.lost_beyond) = (AfterFault::Continue, 30.0);
+    (model.simulation.gyroscope_noise, model.simulation.position_noise) = (0.0, 0.0);
+    let trajectory = staying([0.0, 0.0, 40.0], 0.0, 6.0);
+    let lowest = |mode| {
+        let strikes = [strike(mode, 1.0)];
+        let (flight, heights) = seen(&sortie(&model, &trajectory, &strikes), |s| s.body.position.z);
+        assert_eq!(flight.outcome, Outcome::Flown);
+        heights.into_iter().fold(f64::INFINITY, f64::min)
+    };
+    let heights = [0, 1, 2, 3].map(lowest);
+    assert!(heights.iter().all(|z| (z - heights[0]).abs() < 1e-4), "{heights:?}");
+}
+
 /// A gyroscope that ends below the spin: the controller is misled, and the report says so.
 #[test]
 fn a_gyroscope_that_ends_below_the_spin_is_told() {
