@@ -46,8 +46,8 @@ class Allocator:
         return all(self.missing(hover + change) <= 1e-3 for change in changes)
 
     def middle(self, thrust):
-        """The middle of the roll and pitch torques (N m) that are possible at a thrust (N), or 0 if the largest disc about 0 is at least half
-        as large as that about the middle, or if the torques lie on a line."""
+        """The middle of the roll and pitch torques (N m) that are possible at a thrust (N), or 0 if the largest disc about 0 is at least
+        half as large as that about the middle, or if the torques lie on a line."""
         polygon = hull(slice_at(self.full[:3] * self.capacity, self.least, thrust))
         if len(polygon) < 3:
             return np.zeros(2)

@@ -108,7 +108,8 @@ class Fade:
         velocity, acceleration, jerk = begins
         # In s = t/duration the quintic v with v, v', v'' at 0 and nothing at 1 is a sum of three Hermite polynomials.
         s = np.polynomial.Polynomial([0.0, 1.0])
-        shape = (1 - s) ** 3 * (velocity * (1 + 3 * s + 6 * s**2) + acceleration * duration * s * (1 + 3 * s) + jerk * duration**2 * s**2 / 2)
+        rising = velocity * (1 + 3 * s + 6 * s**2) + acceleration * duration * s * (1 + 3 * s) + jerk * duration**2 * s**2 / 2
+        shape = (1 - s) ** 3 * rising
         self.orders = [start + duration * shape.integ()]
         self.orders += [shape.deriv(k) / duration**k if k else shape for k in range(4)]
         self.coefficients = [order.coef for order in self.orders]

@@ -161,3 +161,18 @@ fn the_body_slows_down_by_its_yaw_drag() {
     let angle = momentum / 0.0128;
     assert!((body.rates - Vector3::new(0.1 * angle.cos(), 0.1 * angle.sin(), 0.0)).amax() < 1e-9, "{}", body.rates);
 }
+
+/// Rotors that react to new commands: the motion must not depend on the steps of the integration, of which one or eight share a
+/// command.
+#[test]
+fn the_reaction_to_a_command_begins_with_it() {
+    let last = |rate: f64| {
+        let mut model = without("PNPN", &[1], 0.05);
+        model.vehicle.rotors.iter_mut().for_each(|rotor| rotor.inertia = 2e-5);
+        (model.simulation.rate, model.simulation.control_rate) = (rate, 500.0);
+        let (_, _, _, rates) = hover(&model, 1.6);
+        rates
+    };
+    let [coarse, fine] = [500.0, 4000.0].map(last);
+    assert!(coarse.norm() > 1.0 && (coarse - fine).norm() < 1e-5, "{coarse} {fine}");
+}
