@@ -74,7 +74,7 @@ HOVER = """mission hover {
 plan { planner = rip; against = []; time = 16 s; samples = 40 }
 simulate { duration = 16 s; after_fault = hold; lost_beyond = 60 m; fault L1 at 1 s }
 """
-MISSION_TIMES, MISSION_DELAY = range(1, 16), 0.1
+MISSION_TIMES, MISSION_DELAY = range(1, 18), 0.1
 
 
 def shown(*columns):
