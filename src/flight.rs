@@ -257,7 +257,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         let t = step as f64 / simulation.rate;
         if t >= next_event {
             next_event = struck(strikes, t, h, model, &mut rotors);
-            wrench = rotors.wrench();
+            (wrench, momentum) = (rotors.wrench(), rotors.momentum());
         }
         if step.is_multiple_of(control_steps) {
             let tick = step / control_steps;
@@ -334,7 +334,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 record(&sample);
             }
         }
-        let begin = (wrench, momentum);
+        // Rotors with inertia react to a new command at once.
+        let begin = (rotors.wrench(), rotors.momentum());
         rotors.half_step();
         let middle = (rotors.wrench(), rotors.momentum());
         rotors.half_step();

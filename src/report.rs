@@ -17,6 +17,7 @@ pub mod headings;
 pub mod heat;
 pub mod least_time;
 pub mod mjcf;
+pub mod model_record;
 #[cfg(feature = "report")]
 pub mod page;
 pub mod record;

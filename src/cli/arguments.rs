@@ -245,9 +245,22 @@ pub(super) struct EmitArgs {
     pub stage: Stage,
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// The format of `qp`: text, json (P, q, A, b, cones, origins of rows) or free MPS, which has no cones
+    /// The format of `qp`: text, json (P, q, A, b, cones, origins of rows) or free MPS, which has no cones. `model` has json too,
+    /// with all digits
     #[arg(long, value_enum, default_value_t = EmitFormat::Text)]
     pub format: EmitFormat,
+}
+
+impl EmitArgs {
+    /// Whether the stage is printed in this format.
+    pub fn has_format(&self) -> bool {
+        matches!((self.stage, self.format), (_, EmitFormat::Text) | (Stage::Qp, _) | (Stage::Model, EmitFormat::Json))
+    }
+
+    /// Whether the flight blocks matter: the model is printed with them, and MuJoCo has the rate of `simulate`.
+    pub fn is_flown(&self) -> bool {
+        matches!(self.stage, Stage::Model | Stage::Mjcf)
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]

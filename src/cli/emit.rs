@@ -7,27 +7,26 @@ use super::{EmitArgs, EmitFormat, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, 
 use crate::diagnostic::sort;
 use crate::model::FlightBlocks;
 use crate::observer::Silent;
-use crate::pipeline::{Task, actuation_text, mjcf_text, sets_text};
+use crate::pipeline::{Task, actuation_text, mjcf_text, model_record, sets_text};
 use crate::source::visible;
 use crate::spec::Spec;
 
 pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
-    if args.stage != Stage::Qp && args.format != EmitFormat::Text {
-        return Err("--format json and --format mps are for the stage qp".into());
+    if !args.has_format() {
+        return Err("--format json is for the stages model and qp, --format mps for qp".into());
     }
     let watch = Watch::new(options);
     if args.stage == Stage::Ast {
         return ast(spec::parse(&args.spec, &watch)?, options);
     }
-    // The model is printed with its flight blocks, and MuJoCo has the rate of `simulate`.
-    let is_flown = matches!(args.stage, Stage::Model | Stage::Mjcf);
-    let flights = if is_flown { FlightBlocks::Used } else { FlightBlocks::Unused };
+    let flights = if args.is_flown() { FlightBlocks::Used } else { FlightBlocks::Unused };
     let (spec, mut findings) = spec::read(&args.spec, flights, &watch)?;
     if let (Some(spec), Stage::Constraints | Stage::Qp) = (&spec, args.stage) {
         return planned(args, spec, &mut findings, options);
     }
     if let Some(spec) = &spec {
         files::print(&match args.stage {
+            Stage::Model if args.format == EmitFormat::Json => compact_json(&model_record(spec))?,
             Stage::Model => spec.model().to_string(),
             Stage::Actuation => actuation_text(spec),
             Stage::Sets => sets_text(spec),

@@ -23,6 +23,12 @@ const REACHED: f64 = 1e-3;
 /// takes longer to free torques in both directions.
 const MOST_TILT: f64 = 0.35;
 
+/// Radii of discs that differ by less than this share of the largest torque are the same.
+const SAME: f64 = 1e-9;
+
+/// Rounds of a search on an interval; (2/3)^60 is below 1e-10.
+const ROUNDS: usize = 60;
+
 /// Below this rate of spin (rad/s) the primary axis is z.
 const SLOW: f64 = 0.5;
 
@@ -48,7 +54,8 @@ impl WithoutYaw {
             GiveUpYaw::WhereNeeded => (1..4).any(|axis| is_missing(axis, KEPT) || is_missing(axis, -KEPT)),
             GiveUpYaw::Always => true,
         };
-        gives_up.then(|| WithoutYaw { bias: bias(&allocator.without_yaw(belief), hover[0]) })
+        let reach = allocator.extent()[1].max(allocator.extent()[2]);
+        gives_up.then(|| WithoutYaw { bias: bias(&allocator.without_yaw(belief), hover[0], reach) })
     }
 
     /// The wrench (N and N m, body frame) for the direction of the thrust.
@@ -118,30 +125,70 @@ impl WithoutYaw {
 }
 
 /// The middle of the roll and pitch torques that are possible at a thrust (N), if those about 0 end in some direction; N m.
-fn bias(projection: &Polytope<3, ()>, thrust: f64) -> Vector2<f64> {
+/// `reach` bounds their size (N m).
+fn bias(projection: &Polytope<3, ()>, thrust: f64, reach: f64) -> Vector2<f64> {
     if !projection.equalities.is_empty() {
         return Vector2::zeros();
     }
-    // Distance from the nearest facet in the plane of constant thrust.
-    let radius = |at: Vector2<f64>| {
-        let point = Vector3::new(thrust, at.x, at.y);
-        let distances = projection.facets.iter().filter_map(|facet| {
-            let across = facet.normal.fixed_rows::<2>(1).norm();
-            (across > 1e-9).then(|| facet.slack(&point) / across)
+    let torques = Torques::at(projection, thrust, reach);
+    let middle = torques.middle();
+    if torques.radius(Vector2::zeros()) >= 0.5 * torques.radius(middle) { Vector2::zeros() } else { middle }
+}
+
+/// The roll and pitch torques that are possible at a thrust, a polygon.
+struct Torques {
+    /// Normals of length one, outward, and distances from 0 (N m).
+    edges: Vec<(Vector2<f64>, f64)>,
+    /// Bound on the size of each component, N m.
+    reach: f64,
+}
+
+impl Torques {
+    /// The section of the projected set at a thrust (N).
+    fn at(projection: &Polytope<3, ()>, thrust: f64, reach: f64) -> Self {
+        let edges = projection.facets.iter().filter_map(|facet| {
+            let across = facet.normal.yz();
+            let length = across.norm();
+            (length > 1e-9).then(|| (across / length, (facet.offset - facet.normal.x * thrust) / length))
         });
-        distances.fold(f64::INFINITY, f64::min)
-    };
-    let reach = projection.facets.iter().map(|facet| facet.offset.abs()).fold(0.0, f64::max);
-    let (mut middle, mut step) = (Vector2::zeros(), 0.5 * reach);
-    while step > 1e-4 * reach {
-        let ways = (0..16).map(|k| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 16.0).sin_cos();
-            middle + Vector2::new(cos, sin) * step
-        });
-        match ways.max_by(|a, b| radius(*a).total_cmp(&radius(*b))) {
-            Some(next) if radius(next) > radius(middle) => middle = next,
-            _ => step /= 2.0,
-        }
+        Torques { edges: edges.collect(), reach }
     }
-    if radius(Vector2::zeros()) >= 0.5 * radius(middle) { Vector2::zeros() } else { middle }
+
+    /// Distance of a torque from the nearest edge, N m; below zero outside.
+    fn radius(&self, torque: Vector2<f64>) -> f64 {
+        self.edges.iter().map(|(normal, offset)| offset - normal.dot(&torque)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The centre of the largest disc, N m. Between two parallel edges many discs are the largest: their centres fill a segment, and
+    /// this is its middle. So rotors that are placed symmetrically have a symmetric middle.
+    fn middle(&self) -> Vector2<f64> {
+        let over_y = |x: f64| move |y: f64| self.radius(Vector2::new(x, y));
+        let x = self.middle_of_highest(|x| over_y(x)(self.highest(over_y(x))));
+        Vector2::new(x, self.middle_of_highest(over_y(x)))
+    }
+
+    /// Where a concave function is highest, by a search that drops a third of the interval in each round.
+    fn highest(&self, f: impl Fn(f64) -> f64) -> f64 {
+        let (mut low, mut high) = (-self.reach, self.reach);
+        for _ in 0..ROUNDS {
+            let third = (high - low) / 3.0;
+            if f(low + third) < f(high - third) { low += third } else { high -= third }
+        }
+        0.5 * (low + high)
+    }
+
+    /// The middle of the interval where a concave function is highest up to [`SAME`].
+    fn middle_of_highest(&self, f: impl Fn(f64) -> f64) -> f64 {
+        let at = self.highest(&f);
+        let least = f(at) - SAME * self.reach;
+        let end = |outside: f64| {
+            let (mut inside, mut outside) = (at, outside);
+            for _ in 0..ROUNDS {
+                let half = 0.5 * (inside + outside);
+                if f(half) >= least { inside = half } else { outside = half }
+            }
+            inside
+        };
+        0.5 * (end(-self.reach) + end(self.reach))
+    }
 }

@@ -9,6 +9,7 @@ use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use crate::planner::transcription::{Purpose, Transcription};
 use crate::qp::{QuadraticProgram, mps};
 use crate::report::mjcf;
+use crate::report::model_record::ModelRecord;
 use crate::spec::Spec;
 use serde::Serialize;
 use std::error::Error;
@@ -60,6 +61,11 @@ impl Program {
 /// The actuation matrix A, from rotor thrusts (N) to wrench (N, N m): `mavc emit actuation`.
 pub fn actuation_text(spec: &Spec) -> String {
     Actuation::of(&spec.model().vehicle).to_string()
+}
+
+/// The vehicle, its fault modes and how it is flown, with all digits: `mavc emit model --format json`.
+pub fn model_record(spec: &Spec) -> ModelRecord<'_> {
+    ModelRecord::new(spec.model())
 }
 
 /// The vehicle and its mission as a model of MuJoCo (XML): `mavc emit mjcf`.

@@ -226,6 +226,34 @@ fn certificates_are_as_their_schema_says() {
 }
 
 #[test]
+fn models_are_valid_and_exact() {
+    let schema = schema("model");
+    let flown = "simulate { detection = 50 ms; after_fault = land; fault weak at 1 s until 2 s }\n";
+    let yaw_drag = ["--set", "vehicle.yaw_drag=2.75e-3N*m*s/rad"];
+    let record =
+        json_of(&[&["emit", "model", "-", "--format", "json"], &yaw_drag[..]].concat(), &(hop("weak") + flown));
+    schema.assert_valid(&record);
+    assert_strict(&schema, &record, &["yaw_drag"]);
+    let rotor = &record["vehicle"]["rotors"][0];
+    assert_eq!(rotor["thrust_coefficient_n_s2_per_rad2"], json!(9.9865e-6));
+    assert_eq!((&rotor["spin"], &rotor["time_constant_s"]), (&json!("P"), &json!(0.02)));
+    assert_eq!(record["vehicle"]["yaw_drag"]["linear_n_m_s_per_rad"], json!(2.75e-3));
+    assert_eq!(
+        (&record["simulate"]["detection_s"], &record["simulate"]["after_fault"]),
+        (&json!(0.05), &json!("land"))
+    );
+    assert_eq!(record["simulate"]["faults"], json!([{"mode": "weak", "at_s": 1.0, "until_s": 2.0}]));
+    let weak = record["modes"].as_array().unwrap().iter().find(|mode| mode["name"] == "weak").unwrap();
+    assert_eq!(weak["capacity"], json!([0.9, 1.0, 1.0, 1.0]));
+    // A coefficient that follows from a thrust has all its digits.
+    let spec = "vehicle v { layout = \"PNPN\"; arm = 0.2 m; mass = 1 kg; inertia = [0.01, 0.01, 0.02] kg*m^2
+        rotor { max_thrust = 7 N; torque_per_thrust = 16 mm; max_speed = 830 rad/s } }\n";
+    let record = json_of(&["emit", "model", "-", "--format", "json"], spec);
+    schema.assert_valid(&record);
+    assert_eq!(record["vehicle"]["rotors"][3]["thrust_coefficient_n_s2_per_rad2"], json!(7.0 / (830.0 * 830.0)));
+}
+
+#[test]
 fn exported_programs_are_as_their_schema_says() {
     let schema = schema("qp");
     let record = json_of(&["emit", "qp", "-", "--format", "json"], &hop("weak"));

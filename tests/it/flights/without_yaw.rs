@@ -64,6 +64,27 @@ fn a_quadcopter_is_captured_at_the_cost_of_height() {
     }
 }
 
+/// Rotors of one vehicle that are alike up to a turn or a reflection cost the same height. The X frame has two parallel edges among
+/// its possible torques, between which many discs are the largest.
+#[test]
+fn rotors_that_are_alike_cost_the_same_height() {
+    let spec = mavc::compile(include_str!("../../../examples/parcel_quad.mav")).into_result().unwrap();
+    let mut model = spec.model().clone();
+    model.modes = (1..=4).map(|rotor| lost(&model, &[rotor])).collect();
+    model.simulation.detection = Detection::After(0.1);
+    (model.simulation.after_fault, model.simulation.lost_beyond) = (AfterFault::Continue, 30.0);
+    (model.simulation.gyroscope_noise, model.simulation.position_noise) = (0.0, 0.0);
+    let trajectory = staying([0.0, 0.0, 40.0], 0.0, 6.0);
+    let lowest = |mode| {
+        let strikes = [strike(mode, 1.0)];
+        let (flight, heights) = seen(&sortie(&model, &trajectory, &strikes), |s| s.body.position.z);
+        assert_eq!(flight.outcome, Outcome::Flown);
+        heights.into_iter().fold(f64::INFINITY, f64::min)
+    };
+    let heights = [0, 1, 2, 3].map(lowest);
+    assert!(heights.iter().all(|z| (z - heights[0]).abs() < 1e-4), "{heights:?}");
+}
+
 /// A gyroscope that ends below the spin: the controller is misled, and the report says so.
 #[test]
 fn a_gyroscope_that_ends_below_the_spin_is_told() {
@@ -139,4 +160,19 @@ fn the_body_slows_down_by_its_yaw_drag() {
     }
     let angle = momentum / 0.0128;
     assert!((body.rates - Vector3::new(0.1 * angle.cos(), 0.1 * angle.sin(), 0.0)).amax() < 1e-9, "{}", body.rates);
+}
+
+/// Rotors that react to new commands: the motion must not depend on the steps of the integration, of which one or eight share a
+/// command.
+#[test]
+fn the_reaction_to_a_command_begins_with_it() {
+    let last = |rate: f64| {
+        let mut model = without("PNPN", &[1], 0.05);
+        model.vehicle.rotors.iter_mut().for_each(|rotor| rotor.inertia = 2e-5);
+        (model.simulation.rate, model.simulation.control_rate) = (rate, 500.0);
+        let (_, _, _, rates) = hover(&model, 1.6);
+        rates
+    };
+    let [coarse, fine] = [500.0, 4000.0].map(last);
+    assert!(coarse.norm() > 1.0 && (coarse - fine).norm() < 1e-5, "{coarse} {fine}");
 }
