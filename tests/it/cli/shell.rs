@@ -62,7 +62,7 @@ fn bash_completes_commands_and_options() {
         String::from_utf8(ran.stdout).unwrap().trim_end().to_string()
     };
     assert_eq!(coded("mavc explain mavc::unit::mism", "mavc explain mavc :: unit ::", "mism"), "mismatch");
-    assert_eq!(coded("mavc explain mavc::analysis::ca", "mavc explain mavc :: analysis ::", "ca"), "cannot_hover");
+    assert_eq!(coded("mavc explain mavc::analysis::cann", "mavc explain mavc :: analysis ::", "cann"), "cannot_hover");
     // Where no word of mavc is due, bash is left to offer files, or nothing.
     let none: [&str; 0] = [];
     assert_eq!(complete("mavc plan", ""), none);

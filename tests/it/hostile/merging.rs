@@ -17,7 +17,7 @@ fn signed(cells: &str) -> String {
 fn cells(cases: &str, case: usize) -> String {
     let planner = ["rip", "rsp", "rcp"][case % 3];
     format!(
-        "00ff00ff00ff00ff,{cases},{case},{planner},M{case},0.25,{case},lost,position,1.398,0.{case}1,2.5,1e-7,1.6,0.5,0.75,0.7,3,0.01,,2,1"
+        "00ff00ff00ff00ff,{cases},{case},{planner},M{case},0.25,{case},lost,position,1.398,0.{case}1,2.5,1e-7,2.25,0.125,1.6,0.5,0.75,0.7,3,true,4,1,none,0.01,,2,1"
     )
 }
 
