@@ -20,6 +20,7 @@ pub mod reduced_attitude;
 pub mod reference;
 pub mod rotors;
 mod sensors;
+mod single_axis;
 
 use crate::actuation::Wrench;
 use crate::model::{AfterFault, Mission, Model, Simulation, Strike};
@@ -276,11 +277,16 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             if knowledge.update(t, tick, &measured, &allocator) {
                 allocator.believe(&knowledge.belief);
                 without_yaw = match knowledge.fault_known {
-                    true => WithoutYaw::of(knowledge.gives_up_yaw(t), &allocator, &knowledge.hover, &knowledge.belief),
+                    true => WithoutYaw::of(
+                        knowledge.gives_up_yaw(t),
+                        &allocator,
+                        (&knowledge.hover, &knowledge.belief),
+                        (&frame, &simulation.gains),
+                    ),
                     false => None,
                 };
                 watch.gave_up_yaw = without_yaw.is_some();
-                gave_up_yaw_at = gave_up_yaw_at.or(without_yaw.map(|_| t));
+                gave_up_yaw_at = gave_up_yaw_at.or(without_yaw.as_ref().map(|_| t));
             }
             if knowledge.fault_known && simulation.after_fault != AfterFault::Continue && !watch.is_stopping {
                 let lands = simulation.after_fault == AfterFault::Land;

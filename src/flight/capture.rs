@@ -106,7 +106,7 @@ fn is_captured(model: &Model, mode: usize) -> bool {
     let allocator = Allocator::new(model, Allocation::Bounded);
     let hover = hover(model);
     allocator.missing(&hover, &belief) < 1e-3
-        && WithoutYaw::of(model.gives_up_yaw(mode), &allocator, &hover, &belief).is_some()
+        && WithoutYaw::is_given_up(model.gives_up_yaw(mode), &allocator, &hover, &belief)
 }
 
 fn capture(model: &Model, mode: usize, lag: f64, speed: f64, delay: f64) -> Capture {

@@ -8,6 +8,7 @@ use super::allocate::{Allocator, Belief};
 use super::body::{Body, Frame};
 use super::control::{demanded_force, direction};
 use super::reference::Reference;
+use super::single_axis::{SingleAxis, slowed};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Polytope;
 use crate::model::{Gains, GiveUpYaw};
@@ -33,29 +34,44 @@ const ROUNDS: usize = 60;
 const SLOW: f64 = 0.5;
 
 /// A body that gives up yaw, and the torques that its spin shall take.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct WithoutYaw {
     /// Roll and pitch torques (N m) that the rotors give about the equilibrium, in the middle of those that are possible at the
     /// thrust of hover; 0 if torques are possible in every direction about 0.
     bias: Vector2<f64>,
+    /// Where torques about one axis alone are left.
+    single_axis: Option<SingleAxis>,
 }
 
 impl WithoutYaw {
-    /// `None` if yaw is not given up; with [`GiveUpYaw::WhereNeeded`], if the vehicle keeps control of all axes about hover under
+    /// `None` if yaw is not given up; see [`Self::is_given_up`].
+    pub fn of(
+        gives_up: GiveUpYaw,
+        allocator: &Allocator,
+        (hover, belief): (&Wrench, &Belief),
+        (frame, gains): (&Frame, &Gains),
+    ) -> Option<Self> {
+        Self::is_given_up(gives_up, allocator, hover, belief).then(|| {
+            let projection = allocator.without_yaw(belief);
+            let reach = allocator.extent()[1].max(allocator.extent()[2]);
+            let single_axis = single_axis(&projection, hover[0], frame, gains);
+            WithoutYaw { bias: bias(&projection, hover[0], reach), single_axis }
+        })
+    }
+
+    /// Whether yaw is given up: with [`GiveUpYaw::WhereNeeded`], if the vehicle does not keep control of all axes about hover under
     /// these beliefs. `hover` is in N and N m.
-    pub fn of(gives_up: GiveUpYaw, allocator: &Allocator, hover: &Wrench, belief: &Belief) -> Option<Self> {
+    pub fn is_given_up(gives_up: GiveUpYaw, allocator: &Allocator, hover: &Wrench, belief: &Belief) -> bool {
         let is_missing = |axis: usize, share: f64| {
             let mut wrench = *hover;
             wrench[axis] += share * allocator.extent()[axis];
             allocator.missing_all(&wrench, belief) > REACHED
         };
-        let gives_up = match gives_up {
+        match gives_up {
             GiveUpYaw::Never => false,
             GiveUpYaw::WhereNeeded => (1..4).any(|axis| is_missing(axis, KEPT) || is_missing(axis, -KEPT)),
             GiveUpYaw::Always => true,
-        };
-        let reach = allocator.extent()[1].max(allocator.extent()[2]);
-        gives_up.then(|| WithoutYaw { bias: bias(&allocator.without_yaw(belief), hover[0], reach) })
+        }
     }
 
     /// The wrench (N and N m, body frame) for the direction of the thrust.
@@ -94,7 +110,8 @@ impl WithoutYaw {
         let n = if w.z.abs() < SLOW { Vector3::z() } else { steady.normalize() * w.z.signum() };
         let rotation = measured.rotation();
         let s = rotation * n;
-        let demanded = demanded_force(frame, gains, measured, force, reference);
+        let of_place = if self.single_axis.is_some() { slowed(gains) } else { *gains };
+        let demanded = demanded_force(frame, &of_place, measured, force, reference);
         let small = demanded[0].norm() < 0.05 * frame.gravity;
         let [d, d1, d2] = if small { [s, Vector3::zeros(), Vector3::zeros()] } else { direction(demanded) };
         let across = w - n * w.dot(&n);
@@ -105,12 +122,18 @@ impl WithoutYaw {
         let rate_error = d.cross(&d1) - rotation * across;
         let alpha = d.cross(&d2) + towards * gains.attitude + rate_error * gains.attitude_rate;
         let turned = rotation.inverse() * alpha - n.cross(&across) * w.dot(&n);
+        let thrust = frame.mass * demanded[0].dot(&s) / n.z;
+        let yaw = -gains.yaw_rate * inertia.z * w.z;
+        if let Some(single_axis) = &self.single_axis {
+            let towards = rotation.inverse() * d;
+            let torque = single_axis.torque(&inertia, momentum, &w, &towards, lag);
+            return Wrench::new(thrust, torque.x, torque.y, yaw);
+        }
         let acceleration = turned - n * (turned.z / n.z);
         let torque = inertia.component_mul(&acceleration) + torque_of(&w);
         let ahead = torque - torque_of(&steady);
-        let thrust = frame.mass * demanded[0].dot(&s) / n.z;
         let [x, y] = [torque.x + lag * w.z * ahead.y, torque.y - lag * w.z * ahead.x];
-        Wrench::new(thrust, x, y, -gains.yaw_rate * inertia.z * w.z)
+        Wrench::new(thrust, x, y, yaw)
     }
 
     /// w0: the angular velocity of the equilibrium at a rate r (rad/s).
@@ -122,6 +145,17 @@ impl WithoutYaw {
         let across = if across.norm() > most { across * (most / across.norm()) } else { across };
         Vector3::new(across.x, across.y, r)
     }
+}
+
+/// The one axis about which torques are possible at a thrust (N) both ways; `None` if there are more or none.
+fn single_axis(projection: &Polytope<3, ()>, thrust: f64, frame: &Frame, gains: &Gains) -> Option<SingleAxis> {
+    let [equality] = &projection.equalities[..] else { return None };
+    let across = equality.normal.yz();
+    let axis = Vector2::new(-across.y, across.x) / across.norm();
+    let [start, along] = [Vector3::new(thrust, 0.0, 0.0), Vector3::new(0.0, axis.x, axis.y)];
+    let (low, high) = projection.chord(&start, &along, 1e-6 * thrust)?;
+    let reach = high.min(-low);
+    (reach > 0.0).then(|| SingleAxis::new(axis, reach, &frame.inertia, gains.attitude))
 }
 
 /// The middle of the roll and pitch torques that are possible at a thrust (N), if those about 0 end in some direction; N m.
