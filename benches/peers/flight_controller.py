@@ -7,6 +7,7 @@ known exactly after its delay. Vectors are arrays of three in SI units, R goes f
 import numpy as np
 from flight_allocation import Allocator
 
+SLOWER_ONE_SIDED = 0.45
 MOST_FEEDBACK = 0.5  # of g
 MOST_TILT = 0.35  # tangent of the angle between the primary axis and z
 SLOW = 0.5  # rad/s: below this rate of spin the primary axis is z
@@ -108,8 +109,10 @@ class Controller:
 
     def demanded(self, body, rotation, rates, force, reference):
         """F, the force over mass that is demanded, with two derivatives, from the present thrust over mass `force`."""
-        k_x = np.array([self.gains["position_per_s2"]] * 2 + [self.gains["altitude_per_s2"]])
-        k_v = np.array([self.gains["velocity_per_s"]] * 2 + [self.gains["climb_per_s"]])
+        # Without yaw and with torques to one side of hover, feedback on the place is slower.
+        slower = SLOWER_ONE_SIDED if self.gives_up_yaw and np.any(self.bias != 0.0) else 1.0
+        k_x = np.array([slower**2 * self.gains["position_per_s2"]] * 2 + [self.gains["altitude_per_s2"]])
+        k_v = np.array([slower * self.gains["velocity_per_s"]] * 2 + [self.gains["climb_per_s"]])
         up, gravity = rotation[:, 2], np.array([0.0, 0.0, self.gravity])
         e, e1 = reference.position - body.position, reference.velocity - body.velocity
         e2 = reference.acceleration - (force * up - gravity)

@@ -5,7 +5,6 @@
 //! Mueller, R. D'Andrea (ICRA 2014), the motion is linearised about the spin, where it does not depend on time in body axes, and controlled
 //! by a linear-quadratic regulator.
 
-use crate::model::Gains;
 use nalgebra::{Matrix4, Matrix5, RowVector4, Vector2, Vector3, Vector4};
 
 /// Step of the regulator's discretisation, s, and doublings of its horizon: 2^12 steps are 8 s.
@@ -14,15 +13,6 @@ const DOUBLINGS: usize = 12;
 
 /// The torque is limited to this share of what the thrust of hover leaves.
 const USED: f64 = 0.9;
-
-/// With torques about one axis the direction of the thrust follows slowly, and feedback on the place is as much slower: its time is
-/// divided by this.
-const SLOWED: f64 = 0.3;
-
-/// The gains of feedback on the place.
-pub fn slowed(gains: &Gains) -> Gains {
-    Gains { position: SLOWED * SLOWED * gains.position, velocity: SLOWED * gains.velocity, ..*gains }
-}
 
 /// Distance of the rates for which gains are computed, rad/s, and how many there are on either side of 0.
 const APART: f64 = 2.0;
