@@ -59,7 +59,7 @@ fn turning_of<D: DualNum<Primitive = f64> + Copy>(
     SVector::from([n * D::from(mass), p1 - q * r, q1 + p * r, q, -p, r])
 }
 
-/// [`turning_of`] in SI units: N, 1/s^2, 1/s, rad/s.
+/// T, `s x s''` and s' across the thrust, and the rate about it (99): N, 1/s^2, 1/s, rad/s.
 pub fn turning(mass: f64, gravity: f64, state: &FlatState) -> SVector<f64, 6> {
     turning_of(mass, gravity, state)
 }

@@ -43,7 +43,7 @@ impl Needed {
         Some(Needed { delay, speeds, cases, left_out: concerned.len() - taken.len() })
     }
 
-    /// Captures over all delays of [`DELAYS`], at the lowest and at the highest speed, of at most [`DRAWN`] modes: those that cost the
+    /// Captures over all delays of [`DELAYS`], at the lowest and at the highest speed, of at most two modes: those that cost the
     /// most, in the order of the modes, then by speed and delay.
     pub fn curves(&self, model: &Model) -> Vec<Capture> {
         let mut costly: Vec<(usize, f64)> =
