@@ -286,6 +286,13 @@ fn corners(model: &Model, spin: [f64; 2]) -> Vec<(Interval, Interval)> {
             Spin::P => high = high + most,
             Spin::N => low = low - most,
         }
+        if rotor.is_reversible() {
+            let least = Interval::point(rotor.inertia) * Interval::point(rotor.min_speed);
+            match rotor.spin {
+                Spin::P => low = low + least,
+                Spin::N => high = high - least,
+            }
+        }
     }
     let of_rotors = if low == high { vec![low] } else { vec![low, high] };
     let of_rate = |rate: f64| {

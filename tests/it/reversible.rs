@@ -1,6 +1,6 @@
 //! Rotors that may reverse: the shifted set, allocation with signed speeds, verdicts, certificates and refusals.
 
-use crate::vehicles::{hexacopter, lost, mission, octocopter, waypoint};
+use crate::vehicles::{hexacopter, lost, octocopter};
 use mavc::actuation::{Actuation, Wrench, signed_root, signed_square};
 use mavc::admissible::allocation;
 use mavc::admissible::verdict::{Verdict, analyze};
@@ -16,8 +16,7 @@ fn reversible(mut model: Model, share: f64) -> Model {
     model
 }
 
-/// Lost rotor 1 of PNPNPN: thrusts (0, f2 .. f6) that hold hover are those of rotor 4 at -x of the yaw-free ones, so only a
-/// rotor that reverses gives torque about z in both directions.
+/// Without reversal hover after a loss is on the edge of the set (the table in docs/method.md, section 3).
 #[test]
 fn reversible_rotors_give_pnpnpn_its_yaw_back() {
     for k in 1..=6 {
@@ -64,7 +63,8 @@ fn allocations_use_negative_speeds_and_give_the_wrench() {
             speeds.iter().enumerate().map(|(k, w)| actuation.effectiveness.column(k) * signed_square(*w)).sum();
         assert!((given - wrench).norm() < 1e-3, "{given} {wrench}");
         reversed += speeds.iter().filter(|w| **w < -1.0).count();
-        let healthy = allocation::Allocator::new(&model.vehicle).speeds(&(wrench * 0.0 + Wrench::new(0.0, 0.8, 0.0, 0.0)));
+        let healthy =
+            allocation::Allocator::new(&model.vehicle).speeds(&(wrench * 0.0 + Wrench::new(0.0, 0.8, 0.0, 0.0)));
         let given: Wrench =
             healthy.iter().enumerate().map(|(k, w)| actuation.effectiveness.column(k) * signed_square(*w)).sum();
         assert!((given - Wrench::new(0.0, 0.8, 0.0, 0.0)).norm() < 1e-6 && healthy.iter().any(|w| *w < -1.0));
