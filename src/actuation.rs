@@ -13,10 +13,20 @@ pub type Wrench = Vector4<f64>;
 pub struct Actuation {
     /// The matrix A: rows T (N s^2) and tau_x, tau_y, tau_z (N m s^2), one column for each rotor.
     pub effectiveness: Matrix4xX<f64>,
-    /// w_min^2 of each rotor, rad^2/s^2; 0 for rotors that may stop.
+    /// w_min |w_min| of each rotor, rad^2/s^2; 0 for rotors that may stop, below 0 for those that may reverse.
     pub min_square: Vec<f64>,
     /// w_max^2 of each rotor, rad^2/s^2.
     pub max_square: Vec<f64>,
+}
+
+/// w |w|: the square of a speed with its sign, to which thrust and drag torque are proportional.
+pub fn signed_square(speed: f64) -> f64 {
+    speed * speed.abs()
+}
+
+/// The inverse of [`signed_square`].
+pub fn signed_root(square: f64) -> f64 {
+    if square < 0.0 { -(-square).sqrt() } else { square.sqrt() }
 }
 
 impl Actuation {
@@ -40,7 +50,7 @@ impl Actuation {
             .collect();
         Actuation {
             effectiveness: Matrix4xX::from_columns(&columns),
-            min_square: vehicle.rotors.iter().map(|r| r.min_speed * r.min_speed).collect(),
+            min_square: vehicle.rotors.iter().map(|r| signed_square(r.min_speed)).collect(),
             max_square: vehicle.rotors.iter().map(|r| r.max_speed * r.max_speed).collect(),
         }
     }
@@ -111,13 +121,13 @@ impl fmt::Display for Actuation {
             writeln!(f)?;
         }
         let mut speeds = vec![("w_max ", &self.max_square)];
-        if self.min_square.iter().any(|s| *s > 0.0) {
+        if self.min_square.iter().any(|s| *s != 0.0) {
             speeds.insert(0, ("w_min ", &self.min_square));
         }
         for (name, squares) in speeds {
             write!(f, "{name}")?;
             for s in squares {
-                write!(f, " {:>13.6}", s.sqrt())?;
+                write!(f, " {:>13.6}", signed_root(*s))?;
             }
             writeln!(f)?;
         }

@@ -193,7 +193,7 @@ const HALVINGS: usize = 60;
 /// healthy one. It is also false with the pseudo-inverse, which distributes a wrench differently once the fault is
 /// known.
 pub fn faults_only_take(model: &Model) -> bool {
-    model.vehicle.allocation == Allocation::Bounded && model.vehicle.rotors.iter().all(|r| r.min_speed == 0.0)
+    model.vehicle.allocation == Allocation::Bounded && model.vehicle.rotors.iter().all(|r| r.min_speed <= 0.0)
 }
 
 /// The rows that a planner imposes; each facet lists the facets of all modes that lie in its plane.

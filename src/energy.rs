@@ -92,7 +92,7 @@ fn level(vehicle: &Vehicle, gravity: f64) -> Wrench {
 
 /// Torque times speed of all rotors at these speeds (rad/s), W.
 fn mechanical(vehicle: &Vehicle, speeds: &[f64]) -> f64 {
-    vehicle.rotors.iter().zip(speeds).map(|(rotor, w)| rotor.drag_coefficient * w.powi(3)).sum()
+    vehicle.rotors.iter().zip(speeds).map(|(rotor, w)| rotor.drag_coefficient * w.abs().powi(3)).sum()
 }
 
 /// Nodes and weights on [0, 1] (the other half mirrors them) of the Kronrod rule with 15 points, and the weights of the Gauss

@@ -172,7 +172,7 @@ pub struct Rotor {
     pub thrust_coefficient: f64,
     /// d, N m s^2 (drag torque = d w^2).
     pub drag_coefficient: f64,
-    /// w_min, rad/s: 0 for a rotor that may stop, otherwise below `max_speed`.
+    /// w_min, rad/s: 0 for a rotor that may stop, below 0 for one that may reverse, always below `max_speed`.
     pub min_speed: f64,
     /// w_max, rad/s; with a battery, that at the lowest charge ([`Battery::lowest_full_thrust`]).
     pub max_speed: f64,
@@ -190,9 +190,14 @@ impl Rotor {
         self.thrust_coefficient * self.max_speed * self.max_speed
     }
 
-    /// Thrust at the lowest speed, b w_min^2, N.
+    /// Thrust at the lowest speed, b w_min |w_min|, N.
     pub fn idle_thrust(&self) -> f64 {
-        self.thrust_coefficient * self.min_speed * self.min_speed
+        self.thrust_coefficient * self.min_speed * self.min_speed.abs()
+    }
+
+    /// Whether the rotor may turn backwards.
+    pub fn is_reversible(&self) -> bool {
+        self.min_speed < 0.0
     }
 }
 

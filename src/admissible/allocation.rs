@@ -1,7 +1,7 @@
 //! Bounded allocation: the rotor thrusts that produce a wrench with the smallest sum of squares (`docs/method.md`,
 //! section 3, "Allocation").
 
-use crate::actuation::{Actuation, Wrench};
+use crate::actuation::{Actuation, Wrench, signed_root};
 use crate::model::Vehicle;
 use nalgebra::Matrix4;
 
@@ -55,9 +55,9 @@ impl Allocator {
         self.columns.iter().enumerate().map(|(k, b)| bounds.clip(k, b.dot(&lambda)) * self.strongest).collect()
     }
 
-    /// The rotor speeds `w_k = sqrt(F_k / b_k)`, rad/s, for the thrusts of [`Allocator::thrusts`].
+    /// The rotor speeds `w_k = sqrt(F_k / b_k)`, rad/s, below 0 for a negative thrust, for the thrusts of [`Allocator::thrusts`].
     pub fn speeds(&self, wrench: &Wrench) -> Vec<f64> {
-        self.thrusts(wrench).iter().zip(&self.coefficient).map(|(f, b)| (f / b).sqrt()).collect()
+        self.thrusts(wrench).iter().zip(&self.coefficient).map(|(f, b)| signed_root(f / b)).collect()
     }
 }
 

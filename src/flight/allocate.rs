@@ -1,7 +1,7 @@
 //! Allocation during a flight: from the demanded wrench to rotor speeds, by the pseudo-inverse (42) or by bounded
 //! weighted least squares, with the believed capacities (`docs/flight.md`, section 3).
 
-use crate::actuation::{Actuation, Wrench};
+use crate::actuation::{Actuation, Wrench, signed_root, signed_square};
 use crate::admissible::allocation::{Bounds, MOST_ROTORS, bounded};
 use crate::admissible::pseudo_inverse;
 use crate::geometry::polytope::Polytope;
@@ -73,7 +73,7 @@ impl Allocator {
             stuck: vec![None; n],
             shift: Wrench::zeros(),
             extent,
-            least: model.vehicle.rotors.iter().map(|r| (r.min_speed / r.max_speed).powi(2)).collect(),
+            least: model.vehicle.rotors.iter().map(|r| signed_square(r.min_speed / r.max_speed)).collect(),
             fullest: pseudo_inverse::fullest(&actuation),
             max_speed: model.vehicle.rotors.iter().map(|r| r.max_speed).collect(),
             inverse: vec![Wrench::zeros(); n],
@@ -127,7 +127,7 @@ impl Allocator {
         };
         for (k, speed) in speeds.iter_mut().enumerate() {
             let share = self.stuck[k].unwrap_or_else(|| bounds.clip(k, rows[k].dot(by)));
-            *speed = self.max_speed[k] * share.sqrt();
+            *speed = self.max_speed[k] * signed_root(share);
         }
     }
 

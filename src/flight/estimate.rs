@@ -120,14 +120,14 @@ impl Estimator {
         // more than the noise.
         if self.has_noted {
             for ((sum, last), w) in self.squares.iter_mut().zip(&mut self.last_squares).zip(speeds) {
-                let square = w * w;
+                let square = w * w.abs();
                 *sum += 0.5 * (*last + square);
                 *last = square;
             }
             self.gyroscopic += (self.last_gyroscopic + gyroscopic) * 0.5;
             self.count += 1;
         } else {
-            self.last_squares.iter_mut().zip(speeds).for_each(|(last, w)| *last = w * w);
+            self.last_squares.iter_mut().zip(speeds).for_each(|(last, w)| *last = w * w.abs());
             self.has_noted = true;
         }
         self.last_gyroscopic = gyroscopic;
@@ -135,7 +135,7 @@ impl Estimator {
 
     /// Replaces the speeds (rad/s) of the last [`Estimator::note`], because they jump at the start of a flight.
     pub(super) fn settle(&mut self, speeds: &[f64]) {
-        self.last_squares.iter_mut().zip(speeds).for_each(|(last, w)| *last = w * w);
+        self.last_squares.iter_mut().zip(speeds).for_each(|(last, w)| *last = w * w.abs());
     }
 
     /// Processes a sample: what was recorded since the last call, with the body rates measured now (rad/s). Returns

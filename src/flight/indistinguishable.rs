@@ -21,7 +21,7 @@ const STUCK: &str = "mavc::simulate::stuck";
 
 /// The squared rotor speeds (rad^2/s^2) with which the healthy vehicle produces a wrench.
 fn squares(allocator: &Allocator, wrench: &Wrench) -> Vec<f64> {
-    allocator.speeds(wrench).iter().map(|w| w * w).collect()
+    allocator.speeds(wrench).iter().map(|w| w * w.abs()).collect()
 }
 
 /// Groups of two or more indistinguishable modes. In a group 0 is the healthy vehicle and i + 1 is `Model::modes[i]`.

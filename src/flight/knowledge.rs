@@ -286,7 +286,7 @@ impl<'a> Knowledge<'a> {
     /// The thrust of the rotors by modelled speeds and believed capacities, N.
     pub(super) fn thrust(&self) -> f64 {
         let rotors = self.belief.capacity.iter().zip(&self.thrust_coefficient).zip(&self.modelled);
-        rotors.map(|((theta, b), w)| theta * b * w * w).sum()
+        rotors.map(|((theta, b), w)| theta * b * w * w.abs()).sum()
     }
 
     /// Whether yaw is given up after the last fault that has struck by `t` s; by the plan's word if none has.

@@ -89,7 +89,7 @@ impl Rotors {
     /// The wrench A diag(theta) Omega_s of (32), N and N m, with the reaction to rotors whose speed changes.
     pub fn wrench(&self) -> Wrench {
         let rotors = self.columns.iter().zip(&self.capacity).zip(&self.speed);
-        let mut wrench = rotors.fold(Wrench::zeros(), |sum, ((column, theta), w)| sum + column * (theta * w * w));
+        let mut wrench = rotors.fold(Wrench::zeros(), |sum, ((column, theta), w)| sum + column * (theta * w * w.abs()));
         for (k, inertia) in self.inertia.iter().enumerate() {
             if self.stuck[k].is_none() && self.capacity[k] > 0.0 {
                 wrench[3] -= inertia * (self.command[k] - self.speed[k]) / self.lag[k];

@@ -75,8 +75,8 @@ group! {
         "a rotor's drag torque divided by the square of its speed";
     TORQUE_PER_THRUST "torque_per_thrust", Quantity("m", Positive), Otherwise("required, or `drag_coefficient`"),
         "a rotor's drag torque divided by its thrust";
-    MIN_SPEED "min_speed", Quantity("rad/s", NotNegative), Otherwise("0"),
-        "the lowest speed of a rotor that cannot stop unless it is lost";
+    MIN_SPEED "min_speed", Quantity("rad/s", Any), Otherwise("0"),
+        "the lowest speed: above zero for a rotor that cannot stop unless it is lost, below zero for one that can reverse";
     MAX_SPEED "max_speed", Quantity("rad/s", Positive), Needed,
         "the full speed, the highest at which a rotor turns";
     TIME_CONSTANT "time_constant", Quantity("s", Positive), Otherwise("20 ms in simulations"),

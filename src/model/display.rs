@@ -122,7 +122,7 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
             number(r.max_speed),
             number(r.max_thrust())
         )?;
-        if r.min_speed > 0.0 {
+        if r.min_speed != 0.0 {
             write!(f, ", from {} rad/s", number(r.min_speed))?;
         }
         let s = &r.spread;

@@ -151,7 +151,10 @@ fn whole<'a>(
     if let Some(flown) = flown {
         sense::check_pace(cx, &flown.waypoints, plan_time);
     }
-    let lags_known = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| lag::check(cx, plan, vehicle));
+    let lags_known = plan
+        .as_ref()
+        .zip(known)
+        .is_none_or(|(plan, vehicle)| lag::check(cx, plan, vehicle) && lag::none_reverses(cx, plan, vehicle));
     let model_fits = plan.as_ref().zip(flown).is_none_or(|(plan, mission)| {
         let volumes = volume::only_in_the_exact_model(cx, plan, mission);
         super::heading::only_in_the_exact_model(cx, plan, mission) && volumes

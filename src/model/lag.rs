@@ -46,3 +46,20 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, vehicle: &Vehicle) -> bool {
     cx.report(error.also(vehicle.span, which).help("add `time_constant = 20 ms` to the vehicle's `rotor` block"));
     false
 }
+
+/// Whether the plan takes no lag into account or no rotor may reverse; reports an error otherwise: the time constant of (87) is
+/// that of speeds above zero.
+pub(super) fn none_reverses(cx: &mut Context, plan: &Plan, vehicle: &Vehicle) -> bool {
+    if plan.rotors == PlanRotors::Instant || !vehicle.rotors.iter().any(Rotor::is_reversible) {
+        return true;
+    }
+    let message = "a negative `min_speed` cannot be combined with `rotors = lagging`";
+    let error = Diagnostic::error("mavc::vehicle::min_speed", plan.rotors_span, message);
+    cx.report(
+        error
+            .here("needs rotors that keep their direction")
+            .also(vehicle.span, "its rotors may reverse")
+            .help("write `rotors = instant`, or remove `min_speed` for rotors that do not reverse"),
+    );
+    false
+}

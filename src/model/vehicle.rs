@@ -1,6 +1,7 @@
 //! `vehicle` blocks: rings of rotors, and rotors placed one by one.
 
 mod battery;
+mod reverse;
 mod rotor;
 mod whole;
 
@@ -161,6 +162,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
             let thrust_at_empty = read.fields.span_of("thrust_at_empty").unwrap_or(read.battery.span);
             vehicle_fits &= battery::lower_full_thrust(cx, vehicle, thrust_at_empty);
         }
+        reverse::check(cx, vehicle, |k| places.rotors[k].min_speed);
     }
     let vehicle = vehicle.filter(|_| vehicle_fits);
     Outline { name, span, rotors: count, vehicle, defaults }

@@ -286,6 +286,13 @@ fn corners(model: &Model, spin: [f64; 2]) -> Vec<(Interval, Interval)> {
             Spin::P => high = high + most,
             Spin::N => low = low - most,
         }
+        if rotor.is_reversible() {
+            let least = Interval::point(rotor.inertia) * Interval::point(rotor.min_speed);
+            match rotor.spin {
+                Spin::P => low = low + least,
+                Spin::N => high = high - least,
+            }
+        }
     }
     let of_rotors = if low == high { vec![low] } else { vec![low, high] };
     let of_rate = |rate: f64| {
@@ -360,7 +367,7 @@ fn width(model: &Model, row: &Row) -> f64 {
     let (a, b) = (row.thrust.middle(), row.torque.middle());
     let along = |x: f64, y: f64| -> f64 {
         let of_rotor = |rotor: &crate::model::Rotor| {
-            let full = rotor.thrust_coefficient * (rotor.max_speed.powi(2) - rotor.min_speed.powi(2));
+            let full = rotor.thrust_coefficient * (rotor.max_speed.powi(2) - rotor.min_speed * rotor.min_speed.abs());
             (full * (a + x * rotor.position[1] - y * rotor.position[0])).abs()
         };
         model.vehicle.rotors.iter().map(of_rotor).sum()

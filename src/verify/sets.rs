@@ -67,12 +67,14 @@ pub struct Generators {
     inverse: Option<Inverse>,
 }
 
-/// b w^2 (1, y, -x, -/+ d/b): thrust and torques about the centre of gravity of a rotor at a speed (rad/s); the drag of P
+/// b w |w| (1, y, -x, -/+ d/b): thrust and torques about the centre of gravity of a rotor at a speed (rad/s); the drag of P
 /// rotors is clockwise. `thrust` and `ratio` are factors on b w^2 and on d/b.
 fn wrench_at(rotor: &Rotor, speed: f64, thrust: &Dyadic, ratio: &Dyadic) -> Exact {
     let [x, y, b, d, speed] =
         [rotor.position[0], rotor.position[1], rotor.thrust_coefficient, rotor.drag_coefficient, speed].map(Dyadic::of);
+    let backwards = speed.sign() == Ordering::Less;
     let square = speed.times(&speed).times(thrust);
+    let square = if backwards { square.negated() } else { square };
     let thrust = b.times(&square);
     let drag = d.times(&square).times(ratio);
     let about_z = match rotor.spin {

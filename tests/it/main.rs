@@ -41,6 +41,7 @@ mod programs;
 mod pseudo_inverse;
 mod render;
 mod reproduction;
+mod reversible;
 mod risk;
 mod rounds;
 mod schemas;

@@ -203,9 +203,11 @@ fn momenta(model: &Model, spin: [f64; 2]) -> Vec<(f64, f64)> {
     let (mut low, mut high) = (0.0, 0.0);
     for rotor in &model.vehicle.rotors {
         let most = rotor.inertia * rotor.max_speed;
+        // Below zero for a rotor that may reverse.
+        let least = rotor.inertia * rotor.min_speed.min(0.0);
         match rotor.spin {
-            Spin::P => high += most,
-            Spin::N => low -= most,
+            Spin::P => (low, high) = (low + least, high + most),
+            Spin::N => (low, high) = (low - most, high - least),
         }
     }
     let of_rotors = if low == high { vec![low] } else { vec![low, high] };

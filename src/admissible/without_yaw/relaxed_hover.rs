@@ -3,7 +3,7 @@
 //! multicopters*, Int. J. of Robotics Research 35:8 (2016), doi 10.1177/0278364915596233.
 
 use super::core::disc;
-use crate::actuation::{Actuation, Wrench};
+use crate::actuation::{Actuation, Wrench, signed_root};
 use crate::admissible::allocation::{Allocator, Bounds, bounded};
 use crate::admissible::{AdmissibleSet, HEALTHY, edge, hover};
 use crate::geometry::polytope::Polytope;
@@ -208,7 +208,7 @@ fn bisect(of: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
 /// Torque times speed of the rotors at these thrusts (N), W; a weak rotor gives the share `capacity` of the thrust of its speed.
 fn power(vehicle: &Vehicle, thrusts: &[f64], capacity: &[f64]) -> f64 {
     let of = |((rotor, thrust), capacity): ((&crate::model::Rotor, &f64), &f64)| match *capacity > 0.0 {
-        true => rotor.drag_coefficient * (thrust / capacity / rotor.thrust_coefficient).sqrt().powi(3),
+        true => rotor.drag_coefficient * (thrust / capacity / rotor.thrust_coefficient).abs().sqrt().powi(3),
         false => 0.0,
     };
     vehicle.rotors.iter().zip(thrusts).zip(capacity).map(of).sum()
@@ -265,7 +265,7 @@ impl Allocation {
     /// The speed (rad/s) of rotor k at a thrust (N).
     fn speed(&self, rotor: &crate::model::Rotor, k: usize, thrust: f64) -> f64 {
         match self.capacity[k] > 0.0 {
-            true => (thrust / self.capacity[k] / rotor.thrust_coefficient).sqrt(),
+            true => signed_root(thrust / self.capacity[k] / rotor.thrust_coefficient),
             false => 0.0,
         }
     }

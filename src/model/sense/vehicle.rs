@@ -44,6 +44,7 @@ pub(in crate::model) struct WrittenRotor {
     pub place: Span,
     pub thrust: Span,
     pub torque: Span,
+    pub min_speed: Span,
     pub max_speed: Span,
     pub time_constant: Span,
 }

@@ -56,6 +56,7 @@ pub(super) fn written(places: &[Place], fields: &Fields, shared: Option<&Fields>
             place: of(&["at", "arm"]),
             thrust: of(&["thrust_coefficient", "max_thrust"]),
             torque: of(&["drag_coefficient", "torque_per_thrust"]),
+            min_speed: of(&["min_speed"]),
             max_speed: of(&["max_speed"]),
             time_constant: of(&["time_constant"]),
         }
@@ -195,6 +196,13 @@ impl Traits {
         let min_speed = match self.min_speed {
             Some(given) => {
                 let (speed, span) = given?;
+                if speed < -max_speed * slowest {
+                    if !*reported {
+                        *reported = true;
+                        cx.report(too_fast_backwards(speed, max_speed * slowest, span));
+                    }
+                    return None;
+                }
                 if speed >= max_speed * slowest {
                     if !*reported {
                         *reported = true;
@@ -234,4 +242,12 @@ fn not_below(min_speed: f64, max_speed: f64, at: Span) -> Diagnostic {
     Diagnostic::error(MIN_SPEED, at, message)
         .here(format!("{} rad/s, not below {} rad/s", number(min_speed), number(max_speed)))
         .help("write a lower speed, or remove `min_speed` for a rotor that may stop")
+}
+
+/// The error for a rotor that turns backwards faster than forwards.
+fn too_fast_backwards(min_speed: f64, max_speed: f64, at: Span) -> Diagnostic {
+    let message = "`min_speed` must be at least `-max_speed`";
+    Diagnostic::error(MIN_SPEED, at, message)
+        .here(format!("{} rad/s, below {} rad/s", number(min_speed), number(-max_speed)))
+        .help("write a speed nearer to zero: a rotor reverses at most as fast as it turns forwards")
 }

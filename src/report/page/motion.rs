@@ -356,7 +356,7 @@ fn rotors(model: &Model, solved: &MissionPlan) -> Chart {
     let environment = model.environment();
     let top = peak(&solved.trajectory, |s| {
         let wrench = solved.trajectory.wrench(&model.vehicle, &environment, s);
-        let shares = allocator.speeds(&wrench).into_iter().zip(rotors).map(|(w, r)| w / r.max_speed);
+        let shares = allocator.speeds(&wrench).into_iter().zip(rotors).map(|(w, r)| w.abs() / r.max_speed);
         shares.fold(0.0, f64::max)
     });
     let mut bounds = Vec::new();
@@ -366,7 +366,7 @@ fn rotors(model: &Model, solved: &MissionPlan) -> Chart {
         values.sort_by(f64::total_cmp);
         values.dedup();
         // A lowest speed of zero is not worth a line.
-        values.retain(|&v| v > 0.0);
+        values.retain(|&v| v != 0.0);
         bounds.extend(values.into_iter().map(|v| Bound::limit(format!("{word} speed"), v)));
     }
     Chart {
