@@ -66,7 +66,7 @@ fn margin_by_planes(model: &Model, lost: usize) -> f64 {
                 let [a, b, c] = [columns[i], columns[j], columns[k]];
                 let minor = |row: usize| {
                     let m = nalgebra::Matrix4x3::from_columns(&[a, b, c]).remove_row(row);
-                    m.determinant() * if row % 2 == 0 { 1.0 } else { -1.0 }
+                    m.determinant() * if row.is_multiple_of(2) { 1.0 } else { -1.0 }
                 };
                 let normal = Wrench::new(minor(0), minor(1), minor(2), minor(3));
                 if normal.norm() < 1e-9 {
