@@ -59,7 +59,10 @@ pub(super) fn keep(model: &Model) -> Result<(Option<Kept>, Option<Diagnostic>), 
             case.flights
         );
         let error = Diagnostic::error(HOPELESS, required.span, message).here("cannot be required");
-        let help = "lower the limit on speed or `detection`, or use faster rotors; see `mavc analyze --capture`";
+        let help = match model.vehicle.yaw_drag {
+            None => "give `yaw_drag` in `vehicle`, without which nothing ends the spin; see `mavc analyze --capture`",
+            Some(_) => "lower the limit on speed or `detection`, or use faster rotors; see `mavc analyze --capture`",
+        };
         return Err(Box::new(error.help(help)));
     }
     let kept = model.keeping(needed.greatest())?;

@@ -134,7 +134,9 @@ pub fn plan(problem: Problem, comparison: &Comparison, color: bool) -> String {
             PlanOutcome::Planned(solved) => out.push_str(&solved_run(problem, comparison, run, solved, color)),
             _ => {
                 let of_proof = match &run.outcome {
-                    PlanOutcome::Infeasible(_) if !run.against.is_empty() => without_yaw::of_proof(comparison),
+                    PlanOutcome::Infeasible(proof) if !run.against.is_empty() => {
+                        without_yaw::of_proof(problem, comparison, proof)
+                    }
                     _ => None,
                 };
                 let text = format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run));

@@ -2,8 +2,10 @@
 
 use crate::admissible::without_yaw::planned::Provision;
 use crate::flight::indistinguishable::listed;
+use crate::model::Problem;
 use crate::number::significant;
-use crate::planner::studies::Comparison;
+use crate::planner::studies::{Comparison, Proof};
+use crate::planner::timing::kinematics::least_time_within;
 use serde::Serialize;
 
 /// How a plan provides for a mode in which it gives up yaw.
@@ -61,8 +63,11 @@ pub fn head(comparison: &Comparison) -> Vec<String> {
     sentences
 }
 
-/// What a proof of infeasibility does not say, where the plan gives up yaw.
-pub fn of_proof(comparison: &Comparison) -> Option<&'static str> {
+/// What a proof of infeasibility at some times (s) does not say, where the plan gives up yaw; nothing where the limits alone prove it.
+pub fn of_proof(problem: Problem, comparison: &Comparison, proof: &Proof) -> Option<&'static str> {
+    if least_time_within(problem).is_above(proof.at) {
+        return None;
+    }
     let has_core = |p: &Provision| matches!(p, Provision::WithoutYaw(_));
     comparison
         .provisions
