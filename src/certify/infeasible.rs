@@ -141,7 +141,7 @@ fn relaxed(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<O
 fn named<'r>(model: &Model, rows: impl Iterator<Item = &'r SetRow>) -> Result<Vec<FacetRecord>, String> {
     let rows: Vec<&SetRow> = rows.collect();
     if rows.iter().any(|row| row.core.is_some()) {
-        return Err("a certificate cannot show that there is no plan with rows of a mode without yaw".into());
+        return Err("the proof uses rows of a core, for which there is no certificate".into());
     }
     let records = rows.into_iter().map(|row| facet_of(model, row)).collect::<Option<Vec<_>>>();
     records.ok_or_else(|| "a flat set has facets that are not spanned by three rotors".into())

@@ -1,5 +1,5 @@
-//! Control of the thrust's direction by torques about one axis of the body alone, which its spin carries around: what is left of a
-//! quadcopter without two opposite rotors.
+//! Control of the thrust's direction of a vehicle that produces torques about one axis of its body only, and spins: a quadcopter that
+//! has lost two opposite rotors.
 //!
 //! A torque that is missing about the other axis cannot be demanded, so the law for torques in every direction does not hold here. As in M. W.
 //! Mueller, R. D'Andrea (ICRA 2014), the motion is linearised about the spin, where it does not depend on time in body axes, and controlled

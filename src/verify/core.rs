@@ -1,6 +1,8 @@
 //! The core of a mode in which yaw is given up: the thrusts and roll and pitch torques that rotors give in every heading while the
 //! body's rate stays in a range that it cannot leave. docs/method.md, section 17, "Plans".
 
+mod envelope;
+
 use super::interval::Interval;
 use super::motion::State;
 use super::proof::{Family, Measure, Rated};
@@ -155,14 +157,14 @@ impl Core {
         let kept = Interval::ONE - Interval::point(model.plan.reserve);
         let torques = spin.map(|rate| balanced(&drag, rate) * kept);
         let mut rows = eliminated(&planes, Some(torques));
-        // Opposite planes leave a row that says nothing: its normal vanishes but for rounding.
+        // Two opposite planes add up to a row that bounds nothing: its normal is zero up to rounding.
         rows.retain(|row| width(model, row) > NEGLIGIBLE * row.offset.low);
         rows.iter_mut().for_each(|row| *row = row.over(width(model, row)));
         let [jx, jy, _] = model.vehicle.inertia.map(Interval::point);
         let half = Interval::point(0.5);
         Ok(Core {
             mode: mode.name.clone(),
-            rows: irredundant(rows),
+            rows: envelope::irredundant(rows),
             corners: corners(model, spin),
             spin,
             inertia: (jx + jy) * half,
@@ -377,43 +379,3 @@ fn width(model: &Model, row: &Row) -> f64 {
 
 /// A row whose normal takes a smaller share of its offset over the whole healthy set bounds nothing.
 const NEGLIGIBLE: f64 = 1e-9;
-
-/// Lines closer than this, relative to their size, count as one.
-const SAME: f64 = 1e-9;
-
-/// The rows without those that others imply by a margin that rounding cannot close; equal ones become their hull.
-fn irredundant(rows: Vec<Row>) -> Vec<Row> {
-    let (lines, mut kept): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(|row| row.line().is_some());
-    let mut lines: Vec<((f64, f64), Row)> = lines.into_iter().filter_map(|row| Some((row.line()?, row))).collect();
-    let size = |of: fn(&(f64, f64)) -> f64| lines.iter().map(|(line, _)| of(line).abs()).fold(0.0, f64::max);
-    let (slope, height) = (SAME * size(|l| l.0), SAME * size(|l| l.1));
-    // By falling slope: the lower envelope from small to large thrusts.
-    lines.sort_by(|(a, _), (b, _)| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
-    let mut merged: Vec<((f64, f64), Row)> = Vec::new();
-    for (line, row) in lines {
-        let parallel = merged.iter_mut().rev().take_while(|(other, _)| (other.0 - line.0).abs() <= slope);
-        match { parallel }.find(|(other, _)| (other.1 - line.1).abs() <= height) {
-            Some((_, same)) => *same = same.hull(&row),
-            None => merged.push((line, row)),
-        }
-    }
-    let mut envelope: Vec<((f64, f64), Row)> = Vec::new();
-    for next in merged {
-        // Of parallel lines the lowest comes first.
-        if envelope.last().is_some_and(|(last, _)| (last.0 - next.0.0).abs() <= slope && next.0.1 > last.1 + height) {
-            continue;
-        }
-        while let [.., (a, _), (b, _)] = &envelope[..] {
-            // b is above the meeting point of a and the next line.
-            let (run, rise) = (a.0 - next.0.0, next.0.1 - a.1);
-            let share = (a.0 - b.0) / run;
-            match run > slope && a.1 + share * rise + height < b.1 {
-                true => envelope.pop(),
-                false => break,
-            };
-        }
-        envelope.push(next);
-    }
-    kept.extend(envelope.into_iter().map(|(_, row)| row));
-    kept
-}

@@ -74,7 +74,7 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<
     }
 }
 
-/// What to add to the help of a finding about a mode that could be planned without yaw but for an obstacle.
+/// What would let a plan give up yaw for a mode, as an addition to the help of its finding; `None` if nothing in the spec prevents it.
 pub(super) fn could_be_planned(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<&'static str> {
     let allowed = model.gives_up_yaw(index) != GiveUpYaw::Never;
     let obstacle = Obstacle::of(model).filter(|_| allowed && mode.yaw_free == YawFree::Interior)?;
