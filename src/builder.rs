@@ -446,7 +446,10 @@ impl Builder {
             return self.line(before, path, format!("{}{sign}{NOT_FINITE}", word(field)));
         };
         let written = match (&value, entry.takes) {
-            (Value::Number(number), Takes::Quantity(..) | Takes::QuantityOr(..) | Takes::QuantityOrVector(..)) => {
+            (
+                Value::Number(number),
+                Takes::Quantity(..) | Takes::QuantityOr(..) | Takes::QuantityOrVector(..) | Takes::QuantityOrShare(..),
+            ) => {
                 self.finite(&path, &[*number]);
                 format!("{}{}", digits(*number), unit(entry))
             }
@@ -521,7 +524,9 @@ fn unit(entry: &Entry) -> String {
 fn taken(entry: &Entry) -> String {
     let words = entry.words().iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
     match entry.takes {
-        Takes::Quantity(..) | Takes::Bound(..) | Takes::Share | Takes::Whole(..) => "a number".into(),
+        Takes::Quantity(..) | Takes::QuantityOrShare(..) | Takes::Bound(..) | Takes::Share | Takes::Whole(..) => {
+            "a number".into()
+        }
         Takes::Vector(..) => "three numbers".into(),
         Takes::QuantityOrVector(..) => "a number or three numbers".into(),
         Takes::QuantityOr(..) => format!("a number or one of {words}"),

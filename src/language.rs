@@ -34,6 +34,8 @@ pub enum Takes {
     Vector(&'static str, Range),
     /// A number with a unit, or `[x, y, z]`; the usual unit.
     QuantityOrVector(&'static str, Range),
+    /// A number with a unit, or a share of the largest value, as in `-60 %`; the usual unit.
+    QuantityOrShare(&'static str, Range),
     /// A bound on a quantity; the usual unit and the allowed forms.
     Bound(&'static str, &'static [&'static str]),
     /// `60 %` or `0.6`.
@@ -239,6 +241,7 @@ impl Entry {
             Takes::Quantity(unit, _)
             | Takes::Vector(unit, _)
             | Takes::QuantityOrVector(unit, _)
+            | Takes::QuantityOrShare(unit, _)
             | Takes::Bound(unit, _)
             | Takes::QuantityOr(unit, _, _) => Some(unit),
             Takes::Share | Takes::Whole(..) => Some("1"),

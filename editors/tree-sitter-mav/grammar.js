@@ -23,7 +23,7 @@ const STATEMENT_WORDS = [
 
 const CLAUSE_WORDS = [
   'at', 'yaw_within', 'yaw', 'within', 'weight', 'time_constant', 'time', 'spin', 'min_speed', 'max_speed',
-  'max_thrust', 'thrust_coefficient', 'drag_coefficient', 'torque_per_thrust', 'rotor_inertia', 'until', 'corridor',
+  'min_thrust', 'max_thrust', 'thrust_coefficient', 'drag_coefficient', 'torque_per_thrust', 'rotor_inertia', 'until', 'corridor',
 ];
 
 // Clauses of a waypoint without a value.

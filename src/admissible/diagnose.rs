@@ -117,7 +117,10 @@ impl Answer {
         // Without `against` the plan must tolerate every mode, and there is no list to take a mode out of.
         let listing = "out by listing the others in `against`";
         let help = if pointed { help } else { help.replace("out of `against`", listing) };
-        let help = self.also.filter(|also| !help.contains(also)).map_or(help.clone(), |also| format!("{help}; {also}"));
+        let help = self
+            .also
+            .filter(|also| !help.contains(also))
+            .map_or(help.clone(), |also| format!("{also}; otherwise {help}"));
         let mut diagnostic = Diagnostic::new(self.severity, self.code, self.span, message).here(self.label).help(help);
         if self.reserve && is_written(model, "plan.reserve") {
             diagnostic = diagnostic.also(model.plan.reserve_span, "the required reserve");
@@ -289,9 +292,11 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
                 (Possible::UpTo(_), false) => {
                     "leave the mode out of `against`, make the vehicle lighter or change its layout"
                 }
-                (Possible::Between(..), true) if too_light && idles => "lower `min_speed` or change the layout",
+                (Possible::Between(..), true) if too_light && idles => {
+                    "lower `min_speed` or `min_thrust`, or change the layout"
+                }
                 (Possible::Between(..), false) if too_light && idles => {
-                    "leave the mode out of `against`, or lower `min_speed`"
+                    "leave the mode out of `against`, or lower `min_speed` or `min_thrust`"
                 }
                 (Possible::Between(..), true) if !too_light => "make the vehicle lighter or change its layout",
                 (Possible::Between(..), false) if !too_light => {

@@ -75,7 +75,7 @@ impl Strength {
 impl Agreement {
     /// From the flights counted so far.
     pub fn new(design: &Design, tally: &Tally) -> Self {
-        let hold = |m: &usize| design.modes[*m].is_inside();
+        let hold = |m: &usize| design.modes[*m].can_keep_reserve();
         Agreement {
             all: Scope::new(design, tally, (0..design.cases.modes).collect()),
             inside: Scope::new(design, tally, (0..design.cases.modes).filter(hold).collect()),

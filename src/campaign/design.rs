@@ -43,6 +43,8 @@ pub struct Standing {
     pub yaw_free: YawFree,
     /// Whether yaw may be given up after this fault, once it is known.
     pub gives_up_yaw: bool,
+    /// Whether plans are measured by its core.
+    pub has_core: bool,
     /// The height that the fault costs ([`capture::heights`]); empty if yaw is not given up after it.
     pub capture: Vec<CaptureHeight>,
 }
@@ -51,6 +53,11 @@ impl Standing {
     /// Whether hover lies inside the set of full wrenches.
     pub fn is_inside(&self) -> bool {
         self.hover_all_axes == Place::Inside
+    }
+
+    /// Whether a plan can keep a reserve against the mode: hover lies inside its set, or inside the core by which it is measured.
+    pub fn can_keep_reserve(&self) -> bool {
+        self.is_inside() || self.has_core
     }
 }
 
@@ -199,16 +206,18 @@ fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow
     let analysis = analyze(model, &set);
     let is_known = model.simulation.detection != Detection::Never;
     let gives_up_yaw = is_known && model.gives_up_yaw(mode) != GiveUpYaw::Never;
-    let standing = Standing {
+    let mut standing = Standing {
         verdict: analysis.verdict,
         hover: analysis.hover,
         hover_all_axes: analysis.hover_all_axes(),
         words: analysis.hover_words(),
         yaw_free: analysis.yaw_free,
         gives_up_yaw,
+        has_core: false,
         capture: Vec::new(),
     };
     if gives_up_yaw && let Provision::WithoutYaw(core) = Provision::of(model, &set, healthy) {
+        standing.has_core = true;
         return (core.rows, standing);
     }
     if standing.is_inside() {

@@ -86,6 +86,7 @@ fn takes(entry: &Entry) -> String {
         Takes::Quantity(..) | Takes::Bound(..) => unit(entry),
         Takes::Vector(..) => format!("three in {}", unit(entry)),
         Takes::QuantityOrVector(..) => format!("one or three in {}", unit(entry)),
+        Takes::QuantityOrShare(..) => format!("{}, or a share as in `-60 %`", unit(entry)),
         Takes::Share => "share, as in `60 %`".into(),
         Takes::Whole(least, most) => format!("{} to {}", grouped(least), grouped(most)),
         Takes::Words(words) => listed(words),

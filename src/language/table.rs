@@ -3,7 +3,8 @@
 use super::Absent::{Needed, Otherwise, Value, Written};
 use super::Range::{Any, NotNegative, Positive};
 use super::Takes::{
-    Bound, Names, Nothing, Quantity, QuantityOr, QuantityOrVector, Share, Text, Vector, Whole, WordList, Words,
+    Bound, Names, Nothing, Quantity, QuantityOr, QuantityOrShare, QuantityOrVector, Share, Text, Vector, Whole,
+    WordList, Words,
 };
 use super::{Absent, Entry, Takes};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -77,6 +78,9 @@ group! {
         "a rotor's drag torque divided by its thrust";
     MIN_SPEED "min_speed", Quantity("rad/s", Any), Otherwise("0"),
         "the lowest speed: above zero for a rotor that cannot stop unless it is lost, below zero for one that can reverse";
+    MIN_THRUST "min_thrust", QuantityOrShare("N", Any), Otherwise("0, or that of `min_speed`"),
+        "the lowest thrust instead of the lowest speed, in newtons or as a share of the thrust at full speed: `-60 %` for a rotor that \
+         reverses with up to 60 % of it";
     MAX_SPEED "max_speed", Quantity("rad/s", Positive), Needed,
         "the full speed, the highest at which a rotor turns";
     TIME_CONSTANT "time_constant", Quantity("s", Positive), Otherwise("20 ms in simulations"),
@@ -103,6 +107,7 @@ pub mod placed_rotor {
         &DRAG_COEFFICIENT,
         &TORQUE_PER_THRUST,
         &MIN_SPEED,
+        &MIN_THRUST,
         &MAX_SPEED,
         &TIME_CONSTANT,
         &ROTOR_INERTIA,

@@ -15,13 +15,14 @@ const IDLE: &str = "mavc::allow::idle";
 
 /// The warnings that `allow` can suppress: those about what is written. The results of an analysis (`mavc::analysis`) and
 /// errors cannot be suppressed.
-const WARNINGS: [&str; 35] = [
+const WARNINGS: [&str; 36] = [
     "mavc::sense::thrust_to_weight",
     "mavc::sense::inertia",
     "mavc::sense::arm",
     "mavc::sense::torque_ratio",
     "mavc::sense::tip_speed",
     "mavc::sense::time_constant",
+    "mavc::sense::yaw_drag",
     "mavc::sense::hover_power",
     "mavc::sense::hover_time",
     "mavc::sense::gravity",

@@ -25,7 +25,7 @@ const THRUST: Bounds = (1e-6, 1e6);
 const TORQUE: Bounds = (1e-12, 1e4);
 
 /// Fields with their own bounds: name, unit and bounds in SI units.
-const FIELDS: [(&str, &str, Bounds); 40] = [
+const FIELDS: [(&str, &str, Bounds); 41] = [
     ("gravity", "m/s^2", (1e-3, 1e4)),
     ("mass", "kg", (1e-6, 1e6)),
     ("inertia", "kg*m^2", (1e-15, 1e9)),
@@ -39,6 +39,7 @@ const FIELDS: [(&str, &str, Bounds); 40] = [
     ("torque_per_thrust", "m", TORQUE),
     ("max_speed", "rad/s", (0.1, 1e6)),
     ("min_speed", "rad/s", (0.0, 1e6)),
+    ("min_thrust", "N", (0.0, 1e9)),
     ("time_constant", "s", (1e-6, 1e4)),
     ("capacity", "A*h", (1e-3, 1e12)),
     ("voltage", "V", (1e-3, 1e6)),

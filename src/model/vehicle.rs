@@ -151,6 +151,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         let places = Written {
             mass: vehicle.mass_span,
             inertia: fields.span_of("inertia").unwrap_or(span),
+            yaw_drag: fields.span_of("yaw_drag").unwrap_or(span),
             rotors: written.unwrap_or_default(),
         };
         match cx.has_magnitude(vehicle, |k| [places.rotors[k].thrust, places.rotors[k].torque]) {

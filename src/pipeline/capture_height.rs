@@ -6,7 +6,7 @@ use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::{Exposed, exposed};
 use crate::flight::capture::needed::Needed;
 use crate::model::capture_height::LOW;
-use crate::model::{Detection, Mission, Model};
+use crate::model::{Detection, GiveUpYaw, Mission, Model};
 use crate::motion::{Trajectory, X, Y};
 use crate::number::{number, significant};
 use crate::planner::studies::{Comparison, PlannerRun};
@@ -45,7 +45,13 @@ pub(super) fn keep(model: &Model) -> Result<(Option<Kept>, Option<Diagnostic>), 
         let message =
             "`require capture_height` has no effect: no declared fault mode gives up yaw and can hover without it";
         let warning = Diagnostic::warning(IDLE, required.span, message).here("concerns no mode");
-        let help = "remove it, or declare such a mode, as in `every 1 rotor lost as L` of a quadcopter with `yaw_drag`";
+        let gives_up = |mode: usize| model.gives_up_yaw(mode) != GiveUpYaw::Never;
+        let help = match model.modes.is_empty() || (0..model.modes.len()).any(gives_up) {
+            true => {
+                "remove it, or declare such a mode, as in `every 1 rotor lost as L` of a quadcopter with `yaw_drag`"
+            }
+            false => "remove it, or `without_yaw = never`, with which no mode gives up yaw",
+        };
         return Ok((None, Some(warning.help(help))));
     };
     if let Some(case) = needed.hopeless() {

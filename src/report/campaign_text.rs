@@ -15,6 +15,7 @@ use crate::campaign::run::AFTERMATH;
 use crate::campaign::statistics::{Share, wilson};
 use crate::campaign::tally::{Group, Tally};
 use crate::flight::Cause;
+use crate::flight::indistinguishable::listed;
 use crate::model::{Detection, Simulation};
 use crate::number::{fixed, number, part_of_all, percent, significant};
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
@@ -56,7 +57,26 @@ fn head(design: &Design, shard: Shard, tally: &Tally) -> String {
         _ => format!("; shard {}/{} has {}", shard.index + 1, shard.of, tally.flights()),
     };
     out.push_str(&format!("campaign {}: {}{part}\n", design.id, counted(cases.count(), "flight")));
-    out + &flown_how(design)
+    out + &flown_how(design) + &beyond_the_limit(design)
+}
+
+/// Modes of which a fault costs more height than `lost_beyond`: vehicles that are caught count as lost.
+fn beyond_the_limit(design: &Design) -> String {
+    let limit = design.model.simulation.lost_beyond;
+    let most = |m: &usize| design.modes[*m].capture.iter().filter_map(|c| c.height_m).fold(0.0, f64::max);
+    let beyond: Vec<usize> = (0..design.cases.modes).filter(|m| most(m) > limit).collect();
+    if beyond.is_empty() {
+        return String::new();
+    }
+    let names: Vec<&str> = beyond.iter().map(|m| design.model.modes[*m].name.as_str()).collect();
+    let height = beyond.iter().map(most).fold(0.0, f64::max);
+    filled(&format!(
+        "Caught by its spin after {}, the vehicle falls by up to {} m, more than the {} m of `lost_beyond`: flights that go on \
+         count as lost.",
+        listed(&names),
+        significant(height, 3),
+        number(limit)
+    ))
 }
 
 /// Controller, allocation, detection, reaction to a fault, and when a vehicle counts as lost.

@@ -5,7 +5,7 @@ mod fold;
 use super::record::{errors, rates};
 use super::table::Table;
 use super::terminal::{WIDTH, head, holds, in_planes};
-use super::{heat, least_time};
+use super::{heat, least_time, without_yaw};
 use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
@@ -54,7 +54,11 @@ pub fn compare(problem: Problem, comparison: &Comparison, color: bool) -> String
                 continue;
             }
             let held = if holds { "; with `hold` also the last instant without a stop" } else { "" };
-            let text = format!("Seconds outside each mode's set (last violation{held}): {title}");
+            let by = match without_yaw::measured_by(comparison) {
+                "admissible set" => "set",
+                other => other,
+            };
+            let text = format!("Seconds outside each mode's {by} (last violation{held}): {title}");
             out.push_str(&format!("\n{}\n", textwrap::fill(&text, WIDTH)));
             out.push_str(&outside_table(model, comparison, run).render(2));
         }
@@ -62,9 +66,10 @@ pub fn compare(problem: Problem, comparison: &Comparison, color: bool) -> String
             out.push_str(risk_note(model, comparison));
         }
         if has_plans(Run::Common) {
-            out.push_str(
-                "\nMargin of each plan at T_d to each mode's admissible set, in shares of the healthy set's width\n",
-            );
+            out.push_str(&format!(
+                "\nMargin of each plan at T_d to each mode's {}, in shares of the healthy set's width\n",
+                without_yaw::measured_by(comparison)
+            ));
             for fold in folded(comparison, Run::Common) {
                 if let PlanOutcome::Planned(solved) = fold.outcome() {
                     out.push_str(&format!("  {}\n", fold.short_name()));

@@ -195,11 +195,12 @@ fn solved_run(
     out.push_str(&headings::text(problem, solved));
     out.push_str(&binding::text(problem, solved));
     if !comparison.modes.is_empty() {
-        out.push_str("\n  If a fault strikes: when does the plan violate the mode's admissible set?\n");
+        let by = without_yaw::measured_by(comparison);
+        out.push_str(&format!("\n  If a fault strikes: when does the plan violate the mode's {by}?\n"));
         out.push_str(&mode_table(model, comparison, solved).render(2));
         out.push_str(&unguarded(model, comparison, solved));
         out.push_str(&risk_lines(model, comparison, solved));
-        out.push_str("\n  Margin to each mode's admissible set, in shares of the healthy set's width\n");
+        out.push_str(&format!("\n  Margin to each mode's {by}, in shares of the healthy set's width\n"));
         out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
         out.push_str(&heat::legend(color));
     }
@@ -223,20 +224,13 @@ fn unguarded(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> St
     if model.plan.planner != PlannerKind::Rsp || model.plan.require_risk.is_some() {
         return String::new();
     }
-    let out: Vec<(&str, f64)> = comparison
-        .modes
-        .iter()
-        .zip(&solved.outside)
-        .filter(|(_, out)| out.max_violation > VIOLATED)
-        .map(|(name, out)| (name.as_str(), out.max_violation))
-        .collect();
-    let most = out.iter().map(|(_, violation)| *violation).fold(0.0, f64::max);
-    let names: Vec<&str> = out.iter().map(|(name, _)| *name).collect();
-    let sets = match names[..] {
-        [] => return String::new(),
-        [one] => format!("the set of {one}"),
-        _ => format!("the sets of {}", listed(&names)),
-    };
+    let is_left = |i: &usize| solved.outside[*i].max_violation > VIOLATED;
+    let left: Vec<usize> = (0..solved.outside.len()).filter(is_left).collect();
+    if left.is_empty() {
+        return String::new();
+    }
+    let most = left.iter().map(|&i| solved.outside[i].max_violation).fold(0.0, f64::max);
+    let sets = without_yaw::sets_of(comparison, &left);
     let text = format!(
         "RSP guards the selected facets, not whole sets: this plan leaves {sets}, by up to {}. A larger `rounds` selects more \
          facets; RCP stays in every set.",

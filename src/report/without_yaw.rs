@@ -32,6 +32,48 @@ pub fn record(provision: &Provision) -> Option<WithoutYawRecord> {
     }
 }
 
+/// What plans are measured by against the modes: the admissible set of a mode, its core where yaw is given up, or some by each.
+pub fn measured_by(comparison: &Comparison) -> &'static str {
+    let has = |wanted: fn(&Provision) -> bool| comparison.provisions.iter().any(wanted);
+    match (has(|p| matches!(p, Provision::WithYaw)), has(|p| matches!(p, Provision::WithoutYaw(_)))) {
+        (_, false) => "admissible set",
+        (false, true) => "core",
+        (true, true) => "admissible set, or its core where yaw is given up",
+    }
+}
+
+/// `the set of L1`, `the sets of L1 and L2`, `the set of L1 and the cores of L4 and L5`: what plans are measured by against some modes,
+/// given by their indices in the comparison.
+pub fn sets_of(comparison: &Comparison, modes: &[usize]) -> String {
+    let is_core = |i: &usize| matches!(comparison.provisions[*i], Provision::WithoutYaw(_));
+    let (cores, sets): (Vec<usize>, Vec<usize>) = modes.iter().partition(|i| is_core(i));
+    let named = |word: &str, modes: Vec<usize>| {
+        let names: Vec<&str> = modes.iter().map(|i| comparison.modes[*i].as_str()).collect();
+        match names[..] {
+            [] => None,
+            [one] => Some(format!("the {word} of {one}")),
+            _ => Some(format!("the {word}s of {}", listed(&names))),
+        }
+    };
+    let both: Vec<String> = [named("set", sets), named("core", cores)].into_iter().flatten().collect();
+    both.join(" and ")
+}
+
+/// Modes with the same spins together, in the order of the first of each: `L1 and L2 (spins of -64 to 64 rad/s)`.
+fn by_spin(planned: &[(&str, [f64; 2])]) -> String {
+    let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
+    for (name, [low, high]) in planned {
+        let spins = format!("{} to {} rad/s", significant(*low, 3), significant(*high, 3));
+        match groups.iter_mut().find(|(of, _)| *of == spins) {
+            Some((_, names)) => names.push(name),
+            None => groups.push((spins, vec![name])),
+        }
+    }
+    let each: Vec<String> =
+        groups.iter().map(|(spins, names)| format!("{} (spins of {spins})", listed(names))).collect();
+    each.join("; ")
+}
+
 /// The sentences of a report's head; empty if the plan gives up no yaw.
 pub fn head(comparison: &Comparison) -> Vec<String> {
     let modes = || comparison.modes.iter().map(String::as_str).zip(&comparison.provisions);
@@ -43,15 +85,7 @@ pub fn head(comparison: &Comparison) -> Vec<String> {
         })
         .collect();
     if !planned.is_empty() {
-        let names: Vec<&str> = planned.iter().map(|(name, _)| *name).collect();
-        let low = planned.iter().map(|(_, spin)| spin[0]).fold(f64::INFINITY, f64::min);
-        let high = planned.iter().map(|(_, spin)| spin[1]).fold(f64::NEG_INFINITY, f64::max);
-        sentences.push(format!(
-            "Without yaw after a fault of {}: for every heading and spins of {} to {} rad/s",
-            listed(&names),
-            significant(low, 3),
-            significant(high, 3)
-        ));
+        sentences.push(format!("Without yaw after a fault, whatever the heading: {}", by_spin(&planned)));
     }
     let caught: Vec<&str> = modes().filter(|(_, p)| **p == Provision::Capture).map(|(name, _)| name).collect();
     if !caught.is_empty() {

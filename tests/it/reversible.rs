@@ -139,9 +139,36 @@ fn some_things_are_not_possible_yet() {
         let is_it = |(code, message): &(String, String)| code == "mavc::vehicle::min_speed" && message.contains(what);
         assert!(found.iter().any(is_it), "{found:?}");
     };
-    refused(text("min_speed = -900 rad/s", ""), "at least `-max_speed`");
+    refused(text("min_speed = -900 rad/s", ""), "at least minus `max_speed`");
     refused(text("min_speed = -500 rad/s; time_constant = 20 ms", "rotors = lagging"), "`rotors = lagging`");
     let inverse = text("min_speed = -500 rad/s", "").replace("arm =", "allocation = pseudo_inverse; arm =");
     refused(inverse, "`allocation = pseudo_inverse`");
     refused(text("min_speed = -500 rad/s", "").replace("1.54 kg", "1.54 kg +- 5 %"), "intervals");
+}
+
+/// In newtons, as a share and as a speed the same rotors; each form has its range, and two forms at once are a conflict.
+#[test]
+fn the_lowest_thrust_is_another_way_to_write_the_lowest_speed() {
+    let lowest = |rotor: &str| spec(&text(rotor, "")).model().vehicle.rotors[0].min_speed;
+    let full = 8.5485e-6 * 874.0_f64.powi(2);
+    for (rotor, speed) in [
+        ("min_thrust = -40 %", -874.0 * 0.4_f64.sqrt()),
+        ("min_thrust = -2 N", -(2.0_f64 / 8.5485e-6).sqrt()),
+        ("min_thrust = 0.1", 874.0 * 0.1_f64.sqrt()),
+        ("min_thrust = 0 N", 0.0),
+        ("min_thrust = -100 %", -874.0),
+        (&format!("min_thrust = {} N", -full), -874.0),
+    ] {
+        assert!((lowest(rotor) - speed).abs() < 1e-9, "{rotor}: {}", lowest(rotor));
+    }
+    for (rotor, words) in [
+        ("min_thrust = -101 %", "`min_thrust` must be at least minus the thrust at full speed"),
+        ("min_thrust = 7 N", "`min_thrust` must be below the thrust at full speed"),
+        ("min_thrust = 2", "newtons have their"),
+        ("min_thrust = 3 rad/s", "`min_thrust`"),
+        ("min_thrust = 1 N; min_speed = 3 rad/s", "`min_speed` and `min_thrust` cannot both be given"),
+    ] {
+        let error = compile(&text(rotor, "")).into_result().expect_err(rotor).to_string();
+        assert!(error.contains(words), "{rotor}: {error}");
+    }
 }

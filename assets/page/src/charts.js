@@ -15,8 +15,14 @@ export const wrenchAt = (columns, k) => AXES.map((name) => columns[name][k]);
 /** The wrench at any instant of a run. */
 export const wrenchAtTime = (columns, t) => AXES.map((name) => valueAt(columns.t, columns[name], t));
 
-/** A run's margin to a set at any instant, in percent: every view shows this number. */
-export const marginAt = (columns, index, t) => margin(content.sets[index], wrenchAtTime(columns, t));
+/** A run's margin to a set at any instant, in percent: every view shows this number. Of a core it depends on more than the wrench. */
+export const marginAt = (columns, index, t) =>
+  measuredByCore(columns, index)
+    ? valueAt(columns.t, columns[`margin_${index}`], t)
+    : margin(content.sets[index], wrenchAtTime(columns, t));
+
+/** Whether a run is measured by the core of a mode without yaw instead of its whole set. */
+export const measuredByCore = (columns, index) => "core" in content.sets[index] && `margin_${index}` in columns;
 
 function bands(spec, columns) {
   if (spec.axis === null || content.sets.length === 0) return null;

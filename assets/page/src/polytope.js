@@ -11,6 +11,21 @@ export function whole(set, hover, reserve) {
   return { ...set, rows: set.rows.map(grown) };
 }
 
+/** Sides of the polygons that stand for discs of torque. */
+const SIDES = 48;
+
+/** The core of a mode without yaw as a set: each row a T + b |(tau_x, tau_y)| <= e as the half-spaces around its discs; tau_z is free. */
+export function coreOf(set) {
+  const around = ([a, b, e]) =>
+    b === 0
+      ? [[a, 0, 0, 0, e]]
+      : Array.from({ length: SIDES }, (_, k) => {
+          const angle = (2 * Math.PI * k) / SIDES;
+          return [a, b * Math.cos(angle), b * Math.sin(angle), 0, e];
+        });
+  return { ...set, rows: set.core.flatMap(around), equalities: [] };
+}
+
 /** The smallest margin of `w` in percent of the healthy set's width; negative outside. */
 export function margin(set, w) {
   let least = Infinity;

@@ -1,11 +1,11 @@
 // Sections of the admissible sets, like the paper's Figures 7 to 9 for every mode, with the wrench moving through them.
 
-import { wrenchAt, wrenchAtTime } from "./charts.js";
+import { marginAt, measuredByCore, wrenchAt, wrenchAtTime } from "./charts.js";
 import { body as bodyOf } from "./body.js";
 import { byId, content, element, indexAt, number, percent, seconds } from "./content.js";
 import { css } from "./palette.js";
 import { plane } from "./plane.js";
-import { chord, margin, section, whole } from "./polytope.js";
+import { chord, coreOf, margin, section, whole } from "./polytope.js";
 import { on, run, set, setSet, state } from "./state.js";
 
 const LABELS = ["T [N]", "τx [N m]", "τy [N m]", "τz [N m]"];
@@ -30,6 +30,12 @@ export function wrenchNow() {
   if (!moves) return content.hover;
   return wrenchAtTime(run().columns, state.time);
 }
+
+/** The margin shown for a set: of the run at this instant; of hover if nothing was planned. */
+const marginNow = (index) => (moves ? marginAt(run().columns, index, state.time) : margin(content.sets[index], content.hover));
+
+/** Whether the margin shown is to the core of a mode without yaw. */
+const isByCore = (index) => moves && measuredByCore(run().columns, index);
 
 /** The wrench through which sections are taken. */
 const through = () => (planeChoice?.value === "hover" || !moves ? content.hover : wrenchNow());
@@ -59,7 +65,8 @@ function sectionOf(body, w, [i, j], box) {
 
 const stateColor = (m) => (m < -0.01 ? css("--bad") : css("--accent"));
 
-function drawSection(pen, axes, body, box, trails) {
+function drawSection(pen, axes, index, box, trails) {
+  const body = content.sets[index];
   const w = through();
   const [i, j] = axes;
   const put = (v) => [v[i], v[j]];
@@ -69,6 +76,10 @@ function drawSection(pen, axes, body, box, trails) {
     pen.polygon(sectionOf(full, w, axes, box), { stroke: css("--accent"), width: 1, dash: [4, 3] });
   }
   pen.polygon(sectionOf(body, w, axes, box), { fill: css("--band"), stroke: css("--accent"), width: 1.75 });
+  // The core says nothing of the torque about z.
+  if (body.core && !axes.includes(3)) {
+    pen.polygon(sectionOf(coreOf(body), w, axes, box), { fill: css("--core"), stroke: css("--core-edge"), width: 1.75 });
+  }
   pen.cross(put(content.hover), css("--soft"));
   if (!moves) return;
   if (trails) {
@@ -80,7 +91,7 @@ function drawSection(pen, axes, body, box, trails) {
     if (points.length > 1) pen.line(points, { stroke: css("--soft"), width: 1 });
   }
   const here = wrenchNow();
-  pen.dot(put(here), { fill: stateColor(margin(body, here)), stroke: css("--paper"), radius: trails ? 6 : 4 });
+  pen.dot(put(here), { fill: stateColor(marginNow(index)), stroke: css("--paper"), radius: trails ? 6 : 4 });
 }
 
 function boxOf([i, j]) {
@@ -102,7 +113,7 @@ function buildPanels() {
       box: () => boxOf(axes),
       equal: i > 0 && j > 0 && j !== 3,
       height: () => 270,
-      draw: (pen) => drawSection(pen, axes, set(), boxOf(axes), true),
+      draw: (pen) => drawSection(pen, axes, state.set, boxOf(axes), true),
     });
   });
 }
@@ -141,7 +152,7 @@ function buildMultiples() {
       equal: true,
       plain: true,
       height: () => 130,
-      draw: (pen) => drawSection(pen, [1, 2], body, boxOf([1, 2]), false),
+      draw: (pen) => drawSection(pen, [1, 2], index, boxOf([1, 2]), false),
     });
     return { view, body, value, button, index };
   });
@@ -150,17 +161,18 @@ function buildMultiples() {
 function tell() {
   const body = set();
   const w = wrenchNow();
-  const m = margin(body, w);
+  const byCore = isByCore(state.set);
+  const m = marginNow(state.set);
   const called = moves ? run().wrench : "";
-  const where = moves ? `At ${seconds(state.time)} the ${called}` : "Hover";
+  const where = byCore ? `At ${seconds(state.time)} the planned motion` : moves ? `At ${seconds(state.time)} the ${called}` : "Hover";
   const headline = byId("sets-headline");
-  const what = body === content.sets[0] ? "the set of the healthy vehicle" : `the set of ${body.name}`;
+  const what = body === content.sets[0] ? "the set of the healthy vehicle" : `the ${byCore ? "core" : "set"} of ${body.name}`;
   headline.textContent = headlineOf(where, what, m, moves ? null : body.hover);
   headline.classList.toggle("bad", m < -0.01);
   const held = planeChoice?.value === "hover" || !moves ? "at hover, T = m g without torque" : "through the wrench shown: the two components not drawn have their values at this instant";
   const kept = content.reserve > 0 ? ` Solid: the set used for planning, shrunk about hover by the reserve of ${number(100 * content.reserve)} %; dashed: the whole set.` : "";
-  byId("sets-note").textContent = `Sections ${held}. Grey: the healthy vehicle. Blue: ${body.name}${body.title ? ` (${body.title})` : ""}.${kept} Cross: hover.${moves ? ` Dot: the ${called}, with its recent path.` : ""}`;
-  room(body, w, m);
+  byId("sets-note").textContent = `Sections ${held}. Grey: the healthy vehicle. Blue: ${body.name}${body.title ? ` (${body.title})` : ""}.${kept}${body.core ? " Green: the core, the thrusts and torques about x and y at every heading once yaw is given up; plans are measured by it, and turning asks torque beside that of the wrench." : ""} Cross: hover.${moves ? ` Dot: the ${called}, with its recent path.` : ""}`;
+  room(body, w, margin(body, w));
 }
 
 /** `place`: the compiler's word for hover. Margins of other wrenches are shown, and compared, to a hundredth of a percent. */
@@ -186,7 +198,7 @@ function room(body, w, m) {
   const table = element(
     "table",
     {},
-    element("caption", {}, element("span", {}, `Range of each component by itself in the set of ${body.name}; margin ${percent(m)}`)),
+    element("caption", {}, element("span", {}, `Range of each component by itself in the set of ${body.name}${body.core ? ", torque about z included" : ""}; margin ${percent(m)}`)),
     element("thead", {}, element("tr", {}, ...heads.map((h, i) => element("th", i === 0 ? { scope: "col" } : { scope: "col", class: "n" }, h)))),
     element("tbody", {}, ...rows),
   );
@@ -194,9 +206,8 @@ function room(body, w, m) {
 }
 
 function tellMultiples() {
-  const w = wrenchNow();
-  for (const { body, value, button, index } of multiples) {
-    const m = margin(body, w);
+  for (const { value, button, index } of multiples) {
+    const m = marginNow(index);
     value.textContent = percent(m);
     value.classList.toggle("bad", m < -0.01);
     button.setAttribute("aria-pressed", String(index === state.set));
@@ -206,7 +217,7 @@ function tellMultiples() {
 function refresh() {
   panels.forEach((p) => p.again());
   const here = wrenchNow();
-  solid?.move(here, stateColor(margin(set(), here)));
+  solid?.move(here, stateColor(marginNow(state.set)));
   multiples.forEach((m) => m.view.again());
   tell();
   tellMultiples();
@@ -238,7 +249,7 @@ export function sets() {
     refresh();
   });
   showSolid();
-  solid?.move(wrenchNow(), stateColor(margin(set(), wrenchNow())));
+  solid?.move(wrenchNow(), stateColor(marginNow(state.set)));
   tell();
   tellMultiples();
 }

@@ -62,13 +62,14 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<
             YAW_GIVEN_UP,
             "the plan gives up yaw",
             "the motion stays in the core of the mode, and the body turns as it may".into(),
-            "write `without_yaw = where_needed` in `plan` to accept this, or `never` to keep yaw",
+            "accept this by writing the default, `without_yaw = where_needed`, in `plan`; `never` keeps yaw",
         ),
         Provision::Capture => answer(
             Severity::Warning,
             CAPTURE,
-            "the plan keeps no rows: no torque is left in some direction",
-            "caught by its spin and landed, which flights judge: `mavc analyze --capture`".into(),
+            "the plan imposes nothing: no torque is left in some direction",
+            "after the fault the vehicle is caught by its spin and landed; flights judge it: `mavc analyze --capture`"
+                .into(),
             "leave the mode out of `against` if it need not be survived",
         ),
     }
@@ -77,7 +78,8 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<
 /// What would let a plan give up yaw for a mode, as an addition to the help of its finding; `None` if nothing in the spec prevents it.
 pub(super) fn could_be_planned(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<&'static str> {
     let allowed = model.gives_up_yaw(index) != GiveUpYaw::Never;
-    let obstacle = Obstacle::of(model).filter(|_| allowed && mode.yaw_free == YawFree::Interior)?;
+    let obstacle =
+        Obstacle::of(model).filter(|_| allowed && matches!(mode.yaw_free, YawFree::Interior | YawFree::Spinning))?;
     Some(remedy(obstacle))
 }
 

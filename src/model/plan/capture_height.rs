@@ -8,7 +8,7 @@ use crate::model::context::Context;
 use crate::model::fields::Fields;
 use crate::model::{CaptureHeight, DefaultUsed, Detection, Mission, Rotor, Simulation, Vehicle};
 use crate::source::Span;
-use crate::syntax::ast::{Block, Statement};
+use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
 
 const CODE: &str = "mavc::plan::capture_height";
 
@@ -76,6 +76,13 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block, defaults: &mut Vec<DefaultUse
         }
     };
     let detection = match fields.get(table::DETECTION.name) {
+        Some(Expr { kind: ExprKind::Name(word), span }) if word == "never" || word == "estimator" => {
+            let error = Diagnostic::error(CODE, *span, format!("`{word}` says no delay after which a fault is known"));
+            cx.report(
+                error.here("a delay is needed").help("write a delay, such as `100 ms`: the height depends on it"),
+            );
+            None
+        }
         Some(expr) => cx.quantity(&table::DETECTION, expr, CODE).map(Some),
         None => Some(None),
     };

@@ -34,7 +34,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(O
                 let message = "`require capture_height` takes no bound: the height is simulated";
                 let error = Diagnostic::error(CODE, at_most.span, message).here("remove the bound");
                 cx.report(error.help("write `require capture_height { }`"));
-                None
+                continue;
             }
             other => {
                 let error = Diagnostic::error(CODE, name.span, format!("`{other}` cannot be required"));

@@ -22,6 +22,9 @@ const TORQUE_ALONE: Usual = Usual::new(0.001, 0.3);
 const TIP_SPEED: Usual = Usual::new(30.0, 300.0);
 /// Time constant with which a rotor's speed follows, s.
 const TIME_CONSTANT: Usual = Usual::new(0.001, 1.0);
+/// Rate at which the drag balances the drag torque of rotors that carry the weight and all turn in one direction, rad/s. Measured
+/// values give 31 rad/s for a quadcopter of 0.5 kg (Mueller and D'Andrea, ICRA 2014).
+const FULL_SPIN: Usual = Usual::new(3.0, 2000.0);
 
 /// Static thrust coefficient C_T = T/(rho n^2 D^4) used to estimate diameters. The estimate depends on its fourth root: half
 /// or twice the coefficient changes the diameter by 19 %.
@@ -33,6 +36,7 @@ const AIR_DENSITY: f64 = 1.225;
 pub(in crate::model) struct Written {
     pub mass: Span,
     pub inertia: Span,
+    pub yaw_drag: Span,
     /// One for each rotor, in the same order.
     pub rotors: Vec<WrittenRotor>,
 }
@@ -73,6 +77,29 @@ pub(in crate::model) fn check(cx: &mut Context, vehicle: &Vehicle, written: &Wri
     }
     torque_ratio(cx, vehicle, written);
     time_constant(cx, vehicle, written);
+    yaw_drag(cx, vehicle, written);
+}
+
+fn yaw_drag(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+    let Some(drag) = vehicle.yaw_drag else { return };
+    let ratios = vehicle.rotors.iter().map(|rotor| rotor.drag_coefficient / rotor.thrust_coefficient);
+    let torque = ratios.fold(0.0, f64::max) * vehicle.mass * cx.gravity;
+    let spin = drag.spin(torque);
+    if FULL_SPIN.has(spin) {
+        return;
+    }
+    let message = format!(
+        "vehicle `{}` would turn at {} rad/s if all rotors that carry it turned in one direction, outside the usual range of {}",
+        vehicle.name,
+        short(spin),
+        FULL_SPIN.text("rad/s")
+    );
+    let slip = match spin > FULL_SPIN.high {
+        true => "look for an exponent that is too small, and for `mN` in place of `N`",
+        false => "look for an exponent that is too large or lost",
+    };
+    let warning = warning("mavc::sense::yaw_drag", written.yaw_drag, message, slip);
+    cx.report(warning.here(format!("balances {} N*m at that rate", short(torque))));
 }
 
 fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &Written) {

@@ -18,10 +18,10 @@ pub(super) fn check(cx: &mut Context, vehicle: &Vehicle, at: impl Fn(usize) -> S
     } else {
         return;
     };
-    let message = format!("a negative `min_speed` cannot be combined with {other}");
+    let message = format!("rotors that can reverse cannot be combined with {other}");
     cx.report(
         Diagnostic::error(MIN_SPEED, at(first), message)
             .here(why)
-            .help(format!("{help}, or remove `min_speed` for rotors that do not reverse")),
+            .help(format!("{help}, or remove the negative `min_speed` or `min_thrust`")),
     );
 }

@@ -11,6 +11,8 @@ use crate::model::sense::WrittenRotor;
 use crate::model::{Rotor, RotorSpread, Spin, Spread};
 use crate::number::number;
 use crate::source::Span;
+use crate::syntax::ast::Expr;
+use crate::unit::Dimension;
 
 pub(super) const MIN_SPEED: &str = "mavc::vehicle::min_speed";
 
@@ -56,7 +58,7 @@ pub(super) fn written(places: &[Place], fields: &Fields, shared: Option<&Fields>
             place: of(&["at", "arm"]),
             thrust: of(&["thrust_coefficient", "max_thrust"]),
             torque: of(&["drag_coefficient", "torque_per_thrust"]),
-            min_speed: of(&["min_speed"]),
+            min_speed: of(&["min_speed", "min_thrust"]),
             max_speed: of(&["max_speed"]),
             time_constant: of(&["time_constant"]),
         }
@@ -67,6 +69,28 @@ pub(super) fn written(places: &[Place], fields: &Fields, shared: Option<&Fields>
 /// A number and how well it is known.
 type Known = (f64, Spread);
 
+/// The lowest speed of a rotor, as written.
+#[derive(Clone, Copy)]
+enum Lowest {
+    /// rad/s
+    Speed(f64),
+    /// N
+    Thrust(f64),
+    /// A share of the thrust at full speed.
+    Share(f64),
+}
+
+impl Lowest {
+    /// The speed (rad/s) that gives it, with the middle of the thrust coefficient b (N s^2/rad^2): the thrust is b w |w|.
+    fn speed(self, thrust_coefficient: f64, max_speed: f64) -> f64 {
+        match self {
+            Lowest::Speed(speed) => speed,
+            Lowest::Thrust(thrust) => (thrust.abs() / thrust_coefficient).sqrt().copysign(thrust),
+            Lowest::Share(share) => max_speed * share.abs().sqrt().copysign(share),
+        }
+    }
+}
+
 /// The properties written for a rotor. `Some(None)` is a value with an error.
 #[derive(Clone, Default)]
 pub(super) struct Traits {
@@ -74,7 +98,7 @@ pub(super) struct Traits {
     max_thrust: Option<Option<Known>>,
     drag_coefficient: Option<Option<Known>>,
     torque_per_thrust: Option<Option<Known>>,
-    min_speed: Option<Option<(f64, Span)>>,
+    lowest: Option<Option<(Lowest, Span)>>,
     max_speed: Option<Option<Known>>,
     time_constant: Option<Option<f64>>,
     inertia: Option<Option<f64>>,
@@ -103,12 +127,20 @@ impl Traits {
                 Some(expr) => Some(cx.quantity(&table::ROTOR_INERTIA, expr, POSITIVE)),
                 None => fields.may_have("rotor_inertia").then_some(None),
             },
-            min_speed: match fields.get("min_speed") {
-                Some(expr) => Some(cx.quantity(&table::MIN_SPEED, expr, MIN_SPEED).map(|w| (w, expr.span))),
-                None => fields.may_have("min_speed").then_some(None),
+            lowest: match (fields.get("min_speed"), fields.get("min_thrust")) {
+                (Some(expr), _) => {
+                    Some(cx.quantity(&table::MIN_SPEED, expr, MIN_SPEED).map(|w| (Lowest::Speed(w), expr.span)))
+                }
+                (None, Some(expr)) => Some(lowest_thrust(cx, expr).map(|lowest| (lowest, expr.span))),
+                (None, None) => (fields.may_have("min_speed") || fields.may_have("min_thrust")).then_some(None),
             },
         };
-        for (a, b) in [("thrust_coefficient", "max_thrust"), ("drag_coefficient", "torque_per_thrust")] {
+        let alike = [
+            ("thrust_coefficient", "max_thrust"),
+            ("drag_coefficient", "torque_per_thrust"),
+            ("min_speed", "min_thrust"),
+        ];
+        for (a, b) in alike {
             if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
                 let message = format!("`{a}` and `{b}` cannot both be given");
                 let (first, second) = if first.start <= second.start { (first, second) } else { (second, first) };
@@ -132,7 +164,7 @@ impl Traits {
             max_thrust: if thrust { self.max_thrust } else { base.max_thrust },
             drag_coefficient: if torque { self.drag_coefficient } else { base.drag_coefficient },
             torque_per_thrust: if torque { self.torque_per_thrust } else { base.torque_per_thrust },
-            min_speed: self.min_speed.or(base.min_speed),
+            lowest: self.lowest.or(base.lowest),
             max_speed: self.max_speed.or(base.max_speed),
             time_constant: self.time_constant.or(base.time_constant),
             inertia: self.inertia.or(base.inertia),
@@ -193,24 +225,18 @@ impl Traits {
             }
         };
         let spread = RotorSpread { full_thrust, idle_thrust: of_coefficient, torque_per_thrust };
-        let min_speed = match self.min_speed {
+        let min_speed = match self.lowest {
             Some(given) => {
-                let (speed, span) = given?;
-                if speed < -max_speed * slowest {
+                let (lowest, span) = given?;
+                let speed = lowest.speed(thrust_coefficient, max_speed);
+                if let Some(error) = out_of_range(lowest, speed, max_speed * slowest, thrust_coefficient, span) {
                     if !*reported {
                         *reported = true;
-                        cx.report(too_fast_backwards(speed, max_speed * slowest, span));
+                        cx.report(error);
                     }
                     return None;
                 }
-                if speed >= max_speed * slowest {
-                    if !*reported {
-                        *reported = true;
-                        cx.report(not_below(speed, max_speed * slowest, span));
-                    }
-                    return None;
-                }
-                speed
+                speed.max(-max_speed)
             }
             None => 0.0,
         };
@@ -236,18 +262,47 @@ impl Traits {
     }
 }
 
-/// The error for a rotor whose lowest speed is not below its full speed.
-fn not_below(min_speed: f64, max_speed: f64, at: Span) -> Diagnostic {
-    let message = "`min_speed` must be below `max_speed`";
-    Diagnostic::error(MIN_SPEED, at, message)
-        .here(format!("{} rad/s, not below {} rad/s", number(min_speed), number(max_speed)))
-        .help("write a lower speed, or remove `min_speed` for a rotor that may stop")
+/// `-4 N` or `-60 %`; a number without a unit is a share, of which the range then says more.
+fn lowest_thrust<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Lowest> {
+    let due = Due::of(&table::MIN_THRUST);
+    cx.expect_unit(due, expr);
+    let found = cx.evaluate_quantity(expr)?;
+    if found.dimension == Dimension::PLAIN {
+        return cx.lower(Due::new(table::MIN_THRUST.name, "1"), found, expr).map(Lowest::Share);
+    }
+    cx.lower(due, found, expr).map(Lowest::Thrust)
 }
 
-/// The error for a rotor that turns backwards faster than forwards.
-fn too_fast_backwards(min_speed: f64, max_speed: f64, at: Span) -> Diagnostic {
-    let message = "`min_speed` must be at least `-max_speed`";
-    Diagnostic::error(MIN_SPEED, at, message)
-        .here(format!("{} rad/s, below {} rad/s", number(min_speed), number(-max_speed)))
-        .help("write a speed nearer to zero: a rotor reverses at most as fast as it turns forwards")
+/// Room for the rounding of a speed from a thrust.
+const ROUNDING: f64 = 1e-12;
+
+/// The error for a lowest speed (rad/s) that is not below the full speed, or turns backwards faster than forwards.
+fn out_of_range(lowest: Lowest, speed: f64, full: f64, thrust_coefficient: f64, at: Span) -> Option<Diagnostic> {
+    let is_too_low = speed < -full * (1.0 + ROUNDING);
+    if !is_too_low && speed < full * (1.0 - ROUNDING) {
+        return None;
+    }
+    let full_thrust = thrust_coefficient * full * full;
+    let (field, most, unit, value, limit) = match lowest {
+        Lowest::Speed(speed) => ("min_speed", "`max_speed`", "rad/s", speed, full),
+        Lowest::Thrust(thrust) => ("min_thrust", "the thrust at full speed", "N", thrust, full_thrust),
+        Lowest::Share(share) => ("min_thrust", "the thrust at full speed", "%", 100.0 * share, 100.0),
+    };
+    let (message, here, help) = match is_too_low {
+        true => (
+            format!("`{field}` must be at least minus {most}"),
+            format!("{} {unit}, below {} {unit}", number(value), number(-limit)),
+            "write a value nearer to zero: a rotor reverses at most as fast as it turns forwards".to_string(),
+        ),
+        false => (
+            format!("`{field}` must be below {most}"),
+            format!("{} {unit}, not below {} {unit}", number(value), number(limit)),
+            format!("write a lower value, or remove `{field}` for a rotor that may stop"),
+        ),
+    };
+    let error = Diagnostic::error(MIN_SPEED, at, message).here(here);
+    Some(match lowest {
+        Lowest::Share(_) => error.help(format!("{help}; newtons have their unit, as in `2 N`")),
+        _ => error.help(help),
+    })
 }

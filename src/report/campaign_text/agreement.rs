@@ -11,7 +11,7 @@ use crate::report::table::Table;
 pub(super) fn agreement(agreement: &Agreement) -> String {
     let mut out = String::from("\nDo the plans predict which flights are lost?\n");
     out.push_str(&filled(
-        "Predicted lost: the fault strikes before the plan's last violation of the mode's set. Only flights that were \
+        "Predicted lost: the fault strikes before the plan's last violation of the mode's set, or of its core where yaw is given up. Only flights that were \
          still flying when the fault struck are counted. A plan that several planners share is counted once.",
     ));
     let Agreement { all, inside, forecasts } = agreement;
@@ -19,12 +19,14 @@ pub(super) fn agreement(agreement: &Agreement) -> String {
         out.push_str(&scope(all));
     } else if inside.modes == 0 {
         out.push_str(&scope(all));
-        out.push_str(&filled("No mode has hover inside its set, so no plan can keep a reserve against any mode."));
+        out.push_str(&filled(
+            "No mode has hover inside its set or core, so no plan can keep a reserve against any mode.",
+        ));
     } else {
         out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
         let n = counted(inside.modes, "mode");
         out.push_str(&format!(
-            "\n  Only the {n} with hover inside their sets: no plan can keep a reserve against the others\n"
+            "\n  Only the {n} with hover inside their sets or cores: no plan can keep a reserve against the others\n"
         ));
         out.push_str(&scope(inside));
     }
@@ -157,7 +159,7 @@ fn predictors(forecasts: &[Forecast]) -> String {
     out
 }
 
-/// Whether worse plans do more harm, over all modes and over those with hover inside their sets.
+/// Whether worse plans do more harm, over all modes and over those with hover inside their sets or cores.
 fn harm(all: &[Correlation], inside: &[Correlation]) -> String {
     let mut out = String::from(
         "\n  Do worse plans do more harm? Spearman's rank correlation over pairs of plan and mode (95 % interval)\n",
@@ -175,7 +177,7 @@ fn harm(all: &[Correlation], inside: &[Correlation]) -> String {
     out.push_str(&table.render(2));
     out.push_str(&filled(&format!(
         "Each pair has the mean over its struck flights, lost ones included. Within modes: over ranks within each mode with \
-         hover inside its set, so that plans are compared and not modes; modes: those in which both vary. Pairs are not \
+         hover inside its set or core, so that plans are compared and not modes; modes: those in which both vary. Pairs are not \
          independent, since plans and modes resemble each other, and fewer than {FEWEST} pairs have no interval: a small \
          correlation of few pairs means nothing."
     )));

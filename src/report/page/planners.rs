@@ -6,6 +6,7 @@ use super::verdicts::violation_cells;
 use crate::number::{down, number, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run};
 use crate::report::record::{PlannerRecord, Record};
+use crate::report::without_yaw;
 use maud::{Markup, html};
 
 /// The tables of the paper's section 5.4: each planner at its own shortest time, and all planners at T_d.
@@ -99,7 +100,12 @@ fn headline(comparison: &Comparison) -> String {
         n if comparison.modes.is_empty() => format!("{n} plans at one time"),
         n => {
             let stay = if inside == 1 { "stays" } else { "stay" };
-            format!("At one time, {inside} of {n} plans {stay} inside the sets of all modes planned against")
+            let sets = match without_yaw::measured_by(comparison) {
+                "admissible set" => "sets",
+                "core" => "cores",
+                _ => "sets and cores",
+            };
+            format!("At one time, {inside} of {n} plans {stay} inside the {sets} of all modes planned against")
         }
     }
 }

@@ -54,6 +54,10 @@ pub struct SetContent {
     pub rows: Vec<[f64; 5]>,
     /// The same with `=`.
     pub equalities: Vec<[f64; 5]>,
+    /// The core by which plans are measured where they give up yaw: `[a, b, e]`, thrusts T and torques of size rho about x and y
+    /// with `a T + b rho <= e`. Empty where yaw is kept.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub core: Vec<[f64; 3]>,
 }
 
 impl SetContent {
@@ -67,8 +71,17 @@ impl SetContent {
             planned: shown.against.is_some(),
             rows: rows.into_iter().map(row).collect(),
             equalities: equalities.into_iter().map(row).collect(),
+            core: shown.core.as_ref().map_or_else(Vec::new, core_rows),
         }
     }
+}
+
+/// Without the momenta: they change what the motion asks, not the core.
+fn core_rows(core: &PlanningSet) -> Vec<[f64; 3]> {
+    let row = |r: &SetRow| [r.normal[0], r.core.map_or(0.0, |c| c.torque), r.offset].map(precise);
+    let mut rows: Vec<[f64; 3]> = core.rows.iter().map(row).collect();
+    rows.dedup();
+    rows
 }
 
 /// The healthy set first, then those of the modes planned against, in the comparison's order (of many modes, those with the

@@ -16,6 +16,7 @@ use crate::report::simulation::{FlightRecord, OutcomeRecord, detection, length a
 use crate::report::terminal::{in_planes, not_looked_at};
 use crate::report::verdict_text::{elsewhere, statement};
 use crate::report::waypoints::{WaypointRecord, waypoints, worst};
+use crate::report::without_yaw;
 use crate::tolerance::MOST_PAST_LIMIT;
 use crate::verdict::Verdict;
 
@@ -181,12 +182,12 @@ fn capital(text: &str) -> String {
 
 /// `and stays inside the sets of all modes planned against`, or which sets it leaves and for how long.
 fn outside(comparison: &Comparison, solved: &MissionPlan) -> String {
-    let mut left: Vec<(&String, f64)> = comparison
-        .modes
+    let mut left: Vec<(usize, f64)> = solved
+        .outside
         .iter()
-        .zip(&solved.outside)
+        .enumerate()
         .filter(|(_, o)| o.last.is_some())
-        .map(|(name, o)| (name, o.seconds))
+        .map(|(mode, o)| (mode, o.seconds))
         .collect();
     left.sort_by(|a, b| b.1.total_cmp(&a.1));
     match left.as_slice() {
@@ -195,9 +196,13 @@ fn outside(comparison: &Comparison, solved: &MissionPlan) -> String {
             "and stays inside the sets of all modes planned against".into()
         }
         [] => "and stays inside the sets and cores of all modes with rows".into(),
-        [(name, seconds)] => format!("and leaves the set of {name} for {} s", short_seconds(*seconds)),
-        [(name, seconds), rest @ ..] => {
-            format!("and leaves the sets of {} modes, that of {name} for {} s", rest.len() + 1, short_seconds(*seconds))
+        [(i, seconds)] => {
+            format!("and leaves {} for {} s", without_yaw::sets_of(comparison, &[*i]), short_seconds(*seconds))
+        }
+        [(i, seconds), rest @ ..] => {
+            let sets = if without_yaw::measured_by(comparison) == "core" { "cores" } else { "sets" };
+            let (name, seconds) = (&comparison.modes[*i], short_seconds(*seconds));
+            format!("and leaves the {sets} of {} modes, that of {name} for {seconds} s", rest.len() + 1)
         }
     }
 }

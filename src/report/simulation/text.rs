@@ -53,6 +53,13 @@ pub fn text(flown: &Flown) -> String {
         if model.vehicle.yaw_drag.is_none() {
             out.push_str("  the vehicle has no `yaw_drag`, so that the air does not slow its spin\n");
         }
+        if matches!(record.outcome, OutcomeRecord::Lost { cause: "position", at_s, .. } if at_s > at) {
+            out.push_str(&format!(
+                "  a vehicle falls before it is caught by its spin (`mavc analyze --capture`): with a `lost_beyond` above that\n  \
+                 height, here {} m, it does not count as lost for it\n",
+                number(model.simulation.lost_beyond)
+            ));
+        }
     }
     if !record.faults.is_empty() {
         let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);

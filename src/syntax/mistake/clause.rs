@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::Place;
 
 /// Clauses of a rotor, in their usual order.
-const OF_ROTOR: [&str; 10] = [
+const OF_ROTOR: [&str; 11] = [
     "at",
     "spin",
     "max_thrust",
@@ -13,6 +13,7 @@ const OF_ROTOR: [&str; 10] = [
     "torque_per_thrust",
     "drag_coefficient",
     "min_speed",
+    "min_thrust",
     "max_speed",
     "time_constant",
     "rotor_inertia",

@@ -17,6 +17,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     chained_limit,
     uncounted,
     braceless,
+    boundless,
     assignment,
     relation,
     value::decimal_comma,
@@ -32,7 +33,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     wrong_start,
 ];
 
-pub(in crate::syntax) const CLAUSES: [&str; 22] = [
+pub(in crate::syntax) const CLAUSES: [&str; 23] = [
     "at",
     "yaw",
     "yaw_within",
@@ -41,6 +42,7 @@ pub(in crate::syntax) const CLAUSES: [&str; 22] = [
     "time",
     "spin",
     "min_speed",
+    "min_thrust",
     "max_speed",
     "max_thrust",
     "time_constant",
@@ -241,6 +243,27 @@ fn assignment(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
             .help(format!("write `{name} = {}`", cut(&statement.text[failure.at..])))
             .fix(at, "= ")
     })
+}
+
+/// `require capture_height`, `require capture_height >= 9 m`
+fn boundless(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (_, before) = statement.before(failure.at);
+    if statement.word() != "require" || before != "capture_height" || !failure.expects(Expected::Relation) {
+        return None;
+    }
+    let found = statement.found(failure.at);
+    let end = statement.text.trim_end().len();
+    let (from, label) = match found.is_empty() {
+        true => (end - "capture_height".len(), "`{ }` must follow"),
+        false => (failure.at, "remove the bound"),
+    };
+    let message = "`require capture_height` takes a block and no bound: the height is simulated";
+    Some(
+        Diagnostic::error("mavc::syntax::unexpected", statement.span(from, end.max(from)), message)
+            .here(label)
+            .help("write `require capture_height { }`; fields in it are `radius` and `detection`")
+            .fix(statement.span(failure.at.min(end), end), if found.is_empty() { " { }" } else { "{ }" }),
+    )
 }
 
 /// `speed =< 8 m/s`, `speed < 8 m/s`, `where rpn => 100`, `require risk < 1e-6`
