@@ -10,6 +10,7 @@ mod emit;
 mod explain;
 mod files;
 mod fmt;
+mod import;
 mod links;
 #[cfg(feature = "lsp")]
 mod lsp;
@@ -32,7 +33,7 @@ mod watch;
 use crate::source::visible;
 use arguments::{
     AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, EmitArgs, EmitFormat, FmtArgs, Format,
-    PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs,
+    ImportArgs, ImportCommand, PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs,
 };
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};
@@ -93,6 +94,7 @@ pub fn run() -> u8 {
         Command::Campaign(args) => campaign::run(args, &options),
         Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
+        Command::Import(what) => import::run(what, &options),
         Command::New { file, mission } => new::run(file, mission.as_deref(), &options),
         #[cfg(feature = "lsp")]
         Command::Lsp { stdio: _ } => lsp::run(),

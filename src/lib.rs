@@ -15,6 +15,7 @@ pub mod flatness;
 pub mod flight;
 pub mod format;
 pub mod geometry;
+pub mod import;
 pub mod input;
 pub mod language;
 #[cfg(feature = "lsp")]

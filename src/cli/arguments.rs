@@ -61,6 +61,9 @@ pub(super) enum Command {
     Fmt(FmtArgs),
     /// Print the output of one stage of the compiler
     Emit(EmitArgs),
+    /// Write a spec from the file of another tool; what the file does not say stands as `?`
+    #[command(subcommand)]
+    Import(ImportCommand),
     /// Write a commented spec that can be planned as it is
     New {
         /// The file to write, which must not exist yet, or `-` for standard output
@@ -261,6 +264,22 @@ impl EmitArgs {
     pub fn is_flown(&self) -> bool {
         matches!(self.stage, Stage::Model | Stage::Mjcf)
     }
+}
+
+#[derive(Subcommand)]
+pub(super) enum ImportCommand {
+    /// A vehicle: PX4 parameters or airframe script, ArduPilot parameters, URDF, SDF or MJCF
+    Vehicle(ImportArgs),
+}
+
+#[derive(Args)]
+pub(super) struct ImportArgs {
+    /// The file, or `-` for standard input
+    #[arg(value_hint = clap::ValueHint::FilePath)]
+    pub file: String,
+    /// Write the spec to this file instead of standard output
+    #[arg(short, long, value_name = "SPEC.MAV")]
+    pub output: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]

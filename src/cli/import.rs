@@ -1,0 +1,57 @@
+//! `mavc import`: writes a spec from the file of another tool.
+
+use super::spec::{human, shown};
+use super::target::{Target, write};
+use super::{FINE, ImportArgs, ImportCommand, Options, Problem, SPEC_ERRORS, files};
+use crate::diagnostic::Severity;
+use crate::import::{Imported, MAX_BYTES, vehicle};
+
+pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, Problem> {
+    match what {
+        ImportCommand::Vehicle(args) => one(args, vehicle::import, options),
+    }
+}
+
+fn one(args: &ImportArgs, read: fn(&str, &[u8]) -> Imported, options: &Options) -> Result<u8, Problem> {
+    let target = args.output.as_deref().map(Target::new).transpose()?;
+    if let Some(target) = &target {
+        target.must_spare([args.file.as_str()])?;
+    }
+    let bytes = files::read_spec(&args.file, MAX_BYTES)?;
+    let mut imported = read(super::spec::name(&args.file), &bytes);
+    if options.quiet {
+        imported.diagnostics.retain(|d| d.severity == Severity::Error);
+    }
+    files::eprint_as_it_is(&human(&imported.diagnostics, &imported.sources, &std::io::stderr()));
+    let Some(text) = &imported.text else { return Ok(SPEC_ERRORS) };
+    match &target {
+        Some(target) => write(&[(target, text.as_str())])?,
+        None => files::print_result(text)?,
+    }
+    if !options.quiet {
+        files::eprint(&remarks(&imported, args));
+    }
+    Ok(FINE)
+}
+
+/// What was left out, what is to be filled in, and what to do next.
+fn remarks(imported: &Imported, args: &ImportArgs) -> String {
+    let mut out = String::new();
+    if !imported.dropped.is_empty() {
+        let list = textwrap::fill(
+            &imported.dropped.join(" "),
+            textwrap::Options::new(100).initial_indent("  ").subsequent_indent("  "),
+        );
+        out.push_str(&format!("Left out of {}, because a spec has no word for it:\n{list}\n", shown(&args.file)));
+    }
+    let text = imported.text.as_deref().unwrap_or_default();
+    let unknown = text.lines().filter(|line| line.split("//").next().is_some_and(|code| code.contains('?'))).count();
+    let to = args.output.as_deref().map_or("the spec".into(), files::shown);
+    if unknown > 0 {
+        let lines = if unknown == 1 { "1 line has".into() } else { format!("{unknown} lines have") };
+        out.push_str(&format!(
+            "{lines} a `?` for a figure that the file does not give. Write it, then: mavc check {to}\n"
+        ));
+    }
+    out
+}
