@@ -42,7 +42,7 @@ mod slip;
 mod survey;
 mod understanding;
 mod unreadable;
-mod vehicle;
+pub(crate) mod vehicle;
 pub mod vocabulary;
 mod volume;
 mod without_yaw;
@@ -180,8 +180,22 @@ pub struct Rotor {
     pub time_constant: Option<f64>,
     /// Moment of inertia about its axis, kg m^2; 0 if the spec gives none.
     pub inertia: f64,
+    /// The number of its motor at the autopilot; `None` if the spec gives none.
+    pub motor: Option<u32>,
     /// The intervals of these numbers.
     pub spread: RotorSpread,
+}
+
+impl Vehicle {
+    /// The autopilot's numbers of the motors, in the order of the rotors; `None` if the spec gives none.
+    pub fn motors(&self) -> Option<Vec<u32>> {
+        self.rotors.iter().map(|rotor| rotor.motor).collect()
+    }
+
+    /// The same where they differ from the rotors' own numbers.
+    pub fn other_motors(&self) -> Option<Vec<u32>> {
+        self.motors().filter(|motors| !motors.iter().copied().eq(1..=motors.len() as u32))
+    }
 }
 
 impl Rotor {

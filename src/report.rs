@@ -20,6 +20,7 @@ pub mod mjcf;
 pub mod model_record;
 #[cfg(feature = "report")]
 pub mod page;
+pub mod px4_params;
 pub mod record;
 pub mod simulation;
 pub mod table;

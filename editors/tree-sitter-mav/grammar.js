@@ -23,7 +23,8 @@ const STATEMENT_WORDS = [
 
 const CLAUSE_WORDS = [
   'at', 'yaw_within', 'yaw', 'within', 'weight', 'time_constant', 'time', 'spin', 'min_speed', 'max_speed',
-  'min_thrust', 'max_thrust', 'thrust_coefficient', 'drag_coefficient', 'torque_per_thrust', 'rotor_inertia', 'until', 'corridor',
+  'min_thrust', 'max_thrust', 'thrust_coefficient', 'drag_coefficient', 'torque_per_thrust', 'rotor_inertia', 'motor', 'until',
+  'corridor',
 ];
 
 // Clauses of a waypoint without a value.
@@ -156,7 +157,7 @@ module.exports = grammar({
     // ---- expressions
 
     expression: ($) =>
-      choice($.call, $.quantity, $.reference, $.text, $.parenthesized, $.list, $.binary, $.negation),
+      choice($.call, $.quantity, $.reference, $.text, $.parenthesized, $.list, $.binary, $.negation, $.unknown),
 
     binary: ($) =>
       choice(
@@ -187,6 +188,9 @@ module.exports = grammar({
     parenthesized: ($) => seq('(', $.expression, ')', optional($.unit)),
     list: ($) => seq('[', optional(seq(commaSeparated($.expression), optional(','))), ']', optional($.unit)),
     reference: ($) => $.name,
+
+    // A figure that is to be filled in.
+    unknown: () => '?',
 
     // ---- tokens
 

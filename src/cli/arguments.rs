@@ -305,4 +305,6 @@ pub(super) enum Stage {
     Qp,
     /// The vehicle and the mission for the simulator MuJoCo (MJCF)
     Mjcf,
+    /// The rotors as parameters of PX4's control allocation, for QGroundControl
+    Px4Params,
 }

@@ -7,7 +7,7 @@ use super::{EmitArgs, EmitFormat, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, 
 use crate::diagnostic::sort;
 use crate::model::FlightBlocks;
 use crate::observer::Silent;
-use crate::pipeline::{Task, actuation_text, mjcf_text, model_record, sets_text};
+use crate::pipeline::{Task, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
 use crate::source::visible;
 use crate::spec::Spec;
 
@@ -31,6 +31,7 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
             Stage::Actuation => actuation_text(spec),
             Stage::Sets => sets_text(spec),
             Stage::Mjcf => mjcf_text(spec),
+            Stage::Px4Params => px4_params_text(spec),
             Stage::Ast | Stage::Constraints | Stage::Qp => String::new(),
         })?;
     }
@@ -42,13 +43,11 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
 fn ast(mut findings: Findings, options: &Options) -> Result<u8, Problem> {
     sort(&mut findings.diagnostics);
     findings.eprint(options);
-    if findings.has_errors() {
-        return Ok(SPEC_ERRORS);
-    }
-    for file in &findings.files.files {
+    let code = if findings.has_errors() { SPEC_ERRORS } else { FINE };
+    for file in findings.files.files.iter().filter(|_| code == FINE) {
         files::print(&format!("// {}\n{file}", visible::line(&findings.files.sources.get(file.file).name)))?;
     }
-    Ok(FINE)
+    Ok(code)
 }
 
 /// The stages that need the planner's choice of rows and a mission time.

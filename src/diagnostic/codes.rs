@@ -9,17 +9,18 @@ pub struct CodePage {
     pub code: &'static str,
     /// The first line of the page: one sentence.
     pub title: &'static str,
-    /// The file with its page: `syntax`, `model`, `sense` or `analysis`.
+    /// The file with its page: `syntax`, `model`, `sense`, `analysis` or `import`.
     pub book: &'static str,
     /// What the code means, an example, and how to fix it, in Markdown; with the title, without the heading.
     pub page: &'static str,
 }
 
-const BOOKS: [(&str, &str); 4] = [
+const BOOKS: [(&str, &str); 5] = [
     ("syntax", include_str!("../../docs/diagnostics/syntax.md")),
     ("model", include_str!("../../docs/diagnostics/model.md")),
     ("sense", include_str!("../../docs/diagnostics/sense.md")),
     ("analysis", include_str!("../../docs/diagnostics/analysis.md")),
+    ("import", include_str!("../../docs/diagnostics/import.md")),
 ];
 
 static PAGES: LazyLock<Vec<CodePage>> = LazyLock::new(|| BOOKS.into_iter().flat_map(pages).collect());

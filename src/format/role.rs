@@ -141,7 +141,7 @@ impl Roles {
     fn expr(&mut self, expr: &Expr) {
         match &expr.kind {
             ExprKind::Number { unit, .. } => self.unit(unit),
-            ExprKind::Text(_) | ExprKind::Name(_) => {}
+            ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Unknown => {}
             ExprKind::Call { function, arguments } => {
                 self.words.insert(start(function.span), Role::Function);
                 arguments.iter().for_each(|argument| self.expr(argument));
@@ -211,7 +211,7 @@ fn ends_in_unit(expr: &Expr) -> bool {
         ExprKind::Negate(operand) => ends_in_unit(operand),
         ExprKind::Binary { right, .. } => ends_in_unit(right),
         ExprKind::Interval { by: last, .. } | ExprKind::Range { high: last, .. } => ends_in_unit(last),
-        ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Call { .. } => false,
+        ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Unknown | ExprKind::Call { .. } => false,
     }
 }
 

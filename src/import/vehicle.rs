@@ -1,22 +1,37 @@
-//! Vehicles of autopilots and simulators. The format follows from the file's content, not its name.
+//! Vehicles of autopilots and simulators. The format follows from the content of a file, not from its name.
 
+mod ardupilot;
+mod draft;
+mod frames;
+mod parameters;
 mod px4;
+mod robot;
 
 use super::{FORMAT, Imported, Outcome, at};
 use crate::diagnostic::Diagnostic;
 use crate::source::Source;
 
-/// Reads the file of a vehicle.
+/// Reads the file of a vehicle: parameters of PX4 (`CA_ROTORi_*`, of an airframe script or as QGroundControl saves them) or of ArduPilot
+/// (`FRAME_CLASS`, `FRAME_TYPE`); URDF, SDF or MJCF with rotors.
 pub fn import(name: &str, bytes: &[u8]) -> Imported {
-    super::import(name, bytes, |source, _| read(source))
+    super::import(name, bytes, read)
 }
 
-fn read(source: &Source) -> Outcome {
-    if px4::is_one(source) {
-        return px4::read(source);
+fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
+    if robot::is_one(&source.text) {
+        return robot::vehicle(source, found);
     }
-    let error = Diagnostic::error(FORMAT, at(0..0), "this is no vehicle that can be read");
-    Err(Box::new(
-        error.help("name PX4 parameters (`CA_ROTOR0_PX`), ArduPilot parameters (`FRAME_CLASS`), URDF, SDF or MJCF"),
-    ))
+    let parameters = parameters::read(source)?;
+    if parameters.is_of("FRAME_CLASS") {
+        return ardupilot::vehicle(source, &parameters);
+    }
+    if parameters.has_prefix("CA_") {
+        return px4::vehicle(source, &parameters, found);
+    }
+    Err(Box::new(match parameters.first().or_else(|| px4::script(source)) {
+        Some(first) => px4::without_geometry(source, first),
+        None => Diagnostic::error(FORMAT, at(0..0), "no vehicle was found in the file").help(
+            "name parameters of PX4 (with `CA_ROTOR0_PX`) or ArduPilot (with `FRAME_CLASS`), an airframe script, URDF, SDF or MJCF",
+        ),
+    }))
 }

@@ -99,9 +99,16 @@ pub mod placed_rotor {
     pub const AT: Entry =
         Entry::new("at", Vector("m", Any), Needed, "the position `[x, y, z]` from the centre of gravity");
     pub const SPIN: Entry = Entry::new("spin", Words(&["P", "N"]), Needed, "the direction in which the rotor turns");
+    pub const MOTOR: Entry = Entry::new(
+        "motor",
+        Whole(1, 32),
+        Otherwise("that of the rotor"),
+        "the number of its motor at the autopilot, where rotors are numbered in another order here",
+    );
     pub const ENTRIES: &[&Entry] = &[
         &AT,
         &SPIN,
+        &MOTOR,
         &THRUST_COEFFICIENT,
         &MAX_THRUST,
         &DRAG_COEFFICIENT,

@@ -264,6 +264,7 @@ impl<'a> Walk<'a> {
                 self.unit(unit);
             }
             ExprKind::Text(_) => self.note(expr.span, What::Text),
+            ExprKind::Unknown => self.note(expr.span, What::Number),
             ExprKind::Name(name) => self.named(name, expr.span),
             ExprKind::Call { function, arguments } => {
                 self.note(function.span, What::Function);

@@ -134,6 +134,9 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
         if let Some(time) = r.time_constant {
             write!(f, ", time constant {} s", number(time))?;
         }
+        if let Some(motor) = r.motor {
+            write!(f, ", motor {motor}")?;
+        }
         match r.inertia > 0.0 {
             true => writeln!(f, ", rotor_inertia {} kg*m^2", number(r.inertia))?,
             false => writeln!(f)?,

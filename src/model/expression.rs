@@ -35,6 +35,11 @@ const STACK_LEFT: usize = 256 << 10;
 const STACK_MORE: usize = 1 << 20;
 const STACK_ASKED: u32 = 8;
 
+/// The error for a `?`.
+pub(super) fn unknown(at: Span, message: impl Into<String>, help: impl Into<String>) -> Diagnostic {
+    Diagnostic::error("mavc::value::unknown", at, message).here("to be filled in").help(help)
+}
+
 impl<'a> Context<'a> {
     /// The value of `expr`; `None` where it has an error, which has been reported.
     pub fn evaluate(&mut self, expr: &'a Expr) -> Option<Value> {
@@ -71,6 +76,10 @@ impl<'a> Context<'a> {
             }
             ExprKind::Text(text) => Some(Value::Text(text.clone())),
             ExprKind::Name(name) => self.named(name, expr.span),
+            ExprKind::Unknown => {
+                self.report(unknown(expr.span, "a value is not known yet", "write the value in place of `?`"));
+                None
+            }
             ExprKind::Call { function, arguments } => self.call(function, arguments, expr.span),
             ExprKind::Negate(inner) => match self.evaluate(inner)? {
                 Value::Quantity(q) => Some(Value::Quantity(q.negated())),

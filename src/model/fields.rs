@@ -2,6 +2,7 @@
 
 use super::context::{Context, either, listed, no_filter};
 use super::edits;
+use super::expression::unknown;
 use super::overrides::is_override;
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::{Entry, Group};
@@ -157,6 +158,14 @@ impl<'a> Fields<'a> {
                     .help("remove one")
                     .fix(again, ""),
             );
+        } else if let Some(expr) = value.filter(|expr| expr.kind == ExprKind::Unknown) {
+            let message = format!("`{}` of {} is not known yet", name.value, self.owner);
+            let help = match known.entry(&name.value).and_then(Entry::unit) {
+                Some("1") | None => "write its value in place of `?`".to_string(),
+                Some(unit) => format!("write its value with a unit such as `{unit}` in place of `?`"),
+            };
+            cx.report(unknown(expr.span, message, help));
+            self.accounted.extend(known.names().find(|k| *k == name.value));
         } else {
             self.found.push((name, value, span));
         }

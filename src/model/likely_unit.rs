@@ -97,7 +97,7 @@ fn any_part(expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
             ExprKind::Binary { left, right, .. }
             | ExprKind::Range { low: left, high: right }
             | ExprKind::Interval { value: left, by: right } => within(left) || within(right),
-            ExprKind::Number { .. } | ExprKind::Name(_) | ExprKind::Text(_) => false,
+            ExprKind::Number { .. } | ExprKind::Name(_) | ExprKind::Text(_) | ExprKind::Unknown => false,
         }
 }
 

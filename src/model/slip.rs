@@ -259,6 +259,6 @@ fn collect_units<'e>(expr: &'e Expr, into: &mut Vec<&'e str>) {
             collect_units(left, into);
             collect_units(right, into);
         }
-        ExprKind::Name(_) | ExprKind::Text(_) => {}
+        ExprKind::Name(_) | ExprKind::Text(_) | ExprKind::Unknown => {}
     }
 }

@@ -23,6 +23,7 @@ use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
+const MOTOR: &str = "mavc::vehicle::motor";
 const ALLOCATIONS: [Allocation; 2] = [Allocation::Bounded, Allocation::PseudoInverse];
 
 /// What is known of a vehicle, errors or not.
@@ -231,6 +232,7 @@ fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
 struct Place<'a> {
     position: [f64; 3],
     spin: Spin,
+    motor: Option<u32>,
     own: Option<Fields<'a>>,
 }
 
@@ -263,7 +265,7 @@ fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>
     let n = spins.len() as f64;
     let places = spins.into_iter().enumerate().map(|(k, spin)| {
         let (sin, cos) = exact_sin_cos(first + 2.0 * PI * k as f64 / n);
-        Place { position: [arm * sin, arm * cos, 0.0], spin, own: None }
+        Place { position: [arm * sin, arm * cos, 0.0], spin, motor: None, own: None }
     });
     (Some(places.collect()), count)
 }
@@ -369,9 +371,33 @@ fn one_by_one<'a>(
             (list, _) => *list = None,
         }
     }
+    places.iter().for_each(|places| check_motors(cx, places));
     let spins: Option<Vec<Spin>> = places.as_ref().map(|places| places.iter().map(|place| place.spin).collect());
     spins.iter().for_each(|spins| whole::check_spins(cx, owner, span, spins));
     (places, (!broken).then_some(rotors.len()))
+}
+
+/// Every rotor has a motor of its own, or none has a number.
+fn check_motors(cx: &mut Context, places: &[Place]) {
+    let clause = |k: usize| places[k].own.as_ref().and_then(|own| own.clause(placed_rotor::MOTOR.name));
+    let numbered = places.iter().position(|place| place.motor.is_some());
+    let Some((first, at)) = numbered.and_then(|k| Some((k, clause(k)?))) else { return };
+    for (k, place) in places.iter().enumerate() {
+        let before = places[..k].iter().position(|other| place.motor.is_some() && other.motor == place.motor);
+        if let Some((span, other)) = clause(k).zip(before.and_then(clause)) {
+            let message = format!("motor {} turns two rotors", place.motor.unwrap_or_default());
+            let error = Diagnostic::error(MOTOR, span, message).here("given again").also(other, "first given here");
+            cx.report(error.help("give each rotor the number of its own motor"));
+        }
+        if let (None, Some(own)) =
+            (place.motor, place.own.as_ref().filter(|own| !own.may_have(placed_rotor::MOTOR.name)))
+        {
+            let message = format!("rotor {} has no `motor`, but rotor {} has one", k + 1, first + 1);
+            let error = Diagnostic::error(MOTOR, own.span, message).here("no motor").also(at, "a motor");
+            cx.report(error.help("number the motors of all rotors, or of none"));
+            return;
+        }
+    }
 }
 
 fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Place<'a>> {
@@ -396,5 +422,9 @@ fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Plac
             None
         }
     });
-    Some(Place { position: position?, spin: spin?, own: Some(own) })
+    let motor = match own.get(placed_rotor::MOTOR.name) {
+        Some(expr) => Some(cx.count(&placed_rotor::MOTOR, "`motor`", expr, MOTOR)? as u32),
+        None => None,
+    };
+    Some(Place { position: position?, spin: spin?, motor, own: Some(own) })
 }

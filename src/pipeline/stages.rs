@@ -10,6 +10,7 @@ use crate::planner::transcription::{Purpose, Transcription};
 use crate::qp::{QuadraticProgram, mps};
 use crate::report::mjcf;
 use crate::report::model_record::ModelRecord;
+use crate::report::px4_params;
 use crate::spec::Spec;
 use serde::Serialize;
 use std::error::Error;
@@ -66,6 +67,11 @@ pub fn actuation_text(spec: &Spec) -> String {
 /// The vehicle, its fault modes and how it is flown, with all digits: `mavc emit model --format json`.
 pub fn model_record(spec: &Spec) -> ModelRecord<'_> {
     ModelRecord::new(spec.model())
+}
+
+/// The rotors as parameters of PX4's control allocation: `mavc emit px4-params`.
+pub fn px4_params_text(spec: &Spec) -> String {
+    px4_params::text(&spec.model().vehicle)
 }
 
 /// The vehicle and its mission as a model of MuJoCo (XML): `mavc emit mjcf`.

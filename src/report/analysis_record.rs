@@ -14,6 +14,9 @@ pub struct AnalysisRecord<'a, F> {
     schema: u32,
     vehicle: &'a str,
     rotors: usize,
+    /// The autopilot's numbers of their motors, in the order of the rotors, if the spec gives them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motors: Option<Vec<u32>>,
     modes: &'a [ModeAnalysis],
     #[serde(skip_serializing_if = "Option::is_none")]
     flips: Option<&'a [F]>,
@@ -29,6 +32,6 @@ impl<'a, F> AnalysisRecord<'a, F> {
         captures: Option<&'a [Capture]>,
     ) -> Self {
         let (vehicle, rotors) = (model.vehicle.name.as_str(), model.vehicle.rotors.len());
-        AnalysisRecord { schema: SCHEMA, vehicle, rotors, modes, flips, captures }
+        AnalysisRecord { schema: SCHEMA, vehicle, rotors, motors: model.vehicle.motors(), modes, flips, captures }
     }
 }

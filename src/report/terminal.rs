@@ -32,7 +32,11 @@ pub const WIDTH: usize = 110;
 pub fn vehicle_line(model: &Model) -> String {
     let v = &model.vehicle;
     let layout = v.layout.as_ref().map_or(String::new(), |l| format!("{l}, "));
-    format!("{} ({layout}{} rotors, {} kg)", v.name, v.rotors.len(), number(v.mass))
+    let motors = v.other_motors().map_or(String::new(), |motors| {
+        let numbers: Vec<String> = motors.iter().map(u32::to_string).collect();
+        format!("; rotors 1 to {} are motors {}", motors.len(), numbers.join(", "))
+    });
+    format!("{} ({layout}{} rotors, {} kg{motors})", v.name, v.rotors.len(), number(v.mass))
 }
 
 /// The head of a report: mission, vehicle, fault modes and model.

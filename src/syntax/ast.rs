@@ -241,6 +241,8 @@ pub enum ExprKind {
     },
     Text(String),
     Name(String),
+    /// `?`: a figure that is to be filled in.
+    Unknown,
     /// `f(a, b)`
     Call {
         function: Name,

@@ -186,6 +186,7 @@ impl Display for Expr {
             }
             ExprKind::Text(text) => write!(f, "\"{text}\""),
             ExprKind::Name(name) => f.write_str(name),
+            ExprKind::Unknown => f.write_str("?"),
             ExprKind::Call { function, arguments } => {
                 write!(f, "{}(", function.value)?;
                 separated(f, arguments)?;

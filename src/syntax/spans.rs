@@ -133,7 +133,7 @@ impl Walk<'_> {
         self.span(&mut expr.span);
         match &mut expr.kind {
             ExprKind::Number { unit, .. } => self.unit(unit),
-            ExprKind::Text(_) | ExprKind::Name(_) => {}
+            ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Unknown => {}
             ExprKind::Call { function, arguments } => {
                 self.spanned(function);
                 arguments.iter_mut().for_each(|argument| self.expr(argument));

@@ -25,6 +25,7 @@ fn rotor(x: f64, y: f64, p: bool, thrust: f64) -> Rotor {
         max_speed: 1000.0,
         time_constant: None,
         inertia: 0.0,
+        motor: None,
         spread: RotorSpread::default(),
     }
 }

@@ -22,6 +22,7 @@ mod formatting;
 mod geometry_properties;
 mod hostile;
 mod idle_rotors;
+mod import_vehicles;
 mod intervals;
 mod keep_volumes;
 mod lag;

@@ -42,6 +42,7 @@ fn shape_of(expr: &Expr) -> String {
         ExprKind::Number { text, unit: u, .. } => format!("{text}{}", unit(u)),
         ExprKind::Text(text) => format!("{text:?}"),
         ExprKind::Name(name) => name.clone(),
+        ExprKind::Unknown => "?".into(),
         ExprKind::Call { function, arguments } => format!("{}({})", function.value, all(arguments)),
         ExprKind::Negate(inner) => format!("(-{})", shape_of(inner)),
         ExprKind::Binary { operator, left, right } => {

@@ -20,6 +20,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
                 max_speed,
                 time_constant: None,
                 inertia: 0.0,
+                motor: None,
                 spread: RotorSpread::default(),
             }
         })

@@ -4,6 +4,7 @@
 (doc_comment) @comment.documentation
 
 (number) @number
+(unknown) @constant.builtin
 (unit) @string.special.unit
 ; Titles and layouts; paths stand below.
 (mode title: (text) @string)

@@ -31,7 +31,8 @@ typedef struct {
 // `continuing_word` of the grammar.
 static const char *const CONTINUING_WORDS[] = {
     "at", "yaw_within", "yaw", "within", "weight", "time_constant", "time", "spin", "min_speed", "max_speed",
-    "min_thrust", "max_thrust", "thrust_coefficient", "drag_coefficient", "torque_per_thrust", "rotor_inertia", "until", "corridor",
+    "min_thrust", "max_thrust", "thrust_coefficient", "drag_coefficient", "torque_per_thrust", "rotor_inertia", "motor", "until",
+    "corridor",
     "straight", "vertical", "stop", "pass", "arrive",
     "rotors", "rotor", "lost", "reduced", "stuck", "to", "as", "in", "where",
 };

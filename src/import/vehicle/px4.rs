@@ -1,9 +1,229 @@
-use super::{Outcome, Source};
+//! Multirotors of PX4's control allocation: `CA_ROTORi_PX`, `_PY`, `_PZ` (m; forward, right, down from the centre of gravity),
+//! `_AX`, `_AY`, `_AZ` (axis), `_CT` (thrust at full command, N) and `_KM` (torque per thrust, m, above zero for a rotor that turns
+//! counter-clockwise seen from above). Source: PX4 user guide, "Control Allocation", and its parameter reference.
 
-pub fn is_one(_: &Source) -> bool {
-    false
+use super::draft::{Draft, Field, Figure, Rotor, name_from_file};
+use super::parameters::Parameters;
+use crate::diagnostic::Diagnostic;
+use crate::import::{Outcome, UNSUPPORTED, at};
+use crate::model::vehicle::ROTORS;
+use crate::number::number;
+use crate::source::{Source, Span};
+
+/// What each value of `CA_AIRFRAME` means, where it is no multirotor.
+const AIRFRAMES: [(f64, &str); 9] = [
+    (1.0, "a fixed-wing aircraft"),
+    (2.0, "a VTOL aircraft"),
+    (3.0, "a tiltrotor VTOL aircraft"),
+    (4.0, "a tailsitter"),
+    (5.0, "a rover"),
+    (6.0, "a rover"),
+    (8.0, "a multirotor with tilting rotors"),
+    (10.0, "a helicopter"),
+    (11.0, "a helicopter"),
+];
+
+/// Torque per thrust of a rotor for which no `_KM` is given, m.
+const DEFAULT_KM: f32 = 0.05;
+
+/// The keys of a rotor that a spec keeps.
+const KEPT: [&str; 8] = ["PX", "PY", "PZ", "AX", "AY", "AZ", "CT", "KM"];
+
+/// The vehicle of some parameters.
+pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnostic>) -> Outcome {
+    let reader = Reader { parameters };
+    if let Some(kind) = parameters.get("CA_AIRFRAME").filter(|kind| kind.value != 0.0) {
+        let what = AIRFRAMES.iter().find(|(value, _)| *value == kind.value).map_or("no multirotor", |(_, what)| what);
+        let error = Diagnostic::error(UNSUPPORTED, kind.span, format!("this airframe is {what}"));
+        return Err(Box::new(
+            error.here("`CA_AIRFRAME` of a multirotor is 0").help("name the parameters of a multirotor"),
+        ));
+    }
+    let count = reader.count()?;
+    let rotors = (0..count).map(|i| reader.rotor(i)).collect::<Result<Vec<_>, _>>()?;
+    for i in (0..count).filter(|i| rotors[*i].thrust.is_none()) {
+        let others = rotors.iter().any(|rotor| rotor.thrust.is_some());
+        if let Some(span) = reader.any(i).filter(|_| others) {
+            let message = format!("motor {} has no `CA_ROTOR{i}_CT`, although others have one", i + 1);
+            found.push(
+                Diagnostic::warning(UNSUPPORTED, span, message)
+                    .here("its thrust stands as `?`")
+                    .help("write it in the spec"),
+            );
+        }
+    }
+    if let Some(first) = parameters.first().filter(|_| are_shares(&rotors)) {
+        let span = reader.any(0).unwrap_or(first);
+        let warning = Diagnostic::warning(UNSUPPORTED, span, "every motor is 0 or 1 m from the centre along each axis");
+        found.push(warning.here("PX4 needs proportions only").help("measure the arms, and write them in the spec"));
+    }
+    let text = draft(source, rotors).text();
+    let kept = |name: &str| {
+        let key = name.strip_prefix("CA_ROTOR").and_then(|rest| rest.split_once('_'));
+        let is_rotor =
+            |(index, key): (&str, &str)| index.parse::<usize>().is_ok_and(|index| index < count) && KEPT.contains(&key);
+        matches!(name, "CA_ROTOR_COUNT" | "CA_AIRFRAME") || key.is_some_and(is_rotor)
+    };
+    Ok((text, parameters.names().filter(|name| !kept(name)).map(String::from).collect()))
 }
 
-pub fn read(_: &Source) -> Outcome {
-    unreachable!()
+/// Whether places seem to be proportions: every coordinate is 0, 1 or -1.
+fn are_shares(rotors: &[Px4Rotor]) -> bool {
+    rotors.iter().all(|rotor| rotor.place.iter().all(|x| matches!(x.abs(), 0.0 | 1.0)))
+}
+
+/// The place of what makes a file an airframe script, although it sets no parameter.
+pub fn script(source: &Source) -> Option<Span> {
+    let marks = ["set MIXER", "/etc/init.d/", "etc/init.d/"];
+    marks.iter().find_map(|mark| source.text.find(mark).map(|from| at(from..from + mark.len())))
+}
+
+/// The error for a file in which no parameter places a rotor; `first` is a place in it.
+pub fn without_geometry(source: &Source, first: Span) -> Diagnostic {
+    let mixer = source.text.find("set MIXER").map(|from| at(from..from + "set MIXER".len()));
+    match mixer {
+        Some(span) => Diagnostic::error(UNSUPPORTED, span, "this airframe names a mixer, which another file defines")
+            .here("of PX4 before version 1.14")
+            .help("name the airframe of a later version, which has `CA_ROTOR0_PX`"),
+        None => Diagnostic::error(UNSUPPORTED, first, "no parameter of the file places a rotor")
+            .here("`CA_ROTOR0_PX` (PX4) or `FRAME_CLASS` (ArduPilot) is missing")
+            .help("name a file that has it; a script may leave it to another that it runs"),
+    }
+}
+
+struct Reader<'p, 's> {
+    parameters: &'p Parameters<'s>,
+}
+
+/// A rotor in PX4's frame.
+struct Px4Rotor {
+    place: [f32; 3],
+    thrust: Option<f32>,
+    torque: f32,
+    has_torque: bool,
+    may_reverse: bool,
+}
+
+impl Reader<'_, '_> {
+    fn value(&self, rotor: usize, key: &str) -> Option<(f32, Span)> {
+        self.parameters.get(&format!("CA_ROTOR{rotor}_{key}")).map(|p| (p.value as f32, p.span))
+    }
+
+    /// A place of some parameter of a rotor.
+    fn any(&self, rotor: usize) -> Option<Span> {
+        KEPT.iter().find_map(|key| self.value(rotor, key)).map(|(_, span)| span)
+    }
+
+    fn count(&self) -> Result<usize, Box<Diagnostic>> {
+        let Some(given) = self.parameters.get("CA_ROTOR_COUNT").filter(|count| count.value != 0.0) else {
+            let span = self.parameters.first().unwrap_or(at(0..0));
+            let error = Diagnostic::error(UNSUPPORTED, span, "`CA_ROTOR_COUNT` is missing").here("no number of rotors");
+            return Err(Box::new(
+                error.help("name a file that sets it; a script may leave it to another that it runs"),
+            ));
+        };
+        let count = given.value as usize;
+        if given.value.fract() != 0.0 || !ROTORS.contains(&count) || given.value < 0.0 {
+            let message = format!("{} rotors are not among the 4 to 32 of a spec", number(given.value));
+            let error = Diagnostic::error(UNSUPPORTED, given.span, message).here("the number of rotors");
+            return Err(Box::new(error.help("name the parameters of a multirotor with at least 4 rotors")));
+        }
+        Ok(count)
+    }
+
+    fn rotor(&self, i: usize) -> Result<Px4Rotor, Box<Diagnostic>> {
+        let or = |key: &str, default: f32| self.value(i, key).map_or(default, |(value, _)| value);
+        let axis = [or("AX", 0.0), or("AY", 0.0), or("AZ", -1.0)];
+        if axis[0] != 0.0 || axis[1] != 0.0 || axis[2] >= 0.0 {
+            let span =
+                ["AX", "AY", "AZ"].iter().find_map(|key| self.value(i, key).filter(|(v, _)| *v != 0.0 || *key == "AZ"));
+            let span = span.map_or(at(0..0), |(_, span)| span);
+            let error = Diagnostic::error(UNSUPPORTED, span, format!("the axis of motor {} is not upright", i + 1));
+            let here = format!("its axis is ({}, {}, {}) forward, right, down", axis[0], axis[1], axis[2]);
+            return Err(Box::new(error.here(here).help("a spec has rotors with parallel, upright axes only")));
+        }
+        if let Some((tilt, span)) = self.value(i, "TILT").filter(|(tilt, _)| *tilt != 0.0) {
+            let error = Diagnostic::error(UNSUPPORTED, span, format!("motor {} tilts by servo {tilt}", i + 1));
+            return Err(Box::new(error.here("a tilting rotor").help("a spec has rotors with fixed axes only")));
+        }
+        let reverse = self.parameters.get("CA_R_REV").map_or(0, |bits| bits.value as u32);
+        Ok(Px4Rotor {
+            place: [or("PX", 0.0), or("PY", 0.0), or("PZ", 0.0)],
+            thrust: self.value(i, "CT").map(|(value, _)| value).filter(|thrust| *thrust > 0.0),
+            torque: or("KM", DEFAULT_KM),
+            has_torque: self.value(i, "KM").is_some(),
+            may_reverse: i < 32 && reverse & (1 << i) != 0,
+        })
+    }
+}
+
+fn draft(source: &Source, rotors: Vec<Px4Rotor>) -> Draft {
+    let same = |of: fn(&Px4Rotor) -> Option<f32>| {
+        let first = of(&rotors[0]);
+        rotors.iter().all(|rotor| of(rotor) == first).then_some(first)
+    };
+    let thrust = same(|rotor| rotor.thrust);
+    let torque = same(|rotor| Some(rotor.torque.abs()));
+    let ratio = |torque: f32| if torque == 0.0 { Figure::Unknown } else { Figure::single(torque.abs(), "m") };
+    let newtons = |thrust: Option<f32>| thrust.map_or(Figure::Unknown, |thrust| Figure::single(thrust, "N"));
+    let mut shared = Vec::new();
+    if let Some(thrust) = thrust {
+        shared.push(Field::new("max_thrust", newtons(thrust)).remark("CT"));
+    }
+    if let Some(torque) = torque {
+        let is_default = rotors.iter().any(|rotor| !rotor.has_torque);
+        let remark =
+            if is_default { "KM; where the file gives none, PX4's default, which nobody measured" } else { "KM" };
+        shared.push(Field::new("torque_per_thrust", ratio(torque.unwrap_or(0.0))).remark(remark));
+    }
+    shared.push(Field::new("max_speed", Figure::Unknown).remark("at full thrust"));
+    let rotor = |(i, rotor): (usize, &Px4Rotor)| {
+        let [x, y, z] = rotor.place;
+        let mut own = Vec::new();
+        if thrust.is_none() {
+            own.push(("max_thrust", newtons(rotor.thrust)));
+        }
+        if torque.is_none() {
+            own.push(("torque_per_thrust", ratio(rotor.torque)));
+        }
+        if rotor.may_reverse {
+            own.push(("min_thrust", Figure::Unknown));
+        }
+        Rotor {
+            place: format!("[{}, {}, {}] m", tidy(x), tidy(-y), tidy(-z)),
+            spin: match rotor.torque {
+                torque if torque > 0.0 => Figure::Known("P".into()),
+                torque if torque < 0.0 => Figure::Known("N".into()),
+                _ => Figure::Unknown,
+            },
+            motor: i + 1,
+            own,
+            remark: None,
+        }
+    };
+    let placed = rotors.iter().enumerate().map(rotor).collect();
+    let unknown = |name| Field::new(name, Figure::Unknown);
+    Draft {
+        name: name_from_file(&source.name),
+        from: vec![
+            "From parameters of PX4. Figures that they do not give stand as `?`.".into(),
+            "x forward, y left, z up from the centre of gravity; motors as PX4 numbers them, from 1.".into(),
+        ],
+        title: title(&source.text),
+        lets: Vec::new(),
+        fields: vec![unknown("mass"), unknown("inertia").remark("[Ixx, Iyy, Izz]")],
+        shared,
+        rotors: placed,
+    }
+}
+
+/// Without the sign of a zero.
+fn tidy(value: f32) -> f32 {
+    if value == 0.0 { 0.0 } else { value }
+}
+
+/// The name of an airframe script: `# @name Generic Quadcopter`.
+fn title(text: &str) -> Option<String> {
+    let line = text.lines().take(100).find_map(|line| line.trim_start().strip_prefix("# @name "));
+    line.map(|name| name.trim().to_string()).filter(|name| !name.is_empty())
 }

@@ -173,7 +173,7 @@ impl Traits {
 
     /// Reports what these traits, which all rotors share, lack or contradict.
     pub fn check<'a>(&self, cx: &mut Context<'a>, fields: &Fields<'a>) {
-        let anywhere = Place { position: [0.0; 3], spin: Spin::P, own: None };
+        let anywhere = Place { position: [0.0; 3], spin: Spin::P, motor: None, own: None };
         self.rotor(cx, &anywhere, Some(fields), &mut false);
     }
 
@@ -257,6 +257,7 @@ impl Traits {
             max_speed,
             time_constant,
             inertia,
+            motor: place.motor,
             spread,
         })
     }

@@ -68,6 +68,7 @@ fn meaning(rule: Rule) -> Option<Expected> {
         Rule::number
         | Rule::quantity
         | Rule::reference
+        | Rule::unknown
         | Rule::call
         | Rule::paren
         | Rule::list

@@ -84,6 +84,7 @@ fn operand(file: FileId, pair: Pair<Rule>) -> Built<Tree> {
     match pair.as_rule() {
         Rule::text => leaf(ExprKind::Text(unquote(pair.as_str()))),
         Rule::reference => leaf(ExprKind::Name(pair.as_str().to_string())),
+        Rule::unknown => leaf(ExprKind::Unknown),
         Rule::quantity => leaf(quantity(file, pair)?),
         rule => compound(file, span, rule, pair),
     }

@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::Place;
 
 /// Clauses of a rotor, in their usual order.
-const OF_ROTOR: [&str; 11] = [
+const OF_ROTOR: [&str; 12] = [
     "at",
     "spin",
     "max_thrust",
@@ -17,6 +17,7 @@ const OF_ROTOR: [&str; 11] = [
     "max_speed",
     "time_constant",
     "rotor_inertia",
+    "motor",
 ];
 
 /// Words for an axis that is not upright.

@@ -33,7 +33,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     wrong_start,
 ];
 
-pub(in crate::syntax) const CLAUSES: [&str; 23] = [
+pub(in crate::syntax) const CLAUSES: [&str; 24] = [
     "at",
     "yaw",
     "yaw_within",
@@ -50,6 +50,7 @@ pub(in crate::syntax) const CLAUSES: [&str; 23] = [
     "drag_coefficient",
     "torque_per_thrust",
     "rotor_inertia",
+    "motor",
     "until",
     "straight",
     "vertical",

@@ -1,0 +1,127 @@
+//! Multirotors of ArduPilot: the frame by `FRAME_CLASS` and `FRAME_TYPE`; its parameters give neither arms nor masses nor thrusts.
+
+use super::draft::{Draft, Field, Figure, Rotor, name_from_file};
+use super::frames::{FRAMES, Frame, Motors, OTHER_CLASSES};
+use super::parameters::{Parameter, Parameters};
+use crate::diagnostic::Diagnostic;
+use crate::import::{Outcome, UNSUPPORTED};
+use crate::number::number as shown;
+use crate::source::Source;
+
+/// The frame where a file gives no `FRAME_TYPE`: X.
+const DEFAULT_TYPE: u32 = 1;
+
+/// The class of three arms with two motors each.
+const Y6: u32 = 5;
+
+/// The vehicle of some parameters with `FRAME_CLASS`.
+pub fn vehicle(source: &Source, parameters: &Parameters) -> Outcome {
+    let class = parameters.get("FRAME_CLASS").expect("the caller looked");
+    let kind = parameters.get("FRAME_TYPE");
+    let number = |parameter: Parameter| match parameter.value {
+        value if value >= 0.0 && value.fract() == 0.0 && value < 1000.0 => Some(value as u32),
+        _ => None,
+    };
+    let kind_number = kind.map_or(Some(DEFAULT_TYPE), number);
+    let frame = number(class).zip(kind_number).and_then(|(c, k)| frame_of(c, k));
+    let Some(frame) = frame else { return Err(Box::new(no_frame(class, kind, number(class)))) };
+    if let Motors::No(why) = frame.motors {
+        let at = kind.unwrap_or(class).span;
+        let error = Diagnostic::error(UNSUPPORTED, at, format!("a spec cannot say the frame \"{}\"", frame.name));
+        return Err(Box::new(error.here(why).help("write the vehicle by hand if it is close enough")));
+    }
+    let text = draft(source, frame).text();
+    let kept = |name: &&str| matches!(*name, "FRAME_CLASS" | "FRAME_TYPE");
+    Ok((text, parameters.names().filter(|name| !kept(name)).map(String::from).collect()))
+}
+
+/// A Y6 of any other type is the Y6 of type 0.
+fn frame_of(class: u32, kind: u32) -> Option<&'static Frame> {
+    let find = |kind: u32| FRAMES.iter().find(|frame| (frame.class, frame.kind) == (class, kind));
+    find(kind).or_else(|| find(0).filter(|_| class == Y6))
+}
+
+fn no_frame(class: Parameter, kind: Option<Parameter>, number: Option<u32>) -> Diagnostic {
+    let known = number.filter(|class| FRAMES.iter().any(|frame| frame.class == *class));
+    let other = number.and_then(|class| OTHER_CLASSES.iter().find(|(c, _)| *c == class));
+    let help = "name the parameters of a multirotor whose frame is in ArduPilot's tables of motors";
+    match (known, kind, other) {
+        (Some(class), Some(kind), _) => {
+            let message = format!("`FRAME_CLASS` {class} has no frame type {}", shown(kind.value));
+            Diagnostic::error(UNSUPPORTED, kind.span, message).here("no table of motors").help(help)
+        }
+        (_, _, Some((_, what))) => {
+            let message = format!("`FRAME_CLASS` {} is {what}", shown(class.value));
+            Diagnostic::error(UNSUPPORTED, class.span, message).here("no multirotor").help(help)
+        }
+        _ => {
+            let message = format!("`FRAME_CLASS` {} is unknown", shown(class.value));
+            Diagnostic::error(UNSUPPORTED, class.span, message).here("no table of motors").help(help)
+        }
+    }
+}
+
+fn draft(source: &Source, frame: &Frame) -> Draft {
+    let (places, arm) = match frame.motors {
+        Motors::Ring(text) => {
+            (text.split(' ').map(on_ring).collect::<Vec<_>>(), "from the centre of gravity to a motor")
+        }
+        Motors::Places(text) => (
+            text.split(' ').map(placed).collect(),
+            "forward to the foremost motors; the others in proportion, as ArduPilot mixes",
+        ),
+        Motors::No(_) => (Vec::new(), ""),
+    };
+    let rotor = |(i, (place, spin)): (usize, (String, String))| Rotor {
+        place,
+        spin: Figure::Known(spin),
+        motor: i + 1,
+        own: Vec::new(),
+        remark: None,
+    };
+    let unknown = |name| Field::new(name, Figure::Unknown);
+    Draft {
+        name: name_from_file(&source.name),
+        from: vec![
+            format!(
+                "From parameters of ArduPilot: FRAME_CLASS {}, FRAME_TYPE {}, \"{}\".",
+                frame.class, frame.kind, frame.name
+            ),
+            "They give the frame and no figure, so figures stand as `?`. Motors have ArduPilot's numbers.".into(),
+        ],
+        title: None,
+        lets: vec![unknown("arm").remark(arm)],
+        fields: vec![unknown("mass"), unknown("inertia").remark("[Ixx, Iyy, Izz]")],
+        shared: vec![unknown("max_thrust"), unknown("torque_per_thrust"), unknown("max_speed")],
+        rotors: places.into_iter().enumerate().map(rotor).collect(),
+    }
+}
+
+/// `-22.5P`: degrees clockwise from the nose.
+fn on_ring(text: &str) -> (String, String) {
+    let (angle, spin) = text.split_at(text.len() - 1);
+    let place = match angle {
+        "0" => "[arm, 0 m, 0 m]".to_string(),
+        "180" => "[-arm, 0 m, 0 m]".to_string(),
+        "90" => "[0 m, -arm, 0 m]".to_string(),
+        "-90" => "[0 m, arm, 0 m]".to_string(),
+        _ => {
+            let left = angle.strip_prefix('-').map_or_else(|| format!("-{angle}"), str::to_string);
+            format!("[arm*cos({left} deg), arm*sin({left} deg), 0 m]")
+        }
+    };
+    (place, spin.to_string())
+}
+
+/// `0.34,-1P`: shares of the arm forward and to the left.
+fn placed(text: &str) -> (String, String) {
+    let (pair, spin) = text.split_at(text.len() - 1);
+    let share = |text: &str| match text {
+        "0" => "0 m".to_string(),
+        "1" => "arm".to_string(),
+        "-1" => "-arm".to_string(),
+        other => format!("{other}*arm"),
+    };
+    let (forward, left) = pair.split_once(',').expect("the table has pairs");
+    (format!("[{}, {}, 0 m]", share(forward), share(left)), spin.to_string())
+}

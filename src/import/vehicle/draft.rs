@@ -1,0 +1,139 @@
+//! The text of a vehicle whose figures are known in part.
+
+use crate::format::format;
+use crate::source::{FileId, Source};
+
+/// A figure as it is written, with its unit.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Figure {
+    Known(String),
+    /// Stands as `?`.
+    Unknown,
+}
+
+impl Figure {
+    /// A number of one precision with its unit, in the shortest form that reads back as the same number.
+    pub fn single(value: f32, unit: &str) -> Self {
+        Figure::Known(format!("{value} {unit}"))
+    }
+
+    fn text(&self) -> &str {
+        match self {
+            Figure::Known(text) => text,
+            Figure::Unknown => "?",
+        }
+    }
+}
+
+/// A field with a remark behind it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    pub name: &'static str,
+    pub figure: Figure,
+    pub remark: Option<String>,
+}
+
+impl Field {
+    pub fn new(name: &'static str, figure: Figure) -> Self {
+        Field { name, figure, remark: None }
+    }
+
+    pub fn remark(mut self, remark: impl Into<String>) -> Self {
+        self.remark = Some(remark.into());
+        self
+    }
+
+    fn line(&self, indent: &str) -> String {
+        let remark = self.remark.as_ref().map_or(String::new(), |text| format!("  // {text}"));
+        format!("{indent}{} = {}{remark}\n", self.name, self.figure.text())
+    }
+}
+
+/// One rotor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rotor {
+    /// `[0.15, -0.2, 0] m`
+    pub place: String,
+    /// `P` or `N`.
+    pub spin: Figure,
+    pub motor: usize,
+    /// Its own clauses.
+    pub own: Vec<(&'static str, Figure)>,
+    pub remark: Option<String>,
+}
+
+/// A vehicle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Draft {
+    pub name: String,
+    /// Where it comes from, for its first lines.
+    pub from: Vec<String>,
+    /// A documentation comment.
+    pub title: Option<String>,
+    /// `let` statements.
+    pub lets: Vec<Field>,
+    pub fields: Vec<Field>,
+    /// The fields of `rotor { }`.
+    pub shared: Vec<Field>,
+    pub rotors: Vec<Rotor>,
+}
+
+impl Draft {
+    /// The spec, laid out as `mavc fmt` does.
+    pub fn text(&self) -> String {
+        let mut out: String = self.from.iter().map(|line| format!("// {}\n", one_line(line))).collect();
+        out.push('\n');
+        for binding in &self.lets {
+            out.push_str(&format!("let {}", binding.line("")));
+        }
+        out.push('\n');
+        if let Some(title) = &self.title {
+            out.push_str(&format!("/// {}\n", one_line(title)));
+        }
+        out.push_str(&format!("vehicle {} {{\n", self.name));
+        self.fields.iter().for_each(|field| out.push_str(&field.line("    ")));
+        out.push_str("    rotor {\n");
+        self.shared.iter().for_each(|field| out.push_str(&field.line("        ")));
+        out.push_str("    }\n    rotors {\n");
+        for rotor in &self.rotors {
+            let own: String = rotor.own.iter().map(|(name, figure)| format!("  {name} {}", figure.text())).collect();
+            let remark = rotor.remark.as_ref().map_or(String::new(), |text| format!("  // {text}"));
+            out.push_str(&format!(
+                "        rotor at {}  spin {}  motor {}{own}{remark}\n",
+                rotor.place,
+                rotor.spin.text(),
+                rotor.motor
+            ));
+        }
+        out.push_str("    }\n}\n");
+        laid_out(out)
+    }
+}
+
+/// The text as `mavc fmt` lays it out.
+pub fn laid_out(text: String) -> String {
+    format(FileId(0), &Source::new("", text.clone())).value.unwrap_or(text)
+}
+
+/// A name of the language from any text: letters, digits and `_`, the first no digit.
+pub fn name_from(text: &str) -> String {
+    let kept = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let name: String = text.chars().take(40).map(kept).collect();
+    let name = name.trim_matches('_').split('_').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("_");
+    match name.chars().next() {
+        None => "vehicle_1".into(),
+        Some(first) if first.is_ascii_digit() => format!("v{name}"),
+        Some(_) => name,
+    }
+}
+
+/// A name from that of a file: without its folder and its ending.
+pub fn name_from_file(file: &str) -> String {
+    let last = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    name_from(last.split_once('.').map_or(last, |(stem, _)| stem))
+}
+
+/// A foreign text within one comment: no control characters, not too long.
+fn one_line(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(200).collect()
+}

@@ -1,0 +1,124 @@
+//! The parameters in a file of an autopilot, with their places. Three forms are read:
+//!
+//! ```text
+//! param set-default CA_ROTOR0_PX 0.15        airframe scripts of PX4
+//! 1<tab>1<tab>CA_ROTOR0_PX<tab>0.15<tab>9    parameters saved by QGroundControl: vehicle, component, name, value, type
+//! FRAME_CLASS,1                              parameters of ArduPilot; also with blanks in place of the comma
+//! ```
+
+use crate::diagnostic::Diagnostic;
+use crate::import::{SYNTAX, at};
+use crate::source::{Source, Span};
+use std::collections::BTreeMap;
+
+/// One parameter; of several with one name the last counts, as when an autopilot reads the file.
+#[derive(Debug, Clone, Copy)]
+pub struct Parameter {
+    pub value: f64,
+    /// The place of the value.
+    pub span: Span,
+}
+
+/// All parameters of a file.
+#[derive(Debug, Default)]
+pub struct Parameters<'s> {
+    by_name: BTreeMap<&'s str, Parameter>,
+}
+
+impl<'s> Parameters<'s> {
+    pub fn get(&self, name: &str) -> Option<Parameter> {
+        self.by_name.get(name).copied()
+    }
+
+    pub fn is_of(&self, name: &str) -> bool {
+        self.by_name.contains_key(name)
+    }
+
+    /// Whether some name begins so.
+    pub fn has_prefix(&self, prefix: &str) -> bool {
+        self.names().any(|name| name.starts_with(prefix))
+    }
+
+    pub fn names(&self) -> impl Iterator<Item = &'s str> {
+        self.by_name.keys().copied()
+    }
+
+    /// The place of the first value in the file.
+    pub fn first(&self) -> Option<Span> {
+        self.by_name.values().map(|parameter| parameter.span).min()
+    }
+}
+
+/// Reads the parameters; lines of a script that set none are passed over.
+///
+/// # Errors
+/// A line that begins like a parameter and is none: a part is missing, or its value is not a finite number.
+pub fn read(source: &Source) -> Result<Parameters<'_>, Box<Diagnostic>> {
+    let mut found = Parameters::default();
+    let mut start = 0;
+    for line in source.text.split_inclusive('\n') {
+        let code = &line[..line.find('#').unwrap_or(line.len())];
+        if let Some((name, value)) = parts(code) {
+            let parameter = value.ok_or_else(|| incomplete(source, start, code, name)).and_then(|value| {
+                // A script may set what it worked out itself.
+                match value.starts_with(['$', '`']) {
+                    true => Ok(None),
+                    false => number(source, start, code, value).map(Some),
+                }
+            })?;
+            if let Some(parameter) = parameter {
+                found.by_name.insert(name, parameter);
+            }
+        }
+        start += line.len();
+    }
+    Ok(found)
+}
+
+/// The name and the value of a line, the value `None` where the line ends before it; `None` if no parameter is set.
+fn parts(code: &str) -> Option<(&str, Option<&str>)> {
+    let is_name = |word: &&str| {
+        let fits = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
+        word.starts_with(|c: char| c.is_ascii_uppercase()) && word.len() > 2 && word.chars().all(fits)
+    };
+    let mut words = code.split_whitespace();
+    let first = words.next()?;
+    if first == "param" {
+        words.next().filter(|verb| matches!(*verb, "set" | "set-default"))?;
+        // Options of the command are passed over.
+        let mut rest = words.skip_while(|word| word.starts_with('-'));
+        return Some((rest.next().filter(is_name)?, rest.next()));
+    }
+    if code.contains('\t') && first.bytes().all(|b| b.is_ascii_digit()) {
+        let mut columns = code.trim_end().split('\t').map(str::trim);
+        let name = columns.nth(2).filter(is_name)?;
+        let value = columns.next().filter(|value| !value.is_empty());
+        // The type ends a whole line.
+        return Some((name, value.filter(|_| columns.next().is_some())));
+    }
+    let mut pieces = code.split([',', ' ', '\t', '\r', '\n', '=']).filter(|piece| !piece.is_empty());
+    let name = pieces.next().filter(is_name).filter(|name| name.contains('_'))?;
+    Some((name, pieces.next()))
+}
+
+fn number(source: &Source, start: usize, code: &str, value: &str) -> Result<Parameter, Box<Diagnostic>> {
+    let from = start + (value.as_ptr() as usize - code.as_ptr() as usize);
+    let span = at(from..from + value.len());
+    match value.parse::<f64>().ok().filter(|value| value.is_finite()) {
+        Some(value) => Ok(Parameter { value, span }),
+        None => {
+            let shown: String = value.chars().take(24).collect();
+            let error = Diagnostic::error(SYNTAX, span, format!("`{shown}` is not a finite number"));
+            let line = source.place(from).line;
+            Err(Box::new(error.here("the value of a parameter").help(format!("mend line {line}, or remove it"))))
+        }
+    }
+}
+
+fn incomplete(source: &Source, start: usize, code: &str, name: &str) -> Box<Diagnostic> {
+    let from = start + (name.as_ptr() as usize - code.as_ptr() as usize);
+    let end = (start + code.trim_end().len()).max(from + name.len());
+    let error = Diagnostic::error(SYNTAX, at(from..end), format!("the line of `{name}` is not complete"));
+    let line = source.place(from).line;
+    Box::new(error.here("no value, or no type after it").help(format!("save the file again, or remove line {line}")))
+}

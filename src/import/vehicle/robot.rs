@@ -1,0 +1,220 @@
+//! Vehicles of simulators: URDF, SDF and MJCF. Masses and inertias are those of all parts together, places those from their common
+//! centre of gravity.
+
+mod mjcf;
+mod sdf;
+mod urdf;
+mod xml;
+
+use super::draft::{Draft, Field, Figure, Rotor, name_from, name_from_file};
+use crate::diagnostic::Diagnostic;
+use crate::import::{Outcome, SYNTAX, UNSUPPORTED, at};
+use crate::model::vehicle::ROTORS;
+use crate::source::{Source, Span};
+use nalgebra::{Matrix3, Vector3};
+use roxmltree::{Document, ParsingOptions};
+
+/// The most elements and texts of a file: a robot has thousands.
+const MOST_NODES: u32 = 500_000;
+
+/// Products of inertia above this share of the smallest moment are named: a spec has none.
+const MOST_PRODUCT: f64 = 0.02;
+
+/// Whether a text is XML.
+pub fn is_one(text: &str) -> bool {
+    text.trim_start().starts_with('<')
+}
+
+/// What a file says of a vehicle.
+#[derive(Default)]
+pub struct Robot {
+    pub name: Option<String>,
+    pub format: &'static str,
+    /// Rigid parts; empty if the file gives no masses.
+    pub parts: Vec<Part>,
+    pub rotors: Vec<RobotRotor>,
+    /// What was left out.
+    pub dropped: Vec<String>,
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// A rigid part in the frame of the whole: mass (kg), centre of gravity (m), inertia about it (kg m^2).
+pub struct Part {
+    pub mass: f64,
+    pub centre: Vector3<f64>,
+    pub inertia: Matrix3<f64>,
+}
+
+/// A rotor in the frame of the whole; `None` where the file does not say. N s^2/rad^2, m, rad/s, N, N, s.
+#[derive(Default, Clone)]
+pub struct RobotRotor {
+    pub place: Vector3<f64>,
+    /// Whether it turns counter-clockwise seen from above.
+    pub is_ccw: Option<bool>,
+    pub motor: usize,
+    pub figures: [Option<f64>; 6],
+}
+
+/// The fields of [`RobotRotor::figures`] and their units.
+const FIGURES: [(&str, &str); 6] = [
+    ("thrust_coefficient", "N*s^2/rad^2"),
+    ("torque_per_thrust", "m"),
+    ("max_speed", "rad/s"),
+    ("max_thrust", "N"),
+    ("min_thrust", "N"),
+    ("time_constant", "s"),
+];
+
+/// The vehicle of an XML file.
+pub fn vehicle(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
+    let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
+    let document =
+        Document::parse_with_options(&source.text, options).map_err(|error| Box::new(not_xml(source, &error)))?;
+    let root = document.root_element();
+    let robot = match root.tag_name().name() {
+        "robot" => urdf::read(source, root)?,
+        "sdf" => sdf::read(root)?,
+        "mujoco" => mjcf::read(root)?,
+        other => {
+            let shown: String = other.chars().take(24).collect();
+            let error =
+                Diagnostic::error(UNSUPPORTED, xml::tag(root), format!("`{shown}` is no robot that can be read"));
+            return Err(Box::new(error.here("the root").help("name a file whose root is `robot`, `sdf` or `mujoco`")));
+        }
+    };
+    let whole = robot_text(source, robot, xml::tag(root), found)?;
+    Ok(whole)
+}
+
+fn not_xml(source: &Source, error: &roxmltree::Error) -> Diagnostic {
+    let place = error.pos();
+    let line = source.line((place.row as usize).max(1));
+    let column = (place.col as usize).saturating_sub(1);
+    let from = source.text[line.clone()].char_indices().nth(column).map_or(line.end, |(i, _)| line.start + i);
+    let to = source.text[from..].chars().next().filter(|c| *c != '\n').map_or(from, |c| from + c.len_utf8());
+    let words = error.to_string();
+    // The place is shown below.
+    let words = words.rsplit_once(" at ").map_or(words.as_str(), |(words, _)| words).to_string();
+    let error = Diagnostic::error(SYNTAX, at(from..to), format!("the file is not well-formed XML: {words}"));
+    error.here("here").help("save the file again, or mend this place")
+}
+
+fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnostic>) -> Outcome {
+    found.extend(robot.warnings);
+    if !ROTORS.contains(&robot.rotors.len()) {
+        let message = match robot.rotors.len() {
+            0 => "no rotor was found in the file".to_string(),
+            n => format!("{n} rotors are not among the 4 to 32 of a spec"),
+        };
+        let error = Diagnostic::error(UNSUPPORTED, root, message).here(format!("this {} file", robot.format));
+        return Err(Box::new(error.help(
+            "rotors are plugins of a motor model (SDF, URDF), links `prop0_link` beside `properties` (URDF), or motors at sites (MJCF)",
+        )));
+    }
+    let whole = Part::whole(&robot.parts);
+    let centre = whole.as_ref().map_or(Vector3::zeros(), |whole| whole.centre);
+    let (mass, inertia) = match &whole {
+        Some(whole) => {
+            let smallest = whole.inertia.diagonal().min();
+            let products = [whole.inertia.m12, whole.inertia.m13, whole.inertia.m23];
+            if products.iter().any(|p| p.abs() > MOST_PRODUCT * smallest) {
+                let warning = Diagnostic::warning(UNSUPPORTED, root, "products of inertia are left out");
+                found.push(
+                    warning.here("the axes are no principal axes").help("a spec has moments about x, y and z only"),
+                );
+            }
+            let moments = whole.inertia.diagonal();
+            let list = [moments.x, moments.y, moments.z].map(rounded);
+            let figure = Figure::Known(format!("[{}, {}, {}] kg*m^2", list[0], list[1], list[2]));
+            let inertia = if smallest > 0.0 { figure } else { Figure::Unknown };
+            (Figure::Known(format!("{} kg", rounded(whole.mass))), inertia)
+        }
+        None => (Figure::Unknown, Figure::Unknown),
+    };
+    let (shared, own) = rotor_figures(&robot.rotors);
+    let rotors = robot.rotors.iter().zip(own).map(|(rotor, own)| {
+        let [x, y, z] = <[f64; 3]>::from(rotor.place - centre).map(rounded);
+        Rotor {
+            place: format!("[{x}, {y}, {z}] m"),
+            spin: rotor.is_ccw.map_or(Figure::Unknown, |ccw| Figure::Known(if ccw { "P" } else { "N" }.into())),
+            motor: rotor.motor,
+            own,
+            remark: None,
+        }
+    });
+    let draft = Draft {
+        name: robot.name.as_deref().map_or_else(|| name_from_file(&source.name), name_from),
+        from: vec![
+            format!("From {}. Figures that it does not give stand as `?`.", robot.format),
+            "x forward, y left, z up from the centre of gravity of all parts.".into(),
+        ],
+        title: None,
+        lets: Vec::new(),
+        fields: vec![Field::new("mass", mass), Field::new("inertia", inertia)],
+        shared,
+        rotors: rotors.collect(),
+    };
+    Ok((draft.text(), robot.dropped))
+}
+
+type Own = Vec<Vec<(&'static str, Figure)>>;
+
+/// What all rotors share, and what each has of its own.
+fn rotor_figures(rotors: &[RobotRotor]) -> (Vec<Field>, Own) {
+    let mut shared = Vec::new();
+    let mut own: Own = vec![Vec::new(); rotors.len()];
+    let text = |value: f64, unit: &str| Figure::Known(format!("{} {unit}", shortest(value)));
+    for (i, (name, unit)) in FIGURES.into_iter().enumerate() {
+        let first = rotors[0].figures[i];
+        let is_one = rotors.iter().all(|rotor| rotor.figures[i] == first);
+        // Full thrust follows from the coefficient, and a rotor need not have an idle speed or a time constant.
+        let others = |j: usize| rotors.iter().all(|rotor| rotor.figures[j].is_some());
+        let is_needed = match name {
+            "thrust_coefficient" => false,
+            "max_thrust" => !others(0),
+            "torque_per_thrust" | "max_speed" => true,
+            _ => false,
+        };
+        match first {
+            Some(value) if is_one => shared.push(Field::new(name, text(value, unit))),
+            None if is_one && is_needed => shared.push(Field::new(name, Figure::Unknown)),
+            None if is_one => {}
+            _ => {
+                for (rotor, own) in rotors.iter().zip(&mut own) {
+                    match rotor.figures[i] {
+                        Some(value) => own.push((name, text(value, unit))),
+                        None if is_needed => own.push((name, Figure::Unknown)),
+                        None => {}
+                    }
+                }
+            }
+        }
+    }
+    (shared, own)
+}
+
+impl Part {
+    /// All parts as one rigid body; `None` without a mass. Moments are moved by Steiner's theorem.
+    fn whole(parts: &[Part]) -> Option<Part> {
+        let mass: f64 = parts.iter().map(|part| part.mass).sum();
+        if mass <= 0.0 {
+            return None;
+        }
+        let centre = parts.iter().map(|part| part.centre * part.mass).sum::<Vector3<f64>>() / mass;
+        let moved = |part: &Part| {
+            let r = part.centre - centre;
+            part.inertia + (Matrix3::identity() * r.dot(&r) - r * r.transpose()) * part.mass
+        };
+        Some(Part { mass, centre, inertia: parts.iter().map(moved).sum() })
+    }
+}
+
+/// To twelve significant digits, which hides the rounding of sums; without the sign of a zero.
+fn rounded(value: f64) -> f64 {
+    if value.abs() < 1e-12 { 0.0 } else { format!("{value:.11e}").parse().unwrap_or(value) }
+}
+
+/// In the shortest form, with an exponent for small numbers.
+fn shortest(value: f64) -> String {
+    if value != 0.0 && value.abs() < 1e-3 { format!("{value:e}") } else { format!("{value}") }
+}

@@ -1,0 +1,85 @@
+//! Elements, attributes and lists of numbers of an XML file, each with its place.
+
+use crate::diagnostic::Diagnostic;
+use crate::import::{SYNTAX, at};
+use crate::source::Span;
+use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
+use roxmltree::Node;
+
+/// The opening tag of an element, without its attributes.
+pub fn tag(node: Node) -> Span {
+    let range = node.range();
+    at(range.start..(range.start + 1 + node.tag_name().name().len()).min(range.end))
+}
+
+/// The child elements of a name.
+pub fn children<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children().filter(move |child| child.tag_name().name() == name)
+}
+
+/// The first child element of a name.
+pub fn child<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i>> {
+    children(node, name).next()
+}
+
+/// The trimmed text of a child element.
+pub fn text<'a>(node: Node<'a, '_>, name: &'static str) -> Option<&'a str> {
+    child(node, name)?.text().map(str::trim)
+}
+
+/// Numbers in a text: exactly `N`, finite.
+fn numbers<const N: usize>(text: &str, span: Span, what: &str) -> Result<[f64; N], Box<Diagnostic>> {
+    let mut found = [0.0; N];
+    let mut words = text.split_whitespace();
+    let is_whole = found.iter_mut().all(|slot| {
+        let value = words.next().and_then(|word| word.parse::<f64>().ok()).filter(|value| value.is_finite());
+        value.map(|value| *slot = value).is_some()
+    });
+    if is_whole && words.next().is_none() {
+        return Ok(found);
+    }
+    let expected = if N == 1 { "a finite number".to_string() } else { format!("{N} finite numbers") };
+    let error = Diagnostic::error(SYNTAX, span, format!("`{what}` needs {expected}"));
+    Err(Box::new(error.here("this does not fit").help(format!("write {expected}"))))
+}
+
+/// The numbers of an attribute, if it is there.
+pub fn attribute<const N: usize>(node: Node, name: &str) -> Result<Option<[f64; N]>, Box<Diagnostic>> {
+    let found = node.attributes().find(|attribute| attribute.name() == name);
+    found.map(|attribute| numbers(attribute.value(), at(attribute.range_value()), name)).transpose()
+}
+
+/// The number of an attribute that must be there.
+pub fn required(node: Node, name: &str) -> Result<f64, Box<Diagnostic>> {
+    attribute::<1>(node, name)?.map(|[value]| value).ok_or_else(|| {
+        let element = node.tag_name().name();
+        let error = Diagnostic::error(SYNTAX, tag(node), format!("`{element}` has no `{name}`"));
+        Box::new(error.here("needs it").help(format!("write `{name}=\"..\"`")))
+    })
+}
+
+/// The numbers in a child element, if it is there.
+pub fn content<const N: usize>(node: Node, name: &'static str) -> Result<Option<[f64; N]>, Box<Diagnostic>> {
+    child(node, name).map(|found| numbers(found.text().unwrap_or_default(), tag(found), name)).transpose()
+}
+
+/// A pose from a place (m) and roll, pitch and yaw (rad): first about x, then y, then z, all fixed axes.
+pub fn pose([x, y, z, roll, pitch, yaw]: [f64; 6]) -> Isometry3<f64> {
+    Isometry3::from_parts(Translation3::new(x, y, z), UnitQuaternion::from_euler_angles(roll, pitch, yaw))
+}
+
+/// A symmetric matrix from its elements xx, yy, zz, xy, xz, yz.
+pub fn symmetric([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Matrix3<f64> {
+    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+}
+
+/// A matrix of inertia in other axes: `R I R^T`.
+pub fn turned(pose: &Isometry3<f64>, inertia: Matrix3<f64>) -> Matrix3<f64> {
+    let rotation = pose.rotation.to_rotation_matrix();
+    rotation.matrix() * inertia * rotation.matrix().transpose()
+}
+
+/// Whether the z axis of a pose points up, to a degree.
+pub fn is_upright(pose: &Isometry3<f64>) -> bool {
+    (pose.rotation * Vector3::z()).z > 1.0_f64.to_radians().cos()
+}
