@@ -48,7 +48,7 @@ def play(link, offset, clock=time.monotonic, sleep=time.sleep):
         if wait > 0:
             sleep(wait)
         link.mav.set_position_target_local_ned_send(
-            int(1000 * setpoint[0]), link.target_system, link.target_component, LOCAL_NED, TYPE_MASK, *fields(setpoint, offset)
+            round(1000 * setpoint[0]), link.target_system, link.target_component, LOCAL_NED, TYPE_MASK, *fields(setpoint, offset)
         )
 
 

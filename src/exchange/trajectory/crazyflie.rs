@@ -33,7 +33,7 @@ pub(super) fn written(plan: &Plan, choices: &Choices) -> Result<Written, String>
     }
     let Errors { position, at, velocity, yaw } = fit.errors;
     let remark = format!(
-        "refitted by {} of degree 7: position within {} mm (at {} s), velocity within {} mm/s, yaw within {} rad",
+        "refitted by {} of degree 7 with continuous acceleration: position within {} mm (at {} s), velocity within {} mm/s, yaw within {} rad",
         plural(fit.pieces.len(), "piece"),
         up(1e3 * position, 3),
         number(at),
