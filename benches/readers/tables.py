@@ -2,9 +2,8 @@
 
 import os
 import struct
-import subprocess
-from pathlib import Path
 
+import clones
 import numpy as np
 import yaml
 from cflib.crazyflie.mem.trajectory_memory import Poly4D
@@ -76,6 +75,9 @@ def px4(plan):
     yield "px4, numpy", "yaw", MAX(turned(table["yaw"] - yaw)), 1e-6
     yield "px4, numpy", "yaw within pi", max(0.0, MAX(table["yaw"]) - np.pi), 1e-6
     yield "px4, numpy", "yawspeed", MAX(table["yawspeed"] + plan.exact.at(times, 1)[:, 3]), 1e-6
+    clone = os.environ.get("PX4_MSGS")
+    if clone:
+        yield "px4, px4_msgs by rosbags", "through the message", clones.through_message(clone, table), 0
 
 
 def crazyflie(plan):
@@ -84,9 +86,10 @@ def crazyflie(plan):
     with open(path) as file:
         data = np.loadtxt(file, delimiter=",", skiprows=1, usecols=range(33))
     assert len(data) >= 2 and path.read_text().startswith("duration,x^0,")
-    pieces = []
+    pieces, packed_pieces = [], []
     for row in data:
         packed = Poly4D(row[0], *(Poly4D.Poly(list(row[1 + 8 * i : 9 + 8 * i])) for i in range(4))).pack()
+        packed_pieces.append(bytes(packed))
         values = np.array(struct.unpack("<33f", packed))
         pieces.append((values[32], values[:32].reshape(4, 8)))
     yield "crazyflie, cflib", "bytes", 132.0 * len(pieces), 4096
@@ -111,6 +114,14 @@ def crazyflie(plan):
     for order, what in enumerate(("position", "velocity", "acceleration")):
         yield "crazyflie, cflib", f"jump of {what}", max(join[order] for join in joins), 1e-4
     yield "crazyflie, cflib", "duration", abs(begin - plan.exact.times[-1]), 1e-5
+    clone = os.environ.get("CRAZYFLIE_FIRMWARE")
+    if clone:
+        times = np.linspace(0, plan.exact.times[-1], 1000)[:-1]
+        read = clones.flown_by_firmware(clone, plan.folder, b"".join(packed_pieces), times)
+        for order, what in enumerate(("position, m", "velocity, m/s")):
+            worst = np.max(np.linalg.norm(read[:, 3 * order : 3 * order + 3] - plan.exact.at(times, order)[:, :3], axis=1))
+            yield "crazyflie, firmware piecewise_eval", what, float(worst), (0.01, 0.05)[order]
+        yield "crazyflie, firmware piecewise_eval", "yaw, rad", MAX(read[:, 6] - plan.exact.at(times, 0)[:, 3]), 0.01
 
 
 def mav_trajectory_generation(plan):
@@ -119,11 +130,7 @@ def mav_trajectory_generation(plan):
     yield from of_segments(plan, "mav-trajectory-generation, PyYAML", [(s["time"], np.array(s["coefficients"])) for s in segments])
     clone = os.environ.get("MAV_TRAJECTORY_GENERATION")
     if clone:
-        reader = built(clone, plan.folder)
-        lines = subprocess.run([reader, path], check=True, capture_output=True, text=True).stdout.split("\n")
-        numbers = [np.array(line.split(), dtype=float) for line in lines if line]
-        read = [(line[0], line[1:].reshape(4, -1)) for line in numbers]
-        yield from of_segments(plan, "mav_trajectory_generation, C++", read)
+        yield from of_segments(plan, "mav_trajectory_generation, C++", clones.segments(clone, plan.folder, path))
 
 
 def of_segments(plan, reader, segments):
@@ -138,17 +145,6 @@ def of_segments(plan, reader, segments):
     for order, what in enumerate(("position and yaw", "velocity", "acceleration")):
         yield reader, what, worst[order], 1e-6
     yield reader, "duration", abs(begin * 1e-9 - plan.exact.times[-1]), 1e-9
-
-
-def built(clone, folder):
-    """The library's own reader of files, with a program around it that prints what was read."""
-    here, library = Path(__file__).parent / "mav_trajectory_generation", Path(clone, "mav_trajectory_generation")
-    sources = [library / "src" / f"{name}.cpp" for name in ("io", "segment", "polynomial", "trajectory", "vertex", "motion_defines", "rpoly/rpoly_ak1")]
-    program = Path(folder, "read_yaml")
-    if not program.exists():
-        command = ["g++", "-O1", "-w", "-I", here, "-I", library / "include", "-I", "/usr/include/eigen3", here / "read.cpp", *sources]
-        subprocess.run([*command, "-lyaml-cpp", "-lglog", "-o", program], check=True)
-    return program
 
 
 CHECKS = [csv, rows, px4, crazyflie, mav_trajectory_generation]
