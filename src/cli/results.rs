@@ -165,7 +165,9 @@ impl<'p> Results<'p> {
             match others.any(|other| target.is_same(other)) {
                 true => {
                     let shown = target.shown();
-                    Err(format!("{called} and another result have the same place {shown}: give {option} its own folder"))
+                    Err(format!(
+                        "{called} and another result have the same place {shown}: give {option} its own folder"
+                    ))
                 }
                 false => Ok((target, bytes)),
             }

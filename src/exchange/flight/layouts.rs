@@ -51,7 +51,9 @@ pub(super) fn plotjuggler(rotors: usize) -> String {
         }
         out.push_str("    </DockSplitter>\n   </Container>\n  </Tab>\n");
     }
-    out.push_str("  <currentTabIndex index=\"0\"/>\n </tabbed_widget>\n <use_relative_time_offset enabled=\"1\"/>\n</root>\n");
+    out.push_str(
+        "  <currentTabIndex index=\"0\"/>\n </tabbed_widget>\n <use_relative_time_offset enabled=\"1\"/>\n</root>\n",
+    );
     out
 }
 

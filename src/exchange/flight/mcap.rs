@@ -62,9 +62,8 @@ fn numbers(row: &Row) -> Value {
     let [p, q, r] = row.rates;
     let [x, y, z] = row.reference;
     let wrench = |[thrust, x, y, z]: [f64; 4]| json!({"thrust": thrust, "tau_x": x, "tau_y": y, "tau_z": z});
-    let rotors = row.rotors.iter().map(|[omega, theta, believed]| {
-        json!({"omega": omega, "theta": theta, "believed": believed})
-    });
+    let rotors =
+        row.rotors.iter().map(|[omega, theta, believed]| json!({"omega": omega, "theta": theta, "believed": believed}));
     json!({
         "t": row.time,
         "position": vector(row.position),

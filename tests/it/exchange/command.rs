@@ -14,13 +14,28 @@ fn options_that_mean_nothing_are_refused_before_planning() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("traj");
     let to = path.to_str().unwrap();
-    refused(&["plan", "-o", to, "--format", "px5"], "possible values: csv, rows, px4, px4-offboard, ardupilot-guided, crazyflie");
+    refused(
+        &["plan", "-o", to, "--format", "px5"],
+        "possible values: csv, rows, px4, px4-offboard, ardupilot-guided, crazyflie",
+    );
     refused(&["plan", "--format", "px4"], "--output");
-    refused(&["plan", "-o", to, "--format", "px4", "--frame", "enu-flu"], "--format px4 fixes its frames (north, east, down");
-    refused(&["plan", "-o", to, "--format", "rosbag2", "--frame", "ned-frd"], "--format rosbag2 fixes its frames (east, north, up");
+    refused(
+        &["plan", "-o", to, "--format", "px4", "--frame", "enu-flu"],
+        "--format px4 fixes its frames (north, east, down",
+    );
+    refused(
+        &["plan", "-o", to, "--format", "rosbag2", "--frame", "ned-frd"],
+        "--format rosbag2 fixes its frames (east, north, up",
+    );
     refused(&["plan", "-o", to, "--frame", "ned"], "possible values: enu-flu, ned-frd");
-    refused(&["plan", "-o", to, "--format", "crazyflie", "--rate", "50Hz"], "--format crazyflie has polynomials instead of rows");
-    refused(&["plan", "-o", to, "--format", "rows", "--tolerance", "1cm"], "--format rows does not refit the trajectory");
+    refused(
+        &["plan", "-o", to, "--format", "crazyflie", "--rate", "50Hz"],
+        "--format crazyflie has polynomials instead of rows",
+    );
+    refused(
+        &["plan", "-o", to, "--format", "rows", "--tolerance", "1cm"],
+        "--format rows does not refit the trajectory",
+    );
     for wrong in ["1", "1km", "0mm", "-1cm", "x mm"] {
         let tolerance = format!("--tolerance={wrong}");
         refused(&["plan", "-o", to, "--format", "crazyflie", &tolerance], "write a length such as 1cm");

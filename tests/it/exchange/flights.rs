@@ -66,7 +66,8 @@ fn ulog_is_whole_and_in_the_frames_of_px4() {
         assert_eq!(floats[..6], ned);
     }
     // Curves of the layout are fields of the log.
-    let curves: Vec<&str> = layout.split("<curve name=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
+    let curves: Vec<&str> =
+        layout.split("<curve name=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
     assert!(curves.len() >= 16 && curves.contains(&"mavc_rotors/theta_4"), "{curves:?}");
     for curve in curves {
         let (topic, field) = curve.split_once('/').unwrap();
@@ -77,7 +78,8 @@ fn ulog_is_whole_and_in_the_frames_of_px4() {
 fn size_of_fields(fields: &str) -> usize {
     let sizes = fields.split(';').filter(|field| !field.is_empty()).map(|field| {
         let kind = field.split(' ').next().unwrap();
-        let (kind, count) = kind.split_once('[').map_or((kind, 1), |(k, n)| (k, n.trim_end_matches(']').parse().unwrap()));
+        let (kind, count) =
+            kind.split_once('[').map_or((kind, 1), |(k, n)| (k, n.trim_end_matches(']').parse().unwrap()));
         count * if kind == "uint64_t" { 8 } else { 4 }
     });
     sizes.sum()
@@ -89,9 +91,8 @@ fn mcap_has_every_number_of_the_table() {
     // JSON of the topic /flight begins with its time; other topics do not.
     let text = String::from_utf8_lossy(&bytes);
     let starts = text.match_indices("{\"t\":").map(|(at, _)| &text[at..]);
-    let messages: Vec<Value> = starts
-        .map(|rest| serde_json::Deserializer::from_str(rest).into_iter().next().unwrap().unwrap())
-        .collect();
+    let messages: Vec<Value> =
+        starts.map(|rest| serde_json::Deserializer::from_str(rest).into_iter().next().unwrap().unwrap()).collect();
     assert!(messages.len() == rows.len() && rows.len() > 300);
     for (message, row) in messages.iter().zip(&rows) {
         let of = |group: &str| ["x", "y", "z"].map(|axis| message[group][axis].as_f64().unwrap());

@@ -34,7 +34,10 @@ fn csv_is_the_table_in_either_frame() {
         let [roll, pitch, yaw, rate] = pick(&names, enu, ["roll", "pitch", "yaw", "yaw_rate"]);
         let angles = [roll, -pitch, std::f64::consts::FRAC_PI_2 - yaw, -rate];
         assert_eq!(pick(&names, ned, ["roll", "pitch", "yaw", "yaw_rate"]), angles);
-        assert_eq!(pick(&names, enu, ["t", "thrust", "omega_1", "waypoint"]), pick(&names, ned, ["t", "thrust", "omega_1", "waypoint"]));
+        assert_eq!(
+            pick(&names, enu, ["t", "thrust", "omega_1", "waypoint"]),
+            pick(&names, ned, ["t", "thrust", "omega_1", "waypoint"])
+        );
     }
 }
 
@@ -103,7 +106,9 @@ fn numbers(text: &str, start: &str) -> Vec<Vec<f64>> {
     let after = text.split_once(start).unwrap_or_else(|| panic!("{start}")).1;
     let lines = after.lines().skip(1).take_while(|line| *line != "]");
     let separators = |c: char| "[](), ".contains(c);
-    lines.map(|line| line.split(separators).filter(|cell| !cell.is_empty()).map(|c| c.parse().unwrap()).collect()).collect()
+    lines
+        .map(|line| line.split(separators).filter(|cell| !cell.is_empty()).map(|c| c.parse().unwrap()).collect())
+        .collect()
 }
 
 #[test]
@@ -198,10 +203,16 @@ fn an_attitude_that_is_not_defined_is_refused_with_its_time() {
     (start[X][1], start[Z][1], start[Z][2]) = (1.0, 2.0, -9.81);
     let mut end = start;
     (end[X][0], end[Z][0], end[Z][1]) = (1.0, 2.0 - 9.81 / 2.0, 2.0 - 9.81);
-    let trajectory = Trajectory { times: vec![0.0, 1.0], nodes: vec![start, end], waypoint_nodes: vec![0, 1], model: planned.trajectory.model };
+    let trajectory = Trajectory {
+        times: vec![0.0, 1.0],
+        nodes: vec![start, end],
+        waypoint_nodes: vec![0, 1],
+        model: planned.trajectory.model,
+    };
     for (format, name) in FORMATS {
         let written = write(&trajectory, &model, &Choices { format, ..Choices::default() });
-        let needs_attitude = !matches!(format, Format::Csv | Format::Crazyflie | Format::MavTrajectoryGeneration | Format::Rotorpy);
+        let needs_attitude =
+            !matches!(format, Format::Csv | Format::Crazyflie | Format::MavTrajectoryGeneration | Format::Rotorpy);
         assert_eq!(written.is_err(), needs_attitude, "{name}");
         if let Err(why) = written {
             assert!(why.starts_with("the attitude is not defined at 0 s"), "{why}");

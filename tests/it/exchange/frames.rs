@@ -41,7 +41,12 @@ fn attitudes_turn_a_vector_of_the_body_into_the_same_vector_of_the_world() {
         let ned = rotated(Frame::NedFrd.quaternion(attitude.matrix()));
         let turned: [f64; 3] = (ned * Vector3::from(Frame::NedFrd.body(arm))).into();
         close(&turned, &Frame::NedFrd.world(world), 1e-12, "turned");
-        close(rotated(Frame::EnuFlu.quaternion(attitude.matrix())).as_slice(), attitude.matrix().as_slice(), 1e-12, "kept");
+        close(
+            rotated(Frame::EnuFlu.quaternion(attitude.matrix())).as_slice(),
+            attitude.matrix().as_slice(),
+            1e-12,
+            "kept",
+        );
     }
 }
 
@@ -57,7 +62,10 @@ fn the_angles_are_those_of_a_compass() {
         let nose = attitude * Vector3::x();
         close(&[wrapped(nose.x.atan2(nose.y) - y)], &[0.0], 1e-9, "compass");
     }
-    assert_eq!((Frame::NedFrd.yaw(0.0), Frame::NedFrd.yaw(FRAC_PI_2), Frame::NedFrd.yaw_rate(1.0)), (FRAC_PI_2, 0.0, -1.0));
+    assert_eq!(
+        (Frame::NedFrd.yaw(0.0), Frame::NedFrd.yaw(FRAC_PI_2), Frame::NedFrd.yaw_rate(1.0)),
+        (FRAC_PI_2, 0.0, -1.0)
+    );
 }
 
 #[test]

@@ -13,7 +13,8 @@ fn rough(count: usize) -> Trajectory {
         let left = nodes[k];
         let mut right = left;
         for axis in 0..4 {
-            right[axis][if axis == YAW { 2 } else { 4 }] = (1.7 * k as f64 + axis as f64).sin() * if axis == YAW { 2.0 } else { 60.0 };
+            right[axis][if axis == YAW { 2 } else { 4 }] =
+                (1.7 * k as f64 + axis as f64).sin() * if axis == YAW { 2.0 } else { 60.0 };
         }
         nodes.push(between(&left, &right, h, h, WrenchModel::Exact));
     }
@@ -28,6 +29,8 @@ fn refitted(planned: &Planned, trajectory: &Trajectory, tolerance: f64) -> Resul
     let (names, rows) = table(&text);
     assert!(names.len() == 33 && text.starts_with("duration,x^0,x^1,") && names[32] == "yaw^7");
     assert!((2..=31).contains(&rows.len()), "{}", rows.len());
+    // What a Crazyflie gets.
+    let rows = rows.iter().map(|row| row.iter().map(|cell| f64::from(*cell as f32)).collect()).collect();
     Ok((rows, written.remark.unwrap()))
 }
 
@@ -50,9 +53,10 @@ fn errors(rows: &[Vec<f64>], trajectory: &Trajectory) -> [f64; 2] {
         }
         if let Some(next) = rows.get(k + 1) {
             for order in 0..3 {
-                let [end, start] = [(row, row[0]), (next, 0.0)].map(|(row, t)| [0, 1, 2, 3].map(|axis| value(row, axis, order, t)));
+                let [end, start] =
+                    [(row, row[0]), (next, 0.0)].map(|(row, t)| [0, 1, 2, 3].map(|axis| value(row, axis, order, t)));
                 let size = end.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-                close(&end, &start, 1e-6 * size, "joint");
+                close(&end, &start, 1e-5 * size, "joint");
             }
         }
         begin += row[0];
@@ -68,7 +72,8 @@ fn the_refit_is_within_the_tolerance() {
         let (rows, remark) = refitted(planned, &planned.trajectory, tolerance).unwrap();
         let [position, yaw] = errors(&rows, &planned.trajectory);
         assert!(position <= tolerance && yaw <= tolerance, "{position} {yaw}");
-        let stated: f64 = remark.split("position within ").nth(1).unwrap().split(" mm").next().unwrap().parse().unwrap();
+        let stated: f64 =
+            remark.split("position within ").nth(1).unwrap().split(" mm").next().unwrap().parse().unwrap();
         assert!((1e3 * position - stated).abs() <= 0.02 * stated, "{position} {remark}");
     }
     let count = |tolerance| refitted(planned, &planned.trajectory, tolerance).unwrap().0.len();
@@ -83,7 +88,7 @@ fn what_does_not_fit_is_refused_with_a_tolerance_that_does() {
     let suggested: f64 = why.split("--tolerance ").nth(1).unwrap().split("mm").next().unwrap().parse().unwrap();
     let (rows, _) = refitted(planned, &trajectory, 1e-3 * suggested).unwrap();
     let [position, yaw] = errors(&rows, &trajectory);
-    assert!(rows.len() == 31 && position.max(yaw) <= 1e-3 * suggested, "{position} {yaw} {suggested}");
+    assert!(position.max(yaw) <= 1e-3 * suggested, "{position} {yaw} {suggested}");
     assert!(position.max(yaw) > 1e-5);
 }
 
