@@ -12,6 +12,7 @@ os.environ["MAVLINK20"] = "1"
 import numpy as np  # noqa: E402
 from exact import NED, turned  # noqa: E402
 from pymavlink import mavutil  # noqa: E402
+from simulators import module  # noqa: E402
 from tables import MAX, VECTORS  # noqa: E402
 
 MAVLINK = mavutil.mavlink
@@ -102,4 +103,20 @@ def px4_offboard(plan):
     yield reader, "steps back", int(np.sum(np.diff(nearest) < 0)), 0
 
 
-CHECKS = [ardupilot_guided, px4_offboard]
+def starts(plan):
+    """A vehicle far from the start is refused, or the plan is moved to it."""
+    for name in ("ardupilot-guided", "px4-offboard"):
+        script = module(plan.write("player.py", "--format", name), "player")
+        first = np.array(script.SETPOINTS[0][1:4])
+        refused = 0
+        for away, here in ((0.5, False), (3.0, False), (3.0, True)):
+            try:
+                offset = np.array(script.start_of(here, first + [0, away, 0]))
+            except SystemExit:
+                refused += 1
+                continue
+            yield f"{name}, {away} m off", "moved by, m", MAX(offset - [0, away if here else 0, 0]), 1e-12
+        yield name, "refusals but one", abs(refused - 1), 0
+
+
+CHECKS = [ardupilot_guided, px4_offboard, starts]

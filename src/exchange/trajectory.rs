@@ -180,9 +180,6 @@ pub fn write(trajectory: &Trajectory, model: &Model, choices: &Choices) -> Resul
 }
 
 /// The file `metadata.yaml` beside `file`, the bag of [`Format::Rosbag2`].
-///
-/// # Errors
-/// As [`write`].
 pub fn bag_metadata(file: &str) -> String {
     rosbag2::metadata(file)
 }

@@ -57,16 +57,19 @@ impl Planned {
     }
 }
 
+/// The plan of a spec.
+fn planned(text: &str) -> Planned {
+    let spec = mavc::compile(text).into_result().unwrap();
+    let planning = mavc::plan(&spec).unwrap();
+    let PlanOutcome::Planned(plan) = planning.outcome() else { panic!("{:?}", planning.outcome()) };
+    let trajectory = plan.trajectory.clone();
+    Planned { spec, trajectory }
+}
+
 /// The plan of [`TURN`], made once.
 fn turn() -> &'static Planned {
     static PLANNED: OnceLock<Planned> = OnceLock::new();
-    PLANNED.get_or_init(|| {
-        let spec = mavc::compile(TURN).into_result().unwrap();
-        let planning = mavc::plan(&spec).unwrap();
-        let PlanOutcome::Planned(plan) = planning.outcome() else { panic!("{:?}", planning.outcome()) };
-        let trajectory = plan.trajectory.clone();
-        Planned { spec, trajectory }
-    })
+    PLANNED.get_or_init(|| planned(TURN))
 }
 
 /// The columns of a table by name, row by row; empty cells are NaN.

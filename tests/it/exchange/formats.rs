@@ -1,6 +1,6 @@
 //! The text and bytes of each format, read back by the simplest means.
 
-use super::{close, pick, table, turn};
+use super::{Planned, TURN, close, pick, planned, table, turn};
 use mavc::exchange::frames::{Frame, wrapped};
 use mavc::exchange::trajectory::{Choices, FORMATS, Format, bag_metadata, write};
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
@@ -41,10 +41,21 @@ fn csv_is_the_table_in_either_frame() {
     }
 }
 
-/// Thrust and drag give the acceleration, and the rates turn the attitude.
 #[test]
 fn rows_obey_the_equations_of_motion() {
-    let planned = turn();
+    rows_obey(turn());
+}
+
+/// A drag for each axis of the body, and the linear model, whose jerk jumps.
+#[test]
+fn rows_obey_them_in_other_air_and_models() {
+    rows_obey(&planned(&TURN.replace("drag    = 0.1 N*s/m", "drag = [0.2, 0.05, 0.1] N*s/m")));
+    let linear = TURN.replace("    air { wind = [1, -2, 0] m/s }\n", "").replace("    drag    = 0.1 N*s/m\n", "");
+    rows_obey(&planned(&linear.replace("planner = rip;", "planner = rip; model = hover;")));
+}
+
+/// Thrust and drag give the acceleration, and the rates turn the attitude.
+fn rows_obey(planned: &Planned) {
     let choices = Choices { format: Format::Rows, rate: Some(1000.0), ..Choices::default() };
     let text = String::from_utf8(planned.write(&choices).bytes).unwrap();
     let (names, rows) = table(&text);
@@ -59,9 +70,11 @@ fn rows_obey_the_equations_of_motion() {
         let state = planned.trajectory.at(row[0]);
         close(&pick(&names, row, ["vx", "vy", "vz"]), &order(&state, 1), 1e-12, "velocity");
         close(&pick(&names, row, ["jx", "jy", "jz"]), &order(&state, 3), 1e-12, "jerk");
-        // m (a + g e_z) + drag (v - wind) = T b_3
-        let air = Vector3::from(order(&state, 1)) - Vector3::new(1.0, -2.0, 0.0);
-        let force = (Vector3::from(order(&state, 2)) + Vector3::z() * 9.81) * 0.5 + air * 0.1;
+        // m (a + g e_z) + R D R^T (v - wind) = T b_3
+        let air = Vector3::from(order(&state, 1)) - Vector3::from(planned.model().environment().wind);
+        let drag =
+            attitude(row) * (attitude(row).inverse() * air).component_mul(&Vector3::from(planned.model().vehicle.drag));
+        let force = (Vector3::from(order(&state, 2)) + Vector3::z() * 9.81) * 0.5 + drag;
         let [thrust, share] = pick(&names, row, ["thrust", "thrust_share"]);
         close((attitude(row) * Vector3::z() * thrust).as_slice(), force.as_slice(), 1e-9, "thrust");
         close(&[share], &[thrust / most], 1e-9, "share");
