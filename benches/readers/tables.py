@@ -70,7 +70,8 @@ def px4(plan):
         # The text is the shortest of a float32.
         yield "px4, numpy", f"{what} beyond float32", sum(float(str(np.float32(v))) != v for v in values.flat), 0
         exact = plan.exact.at(times, order)[:, :3] @ NED.T
-        yield "px4, numpy", what, MAX(values - exact), 1e-6 * max(1, np.max(np.abs(exact)))
+        # What PX4 gets.
+        yield "px4, numpy", what, MAX(values.astype(np.float32) - exact), 1e-7 * max(1, np.max(np.abs(exact)))
     yaw = np.pi / 2 - plan.exact.at(times, 0)[:, 3]
     yield "px4, numpy", "yaw", MAX(turned(table["yaw"] - yaw)), 1e-6
     yield "px4, numpy", "yaw within pi", max(0.0, MAX(table["yaw"]) - np.pi), 1e-6
