@@ -10,6 +10,7 @@ pub mod certify;
 pub mod cli;
 pub mod diagnostic;
 pub mod energy;
+pub mod exchange;
 pub mod explain;
 pub mod flatness;
 pub mod flight;

@@ -1,8 +1,10 @@
 //! The arguments of every command, as `--help` prints them.
 
 use super::campaign::CampaignArgs;
+use super::exports::FRAMES;
 use super::verify;
 use crate::MISSION_TEMPLATES;
+use crate::exchange::{flight, trajectory};
 use crate::verify::cost::Budget;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -162,9 +164,20 @@ pub(super) struct AnalyzeArgs {
 pub(super) struct PlanArgs {
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// Write the trajectory (CSV) to this file; `-` for standard output
+    /// Write the trajectory to this file; `-` for standard output
     #[arg(short, long, value_name = "TRAJ.CSV")]
     pub output: Option<PathBuf>,
+    /// Write the trajectory of -o for another tool (docs/exchange.md); without this mavc's table, csv
+    #[arg(long, value_name = "FORMAT", requires = "output", value_parser = trajectory::FORMATS.map(|(_, name)| name))]
+    pub format: Option<String>,
+    /// Write csv or rows in these frames of world and body: east, north, up and forward, left, up, the default, or north, east,
+    /// down and forward, right, down
+    #[arg(long, value_name = "FRAME", requires = "output", value_parser = FRAMES)]
+    pub frame: Option<String>,
+    /// Refit the trajectory of the format crazyflie within this error of position (as radians, of yaw), such as 5mm; 1cm without
+    /// this
+    #[arg(long, value_name = "LENGTH", requires = "output", value_hint = clap::ValueHint::Other)]
+    pub tolerance: Option<String>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
     #[arg(long, value_name = "REPORT.JSON")]
     pub report: Option<PathBuf>,
@@ -217,9 +230,15 @@ pub(super) struct CompareArgs {
 pub(super) struct SimulateArgs {
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// Write the flight log (CSV) to this file; `-` for standard output
+    /// Write the flight log to this file; `-` for standard output
     #[arg(short, long, value_name = "FLIGHT.CSV")]
     pub output: Option<PathBuf>,
+    /// Write the log of -o for another tool (docs/exchange.md): mcap for Foxglove, ulog for PlotJuggler; without this as csv
+    #[arg(long, value_name = "FORMAT", requires = "output", value_parser = flight::FORMATS.map(|(_, name)| name))]
+    pub format: Option<String>,
+    /// Write a layout that shows the log in that tool: JSON for Foxglove, XML for PlotJuggler
+    #[arg(long, value_name = "LAYOUT", requires = "format")]
+    pub layout: Option<PathBuf>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
     #[arg(long, value_name = "REPORT.JSON")]
     pub report: Option<PathBuf>,

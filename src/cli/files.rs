@@ -57,13 +57,17 @@ pub fn print_painted(text: &str) -> Result<(), Problem> {
     print_as_it_is(&painted(text))
 }
 
-/// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes.
-pub fn print_result(text: &str) -> Result<(), Problem> {
+/// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes, and bytes that are
+/// no text are refused.
+pub fn print_result(bytes: &[u8]) -> Result<(), Problem> {
     if std::io::stdout().is_terminal() {
-        return print(text);
+        return match std::str::from_utf8(bytes) {
+            Ok(text) => print(text),
+            Err(_) => Err("the result is binary and standard output a terminal: name a file with -o".into()),
+        };
     }
     let mut stream = std::io::stdout().lock();
-    written(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
+    written(stream.write_all(bytes).and_then(|()| stream.flush()))
 }
 
 /// Prints a text without disguised characters, with its colours and links.

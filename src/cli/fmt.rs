@@ -52,7 +52,7 @@ fn one(name: &str, check: bool, options: &Options) -> Result<u8, Problem> {
     if name == "-" || !is_same {
         // The file behind a descriptor may be open for reading only: the text goes to standard output.
         let target = if is_descriptor(name) { "-" } else { name };
-        write(&[(&Target::new(Path::new(target))?, &text)])?;
+        write(&[(&Target::new(Path::new(target))?, text.as_bytes())])?;
     }
     Ok(FINE)
 }

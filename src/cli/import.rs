@@ -25,8 +25,8 @@ fn one(args: &ImportArgs, read: fn(&str, &[u8]) -> Imported, options: &Options) 
     files::eprint_as_it_is(&human(&imported.diagnostics, &imported.sources, &std::io::stderr()));
     let Some(text) = &imported.text else { return Ok(SPEC_ERRORS) };
     match &target {
-        Some(target) => write(&[(target, text.as_str())])?,
-        None => files::print_result(text)?,
+        Some(target) => write(&[(target, text.as_bytes())])?,
+        None => files::print_result(text.as_bytes())?,
     }
     if !options.quiet {
         files::eprint(&remarks(&imported, args));

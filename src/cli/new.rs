@@ -13,7 +13,7 @@ pub fn run(file: &Path, mission: Option<&str>, options: &Options) -> Result<u8, 
     }
     let target = Target::new(file)?;
     let of_kind = crate::MISSION_TEMPLATES.iter().find(|(kind, _)| Some(*kind) == mission);
-    write(&[(&target, of_kind.map_or(crate::TEMPLATE, |(_, text)| text))])?;
+    write(&[(&target, of_kind.map_or(crate::TEMPLATE, |(_, text)| text).as_bytes())])?;
     if !options.quiet && !target.is_stdout() {
         // The file has been written even if this line cannot be printed.
         let _ = files::print(&format!("{name} written. Next: mavc plan {name} -o traj.csv\n"));

@@ -1,25 +1,26 @@
 //! `mavc plan`: plans the mission and writes the results.
 
+use super::exports::Export;
 use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::spec::{self, Start};
-use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, files, rate};
+use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, files};
 use crate::diagnostic::Diagnostic;
 use crate::model::FlightBlocks;
 use crate::observer::{Observer, timed};
 use crate::pipeline::{Task, certify};
 use crate::report::page::{self, Kind};
-use crate::report::trajectory_csv;
 use crate::verdict::Verdict;
 
 pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
-    let rate = args.rate.as_deref().map(rate::parse).transpose()?;
+    let export = Export::of(args)?;
     let places = Places::new(Names {
-        table: args.output.as_deref(),
+        table: export.file(),
         report: args.report.as_deref(),
         certificate: args.certificate.as_deref(),
         page: args.html.as_deref(),
         charts: args.svg.as_deref(),
+        ..Names::default()
     })?;
     let watch = Watch::new(options);
     let (spec, mut findings) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
@@ -42,8 +43,8 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let between = planning.between(&task, &watch).map_err(|e| e.to_string())?;
     let conflict = task.diagnose(&explained);
     timed(&watch, "report", || {
-        if let Some(plan) = planning.plan().filter(|_| places.table.is_some()) {
-            results.table(trajectory_csv::table(&plan.trajectory, task.model(), rate)?);
+        if let Some(plan) = planning.plan() {
+            export.add(&mut results, &plan.trajectory, &task, options)?;
         }
         let record = task.report(&planning, &explained, between.clone());
         results.report(&record)?;

@@ -9,7 +9,7 @@ use crate::pipeline::{Explained, Planning, Task};
 use crate::planner::studies::Comparison;
 use crate::report::page::{self, Kind, Subject};
 use crate::report::record::Record;
-use crate::source::visible;
+use crate::source::{SourceMap, visible};
 use crate::spec::Spec;
 use serde::Serialize;
 use std::io::ErrorKind;
@@ -22,6 +22,7 @@ pub struct Names<'a> {
     pub report: Option<&'a Path>,
     pub certificate: Option<&'a Path>,
     pub page: Option<&'a Path>,
+    pub layout: Option<&'a Path>,
     /// A folder.
     pub charts: Option<&'a Path>,
 }
@@ -33,6 +34,7 @@ pub struct Places<'a> {
     pub report: Option<Target>,
     pub certificate: Option<Target>,
     pub page: Option<Target>,
+    pub layout: Option<Target>,
 }
 
 impl<'a> Places<'a> {
@@ -48,12 +50,14 @@ impl<'a> Places<'a> {
         let (certificate, page) = (target(names.certificate)?, target(names.page)?);
         apart("the certificate", "--certificate", &certificate, &[&table, &report])?;
         apart("the page", "--html", &page, &[&table, &report, &certificate])?;
+        let layout = target(names.layout)?;
+        apart("the layout", "--layout", &layout, &[&table, &report, &page])?;
         names.charts.map_or(Ok(()), is_folder)?;
-        Ok(Places { names, table, report, certificate, page })
+        Ok(Places { names, table, report, certificate, page, layout })
     }
 
     fn all(&self) -> impl Iterator<Item = &Target> {
-        [&self.table, &self.report, &self.certificate, &self.page].into_iter().flatten()
+        [&self.table, &self.report, &self.certificate, &self.page, &self.layout].into_iter().flatten()
     }
 
     /// Refuses places at which a result would replace a file of the spec.
@@ -101,53 +105,75 @@ impl<'a> Places<'a> {
 /// The results of one run, collected until they are written.
 pub struct Results<'p> {
     places: &'p Places<'p>,
-    made: Vec<(&'p Target, String)>,
-    charts: Vec<(Target, String)>,
+    made: Vec<(&'p Target, Vec<u8>)>,
+    /// Files in folders.
+    within: Vec<(Target, Vec<u8>)>,
 }
 
 impl<'p> Results<'p> {
     pub fn new(places: &'p Places<'p>) -> Self {
-        Results { places, made: Vec::new(), charts: Vec::new() }
+        Results { places, made: Vec::new(), within: Vec::new() }
     }
 
-    pub fn table(&mut self, text: String) {
-        self.made.extend(self.places.table.as_ref().map(|target| (target, text)));
+    pub fn table(&mut self, bytes: Vec<u8>) {
+        self.made.extend(self.places.table.as_ref().map(|target| (target, bytes)));
+    }
+
+    pub fn layout(&mut self, text: String) {
+        self.made.extend(self.places.layout.as_ref().map(|target| (target, text.into_bytes())));
     }
 
     pub fn report(&mut self, record: &impl Serialize) -> Result<(), Problem> {
         let Some(target) = &self.places.report else { return Ok(()) };
-        self.made.push((target, json(record)?));
+        self.made.push((target, json(record)?.into_bytes()));
         Ok(())
     }
 
     pub fn certificate(&mut self, record: &impl Serialize) -> Result<(), Problem> {
         let Some(target) = &self.places.certificate else { return Ok(()) };
-        self.made.push((target, json(record)?));
+        self.made.push((target, json(record)?.into_bytes()));
         Ok(())
     }
 
     pub fn page(&mut self, make: impl FnOnce() -> String) {
-        self.made.extend(self.places.page.as_ref().map(|target| (target, make())));
+        self.made.extend(self.places.page.as_ref().map(|target| (target, make().into_bytes())));
     }
 
-    /// Draws the charts into a folder, which is created if it is missing. A chart replaces neither a file that is read nor
-    /// another result.
+    /// Draws the charts into a folder.
     pub fn charts(&mut self, subject: &Subject, comparison: &Comparison) -> Result<(), Problem> {
         let Some(folder) = self.places.names.charts else { return Ok(()) };
-        std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
         let drawn = page::figures(subject, comparison).map_err(|e| format!("cannot draw the charts: {e}"))?;
-        let placed = |(name, text): (String, String)| {
+        let files = drawn.into_iter().map(|(name, text)| (name, text.into_bytes()));
+        self.folder("a chart", "--svg", folder, files, subject.sources)
+    }
+
+    /// Takes files for a folder, which is created if it is missing. Such a file, `called` so in messages, replaces neither one that is
+    /// read nor another result.
+    pub fn folder(
+        &mut self,
+        called: &str,
+        option: &str,
+        folder: &Path,
+        files: impl IntoIterator<Item = (String, Vec<u8>)>,
+        read: &SourceMap,
+    ) -> Result<(), Problem> {
+        std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
+        let placed = |(name, bytes): (String, Vec<u8>)| {
             let target = Target::within(folder, &name)?;
-            target.must_spare(subject.sources.iter().map(|(_, source)| source.name.as_str()))?;
-            match self.places.all().any(|other| target.is_same(other)) {
+            target.must_spare(read.iter().map(|(_, source)| source.name.as_str()))?;
+            let mut others = self.places.all().chain(self.within.iter().map(|(target, _)| target));
+            match others.any(|other| target.is_same(other)) {
                 true => {
                     let shown = target.shown();
-                    Err(format!("a chart and another result have the same place {shown}: give --svg its own folder"))
+                    Err(format!(
+                        "{called} and another result have the same place {shown}: give {option} its own folder"
+                    ))
                 }
-                false => Ok((target, text)),
+                false => Ok((target, bytes)),
             }
         };
-        self.charts = drawn.into_iter().map(placed).collect::<Result<_, Problem>>()?;
+        let placed = files.into_iter().map(placed).collect::<Result<Vec<_>, Problem>>()?;
+        self.within.extend(placed);
         Ok(())
     }
 
@@ -158,9 +184,9 @@ impl<'p> Results<'p> {
 
     /// Writes everything: files appear together, or none does.
     pub fn write(&self) -> Result<(), Problem> {
-        let made = self.made.iter().map(|(target, text)| (*target, text.as_str()));
-        let charts = self.charts.iter().map(|(target, text)| (target, text.as_str()));
-        write(&made.chain(charts).collect::<Vec<_>>())
+        let made = self.made.iter().map(|(target, bytes)| (*target, bytes.as_slice()));
+        let within = self.within.iter().map(|(target, bytes)| (target, bytes.as_slice()));
+        write(&made.chain(within).collect::<Vec<_>>())
     }
 
     /// Whether the text for people has colours.
@@ -207,7 +233,7 @@ pub fn apart(called: &str, option: &str, result: &Option<Target>, others: &[&Opt
 }
 
 /// Refuses a folder that cannot be created because its name, or a part of it, is a file.
-fn is_folder(name: &Path) -> Result<(), Problem> {
+pub fn is_folder(name: &Path) -> Result<(), Problem> {
     let there = name.ancestors().find(|a| a.as_os_str().is_empty() || a.symlink_metadata().is_ok());
     match there.filter(|a| !a.as_os_str().is_empty()) {
         Some(place) if !place.is_dir() => Err(cannot_write(name, &ErrorKind::NotADirectory.into())),

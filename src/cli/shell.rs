@@ -50,7 +50,7 @@ pub fn man(folder: Option<&Path>) -> Result<u8, Problem> {
     let pages = commands.map(page).collect::<Result<Vec<_>, _>>()?;
     std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
     let targets = pages.iter().map(|(name, _)| Target::within(folder, name)).collect::<Result<Vec<_>, _>>()?;
-    write(&targets.iter().zip(&pages).map(|(target, (_, text))| (target, text.as_str())).collect::<Vec<_>>())?;
+    write(&targets.iter().zip(&pages).map(|(target, (_, text))| (target, text.as_bytes())).collect::<Vec<_>>())?;
     Ok(FINE)
 }
 

@@ -1,22 +1,25 @@
 //! `mavc simulate`: plans the mission, then flies the plan.
 
+use super::flight_log::FlightLog;
 use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::spec::{self, Start};
-use super::{DIVERGED, FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files, rate};
-use crate::flight::{Outcome, Sample, longest};
+use super::{DIVERGED, FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
+use crate::exchange::flight::Recorder;
+use crate::flight::{Outcome, Sample};
 use crate::model::FlightBlocks;
 use crate::pipeline::{Task, departure, fly_plan, indistinguishable};
 use crate::report::page::{self, Track};
-use crate::report::simulation::{FlightRecord, Flown, Log, text};
+use crate::report::simulation::{FlightRecord, Flown, text};
 use crate::report::volumes::Nearest;
 
 pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
-    let rate = args.rate.as_deref().map(rate::parse).transpose()?;
+    let described = FlightLog::of(args)?;
     let places = Places::new(Names {
         table: args.output.as_deref(),
         report: args.report.as_deref(),
         page: args.html.as_deref(),
+        layout: args.layout.as_deref(),
         ..Names::default()
     })?;
     let watch = Watch::new(options);
@@ -34,9 +37,8 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         return Ok(SPEC_ERRORS);
     }
     let model = task.model();
-    let log = |_| Log::at(model, rate, longest(model, solved.time));
-    let mut log = places.table.as_ref().map(log).transpose()?;
-    if let Some(remark) = log.as_ref().and_then(|log| log.remark.as_ref()).filter(|_| !options.quiet) {
+    let mut log = places.table.as_ref().map(|_| described.begin(model, solved.time)).transpose()?;
+    if let Some(remark) = log.as_ref().and_then(Recorder::remark).filter(|_| !options.quiet) {
         files::eprint(&format!("mavc: {remark}\n"));
     }
     let mut track = places.page.as_ref().map(|_| Track::along(model, &solved.trajectory));
@@ -54,7 +56,8 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let flown = Flown { model, solved, strikes: &model.simulation.faults, flight: &flight, indistinguishable, volumes };
     let record = FlightRecord::new(&flown, task.spec().sha256().into());
     let mut results = Results::new(&places);
-    log.into_iter().for_each(|log| results.table(log.csv));
+    log.into_iter().for_each(|log| results.table(log.finish()));
+    described.layout(model)?.into_iter().for_each(|layout| results.layout(layout));
     results.report(&record)?;
     if let Some(track) = track {
         results.page(|| page::flight(&subject(&task, &findings.diagnostics), planning.comparison(), track, &record));

@@ -141,18 +141,18 @@ impl Pieces<'_> {
 }
 
 /// Writes results. Files appear together, after each of them and everything else has been written.
-pub fn write(results: &[(&Target, &str)]) -> Result<(), Problem> {
+pub fn write(results: &[(&Target, &[u8])]) -> Result<(), Problem> {
     let mut whole = Vec::new();
-    for (target, text) in results {
+    for (target, bytes) in results {
         let attempt = match &target.place {
             Place::Stdout => {
-                print_result(text)?;
+                print_result(bytes)?;
                 Ok(())
             }
-            Place::File(path) => beside(path, text).map(|file| whole.push((target, path, file))),
+            Place::File(path) => beside(path, bytes).map(|file| whole.push((target, path, file))),
             Place::Stream => {
                 let open = OpenOptions::new().write(true).open(&target.name);
-                unless_gone(open.and_then(|mut stream| stream.write_all(text.as_bytes())))
+                unless_gone(open.and_then(|mut stream| stream.write_all(bytes)))
             }
         };
         attempt.map_err(|e| cannot_write(&target.name, &e))?;
@@ -197,10 +197,10 @@ fn checked(path: PathBuf) -> IoResult<Place> {
     Ok(Place::File(path))
 }
 
-/// A temporary file beside `path`, with its text, and with its permissions and owner where it exists.
-fn beside(path: &Path, text: &str) -> IoResult<Temporary> {
+/// A temporary file beside `path`, with its bytes, and with its permissions and owner where it exists.
+fn beside(path: &Path, bytes: &[u8]) -> IoResult<Temporary> {
     let file = prepared(path)?;
-    file.file().write_all(text.as_bytes())?;
+    file.file().write_all(bytes)?;
     file.file().sync_all()?;
     Ok(file)
 }

@@ -4,7 +4,7 @@ mod log;
 mod record;
 mod text;
 
-pub use log::Log;
+pub use log::{Log, Thinning};
 pub use record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, RegressorRecord};
 pub use text::text;
 #[cfg(feature = "report")]

@@ -16,6 +16,7 @@ mod drag_of_axes;
 mod errors;
 mod exact;
 mod example_specs;
+mod exchange;
 mod fixes;
 mod flights;
 mod formatting;

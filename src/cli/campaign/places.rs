@@ -80,7 +80,7 @@ impl<'a> Places<'a> {
             let subject = Subject { problem, sources: spec.sources(), diagnostics: &findings.diagnostics };
             (target, page::campaign(&subject, record))
         });
-        let made: Vec<_> = report.iter().chain(&page).map(|(target, text)| (*target, text.as_str())).collect();
+        let made: Vec<_> = report.iter().chain(&page).map(|(target, text)| (*target, text.as_bytes())).collect();
         write(&made)?;
         let is_silent = [&self.rows, &self.report, &self.page].into_iter().any(Self::is_stdout) || options.quiet;
         match self.page_name.filter(|_| !is_silent) {

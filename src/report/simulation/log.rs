@@ -9,10 +9,16 @@ use crate::report::trajectory_csv::{few_enough, push_row};
 #[derive(Debug, Clone)]
 pub struct Log {
     pub csv: String,
+    pub thinning: Thinning,
+    row: Vec<f64>,
+}
+
+/// Which samples become rows.
+#[derive(Debug, Clone, Default)]
+pub struct Thinning {
     /// Samples per row.
     every: usize,
     count: usize,
-    row: Vec<f64>,
     /// A message if the rate is not the requested one.
     pub remark: Option<String>,
 }
@@ -20,10 +26,19 @@ pub struct Log {
 /// Default rate of the log, Hz.
 const RATE: f64 = 100.0;
 
+impl Thinning {
+    /// Whether the next sample becomes a row. The last always does.
+    pub fn is_due(&mut self, sample: &Sample) -> bool {
+        self.count += 1;
+        (self.count - 1).is_multiple_of(self.every) || sample.is_last
+    }
+}
+
 impl Log {
     /// An empty log with one row for `every` samples.
     pub fn new(rotors: usize, every: usize) -> Self {
-        Log { csv: Self::header(rotors) + "\n", every: every.max(1), count: 0, row: Vec::new(), remark: None }
+        let thinning = Thinning { every: every.max(1), ..Thinning::default() };
+        Log { csv: Self::header(rotors) + "\n", thinning, row: Vec::new() }
     }
 
     /// The log of a flight of at most `duration` s with rows at about `rate` Hz: the controller runs a whole number of
@@ -41,7 +56,9 @@ impl Log {
             let [wanted, got, control] = [wanted, got, control].map(number);
             format!("the log has rows at {got} Hz, not {wanted}: the controller runs at {control} Hz")
         });
-        Ok(Log { remark, ..Log::new(rotors, every as usize) })
+        let mut log = Log::new(rotors, every as usize);
+        log.thinning.remark = remark;
+        Ok(log)
     }
 
     /// The names of the columns.
@@ -58,8 +75,7 @@ impl Log {
 
     /// Adds a row if one is due, or if the sample is the last.
     pub fn add(&mut self, sample: &Sample) {
-        self.count += 1;
-        if !(self.count - 1).is_multiple_of(self.every) && !sample.is_last {
+        if !self.thinning.is_due(sample) {
             return;
         }
         let Sample { body, reference, .. } = sample;
