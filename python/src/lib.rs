@@ -49,8 +49,23 @@ const FUNCTIONS: [(&CStr, fn(Arguments) -> Value); 18] = [
     (c"columns", columns::columns),
 ];
 
+/// What the interpreter knows of the module from the start: its name.
+static mut DEFINITION: ffi::PyModuleDef = ffi::PyModuleDef {
+    m_base: ffi::PyModuleDef_HEAD_INIT,
+    m_name: c"_mavc".as_ptr(),
+    m_doc: c"The native part of mavc.".as_ptr(),
+    m_size: -1,
+    m_methods: std::ptr::null_mut(),
+    m_slots: std::ptr::null_mut(),
+    m_traverse: None,
+    m_clear: None,
+    m_free: None,
+};
+
 fn module(py: Python) -> PyResult<Bound<PyModule>> {
-    let module = PyModule::new(py, "_mavc")?;
+    // SAFETY: the definition lives forever, only the interpreter changes it, and it imports a module once at a time.
+    let module = unsafe { Bound::from_owned_ptr_or_err(py, ffi::PyModule_Create(&raw mut DEFINITION)) }?;
+    let module = module.cast_into::<PyModule>()?;
     for (name, function) in FUNCTIONS {
         let call = move |arguments: &Bound<PyTuple>, _: Option<&Bound<PyDict>>| caught(|| function(arguments));
         module.add(name.to_str().unwrap_or_default(), PyCFunction::new_closure(py, Some(name), None, call)?)?;
