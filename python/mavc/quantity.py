@@ -57,7 +57,8 @@ def written(path: str, value: Any) -> str:
         unit = _mavc.unit(block, field)
         return _number(magnitude) + (f" {split(value)[1] if unit is None else unit}").rstrip()
     if isinstance(value, str):
-        return value
+        is_bare = _mavc.is_text(block, field) and not value.startswith('"')
+        return f'"{value}"' if is_bare else value
     if isinstance(value, bool) or value is None:
         raise TypeError(f"{path} takes a number, a text, or a list")
     if isinstance(value, Real) or hasattr(value, "tolist"):

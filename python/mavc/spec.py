@@ -21,31 +21,29 @@ from .table import Rows
 class Spec:
     """A spec without errors. It never changes; `set` makes another one."""
 
-    def __init__(
-        self,
-        handle: Any,
-        name: str,
-        source: bytes,
-        overrides: tuple[str, ...],
-        flights: bool,
-        found: Diagnostics,
-    ) -> None:
-        self._handle = handle
-        self._flights = flights
+    def __init__(self, name: str, source: bytes, overrides: tuple[str, ...]) -> None:
         self.name = name
         """Its name in messages: that of the file, or `<spec>`."""
-        self._source = source
         self.overrides = overrides
         """The overrides, as `--set` takes them."""
-        self.warnings = found
+        self._source = source
+        self._handle, shown = _mavc.compile(name, source, list(overrides), True)
+        self._unfit: Diagnostics | None = None
+        if self._handle is None:
+            # Mistakes in the blocks of flights matter only to flights, as with `mavc plan`.
+            self._unfit = diagnostics(shown)
+            self._handle, shown = _mavc.compile(name, source, list(overrides), False)
+        self.warnings = diagnostics(shown)
         """Warnings and advice that it was compiled with; `check` finds more."""
+        if self._handle is None:
+            raise SpecError(self.warnings)
 
     def __repr__(self) -> str:
         set = "".join(f", {override}" for override in self.overrides)
         return f"<mavc.Spec {self.name}{set}>"
 
     def __reduce__(self) -> tuple:
-        return _compiled, (self.name, self._source, self.overrides, self._flights, False)
+        return Spec, (self.name, self._source, self.overrides)
 
     @property
     def text(self) -> str:
@@ -79,12 +77,14 @@ class Spec:
         Raises SpecError if the override has an error, or the spec with it.
         """
         override = field if value is None else f"{field} = {written(field, value)}"
-        return _compiled(self.name, self._source, (*self.overrides, override), self._flights, False)
+        return Spec(self.name, self._source, (*self.overrides, override))
 
     def check(
         self, *, threads: int | None = None, progress: Callback = None, cancel: Cancel | None = None
     ) -> Diagnostics:
         """Everything that `mavc check` reports, errors about fault modes that the plan cannot tolerate included."""
+        if self._unfit is not None:
+            return self._unfit
         return diagnostics(_mavc.check(self._handle, *job(threads, progress, cancel)))
 
     def analyze(
@@ -140,8 +140,9 @@ class Spec:
     ) -> Simulation:
         """Plans, then simulates a flight with the faults of the `simulate` block. `rate` is that of the log, Hz.
 
-        Raises SpecError if nothing can be planned, or the block does not fit the plan.
+        Raises SpecError if nothing can be planned, or the block has mistakes or does not fit the plan.
         """
+        self._must_fly()
         run = job(threads, progress, cancel)
         plan = self._plan(True, run)
         if not plan:
@@ -165,17 +166,22 @@ class Spec:
         """Flies every planner's plan with every fault mode, at `times` instants and with `seeds` noise seeds each. These two
         override the `campaign` block.
 
-        Raises SpecError if nothing can be planned, or the `simulate` block does not fit the plans.
+        Raises SpecError if nothing can be planned, or the `simulate` block has mistakes or does not fit the plans.
         """
         sizes = {"campaign.times": times, "campaign.seeds": seeds}
         spec = self
         for field, size in sizes.items():
             spec = spec if size is None else spec.set(field, size)
+        spec._must_fly()
         found = _mavc.campaign(spec._handle, *job(threads, progress, cancel), program())
         if found[0] is None:
             raise SpecError(diagnostics(found[1]))
         verdict, report, text, rows, page, shown = found
         return Campaign(verdict, Rows(rows), report, text, diagnostics(shown), page)
+
+    def _must_fly(self) -> None:
+        if self._unfit is not None:
+            raise SpecError(self._unfit)
 
     def verify(
         self, certificate: str | bytes, *, threads: int | None = None, cancel: Cancel | None = None
@@ -207,36 +213,25 @@ class Verification:
 
 
 def compile(
-    source: str | os.PathLike,
-    *,
-    name: str | None = None,
-    set: Iterable[str] = (),
-    flights: bool = True,
-    warn: bool = True,
+    source: str | os.PathLike, *, name: str | None = None, set: Iterable[str] = (), warn: bool = True
 ) -> Spec:
     """Compiles the text of a spec, or a file.
 
     A `str` with a line break or a brace is a text, any other one the name of a file. `name` is the text's name in messages; the
-    files that it names are relative to the folder of this name. `set` has overrides, as `--set`. Without `flights`, mistakes in
-    `simulate` and `campaign` are warnings, as in `mavc plan`. Warnings are kept in `Spec.warnings`, and unless `warn` is false
-    they are also issued as `SpecWarning`.
+    files that it names are relative to the folder of this name. `set` has overrides, as `--set`. Warnings are kept in
+    `Spec.warnings`, and unless `warn` is false they are also issued as `SpecWarning`. Mistakes in the blocks `simulate` and
+    `campaign` are such warnings, as in `mavc plan`, and errors of `Spec.simulate` and `Spec.campaign`.
 
     Raises SpecError if the text has errors, and OSError if the file cannot be read.
     """
     if isinstance(source, str) and any(mark in source for mark in "\n{}"):
-        return _compiled(name or "<spec>", source.encode(), tuple(set), flights, warn)
-    data = Path(source).read_bytes()
-    return _compiled(name or os.fspath(source), data, tuple(set), flights, warn)
-
-
-def _compiled(name: str, source: bytes, overrides: tuple[str, ...], flights: bool, warn: bool) -> Spec:
-    handle, shown = _mavc.compile(name, source, list(overrides), flights)
-    found = diagnostics(shown)
-    if handle is None:
-        raise SpecError(found)
-    if warn and found:
-        warnings.warn(f"\n{found}", SpecWarning, stacklevel=3)
-    return Spec(handle, name, source, overrides, flights, found)
+        spec = Spec(name or "<spec>", source.encode(), tuple(set))
+    else:
+        data = Path(source).read_bytes()
+        spec = Spec(name or os.fspath(source), data, tuple(set))
+    if warn and spec.warnings:
+        warnings.warn(f"\n{spec.warnings}", SpecWarning, stacklevel=2)
+    return spec
 
 
 def new(mission: str | None = None) -> str:

@@ -41,6 +41,8 @@ class Sweep(Table):
 
 def _column(values: list) -> np.ndarray:
     given = [value for value in values if value is not None]
+    if any(isinstance(value, str) for value in given):
+        values = [value if value is None else str(value) for value in values]
     whole = all(isinstance(value, int) for value in given)
     if given and all(isinstance(value, bool) for value in given):
         return np.array(values, dtype=bool if len(given) == len(values) else object)
@@ -127,13 +129,7 @@ def _code(run: Callable) -> str:
 def work(spec: Spec, sample: Sample, run: Run, cancel: Cancel | None = None) -> Row:
     """The row of one sample, without its overrides. Other processes call this too."""
     try:
-        made = compile(
-            spec._source.decode(),
-            name=spec.name,
-            set=[*spec.overrides, *_overrides(sample)],
-            flights=spec._flights,
-            warn=False,
-        )
+        made = Spec(spec.name, spec._source, (*spec.overrides, *_overrides(sample)))
         if callable(run):
             return {**run(made), "error": None}
         return {**_RUNS[run](made, cancel), "error": None}

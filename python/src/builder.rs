@@ -3,14 +3,14 @@
 use crate::job::detached;
 use crate::{Arguments, Value, object};
 use mavc::builder::{Builder, Problem, Value as Field};
-use mavc::language::Group;
+use mavc::language::{Entry, Group, Takes};
 use mavc::unit::parse_unit;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyString};
 
 /// The blocks whose fields have units, by the names that Python uses.
-const GROUPS: [(&str, Group); 10] = [
+const GROUPS: [(&str, Group); 12] = [
     ("top", Group::Top),
     ("vehicle", Group::Vehicle),
     ("rotor", Group::Rotor),
@@ -21,16 +21,26 @@ const GROUPS: [(&str, Group); 10] = [
     ("limits", Group::Limits),
     ("volume", Group::Volume),
     ("plan", Group::Plan),
+    ("simulate", Group::Simulate),
+    ("campaign", Group::Campaign),
 ];
-const FLIGHT_GROUPS: [(&str, Group); 2] = [("simulate", Group::Simulate), ("campaign", Group::Campaign)];
 
 /// `unit(block, field)`: the SI unit of a field as written after a number, `""` for a plain number, `None` if the block has no
 /// such field or it takes no number.
 pub fn unit(arguments: Arguments) -> Value {
     let (block, field): (String, String) = arguments.extract()?;
-    let group = GROUPS.iter().chain(&FLIGHT_GROUPS).find(|(name, _)| *name == block).map(|(_, group)| group);
-    let usual = group.and_then(|group| group.entry(&field)).and_then(|entry| entry.unit());
-    object(arguments.py(), usual.and_then(|usual| si(usual)))
+    object(arguments.py(), entry(&block, &field).and_then(Entry::unit).and_then(si))
+}
+
+fn entry(block: &str, field: &str) -> Option<&'static Entry> {
+    let group = GROUPS.iter().find(|(name, _)| *name == block).map(|(_, group)| group);
+    group.and_then(|group| group.entry(field))
+}
+
+/// `is_text(block, field)`: whether a field takes a text in quotes.
+pub fn is_text(arguments: Arguments) -> Value {
+    let (block, field): (String, String) = arguments.extract()?;
+    object(arguments.py(), entry(&block, &field).is_some_and(|entry| entry.takes == Takes::Text))
 }
 
 /// `dimension(unit)`: a unit in base units, `None` if it is not a unit of the language. Units of one dimension give one text.

@@ -28,18 +28,20 @@ type Arguments<'a, 'py> = &'a Bound<'py, PyTuple>;
 type Value = PyResult<Py<PyAny>>;
 
 /// The functions of the module.
-const FUNCTIONS: [(&CStr, fn(Arguments) -> Value); 18] = [
+const FUNCTIONS: [(&CStr, fn(Arguments) -> Value); 20] = [
     (c"compile", compile::compile),
     (c"facts", compile::facts),
     (c"format", compile::format),
     (c"templates", compile::templates),
     (c"build", builder::build),
     (c"unit", builder::unit),
+    (c"is_text", builder::is_text),
     (c"dimension", builder::dimension),
     (c"check", tasks::check),
     (c"analyze", tasks::analyze),
     (c"compare", tasks::compare),
     (c"verify", tasks::verify),
+    (c"panic", tasks::panic),
     (c"plan", plan::plan),
     (c"certificate", plan::certificate),
     (c"page", plan::page),

@@ -78,3 +78,8 @@ pub fn verify(arguments: Arguments) -> Value {
         Err(shown) => object(arguments.py(), (None::<String>, Some(shown))),
     }
 }
+
+/// `panic(job)`: panics within a run. Tests need one, and the library has none.
+pub fn panic(arguments: Arguments) -> Value {
+    Job::of(arguments, 0)?.run(arguments.py(), |_| panic!("as asked"))
+}
