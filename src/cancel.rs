@@ -74,7 +74,12 @@ impl Cancel {
     /// assert!(matches!(cancel.within(1, 1 << 23, || mavc::analyze(&spec)), Err(NoResult::Cancelled(_))));
     /// # Ok::<(), mavc::CompileError>(())
     /// ```
-    pub fn within<T: Send>(&self, threads: usize, stack: usize, work: impl FnOnce() -> T + Send) -> Result<T, NoResult> {
+    pub fn within<T: Send>(
+        &self,
+        threads: usize,
+        stack: usize,
+        work: impl FnOnce() -> T + Send,
+    ) -> Result<T, NoResult> {
         let own = self.clone();
         let begin = move |_| CURRENT.with_borrow_mut(|current| *current = Some(own.clone()));
         let pool = ThreadPoolBuilder::new().num_threads(threads).stack_size(stack).start_handler(begin).build();
