@@ -17,7 +17,7 @@ VEHICLE = {"arm": 0.211, "mass": 1.8, "inertia": (0.0429, 0.0429, 0.0748)}
 ROTOR = {"max_thrust": 6.53, "torque_per_thrust": 0.016, "max_speed": 874}
 FAULTS = [mavc.FaultMode(f"M{rotor}", lost=rotor) for rotor in range(1, 9)]
 ROUTE = [(0, 0, 2), (10, 0, 12), (10, 8, 12), (0, 8, 12), (0, 0, 2)]
-PLAN = {"planner": "rcp", "model": "hover", "time": "minimum", "samples": 60}
+PLAN = {"planner": "rcp", "model": "hover", "time": "minimum", "samples": 30}
 
 
 def template() -> mavc.Spec:
