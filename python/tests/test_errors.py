@@ -56,7 +56,7 @@ def test_values_of_overrides_are_in_si_units():
     assert spec.set("plan.samples", 60).plan().trajectory.rows == 61
     assert spec.set("plan.against", ["M1", "M2"]).plan().planner["against"] == ["M1", "M2"]
     assert spec.set("vehicle.inertia", [0.05, 0.05, 0.08]).overrides == (
-        "vehicle.inertia = [0.05, 0.05, 0.08] kg m^2",
+        "vehicle.inertia = [0.05, 0.05, 0.08] kg*m^2",
     )
 
 
