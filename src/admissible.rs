@@ -13,6 +13,7 @@ pub mod verdict;
 pub mod without_yaw;
 
 use crate::actuation::{Actuation, Wrench};
+use crate::cancel;
 use crate::flatness::rotor_drag;
 use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};
 use crate::geometry::zonotope::{Spanning, Zonotope};
@@ -57,6 +58,7 @@ impl AdmissibleSet {
     /// The set of `model.modes[index]`, or of the healthy vehicle for `None`.
     fn new(model: &Model, index: Option<usize>) -> Self {
         let actuation = Actuation::of(&model.vehicle);
+        cancel::checkpoint();
         let fault = index.map(|i| &model.modes[i]);
         let (offset, generators) = fault.map_or_else(|| actuation.healthy(), |f| actuation.under(f));
         let (mode, name) = (index.map_or(0, |i| i + 1), fault.map_or(HEALTHY, |f| &f.name));

@@ -23,6 +23,7 @@ mod sensors;
 mod single_axis;
 
 use crate::actuation::Wrench;
+use crate::cancel;
 use crate::model::{AfterFault, Mission, Model, Simulation, Strike};
 use crate::motion::{NodeState, Trajectory, X, Y, Z};
 use air::Air;
@@ -261,6 +262,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             (wrench, momentum) = (rotors.wrench(), rotors.momentum());
         }
         if step.is_multiple_of(control_steps) {
+            cancel::checkpoint();
             let tick = step / control_steps;
             reference = course.at(t);
             let acceleration = || body.derivative(&frame, &wrench, momentum, &blowing).velocity;

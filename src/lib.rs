@@ -4,6 +4,7 @@ pub mod actuation;
 pub mod admissible;
 pub mod builder;
 pub mod campaign;
+pub mod cancel;
 pub mod certificate;
 pub mod certify;
 #[cfg(feature = "cli")]

@@ -3,6 +3,7 @@
 //! A result of the solver is reported only after it has been checked in plain arithmetic on the program's data:
 //! `docs/method.md`, section 7.
 
+use crate::cancel;
 use crate::qp::{Cone, QuadraticProgram, Sparse};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -244,7 +245,11 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Opti
     let begin = Instant::now();
     let solver = DefaultSolver::new(&matrix(&program.p), &program.q, &matrix(&program.a), &program.b, &cones, settings);
     let Ok(mut solver) = solver else { return (None, Effort::default()) };
+    if let Some(cancel) = cancel::current() {
+        solver.set_termination_callback(move |_| cancel.is_cancelled());
+    }
     solver.solve();
+    cancel::checkpoint();
     let iterations = solver.solution.iterations as usize;
     let effort = Effort { solves: 1, iterations, starts: 0, time: begin.elapsed() };
     let found = solver.solution;

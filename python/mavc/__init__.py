@@ -1,0 +1,31 @@
+"""mavc: a compiler of multirotor missions that must survive rotor faults.
+
+`compile` makes a `Spec` from a text or a file, `Vehicle` and `Mission` make one from values. A spec analyses, plans, simulates
+and flies campaigns; `sweep` maps many specs. docs/python.md has a tour.
+"""
+
+from . import _mavc
+from .builder import FaultMode, Mission, Rotor, Vehicle, Volume, Waypoint, build
+from .errors import (
+    BuildError,
+    Cancelled,
+    Diagnostic,
+    Diagnostics,
+    Fix,
+    InternalError,
+    Label,
+    Place,
+    Problem,
+    Rejected,
+    SpecError,
+    SpecWarning,
+)
+from .layouts import rings
+from .results import Analysis, Campaign, Log, Mode, Plan, Simulation, Trajectory
+from .runs import Cancel, Progress
+from .spec import Spec, Verification, compile, format, new
+from .sweeps import Sweep, sweep
+from .table import Rows, Table
+
+__version__ = _mavc.VERSION
+__all__ = [name for name in dir() if not name.startswith("_")]

@@ -1,0 +1,181 @@
+//! Plans.
+
+use crate::compile::{json, shown};
+use crate::held::{Compiled, Held};
+use crate::job::{Job, Reports};
+use crate::{Arguments, Value, object};
+use mavc::certify::between::Between;
+use mavc::diagnostic::{Diagnostic, sort};
+use mavc::pipeline::{Explained, Planning, Refusal, Task, certify};
+use mavc::report::page::{self, Kind, Subject};
+use mavc::report::record::Record;
+use mavc::report::trajectory_csv;
+use mavc::source::SourceMap;
+use pyo3::prelude::*;
+use std::ffi::CStr;
+use std::sync::Arc;
+
+/// The outcome of planning: of a mission, or the refusal to plan because a mode cannot hover.
+pub struct Planned {
+    pub of: Arc<Compiled>,
+    /// Those of the spec, then those of planning.
+    pub diagnostics: Vec<Diagnostic>,
+    pub done: Option<Done>,
+}
+
+/// What was planned.
+pub struct Done {
+    pub planning: Planning,
+    explained: Explained,
+    between: Option<Vec<Between>>,
+    /// Why there is no plan.
+    conflict: Option<Diagnostic>,
+}
+
+impl Held for Planned {
+    const NAME: &'static CStr = c"mavc.plan";
+}
+
+/// The texts of a plan, as the command writes them.
+struct Texts {
+    verdict: String,
+    json: String,
+    text: String,
+    csv: Option<String>,
+}
+
+impl Planned {
+    pub fn sources(&self) -> &SourceMap {
+        self.of.spec.sources()
+    }
+
+    /// The diagnostics that the page shows.
+    pub fn on_page(&self) -> Vec<Diagnostic> {
+        self.diagnostics.iter().chain(self.done.iter().flat_map(|done| &done.conflict)).cloned().collect()
+    }
+
+    /// The task, made again.
+    ///
+    /// # Errors
+    /// Never for a mission that was planned.
+    pub fn task(&self) -> Result<Task<'_>, String> {
+        Task::new(&self.of.spec).map_err(|refusal| refusal.to_string())
+    }
+}
+
+/// The errors for which nothing is planned and nothing is reported, as texts; with a mode that cannot hover there is a report.
+pub fn prepare(of: &Compiled) -> (Result<Task<'_>, bool>, Vec<Diagnostic>) {
+    let task = Task::new(&of.spec);
+    let mut found = of.diagnostics.clone();
+    found.extend_from_slice(task.as_ref().map_or_else(Refusal::diagnostics, Task::remarks));
+    sort(&mut found);
+    (task.map_err(|refusal| matches!(refusal, Refusal::Intolerable(_))), found)
+}
+
+fn refused(of: &Arc<Compiled>, diagnostics: Vec<Diagnostic>) -> (Planned, Texts) {
+    let record = Record::refused(of.spec.model(), of.spec.sha256().into());
+    let verdict = mavc::Verdict::NotAttempted.to_string();
+    let planned = Planned { of: of.clone(), diagnostics, done: None };
+    (planned, Texts { verdict, json: json(&record), text: String::new(), csv: None })
+}
+
+/// Plans, and unless `flies` explains and proves what the report of a plan states.
+fn planned(
+    of: &Arc<Compiled>,
+    (task, diagnostics): (&Task, Vec<Diagnostic>),
+    flies: bool,
+    reports: &Reports,
+) -> Result<(Planned, Texts), String> {
+    let planning = task.plan(reports);
+    let (explained, between) = match flies {
+        true => (Explained::default(), None),
+        false => {
+            let explained = task.explain(&planning, reports).map_err(|e| e.to_string())?;
+            (explained, planning.between(task, reports).map_err(|e| e.to_string())?)
+        }
+    };
+    let conflict = task.diagnose(&explained);
+    let table = |plan: &mavc::MissionPlan| trajectory_csv::table(&plan.trajectory, task.model(), None);
+    let texts = Texts {
+        verdict: planning.verdict().to_string(),
+        json: json(&task.report(&planning, &explained, between.clone())),
+        text: task.text(&planning, &explained, between.as_deref(), false),
+        csv: planning.plan().map(table).transpose()?,
+    };
+    let done = Done { planning, explained, between, conflict };
+    Ok((Planned { of: of.clone(), diagnostics, done: Some(done) }, texts))
+}
+
+/// `plan(spec, job, flies)`: `(handle, verdict, json, text, csv or None, shown)`; `(None, shown)` if the spec cannot be
+/// planned.
+pub fn plan(arguments: Arguments) -> Value {
+    let py = arguments.py();
+    let of = Compiled::of(&arguments.get_item(0)?)?;
+    let flies: bool = arguments.get_item(4)?.extract()?;
+    let result = Job::of(arguments, 1)?.run(py, move |reports| {
+        let (task, found) = prepare(&of);
+        match task {
+            Ok(task) => planned(&of, (&task, found), flies, reports).map(Ok),
+            Err(true) => Ok(Ok(refused(&of, found))),
+            Err(false) => Ok(Err(shown(&found, of.spec.sources()))),
+        }
+    })?;
+    match result.map_err(crate::error)? {
+        Ok((planned, Texts { verdict, json, text, csv })) => {
+            // The terminal shows the conflict after all others.
+            let (mut human, mut lines) = shown(&planned.diagnostics, planned.sources());
+            if let Some(conflict) = planned.done.as_ref().and_then(|done| done.conflict.as_ref()) {
+                let (more, line) = shown(std::slice::from_ref(conflict), planned.sources());
+                human += &more;
+                lines += &line;
+            }
+            let handle = planned.into_handle(py)?;
+            object(py, (Some(handle), verdict, json, text, csv, (human, lines)))
+        }
+        Err(shown) => object(py, (None::<Py<PyAny>>, shown)),
+    }
+}
+
+/// `certificate(plan, job)`: the text that `--certificate` writes.
+pub fn certificate(arguments: Arguments) -> Value {
+    let of = Planned::of(&arguments.get_item(0)?)?;
+    let text = Job::of(arguments, 1)?.run(arguments.py(), move |_| match &of.done {
+        Some(done) => {
+            certify(&of.of.spec, &done.planning).map(|certificate| json(&certificate)).map_err(|e| e.to_string())
+        }
+        None => Err("nothing was planned".into()),
+    })?;
+    object(arguments.py(), text.map_err(crate::error)?)
+}
+
+/// `page(plan, job)`: the page that `--html` writes.
+pub fn page(arguments: Arguments) -> Value {
+    let of = Planned::of(&arguments.get_item(0)?)?;
+    let text = Job::of(arguments, 1)?.run(arguments.py(), move |_| page_of(&of))?;
+    object(arguments.py(), text.map_err(crate::error)?)
+}
+
+fn page_of(planned: &Planned) -> Result<String, String> {
+    let (spec, shown) = (&planned.of.spec, planned.on_page());
+    let Some(done) = &planned.done else {
+        let problem = spec.problem().ok_or("the spec has no mission")?;
+        let subject = Subject { problem, sources: spec.sources(), diagnostics: &shown };
+        return Ok(page::refused(&subject, &Record::refused(spec.model(), spec.sha256().into())));
+    };
+    let task = planned.task()?;
+    let record = task.report(&done.planning, &done.explained, done.between.clone());
+    let subject = Subject { problem: task.problem(), sources: spec.sources(), diagnostics: &shown };
+    let curves = task.capture_curves(&done.planning);
+    Ok(page::plans(Kind::Plan, &subject, done.planning.comparison(), &record, &curves))
+}
+
+/// `table(plan, job, rate)`: the trajectory with rows at a rate, Hz.
+pub fn table(arguments: Arguments) -> Value {
+    let of = Planned::of(&arguments.get_item(0)?)?;
+    let rate: f64 = arguments.get_item(4)?.extract()?;
+    let text = Job::of(arguments, 1)?.run(arguments.py(), move |_| {
+        let plan = of.done.as_ref().and_then(|done| done.planning.plan()).ok_or("there is no plan")?;
+        trajectory_csv::table(&plan.trajectory, of.task()?.model(), Some(rate))
+    })?;
+    object(arguments.py(), text.map_err(crate::error)?)
+}
