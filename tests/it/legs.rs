@@ -198,53 +198,6 @@ fn limits_of_a_leg_bound_its_time() {
     }
 }
 
-/// Proofs of infeasibility use the rows of a leg at the nodes of that leg: here a turn has too little time for its corridor.
-#[test]
-#[ignore = "long"]
-fn proofs_use_the_rows_of_legs() {
-    let folder = tempfile::tempdir().unwrap();
-    let proof = folder.path().join("proof.json");
-    let proof = proof.to_str().unwrap();
-    let mission = |clauses: &str| {
-        format!(
-            "start at [0, 0, 5] m
-    waypoint at [8, 0, 5] m
-    waypoint at [8, 8, 5] m  {clauses}
-    limits {{ tilt <= 30 deg; speed <= 6 m/s }}"
-        )
-    };
-    let plan = |model: &str, time: &str| format!("model = {model}; time = {time}; samples = 40; timing = proportional");
-    let shortest = |clauses: &str| {
-        let spec = write(folder.path(), &mission(clauses), &plan("hover", "minimum"));
-        let (code, text) = run(&["plan", spec.to_str().unwrap(), "--report", "-"]);
-        assert_eq!(code, Some(0), "{text}");
-        serde_json::from_str::<Value>(&text).unwrap()["planners"][0]["time_s"].as_f64().unwrap()
-    };
-    let free = shortest("");
-    let mut longer = 0;
-    for clauses in [
-        "corridor 20 cm",
-        "straight  { jerk <= 20 m/s^3 }",
-        "{ speed <= 5 m/s }",
-        "{ jerk <= 12 m/s^3 }",
-        "{ altitude <= 5.01 m; x <= 8.01 m; tilt <= 25 deg }",
-    ] {
-        let bound = shortest(clauses);
-        assert!(bound >= free, "{clauses}: {bound} {free}");
-        if bound < 1.01 * free {
-            continue;
-        }
-        longer += 1;
-        let spec = write(folder.path(), &mission(clauses), &plan("hover", &format!("{free} s")));
-        let (code, text) = run(&["plan", spec.to_str().unwrap(), "--certificate", proof]);
-        assert_eq!(code, Some(3), "{clauses}: {text}");
-        let (code, text) = run(&["verify", proof, spec.to_str().unwrap()]);
-        assert_eq!(code, Some(7), "{clauses}: {text}");
-        assert!(text.contains("proved infeasible on one grid"), "{clauses}: {text}");
-    }
-    assert!(longer >= 3, "{longer}");
-}
-
 /// The limits that each clause imposes, by hand.
 #[test]
 fn clauses_impose_limits_on_their_leg() {
@@ -499,6 +452,54 @@ proptest! {
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
+
+    /// Proofs of infeasibility use the rows of a leg at the nodes of that leg: here a turn has too little time for its corridor.
+    #[test]
+    #[ignore = "long"]
+    fn proofs_use_the_rows_of_legs() {
+        let folder = tempfile::tempdir().unwrap();
+        let proof = folder.path().join("proof.json");
+        let proof = proof.to_str().unwrap();
+        let mission = |clauses: &str| {
+            format!(
+                "start at [0, 0, 5] m
+        waypoint at [8, 0, 5] m
+        waypoint at [8, 8, 5] m  {clauses}
+        limits {{ tilt <= 30 deg; speed <= 6 m/s }}"
+            )
+        };
+        let plan =
+            |model: &str, time: &str| format!("model = {model}; time = {time}; samples = 40; timing = proportional");
+        let shortest = |clauses: &str| {
+            let spec = write(folder.path(), &mission(clauses), &plan("hover", "minimum"));
+            let (code, text) = run(&["plan", spec.to_str().unwrap(), "--report", "-"]);
+            assert_eq!(code, Some(0), "{text}");
+            serde_json::from_str::<Value>(&text).unwrap()["planners"][0]["time_s"].as_f64().unwrap()
+        };
+        let free = shortest("");
+        let mut longer = 0;
+        for clauses in [
+            "corridor 20 cm",
+            "straight  { jerk <= 20 m/s^3 }",
+            "{ speed <= 5 m/s }",
+            "{ jerk <= 12 m/s^3 }",
+            "{ altitude <= 5.01 m; x <= 8.01 m; tilt <= 25 deg }",
+        ] {
+            let bound = shortest(clauses);
+            assert!(bound >= free, "{clauses}: {bound} {free}");
+            if bound < 1.01 * free {
+                continue;
+            }
+            longer += 1;
+            let spec = write(folder.path(), &mission(clauses), &plan("hover", &format!("{free} s")));
+            let (code, text) = run(&["plan", spec.to_str().unwrap(), "--certificate", proof]);
+            assert_eq!(code, Some(3), "{clauses}: {text}");
+            let (code, text) = run(&["verify", proof, spec.to_str().unwrap()]);
+            assert_eq!(code, Some(7), "{clauses}: {text}");
+            assert!(text.contains("proved infeasible on one grid"), "{clauses}: {text}");
+        }
+        assert!(longer >= 3, "{longer}");
+    }
 
     /// In the hover model limits hold at the nodes; so do those of legs, and stops are at rest.
     #[test]

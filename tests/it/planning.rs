@@ -132,22 +132,6 @@ fn case_1_compared() {
     assert!((alone.time - compared.time).abs() <= RESOLUTION + 1e-9, "{} {}", alone.time, compared.time);
 }
 
-#[test]
-#[ignore = "long"]
-fn two_runs_and_any_number_of_threads_give_the_same_numbers() {
-    let mut model = paper_case(PlannerKind::Rsp, &[0, 2]);
-    model.plan.samples = 60;
-    let text = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        let c = pool.install(|| run(&model, Scope::Everything));
-        assert!(c.runs.len() >= 10);
-        format!("{:?} {:?} {:?} {} {}", c.runs, c.common_time, c.selected, c.effort.solves, c.effort.iterations)
-    };
-    let once = text(2);
-    assert!(once == text(2), "two runs differ");
-    assert!(once == text(1), "one thread differs from two");
-}
-
 /// Fine grids are badly scaled in spline coefficients; stage variables take them in a few iterations.
 #[test]
 fn a_fine_grid_takes_few_iterations() {
@@ -273,5 +257,26 @@ fn times_out_of_all_reach_are_infeasible() {
             let decision = engine.decide(time, model.plan.samples, &set, &mut WorkingSet::default());
             assert!(matches!(decision, Decision::Infeasible), "{time} s: {decision:?}");
         }
+    }
+}
+
+/// Very long; a command of their own runs these (CONTRIBUTING.md).
+mod thorough {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn two_runs_and_any_number_of_threads_give_the_same_numbers() {
+        let mut model = paper_case(PlannerKind::Rsp, &[0, 2]);
+        model.plan.samples = 60;
+        let text = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let c = pool.install(|| run(&model, Scope::Everything));
+            assert!(c.runs.len() >= 10);
+            format!("{:?} {:?} {:?} {} {}", c.runs, c.common_time, c.selected, c.effort.solves, c.effort.iterations)
+        };
+        let once = text(2);
+        assert!(once == text(2), "two runs differ");
+        assert!(once == text(1), "one thread differs from two");
     }
 }

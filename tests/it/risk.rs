@@ -134,12 +134,6 @@ fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
 }
 
 #[test]
-#[ignore = "long"]
-fn a_required_risk_is_kept_in_the_shortest_time() {
-    each_addition_takes_risk_away(MissionTime::Minimum);
-}
-
-#[test]
 fn a_risk_that_cannot_be_kept_is_reported_with_the_best_curve() {
     // At 16 s RIP has a plan and RCP jointly, from 16.83 s on, has none.
     let mut model = required(0.0, MissionTime::Fixed(16.2));
@@ -363,6 +357,12 @@ fn a_required_risk_is_reported_in_the_exact_model() {
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_required_risk_is_kept_in_the_shortest_time() {
+        each_addition_takes_risk_away(MissionTime::Minimum);
+    }
 
     #[test]
     #[ignore = "long"]

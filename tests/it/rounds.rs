@@ -60,48 +60,6 @@ fn no_round_is_rip_one_is_rsp_and_many_end_at_rcp() {
 }
 
 #[test]
-#[ignore = "long"]
-fn rounds_side_by_side() {
-    let mut model = tight();
-    model.plan.samples = 60;
-    model.plan.time = MissionTime::Minimum;
-    let mut comparison = run(&model, Scope::Everything);
-    let told = std::sync::Mutex::new(Vec::new());
-    let tell = |round: &str, time: f64| told.lock().unwrap().push((round.to_string(), time));
-    let found = rounds(Problem::of(&model).unwrap(), &mut comparison, (0, 3), Some(&tell));
-    // Progress names the rounds and the times tried.
-    let told = told.into_inner().unwrap();
-    let at = comparison.common_time.unwrap();
-    for round in ["round 0", "round 1"] {
-        assert!(told.iter().any(|(name, time)| name == round && (time - at).abs() < 1e-9), "{told:?}");
-    }
-    let solved = |outcome: &PlanOutcome| match outcome {
-        PlanOutcome::Planned(s) => Some(s.clone()),
-        _ => None,
-    };
-    assert_eq!(found.iter().map(|r| r.rounds).collect::<Vec<_>>(), [0, 1, 2, 3]);
-    // Each round imposes more, so at one time it costs no less.
-    let costs: Vec<f64> = found.iter().filter_map(|r| Some(solved(&r.common)?.objective)).collect();
-    assert!(costs.len() >= 2 && costs.windows(2).all(|w| w[1] >= w[0] * (1.0 - 1e-6)), "{costs:?}");
-    assert!(found.windows(2).all(|w| w[0].selected <= w[1].selected));
-    assert_eq!((found[0].selected, found[1].selected), (0, comparison.selected.len()));
-    let rip = comparison.runs.iter().find(|r| r.planner == PlannerKind::Rip).unwrap();
-    let PlanOutcome::Planned(rip) = &rip.outcome else { panic!("RIP has a plan") };
-    let own = solved(&found[0].own).unwrap();
-    assert!((own.time - rip.time).abs() < 0.05 + 1e-9, "{} {}", own.time, rip.time);
-    // At each own time this number of rounds, planned at that time, has a plan, and the time is not shorter than RIP's.
-    for round in &found[1..] {
-        let own = solved(&round.own).expect("a time at which such a plan exists");
-        assert!(own.time >= rip.time - 0.05 && own.time <= 1.1 * at, "{}", own.time);
-        let mut there = model.clone();
-        there.plan.time = MissionTime::Fixed(own.time);
-        let again = planned(there, PlannerKind::Rsp, round.rounds);
-        let close = only(&again).objective / own.objective - 1.0;
-        assert!(close.abs() < 1e-6, "{close}");
-    }
-}
-
-#[test]
 fn all_double_losses_of_sixteen_rotors_at_once() {
     let mut model = ring_model("PNPNPNPNPNPNPNPN", 4.5, [0.2, 0.2, 0.35], 8.5485e-6, 1.3678e-7, 874.0);
     let pairs = (1..=16).flat_map(|i| (i + 1..=16).map(move |j| [i, j]));
@@ -274,6 +232,48 @@ fn zero_rounds_are_reported() {
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn rounds_side_by_side() {
+        let mut model = tight();
+        model.plan.samples = 60;
+        model.plan.time = MissionTime::Minimum;
+        let mut comparison = run(&model, Scope::Everything);
+        let told = std::sync::Mutex::new(Vec::new());
+        let tell = |round: &str, time: f64| told.lock().unwrap().push((round.to_string(), time));
+        let found = rounds(Problem::of(&model).unwrap(), &mut comparison, (0, 3), Some(&tell));
+        // Progress names the rounds and the times tried.
+        let told = told.into_inner().unwrap();
+        let at = comparison.common_time.unwrap();
+        for round in ["round 0", "round 1"] {
+            assert!(told.iter().any(|(name, time)| name == round && (time - at).abs() < 1e-9), "{told:?}");
+        }
+        let solved = |outcome: &PlanOutcome| match outcome {
+            PlanOutcome::Planned(s) => Some(s.clone()),
+            _ => None,
+        };
+        assert_eq!(found.iter().map(|r| r.rounds).collect::<Vec<_>>(), [0, 1, 2, 3]);
+        // Each round imposes more, so at one time it costs no less.
+        let costs: Vec<f64> = found.iter().filter_map(|r| Some(solved(&r.common)?.objective)).collect();
+        assert!(costs.len() >= 2 && costs.windows(2).all(|w| w[1] >= w[0] * (1.0 - 1e-6)), "{costs:?}");
+        assert!(found.windows(2).all(|w| w[0].selected <= w[1].selected));
+        assert_eq!((found[0].selected, found[1].selected), (0, comparison.selected.len()));
+        let rip = comparison.runs.iter().find(|r| r.planner == PlannerKind::Rip).unwrap();
+        let PlanOutcome::Planned(rip) = &rip.outcome else { panic!("RIP has a plan") };
+        let own = solved(&found[0].own).unwrap();
+        assert!((own.time - rip.time).abs() < 0.05 + 1e-9, "{} {}", own.time, rip.time);
+        // At each own time this number of rounds, planned at that time, has a plan, and the time is not shorter than RIP's.
+        for round in &found[1..] {
+            let own = solved(&round.own).expect("a time at which such a plan exists");
+            assert!(own.time >= rip.time - 0.05 && own.time <= 1.1 * at, "{}", own.time);
+            let mut there = model.clone();
+            there.plan.time = MissionTime::Fixed(own.time);
+            let again = planned(there, PlannerKind::Rsp, round.rounds);
+            let close = only(&again).objective / own.objective - 1.0;
+            assert!(close.abs() < 1e-6, "{close}");
+        }
+    }
 
     #[test]
     #[ignore = "long"]

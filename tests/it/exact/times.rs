@@ -32,15 +32,6 @@ fn shortest(model: &Model) -> f64 {
 static EVEN: LazyLock<f64> = LazyLock::new(|| shortest(&quick(uneven(), false)));
 static CHOSEN: LazyLock<f64> = LazyLock::new(|| shortest(&quick(uneven(), true)));
 
-#[test]
-#[ignore = "long"]
-fn chosen_times_are_never_slower_than_even_ones() {
-    let turned = [false, true].map(|chooses| shortest(&quick(turning(), chooses)));
-    for [given, chosen] in [turned, [*EVEN, *CHOSEN]] {
-        assert!(chosen <= given, "{chosen} s, {given} s with even times");
-    }
-}
-
 /// At a time that even shares cannot meet, chosen ones can.
 #[test]
 fn a_time_too_short_for_even_legs_is_met() {
@@ -100,6 +91,15 @@ fn legs_between_fixed_times_divide_their_time_anew() {
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn chosen_times_are_never_slower_than_even_ones() {
+        let turned = [false, true].map(|chooses| shortest(&quick(turning(), chooses)));
+        for [given, chosen] in [turned, [*EVEN, *CHOSEN]] {
+            assert!(chosen <= given, "{chosen} s, {given} s with even times");
+        }
+    }
 
     /// The shortest time over shares of the first leg from 15 % to 60 %, each planned for itself.
     #[test]

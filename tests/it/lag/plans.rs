@@ -133,24 +133,6 @@ fn time_grows_with_the_constant_and_vanishes_with_it() {
     time_grows(shuttle());
 }
 
-#[test]
-#[ignore = "long"]
-fn time_grows_under_a_changing_yaw_too() {
-    time_grows(turning());
-}
-
-#[test]
-#[ignore = "long"]
-fn the_exact_models_time_grows_too() {
-    let mut instant = planning(shuttle(), PlanModel::Exact, MissionTime::Minimum);
-    instant.plan.samples = 16;
-    let at_once = shortest(&instant);
-    let [quick, slow] = [1e-6, 0.3].map(|tau| shortest(&lagging(instant.clone(), tau)));
-    // Both are found, not proved.
-    assert!((quick / at_once - 1.0).abs() < 0.05, "{quick} s and {at_once} s");
-    assert!(slow > 1.1 * at_once.max(quick), "{slow} s, {at_once} s and {quick} s");
-}
-
 /// Rows on demand give the optimum of the program with all rows, that of `emit qp`.
 #[test]
 fn rows_on_demand_lose_nothing() {
@@ -188,5 +170,28 @@ fn rows_on_demand_lose_nothing() {
         let (full, less) = (objective(&program), objective(&without));
         assert!((planned.objective / full - 1.0).abs() < 1e-5, "{} and {full}", planned.objective);
         assert!(full > less * (1.0 + 1e-4), "{full}, and {less} without the lag");
+    }
+}
+
+/// Very long; a command of their own runs these (CONTRIBUTING.md).
+mod thorough {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn the_exact_models_time_grows_too() {
+        let mut instant = planning(shuttle(), PlanModel::Exact, MissionTime::Minimum);
+        instant.plan.samples = 16;
+        let at_once = shortest(&instant);
+        let [quick, slow] = [1e-6, 0.3].map(|tau| shortest(&lagging(instant.clone(), tau)));
+        // Both are found, not proved.
+        assert!((quick / at_once - 1.0).abs() < 0.05, "{quick} s and {at_once} s");
+        assert!(slow > 1.1 * at_once.max(quick), "{slow} s, {at_once} s and {quick} s");
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn time_grows_under_a_changing_yaw_too() {
+        time_grows(turning());
     }
 }
