@@ -27,8 +27,11 @@ type Arguments<'a, 'py> = &'a Bound<'py, PyTuple>;
 /// A value that Python takes.
 type Value = PyResult<Py<PyAny>>;
 
+/// What a function of the module does.
+type Function = fn(Arguments) -> Value;
+
 /// The functions of the module.
-const FUNCTIONS: [(&CStr, fn(Arguments) -> Value); 20] = [
+const FUNCTIONS: [(&CStr, Function); 20] = [
     (c"compile", compile::compile),
     (c"facts", compile::facts),
     (c"format", compile::format),

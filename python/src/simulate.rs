@@ -88,5 +88,5 @@ fn flown(planned: &Planned, remarks: &[Diagnostic], wanted: Wanted, reports: &Re
         Outcome::Lost { .. } => "lost",
         Outcome::Diverged { .. } => "diverged",
     };
-    Ok(Texts { outcome, json: json(&record), text: text(&flown), remark: log.remark, csv: log.csv, page })
+    Ok(Texts { outcome, json: json(&record), text: text(&flown), remark: log.thinning.remark, csv: log.csv, page })
 }
