@@ -28,7 +28,7 @@ pub struct Done {
     pub planning: Planning,
     explained: Explained,
     between: Option<Vec<Between>>,
-    /// Why there is no plan.
+    /// Why no plan was found.
     conflict: Option<Diagnostic>,
 }
 
