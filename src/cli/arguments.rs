@@ -110,6 +110,9 @@ pub(super) struct CheckArgs {
     /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input
     #[arg(required = true, value_name = "SPEC")]
     pub specs: Vec<String>,
+    /// Check missions of ground stations (`mavc import mission`) with the vehicle of this spec, which has no mission of its own
+    #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
+    pub vehicle: Option<String>,
     /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
     #[arg(long = "set", value_name = "FIELD=VALUE", value_hint = clap::ValueHint::Other)]
     pub set: Vec<String>,
@@ -289,6 +292,17 @@ impl EmitArgs {
 pub(super) enum ImportCommand {
     /// A vehicle: PX4 parameters or airframe script, ArduPilot parameters, URDF, SDF or MJCF
     Vehicle(ImportArgs),
+    /// A mission: a plan of QGroundControl, a mission of MAVLink (`QGC WPL 110`) or a table of waypoints
+    Mission(ImportMissionArgs),
+}
+
+#[derive(Args)]
+pub(super) struct ImportMissionArgs {
+    #[command(flatten)]
+    pub import: ImportArgs,
+    /// Begin the spec with `use` of this one, which has the vehicle
+    #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
+    pub vehicle: Option<PathBuf>,
 }
 
 #[derive(Args)]
