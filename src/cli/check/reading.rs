@@ -7,6 +7,7 @@ use crate::diagnostic::sort;
 use crate::import::{MAX_BYTES, mission};
 use crate::model::FlightBlocks;
 use crate::pipeline::check;
+use crate::source::FileId;
 use crate::spec::{Compiler, Spec};
 use std::path::Path;
 
@@ -16,6 +17,12 @@ pub fn read(name: &str, args: &CheckArgs, options: &Options) -> Result<(Option<S
     let Some(vehicle) = &args.vehicle else {
         let args = SpecArgs { spec: name.into(), set: args.set.clone() };
         let (spec, mut findings) = spec::read(&args, FlightBlocks::Used, &watch)?;
+        if findings.has_errors() && mission::is_one(&findings.files.sources.get(FileId(0)).text) {
+            let name = spec::shown(name);
+            return Err(format!(
+                "{name} is a mission of a ground station: name the spec of its vehicle by --vehicle v.mav"
+            ));
+        }
         if let Some(spec) = &spec {
             findings.diagnostics.extend(check(spec));
             sort(&mut findings.diagnostics);

@@ -77,7 +77,7 @@ fn one(fence: &Json, number: usize, plane: &TangentPlane, draft: &mut Draft) -> 
     }
     points.dedup();
     if is_inside {
-        inclusion(points, &mark, &name, draft);
+        include(points, &mark, &name, draft);
     } else {
         draft.volumes.push(Volume { mark, is_inside, name, shape: Shape::Polygon(points) });
     }
@@ -86,7 +86,7 @@ fn one(fence: &Json, number: usize, plane: &TangentPlane, draft: &mut Draft) -> 
 
 /// The convex outline to stay inside of, and the bays between it and the polygon to stay out of: the same region, since a spec's
 /// `keep_in` must be convex.
-fn inclusion(points: Vec<[f64; 2]>, mark: &Mark, name: &str, draft: &mut Draft) {
+fn include(points: Vec<[f64; 2]>, mark: &Mark, name: &str, draft: &mut Draft) {
     let outline = outline(&points);
     let (n, m) = (points.len(), outline.len());
     let volume = |name: String, is_inside, corners: Vec<usize>| Volume {
