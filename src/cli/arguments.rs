@@ -177,8 +177,8 @@ pub(super) struct PlanArgs {
     /// down and forward, right, down
     #[arg(long, value_name = "FRAME", requires = "output", value_parser = FRAMES)]
     pub frame: Option<String>,
-    /// Refit the trajectory of the format crazyflie within this error of position (as radians, of yaw), such as 5mm; 1cm without
-    /// this
+    /// Refit the trajectory of the format crazyflie within this error of position (as radians, of yaw), such as 5mm, 1cm without
+    /// this; or keep straight lines within it of the plan: 50cm for qgc-plan and wpl, 10cm for kml and geojson
     #[arg(long, value_name = "LENGTH", requires = "output", value_hint = clap::ValueHint::Other)]
     pub tolerance: Option<String>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
