@@ -10,7 +10,7 @@ mod wpl;
 
 use super::trajectory::Written;
 use crate::geodesy::{Geodetic, TangentPlane};
-use crate::model::{Mission, Model};
+use crate::model::{Mission, Model, Origin};
 use crate::motion::{Trajectory, X, Y, Z};
 use crate::number::significant;
 use items::Items;
@@ -27,6 +27,21 @@ struct Placed<'a> {
     plane: TangentPlane,
     /// Largest distance of the plan from straight lines, m.
     tolerance: f64,
+}
+
+/// The mission and its place on the Earth.
+///
+/// # Errors
+/// The mission does not say where it is.
+pub fn origin<'a>(model: &'a Model, format: &str) -> Result<(&'a Mission, Origin), String> {
+    let mission = model.mission.as_ref().ok_or("the spec has no mission")?;
+    mission.origin.map(|origin| (mission, origin)).ok_or_else(|| {
+        format!(
+            "--format {format} has places on the Earth, and mission `{}` does not say where it is: give its `origin_latitude`, \
+             `origin_longitude` and `origin_altitude`",
+            mission.name
+        )
+    })
 }
 
 /// A place as it is written: degrees, and m above mean sea level.
@@ -46,14 +61,7 @@ fn rounded(x: f64, per_unit: f64) -> f64 {
 
 impl<'a> Placed<'a> {
     fn new(trajectory: &'a Trajectory, model: &'a Model, tolerance: f64, format: &str) -> Result<Self, String> {
-        let mission = model.mission.as_ref().ok_or("the spec has no mission")?;
-        let Some(origin) = mission.origin else {
-            return Err(format!(
-                "--format {format} has places on the Earth, and mission `{}` does not say where it is: give its \
-                 `origin_latitude`, `origin_longitude` and `origin_altitude`",
-                mission.name
-            ));
-        };
+        let (mission, origin) = origin(model, format)?;
         let place = Geodetic { latitude: origin.latitude, longitude: origin.longitude, height: origin.altitude };
         Ok(Placed { trajectory, mission, plane: TangentPlane::at(place), tolerance })
     }

@@ -170,6 +170,14 @@ impl Choices {
         Ok(())
     }
 
+    /// Whether the format can carry plans of a model's mission.
+    ///
+    /// # Errors
+    /// It has places on the Earth, and the mission does not say where it is.
+    pub fn fit(&self, model: &Model) -> Result<(), String> {
+        if self.format.is_of_places() { mission::origin(model, self.format.name()).map(drop) } else { Ok(()) }
+    }
+
     fn rate(&self) -> Option<f64> {
         self.rate.or(self.format.default_rate())
     }

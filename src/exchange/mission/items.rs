@@ -15,7 +15,7 @@ pub const CHANGE_SPEED: u16 = 178;
 const LANDED: f64 = 0.5;
 /// The lowest take-off that is one, m.
 const LOWEST: f64 = 0.1;
-/// A leg slower than this share of the speed in force, or faster at all, gets a speed of its own.
+/// A leg of the mission that is slower than this share of the speed in force, or faster at all, gets a speed of its own.
 const SLOWER: f64 = 0.8;
 /// Speeds are rounded up to a tenth; slower legs are vertical or turns.
 const STEP: f64 = 0.1;
@@ -51,6 +51,8 @@ impl Items {
         let lands = lands(placed, &corners);
         let mut all = Vec::new();
         let mut speed: Option<f64> = None;
+        // When the leg of the mission ends for which the speed is known, s.
+        let mut leg_end = f64::NEG_INFINITY;
         let first = if takes_off { up } else { 0 };
         for (k, corner) in corners.iter().enumerate().skip(first) {
             let command = match k {
@@ -58,8 +60,9 @@ impl Items {
                 _ if k == last && lands => LAND,
                 _ => WAYPOINT,
             };
-            if k > first {
-                let most = (fastest(placed, corners[k - 1].time, corner.time) / STEP).ceil() * STEP;
+            if k > first && corner.time > leg_end {
+                leg_end = corners[k..].iter().find(|c| c.waypoint.is_some()).unwrap_or(&corners[last]).time;
+                let most = (fastest(placed, corners[k - 1].time, leg_end) / STEP).ceil() * STEP;
                 if most >= SLOWEST && speed.is_none_or(|speed| most > speed || most < SLOWER * speed) {
                     all.push(Item::Speed(super::rounded(most, 10.0)));
                     speed = Some(most);

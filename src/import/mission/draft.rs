@@ -44,6 +44,15 @@ pub enum Yaw {
     Unsaid,
 }
 
+/// The leg to a waypoint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    Any,
+    Straight,
+    /// Straight up or down.
+    Vertical,
+}
+
 /// A waypoint.
 #[derive(Debug, Clone)]
 pub struct Stop {
@@ -59,8 +68,7 @@ pub struct Stop {
     pub time: Option<f64>,
     /// Seconds at rest, and the item that asks for them.
     pub hold: Option<(f64, Mark)>,
-    /// The way to it is straight up or down.
-    pub is_vertical: bool,
+    pub way: Way,
     /// Comes to rest.
     pub stops: bool,
     pub speeds: Speeds,

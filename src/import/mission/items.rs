@@ -1,6 +1,6 @@
 //! MAVLink's mission items (the commands of `MAV_CMD`, common.xml) as waypoints.
 
-use super::draft::{Draft, Home, Mark, Speeds, Stop, Yaw};
+use super::draft::{Draft, Home, Mark, Speeds, Stop, Way, Yaw};
 use super::{ASSUMED, LEFT_OUT};
 use crate::diagnostic::Diagnostic;
 use crate::geodesy::{Geodetic, TangentPlane};
@@ -50,6 +50,8 @@ struct Follow<'f> {
     found: &'f mut Vec<Diagnostic>,
     /// The item after which nothing more is flown.
     ended: Option<Mark>,
+    /// The last waypoint is of a spline, on which the vehicle leaves too.
+    was_spline: bool,
 }
 
 type Step = Result<(), Box<Diagnostic>>;
@@ -60,7 +62,15 @@ type Step = Result<(), Box<Diagnostic>>;
 /// An item without which the flight would be another one.
 pub fn follow(items: &[Item], setting: &Setting, draft: &mut Draft, found: &mut Vec<Diagnostic>) -> Step {
     let plane = TangentPlane::at(setting.home.place);
-    let mut follow = Follow { setting, plane, speeds: setting.speeds.clone(), stops: Vec::new(), found, ended: None };
+    let mut follow = Follow {
+        setting,
+        plane,
+        speeds: setting.speeds.clone(),
+        stops: Vec::new(),
+        found,
+        ended: None,
+        was_spline: false,
+    };
     for item in items {
         follow.item(item)?;
         if follow.stops.len() > MAX_WAYPOINTS {
@@ -222,7 +232,7 @@ impl Follow<'_> {
             within: None,
             time: None,
             hold: None,
-            is_vertical: false,
+            way: Way::Straight,
             stops: false,
             speeds: self.speeds.clone(),
         });
@@ -244,8 +254,13 @@ impl Follow<'_> {
             return refuse(UNSUPPORTED, &item.spans[0], &message, "too long");
         }
         let remark = if is_waypoint { "" } else { "loiter" };
+        let is_spline = item.command == 82.0;
+        let leaves_spline = std::mem::replace(&mut self.was_spline, is_spline);
         let stop = self.push(item, position, remark);
         (stop.yaw, stop.within) = (yaw, within);
+        if is_spline || leaves_spline {
+            stop.way = Way::Any;
+        }
         stop.hold = hold.map(|seconds| (seconds, item.mark.clone()));
         Ok(())
     }
@@ -278,7 +293,7 @@ impl Follow<'_> {
         let up = self.plane.local(&Geodetic { height: self.plane.place(there).height, ..above })[2];
         let yaw = self.yaw(item);
         let stop = self.push(item, [x, y, up], "take-off");
-        (stop.yaw, stop.is_vertical) = (yaw, true);
+        (stop.yaw, stop.way) = (yaw, Way::Vertical);
         if apart > SAME_PLACE && self.setting.is_ardupilot {
             self.warn(
                 LEFT_OUT,
@@ -307,13 +322,13 @@ impl Follow<'_> {
                 // The vehicle lands below where it is: its own place differs by centimetres of rounding.
                 let [x, y, _] = self.stops[last].position;
                 let stop = self.push(item, [x, y, there[2]], remark);
-                (stop.yaw, stop.is_vertical, stop.stops) = (yaw, true, true);
+                (stop.yaw, stop.way, stop.stops) = (yaw, Way::Vertical, true);
                 return Ok(());
             }
         }
         let is_down = !self.stops.is_empty();
         let stop = self.push(item, there, remark);
-        (stop.yaw, stop.is_vertical, stop.stops) = (yaw, is_down, true);
+        (stop.yaw, stop.way, stop.stops) = (yaw, if is_down { Way::Vertical } else { Way::Any }, true);
         Ok(())
     }
 

@@ -1,7 +1,7 @@
 //! Tables of waypoints, as uav_trajectories reads them: `x,y,z` in metres on each line, or a header that names `x,y,z` and, if it has
 //! them, `heading` (degrees clockwise from +y, the compass heading if y is north) and `t` (seconds).
 
-use super::draft::{Draft, Mark, Speeds, Stop, Yaw};
+use super::draft::{Draft, Mark, Speeds, Stop, Way, Yaw};
 use super::items::refuse;
 use super::wpl::{cells, lines};
 use super::{ASSUMED, LEFT_OUT};
@@ -123,7 +123,7 @@ fn stop(
         within: None,
         time: time.map(|time| time - start),
         hold: None,
-        is_vertical: false,
+        way: Way::Any,
         stops: false,
         speeds: Speeds::default(),
     })

@@ -1,6 +1,6 @@
 //! The text of a spec from a [`Draft`], and the item that each of its lines came from.
 
-use super::draft::{Draft, Mark, Shape, Speeds, Stop, Volume, Yaw};
+use super::draft::{Draft, Mark, Shape, Speeds, Stop, Volume, Way, Yaw};
 use crate::diagnostic::Diagnostic;
 use crate::import::{FORMAT, at};
 use crate::number::fixed;
@@ -13,6 +13,8 @@ const MILLIMETRES: usize = 3;
 const OF_DEGREES: usize = 9;
 /// How far below the lowest and above the highest waypoint a fence reaches, m: a fence of a ground station has no heights.
 const BEYOND: f64 = 1000.0;
+/// Waypoints nearer than this to each other are at one place, m.
+const SHORTEST: f64 = 0.01;
 
 /// A spec and where its lines came from.
 #[derive(Debug, Clone)]
@@ -62,7 +64,8 @@ pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>) -> Result<Wri
     let common = common_speeds(&draft.stops);
     let mut yaw = Yaw::Unsaid;
     for (k, stop) in draft.stops.iter().enumerate() {
-        waypoint(&mut writer, stop, k == 0, &mut yaw, common.is_some());
+        let before = k.checked_sub(1).map(|k| &draft.stops[k]);
+        waypoint(&mut writer, before, stop, &mut yaw, common.is_some());
     }
     for (name, (speed, mark)) in common.iter().flat_map(Speeds::limits) {
         let limits = format!("    limits {{ {name} <= {} m/s }}  // {}", short(*speed, MILLIMETRES), mark.name);
@@ -100,7 +103,8 @@ fn common_speeds(stops: &[Stop]) -> Option<Speeds> {
     (is_one && stops[1..].iter().all(|stop| stop.speeds == *second)).then(|| second.clone())
 }
 
-fn waypoint(writer: &mut Writer, stop: &Stop, is_first: bool, yaw: &mut Yaw, has_common: bool) {
+fn waypoint(writer: &mut Writer, before: Option<&Stop>, stop: &Stop, yaw: &mut Yaw, has_common: bool) {
+    let is_first = before.is_none();
     let [x, y, z] = stop.position.map(|p| short(p, MILLIMETRES));
     let mut line = format!("    {} at [{x}, {y}, {z}] m", if is_first { "start" } else { "waypoint" });
     if *yaw != stop.yaw {
@@ -119,9 +123,13 @@ fn waypoint(writer: &mut Writer, stop: &Stop, is_first: bool, yaw: &mut Yaw, has
     if let Some(time) = stop.time.filter(|_| !is_first) {
         let _ = write!(line, "  time {} s", short(time, OF_DEGREES));
     }
-    if stop.is_vertical && !is_first {
-        line.push_str("  vertical");
-    }
+    line.push_str(match stop.way {
+        // A line needs a length.
+        _ if before.is_none_or(|before| apart(before.position, stop.position) < SHORTEST) => "",
+        Way::Any => "",
+        Way::Straight => "  straight",
+        Way::Vertical => "  vertical",
+    });
     if stop.stops && !is_first {
         line.push_str("  stop");
     }
@@ -139,6 +147,10 @@ fn waypoint(writer: &mut Writer, stop: &Stop, is_first: bool, yaw: &mut Yaw, has
     if let Some((seconds, mark)) = &stop.hold {
         writer.line(&format!("    hold {} s  // {}", short(*seconds, OF_DEGREES), mark.name), Some(mark));
     }
+}
+
+fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
 }
 
 /// Above -180 deg, up to 180 deg.
