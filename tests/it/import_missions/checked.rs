@@ -33,12 +33,7 @@ fn an_item_in_a_fence_is_named_in_the_file() {
     assert_eq!(fine.status.code(), Some(0), "{}", out(&fine));
     let inside = check(&PLAN.replace("47.39777106, 8.5466122", "47.39815, 8.5461"), HEXA);
     assert_eq!(inside.status.code(), Some(1));
-    says(
-        &inside,
-        line_of(2),
-        "error[mavc::volume::waypoint]",
-        "item 2: waypoint 3 is inside `keep_out fence_1`",
-    );
+    says(&inside, line_of(2), "error[mavc::volume::waypoint]", "item 2: waypoint 3 is inside `keep_out fence_1`");
     let outside = check(&PLAN.replace("\"radius\": 150", "\"radius\": 50"), HEXA);
     assert_eq!(outside.status.code(), Some(1));
     let text = out(&outside);
