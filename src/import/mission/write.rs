@@ -109,9 +109,7 @@ fn waypoint(writer: &mut Writer, before: Option<&Stop>, stop: &Stop, yaw: &mut Y
     let mut line = format!("    {} at [{x}, {y}, {z}] m", if is_first { "start" } else { "waypoint" });
     if *yaw != stop.yaw {
         match stop.yaw {
-            Yaw::Angle(degrees) => {
-                write!(line, "  yaw {} deg", short(turned(degrees), MILLIMETRES)).unwrap_or_default()
-            }
+            Yaw::Angle(degrees) => line.push_str(&format!("  yaw {} deg", short(turned(degrees), MILLIMETRES))),
             Yaw::Free => line.push_str("  yaw free"),
             Yaw::Unsaid => {}
         }
