@@ -35,7 +35,7 @@ mod watch;
 use crate::source::visible;
 use arguments::{
     AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, EmitArgs, EmitFormat, FmtArgs, Format,
-    ImportArgs, ImportCommand, PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs,
+    ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs,
 };
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};

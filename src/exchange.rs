@@ -6,4 +6,5 @@ pub mod cdr;
 pub mod flight;
 pub mod frames;
 pub mod mcap;
+pub mod mission;
 pub mod trajectory;

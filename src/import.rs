@@ -3,6 +3,8 @@
 //!
 //! A foreign file is a [`Source`] like a spec, so that every mistake in it is a [`Diagnostic`] with its place.
 
+pub mod json;
+pub mod mission;
 pub mod vehicle;
 
 use crate::diagnostic::{Diagnostic, Severity};

@@ -16,6 +16,7 @@ pub mod explain;
 pub mod flatness;
 pub mod flight;
 pub mod format;
+pub mod geodesy;
 pub mod geometry;
 pub mod import;
 pub mod input;

@@ -32,6 +32,7 @@ mod load;
 mod magnitude;
 mod mission;
 mod near_files;
+mod origin;
 mod overrides;
 mod plan;
 mod plan_settings;
@@ -65,6 +66,7 @@ pub use mission::MAX_WAYPOINTS;
 #[cfg(feature = "lsp")]
 pub(crate) use near_files::is_unfit;
 pub use near_files::{List, entries};
+pub use origin::Origin;
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use plan::{MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH};
 pub use plan_settings::{CaptureHeight, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
@@ -272,6 +274,8 @@ pub struct Mission {
     pub air: Air,
     /// z of the ground, below every waypoint, m, if the spec gives it.
     pub ground: Option<f64>,
+    /// Where `[0, 0, 0] m` is on the Earth, if the spec gives it.
+    pub origin: Option<Origin>,
     pub span: Span,
 }
 

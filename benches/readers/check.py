@@ -6,6 +6,7 @@ import tempfile
 from pathlib import Path
 
 import logs
+import missions
 import players
 import simulators
 import tables
@@ -19,7 +20,7 @@ def main():
     for title, spec, overrides in PLANS:
         with tempfile.TemporaryDirectory() as folder:
             plan = Plan(sys.argv[1], Path(folder), spec, overrides)
-            checks = tables.CHECKS + simulators.CHECKS + logs.CHECKS
+            checks = tables.CHECKS + simulators.CHECKS + logs.CHECKS + missions.CHECKS
             if title == "exact":
                 checks = checks + players.CHECKS + logs.OF_FLIGHTS
             for check in checks:

@@ -110,6 +110,9 @@ pub(super) struct CheckArgs {
     /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input
     #[arg(required = true, value_name = "SPEC")]
     pub specs: Vec<String>,
+    /// Check missions of ground stations (`mavc import mission`) with the vehicle of this spec, which has no mission of its own
+    #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
+    pub vehicle: Option<String>,
     /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
     #[arg(long = "set", value_name = "FIELD=VALUE", value_hint = clap::ValueHint::Other)]
     pub set: Vec<String>,
@@ -174,8 +177,8 @@ pub(super) struct PlanArgs {
     /// down and forward, right, down
     #[arg(long, value_name = "FRAME", requires = "output", value_parser = FRAMES)]
     pub frame: Option<String>,
-    /// Refit the trajectory of the format crazyflie within this error of position (as radians, of yaw), such as 5mm; 1cm without
-    /// this
+    /// Refit the trajectory of the format crazyflie within this error of position (as radians, of yaw), such as 5mm, 1cm without
+    /// this; or keep straight lines within it of the plan: 50cm for qgc-plan and wpl, 10cm for kml and geojson
     #[arg(long, value_name = "LENGTH", requires = "output", value_hint = clap::ValueHint::Other)]
     pub tolerance: Option<String>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
@@ -289,6 +292,17 @@ impl EmitArgs {
 pub(super) enum ImportCommand {
     /// A vehicle: PX4 parameters or airframe script, ArduPilot parameters, URDF, SDF or MJCF
     Vehicle(ImportArgs),
+    /// A mission: a plan of QGroundControl, a mission of MAVLink (`QGC WPL 110`) or a table of waypoints
+    Mission(ImportMissionArgs),
+}
+
+#[derive(Args)]
+pub(super) struct ImportMissionArgs {
+    #[command(flatten)]
+    pub import: ImportArgs,
+    /// Begin the spec with `use` of this one, which has the vehicle
+    #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
+    pub vehicle: Option<PathBuf>,
 }
 
 #[derive(Args)]

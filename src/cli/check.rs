@@ -1,13 +1,11 @@
 //! `mavc check`: checks specs, once or with `--watch` again and again.
 
+mod reading;
 mod tally;
 
-use super::progress::Watch;
-use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs};
-use super::{files, spec, specs, usage, watch};
-use crate::diagnostic::sort;
-use crate::model::FlightBlocks;
-use crate::pipeline::{check, defaults_text, is_intolerable};
+use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS};
+use super::{files, specs, usage, watch};
+use crate::pipeline::{defaults_text, is_intolerable};
 use std::path::Path;
 use tally::{Count, Tally};
 
@@ -47,13 +45,8 @@ pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, Problem> {
 
 /// Checks one spec.
 fn one(name: &str, args: &CheckArgs, options: &Options, tally: &mut Tally) -> Result<u8, Problem> {
-    let args_of_spec = SpecArgs { spec: name.into(), set: args.set.clone() };
-    let (spec, mut findings) = spec::read(&args_of_spec, FlightBlocks::Used, &Watch::new(options))?;
+    let (spec, mut findings) = reading::read(name, args, options)?;
     tally.used.extend(findings.files.names());
-    if let Some(spec) = &spec {
-        findings.diagnostics.extend(check(spec));
-        sort(&mut findings.diagnostics);
-    }
     let count = Count::of(&findings.diagnostics);
     let is_denied = args.deny == Some(Deny::Warnings) && count.warnings > 0;
     let code = match count.errors {

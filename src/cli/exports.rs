@@ -4,6 +4,7 @@ use super::results::{Results, is_folder};
 use super::{Options, PlanArgs, Problem, files, rate};
 use crate::exchange::frames::Frame;
 use crate::exchange::trajectory::{Choices, FORMATS, Format, bag_metadata, write};
+use crate::model::Model;
 use crate::motion::Trajectory;
 use crate::pipeline::Task;
 use std::path::Path;
@@ -38,6 +39,11 @@ impl<'a> Export<'a> {
     /// The file, unless the trajectory is written into a folder.
     pub fn file(&self) -> Option<&'a Path> {
         self.output.filter(|_| !self.is_bag)
+    }
+
+    /// Whether the format can carry plans of this model; known before anything is planned.
+    pub fn fits(&self, model: &Model) -> Result<(), Problem> {
+        self.choices.fit(model)
     }
 
     /// Takes the trajectory as a result.

@@ -1,18 +1,24 @@
 //! `mavc import`: writes a spec from the file of another tool.
 
+mod beside;
+
 use super::spec::{human, shown};
 use super::target::{Target, write};
-use super::{FINE, ImportArgs, ImportCommand, Options, Problem, SPEC_ERRORS, files};
+use super::{FINE, ImportArgs, ImportCommand, ImportMissionArgs, Options, Problem, SPEC_ERRORS, files};
 use crate::diagnostic::Severity;
-use crate::import::{Imported, MAX_BYTES, vehicle};
+use crate::import::{Imported, MAX_BYTES, mission, vehicle};
 
 pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, Problem> {
     match what {
         ImportCommand::Vehicle(args) => one(args, vehicle::import, options),
+        ImportCommand::Mission(ImportMissionArgs { import, vehicle }) => {
+            let used = vehicle.as_deref().map(|path| beside::relative(path, import.output.as_deref())).transpose()?;
+            one(import, |name, bytes| mission::import(name, bytes, used.as_deref()), options)
+        }
     }
 }
 
-fn one(args: &ImportArgs, read: fn(&str, &[u8]) -> Imported, options: &Options) -> Result<u8, Problem> {
+fn one(args: &ImportArgs, read: impl Fn(&str, &[u8]) -> Imported, options: &Options) -> Result<u8, Problem> {
     let target = args.output.as_deref().map(Target::new).transpose()?;
     if let Some(target) = &target {
         target.must_spare([args.file.as_str()])?;

@@ -30,6 +30,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         Start::Refused => return places.refuse(spec.as_ref(), &findings, options),
         Start::Ended(code) => return Ok(code),
     };
+    export.fits(task.model())?;
     let planning = task.plan(&watch);
     let explained = task.explain(&planning, &watch).map_err(|e| e.to_string())?;
     let mut results = Results::new(&places);

@@ -14,6 +14,7 @@ mod rotorpy;
 mod rows;
 
 use super::frames::Frame;
+use super::mission;
 use crate::model::Model;
 use crate::motion::Trajectory;
 use crate::number::{number, shortest};
@@ -44,10 +45,16 @@ pub enum Format {
     GymPybulletDrones,
     /// A ROS 2 bag with a `MultiDOFJointTrajectory`.
     Rosbag2,
+    /// A plan of QGroundControl.
+    QgcPlan,
+    /// A mission of MAVLink in plain text.
+    Wpl,
+    Kml,
+    GeoJson,
 }
 
 /// Every format with its name.
-pub const FORMATS: [(Format, &str); 10] = [
+pub const FORMATS: [(Format, &str); 14] = [
     (Format::Csv, "csv"),
     (Format::Rows, "rows"),
     (Format::Px4, "px4"),
@@ -58,6 +65,10 @@ pub const FORMATS: [(Format, &str); 10] = [
     (Format::Rotorpy, "rotorpy"),
     (Format::GymPybulletDrones, "gym-pybullet-drones"),
     (Format::Rosbag2, "rosbag2"),
+    (Format::QgcPlan, "qgc-plan"),
+    (Format::Wpl, "wpl"),
+    (Format::Kml, "kml"),
+    (Format::GeoJson, "geojson"),
 ];
 
 /// How a trajectory is written. `None` is the default of the format.
@@ -67,7 +78,7 @@ pub struct Choices {
     /// Rows per second, Hz.
     pub rate: Option<f64>,
     pub frame: Option<Frame>,
-    /// Largest error of refitted positions, m.
+    /// Largest error of refitted positions, or distance from straight lines, m.
     pub tolerance: Option<f64>,
 }
 
@@ -107,6 +118,11 @@ impl Format {
         matches!(self, Format::Crazyflie | Format::MavTrajectoryGeneration | Format::Rotorpy)
     }
 
+    /// Whether it consists of straight lines between places on the Earth.
+    fn is_of_places(self) -> bool {
+        matches!(self, Format::QgcPlan | Format::Wpl | Format::Kml | Format::GeoJson)
+    }
+
     /// Whether its frames can be chosen.
     fn has_frames(self) -> bool {
         matches!(self, Format::Csv | Format::Rows)
@@ -128,6 +144,11 @@ impl Choices {
     /// One of them means nothing for the format.
     pub fn check(&self) -> Result<(), String> {
         let name = self.format.name();
+        if self.format.is_of_places() && (self.frame.is_some() || self.rate.is_some()) {
+            return Err(format!(
+                "--format {name} has places on the Earth instead of rows: leave --frame and --rate out"
+            ));
+        }
         if self.frame.is_some() && !self.format.has_frames() {
             let fixed = match self.format.fixed_frame() {
                 Frame::EnuFlu => "east, north, up and forward, left, up",
@@ -140,12 +161,21 @@ impl Choices {
         if self.rate.is_some() && self.format.is_of_pieces() {
             return Err(format!("--format {name} has polynomials instead of rows: leave --rate out"));
         }
-        if self.tolerance.is_some() && self.format != Format::Crazyflie {
+        if self.tolerance.is_some() && self.format != Format::Crazyflie && !self.format.is_of_places() {
             return Err(format!(
-                "--format {name} does not refit the trajectory: leave --tolerance out, which is for crazyflie"
+                "--format {name} does not refit the trajectory: leave --tolerance out, which is for crazyflie, qgc-plan, wpl, \
+                 kml and geojson"
             ));
         }
         Ok(())
+    }
+
+    /// Whether the format can carry plans of a model's mission.
+    ///
+    /// # Errors
+    /// It has places on the Earth, and the mission does not say where it is.
+    pub fn fit(&self, model: &Model) -> Result<(), String> {
+        if self.format.is_of_places() { mission::origin(model, self.format.name()).map(drop) } else { Ok(()) }
     }
 
     fn rate(&self) -> Option<f64> {
@@ -176,6 +206,10 @@ pub fn write(trajectory: &Trajectory, model: &Model, choices: &Choices) -> Resul
         Format::Rotorpy => Ok(rotorpy::text(&plan).into()),
         Format::GymPybulletDrones => gym_pybullet_drones::text(&plan, choices).map(Into::into),
         Format::Rosbag2 => rosbag2::mcap(&plan, choices).map(|bytes| Written { bytes, remark: None }),
+        Format::QgcPlan => mission::qgc_plan(trajectory, model, choices.tolerance),
+        Format::Wpl => mission::wpl(trajectory, model, choices.tolerance),
+        Format::Kml => mission::kml(trajectory, model, choices.tolerance),
+        Format::GeoJson => mission::geojson(trajectory, model, choices.tolerance),
     }
 }
 

@@ -261,6 +261,11 @@ group! {
     GROUND "ground", Quantity("m", Any), Otherwise("unknown"),
         "the height of the ground, below every waypoint. [`require capture_height`](#capture-height) counts from it, and flights \
          have it unless `simulate` gives another";
+    ORIGIN_LATITUDE "origin_latitude", Quantity("deg", Any), Otherwise("unknown"),
+        "the latitude of the point `[0, 0, 0] m` on the ellipsoid WGS 84, north positive; needs the other two. Missions for \
+         [ground stations](missions.md) are written from it, and it changes no plan";
+    ORIGIN_LONGITUDE "origin_longitude", Quantity("deg", Any), Otherwise("unknown"), "its longitude, east positive";
+    ORIGIN_ALTITUDE "origin_altitude", Quantity("m", Any), Otherwise("unknown"), "its height above mean sea level";
 }
 
 group! {

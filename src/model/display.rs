@@ -7,10 +7,10 @@ use super::CaptureHeight;
 use super::GiveUpYaw;
 use super::Heading;
 use super::{
-    AfterFault, Air, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, PlanRotors,
-    STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
+    AfterFault, Air, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Origin, Plan,
+    PlanRotors, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
 };
-use crate::number::number;
+use crate::number::{fixed, number};
 
 /// Degrees of an angle in radians.
 fn degrees(angle: f64) -> String {
@@ -244,6 +244,10 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
     }
     if let Some(ground) = m.ground {
         writeln!(f, "  ground {} m", number(ground))?;
+    }
+    if let Some(Origin { latitude, longitude, altitude }) = m.origin {
+        let [north, east] = [latitude, longitude].map(|angle| fixed(angle.to_degrees(), 7));
+        writeln!(f, "  origin at latitude {north} deg, longitude {east} deg, altitude {} m", number(altitude))?;
     }
     if *density_ratio != 1.0 {
         writeln!(f, "  density {} kg/m^3", number(density_ratio * STANDARD_DENSITY))?;

@@ -15,7 +15,7 @@ use super::fields::Fields;
 use super::grid::Spacing;
 use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
-use super::{Air, Heading, Mission, Waypoint, air, edits, heading, limits, sense, survey, volume};
+use super::{Air, Heading, Mission, Waypoint, air, edits, heading, limits, origin, sense, survey, volume};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::curve_head::POINTS;
@@ -249,7 +249,8 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     limits::check(cx, &limits, &route.waypoints, &numbers, sure);
     route.broken |= !in_order;
     let ground = ground(cx, &fields, &route);
-    route.broken |= ground.is_none();
+    let origin = origin::read(cx, &fields);
+    route.broken |= ground.is_none() || origin.is_none();
     let legs = shares(&route.waypoints, &route.curves, manner.timing);
     let air = air.filter(|_| limits_whole && volumes_whole && !route.broken);
     let mission = air.map(|air| Mission {
@@ -264,6 +265,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         volumes,
         air,
         ground: ground.flatten(),
+        origin: origin.flatten(),
         span,
     });
     Outline { name, span, mission, yaw_defaulted }

@@ -23,6 +23,7 @@ mod formatting;
 mod geometry_properties;
 mod hostile;
 mod idle_rotors;
+mod import_missions;
 mod import_vehicles;
 mod intervals;
 mod keep_volumes;

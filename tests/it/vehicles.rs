@@ -144,6 +144,7 @@ pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
         end_at_rest: true,
         limits: Vec::new(),
         volumes: Vec::new(),
+        origin: None,
         ground: None,
         air: Air::still(Span::default()),
         span: Span::default(),

@@ -1,0 +1,439 @@
+//! MAVLink's mission items (the commands of `MAV_CMD`, common.xml) as waypoints.
+
+use super::draft::{Draft, Home, Mark, Speeds, Stop, Way, Yaw};
+use super::{ASSUMED, LEFT_OUT};
+use crate::diagnostic::Diagnostic;
+use crate::geodesy::{Geodetic, TangentPlane};
+use crate::import::{SYNTAX, UNSUPPORTED, at};
+use crate::model::MAX_WAYPOINTS;
+use crate::number::number;
+use std::ops::Range;
+
+/// An item as the file has it.
+#[derive(Debug, Clone)]
+pub struct Item {
+    pub mark: Mark,
+    pub command: f64,
+    pub command_span: Range<usize>,
+    /// `MAV_FRAME`
+    pub frame: f64,
+    pub frame_span: Range<usize>,
+    /// Parameters 1 to 7; `None` for what the file leaves open (NaN or null).
+    pub params: [Option<f64>; 7],
+    pub spans: [Range<usize>; 7],
+    /// Height above mean sea level that the ground station computed from the terrain, m.
+    pub above_sea: Option<f64>,
+}
+
+/// What holds for all items of a file.
+pub struct Setting {
+    pub home: Home,
+    /// The autopilot is ArduPilot: a yaw of 0 is none.
+    pub is_ardupilot: bool,
+    /// Speeds before the first item.
+    pub speeds: Speeds,
+}
+
+/// How far an item may be from home, m: the bound of a spec, less what rounding adds.
+const FARTHEST: f64 = 999e3;
+/// Heights of items, m.
+const HEIGHTS: (f64, f64) = (-10e3, 100e3);
+/// A take-off or landing nearer than this to the place above or below it is vertical, m.
+const SAME_PLACE: f64 = 0.5;
+
+/// The state while items are followed.
+struct Follow<'f> {
+    setting: &'f Setting,
+    plane: TangentPlane,
+    speeds: Speeds,
+    stops: Vec<Stop>,
+    found: &'f mut Vec<Diagnostic>,
+    /// The item after which nothing more is flown.
+    ended: Option<Mark>,
+    /// The last waypoint is of a spline, on which the vehicle leaves too.
+    was_spline: bool,
+}
+
+type Step = Result<(), Box<Diagnostic>>;
+
+/// Adds the waypoints of the items to the draft; items that a spec cannot say are left out with a warning in `found`.
+///
+/// # Errors
+/// An item without which the flight would be another one.
+pub fn follow(items: &[Item], setting: &Setting, draft: &mut Draft, found: &mut Vec<Diagnostic>) -> Step {
+    let plane = TangentPlane::at(setting.home.place);
+    let mut follow = Follow {
+        setting,
+        plane,
+        speeds: setting.speeds.clone(),
+        stops: Vec::new(),
+        found,
+        ended: None,
+        was_spline: false,
+    };
+    for item in items {
+        follow.item(item)?;
+        if follow.stops.len() > MAX_WAYPOINTS {
+            let error = Diagnostic::error(UNSUPPORTED, at(item.mark.span.clone()), "the mission has too many items");
+            let error = error.here(format!("a mission may have at most {MAX_WAYPOINTS} waypoints"));
+            return Err(Box::new(error.help("divide it into several missions")));
+        }
+    }
+    draft.stops = follow.stops;
+    Ok(())
+}
+
+impl Follow<'_> {
+    fn item(&mut self, item: &Item) -> Step {
+        if let Some(end) = &self.ended {
+            let message = format!("{} comes after {}, which ends the mission", item.mark.name, end.name);
+            let warning = Diagnostic::warning(LEFT_OUT, at(item.mark.span.clone()), message);
+            self.found.push(warning.here("left out").also(at(end.span.clone()), "ends the mission"));
+            return Ok(());
+        }
+        if item.command.fract() != 0.0 || !(0.0..=65535.0).contains(&item.command) {
+            return refuse(
+                SYNTAX,
+                &item.command_span,
+                "`command` must be a whole number from 0 to 65535",
+                "no command",
+            );
+        }
+        match item.command as u32 {
+            16 => self.waypoint(item, item.params[0]),
+            82 => {
+                self.warn(
+                    ASSUMED,
+                    item,
+                    "a spline becomes a waypoint: mavc plans its own curve through it",
+                    "a spline",
+                );
+                self.waypoint(item, item.params[0])
+            }
+            17 => {
+                self.waypoint(item, None)?;
+                self.ended = Some(item.mark.clone());
+                Ok(())
+            }
+            19 => self.waypoint(item, item.params[0]),
+            93 => self.delay(item),
+            20 => self.back_home(item),
+            21 => self.land(item),
+            22 => self.take_off(item),
+            178 => self.speed(item),
+            177 if item.params[1] == Some(0.0) => Ok(()),
+            other => self.other(item, other),
+        }
+    }
+
+    fn warn(&mut self, code: &'static str, item: &Item, message: &str, here: &str) {
+        let message = format!("{}: {message}", item.mark.name);
+        self.found.push(Diagnostic::warning(code, at(item.mark.span.clone()), message).here(here));
+    }
+
+    /// A command that this module does not follow.
+    fn other(&mut self, item: &Item, command: u32) -> Step {
+        let name = NAMES.iter().find(|(number, _)| *number == command).map_or("", |(_, name)| *name);
+        let named = if name.is_empty() { String::new() } else { format!(" ({name})") };
+        if is_flight(command) {
+            let message = format!("{}: a spec has no word for command {command}{named}", item.mark.name);
+            return refuse(UNSUPPORTED, &item.command_span, &message, "changes where the vehicle flies");
+        }
+        let message = format!("command {command}{named} is left out: it does not change where the vehicle flies");
+        self.warn(LEFT_OUT, item, &message, "left out");
+        Ok(())
+    }
+
+    /// The position of an item; of latitude and longitude both open or both 0, the present ones.
+    fn position(&mut self, item: &Item) -> Result<[f64; 3], Box<Diagnostic>> {
+        let (latitude, longitude) = (item.params[4], item.params[5]);
+        let height = self.height(item)?;
+        let is_open = |x: Option<f64>| x.is_none_or(|x| x == 0.0);
+        let [x, y] = match self.stops.last() {
+            Some(last) => [last.position[0], last.position[1]],
+            None => [0.0; 2],
+        };
+        if is_open(latitude) && is_open(longitude) {
+            let above = self.plane.place([x, y, 0.0]);
+            let z = self.plane.local(&Geodetic { height, ..above })[2];
+            return Ok([x, y, z]);
+        }
+        let place = place([latitude, longitude], height, [&item.spans[4], &item.spans[5]])?;
+        let position = self.plane.local(&place);
+        if position.iter().any(|p| p.abs() > FARTHEST) {
+            let far = position.iter().fold(0.0, |sum, p| sum + p * p).sqrt();
+            let message = format!("{} is {} km from the planned home", item.mark.name, number(far / 1e3));
+            let error = Diagnostic::error(UNSUPPORTED, at(item.mark.span.clone()), message).here("too far for a spec");
+            let error = error.also(at(self.setting.home.span.clone()), "the planned home");
+            return Err(Box::new(error.help("correct the home: a spec reaches 1000 km from its origin")));
+        }
+        Ok(position)
+    }
+
+    /// Height above the ellipsoid, by the item's frame, m.
+    fn height(&mut self, item: &Item) -> Result<f64, Box<Diagnostic>> {
+        let home = self.setting.home.place.height;
+        let given = item.params[6];
+        let height = match (item.frame, given) {
+            (0.0 | 5.0, Some(height)) => height,
+            (3.0 | 6.0, Some(height)) => home + height,
+            (10.0 | 11.0, Some(_)) => match item.above_sea {
+                Some(height) => {
+                    let message = format!(
+                        "its height is over the terrain; the ground station computed {} m above mean sea level",
+                        number(height)
+                    );
+                    self.warn(ASSUMED, item, &message, "a spec does not know the terrain");
+                    height
+                }
+                None => {
+                    let message =
+                        format!("{}: its height is over the terrain, which the file does not give", item.mark.name);
+                    return refuse(UNSUPPORTED, &item.frame_span, &message, "a frame of the terrain");
+                }
+            },
+            // Where it is left open, the present height.
+            (0.0 | 2.0 | 3.0 | 5.0 | 6.0 | 10.0 | 11.0, _) => {
+                let last = self.stops.last().map_or([0.0; 3], |stop| stop.position);
+                self.plane.place(last).height
+            }
+            _ => {
+                let message = format!("{}: a spec has no word for frame {}", item.mark.name, number(item.frame));
+                return refuse(UNSUPPORTED, &item.frame_span, &message, "not a frame of heights above sea or home");
+            }
+        };
+        if !(HEIGHTS.0..=HEIGHTS.1).contains(&height) {
+            let message =
+                format!("{}: {} m above mean sea level is no height to fly at", item.mark.name, number(height));
+            return refuse(SYNTAX, &item.spans[6], &message, "too high or too low");
+        }
+        if height < home - 0.01 && matches!(item.command, 16.0 | 19.0 | 82.0) {
+            let message = format!("it is {} m below the planned home: is there a valley?", number(home - height));
+            self.warn(ASSUMED, item, &message, "below the ground at home");
+        }
+        Ok(height)
+    }
+
+    /// The yaw of an item, whose parameter 4 is a heading in degrees clockwise from north.
+    fn yaw(&self, item: &Item) -> Yaw {
+        match item.params[3] {
+            // ArduPilot takes no yaw from a waypoint, and its ground stations write 0.
+            Some(heading) if !(self.setting.is_ardupilot && heading == 0.0) => Yaw::Angle(90.0 - heading),
+            _ => Yaw::Free,
+        }
+    }
+
+    fn push(&mut self, item: &Item, position: [f64; 3], remark: &'static str) -> &mut Stop {
+        self.stops.push(Stop {
+            mark: item.mark.clone(),
+            remark,
+            position,
+            yaw: Yaw::Free,
+            within: None,
+            time: None,
+            hold: None,
+            way: Way::Straight,
+            stops: false,
+            speeds: self.speeds.clone(),
+        });
+        let last = self.stops.len() - 1;
+        &mut self.stops[last]
+    }
+
+    /// A waypoint, spline or loiter: parameter 1 the seconds at rest, 2 the radius of acceptance of a waypoint.
+    fn waypoint(&mut self, item: &Item, hold: Option<f64>) -> Step {
+        let position = self.position(item)?;
+        let is_waypoint = matches!(item.command, 16.0 | 82.0);
+        let yaw = if item.command == 16.0 { self.yaw(item) } else { Yaw::Free };
+        if is_waypoint && item.params[2].is_some_and(|radius| radius != 0.0) {
+            self.warn(LEFT_OUT, item, "parameter 3, by which it is passed at a distance, is left out", "left out");
+        }
+        let (hold, within) = (hold.filter(|s| *s > 0.0), item.params[1].filter(|r| is_waypoint && *r > 0.0));
+        if let Some(seconds) = hold.filter(|s| *s > 1e5) {
+            let message = format!("{}: a spec holds at most 100,000 s, not {} s", item.mark.name, number(seconds));
+            return refuse(UNSUPPORTED, &item.spans[0], &message, "too long");
+        }
+        let remark = if is_waypoint { "" } else { "loiter" };
+        let is_spline = item.command == 82.0;
+        let leaves_spline = std::mem::replace(&mut self.was_spline, is_spline);
+        let stop = self.push(item, position, remark);
+        (stop.yaw, stop.within) = (yaw, within);
+        if is_spline || leaves_spline {
+            stop.way = Way::Any;
+        }
+        stop.hold = hold.map(|seconds| (seconds, item.mark.clone()));
+        Ok(())
+    }
+
+    fn delay(&mut self, item: &Item) -> Step {
+        let Some(seconds) = item.params[0].filter(|s| *s > 0.0 && *s <= 1e5) else {
+            let message = format!("{}: a delay until a time of day depends on when the flight starts", item.mark.name);
+            return refuse(UNSUPPORTED, &item.spans[0], &message, "no number of seconds");
+        };
+        match self.stops.last_mut() {
+            Some(last) => {
+                let before = last.hold.take().map_or(0.0, |(before, _)| before);
+                last.hold = Some((before + seconds, item.mark.clone()));
+            }
+            None => self.warn(LEFT_OUT, item, "a delay before the vehicle has taken off is left out", "left out"),
+        }
+        Ok(())
+    }
+
+    /// The planned home as the start, straight up, and on to the item's place.
+    fn take_off(&mut self, item: &Item) -> Step {
+        if self.stops.is_empty() {
+            let home = Mark { name: "planned home".into(), span: self.setting.home.span.clone() };
+            self.push(item, [0.0; 3], "").mark = home;
+        }
+        let [x, y] = self.stops.last().map_or([0.0; 2], |last| [last.position[0], last.position[1]]);
+        let there = self.position(item)?;
+        let apart = (there[0] - x).hypot(there[1] - y);
+        let above = self.plane.place([x, y, 0.0]);
+        let up = self.plane.local(&Geodetic { height: self.plane.place(there).height, ..above })[2];
+        let yaw = self.yaw(item);
+        let stop = self.push(item, [x, y, up], "take-off");
+        (stop.yaw, stop.way) = (yaw, Way::Vertical);
+        if apart > SAME_PLACE && self.setting.is_ardupilot {
+            self.warn(
+                LEFT_OUT,
+                item,
+                "ArduPilot takes off straight up: latitude and longitude are left out",
+                "left out",
+            );
+        } else if apart > SAME_PLACE {
+            self.push(item, there, "to the place of the take-off").yaw = yaw;
+        }
+        Ok(())
+    }
+
+    /// To above the place at the present height, and straight down.
+    fn land(&mut self, item: &Item) -> Step {
+        let there = self.position(item)?;
+        self.down(item, there, self.yaw(item), "land")
+    }
+
+    fn down(&mut self, item: &Item, there: [f64; 3], yaw: Yaw, remark: &'static str) -> Step {
+        if let Some(last) = self.stops.last().map(|stop| stop.position) {
+            if (there[0] - last[0]).hypot(there[1] - last[1]) > SAME_PLACE {
+                self.push(item, [there[0], there[1], last[2]], "to above the landing").yaw = yaw;
+            } else {
+                let last = self.stops.len() - 1;
+                // The vehicle lands below where it is: its own place differs by centimetres of rounding.
+                let [x, y, _] = self.stops[last].position;
+                let stop = self.push(item, [x, y, there[2]], remark);
+                (stop.yaw, stop.way, stop.stops) = (yaw, Way::Vertical, true);
+                return Ok(());
+            }
+        }
+        let is_down = !self.stops.is_empty();
+        let stop = self.push(item, there, remark);
+        (stop.yaw, stop.way, stop.stops) = (yaw, if is_down { Way::Vertical } else { Way::Any }, true);
+        Ok(())
+    }
+
+    fn back_home(&mut self, item: &Item) -> Step {
+        let message =
+            "the height of the return is a parameter of the autopilot; the spec returns at the present height";
+        self.warn(ASSUMED, item, message, "no height given");
+        self.down(item, [0.0; 3], Yaw::Free, "land at home")?;
+        self.ended = Some(item.mark.clone());
+        Ok(())
+    }
+
+    /// Parameter 1 the kind of speed (0 air, 1 ground, 2 climb, 3 descent), 2 the speed, m/s; -1 no change, -2 the default.
+    fn speed(&mut self, item: &Item) -> Step {
+        let kind = match item.params[0].unwrap_or(0.0) {
+            0.0 | 1.0 => &mut self.speeds.horizontal,
+            2.0 => &mut self.speeds.climb,
+            3.0 => &mut self.speeds.descent,
+            _ => return refuse(SYNTAX, &item.spans[0], "the kind of a speed is 0 to 3", "no kind of speed"),
+        };
+        match item.params[1] {
+            None | Some(-1.0) => {}
+            Some(-2.0) => *kind = None,
+            Some(speed) if speed > 0.0 => *kind = Some((speed, item.mark.clone())),
+            Some(_) => return refuse(SYNTAX, &item.spans[1], "a speed must be above zero", "not above zero"),
+        }
+        Ok(())
+    }
+}
+
+pub(super) fn refuse<T>(
+    code: &'static str,
+    span: &Range<usize>,
+    message: &str,
+    here: &str,
+) -> Result<T, Box<Diagnostic>> {
+    let help = match code {
+        UNSUPPORTED => "take the item out of the mission, or write this part of the spec by hand",
+        _ => "correct it in the ground station, and write the file again",
+    };
+    Err(Box::new(Diagnostic::error(code, at(span.clone()), message).here(here).help(help)))
+}
+
+/// A place from degrees; `spans` are those of latitude and longitude.
+pub fn place(degrees: [Option<f64>; 2], height: f64, spans: [&Range<usize>; 2]) -> Result<Geodetic, Box<Diagnostic>> {
+    let mut values = [0.0; 2];
+    for (k, (name, most)) in [("latitude", 90.0), ("longitude", 180.0)].into_iter().enumerate() {
+        match degrees[k].filter(|x| x.abs() <= most) {
+            Some(x) => values[k] = x,
+            None => {
+                let message = format!("a {name} must be between -{most} and {most} degrees");
+                return refuse(SYNTAX, spans[k], &message, &format!("no {name}"));
+            }
+        }
+    }
+    Ok(Geodetic::degrees(values[0], values[1], height))
+}
+
+/// Whether leaving a command out would change the flight: `MAV_CMD_NAV_*` below the marker 95 without the region of interest 80,
+/// fences and rally points, jumps, modes, a new home, and those that stop or redirect a mission.
+fn is_flight(command: u32) -> bool {
+    command <= 94 && command != 80
+        || matches!(command, 176 | 177 | 179 | 185 | 192 | 193 | 213 | 252 | 300 | 3000 | 3001 | 4501 | 5000..=5004)
+}
+
+/// Names of commands that missions have often (common.xml of MAVLink).
+const NAMES: &[(u32, &str)] = &[
+    (18, "NAV_LOITER_TURNS"),
+    (23, "NAV_LAND_LOCAL"),
+    (24, "NAV_TAKEOFF_LOCAL"),
+    (25, "NAV_FOLLOW"),
+    (30, "NAV_CONTINUE_AND_CHANGE_ALT"),
+    (31, "NAV_LOITER_TO_ALT"),
+    (80, "NAV_ROI"),
+    (81, "NAV_PATHPLANNING"),
+    (83, "NAV_ALTITUDE_WAIT"),
+    (84, "NAV_VTOL_TAKEOFF"),
+    (85, "NAV_VTOL_LAND"),
+    (92, "NAV_GUIDED_ENABLE"),
+    (94, "NAV_PAYLOAD_PLACE"),
+    (112, "CONDITION_DELAY"),
+    (114, "CONDITION_DISTANCE"),
+    (115, "CONDITION_YAW"),
+    (176, "DO_SET_MODE"),
+    (177, "DO_JUMP"),
+    (179, "DO_SET_HOME"),
+    (181, "DO_SET_RELAY"),
+    (183, "DO_SET_SERVO"),
+    (189, "DO_LAND_START"),
+    (192, "DO_REPOSITION"),
+    (193, "DO_PAUSE_CONTINUE"),
+    (195, "DO_SET_ROI_LOCATION"),
+    (197, "DO_SET_ROI_NONE"),
+    (201, "DO_SET_ROI"),
+    (203, "DO_DIGICAM_CONTROL"),
+    (205, "DO_MOUNT_CONTROL"),
+    (206, "DO_SET_CAM_TRIGG_DIST"),
+    (211, "DO_GRIPPER"),
+    (213, "NAV_SET_YAW_SPEED"),
+    (530, "SET_CAMERA_MODE"),
+    (531, "SET_CAMERA_ZOOM"),
+    (1000, "DO_GIMBAL_MANAGER_PITCHYAW"),
+    (2000, "IMAGE_START_CAPTURE"),
+    (2001, "IMAGE_STOP_CAPTURE"),
+    (2500, "VIDEO_START_CAPTURE"),
+    (2501, "VIDEO_STOP_CAPTURE"),
+    (3000, "DO_VTOL_TRANSITION"),
+];

@@ -1,0 +1,130 @@
+//! MAVLink's plain text of missions, `QGC WPL 110`: a line for each item with twelve columns between tabs or blanks, the first of which
+//! is the planned home.
+
+use super::draft::{Draft, Home, Mark, Speeds};
+use super::items::{Item, Setting, follow, place, refuse};
+use crate::diagnostic::Diagnostic;
+use crate::import::{FORMAT, SYNTAX, UNSUPPORTED};
+use crate::source::Source;
+use std::ops::Range;
+
+type Read<T> = Result<T, Box<Diagnostic>>;
+
+const COLUMNS: usize = 12;
+/// Lines beyond this are no mission.
+const MOST_LINES: usize = 100_000;
+
+pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
+    let mut lines = lines(&source.text).filter(|(text, _)| !text.trim().is_empty());
+    let (head, span) = lines.next().unwrap_or(("", 0..0));
+    let words: Vec<&str> = head.split_whitespace().collect();
+    if words != ["QGC", "WPL", "110"] {
+        return refuse(FORMAT, &span, "only version 110 of this format has the planned home", "not `QGC WPL 110`");
+    }
+    let mut items = Vec::new();
+    for (k, (text, span)) in lines.enumerate() {
+        if k >= MOST_LINES {
+            return refuse(
+                UNSUPPORTED,
+                &span,
+                &format!("the file has more than {MOST_LINES} items"),
+                "the first too many",
+            );
+        }
+        if !text.trim_start().starts_with('#') {
+            items.push(item(text, span)?);
+        }
+    }
+    let Some((first, rest)) = items.split_first() else {
+        return refuse(SYNTAX, &span, "the file has no items", "nothing follows");
+    };
+    let home = home(first)?;
+    let mut draft =
+        Draft { format: "a mission of MAVLink (`QGC WPL 110`)", home: Some(home.clone()), ..Draft::default() };
+    // Files of this format are ArduPilot's: its ground stations write 0 for a yaw that is not given.
+    follow(rest, &Setting { home, is_ardupilot: true, speeds: Speeds::default() }, &mut draft, found)?;
+    if draft.stops.len() < 2 {
+        return refuse(
+            UNSUPPORTED,
+            &first.mark.span,
+            "the mission has fewer than two places to fly to",
+            "the planned home",
+        );
+    }
+    Ok(draft)
+}
+
+/// Lines with their places, without their ends.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (&str, Range<usize>)> {
+    let mut start = 0;
+    text.split_inclusive('\n').map(move |line| {
+        let at = start;
+        start += line.len();
+        let line = line.trim_end_matches(['\n', '\r']);
+        (line, at..at + line.len())
+    })
+}
+
+/// The pieces of a line with their places.
+pub(super) fn cells(
+    line: &str,
+    start: usize,
+    is_between: fn(char) -> bool,
+) -> impl Iterator<Item = (&str, Range<usize>)> {
+    line.split(is_between).map(move |cell| {
+        let offset = start + (cell.as_ptr() as usize - line.as_ptr() as usize);
+        (cell, offset..offset + cell.len())
+    })
+}
+
+fn home(item: &Item) -> Read<Home> {
+    let height = item.params[6].unwrap_or(0.0);
+    if !(-5e3..=10e3).contains(&height) {
+        return refuse(
+            SYNTAX,
+            &item.spans[6],
+            "the planned home is not between -5 and 10 km above sea level",
+            "no height",
+        );
+    }
+    if item.params[4] == Some(0.0) && item.params[5] == Some(0.0) {
+        let span = item.spans[4].start..item.spans[5].end;
+        return refuse(
+            UNSUPPORTED,
+            &span,
+            "the first item, the planned home, is at 0, 0: the file has no home",
+            "no home",
+        );
+    }
+    let place = place([item.params[4], item.params[5]], height, [&item.spans[4], &item.spans[5]])?;
+    Ok(Home { place, span: item.mark.span.clone() })
+}
+
+/// `index current frame command param1 .. param4 latitude longitude altitude autocontinue`
+fn item(line: &str, span: Range<usize>) -> Read<Item> {
+    let cells: Vec<(&str, Range<usize>)> =
+        cells(line, span.start, |c| c.is_ascii_whitespace()).filter(|(cell, _)| !cell.is_empty()).collect();
+    if cells.len() != COLUMNS {
+        let here = format!("this line has {}", cells.len());
+        return refuse(SYNTAX, &span, &format!("an item must have {COLUMNS} columns"), &here);
+    }
+    let mut values = [0.0; COLUMNS];
+    for (value, (cell, span)) in values.iter_mut().zip(&cells) {
+        // Readers of this format take NaN for a parameter that is left open.
+        *value = match cell.parse::<f64>() {
+            Ok(number) if !number.is_infinite() => number,
+            _ => return refuse(SYNTAX, span, "expected a number", "no number"),
+        };
+    }
+    let params = std::array::from_fn(|k| Some(values[k + 4]).filter(|x| !x.is_nan()));
+    Ok(Item {
+        mark: Mark { name: format!("item {}", values[0]), span: span.clone() },
+        command: values[3],
+        command_span: cells[3].1.clone(),
+        frame: values[2],
+        frame_span: cells[2].1.clone(),
+        params,
+        spans: std::array::from_fn(|k| cells[k + 4].1.clone()),
+        above_sea: None,
+    })
+}

@@ -1,0 +1,193 @@
+//! What the spec of a file says.
+
+use super::{PLAN, WPL, found, read, spec};
+use mavc::Severity::{Error, Warning};
+use mavc::{Compiler, model::Mission};
+
+fn mission(text: &str) -> Mission {
+    let spec = spec("field.plan", text);
+    let compiled = Compiler::new().text("m.mav", format!("{spec}{}", super::HEXA).as_bytes());
+    compiled.spec.unwrap().mission().unwrap().clone()
+}
+
+#[test]
+fn a_plan_of_qgroundcontrol() {
+    insta::assert_snapshot!(spec("some where/1 field\n.plan", PLAN));
+    let codes: Vec<_> = found(PLAN)
+        .into_iter()
+        .map(|(code, severity, message)| (code, severity, message.chars().take(7).collect::<String>()))
+        .collect();
+    let item = |n: u8| format!("item {n}:");
+    assert_eq!(codes, [("mavc::import::left_out", Warning, item(3)), ("mavc::import::assumed", Warning, item(7))]);
+    assert_eq!(read("", PLAN).dropped, ["cruiseSpeed"]);
+}
+
+#[test]
+fn a_mission_of_mavlink() {
+    insta::assert_snapshot!(spec("field.waypoints", WPL));
+}
+
+#[test]
+fn tables_with_and_without_a_header() {
+    insta::assert_snapshot!(spec(
+        "t.csv",
+        "z,y,x,t,heading,colour\n2,0,0,5,0,red\n2,0,10,8,90,blue\n5,10,10,15.5,180,red\n"
+    ));
+    insta::assert_snapshot!(spec("1.csv", "# from a flight\n0,0,1\n 1.5, -2e0 ,1\r\n\n3,3,3\n"));
+}
+
+/// Items of a plan whose home is at 47, 8, 400 m, each with its number.
+fn plan(items: &[&str]) -> String {
+    let items: Vec<String> = items
+        .iter()
+        .enumerate()
+        .map(|(k, item)| format!(r#"{{"type":"SimpleItem","autoContinue":true,"doJumpId":{},{item}}}"#, k + 1))
+        .collect();
+    format!(
+        r#"{{"fileType":"Plan","version":1,"mission":{{"version":2,"firmwareType":12,"vehicleType":2,
+        "plannedHomePosition":[47,8,400],"items":[{}]}}}}"#,
+        items.join(",")
+    )
+}
+
+const A: &str = r#""command":16,"frame":3,"params":[0,0,0,null,47.001,8,30]"#;
+const B: &str = r#""command":16,"frame":0,"params":[0,0,0,null,47.001,8.001,440]"#;
+
+#[test]
+fn heights_are_relative_to_home_or_above_sea() {
+    let waypoints = mission(&plan(&[A, B])).waypoints;
+    let height = |latitude: f64, longitude: f64, up: f64| {
+        super::places::local([47.0, 8.0, 400.0], [latitude, longitude, 400.0 + up])
+    };
+    for (waypoint, due) in waypoints.iter().zip([height(47.001, 8.0, 30.0), height(47.001, 8.001, 40.0)]) {
+        for i in 0..3 {
+            assert!((waypoint.position[i] - due[i]).abs() < 6e-4, "{:?} {due:?}", waypoint.position);
+        }
+    }
+}
+
+#[test]
+fn headings_become_yaws_and_the_autopilots_own_yaw_none() {
+    use mavc::model::Heading::{Free, Given};
+    let east = A.replace("null", "90");
+    let south = B.replace("null", "180");
+    let waypoints = mission(&plan(&[&east, &south, A, &B.replace("null", "0")])).waypoints;
+    let headings: Vec<_> = waypoints.iter().map(|w| w.heading).collect();
+    assert_eq!(headings, [Given, Given, Free, Given]);
+    for (k, due) in [(0, 0.0_f64), (1, -90.0), (3, 90.0)] {
+        let off = (waypoints[k].yaw.to_degrees() - due).rem_euclid(360.0);
+        assert!(off.min(360.0 - off) < 1e-9, "{k}: {off}");
+    }
+    // In ArduPilot's plans 0 is none.
+    let ardupilot = plan(&[A, &B.replace("null", "0")]).replace("\"firmwareType\":12", "\"firmwareType\":3");
+    assert_eq!(mission(&ardupilot).waypoints[1].heading, Free);
+}
+
+#[test]
+fn loiters_and_delays_hold_and_speeds_bound_their_legs() {
+    let loiter = r#""command":19,"frame":3,"params":[7,0,0,0,47.002,8,30]"#;
+    let delay = r#""command":93,"frame":2,"params":[4,0,0,0,0,0,0]"#;
+    let climb = r#""command":178,"frame":2,"params":[2,1.5,0,0,0,0,0]"#;
+    let across = r#""command":178,"frame":2,"params":[0,6,0,0,0,0,0]"#;
+    let reset = r#""command":178,"frame":2,"params":[0,-2,0,0,0,0,0]"#;
+    let flown = mission(&plan(&[A, loiter, delay, climb, across, B, reset, A]));
+    assert_eq!(flown.waypoints.iter().map(|w| w.hold).collect::<Vec<_>>(), [0.0, 11.0, 0.0, 0.0]);
+    let speeds: Vec<_> = flown
+        .limits
+        .iter()
+        .filter(|limit| limit.volume.is_none())
+        .map(|limit| (limit.name().to_string(), limit.upper.unwrap()))
+        .collect();
+    assert_eq!(speeds.iter().map(|(_, speed)| *speed).collect::<Vec<_>>(), [6.0, 1.5, 1.5], "{speeds:?}");
+}
+
+#[test]
+fn landings_go_straight_down_and_home() {
+    let take_off = r#""command":22,"frame":3,"params":[0,0,0,null,47,8,20]"#;
+    let land = r#""command":21,"frame":3,"params":[0,0,0,null,47.001,8.001,2]"#;
+    let flown = mission(&plan(&[take_off, A, land])).waypoints;
+    let heights: Vec<_> = flown.iter().map(|w| w.position[2].round()).collect();
+    assert_eq!(heights, [0.0, 20.0, 30.0, 30.0, 2.0]);
+    assert_eq!(flown[3].position[..2], flown[4].position[..2]);
+    let home = r#""command":20,"frame":2,"params":[0,0,0,0,0,0,0]"#;
+    let flown = mission(&plan(&[take_off, A, home])).waypoints;
+    assert_eq!(flown[4].position, [0.0; 3]);
+    assert!(flown[4].stop || flown.len() == 5);
+    // PX4 flies to the place of a take-off that is not above home.
+    let aside = take_off.replace("47,8,20", "47.0005,8,20");
+    assert_eq!(mission(&plan(&[&aside, A])).waypoints.len(), 4);
+}
+
+#[test]
+fn items_that_would_be_another_flight_are_errors_and_others_are_named() {
+    let with = |item: &str| found(&plan(&[A, item, B]));
+    let params = r#""frame":3,"params":[1,1,0,0,47,8,10]"#;
+    for command in [18, 23, 31, 84, 92, 94, 177, 179, 213, 3000] {
+        let found = with(&format!(r#""command":{command},{params}"#));
+        assert_eq!((found[0].0, found[0].1), ("mavc::import::unsupported", Error), "{command}");
+        assert!(found[0].2.contains(&format!("command {command}")), "{found:?}");
+    }
+    for command in [80, 115, 183, 201, 206, 530, 2500, 42000] {
+        let found = with(&format!(r#""command":{command},{params}"#));
+        assert_eq!((found.len(), found[0].0, found[0].1), (1, "mavc::import::left_out", Warning), "{command}");
+        assert!(found[0].2.starts_with("item 2: "));
+    }
+    for frame in [1, 4, 7, 10, 99] {
+        let found = with(&A.replace("\"frame\":3", &format!("\"frame\":{frame}")));
+        assert_eq!(found[0].0, "mavc::import::unsupported", "{frame}");
+    }
+    let known = A.replace("\"frame\":3", r#""AMSLAltAboveTerrain":455,"frame":10"#);
+    assert_eq!(with(&known)[0].0, "mavc::import::assumed");
+    assert_eq!(with(&A.replace("16", "82"))[0].0, "mavc::import::assumed", "splines");
+    assert_eq!(with(&A.replace("8,30", "8,-30"))[0].0, "mavc::import::assumed", "below home");
+    let never = r#""command":17,"frame":3,"params":[0,0,0,0,47.002,8,30]"#;
+    assert_eq!(with(never)[0].0, "mavc::import::left_out", "what follows a loiter without end");
+}
+
+#[test]
+fn surveys_are_the_items_they_consist_of() {
+    let survey = format!(
+        r#"{{"type":"ComplexItem","complexItemType":"survey","TransectStyleComplexItem":{{"Items":[{{"type":"SimpleItem",{A}}},
+        {{"type":"SimpleItem",{B}}}]}}}}"#
+    );
+    let whole = plan(&[]).replace("\"items\":[]", &format!("\"items\":[{survey}]"));
+    assert_eq!(mission(&whole).waypoints.len(), 2);
+    assert!(found(&whole)[0].2.contains("items 1 to 2"));
+    let landing = whole.replace("TransectStyleComplexItem", "landing");
+    assert_eq!(found(&landing)[0].0, "mavc::import::unsupported");
+}
+
+/// An L: its outline to stay in, and the bay to stay out of.
+#[test]
+fn a_fence_with_an_inward_corner_is_its_outline_without_the_bay() {
+    let corners = "[[46.999,7.999],[46.999,8.003],[47.001,8.003],[47.001,8.001],[47.003,8.001],[47.003,7.999]]";
+    let fence = |more: &str| {
+        format!(
+            r#""geoFence":{{"version":2,"circles":[],"polygons":[{{"inclusion":true,"version":1,"polygon":{corners}}}{more}]}}"#
+        )
+    };
+    let whole =
+        plan(&[A, &A.replace("47.001", "47.002")]).replace("\"version\":1,", &format!("\"version\":1,{},", fence("")));
+    let volumes = mission(&whole).volumes;
+    assert_eq!(volumes.iter().map(|v| v.name.as_str()).collect::<Vec<_>>(), ["fence_1", "fence_1_bay_1"]);
+    // A grid of places is inside of the L exactly where it is in the outline and outside of the bay.
+    let mut inside = 0;
+    for (i, j) in (0..40).flat_map(|i| (0..40).map(move |j| (i, j))) {
+        let (latitude, longitude) = (46.9985 + 0.000125 * f64::from(i) + 1e-6, 7.9985 + 0.000125 * f64::from(j) + 1e-6);
+        let due = (46.999..47.003).contains(&latitude)
+            && (7.999..8.003).contains(&longitude)
+            && (latitude < 47.001 || longitude < 8.001);
+        let p = super::places::local([47.0, 8.0, 400.0], [latitude, longitude, 400.0]);
+        let is_in = |k: usize| volumes[k].bodies.iter().any(|body| body.separation(p).distance < 0.0);
+        assert_eq!(is_in(0) && !is_in(1), due, "{latitude} {longitude}");
+        inside += usize::from(due);
+    }
+    assert!(inside > 300, "{inside}");
+    // PX4 takes the union of two, which no spec says; ArduPilot the intersection.
+    let two = plan(&[A, B]).replace(
+        "\"version\":1,",
+        &format!("\"version\":1,{},", fence(&format!(r#",{{"inclusion":true,"polygon":{corners}}}"#))),
+    );
+    assert_eq!(found(&two)[0].0, "mavc::import::unsupported");
+    assert_eq!(found(&two.replace("\"firmwareType\":12", "\"firmwareType\":3")), []);
+}
