@@ -101,7 +101,7 @@ pub fn qgc_plan(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) 
 /// A mission of MAVLink in plain text, `QGC WPL 110`.
 ///
 /// # Errors
-/// As [`qgc_plan`].
+/// As [`qgc_plan()`].
 pub fn wpl(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Result<Written, String> {
     let placed = Placed::new(trajectory, model, tolerance.unwrap_or(ITEMS_WITHIN), "wpl")?;
     let items = Items::of(&placed)?;
@@ -132,7 +132,7 @@ pub fn kml(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Re
 /// A file of GeoJSON (RFC 7946).
 ///
 /// # Errors
-/// As [`kml`].
+/// As [`kml()`].
 pub fn geojson(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Result<Written, String> {
     on_a_map(trajectory, model, tolerance, "geojson", geojson::text)
 }

@@ -3,7 +3,7 @@
 //!
 //! # Steps
 //! 1. `qgc_plan`, `wpl` or `table` reads the file; places on the Earth become x east, y north, z up about the planned home.
-//! 2. `items` follows MAVLink's commands and makes the waypoints of a [`Draft`], `fence` its volumes.
+//! 2. `items` follows MAVLink's commands and makes the waypoints of a draft, `fence` its volumes.
 //! 3. `write` makes the text of the spec, and keeps for each of its lines the item that it came from.
 //! 4. `join` compiles this text with a vehicle, and reports each mistake at the item.
 

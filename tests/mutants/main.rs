@@ -1,10 +1,11 @@
-//! Specs changed at random, through what `mavc check` does and in its renderings: none may panic, take more than a minute
-//! of processor time, or make the program grow past 500 MB.
+//! Specs changed at random, through what `mavc check` does and in its renderings, and files of other tools, through `mavc import`:
+//! none may panic, take more than a minute of processor time, or make the program grow past 500 MB.
 //!
-//! `cargo test` runs a few hundred. `cargo test --release --test mutants -- --count 1000000 --seed 1` is the long run, whose
-//! result docs/performance.md holds; `--write DIR --count 1000` writes the mutants for tests/mutants/commands.py, which
+//! `cargo test` runs a few hundred of each. `cargo test --release --test mutants -- --count 1000000 --seed 1` is the long run, whose
+//! result docs/performance.md holds; `--write DIR --count 1000` writes the mutants of specs for tests/mutants/commands.py, which
 //! sends them through every command.
 
+mod files;
 mod mutate;
 
 use mavc::admissible::diagnose::diagnose;
@@ -88,6 +89,55 @@ fn check(path: &Path, text: &[u8]) -> bool {
     checked.value.is_some()
 }
 
+/// What is changed, by which words, and what is done with it.
+struct Kind {
+    name: &'static str,
+    corpus: Vec<(PathBuf, String)>,
+    words: &'static [&'static str],
+    check: fn(&Path, &[u8]) -> bool,
+}
+
+impl Kind {
+    fn mutant(&self, seed: u64, index: u64) -> (&Path, Vec<u8>) {
+        let mut numbers =
+            Numbers(seed.wrapping_mul(0x9e37_79b9).wrapping_add(index).wrapping_mul(0xbf58_476d_1ce4_e5b9));
+        let (path, text) = &self.corpus[numbers.below(self.corpus.len())];
+        (path, mutant(text, &self.corpus, self.words, &mut numbers))
+    }
+
+    /// Checks mutants, and says what became of them; the number of failures.
+    fn run(&self, count: u64, seed: u64) -> usize {
+        let (slowest, good) = (AtomicU64::new(0), AtomicUsize::new(0));
+        let failures: Vec<String> = (0..count)
+            .into_par_iter()
+            .filter_map(|index| {
+                let (path, text) = self.mutant(seed, index);
+                let before = processor_time();
+                let ended = std::panic::catch_unwind(|| (self.check)(path, &text));
+                let took = processor_time() - before;
+                slowest.fetch_max((took * 1e6) as u64, Ordering::Relaxed);
+                match ended {
+                    Err(_) => Some(format!("mutant {index} panics")),
+                    Ok(_) if took > SECONDS => Some(format!("mutant {index} takes {took:.0} s")),
+                    Ok(fine) => {
+                        good.fetch_add(usize::from(fine), Ordering::Relaxed);
+                        None
+                    }
+                }
+            })
+            .collect();
+        println!(
+            "{count} mutants of {}, seed {seed}: {} without errors, {} failures; the slowest took {:.3} s of processor time",
+            self.name,
+            good.into_inner(),
+            failures.len(),
+            slowest.into_inner() as f64 * 1e-6
+        );
+        failures.iter().take(20).for_each(|failure| println!("{failure}"));
+        failures.len()
+    }
+}
+
 /// Processor time of this thread, s; 0 where the system does not say.
 fn processor_time() -> f64 {
     let stat = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
@@ -106,55 +156,26 @@ fn main() -> ExitCode {
         println!("test result: ok. 0 passed; 0 failed; 0 ignored; 0 measured; 1 filtered out");
         return ExitCode::SUCCESS;
     };
-    let corpus = corpus();
-    let made = |index: u64| {
-        let mut numbers =
-            Numbers(seed.wrapping_mul(0x9e37_79b9).wrapping_add(index).wrapping_mul(0xbf58_476d_1ce4_e5b9));
-        let (path, text) = &corpus[numbers.below(corpus.len())];
-        (path, mutant(text, &corpus, &mut numbers))
-    };
+    let specs = Kind { name: "specs", corpus: corpus(), words: &mutate::WORDS, check };
     if let Some(folder) = write {
         std::fs::create_dir_all(&folder).expect("a folder");
         for index in 0..count {
-            std::fs::write(folder.join(format!("{index:06}.mav")), made(index).1).expect("a file");
+            std::fs::write(folder.join(format!("{index:06}.mav")), specs.mutant(seed, index).1).expect("a file");
         }
         println!("{count} mutants of seed {seed} written to {}", folder.display());
         return ExitCode::SUCCESS;
     }
-    let (slowest, good) = (AtomicU64::new(0), AtomicUsize::new(0));
-    let failures: Vec<String> = (0..count)
-        .into_par_iter()
-        .filter_map(|index| {
-            let (path, text) = made(index);
-            let before = processor_time();
-            let ended = std::panic::catch_unwind(|| check(path, &text));
-            let took = processor_time() - before;
-            slowest.fetch_max((took * 1e6) as u64, Ordering::Relaxed);
-            match ended {
-                Err(_) => Some(format!("mutant {index} panics")),
-                Ok(_) if took > SECONDS => Some(format!("mutant {index} takes {took:.0} s")),
-                Ok(fine) => {
-                    good.fetch_add(usize::from(fine), Ordering::Relaxed);
-                    None
-                }
-            }
-        })
-        .collect();
+    let files =
+        Kind { name: "files of other tools", corpus: files::corpus(), words: &files::WORDS, check: files::check };
+    let failures = specs.run(count, seed) + files.run(count, seed);
     let memory = most_memory();
-    println!(
-        "{count} mutants of seed {seed}: {} without errors, {} failures; the slowest took {:.3} s of processor time, memory was at \
-         most {memory} MB",
-        good.into_inner(),
-        failures.len(),
-        slowest.into_inner() as f64 * 1e-6
-    );
-    failures.iter().take(20).for_each(|failure| println!("{failure}"));
-    let passed = failures.is_empty() && memory <= MEGABYTES;
+    println!("memory was at most {memory} MB");
+    let passed = failures == 0 && memory <= MEGABYTES;
     println!(
         "\ntest result: {}. {} passed; {} failed; 0 ignored; 0 measured; 0 filtered out",
         if passed { "ok" } else { "FAILED" },
-        count - failures.len() as u64,
-        failures.len().max(usize::from(!passed))
+        2 * count - failures as u64,
+        failures.max(usize::from(!passed))
     );
     if passed { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -1,4 +1,4 @@
-//! Changes to a spec: of bytes, of words, of lines, and with parts of other specs.
+//! Changes to a text: of bytes, of words, of lines, and with parts of other texts.
 
 use std::path::PathBuf;
 
@@ -47,7 +47,8 @@ const EXTREMES: [&str; 26] = [
     "(((1)))",
     "[]",
 ];
-const WORDS: [&str; 30] = [
+/// What takes the place of a word of a spec, beside numbers.
+pub const WORDS: [&str; 30] = [
     "m",
     "kg",
     "deg",
@@ -109,13 +110,13 @@ fn numbers_of(text: &str) -> Vec<(usize, usize)> {
 }
 
 /// A text with one to five changes.
-pub fn mutant(text: &str, corpus: &[(PathBuf, String)], numbers: &mut Numbers) -> Vec<u8> {
+pub fn mutant(text: &str, corpus: &[(PathBuf, String)], by: &[&str], numbers: &mut Numbers) -> Vec<u8> {
     let mut text = text.to_string();
     for _ in 0..=numbers.below(5) {
         if text.len() > 20_000 {
             break;
         }
-        changed(&mut text, corpus, numbers);
+        changed(&mut text, corpus, by, numbers);
     }
     let mut bytes = text.into_bytes();
     // Now and then what is not text at all.
@@ -126,10 +127,10 @@ pub fn mutant(text: &str, corpus: &[(PathBuf, String)], numbers: &mut Numbers) -
     bytes
 }
 
-fn changed(text: &mut String, corpus: &[(PathBuf, String)], numbers: &mut Numbers) {
+fn changed(text: &mut String, corpus: &[(PathBuf, String)], by: &[&str], numbers: &mut Numbers) {
     match numbers.below(10) {
         0..=2 => replace(text, numbers_of, &EXTREMES, numbers),
-        3 => replace(text, words, &WORDS, numbers),
+        3 => replace(text, words, by, numbers),
         4 => replace(text, words, &EXTREMES, numbers),
         5 => {
             let at = boundary(text, numbers);
@@ -174,7 +175,7 @@ fn scaled(text: &mut String, numbers: &mut Numbers) {
     }
 }
 
-/// A line left out, twice, elsewhere, or one of another spec.
+/// A line left out, twice, elsewhere, or some of another text.
 fn lines(text: &mut String, corpus: &[(PathBuf, String)], numbers: &mut Numbers) {
     let mut all: Vec<&str> = text.lines().collect();
     if all.is_empty() {

@@ -104,11 +104,13 @@ fn parts(code: &str) -> Option<(&str, Option<&str>)> {
 fn number(source: &Source, start: usize, code: &str, value: &str) -> Result<Parameter, Box<Diagnostic>> {
     let from = start + (value.as_ptr() as usize - code.as_ptr() as usize);
     let span = at(from..from + value.len());
-    match value.parse::<f64>().ok().filter(|value| value.is_finite()) {
+    // Autopilots keep parameters in single precision.
+    match value.parse::<f64>().ok().filter(|value| (*value as f32).is_finite()) {
         Some(value) => Ok(Parameter { value, span }),
         None => {
             let shown: String = value.chars().take(24).collect();
-            let error = Diagnostic::error(SYNTAX, span, format!("`{shown}` is not a finite number"));
+            let error =
+                Diagnostic::error(SYNTAX, span, format!("`{shown}` is not a finite number of single precision"));
             let line = source.place(from).line;
             Err(Box::new(error.here("the value of a parameter").help(format!("mend line {line}, or remove it"))))
         }

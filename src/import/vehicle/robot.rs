@@ -131,6 +131,10 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
         }
         None => (Figure::Unknown, Figure::Unknown),
     };
+    if let Some(what) = not_finite(whole.as_ref(), centre, &robot.rotors) {
+        let error = Diagnostic::error(SYNTAX, root, format!("{what} is not a finite number"));
+        return Err(Box::new(error.here("follows from the numbers of this file").help("correct the numbers")));
+    }
     let (shared, own) = rotor_figures(&robot.rotors);
     let rotors = robot.rotors.iter().zip(own).map(|(rotor, own)| {
         let [x, y, z] = <[f64; 3]>::from(rotor.place - centre).map(rounded);
@@ -155,6 +159,24 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
         rotors: rotors.collect(),
     };
     Ok((draft.text(), robot.dropped))
+}
+
+/// Numbers of the file may be so large or small that products and ratios of them are infinite.
+fn not_finite(whole: Option<&Part>, centre: Vector3<f64>, rotors: &[RobotRotor]) -> Option<String> {
+    let is_part = |part: &Part| part.mass.is_finite() && part.centre.iter().chain(&part.inertia).all(|x| x.is_finite());
+    if !whole.is_none_or(is_part) {
+        return Some("the mass, centre of gravity or inertia".into());
+    }
+    for rotor in rotors {
+        let figure = rotor.figures.iter().zip(FIGURES).find(|(figure, _)| figure.is_some_and(|x| !x.is_finite()));
+        if let Some((_, (name, _))) = figure {
+            return Some(format!("`{name}` of motor {}", rotor.motor));
+        }
+        if !(rotor.place - centre).iter().all(|x| x.is_finite()) {
+            return Some(format!("the place of motor {}", rotor.motor));
+        }
+    }
+    None
 }
 
 type Own = Vec<Vec<(&'static str, Figure)>>;
