@@ -19,6 +19,8 @@ pub const FORMAT: &str = "mavc::import::format";
 pub const SYNTAX: &str = "mavc::import::syntax";
 /// Code: the file means something that no spec can say.
 pub const UNSUPPORTED: &str = "mavc::import::unsupported";
+/// Code: the spec depends on something that the file does not say for certain.
+pub const ASSUMED: &str = "mavc::import::assumed";
 
 /// What became of a file.
 #[derive(Debug, Clone)]

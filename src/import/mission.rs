@@ -20,15 +20,13 @@ mod write;
 pub use join::{Joined, join};
 pub use write::Written;
 
-use super::{FORMAT, Imported, at};
+use super::{ASSUMED, FORMAT, Imported, at};
 use crate::diagnostic::Diagnostic;
 use crate::source::Source;
 use draft::Draft;
 
 /// Code: an item or a value that the spec leaves out, or only approximates.
 pub const LEFT_OUT: &str = "mavc::import::left_out";
-/// Code: the flight depends on something that the file does not say.
-pub const ASSUMED: &str = "mavc::import::assumed";
 /// Code: an item sets a speed that the vehicle does not reach.
 pub const SPEED: &str = "mavc::import::speed";
 /// Code: an item has a time at which the vehicle cannot be there yet.

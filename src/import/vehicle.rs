@@ -25,13 +25,15 @@ fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
     if parameters.is_of("FRAME_CLASS") {
         return ardupilot::vehicle(source, &parameters);
     }
-    if parameters.has_prefix("CA_") {
+    if parameters.has_prefix("CA_ROTOR")
+        || parameters.is_of("CA_AIRFRAME")
+        || parameters.worked_out("CA_ROTOR").is_some()
+    {
         return px4::vehicle(source, &parameters, found);
     }
-    Err(Box::new(match parameters.first().or_else(|| px4::script(source)) {
-        Some(first) => px4::without_geometry(source, first),
-        None => Diagnostic::error(FORMAT, at(0..0), "no vehicle was found in the file").help(
+    Err(Box::new(px4::without_geometry(source, parameters.first()).unwrap_or_else(|| {
+        Diagnostic::error(FORMAT, at(0..0), "no vehicle was found in the file").help(
             "name parameters of PX4 (with `CA_ROTOR0_PX`) or ArduPilot (with `FRAME_CLASS`), an airframe script, URDF, SDF or MJCF",
-        ),
-    }))
+        )
+    })))
 }

@@ -253,13 +253,22 @@ fn wrong_files_get_a_placed_error() {
         ("param set CA_ROTOR_COUNT inf\n", "mavc::import::syntax", "finite number"),
         ("param set CA_ROTOR_COUNT 3\n", "mavc::import::unsupported", "4 to 32"),
         ("param set CA_ROTOR_COUNT -4\n", "mavc::import::unsupported", "4 to 32"),
-        ("param set CA_ROTOR_COUNT 1e300\n", "mavc::import::unsupported", "4 to 32"),
+        ("param set CA_ROTOR_COUNT 1e30\n", "mavc::import::unsupported", "4 to 32"),
         ("param set CA_ROTOR0_PX 1\n", "mavc::import::unsupported", "CA_ROTOR_COUNT"),
         ("param set CA_AIRFRAME 2\n", "mavc::import::unsupported", "VTOL"),
         ("param set CA_ROTOR_COUNT 4\nparam set CA_ROTOR2_AX 0.5\n", "mavc::import::unsupported", "motor 3"),
         ("param set CA_ROTOR_COUNT 4\nparam set CA_ROTOR1_TILT 1\n", "mavc::import::unsupported", "motor 2"),
         ("set MIXER quad_x\n", "mavc::import::unsupported", "mixer"),
         (". ${R}etc/init.d/rc.mc_defaults\n", "mavc::import::unsupported", "places a rotor"),
+        (". ${R}etc/init.d-posix/airframes/4001_gz_x500\n", "mavc::import::unsupported", "name `4001_gz_x500`"),
+        ("# @class VTOL\nset MIXER quad_x\n", "mavc::import::unsupported", "kind `VTOL`"),
+        ("# @class Copter\n# @type Helicopter\nset MIXER heli\n", "mavc::import::unsupported", "kind `Helicopter`"),
+        ("# @class Spacecraft\nparam set CA_AIRFRAME 99\n", "mavc::import::unsupported", "kind `Spacecraft`"),
+        ("set MIXER skip\nparam set CA_MC_R0_PX 0.1\n", "mavc::import::unsupported", "PX4 has no more"),
+        ("set MIXER none\n", "mavc::import::format", "no vehicle"),
+        ("param set CA_ROTOR_COUNT ${N}\n", "mavc::import::syntax", "works out"),
+        ("param set CA_ROTOR_COUNT 4\nparam set CA_ROTOR0_PX `arm`\n", "mavc::import::syntax", "`CA_ROTOR0_PX`"),
+        ("param set CA_ROTOR0_PX 1e300\n", "mavc::import::syntax", "single precision"),
         ("FRAME_CLASS,7\n", "mavc::import::unsupported", "tricopter"),
         ("FRAME_CLASS,1\nFRAME_TYPE,11\n", "mavc::import::unsupported", "frame type 11"),
         ("FRAME_CLASS,1.5\n", "mavc::import::unsupported", "unknown"),
@@ -296,6 +305,54 @@ fn wrong_files_get_a_placed_error() {
         assert!(all.contains(words), "{file}: {all}");
         check_places(&imported, file);
     }
+}
+
+/// What a script leaves open or says twice is named.
+#[test]
+fn scripts_that_leave_something_open_get_a_warning() {
+    let script = |lines: &str| {
+        let frame = (0..4).fold("param set-default CA_ROTOR_COUNT 4\n".to_string(), |text, i| {
+            let (x, y) = [(0.2, 0.1), (-0.2, -0.1), (0.2, -0.1), (-0.2, 0.1)][i];
+            text + &format!("param set-default CA_ROTOR{i}_PX {x}\nparam set-default CA_ROTOR{i}_PY {y}\n")
+        });
+        import("4001_quad", (frame + lines).as_bytes())
+    };
+    assert_eq!(script("").diagnostics.len(), 0);
+    // A value that is set once more and is the same says nothing new.
+    assert_eq!(script("param set-default CA_ROTOR1_PX -0.2\n").diagnostics.len(), 0);
+    for (lines, words) in [
+        ("param set-default CA_ROTOR_COUNT 5\n", "no place of motor 5"),
+        ("param set-default CA_ROTOR1_PX -0.3\n", "`CA_ROTOR1_PX` is set twice"),
+    ] {
+        let imported = script(lines);
+        let found = imported.diagnostics.iter().find(|d| d.message.contains(words));
+        assert_eq!(
+            found.unwrap_or_else(|| panic!("{lines}: {:?}", imported.diagnostics)).code,
+            "mavc::import::assumed"
+        );
+        assert!(imported.text.is_some());
+        check_places(&imported, lines);
+    }
+    let ring = (0..6).fold("param set CA_ROTOR_COUNT 6\n".to_string(), |text, i| {
+        let (y, x) = f64::to_radians(60.0 * i as f64).sin_cos();
+        text + &format!("param set CA_ROTOR{i}_PX {x:.3}\nparam set CA_ROTOR{i}_PY {y:.3}\n")
+    });
+    assert!(import("x", ring.as_bytes()).diagnostics[0].message.contains("proportions"));
+}
+
+/// Ratios of numbers that are finite need not be.
+#[test]
+fn infinite_ratios_are_errors() {
+    let motors = |gear: &str| {
+        let sites: String = (0..4).map(|i| format!("<site name='s{i}' pos='{i} 1 0'/>")).collect();
+        let motors: String = (0..4).map(|i| format!("<motor site='s{i}' gear='{gear}'/>")).collect();
+        format!("<mujoco><worldbody><body>{sites}</body></worldbody><actuator>{motors}</actuator></mujoco>")
+    };
+    assert!(import("x", motors("0 0 1 0 0 0.1").as_bytes()).text.is_some());
+    let imported = import("x", motors("0 0 1e-320 0 0 0.1").as_bytes());
+    let error = imported.diagnostics.last().unwrap();
+    assert_eq!((error.code, imported.text.is_none()), ("mavc::import::syntax", true));
+    assert!(error.message.contains("`torque_per_thrust` of motor 1"), "{error:?}");
 }
 
 fn check_places(imported: &Imported, file: &str) {

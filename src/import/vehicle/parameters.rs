@@ -23,6 +23,10 @@ pub struct Parameter {
 #[derive(Debug, Default)]
 pub struct Parameters<'s> {
     by_name: BTreeMap<&'s str, Parameter>,
+    /// Values that a script works out, by name.
+    worked_out: BTreeMap<&'s str, Span>,
+    /// Names that are set to different values: the place of one value and that of the last.
+    repeated: BTreeMap<&'s str, (Span, Span)>,
 }
 
 impl<'s> Parameters<'s> {
@@ -43,6 +47,25 @@ impl<'s> Parameters<'s> {
         self.by_name.keys().copied()
     }
 
+    /// The first parameter whose name begins so and whose value a script works out.
+    pub fn worked_out(&self, prefix: &str) -> Option<(&'s str, Span)> {
+        self.worked_out.iter().map(|(name, span)| (*name, *span)).find(|(name, _)| name.starts_with(prefix))
+    }
+
+    /// Names that are set to different values, with the place of one value and that of the last.
+    pub fn repeated(&self) -> impl Iterator<Item = (&'s str, Span, Span)> {
+        self.repeated.iter().map(|(name, (first, last))| (*name, *first, *last))
+    }
+
+    fn set(&mut self, name: &'s str, parameter: Parameter) {
+        self.worked_out.remove(name);
+        if let Some(before) = self.by_name.insert(name, parameter)
+            && before.value != parameter.value
+        {
+            self.repeated.insert(name, (before.span, parameter.span));
+        }
+    }
+
     /// The place of the first value in the file.
     pub fn first(&self) -> Option<Span> {
         self.by_name.values().map(|parameter| parameter.span).min()
@@ -59,15 +82,12 @@ pub fn read(source: &Source) -> Result<Parameters<'_>, Box<Diagnostic>> {
     for line in source.text.split_inclusive('\n') {
         let code = &line[..line.find('#').unwrap_or(line.len())];
         if let Some((name, value)) = parts(code) {
-            let parameter = value.ok_or_else(|| incomplete(source, start, code, name)).and_then(|value| {
-                // A script may set what it worked out itself.
-                match value.starts_with(['$', '`']) {
-                    true => Ok(None),
-                    false => number(source, start, code, value).map(Some),
-                }
-            })?;
-            if let Some(parameter) = parameter {
-                found.by_name.insert(name, parameter);
+            let value = value.ok_or_else(|| incomplete(source, start, code, name))?;
+            if value.starts_with(['$', '`']) {
+                let from = start + (value.as_ptr() as usize - code.as_ptr() as usize);
+                found.worked_out.insert(name, at(from..from + value.len()));
+            } else {
+                found.set(name, number(source, start, code, value)?);
             }
         }
         start += line.len();

@@ -2,13 +2,16 @@
 //! `_AX`, `_AY`, `_AZ` (axis), `_CT` (thrust at full command, N) and `_KM` (torque per thrust, m, above zero for a rotor that turns
 //! counter-clockwise seen from above). Source: PX4 user guide, "Control Allocation", and its parameter reference.
 
+pub mod script;
+
 use super::draft::{Draft, Field, Figure, Rotor, name_from_file};
 use super::parameters::Parameters;
 use crate::diagnostic::Diagnostic;
-use crate::import::{Outcome, UNSUPPORTED, at};
+use crate::import::{ASSUMED, Outcome, SYNTAX, UNSUPPORTED, at};
 use crate::model::vehicle::ROTORS;
 use crate::number::number;
 use crate::source::{Source, Span};
+use script::Reason;
 
 /// What each value of `CA_AIRFRAME` means, where it is no multirotor.
 const AIRFRAMES: [(f64, &str); 9] = [
@@ -33,13 +36,16 @@ const KEPT: [&str; 8] = ["PX", "PY", "PZ", "AX", "AY", "AZ", "CT", "KM"];
 pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnostic>) -> Outcome {
     let reader = Reader { parameters };
     if let Some(kind) = parameters.get("CA_AIRFRAME").filter(|kind| kind.value != 0.0) {
-        let what = AIRFRAMES.iter().find(|(value, _)| *value == kind.value).map_or("no multirotor", |(_, what)| what);
+        let known = AIRFRAMES.iter().find(|(value, _)| *value == kind.value).map(|(_, what)| what.to_string());
+        let named = || script::other_aircraft(&source.text).map(|(_, name)| format!("of the kind `{name}`"));
+        let what = known.or_else(named).unwrap_or("no multirotor".into());
         let error = Diagnostic::error(UNSUPPORTED, kind.span, format!("this airframe is {what}"));
         return Err(Box::new(
             error.here("`CA_AIRFRAME` of a multirotor is 0").help("name the parameters of a multirotor"),
         ));
     }
-    let count = reader.count()?;
+    let count = reader.count(source)?;
+    reader.every_value_is_known()?;
     let rotors = (0..count).map(|i| reader.rotor(i)).collect::<Result<Vec<_>, _>>()?;
     for i in (0..count).filter(|i| rotors[*i].thrust.is_none()) {
         let others = rotors.iter().any(|rotor| rotor.thrust.is_some());
@@ -52,11 +58,7 @@ pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnos
             );
         }
     }
-    if let Some(first) = parameters.first().filter(|_| are_shares(&rotors)) {
-        let span = reader.any(0).unwrap_or(first);
-        let warning = Diagnostic::warning(UNSUPPORTED, span, "every motor is 0 or 1 m from the centre along each axis");
-        found.push(warning.here("PX4 needs proportions only").help("measure the arms, and write them in the spec"));
-    }
+    reader.warn(&rotors, found);
     let text = draft(source, rotors).text();
     let kept = |name: &str| {
         let key = name.strip_prefix("CA_ROTOR").and_then(|rest| rest.split_once('_'));
@@ -67,28 +69,38 @@ pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnos
     Ok((text, parameters.names().filter(|name| !kept(name)).map(String::from).collect()))
 }
 
-/// Whether places seem to be proportions: every coordinate is 0, 1 or -1.
+/// Whether places seem to be proportions: every coordinate is 0, 1 or -1, or every motor is 1 m from the centre.
 fn are_shares(rotors: &[Px4Rotor]) -> bool {
-    rotors.iter().all(|rotor| rotor.place.iter().all(|x| matches!(x.abs(), 0.0 | 1.0)))
+    let is_unit = |rotor: &Px4Rotor| (rotor.place[0].hypot(rotor.place[1]) - 1.0).abs() < 2e-3;
+    rotors.iter().all(|rotor| rotor.place.iter().all(|x| matches!(x.abs(), 0.0 | 1.0))) || rotors.iter().all(is_unit)
 }
 
-/// The place of what makes a file an airframe script, although it sets no parameter.
-pub fn script(source: &Source) -> Option<Span> {
-    let marks = ["set MIXER", "/etc/init.d/", "etc/init.d/"];
-    marks.iter().find_map(|mark| source.text.find(mark).map(|from| at(from..from + mark.len())))
-}
-
-/// The error for a file in which no parameter places a rotor; `first` is a place in it.
-pub fn without_geometry(source: &Source, first: Span) -> Diagnostic {
-    let mixer = source.text.find("set MIXER").map(|from| at(from..from + "set MIXER".len()));
-    match mixer {
-        Some(span) => Diagnostic::error(UNSUPPORTED, span, "this airframe names a mixer, which another file defines")
+/// The error for a file in which no parameter places a rotor; `None` if it has no parameter either and is no script.
+pub fn without_geometry(source: &Source, first: Option<Span>) -> Option<Diagnostic> {
+    let error = |span: Span, message: &str| Diagnostic::error(UNSUPPORTED, span, message);
+    Some(match (script::reason(source), first) {
+        (Some(Reason::Other(span, name)), _) => error(span, &format!("this airframe is of the kind `{name}`"))
+            .here("no multirotor")
+            .help("name the airframe of a multirotor"),
+        (Some(Reason::OldNames(span)), _) => error(span, "names of parameters that PX4 has no more")
+            .here("now `CA_ROTOR0_PX` and so on")
+            .help("name the airframe of version 1.14 or later"),
+        (Some(Reason::Mixer(span)), _) => error(span, "this airframe names a mixer, which another file defines")
             .here("of PX4 before version 1.14")
             .help("name the airframe of a later version, which has `CA_ROTOR0_PX`"),
-        None => Diagnostic::error(UNSUPPORTED, first, "no parameter of the file places a rotor")
+        (Some(Reason::Runs(span, name)), _) => {
+            error(span, &format!("no parameter of the script places a rotor, but it runs `{name}`"))
+                .here("may have the places")
+                .help(format!("name `{name}`; or put its lines in the place of this one"))
+        }
+        (Some(Reason::Defaults(span)), None) => error(span, "no parameter of the script places a rotor")
+            .here("the defaults have no places of rotors")
+            .help("name an airframe that sets `CA_ROTOR0_PX`"),
+        (_, Some(first)) => error(first, "no parameter of the file places a rotor")
             .here("`CA_ROTOR0_PX` (PX4) or `FRAME_CLASS` (ArduPilot) is missing")
             .help("name a file that has it; a script may leave it to another that it runs"),
-    }
+        (None, None) => return None,
+    })
 }
 
 struct Reader<'p, 's> {
@@ -114,13 +126,20 @@ impl Reader<'_, '_> {
         KEPT.iter().find_map(|key| self.value(rotor, key)).map(|(_, span)| span)
     }
 
-    fn count(&self) -> Result<usize, Box<Diagnostic>> {
+    fn count(&self, source: &Source) -> Result<usize, Box<Diagnostic>> {
         let Some(given) = self.parameters.get("CA_ROTOR_COUNT").filter(|count| count.value != 0.0) else {
-            let span = self.parameters.first().unwrap_or(at(0..0));
-            let error = Diagnostic::error(UNSUPPORTED, span, "`CA_ROTOR_COUNT` is missing").here("no number of rotors");
-            return Err(Box::new(
-                error.help("name a file that sets it; a script may leave it to another that it runs"),
-            ));
+            let placed = (0..*ROTORS.end()).take_while(|i| self.any(*i).is_some()).count();
+            let first = self.any(0).or(self.parameters.first());
+            let help = match placed {
+                0 => "name a file that sets it; a script may leave it to another that it runs".to_string(),
+                n => format!("add it: the file places {n} motors"),
+            };
+            let without = (placed == 0).then(|| without_geometry(source, first)).flatten();
+            let error = without.unwrap_or_else(|| {
+                let error = Diagnostic::error(UNSUPPORTED, first.unwrap_or(at(0..0)), "`CA_ROTOR_COUNT` is missing");
+                error.here("PX4 has no rotors without it").help(help)
+            });
+            return Err(Box::new(error));
         };
         let count = given.value as usize;
         if given.value.fract() != 0.0 || !ROTORS.contains(&count) || given.value < 0.0 {
@@ -129,6 +148,35 @@ impl Reader<'_, '_> {
             return Err(Box::new(error.help("name the parameters of a multirotor with at least 4 rotors")));
         }
         Ok(count)
+    }
+
+    /// A script may work out values itself, and not only those that no spec keeps.
+    fn every_value_is_known(&self) -> Result<(), Box<Diagnostic>> {
+        let Some((name, span)) = self.parameters.worked_out("CA_") else { return Ok(()) };
+        let error = Diagnostic::error(SYNTAX, span, format!("the script works out the value of `{name}` when it runs"));
+        Err(Box::new(error.here("no number").help("write the number, or name parameters that a ground station saved")))
+    }
+
+    fn warn(&self, rotors: &[Px4Rotor], found: &mut Vec<Diagnostic>) {
+        if let Some(first) = self.any(0).or(self.parameters.first()).filter(|_| are_shares(rotors)) {
+            let message = "every motor is 0 or 1 m from the centre, which seem to be proportions";
+            let warning = Diagnostic::warning(ASSUMED, first, message);
+            found.push(warning.here("PX4 needs proportions only").help("measure the arms, and write them in the spec"));
+        }
+        for (name, first, last) in self.parameters.repeated().filter(|(name, ..)| name.starts_with("CA_")) {
+            let warning = Diagnostic::warning(ASSUMED, last, format!("`{name}` is set twice: the spec has this value"));
+            let warning = warning.here("the last").also(first, "another value");
+            found.push(warning.help("if both stand under conditions, leave only the one that holds"));
+        }
+        let is_placed = |i: &usize| ["PX", "PY"].iter().any(|key| self.value(*i, key).is_some());
+        let span = self.parameters.get("CA_ROTOR_COUNT").map(|count| count.span);
+        for (i, span) in (0..rotors.len()).filter(|i| !is_placed(i)).filter_map(|i| Some((i, span?))) {
+            let message = format!("the file gives no place of motor {}: PX4 takes the centre", i + 1);
+            let warning = Diagnostic::warning(ASSUMED, span, message).here(format!("{} motors", rotors.len()));
+            found.push(
+                warning.help(format!("set `CA_ROTOR{i}_PX` and `CA_ROTOR{i}_PY`, or correct the number of motors")),
+            );
+        }
     }
 
     fn rotor(&self, i: usize) -> Result<Px4Rotor, Box<Diagnostic>> {
@@ -209,7 +257,7 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>) -> Draft {
             "From parameters of PX4. Figures that they do not give stand as `?`.".into(),
             "x forward, y left, z up from the centre of gravity; motors as PX4 numbers them, from 1.".into(),
         ],
-        title: title(&source.text),
+        title: script::title(&source.text),
         lets: Vec::new(),
         fields: vec![unknown("mass"), unknown("inertia").remark("[Ixx, Iyy, Izz]")],
         shared,
@@ -220,10 +268,4 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>) -> Draft {
 /// Without the sign of a zero.
 fn tidy(value: f32) -> f32 {
     if value == 0.0 { 0.0 } else { value }
-}
-
-/// The name of an airframe script: `# @name Generic Quadcopter`.
-fn title(text: &str) -> Option<String> {
-    let line = text.lines().take(100).find_map(|line| line.trim_start().strip_prefix("# @name "));
-    line.map(|name| name.trim().to_string()).filter(|name| !name.is_empty())
 }
