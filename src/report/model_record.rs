@@ -42,6 +42,9 @@ struct YawDragRecord {
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct RotorRecord {
+    /// The autopilot's number of its motor, if the spec gives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motor: Option<u32>,
     position_m: [f64; 3],
     /// `P`: counter-clockwise seen from above, or `N`.
     spin: &'static str,
@@ -135,6 +138,7 @@ fn vehicle(vehicle: &Vehicle) -> VehicleRecord<'_> {
 
 fn rotor(rotor: &Rotor) -> RotorRecord {
     RotorRecord {
+        motor: rotor.motor,
         position_m: rotor.position,
         spin: if rotor.spin == Spin::P { "P" } else { "N" },
         thrust_coefficient_n_s2_per_rad2: rotor.thrust_coefficient,

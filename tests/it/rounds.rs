@@ -127,29 +127,6 @@ fn short() -> Model {
     model
 }
 
-#[test]
-#[ignore = "long"]
-fn rounds_in_the_exact_model_end_inside() {
-    let model = short();
-    let rip = planned(model.clone(), PlannerKind::Rip, 1);
-    let [none, one, many] = [0, 1, 20].map(|count| planned(model.clone(), PlannerKind::Rsp, count));
-    assert_eq!(only(&none).trajectory, only(&rip).trajectory);
-    assert!(only(&rip).outside[0].max_violation > 0.01, "the plan passes the set");
-    assert!(none.selected.is_empty() && !one.selected.is_empty());
-    assert!(one.selected.len() <= many.selected.len());
-    // Each plan keeps what was selected for it, at instants of its own.
-    for plan in [&one, &many] {
-        let s = only(plan);
-        for i in 0..=5000 {
-            let t = s.time * f64::from(i) / 5000.0;
-            let w = s.trajectory.wrench(&model.vehicle, &model.environment(), &s.trajectory.at(t));
-            assert!(plan.selected.iter().all(|row| row.violation(&w) <= 2e-4), "{t}");
-        }
-    }
-    // The last plan violates nothing at any instant.
-    assert!(only(&many).outside[0].violated.is_empty(), "{:?}", only(&many).outside[0]);
-}
-
 /// Facets that are violated at any instant are selected, at nodes or only between them, whatever the grid.
 #[test]
 #[ignore = "long"]
@@ -328,5 +305,28 @@ mod thorough {
         let told: Vec<Vec<String>> =
             rounds.iter().map(|r| vec![r["rounds"].to_string(), r["selected"].to_string()]).collect();
         assert_eq!(rows, told, "{text}");
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn rounds_in_the_exact_model_end_inside() {
+        let model = short();
+        let rip = planned(model.clone(), PlannerKind::Rip, 1);
+        let [none, one, many] = [0, 1, 20].map(|count| planned(model.clone(), PlannerKind::Rsp, count));
+        assert_eq!(only(&none).trajectory, only(&rip).trajectory);
+        assert!(only(&rip).outside[0].max_violation > 0.01, "the plan passes the set");
+        assert!(none.selected.is_empty() && !one.selected.is_empty());
+        assert!(one.selected.len() <= many.selected.len());
+        // Each plan keeps what was selected for it, at instants of its own.
+        for plan in [&one, &many] {
+            let s = only(plan);
+            for i in 0..=5000 {
+                let t = s.time * f64::from(i) / 5000.0;
+                let w = s.trajectory.wrench(&model.vehicle, &model.environment(), &s.trajectory.at(t));
+                assert!(plan.selected.iter().all(|row| row.violation(&w) <= 2e-4), "{t}");
+            }
+        }
+        // The last plan violates nothing at any instant.
+        assert!(only(&many).outside[0].violated.is_empty(), "{:?}", only(&many).outside[0]);
     }
 }

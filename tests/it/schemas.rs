@@ -245,6 +245,23 @@ fn models_are_valid_and_exact() {
     assert_eq!(record["simulate"]["faults"], json!([{"mode": "weak", "at_s": 1.0, "until_s": 2.0}]));
     let weak = record["modes"].as_array().unwrap().iter().find(|mode| mode["name"] == "weak").unwrap();
     assert_eq!(weak["capacity"], json!([0.9, 1.0, 1.0, 1.0]));
+    // Motors have the autopilot's numbers where the spec gives them, and no member where not.
+    assert!(rotor.get("motor").is_none());
+    let numbered = "vehicle v { mass = 1 kg; inertia = [0.01, 0.01, 0.02] kg*m^2
+        rotor { max_thrust = 7 N; torque_per_thrust = 16 mm; max_speed = 830 rad/s }
+        rotors {
+            rotor at [0.1, -0.1, 0] m  spin P  motor 3
+            rotor at [-0.1, 0.1, 0] m  spin P  motor 1
+            rotor at [0.1, 0.1, 0] m  spin N  motor 4
+            rotor at [-0.1, -0.1, 0] m  spin N  motor 2
+        } }\n";
+    let record = json_of(&["emit", "model", "-", "--format", "json"], numbered);
+    schema.assert_valid(&record);
+    let rotors = record["vehicle"]["rotors"].as_array().unwrap();
+    assert_eq!(
+        rotors.iter().map(|rotor| &rotor["motor"]).collect::<Vec<_>>(),
+        [&json!(3), &json!(1), &json!(4), &json!(2)]
+    );
     // A coefficient that follows from a thrust has all its digits.
     let spec = "vehicle v { layout = \"PNPN\"; arm = 0.2 m; mass = 1 kg; inertia = [0.01, 0.01, 0.02] kg*m^2
         rotor { max_thrust = 7 N; torque_per_thrust = 16 mm; max_speed = 830 rad/s } }\n";

@@ -118,15 +118,6 @@ fn a_descent_towards_a_volume_is_committed_as_above_a_floor() {
     is_committed_as_above_a_floor(PlanModel::Exact, &[(VolumeSide::KeepOut, below), room()], 40);
 }
 
-#[test]
-#[ignore = "long"]
-fn a_descent_towards_other_bodies_is_committed_as_above_a_floor() {
-    let ball = Body::Ball { centre: [0.0, 0.0, -500.0], radius: 500.0 };
-    let hill = Body::HalfSpace { normal: [0.0, 0.0, 1.0], offset: 0.0 };
-    is_committed_as_above_a_floor(PlanModel::Exact, &[ball, hill].map(|body| (VolumeSide::KeepOut, body)), 60);
-    is_committed_as_above_a_floor(PlanModel::Hover, &[room()], 60);
-}
-
 /// In the hover model chains of integrators are null controllable however small their bounds, so without limits every plan can
 /// be stopped from everywhere: the vehicle without a rotor only needs time.
 #[test]
@@ -289,5 +280,14 @@ mod thorough {
             assert!(s.outside[0].committed() > 4.0, "{:?}", s.outside);
             assert_eq!(s.committed, [0.0]);
         }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn a_descent_towards_other_bodies_is_committed_as_above_a_floor() {
+        let ball = Body::Ball { centre: [0.0, 0.0, -500.0], radius: 500.0 };
+        let hill = Body::HalfSpace { normal: [0.0, 0.0, 1.0], offset: 0.0 };
+        is_committed_as_above_a_floor(PlanModel::Exact, &[ball, hill].map(|body| (VolumeSide::KeepOut, body)), 60);
+        is_committed_as_above_a_floor(PlanModel::Hover, &[room()], 60);
     }
 }

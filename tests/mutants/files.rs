@@ -76,8 +76,7 @@ pub fn check(path: &Path, bytes: &[u8]) -> bool {
     let is_mission = looked_at(&imported);
     if MISSIONS.iter().any(|name| path.ends_with(name.trim_start_matches("../"))) {
         let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs/vehicles/octo_ppnnppnn.mav");
-        let joined =
-            mission::join(name, bytes, &beside.display().to_string(), &Compiler::new(), |spec| mavc::check(spec));
+        let joined = mission::join(name, bytes, &beside.display().to_string(), &Compiler::new(), mavc::check);
         shown(&joined.diagnostics, &joined.files.sources);
         assert!(joined.spec.is_some() || has_error(&joined.diagnostics));
     }

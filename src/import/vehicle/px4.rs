@@ -44,8 +44,8 @@ pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnos
             error.here("`CA_AIRFRAME` of a multirotor is 0").help("name the parameters of a multirotor"),
         ));
     }
-    let count = reader.count(source)?;
     reader.every_value_is_known()?;
+    let count = reader.count(source)?;
     let rotors = (0..count).map(|i| reader.rotor(i)).collect::<Result<Vec<_>, _>>()?;
     for i in (0..count).filter(|i| rotors[*i].thrust.is_none()) {
         let others = rotors.iter().any(|rotor| rotor.thrust.is_some());
