@@ -134,16 +134,25 @@ def at(pieces, time_s, order):
     return np.array([np.polyval(np.polyder(c[::-1], order) if order else c[::-1], s) for c in coefficients])
 
 
-def flown(pieces, drone="cf2x_P250", rate=1000):
+def slower(thrust, speeds, rotor, share):
+    """Speeds with which one rotor gives a share of its thrust; `thrust` has the coefficients of the speed in ascending powers."""
+    speeds = speeds.copy()
+    given = np.polyval(thrust[::-1], speeds[rotor])
+    speeds[rotor] = np.max(np.roots([*thrust[:0:-1], thrust[0] - share * given]))
+    return speeds
+
+
+def flown(pieces, weak=None, drone="cf2x_P250", rate=500):
     """The largest distance (m) from the pieces of a Crazyflie in still air that starts in hover, with its state known. The position loop
-    runs at 100 Hz and the attitude loop at 500 Hz, as in the firmware."""
+    runs at 100 Hz and the attitude loop at 500 Hz, as in the firmware. `weak` is a rotor, the share of its thrust that it gives, and
+    from when on (s), which the controller never knows."""
     outer, inner, mix = (with_gains(part, drone) for part in (state2attitude, attitude2force_torque, force_torque2rotor_vel))
     model, h, worst = parametrize(dynamics, drone), 1 / rate, 0.0
+    thrust = model.keywords["rpm2thrust"]
     start = at(pieces, 0.0, 0)
     position, velocity, rates = start[:3].copy(), np.zeros(3), np.zeros(3)
     attitude, before = Rotation.from_euler("z", start[3]), np.zeros(3)
-    hover = model.keywords["mass"] * 9.81 / 4
-    rotors = np.full(4, np.max(np.roots([*model.keywords["rpm2thrust"][:0:-1], -hover])))
+    rotors = np.full(4, np.max(np.roots([*thrust[:0:-1], thrust[0] - model.keywords["mass"] * 9.81 / 4])))
     of_position, of_attitude = np.zeros(3), np.zeros(3)
     for k in range(round(sum(duration for duration, _ in pieces) * rate)):
         setpoint = [at(pieces, k * h, order) for order in range(3)]
@@ -155,10 +164,12 @@ def flown(pieces, drone="cf2x_P250", rate=1000):
         if k % (rate // 500) == 0:
             force, torque, of_attitude = inner(*state, wanted, prev_ang_vel=before, ctrl_errors=(of_attitude,), ctrl_freq=500)
             before, speeds = rates.copy(), mix(force, torque)
-        _, _, acceleration, turning, spinning = model(*state, speeds, rotor_vel=rotors)
+        *_, spinning = model(*state, speeds, rotor_vel=rotors)
+        given = slower(thrust, rotors, *weak[:2]) if weak and k * h >= weak[2] else rotors
+        _, _, acceleration, turning, _ = model(*state, speeds, rotor_vel=given)
         velocity = velocity + h * acceleration
         position = position + h * velocity
         rates = rates + h * turning
         attitude = attitude * Rotation.from_rotvec(h * rates)
         rotors = rotors + h * spinning
-    return worst
+    return float(worst)

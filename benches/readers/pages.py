@@ -180,7 +180,9 @@ def crazyflie(mavc):
             got = np.array([crazyflies.at(pieces, time, order) for time in times]) - exact.at(times, order)
             yield reader, what, float(np.max(np.linalg.norm(got[:, :3], axis=1))), most
         yield reader, "landed before its end, s", max(0.0, exact.times[-1] - (landed - begun)), 0.05
-        yield reader, "flown: position, m", crazyflies.flown(pieces), 0.1
+        yield reader, "flown: position, m", crazyflies.flown(pieces), 0.04
+        # The fault of the spec's `simulate`: rotor 2 at 80 % from 4 s.
+        yield reader, "flown with W2: position, m", crazyflies.flown(pieces, weak=(1, 0.8, 4.0)), 0.08
 
 
 CHECKS = [px4, ardupilot, ros2, crazyflie]
