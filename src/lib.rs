@@ -56,8 +56,9 @@ pub use verdict::Verdict;
 pub const TEMPLATE: &str = include_str!("template.mav");
 
 /// Commented specs of whole missions, each with its kind: what `mavc new --mission KIND` writes.
-pub const MISSION_TEMPLATES: [(&str, &str); 3] = [
+pub const MISSION_TEMPLATES: [(&str, &str); 4] = [
     ("inspection", include_str!("template/inspection.mav")),
     ("delivery", include_str!("template/delivery.mav")),
     ("survey", include_str!("template/survey.mav")),
+    ("room", include_str!("template/room.mav")),
 ];

@@ -7,12 +7,24 @@ from pathlib import Path
 
 import logs
 import missions
+import pages
 import players
 import simulators
 import tables
 from plans import HOP, HOVER, Plan
 
 PLANS = [("exact", HOP, ()), ("hover", HOP, HOVER), ("survey_hexa", "examples/survey_hexa.mav", ())]
+
+
+def failures(title, found):
+    """Prints what a check found; how many differences are beyond their tolerance."""
+    failed = 0
+    for reader, quantity, difference, tolerance in found:
+        good = difference <= tolerance
+        failed += not good
+        mark = "" if good else "   BEYOND"
+        print(f"{title:12} {reader:34} {quantity:30} {difference:9.2e} of {tolerance:7.0e}{mark}", flush=True)
+    return failed
 
 
 def main():
@@ -23,12 +35,8 @@ def main():
             checks = tables.CHECKS + simulators.CHECKS + logs.CHECKS + missions.CHECKS
             if title == "exact":
                 checks = checks + players.CHECKS + logs.OF_FLIGHTS
-            for check in checks:
-                for reader, quantity, difference, tolerance in check(plan):
-                    good = difference <= tolerance
-                    failed += not good
-                    mark = "" if good else "   BEYOND"
-                    print(f"{title:12} {reader:34} {quantity:24} {difference:9.2e} of {tolerance:7.0e}{mark}", flush=True)
+            failed += sum(failures(title, check(plan)) for check in checks)
+    failed += sum(failures("pages", check(sys.argv[1])) for check in pages.CHECKS)
     print("all within tolerance" if not failed else f"{failed} beyond tolerance")
     sys.exit(failed > 0)
 

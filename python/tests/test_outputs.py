@@ -165,5 +165,5 @@ def test_check_and_texts(name, command):
 def test_templates(command):
     assert mavc.new() == command("new", "-").out
     assert mavc.new("survey") == command("new", "--mission", "survey", "-").out
-    with pytest.raises(ValueError, match="delivery, inspection, survey"):
+    with pytest.raises(ValueError, match="delivery, inspection, room, survey"):
         mavc.new("party")

@@ -70,7 +70,7 @@ pub(super) enum Command {
     New {
         /// The file to write, which must not exist yet, or `-` for standard output
         file: PathBuf,
-        /// Start from a whole mission, with legs, volumes, wind and a battery
+        /// Start from a whole mission, with volumes and a battery; `room` is one of a Crazyflie, the others have legs and wind
         #[arg(long, value_name = "KIND", value_parser = MISSION_TEMPLATES.map(|(kind, _)| kind))]
         mission: Option<String>,
     },

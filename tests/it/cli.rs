@@ -11,7 +11,7 @@ mod stuck;
 mod sweeps;
 mod watching;
 
-use crate::tutorial::{is_updating, matches, updated};
+use crate::walk::{is_updating, matches, updated};
 use serde_json::Value;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -364,7 +364,7 @@ fn new_writes_a_spec_that_plans_and_never_overwrites() {
 fn new_writes_whole_missions_that_check_and_plan() {
     let dir = folder();
     let kinds = mavc::MISSION_TEMPLATES.map(|(kind, _)| kind);
-    assert_eq!(kinds, ["inspection", "delivery", "survey"]);
+    assert_eq!(kinds, ["inspection", "delivery", "survey", "room"]);
     for kind in kinds {
         let spec = dir.path().join(kind).with_extension("mav");
         assert_eq!(code(&mavc(&["new", text(&spec), "--mission", kind])), 0);
@@ -379,7 +379,7 @@ fn new_writes_whole_missions_that_check_and_plan() {
     assert!(out(&ran).contains("\n  battery: ") && out(&ran).contains("keep_out "), "{}", out(&ran));
     let unknown = mavc(&["new", "-", "--mission", "race"]);
     assert_eq!(code(&unknown), 2);
-    assert!(err(&unknown).contains("inspection, delivery, survey"), "{}", err(&unknown));
+    assert!(err(&unknown).contains("inspection, delivery, survey, room"), "{}", err(&unknown));
 }
 
 /// Outputs in the README and in docs/command.md are what the commands print: words alike, numbers to 2 %. A line `...` stands
