@@ -82,15 +82,14 @@ def px4(plan):
 
 
 def crazyflie(plan):
-    """As Crazyswarm's uav_trajectory.py reads it, packed by cflib and evaluated in the Crazyflie's float32."""
+    """As Crazyswarm's uav_trajectory.py reads it, packed by cflib, with the numbers of the Crazyflie's float32."""
     path = plan.write("crazyflie.csv", "--format", "crazyflie")
     with open(path) as file:
         data = np.loadtxt(file, delimiter=",", skiprows=1, usecols=range(33))
     assert len(data) >= 2 and path.read_text().startswith("duration,x^0,")
-    pieces, packed_pieces = [], []
+    pieces = []
     for row in data:
         packed = Poly4D(row[0], *(Poly4D.Poly(list(row[1 + 8 * i : 9 + 8 * i])) for i in range(4))).pack()
-        packed_pieces.append(bytes(packed))
         values = np.array(struct.unpack("<33f", packed))
         pieces.append((values[32], values[:32].reshape(4, 8)))
     yield "crazyflie, cflib", "bytes", 132.0 * len(pieces), 4096
@@ -115,23 +114,12 @@ def crazyflie(plan):
     for order, what in enumerate(("position", "velocity", "acceleration")):
         yield "crazyflie, cflib", f"jump of {what}", max(join[order] for join in joins), 1e-4
     yield "crazyflie, cflib", "duration", abs(begin - plan.exact.times[-1]), 1e-5
-    clone = os.environ.get("CRAZYFLIE_FIRMWARE")
-    if clone:
-        times = np.linspace(0, plan.exact.times[-1], 1000)[:-1]
-        read = clones.flown_by_firmware(clone, plan.folder, b"".join(packed_pieces), times)
-        for order, what in enumerate(("position, m", "velocity, m/s")):
-            worst = np.max(np.linalg.norm(read[:, 3 * order : 3 * order + 3] - plan.exact.at(times, order)[:, :3], axis=1))
-            yield "crazyflie, firmware piecewise_eval", what, float(worst), (0.01, 0.05)[order]
-        yield "crazyflie, firmware piecewise_eval", "yaw, rad", MAX(read[:, 6] - plan.exact.at(times, 0)[:, 3]), 0.01
 
 
 def mav_trajectory_generation(plan):
     path = plan.write("plan.yaml", "--format", "mav-trajectory-generation")
     segments = yaml.safe_load(path.read_text())["segments"]
     yield from of_segments(plan, "mav-trajectory-generation, PyYAML", [(s["time"], np.array(s["coefficients"])) for s in segments])
-    clone = os.environ.get("MAV_TRAJECTORY_GENERATION")
-    if clone:
-        yield from of_segments(plan, "mav_trajectory_generation, C++", clones.segments(clone, plan.folder, path))
 
 
 def of_segments(plan, reader, segments):

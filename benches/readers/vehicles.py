@@ -102,10 +102,30 @@ def templates(mavc, folder):
     print(f"  {vehicles} vehicles")
 
 
+def allocated(script):
+    """Forward and left (m) and spin of every rotor of a script of PX4, with its defaults: places 0, torque per thrust 0.05."""
+    found = dict(re.findall(r"^\s*param set(?:-default)?\s+(CA_\w+)\s+(\S+)", script, re.MULTILINE))
+    value = lambda i, key, default=0.0: float(found.get(f"CA_ROTOR{i}_{key}", default))
+    count = int(found["CA_ROTOR_COUNT"])
+    return [((value(i, "PX"), -value(i, "PY"), -value(i, "PZ")), "P" if value(i, "KM", 0.05) > 0 else "N") for i in range(count)]
+
+
 def airframes(mavc, folder):
-    for script in sorted(p for p in folder.rglob("*") if p.is_file()):
-        spec, reason = imported(mavc, script.read_text(errors="replace"))
+    vehicles, scripts = 0, sorted(p for p in folder.rglob("*") if p.is_file())
+    for script in scripts:
+        text = script.read_text(errors="replace")
+        spec, reason = imported(mavc, text)
         print(f"  {script.name}: {'a vehicle with %d rotors' % spec.count('rotor at') if spec else reason}")
+        if spec:
+            vehicles += 1
+            found = [(tuple(place), spin) for place, spin in rotors(mavc, spec)]
+            expected = allocated(text)
+            if len(found) != len(expected) or any(
+                spin != as_spin or max(abs(x - y) for x, y in zip(place, as_place)) > 1e-6
+                for (place, spin), (as_place, as_spin) in zip(found, expected)
+            ):
+                raise SystemExit(f"{script}: {found} and not {expected}")
+    print(f"  {vehicles} of {len(scripts)} are vehicles, every rotor as the script has it")
 
 
 def main():
