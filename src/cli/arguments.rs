@@ -110,7 +110,7 @@ pub(super) struct CheckArgs {
     /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input
     #[arg(required = true, value_name = "SPEC")]
     pub specs: Vec<String>,
-    /// Check missions of ground stations (`mavc import mission`) with the vehicle of this spec, which has no mission of its own
+    /// Check missions of ground stations (`mavc import mission`) with the vehicle of this spec, whose own mission is not looked at
     #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
     pub vehicle: Option<String>,
     /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%

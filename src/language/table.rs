@@ -315,7 +315,7 @@ group! {
          share the time as described under [mission](#mission). `uniform`: all legs take the same time. `distance`: each leg takes \
          time in proportion to its length, on curves too";
     VEHICLE "vehicle", Names(&[]), Otherwise("the only one"), "the name of the vehicle to use, if the spec has several";
-    MISSION "mission", Names(&[]), Otherwise("the only one"), "the name of the mission to plan, if the spec has several";
+    MISSION "mission", Names(&[]), Otherwise("the spec's only one"), "the name of the mission to plan, if the spec has several";
 }
 
 group! {

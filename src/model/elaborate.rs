@@ -13,7 +13,7 @@ use super::understanding::Understanding;
 use super::{DefaultUsed, FaultMode, Model, Vehicle, air, lag, mission, sense, vehicle, volume};
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::number::number;
-use crate::source::{Span, Spanned};
+use crate::source::{FileId, Span, Spanned};
 use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile};
 use crate::unit::GRAVITY;
 
@@ -227,7 +227,8 @@ fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: 
     }
 }
 
-/// The index of the vehicle or mission to use: the one `plan` names, or the only one.
+/// The index of the vehicle or mission to use: the one that `plan` names, the only one, or the only mission of the spec itself, which
+/// goes before those of files that it uses for their vehicles.
 fn choose<'a>(
     cx: &mut Context<'a>,
     draft: &Draft<'a>,
@@ -257,6 +258,10 @@ fn choose<'a>(
             let [first, second, ..] = sure[..] else {
                 return Some(sure.first().copied().unwrap_or(0));
             };
+            let mut own = sure.iter().filter(|&&index| named[index].1.file == FileId(0));
+            if let ("mission", Some(only), None) = (what, own.next(), own.next()) {
+                return Some(*only);
+            }
             let (first, second) = (named[first], named[second]);
             let message = format!("the spec has {} {what}s, but `plan` chooses none", sure.len());
             let help = format!("write `{what} = {}` in `plan`", first.0);

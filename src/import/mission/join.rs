@@ -45,6 +45,8 @@ pub fn join(
     // Beside the vehicle, so that its name alone finds it.
     let folder = Path::new(vehicle).parent().unwrap_or(Path::new(""));
     let beside = folder.join(MISSION);
+    // The spec may have a mission of its own, and its `plan` may name it.
+    let compiler = compiler.clone().set(format!("plan.mission={}", write::name(name)));
     let Compiled { spec, mut diagnostics, files } =
         compiler.text(&beside.display().to_string(), written.text.as_bytes());
     if let Some(spec) = &spec {

@@ -77,7 +77,7 @@ pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>) -> Result<Wri
 }
 
 /// The name of the mission: that of the file, as far as a spec can have it.
-fn name(path: &str) -> String {
+pub(super) fn name(path: &str) -> String {
     let stem = std::path::Path::new(path).file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
     let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let name: String = stem.chars().take(40).map(letter).collect();

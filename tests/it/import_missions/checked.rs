@@ -99,3 +99,25 @@ fn the_command_writes_a_spec_that_uses_the_vehicle() {
     assert_eq!(mavc(&["import", "mission", &path("bad.plan"), "-o", &path("out/bad.mav")]).status.code(), Some(1));
     assert!(!Path::new(&path("out/bad.mav")).exists());
 }
+
+/// The spec of a vehicle often has a mission, as those of `mavc new` have, and its `plan` may even name it.
+#[test]
+fn the_mission_of_the_vehicle_is_not_looked_at() {
+    let own = "mission own { start at [0, 0, 2] m; waypoint at [9, 0, 2] m }\n";
+    for plan in ["", "plan { samples = 60 }\n", "plan { mission = own; samples = 60 }\n"] {
+        let vehicle = format!("{HEXA}{own}{plan}");
+        let fine = check(PLAN, &vehicle);
+        assert_eq!(fine.status.code(), Some(0), "{plan}{}", out(&fine));
+        let inside = check(&PLAN.replace("47.39777106, 8.5466122", "47.39815, 8.5461"), &vehicle);
+        says(&inside, line_of(2), "error[mavc::volume::waypoint]", "item 2: waypoint 3 is inside `keep_out fence_1`");
+    }
+    // The written spec flies the imported mission, too.
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    std::fs::write(path("field.plan"), PLAN).unwrap();
+    std::fs::write(path("v.mav"), format!("{HEXA}{own}plan {{ samples = 60 }}\n")).unwrap();
+    let ran = mavc(&["import", "mission", &path("field.plan"), "--vehicle", &path("v.mav"), "-o", &path("field.mav")]);
+    assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));
+    let model = mavc(&["emit", "model", &path("field.mav")]);
+    assert!(out(&model).contains("\nmission field\n"), "{}", out(&model) + &err(&model));
+}
