@@ -125,6 +125,7 @@ def test_a_spec_without_a_mission(command, write, example):
     assert ran.code == 1 and str(caught.value) == ran.err.rstrip("\n")
 
 
+@pytest.mark.long
 def test_a_fault_after_the_end(command, write):
     name = write("late.mav", mavc.new())
     # The time is found by a search, so only the plan shows that the fault strikes after its end.
