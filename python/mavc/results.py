@@ -90,7 +90,7 @@ class Analysis:
     """The healthy vehicle, then every declared fault mode."""
 
     vehicle: str
-    modes: tuple[Mode, ...]
+    modes: tuple[Mode, ...] = field(repr=False)
     json: str = field(repr=False)
     """What `mavc analyze --format json` prints."""
     text: str = field(repr=False)

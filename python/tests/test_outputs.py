@@ -14,7 +14,10 @@ SPECS = {"template.mav": None, "survey.mav": "examples/survey_hexa.mav", "parcel
 QUIET_PROGRESS = re.compile(r"^mavc: .*\n", re.MULTILINE)
 
 
-@pytest.fixture(params=["template.mav", "survey.mav", pytest.param("parcel.mav", marks=pytest.mark.long)])
+LONG = [pytest.param(name, marks=pytest.mark.long) for name in ("survey.mav", "parcel.mav")]
+
+
+@pytest.fixture(params=["template.mav", *LONG])
 def name(request, write, example):
     source = SPECS[request.param]
     return write(request.param, mavc.new() if source is None else example(source))
