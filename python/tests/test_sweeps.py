@@ -27,14 +27,14 @@ def test_a_grid_of_analyses():
     assert mavc.sweep(SPEC, grid=grid, workers=1).csv == found.csv
 
 
-def test_plans_and_functions():
-    samples = [{"plan.time": time, "plan.model": "hover", "plan.samples": 30} for time in (30.0, 6.0)]
-    found = mavc.sweep(mavc.compile(SPEC, set=["plan.against = [M1]"], warn=False), samples=samples, run="plan")
+def test_plans_and_functions(small):
+    samples = [{"plan.time": time, "simulate.duration": 8.0} for time in (6.0, 1.0)]
+    found = mavc.sweep(mavc.compile(small), samples=samples, run="plan")
     assert found["verdict"].tolist() == ["found", "proved infeasible"]
-    assert found["time_s"][0] == 30.0 and math.isnan(found["time_s"][1])
+    assert found["time_s"][0] == 6.0 and math.isnan(found["time_s"][1])
     assert found["smallest_margin"][0] > 0
 
-    rotors = mavc.sweep(SPEC, samples=samples, run=lambda spec: {"rotors": spec.analyze().record["rotors"]})
+    rotors = mavc.sweep(small, samples=samples, run=lambda spec: {"rotors": spec.analyze().record["rotors"]})
     assert rotors["rotors"].tolist() == [8, 8]
     with pytest.raises(ValueError, match="no run 'fly'"):
         mavc.sweep(SPEC, samples=samples, run="fly")
