@@ -31,6 +31,10 @@ lint:
     cargo fmt --check
     cargo clippy --all-targets -- -D warnings
 
+# The Python package, without its long tests; needs what `just test` builds.
+python:
+    bash python/check.sh quick
+
 # The documentation of the code, private items included.
 docs:
     RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --document-private-items

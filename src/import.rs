@@ -5,6 +5,7 @@
 
 pub mod json;
 pub mod mission;
+pub mod unknown;
 pub mod vehicle;
 
 use crate::diagnostic::{Diagnostic, Severity};

@@ -20,6 +20,8 @@ from .errors import (
     SpecError,
     SpecWarning,
 )
+from .exports import Exported
+from .imports import Imported, import_mission, import_vehicle
 from .layouts import rings
 from .results import Analysis, Campaign, Log, Mode, Plan, Simulation, Trajectory
 from .runs import Cancel, Progress
@@ -28,4 +30,47 @@ from .sweeps import Sweep, sweep
 from .table import Rows, Table
 
 __version__ = _mavc.VERSION
-__all__ = [name for name in dir() if not name.startswith("_")]
+__all__ = [
+    "Analysis",
+    "BuildError",
+    "Campaign",
+    "Cancel",
+    "Cancelled",
+    "Diagnostic",
+    "Diagnostics",
+    "Exported",
+    "FaultMode",
+    "Fix",
+    "Imported",
+    "InternalError",
+    "Label",
+    "Log",
+    "Mission",
+    "Mode",
+    "Place",
+    "Plan",
+    "Problem",
+    "Progress",
+    "Rejected",
+    "Rotor",
+    "Rows",
+    "Simulation",
+    "Spec",
+    "SpecError",
+    "SpecWarning",
+    "Sweep",
+    "Table",
+    "Trajectory",
+    "Vehicle",
+    "Verification",
+    "Volume",
+    "Waypoint",
+    "build",
+    "compile",
+    "format",
+    "import_mission",
+    "import_vehicle",
+    "new",
+    "rings",
+    "sweep",
+]

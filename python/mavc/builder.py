@@ -12,11 +12,11 @@ from typing import Any, Iterable, Mapping, Sequence, Union
 
 from . import _mavc
 from .errors import BuildError, Problem
-from .quantity import checked, is_quantity
+from .quantity import Overrides, checked, is_quantity
 from .spec import Spec, compile
 
-Call = tuple[str, list]
-Bounds = Union[float, tuple]
+Call = tuple[str, list[Any]]
+Bounds = Union[float, tuple[Any, Any]]
 
 
 class _Fields:
@@ -104,7 +104,7 @@ class Waypoint(_Fields):
     def _calls(self) -> list[Call]:
         clauses = [(name, checked("waypoint", name, value)) for name, value in self.fields.items()]
         calls: list[Call] = [("waypoint", [_vector("waypoint", "at", self.at), clauses])]
-        return calls + ([("hold", [_plain("s", "hold", self.hold)])] if self.hold is not None else [])
+        return calls + ([("hold", [_plain("s", self.hold)])] if self.hold is not None else [])
 
 
 class Volume(_Fields):
@@ -151,7 +151,7 @@ def build(
     strikes: Iterable[tuple[str, float]] = (),
     campaign: Mapping[str, Any] | None = None,
     top: Mapping[str, Any] | None = None,
-    set: Iterable[str] = (),
+    set: Overrides = (),
 ) -> Spec:
     """Builds a spec. `strikes` are pairs of a fault mode and the time (s) at which it strikes in simulations; `top` are the fields
     outside all blocks, such as `gravity`; `set` has overrides, for what has no value here, such as an interval.
@@ -162,7 +162,7 @@ def build(
     calls += [call for mode in faults for call in mode._calls()]
     calls += mission._calls() if mission is not None else []
     calls += _set("plan", plan or {}) + _set("simulate", simulate or {})
-    calls += [("strike", [mode, _plain("s", "strikes", at)]) for mode, at in strikes]
+    calls += [("strike", [mode, _plain("s", at)]) for mode, at in strikes]
     text, problems = _mavc.build(calls + _set("campaign", campaign or {}))
     if problems:
         raise BuildError(tuple(Problem(*problem) for problem in problems), text)
@@ -183,10 +183,8 @@ def _vector(block: str, field: str, value: Any) -> Any:
     return [checked(block, field, part) for part in value]
 
 
-def _plain(unit: str, name: str, value: Any) -> float:
-    if is_quantity(value):
-        return value.to(unit).magnitude
-    return value
+def _plain(unit: str, value: Any) -> Any:
+    return value.to(unit).magnitude if is_quantity(value) else value
 
 
 def _limit(name: str, bounds: Bounds) -> Call:

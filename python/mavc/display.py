@@ -41,8 +41,8 @@ def page(html: str) -> str:
 
 def campaign(found: Campaign) -> str:
     """The share of flights of each planner and mode that survived."""
-    flights: Counter = Counter()
-    survived: Counter = Counter()
+    flights: Counter[tuple[str, str]] = Counter()
+    survived: Counter[tuple[str, str]] = Counter()
     for planner, mode, outcome in zip(found.rows["planner"], found.rows["mode"], found.rows["outcome"]):
         flights[planner, mode] += 1
         survived[planner, mode] += outcome in ("flown", "landed")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Iterable
+from typing import Any, Iterable
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Diagnostic:
         return f"{self.place.file}:{self.place.line}:{self.place.column}: {self.severity}[{self.code}]: {self.message}"
 
 
-class Diagnostics(tuple):
+class Diagnostics(tuple[Diagnostic, ...]):
     """Diagnostics in the order of the terminal; `str` gives the text that commands print."""
 
     text: str
@@ -68,7 +68,7 @@ class Diagnostics(tuple):
         assert isinstance(other, Diagnostics)
         return Diagnostics(tuple(self) + tuple(other), self.text + other.text)
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[Any, ...]:
         return Diagnostics, (tuple(self), self.text)
 
     @property
@@ -84,16 +84,19 @@ def diagnostics(shown: tuple[str, str]) -> Diagnostics:
 
 def _diagnostic(line: str) -> Diagnostic:
     record = json.loads(line)
-    place = lambda of: Place(of["file"], of["line"], of["column"], of["end_line"], of["end_column"])
     return Diagnostic(
         record["code"],
         record["severity"],
         record["message"],
-        place(record),
-        tuple(Label(label["message"], place(label)) for label in record["labels"]),
+        _place(record),
+        tuple(Label(label["message"], _place(label)) for label in record["labels"]),
         record["help"],
-        tuple(Fix(fix["text"], place(fix)) for fix in record["fixes"]),
+        tuple(Fix(fix["text"], _place(fix)) for fix in record["fixes"]),
     )
+
+
+def _place(of: dict[str, Any]) -> Place:
+    return Place(of["file"], of["line"], of["column"], of["end_line"], of["end_column"])
 
 
 class SpecError(ValueError):
@@ -103,7 +106,7 @@ class SpecError(ValueError):
         super().__init__(str(diagnostics).rstrip("\n"))
         self.diagnostics = diagnostics
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.diagnostics,)
 
 
@@ -137,7 +140,7 @@ class BuildError(ValueError):
         self.text = text
         """The text that was built."""
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.problems, self.text)
 
 

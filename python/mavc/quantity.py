@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 from numbers import Real
-from typing import Any
+from typing import Any, Iterable, Mapping, Union
 
 from . import _mavc
 
 # The base units of pint, and how the language writes them.
 _BASES = {"kilogram": "kg", "meter": "m", "second": "s", "radian": "rad", "ampere": "A"}
+
+
+Overrides = Union[Iterable[str], Mapping[str, Any]]
+"""Overrides of a spec: as `--set` takes them, or values by field."""
+
+
+def overrides(given: Overrides) -> tuple[str, ...]:
+    """Overrides as `--set` takes them."""
+    if isinstance(given, Mapping):
+        return tuple(f"{field} = {written(field, value)}" for field, value in given.items())
+    return (given,) if isinstance(given, str) else tuple(given)
 
 
 def is_quantity(value: Any) -> bool:
@@ -43,7 +54,7 @@ def checked(block: str, field: str, value: Any) -> Any:
     return magnitude
 
 
-def _without_angle(unit: str) -> str:
+def _without_angle(unit: str) -> str | None:
     """`1/s` for `rad/s`."""
     return _mavc.dimension(f"{unit}*rad^-1") if "rad" in unit else unit
 

@@ -3,16 +3,29 @@
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from . import _mavc, display
 from .errors import Diagnostics
+from .exports import Exported, exported
 from .runs import Callback, Cancel, job
 from .table import Rows, Table, numbers
+
+
+Record = dict[str, Any]
+"""An object of JSON, under the names of the schemas in docs/schema."""
+
+
+def loaded(text: str) -> Record:
+    """The object of a text."""
+    record: Record = json.loads(text)
+    return record
 
 
 def _array(values: Any) -> np.ndarray:
@@ -45,7 +58,7 @@ class Mode:
     least_mass: float
     headroom: dict[str, tuple[float, float]] | None
     """How far thrust (N) and torques (N m) reach below and above hover."""
-    record: dict = field(repr=False)
+    record: Record = field(repr=False)
     """Every figure, under the names of the JSON."""
 
     @property
@@ -54,7 +67,7 @@ class Mode:
         return self.verdict == "controllable" and self.hover == "inside"
 
 
-def _mode(record: dict) -> Mode:
+def _mode(record: Record) -> Mode:
     headroom = record["headroom"]
     return Mode(
         record["name"],
@@ -77,7 +90,7 @@ class Analysis:
     """The healthy vehicle, then every declared fault mode."""
 
     vehicle: str
-    modes: tuple[Mode, ...]
+    modes: tuple[Mode, ...] = field(repr=False)
     json: str = field(repr=False)
     """What `mavc analyze --format json` prints."""
     text: str = field(repr=False)
@@ -108,15 +121,15 @@ class Analysis:
         return np.array([mode.acai for mode in self.faults])
 
     @cached_property
-    def record(self) -> dict:
-        return json.loads(self.json)
+    def record(self) -> Record:
+        return loaded(self.json)
 
     def _repr_html_(self) -> str:
         return display.analysis(self)
 
 
 def analysis(texts: tuple[str, str], diagnostics: Diagnostics) -> Analysis:
-    record = json.loads(texts[0])
+    record = loaded(texts[0])
     return Analysis(record["vehicle"], tuple(map(_mode, record["modes"])), *texts, diagnostics)
 
 
@@ -231,13 +244,14 @@ class Plan:
         return self.trajectory.csv if self.trajectory is not None else None
 
     @cached_property
-    def record(self) -> dict:
-        return json.loads(self.json)
+    def record(self) -> Record:
+        return loaded(self.json)
 
     @property
-    def planner(self) -> dict:
+    def planner(self) -> Record:
         """The record of the planner whose plan this is."""
-        return self.record["planners"][-1]
+        planners: list[Record] = self.record["planners"]
+        return planners[-1]
 
     @property
     def time(self) -> float:
@@ -253,6 +267,24 @@ class Plan:
     def at(self, rate: float, *, threads: int | None = None) -> Trajectory:
         """The trajectory with rows at a rate, Hz: what `mavc plan -o --rate` writes."""
         return Trajectory(_mavc.table(self._handle, *job(threads, None, None), rate))
+
+    def export(
+        self,
+        format: str,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        rate: float | None = None,
+        tolerance: float | None = None,
+        frame: str | None = None,
+        threads: int | None = None,
+    ) -> Exported:
+        """The plan for another tool: what `mavc plan -o --format` writes, `"px4-offboard"` for instance (docs/exchange.md lists the
+        formats). `rate` is in Hz, `tolerance` in m, and `frame` is `"enu-flu"` or `"ned-frd"`. With `path` it is written there too.
+
+        Raises ValueError if there is no plan, the format cannot carry it, or the arguments do not go together.
+        """
+        found = _mavc.export(self._handle, *job(threads, None, None), format, rate, frame, tolerance)
+        return exported(format, found, path)
 
     def certificate(
         self, *, threads: int | None = None, progress: Callback = None, cancel: Cancel | None = None
@@ -295,14 +327,37 @@ class Simulation:
         return self.log.csv if self.log is not None else None
 
     @cached_property
-    def record(self) -> dict:
-        return json.loads(self.json)
+    def record(self) -> Record:
+        return loaded(self.json)
+
+    def export(
+        self,
+        format: str,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        rate: float | None = None,
+        layout: str | os.PathLike[str] | None = None,
+        threads: int | None = None,
+    ) -> Exported:
+        """The log for another tool: what `mavc simulate -o --format` writes, `"mcap"` or `"ulog"` for instance, with rows at `rate`
+        (Hz). With `path` it is written there too; a layout that shows it is written to `layout`. The flight is simulated again.
+
+        Raises ValueError if there is no flight, or the format has no layout.
+        """
+        # Before anything is written.
+        shown = None if layout is None else _mavc.layout(self.plan._handle, format)
+        found = _mavc.export_log(self.plan._handle, *job(threads, None, None), format, rate)
+        result = exported(format, found, path)
+        if layout is not None and shown is not None:
+            Path(layout).write_text(shown, encoding="utf-8", newline="\n")
+        return result
 
     def html(self, *, threads: int | None = None) -> str:
         """The report as one page: what `mavc simulate --html` writes. The flight is simulated again."""
         if self.log is None:
             return self.plan.html(threads=threads)
-        return _mavc.simulate(self.plan._handle, *job(threads, None, None), None, True)[5]
+        page: str = _mavc.simulate(self.plan._handle, *job(threads, None, None), None, True)[5]
+        return page
 
     def _repr_html_(self) -> str:
         return display.page(self.html())
@@ -327,8 +382,8 @@ class Campaign:
         return self.text
 
     @cached_property
-    def record(self) -> dict:
-        return json.loads(self.json)
+    def record(self) -> Record:
+        return loaded(self.json)
 
     def html(self) -> str:
         """The report as one page: what `mavc campaign --html` writes."""

@@ -36,7 +36,11 @@ class Cancel:
 Callback = Optional[Callable[[Progress], Any]]
 
 
-def job(threads: int | None, progress: Callback, cancel: Cancel | None) -> tuple[int, Any, Any]:
+Job = tuple[int, Any, Any]
+"""Threads, callback and handle, as the native part takes them."""
+
+
+def job(threads: int | None, progress: Callback, cancel: Cancel | None) -> Job:
     """The arguments of a run. Without a `Cancel` it has its own: an interrupted run is cancelled too."""
     if threads is not None and threads < 1:
         raise ValueError("a run needs at least one thread")

@@ -12,9 +12,9 @@ from typing import Any, Iterable
 
 from . import _mavc
 from .errors import Diagnostics, Rejected, SpecError, SpecWarning, diagnostics
-from .quantity import written
-from .results import Analysis, Campaign, Log, Plan, Simulation, Trajectory, analysis
-from .runs import Callback, Cancel, job
+from .quantity import Overrides, overrides
+from .results import Analysis, Campaign, Log, Plan, Record, Simulation, Trajectory, analysis, loaded
+from .runs import Callback, Cancel, Job, job
 from .table import Rows
 
 
@@ -42,7 +42,7 @@ class Spec:
         set = "".join(f", {override}" for override in self.overrides)
         return f"<mavc.Spec {self.name}{set}>"
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[Any, ...]:
         return Spec, (self.name, self._source, self.overrides)
 
     @property
@@ -61,9 +61,9 @@ class Spec:
         return tuple(json.loads(_mavc.facts(self._handle, "modes")))
 
     @property
-    def model(self) -> dict:
+    def model(self) -> Record:
         """The vehicle and its fault modes: `mavc emit model --format json`."""
-        return json.loads(_mavc.facts(self._handle, "model"))
+        return loaded(_mavc.facts(self._handle, "model"))
 
     @property
     def defaults(self) -> str:
@@ -76,8 +76,8 @@ class Spec:
 
         Raises SpecError if the override has an error, or the spec with it.
         """
-        override = field if value is None else f"{field} = {written(field, value)}"
-        return Spec(self.name, self._source, (*self.overrides, override))
+        given = [field] if value is None else {field: value}
+        return Spec(self.name, self._source, (*self.overrides, *overrides(given)))
 
     def check(
         self, *, threads: int | None = None, progress: Callback = None, cancel: Cancel | None = None
@@ -111,7 +111,7 @@ class Spec:
         """
         return self._plan(False, job(threads, progress, cancel))
 
-    def _plan(self, flies: bool, job: tuple) -> Plan:
+    def _plan(self, flies: bool, job: Job) -> Plan:
         found = _mavc.plan(self._handle, *job, flies)
         if found[0] is None:
             raise SpecError(diagnostics(found[1]))
@@ -120,7 +120,7 @@ class Spec:
 
     def compare(
         self, *, threads: int | None = None, progress: Callback = None, cancel: Cancel | None = None
-    ) -> dict:
+    ) -> Record:
         """Plans with every planner; the record of `mavc compare --report`.
 
         Raises SpecError if the planners cannot be compared.
@@ -128,7 +128,7 @@ class Spec:
         report, shown = _mavc.compare(self._handle, *job(threads, progress, cancel))
         if report is None:
             raise SpecError(diagnostics(shown))
-        return json.loads(report)
+        return loaded(report)
 
     def simulate(
         self,
@@ -212,23 +212,28 @@ class Verification:
         return self.text
 
 
+def source_of(source: str | os.PathLike[str], name: str | None, marks: str, unnamed: str) -> tuple[str, bytes]:
+    """The name and the bytes of a text or a file; a `str` with one of the marks is a text."""
+    if isinstance(source, str) and any(mark in source for mark in marks):
+        return name or unnamed, source.encode()
+    return name or os.fspath(source), Path(source).read_bytes()
+
+
 def compile(
-    source: str | os.PathLike, *, name: str | None = None, set: Iterable[str] = (), warn: bool = True
+    source: str | os.PathLike[str], *, name: str | None = None, set: Overrides = (), warn: bool = True
 ) -> Spec:
     """Compiles the text of a spec, or a file.
 
     A `str` with a line break or a brace is a text, any other one the name of a file. `name` is the text's name in messages; the
-    files that it names are relative to the folder of this name. `set` has overrides, as `--set`. Warnings are kept in
-    `Spec.warnings`, and unless `warn` is false they are also issued as `SpecWarning`. Mistakes in the blocks `simulate` and
-    `campaign` are such warnings, as in `mavc plan`, and errors of `Spec.simulate` and `Spec.campaign`.
+    files that it names are relative to the folder of this name. `set` has overrides, as `--set` (`["vehicle.mass = 2 kg"]`) or by
+    field, with the values of `Spec.set` (`{"vehicle.mass": 2.0}`); a figure that stands as `?` in the text is known then. Warnings
+    are kept in `Spec.warnings`, and unless `warn` is false they are also issued as `SpecWarning`. Mistakes in the blocks `simulate`
+    and `campaign` are such warnings, as in `mavc plan`, and errors of `Spec.simulate` and `Spec.campaign`.
 
     Raises SpecError if the text has errors, and OSError if the file cannot be read.
     """
-    if isinstance(source, str) and any(mark in source for mark in "\n{}"):
-        spec = Spec(name or "<spec>", source.encode(), tuple(set))
-    else:
-        data = Path(source).read_bytes()
-        spec = Spec(name or os.fspath(source), data, tuple(set))
+    name, data = source_of(source, name, "\n{}", "<spec>")
+    spec = Spec(name, data, overrides(set))
     if warn and spec.warnings:
         warnings.warn(f"\n{spec.warnings}", SpecWarning, stacklevel=2)
     return spec

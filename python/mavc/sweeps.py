@@ -16,13 +16,14 @@ from typing import Any, Callable, Iterable, Iterator, Sequence, Union
 import numpy as np
 
 from .errors import SpecError
-from .quantity import written
+from .quantity import overrides, written
 from .runs import Cancel
 from .spec import Spec, compile, program
 from .table import Table
 
 Sample = Mapping[str, Any]
 Row = dict[str, Any]
+Tasks = list[tuple[str, Sample]]
 Run = Union[str, Callable[[Spec], Mapping[str, Any]]]
 
 
@@ -39,7 +40,7 @@ class Sweep(Table):
         super().__init__(columns, text.getvalue())
 
 
-def _column(values: list) -> np.ndarray:
+def _column(values: list[Any]) -> np.ndarray:
     given = [value for value in values if value is not None]
     if any(isinstance(value, str) for value in given):
         values = [value if value is None else str(value) for value in values]
@@ -54,13 +55,13 @@ def _column(values: list) -> np.ndarray:
 
 
 def sweep(
-    template: Spec | str | os.PathLike,
+    template: Spec | str | os.PathLike[str],
     *,
     grid: Mapping[str, Iterable[Any]] | None = None,
     samples: Iterable[Sample] | None = None,
     run: Run = "analyze",
     client: Any = None,
-    path: str | os.PathLike | None = None,
+    path: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], Any] | None = None,
 ) -> Sweep:
@@ -106,22 +107,18 @@ def _samples(grid: Mapping[str, Iterable[Any]] | None, samples: Iterable[Sample]
 
 def _plain(sample: Sample) -> Row:
     """The overrides as they are shown: numbers stay numbers."""
-    is_plain = lambda value: isinstance(value, (int, float, str))
-    return {name: value if is_plain(value) else written(name, value) for name, value in sample.items()}
-
-
-def _overrides(sample: Sample) -> list[str]:
-    return [f"{name} = {written(name, value)}" for name, value in sample.items()]
+    is_plain = (int, float, str)
+    return {name: value if isinstance(value, is_plain) else written(name, value) for name, value in sample.items()}
 
 
 def _key(spec: Spec, sample: Sample, run: Run) -> str:
     """The hash of everything that a row depends on."""
     name = run if isinstance(run, str) else f"{run.__module__}.{run.__qualname__} {_code(run)}"
-    parts = [spec.sha256, *_overrides(sample), name, program()]
+    parts = [spec.sha256, *overrides(sample), name, program()]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
-def _code(run: Callable) -> str:
+def _code(run: Callable[..., Any]) -> str:
     code = getattr(run, "__code__", None)
     return "" if code is None else hashlib.sha256(code.co_code + repr(code.co_consts).encode()).hexdigest()
 
@@ -129,7 +126,7 @@ def _code(run: Callable) -> str:
 def work(spec: Spec, sample: Sample, run: Run, cancel: Cancel | None = None) -> Row:
     """The row of one sample, without its overrides. Other processes call this too."""
     try:
-        made = Spec(spec.name, spec._source, (*spec.overrides, *_overrides(sample)))
+        made = Spec(spec.name, spec._source, (*spec.overrides, *overrides(sample)))
         if callable(run):
             return {**run(made), "error": None}
         return {**_RUNS[run](made, cancel), "error": None}
@@ -169,7 +166,7 @@ _RUNS: dict[str, Callable[[Spec, Union[Cancel, None]], Row]] = {"analyze": _anal
 
 
 def _finished(
-    spec: Spec, tasks: list[tuple[str, Sample]], run: Run, client: Any, workers: int | None
+    spec: Spec, tasks: Tasks, run: Run, client: Any, workers: int | None
 ) -> Iterator[tuple[str, Row]]:
     """Rows with their keys, as they are finished."""
     if isinstance(run, str) and run not in _RUNS:
@@ -182,7 +179,7 @@ def _finished(
         yield from _futures(spec, tasks, run, client)
 
 
-def _local(spec: Spec, tasks: list, run: Run, workers: int | None) -> Iterator[tuple[str, Row]]:
+def _local(spec: Spec, tasks: Tasks, run: Run, workers: int | None) -> Iterator[tuple[str, Row]]:
     cancel = Cancel()
     pool = ThreadPoolExecutor(workers or os.cpu_count())
     try:
@@ -196,7 +193,7 @@ def _local(spec: Spec, tasks: list, run: Run, workers: int | None) -> Iterator[t
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-def _as_completed(futures: dict[Future, str]) -> Iterator[tuple[str, Row]]:
+def _as_completed(futures: dict[Future[Row], str]) -> Iterator[tuple[str, Row]]:
     left = set(futures)
     while left:
         done, left = wait(left, return_when=FIRST_COMPLETED)
@@ -204,7 +201,7 @@ def _as_completed(futures: dict[Future, str]) -> Iterator[tuple[str, Row]]:
             yield futures[future], future.result()
 
 
-def _futures(spec: Spec, tasks: list, run: Run, client: Any) -> Iterator[tuple[str, Row]]:
+def _futures(spec: Spec, tasks: Tasks, run: Run, client: Any) -> Iterator[tuple[str, Row]]:
     """Executors of `concurrent.futures`, and clients of Dask, whose futures are not those of the standard library."""
     futures = {client.submit(work, spec, sample, run): key for key, sample in tasks}
     if all(isinstance(future, Future) for future in futures):
@@ -214,7 +211,7 @@ def _futures(spec: Spec, tasks: list, run: Run, client: Any) -> Iterator[tuple[s
         yield from ((key, future.result()) for future, key in futures.items())
 
 
-def _ray(spec: Spec, tasks: list, run: Run, ray: Any) -> Iterator[tuple[str, Row]]:
+def _ray(spec: Spec, tasks: Tasks, run: Run, ray: Any) -> Iterator[tuple[str, Row]]:
     remote = ray.remote(work)
     pending = {remote.remote(spec, sample, run): key for key, sample in tasks}
     while pending:
@@ -226,7 +223,7 @@ def _ray(spec: Spec, tasks: list, run: Run, ray: Any) -> Iterator[tuple[str, Row
 class _Journal:
     """The file to which finished rows are appended, a line of JSON for each."""
 
-    def __init__(self, path: str | os.PathLike | None) -> None:
+    def __init__(self, path: str | os.PathLike[str] | None) -> None:
         self.path = None if path is None else Path(path).with_suffix(".jsonl")
         self.file: io.TextIOWrapper | None = None
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 import io
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Iterator
+from typing import TYPE_CHECKING, Any, Iterator, Sequence
 
 import numpy as np
 
@@ -29,7 +29,7 @@ def module(name: str, why: str) -> Any:
         raise ImportError(f"{why} needs {package}: pip install {package}", name=package) from error
 
 
-class Table(Mapping):
+class Table(Mapping[str, np.ndarray]):
     """Named columns of one length. A missing number is NaN, a missing text or truth value None; in Arrow both are null.
 
     Any library that reads the Arrow C stream interface takes a table as it is: `polars.DataFrame(table)`,
@@ -76,7 +76,8 @@ class Table(Mapping):
 
     def to_polars(self) -> polars.DataFrame:
         """The table as a Polars frame."""
-        return module("polars", "a Polars frame").from_arrow(self.to_arrow())
+        frame: polars.DataFrame = module("polars", "a Polars frame").from_arrow(self.to_arrow())
+        return frame
 
     def to_parquet(self, path: Any) -> None:
         """Writes the table as Parquet."""
@@ -103,7 +104,7 @@ class Rows(Table):
         columns = list(zip(*cells)) if cells else [()] * len(names)
         super().__init__({name: self._column(name, column) for name, column in zip(names, columns)}, csv)
 
-    def _column(self, name: str, cells: tuple) -> np.ndarray:
+    def _column(self, name: str, cells: Sequence[str]) -> np.ndarray:
         if name in self._TEXTS:
             return np.array([cell or None for cell in cells], dtype=object)
         if name == "heading_broken":

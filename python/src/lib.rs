@@ -8,7 +8,9 @@ mod builder;
 mod campaign;
 mod columns;
 mod compile;
+mod export;
 mod held;
+mod import;
 mod job;
 mod plan;
 mod simulate;
@@ -31,11 +33,13 @@ type Value = PyResult<Py<PyAny>>;
 type Function = fn(Arguments) -> Value;
 
 /// The functions of the module.
-const FUNCTIONS: [(&CStr, Function); 20] = [
+const FUNCTIONS: [(&CStr, Function); 26] = [
     (c"compile", compile::compile),
     (c"facts", compile::facts),
     (c"format", compile::format),
     (c"templates", compile::templates),
+    (c"import_vehicle", import::vehicle),
+    (c"import_mission", import::mission),
     (c"build", builder::build),
     (c"unit", builder::unit),
     (c"is_text", builder::is_text),
@@ -49,7 +53,11 @@ const FUNCTIONS: [(&CStr, Function); 20] = [
     (c"certificate", plan::certificate),
     (c"page", plan::page),
     (c"table", plan::table),
+    (c"export", export::plan),
+    (c"bag_files", export::bag_files),
     (c"simulate", simulate::simulate),
+    (c"export_log", export::log),
+    (c"layout", export::layout),
     (c"campaign", campaign::campaign),
     (c"columns", columns::columns),
 ];

@@ -1,16 +1,18 @@
 //! Plans.
 
 use crate::compile::{json, shown};
+use crate::export;
 use crate::held::{Compiled, Held};
 use crate::job::{Job, Reports};
 use crate::{Arguments, Value, object};
 use mavc::certify::between::Between;
 use mavc::diagnostic::{Diagnostic, sort};
-use mavc::pipeline::{Explained, Planning, Refusal, Task, certify};
+use mavc::pipeline::{Explained, NoFlight, Planning, Refusal, Task, certify};
 use mavc::report::page::{self, Kind, Subject};
 use mavc::report::record::Record;
 use mavc::report::trajectory_csv;
 use mavc::source::SourceMap;
+use mavc::{MissionPlan, Verdict};
 use pyo3::prelude::*;
 use std::ffi::CStr;
 use std::sync::Arc;
@@ -54,6 +56,30 @@ impl Planned {
         self.diagnostics.iter().chain(self.done.iter().flat_map(|done| &done.conflict)).cloned().collect()
     }
 
+    /// The plan.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn plan(&self) -> Result<&MissionPlan, String> {
+        self.solved().ok_or_else(|| format!("there is no plan: {}", self.verdict()))
+    }
+
+    /// The plan to fly.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn to_fly(&self) -> Result<&MissionPlan, String> {
+        self.solved().ok_or_else(|| NoFlight::NoPlan(self.verdict()).to_string())
+    }
+
+    fn solved(&self) -> Option<&MissionPlan> {
+        self.done.as_ref().and_then(|done| done.planning.plan())
+    }
+
+    fn verdict(&self) -> Verdict {
+        self.done.as_ref().map_or(Verdict::NotAttempted, |done| done.planning.verdict())
+    }
+
     /// The task, made again.
     ///
     /// # Errors
@@ -74,7 +100,7 @@ pub fn prepare(of: &Compiled) -> (Result<Task<'_>, bool>, Vec<Diagnostic>) {
 
 fn refused(of: &Arc<Compiled>, diagnostics: Vec<Diagnostic>) -> (Planned, Texts) {
     let record = Record::refused(of.spec.model(), of.spec.sha256().into());
-    let verdict = mavc::Verdict::NotAttempted.to_string();
+    let verdict = Verdict::NotAttempted.to_string();
     let planned = Planned { of: of.clone(), diagnostics, done: None };
     (planned, Texts { verdict, json: json(&record), text: String::new(), csv: None })
 }
@@ -95,7 +121,7 @@ fn planned(
         }
     };
     let conflict = task.diagnose(&explained);
-    let table = |plan: &mavc::MissionPlan| trajectory_csv::table(&plan.trajectory, task.model(), None);
+    let table = |plan: &MissionPlan| trajectory_csv::table(&plan.trajectory, task.model(), None);
     let texts = Texts {
         verdict: planning.verdict().to_string(),
         json: json(&task.report(&planning, &explained, between.clone())),
@@ -172,10 +198,8 @@ fn page_of(planned: &Planned) -> Result<String, String> {
 /// `table(plan, job, rate)`: the trajectory with rows at a rate, Hz.
 pub fn table(arguments: Arguments) -> Value {
     let of = Planned::of(&arguments.get_item(0)?)?;
-    let rate: f64 = arguments.get_item(4)?.extract()?;
-    let text = Job::of(arguments, 1)?.run(arguments.py(), move |_| {
-        let plan = of.done.as_ref().and_then(|done| done.planning.plan()).ok_or("there is no plan")?;
-        trajectory_csv::table(&plan.trajectory, of.task()?.model(), Some(rate))
-    })?;
+    let rate = export::rate(&arguments.get_item(4)?)?;
+    let text = Job::of(arguments, 1)?
+        .run(arguments.py(), move |_| trajectory_csv::table(&of.plan()?.trajectory, of.task()?.model(), rate))?;
     object(arguments.py(), text.map_err(crate::error)?)
 }

@@ -1,6 +1,7 @@
 //! Simulated flights along plans.
 
 use crate::compile::{json, shown};
+use crate::export;
 use crate::held::Held;
 use crate::job::{Job, Reports};
 use crate::plan::Planned;
@@ -36,7 +37,7 @@ struct Texts {
 pub fn simulate(arguments: Arguments) -> Value {
     let py = arguments.py();
     let of = Planned::of(&arguments.get_item(0)?)?;
-    let wanted = Wanted { rate: arguments.get_item(4)?.extract()?, page: arguments.get_item(5)?.extract()? };
+    let wanted = Wanted { rate: export::rate(&arguments.get_item(4)?)?, page: arguments.get_item(5)?.extract()? };
     let result = Job::of(arguments, 1)?.run(py, move |reports| {
         let remarks = remarks(&of)?;
         let shown = shown(&remarks, of.sources());
@@ -55,14 +56,13 @@ pub fn simulate(arguments: Arguments) -> Value {
 
 /// Errors and warnings about the flight along the plan.
 fn remarks(planned: &Planned) -> Result<Vec<Diagnostic>, String> {
-    let plan = planned.done.as_ref().and_then(|done| done.planning.plan()).ok_or("there is no plan to fly")?;
-    Ok(departure(&planned.of.spec, plan.time))
+    Ok(departure(&planned.of.spec, planned.to_fly()?.time))
 }
 
 fn flown(planned: &Planned, remarks: &[Diagnostic], wanted: Wanted, reports: &Reports) -> Result<Texts, String> {
     let task = planned.task()?;
+    let solved = planned.to_fly()?;
     let done = planned.done.as_ref().ok_or("nothing was planned")?;
-    let solved = done.planning.plan().ok_or("there is no plan to fly")?;
     let model = task.model();
     let mut log = Log::at(model, wanted.rate, longest(model, solved.time))?;
     let mut track = wanted.page.then(|| Track::along(model, &solved.trajectory));

@@ -59,6 +59,21 @@ def write(tmp_path: Path):
 
 
 @pytest.fixture
+def small() -> str:
+    """A spec with one fault mode, which is planned and flown in a fraction of a second."""
+    return """
+vehicle octo {
+    layout = "PPNNPPNN"; arm = 0.211 m; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor { max_thrust = 6.53 N; torque_per_thrust = 0.016 m; max_speed = 874 rad/s }
+}
+faults { mode M1 { rotors [1] lost } }
+mission short { start at [0, 0, 2] m; waypoint at [4, 0, 3] m; limits { speed <= 6 m/s } }
+plan { planner = rsp; model = hover; samples = 30; time = 6 s }
+simulate { fault M1 at 3 s }
+"""
+
+
+@pytest.fixture
 def example():
     """The text of a spec of the repository."""
     return lambda name: (ROOT / name).read_text()

@@ -87,22 +87,21 @@ def test_bytes_that_are_no_text(tmp_path, command, write):
     )
 
 
-def test_warnings_are_issued_and_kept(command, write):
-    name = write("odd.mav", "let spare = 3 m\n" + mavc.new())
+def test_warnings_are_issued_and_kept(command, write, small):
+    name = write("odd.mav", "let spare = 3 m\n" + small)
     with pytest.warns(mavc.SpecWarning) as caught:
         spec = mavc.compile(name)
     assert str(caught[0].message).strip() == spec.warnings.text.strip()
     assert spec.warnings and all(d.severity in ("warning", "advice") for d in spec.warnings)
-    assert spec.warnings.text in command("plan", name).err
-    assert spec.plan().diagnostics.text == command("plan", name).err
+    printed = command("plan", name).err
+    assert spec.warnings.text in printed and spec.plan().diagnostics.text == printed
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         mavc.compile(name, warn=False)
 
 
-def test_blocks_of_flights(command, write):
-    text = mavc.new().replace("gusts       = 0.5 m/s", "gusts       = 0.5 kg")
-    name = write("gusts.mav", text)
+def test_blocks_of_flights(command, write, small):
+    name = write("gusts.mav", small.replace("fault M1 at 3 s", "fault M1 at 3 s; gusts = 0.5 kg"))
     with pytest.warns(mavc.SpecWarning, match="gusts"):
         spec = mavc.compile(name)
     assert [d.severity for d in spec.warnings] == ["warning"]
@@ -125,6 +124,7 @@ def test_a_spec_without_a_mission(command, write, example):
     assert ran.code == 1 and str(caught.value) == ran.err.rstrip("\n")
 
 
+@pytest.mark.long
 def test_a_fault_after_the_end(command, write):
     name = write("late.mav", mavc.new())
     # The time is found by a search, so only the plan shows that the fault strikes after its end.

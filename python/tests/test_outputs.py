@@ -14,7 +14,10 @@ SPECS = {"template.mav": None, "survey.mav": "examples/survey_hexa.mav", "parcel
 QUIET_PROGRESS = re.compile(r"^mavc: .*\n", re.MULTILINE)
 
 
-@pytest.fixture(params=SPECS)
+LONG = [pytest.param(name, marks=pytest.mark.long) for name in ("survey.mav", "parcel.mav")]
+
+
+@pytest.fixture(params=["template.mav", *LONG])
 def name(request, write, example):
     source = SPECS[request.param]
     return write(request.param, mavc.new() if source is None else example(source))
@@ -79,6 +82,7 @@ SHORT = ["plan.time=6 s", "plan.model=hover", "plan.samples=40", "plan.against=[
 SET = [part for override in SHORT for part in ("--set", override)]
 
 
+@pytest.mark.long
 def test_infeasible(command, write):
     name = write("template.mav", mavc.new())
     ran = command("plan", name, *SET, "--report", "r.json", "--html", "p.html", "--certificate", "c.json")
@@ -117,6 +121,7 @@ def test_flight(name, command):
     assert flight.log.position.shape == (flight.log.rows, 3)
 
 
+@pytest.mark.long
 def test_flight_without_a_plan(command, write):
     name = write("template.mav", mavc.new().replace("fault M1 at 12 s", "fault M1 at 2 s"))
     ran = command("simulate", name, *SET, "--report", "r.json", "--html", "p.html")
@@ -127,6 +132,7 @@ def test_flight_without_a_plan(command, write):
     assert flight.csv is None and flight.html() == command.read("p.html")
 
 
+@pytest.mark.long
 def test_campaign(command, write, example):
     name = write("survey.mav", example("examples/survey_hexa.mav"))
     sizes = ["campaign.times = 1", "campaign.seeds = 2"]
@@ -143,6 +149,7 @@ def test_campaign(command, write, example):
     assert campaign.rows.rows == campaign.record["flights"]
 
 
+@pytest.mark.long
 def test_comparison(command, write):
     overrides = ["plan.model=hover", "plan.samples=60"]
     name = write("template.mav", mavc.new())

@@ -21,7 +21,7 @@ spec.plan(progress=lambda report: print(report.text, flush=True))
 """
 
 
-def test_progress():
+def test_progress(small):
     reports = []
     spec = mavc.compile(mavc.new())
     spec.plan(progress=reports.append)
@@ -29,7 +29,7 @@ def test_progress():
     tried = [report for report in reports if report.planner]
     assert tried and all(report.time == 30.0 for report in tried)
     flights = []
-    campaign = spec.campaign(times=1, seeds=1, progress=flights.append)
+    campaign = mavc.compile(small).campaign(times=1, seeds=1, progress=flights.append)
     assert flights[-1].done == flights[-1].total == campaign.rows.rows
 
 
@@ -72,6 +72,7 @@ def test_ctrl_c():
     assert errors.rstrip().endswith(b"KeyboardInterrupt")
 
 
+@pytest.mark.long
 def test_threads_run_at_the_same_time_and_change_nothing():
     spec = mavc.compile(mavc.new())
     expected = spec.plan(threads=1)

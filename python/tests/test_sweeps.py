@@ -27,14 +27,14 @@ def test_a_grid_of_analyses():
     assert mavc.sweep(SPEC, grid=grid, workers=1).csv == found.csv
 
 
-def test_plans_and_functions():
-    samples = [{"plan.time": time, "plan.model": "hover", "plan.samples": 30} for time in (30.0, 6.0)]
-    found = mavc.sweep(mavc.compile(SPEC, set=["plan.against = [M1]"]), samples=samples, run="plan")
+def test_plans_and_functions(small):
+    samples = [{"plan.time": time, "simulate.duration": 8.0} for time in (6.0, 1.0)]
+    found = mavc.sweep(mavc.compile(small), samples=samples, run="plan")
     assert found["verdict"].tolist() == ["found", "proved infeasible"]
-    assert found["time_s"][0] == 30.0 and math.isnan(found["time_s"][1])
+    assert found["time_s"][0] == 6.0 and math.isnan(found["time_s"][1])
     assert found["smallest_margin"][0] > 0
 
-    rotors = mavc.sweep(SPEC, samples=samples, run=lambda spec: {"rotors": spec.analyze().record["rotors"]})
+    rotors = mavc.sweep(small, samples=samples, run=lambda spec: {"rotors": spec.analyze().record["rotors"]})
     assert rotors["rotors"].tolist() == [8, 8]
     with pytest.raises(ValueError, match="no run 'fly'"):
         mavc.sweep(SPEC, samples=samples, run="fly")
@@ -146,21 +146,21 @@ def test_symmetries_keep_what_an_analysis_finds():
     assert found("PPNNPPNN") != found("PPNPNPNN")
 
 
-def test_frames():
+def test_frames(small):
     plan = mavc.compile(SPEC).plan()
     frame = plan.trajectory.to_pandas()
     assert isinstance(frame, pandas.DataFrame) and frame["x"].tolist() == plan.trajectory["x"].tolist()
     assert polars.DataFrame(plan.trajectory).equals(plan.trajectory.to_polars())
-    rows = mavc.compile(SPEC, set=["plan.samples = 40", "plan.model = hover"]).campaign(times=1, seeds=1).rows
+    rows = mavc.compile(small).campaign(times=1, seeds=2).rows
     polar = rows.to_polars()
     assert polar.height == rows.rows and polar["fault_time_s"].null_count() == np.isnan(rows["fault_time_s"]).sum() > 0
     assert polar.schema["heading_broken"] == polars.Boolean and polar.schema["seed"] == polars.Int64
     assert rows.to_pandas()["planner"].tolist() == rows["planner"].tolist()
 
 
-def test_what_notebooks_show():
-    spec = mavc.compile(SPEC, set=["plan.samples = 40", "plan.model = hover"])
-    assert "9 of 9 faults survived" in spec.analyze()._repr_html_()
+def test_what_notebooks_show(small):
+    spec = mavc.compile(small)
+    assert "1 of 1 faults survived" in spec.analyze()._repr_html_()
     plan = spec.plan()
     shown = plan._repr_html_()
     assert shown.startswith("<iframe srcdoc=") and shown.count("<") == 2

@@ -3,7 +3,7 @@
 use super::results::{Results, is_folder};
 use super::{Options, PlanArgs, Problem, files, rate};
 use crate::exchange::frames::Frame;
-use crate::exchange::trajectory::{Choices, FORMATS, Format, bag_metadata, write};
+use crate::exchange::trajectory::{Choices, FORMATS, Format, TOLERANCES, bag_files, write};
 use crate::model::Model;
 use crate::motion::Trajectory;
 use crate::pipeline::Task;
@@ -63,12 +63,8 @@ impl<'a> Export<'a> {
             results.table(written.bytes);
             return Ok(());
         }
-        let stem = output.file_name().map_or("plan".into(), |name| name.to_string_lossy());
-        // What YAML would read as something else is left out of the name.
-        let stem: String = stem.chars().filter(|c| c.is_ascii_alphanumeric() || "_-".contains(*c)).collect();
-        let name = format!("bag_{stem}_0.mcap");
-        let both = [(name.clone(), written.bytes), ("metadata.yaml".into(), bag_metadata(&name).into_bytes())];
-        results.folder("a file of the bag", "-o", output, both, task.spec().sources())
+        let name = output.file_name().map_or("plan".into(), |name| name.to_string_lossy());
+        results.folder("a file of the bag", "-o", output, bag_files(&name, written.bytes), task.spec().sources())
     }
 }
 
@@ -85,7 +81,7 @@ fn tolerance(text: &str) -> Result<f64, Problem> {
         let digits = trimmed.strip_suffix(unit)?.trim();
         digits.parse::<f64>().ok().map(|value| value * factor)
     });
-    match number.filter(|value| (1e-6..=1e3).contains(value)) {
+    match number.filter(|value| TOLERANCES.contains(value)) {
         Some(value) => Ok(value),
         None => Err(format!("--tolerance {text}: write a length such as 1cm, from 0.001mm to 1000m")),
     }

@@ -1,6 +1,7 @@
 //! The option `--rate 100Hz`.
 
 use super::Problem;
+use crate::report::trajectory_csv::RATES;
 
 /// Reads `100Hz`, `100 Hz` or `0.5kHz`; the rate in Hz.
 pub fn parse(text: &str) -> Result<f64, Problem> {
@@ -12,7 +13,7 @@ pub fn parse(text: &str) -> Result<f64, Problem> {
     };
     let rate = digits.trim().parse::<f64>().ok().map(|r| r * factor).filter(|r| r.is_finite());
     match rate {
-        Some(r) if (1e-3..=1e5).contains(&r) => Ok(r),
+        Some(r) if RATES.contains(&r) => Ok(r),
         Some(_) => Err(format!("--rate {text}: the rate must lie between 0.001 Hz and 100 kHz")),
         None => Err(format!("--rate {text}: {:?} is not a number", digits.trim())),
     }

@@ -20,6 +20,7 @@ use crate::motion::Trajectory;
 use crate::number::{number, shortest};
 use crate::report::trajectory_csv::{count, few_enough};
 use instant::Instant;
+use std::ops::RangeInclusive;
 
 /// A format of trajectories.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -70,6 +71,9 @@ pub const FORMATS: [(Format, &str); 14] = [
     (Format::Kml, "kml"),
     (Format::GeoJson, "geojson"),
 ];
+
+/// The tolerances of [`Choices`], m.
+pub const TOLERANCES: RangeInclusive<f64> = 1e-6..=1e3;
 
 /// How a trajectory is written. `None` is the default of the format.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -216,6 +220,14 @@ pub fn write(trajectory: &Trajectory, model: &Model, choices: &Choices) -> Resul
 /// The file `metadata.yaml` beside `file`, the bag of [`Format::Rosbag2`].
 pub fn bag_metadata(file: &str) -> String {
     rosbag2::metadata(file)
+}
+
+/// The files of a bag, with their names, in a folder called `folder`: `bytes` and their `metadata.yaml`.
+pub fn bag_files(folder: &str, bytes: Vec<u8>) -> [(String, Vec<u8>); 2] {
+    // What YAML would read as something else is left out of the name.
+    let stem: String = folder.chars().filter(|c| c.is_ascii_alphanumeric() || "_-".contains(*c)).collect();
+    let name = format!("bag_{stem}_0.mcap");
+    [(name.clone(), bytes), ("metadata.yaml".into(), bag_metadata(&name).into_bytes())]
 }
 
 /// What is written.

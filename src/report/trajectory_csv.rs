@@ -4,9 +4,13 @@ use crate::admissible::allocation::Allocator;
 use crate::model::Model;
 use crate::motion::{Trajectory, X, Y, YAW, Z, roll_pitch};
 use crate::number::push_shortest;
+use std::ops::RangeInclusive;
 
 /// Most numbers in one table: its text, about 18 bytes per number, then takes less than 500 MB while it is written.
 const MAX_NUMBERS: u64 = 10_000_000;
+
+/// The rates that tables and logs may have, Hz.
+pub const RATES: RangeInclusive<f64> = 1e-3..=1e5;
 
 /// One row of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
