@@ -151,11 +151,14 @@ def test_rejected_certificates(command, write):
         spec.verify(b"{}")
 
 
-def test_pickles():
+def test_pickles(small):
     spec = mavc.compile(mavc.new(), set=["vehicle.mass = 1.9 kg"])
     again = pickle.loads(pickle.dumps(spec))
     assert again.sha256 == spec.sha256 and again.overrides == spec.overrides
     assert copy.copy(spec).analyze().json == spec.analyze().json
+    campaign = mavc.compile(small).campaign(times=1, seeds=1)
+    found = pickle.loads(pickle.dumps((again.analyze(), campaign)))
+    assert found[0].json == spec.analyze().json and found[1].rows.csv == campaign.rows.csv
     with pytest.raises(mavc.SpecError) as caught:
         mavc.compile(WRONG)
     error = pickle.loads(pickle.dumps(caught.value))
