@@ -88,7 +88,7 @@ def test_logs(command, write, name):
     assert not (command.folder / "none.csv").exists()
 
 
-def test_what_cannot_be_exported(command, name, plan):
+def test_what_cannot_be_exported(command, name, plan, small):
     for format, given, why in [
         ("pdf", {}, "there is no format of plans"),
         ("px4", {"frame": "ned-frd"}, "fixes its frames"),
@@ -104,6 +104,8 @@ def test_what_cannot_be_exported(command, name, plan):
     for rate in (0, -1, float("inf")):
         with pytest.raises(ValueError, match="a rate lies"):
             plan.at(rate)
+        with pytest.raises(ValueError, match="a rate lies"):
+            mavc.compile(small).simulate(rate=rate)
     assert not (command.folder / "none").exists()
     with pytest.raises(ValueError, match="origin"):
         mavc.compile(mavc.new(), set=QUICK, warn=False).plan().export("kml")

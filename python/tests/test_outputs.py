@@ -58,8 +58,8 @@ def test_plan(name, command):
     assert accepted.text.replace("<certificate>", "c.json").split() == command("verify", "c.json", name).out.split()
 
 
-def test_arrays_of_a_trajectory(command, write):
-    name = write("template.mav", mavc.new())
+def test_arrays_of_a_trajectory(command, write, small):
+    name = write("small.mav", small)
     plan = compiled(name).plan()
     trajectory = plan.trajectory
     rows = [line.split(",") for line in plan.csv.splitlines()]
@@ -67,7 +67,7 @@ def test_arrays_of_a_trajectory(command, write):
         assert trajectory[column].tolist() == [float(row[k]) for row in rows[1:]]
     assert trajectory.position.shape == trajectory.acceleration.shape == (trajectory.rows, 3)
     assert trajectory.rotor_speed.shape == (trajectory.rows, 8)
-    assert trajectory.waypoint.max() == 5
+    assert trajectory.waypoint.max() == 2
     # The arrays belong together: by the trapezoidal rule, to a twelfth of step^2 times the largest jerk.
     step = np.diff(trajectory.time)[:, None]
     mean = 0.5 * (trajectory.velocity[1:] + trajectory.velocity[:-1])
