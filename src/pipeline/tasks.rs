@@ -62,7 +62,7 @@ pub fn plan(spec: &Spec) -> Result<Planning, Refusal> {
 /// As for [`plan`]; also if the spec has more than [`MAX_SAMPLES_OF_A_SEARCH`] samples.
 ///
 /// ```
-/// let compiler = mavc::Compiler::new().set("plan.model=hover").set("plan.samples=60");
+/// let compiler = mavc::Compiler::new().set("plan.model = hover").set("plan.samples = 40");
 /// let spec = compiler.text("roof.mav", mavc::TEMPLATE.as_bytes()).into_result()?;
 /// let comparison = mavc::compare(&spec)?;
 /// for run in &comparison.runs {
@@ -83,7 +83,7 @@ pub fn compare(spec: &Spec) -> Result<Comparison, Refusal> {
 /// As for [`plan`]; also if `planning` is the outcome for another spec.
 ///
 /// ```
-/// let compiler = mavc::Compiler::new().set("plan.time = 6 s").without_flights();
+/// let compiler = mavc::Compiler::new().set("plan.time = 6 s").set("plan.samples = 60").without_flights();
 /// let spec = compiler.text("roof.mav", mavc::TEMPLATE.as_bytes()).into_result()?;
 /// let planning = mavc::plan(&spec)?;
 /// let conflict = mavc::explain(&spec, &planning)?.conflict.expect("6 s are too short");
