@@ -210,58 +210,6 @@ fn flights_report_how_near_they_came() {
     assert!(!text.contains("\"volumes\""), "{text}");
 }
 
-/// A turn in a narrow room takes longer than one without walls, and that it takes longer is proved by the walls' own rows.
-#[test]
-#[ignore = "long"]
-fn rooms_make_missions_longer_and_proofs_use_their_walls() {
-    let folder = tempfile::tempdir().unwrap();
-    let spec = |room: &str, time: &str| {
-        let path = folder.path().join("turn.mav");
-        let text = format!(
-            "vehicle octo {{
-    layout = \"PPNNPPNN\"; arm = 0.211 m; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2; size = 0.3 m
-    rotor {{ max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }}
-}}
-mission turn {{
-    start at [0, 0, 5] m
-    waypoint at [8, 0, 5] m
-    waypoint at [8, 8, 5] m
-    {room}
-    limits {{ tilt <= 30 deg; speed <= 6 m/s }}
-}}
-plan {{ model = hover; planner = rip; time = {time}; samples = 40; timing = proportional }}
-"
-        );
-        std::fs::write(&path, text).unwrap();
-        path.to_str().unwrap().to_string()
-    };
-    let shortest = |room: &str| {
-        let (code, text) = run(&["plan", &spec(room, "minimum"), "--report", "-"]);
-        assert_eq!(code, Some(0), "{text}");
-        serde_json::from_str::<serde_json::Value>(&text).unwrap()["planners"][0]["time_s"].as_f64().unwrap()
-    };
-    let free = shortest("");
-    for room in [
-        "keep_in room { shape = box; from = [-2, -2, 0] m; to = [8.4, 10, 12] m; turn = 1 deg }",
-        "keep_in room { shape = sphere; centre = [-40, 4, 5] m; radius = 48.5 m }",
-    ] {
-        let walled = shortest(room);
-        assert!(walled > free, "{room}: {walled} {free}");
-        let proof = folder.path().join("proof.json");
-        let proof = proof.to_str().unwrap();
-        let between = spec(room, &format!("{free} s"));
-        let (code, text) = run(&["plan", &between, "--certificate", proof]);
-        assert_eq!(code, Some(3), "{room}: {text}");
-        // The proof holds for this grid, which is less than the spec requires.
-        let (code, text) = run(&["verify", proof, &between]);
-        assert_eq!(code, Some(7), "{room}: {text}");
-        assert!(text.contains("proved infeasible on one grid"), "{room}: {text}");
-        // The limits before those of the room are on tilt and speed.
-        let rows: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(proof).unwrap()).unwrap();
-        assert!(largest_limit(&rows) >= Some(2), "{room}: {rows}");
-    }
-}
-
 /// The largest index of a limit in a certificate.
 fn largest_limit(json: &serde_json::Value) -> Option<u64> {
     let own = json.get("limit").and_then(serde_json::Value::as_u64);
@@ -376,5 +324,57 @@ mod thorough {
         assert!(over > 6.7 && aside < 1.0, "{over} s, {aside} m aside");
         let (around, aside) = shortest(4);
         assert!(around < 5.5 && aside > 6.0, "{around} s, {aside} m aside");
+    }
+
+    /// A turn in a narrow room takes longer than one without walls, and that it takes longer is proved by the walls' own rows.
+    #[test]
+    #[ignore = "long"]
+    fn rooms_make_missions_longer_and_proofs_use_their_walls() {
+        let folder = tempfile::tempdir().unwrap();
+        let spec = |room: &str, time: &str| {
+            let path = folder.path().join("turn.mav");
+            let text = format!(
+                "vehicle octo {{
+        layout = \"PPNNPPNN\"; arm = 0.211 m; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2; size = 0.3 m
+        rotor {{ max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }}
+    }}
+    mission turn {{
+        start at [0, 0, 5] m
+        waypoint at [8, 0, 5] m
+        waypoint at [8, 8, 5] m
+        {room}
+        limits {{ tilt <= 30 deg; speed <= 6 m/s }}
+    }}
+    plan {{ model = hover; planner = rip; time = {time}; samples = 40; timing = proportional }}
+    "
+            );
+            std::fs::write(&path, text).unwrap();
+            path.to_str().unwrap().to_string()
+        };
+        let shortest = |room: &str| {
+            let (code, text) = run(&["plan", &spec(room, "minimum"), "--report", "-"]);
+            assert_eq!(code, Some(0), "{text}");
+            serde_json::from_str::<serde_json::Value>(&text).unwrap()["planners"][0]["time_s"].as_f64().unwrap()
+        };
+        let free = shortest("");
+        for room in [
+            "keep_in room { shape = box; from = [-2, -2, 0] m; to = [8.4, 10, 12] m; turn = 1 deg }",
+            "keep_in room { shape = sphere; centre = [-40, 4, 5] m; radius = 48.5 m }",
+        ] {
+            let walled = shortest(room);
+            assert!(walled > free, "{room}: {walled} {free}");
+            let proof = folder.path().join("proof.json");
+            let proof = proof.to_str().unwrap();
+            let between = spec(room, &format!("{free} s"));
+            let (code, text) = run(&["plan", &between, "--certificate", proof]);
+            assert_eq!(code, Some(3), "{room}: {text}");
+            // The proof holds for this grid, which is less than the spec requires.
+            let (code, text) = run(&["verify", proof, &between]);
+            assert_eq!(code, Some(7), "{room}: {text}");
+            assert!(text.contains("proved infeasible on one grid"), "{room}: {text}");
+            // The limits before those of the room are on tilt and speed.
+            let rows: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(proof).unwrap()).unwrap();
+            assert!(largest_limit(&rows) >= Some(2), "{room}: {rows}");
+        }
     }
 }

@@ -51,37 +51,6 @@ const INSTANTS: usize = 60;
 /// A stop that must not use up its height brakes no harder than this, m/s^2.
 const MOST_BRAKING: f64 = 8.0;
 
-#[test]
-#[ignore = "long"]
-fn no_stop_leads_into_the_ground() {
-    let mut saved = 0;
-    for (name, model, plan) in PLANS.iter() {
-        let ground = model.simulation.ground;
-        for k in 0..=INSTANTS {
-            let begin = plan.duration() * k as f64 / INSTANTS as f64;
-            for lands in [false, true] {
-                let way = way(plan, begin, lands, ground);
-                let touches = way.iter().find(|[_, height, ..]| *height <= 0.0);
-                match touches {
-                    Some([t, _, speed, _]) => {
-                        assert!(lands && *speed >= -DESCENT - 1e-9, "{name} from {begin}: {speed} m/s at {t}");
-                    }
-                    None => assert!(!lands, "{name} from {begin}: it never lands"),
-                }
-                // It can be followed.
-                let hardest = way.iter().map(|[.., a]| a.abs()).fold(0.0, f64::max);
-                let most = MOST_BRAKING.max(1.2 * Course::Plan(plan).at(begin).acceleration.norm());
-                assert!(hardest < most, "{name} from {begin}: {hardest} m/s^2");
-            }
-            // A stop that knows of no ground.
-            let far = -1000.0;
-            let strikes = |[_, height, ..]: &[f64; 4]| height + far <= ground;
-            saved += usize::from(way(plan, begin, false, far).iter().any(strikes));
-        }
-    }
-    assert!(saved > 10, "only {saved} stops would have struck the ground: the test shows little");
-}
-
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
@@ -107,5 +76,36 @@ mod thorough {
                 assert!(matches!(flight.outcome, Outcome::Landed { .. }), "{name} from {begin}: {flight:?}");
             }
         }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn no_stop_leads_into_the_ground() {
+        let mut saved = 0;
+        for (name, model, plan) in PLANS.iter() {
+            let ground = model.simulation.ground;
+            for k in 0..=INSTANTS {
+                let begin = plan.duration() * k as f64 / INSTANTS as f64;
+                for lands in [false, true] {
+                    let way = way(plan, begin, lands, ground);
+                    let touches = way.iter().find(|[_, height, ..]| *height <= 0.0);
+                    match touches {
+                        Some([t, _, speed, _]) => {
+                            assert!(lands && *speed >= -DESCENT - 1e-9, "{name} from {begin}: {speed} m/s at {t}");
+                        }
+                        None => assert!(!lands, "{name} from {begin}: it never lands"),
+                    }
+                    // It can be followed.
+                    let hardest = way.iter().map(|[.., a]| a.abs()).fold(0.0, f64::max);
+                    let most = MOST_BRAKING.max(1.2 * Course::Plan(plan).at(begin).acceleration.norm());
+                    assert!(hardest < most, "{name} from {begin}: {hardest} m/s^2");
+                }
+                // A stop that knows of no ground.
+                let far = -1000.0;
+                let strikes = |[_, height, ..]: &[f64; 4]| height + far <= ground;
+                saved += usize::from(way(plan, begin, false, far).iter().any(strikes));
+            }
+        }
+        assert!(saved > 10, "only {saved} stops would have struck the ground: the test shows little");
     }
 }
