@@ -1,4 +1,4 @@
-//! `mavc import`: writes a spec from the file of another tool.
+//! `mavc import`: writes a spec from the file of another tool, and never overwrites one.
 
 mod beside;
 
@@ -20,8 +20,12 @@ pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, Problem> {
 
 fn one(args: &ImportArgs, read: impl Fn(&str, &[u8]) -> Imported, options: &Options) -> Result<u8, Problem> {
     let target = args.output.as_deref().map(Target::new).transpose()?;
-    if let Some(target) = &target {
+    if let Some((target, path)) = target.as_ref().zip(args.output.as_deref()) {
         target.must_spare([args.file.as_str()])?;
+        // An imported spec is filled in by hand, which must not be lost.
+        if path.is_file() {
+            return Err(format!("{} exists already; nothing was written", files::shown(path)));
+        }
     }
     let bytes = files::read_spec(&args.file, MAX_BYTES)?;
     let mut imported = read(super::spec::name(&args.file), &bytes);
@@ -52,12 +56,16 @@ fn remarks(imported: &Imported, args: &ImportArgs) -> String {
     }
     let text = imported.text.as_deref().unwrap_or_default();
     let unknown = text.lines().filter(|line| line.split("//").next().is_some_and(|code| code.contains('?'))).count();
-    let to = args.output.as_deref().map_or("the spec".into(), files::shown);
+    let to = args.output.as_deref().map(files::shown);
     if unknown > 0 {
         let lines = if unknown == 1 { "1 line has".into() } else { format!("{unknown} lines have") };
-        out.push_str(&format!(
-            "{lines} a `?` for a figure that the file does not give. Write it, then: mavc check {to}\n"
-        ));
+        let next = match &to {
+            Some(to) => format!("Fill in what is missing, then: mavc check {to}"),
+            None => "Write the spec to a file by `-o v.mav`, fill in what is missing, then: mavc check v.mav".into(),
+        };
+        out.push_str(&format!("{lines} a `?` for a figure that the file does not give. {next}\n"));
+    } else if let Some(to) = to.filter(|to| to != "-") {
+        out.push_str(&format!("{to} written. Next: mavc check {to}\n"));
     }
     out
 }

@@ -17,19 +17,28 @@ pub fn import(name: &str, bytes: &[u8]) -> Imported {
     super::import(name, bytes, read)
 }
 
+/// Whether a text seems to be the file of a vehicle: for the messages of other readers.
+pub fn seems_one(text: &str) -> bool {
+    robot::is_one(text) || ["CA_ROTOR", "FRAME_CLASS", "param set"].iter().any(|word| text.contains(word))
+}
+
 fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
     if robot::is_one(&source.text) {
         return robot::vehicle(source, found);
     }
     let parameters = parameters::read(source)?;
     if parameters.is_of("FRAME_CLASS") {
-        return ardupilot::vehicle(source, &parameters);
+        return ardupilot::vehicle(source, &parameters, found);
     }
     if parameters.has_prefix("CA_ROTOR")
         || parameters.is_of("CA_AIRFRAME")
         || parameters.worked_out("CA_ROTOR").is_some()
     {
         return px4::vehicle(source, &parameters, found);
+    }
+    if super::mission::is_one(&source.text) {
+        let error = Diagnostic::error(FORMAT, at(source.line(1)), "this is a mission").here("the first line");
+        return Err(Box::new(error.help("read it by `mavc import mission`, or name the file of a vehicle")));
     }
     Err(Box::new(px4::without_geometry(source, parameters.first()).unwrap_or_else(|| {
         Diagnostic::error(FORMAT, at(0..0), "no vehicle was found in the file").help(

@@ -1,5 +1,6 @@
 //! Volumes: the `keep_in` and `keep_out` blocks of a mission, and the limits that they impose.
 
+mod corridor;
 mod impose;
 pub mod passage;
 mod read;

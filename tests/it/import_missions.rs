@@ -24,7 +24,7 @@ const HEXA: &str = r#"vehicle hexa {
 "#;
 
 /// A take-off, a hold with a yaw, a camera, another speed, and back home; two fences.
-const PLAN: &str = include_str!("import_missions/field.plan");
+const PLAN: &str = include_str!("../../examples/field.plan");
 
 /// A take-off, a yaw to the north, a spline and a landing.
 const WPL: &str = "QGC WPL 110\r

@@ -248,6 +248,9 @@ fn urdf_of_gym_pybullet_drones_leaves_only_the_spins_open() {
 fn wrong_files_get_a_placed_error() {
     let cases: &[(&str, &str, &str)] = &[
         ("", "mavc::import::format", "no vehicle"),
+        ("QGC WPL 110\n", "mavc::import::format", "`mavc import mission`"),
+        ("x,y,z\n0,0,1\n", "mavc::import::format", "`mavc import mission`"),
+        ("FRAME_CLASS,0\n", "mavc::import::unsupported", "choose the frame"),
         ("hello\n", "mavc::import::format", "no vehicle"),
         ("1\t1\tCA_ROTOR_COUNT\t4", "mavc::import::syntax", "not complete"),
         ("param set CA_ROTOR_COUNT inf\n", "mavc::import::syntax", "finite number"),
@@ -332,6 +335,49 @@ fn scripts_that_leave_something_open_get_a_warning() {
         );
         assert!(imported.text.is_some());
         check_places(&imported, lines);
+    }
+    // A saved file has every parameter of every rotor.
+    let saved = |without: &str, count: usize| {
+        let rotor = |i: usize| {
+            let (x, y) = [(0.2, 0.1), (-0.2, -0.1), (0.2, -0.1), (-0.2, 0.1)][i];
+            let rows = [("PX", x), ("PY", y), ("PZ", 0.0), ("KM", 0.02)];
+            rows.map(|(key, value)| format!("1\t1\tCA_ROTOR{i}_{key}\t{value}\t9\n")).concat()
+        };
+        let rows: String = (0..4).map(rotor).collect();
+        let rows =
+            rows.lines().filter(|row| without.is_empty() || !row.contains(without)).map(|row| format!("{row}\n"));
+        import("saved.params", (rows.collect::<String>() + &format!("1\t1\tCA_ROTOR_COUNT\t{count}\t6\n")).as_bytes())
+    };
+    assert_eq!(saved("", 4).diagnostics.len(), 0);
+    for (without, words) in
+        [("CA_ROTOR2_PX", "motor 3 has no `CA_ROTOR2_PX`"), ("CA_ROTOR1_KM", "motor 2 has no `CA_ROTOR1_KM`")]
+    {
+        let imported = saved(without, 4);
+        assert!(imported.diagnostics.iter().any(|d| d.message.contains(words)), "{words}: {:?}", imported.diagnostics);
+        check_places(&imported, without);
+    }
+    assert!(saved("CA_ROTOR1_KM", 4).text.unwrap().contains("0.05 m  // torque_per_thrust is PX4's default"));
+    // A script leaves out what is PX4's default.
+    let default = script("param set-default CA_ROTOR2_KM -0.05\n");
+    assert_eq!(default.diagnostics.len(), 0, "{:?}", default.diagnostics);
+    assert!(saved("", 5).diagnostics.iter().any(|d| d.message.contains("no place of motor 5")));
+    let more = script("param set-default CA_ROTOR5_PX 0.4\n");
+    assert!(
+        more.diagnostics[0].message.contains("places motor 6, but `CA_ROTOR_COUNT` is 4"),
+        "{:?}",
+        more.diagnostics
+    );
+    for (text, words) in [
+        ("FRAME_CLASS,2\n", "no `FRAME_TYPE`"),
+        ("FRAME_CLASS,1\nFRAME_CLASS,2\nFRAME_TYPE,1\n", "`FRAME_CLASS` is set twice"),
+    ] {
+        let imported = import("copter.param", text.as_bytes());
+        assert!(
+            imported.diagnostics[0].message.contains(words) && imported.text.is_some(),
+            "{:?}",
+            imported.diagnostics
+        );
+        check_places(&imported, text);
     }
     let ring = (0..6).fold("param set CA_ROTOR_COUNT 6\n".to_string(), |text, i| {
         let (y, x) = f64::to_radians(60.0 * i as f64).sin_cos();
@@ -440,4 +486,10 @@ fn the_command_writes_the_spec_or_nothing() {
     assert_eq!((ran.status.code(), std::path::Path::new(&path("bad.mav")).exists()), (Some(1), false));
     let ran = mavc(&["import", "vehicle", &path("copter.param"), "-o", &path("copter.param")]);
     assert_eq!(ran.status.code(), Some(2), "{}", err(&ran));
+    // What was filled in by hand is not overwritten.
+    std::fs::write(path("copter.mav"), "mine").unwrap();
+    let ran = mavc(&["import", "vehicle", &path("copter.param"), "-o", &path("copter.mav")]);
+    assert_eq!(ran.status.code(), Some(2), "{}", err(&ran));
+    assert!(err(&ran).contains("exists already; nothing was written"), "{}", err(&ran));
+    assert_eq!(std::fs::read_to_string(path("copter.mav")).unwrap(), "mine");
 }

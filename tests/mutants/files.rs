@@ -53,7 +53,7 @@ pub const WORDS: [&str; 40] = [
 ];
 
 const VEHICLES: [&str; 6] = ["quad_script.sh", "hexa.params", "octa.param", "quad.sdf", "nano.urdf", "hexa.xml"];
-const MISSIONS: [&str; 3] = ["field.waypoints", "table.csv", "../../it/import_missions/field.plan"];
+const MISSIONS: [&str; 3] = ["field.waypoints", "table.csv", "../../../examples/field.plan"];
 
 /// The texts that are changed: one file of each format that `mavc import` reads.
 pub fn corpus() -> Vec<(PathBuf, String)> {

@@ -2,9 +2,9 @@
 
 use super::draft::{Draft, Field, Figure, Rotor, name_from_file};
 use super::frames::{FRAMES, Frame, Motors, OTHER_CLASSES};
-use super::parameters::{Parameter, Parameters};
+use super::parameters::{Parameter, Parameters, set_twice};
 use crate::diagnostic::Diagnostic;
-use crate::import::{Outcome, UNSUPPORTED};
+use crate::import::{ASSUMED, Outcome, UNSUPPORTED};
 use crate::number::number as shown;
 use crate::source::Source;
 
@@ -15,7 +15,7 @@ const DEFAULT_TYPE: u32 = 1;
 const Y6: u32 = 5;
 
 /// The vehicle of some parameters with `FRAME_CLASS`.
-pub fn vehicle(source: &Source, parameters: &Parameters) -> Outcome {
+pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnostic>) -> Outcome {
     let class = parameters.get("FRAME_CLASS").expect("the caller looked");
     let kind = parameters.get("FRAME_TYPE");
     let number = |parameter: Parameter| match parameter.value {
@@ -30,6 +30,13 @@ pub fn vehicle(source: &Source, parameters: &Parameters) -> Outcome {
         let error = Diagnostic::error(UNSUPPORTED, at, format!("a spec cannot say the frame \"{}\"", frame.name));
         return Err(Box::new(error.here(why).help("write the vehicle by hand if it is close enough")));
     }
+    if kind.is_none() && FRAMES.iter().filter(|other| other.class == frame.class).count() > 1 {
+        let message = format!("the file has no `FRAME_TYPE`: ArduPilot takes {DEFAULT_TYPE}, \"{}\"", frame.name);
+        let warning = Diagnostic::warning(ASSUMED, class.span, message).here("has several types");
+        found.push(warning.help("add `FRAME_TYPE` if the vehicle has another"));
+    }
+    let names = ["FRAME_CLASS", "FRAME_TYPE"];
+    found.extend(parameters.repeated().filter(|(name, ..)| names.contains(name)).map(set_twice));
     let text = draft(source, frame).text();
     let kept = |name: &&str| matches!(*name, "FRAME_CLASS" | "FRAME_TYPE");
     Ok((text, parameters.names().filter(|name| !kept(name)).map(String::from).collect()))
@@ -52,6 +59,11 @@ fn no_frame(class: Parameter, kind: Option<Parameter>, number: Option<u32>) -> D
         }
         (_, _, Some((_, what))) => {
             let message = format!("`FRAME_CLASS` {} is {what}", shown(class.value));
+            let help = if class.value == 0.0 {
+                "choose the frame in the ground station, and save the parameters again"
+            } else {
+                help
+            };
             Diagnostic::error(UNSUPPORTED, class.span, message).here("no multirotor").help(help)
         }
         _ => {

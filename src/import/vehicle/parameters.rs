@@ -7,7 +7,7 @@
 //! ```
 
 use crate::diagnostic::Diagnostic;
-use crate::import::{SYNTAX, at};
+use crate::import::{ASSUMED, SYNTAX, at};
 use crate::source::{Source, Span};
 use std::collections::BTreeMap;
 
@@ -23,6 +23,8 @@ pub struct Parameter {
 #[derive(Debug, Default)]
 pub struct Parameters<'s> {
     by_name: BTreeMap<&'s str, Parameter>,
+    /// Whether a ground station saved them, which saves all.
+    is_saved: bool,
     /// Values that a script works out, by name.
     worked_out: BTreeMap<&'s str, Span>,
     /// Names that are set to different values: the place of one value and that of the last.
@@ -57,6 +59,11 @@ impl<'s> Parameters<'s> {
         self.repeated.iter().map(|(name, (first, last))| (*name, *first, *last))
     }
 
+    /// Whether QGroundControl saved the file, with every parameter that the vehicle has.
+    pub fn is_saved(&self) -> bool {
+        self.is_saved
+    }
+
     fn set(&mut self, name: &'s str, parameter: Parameter) {
         self.worked_out.remove(name);
         if let Some(before) = self.by_name.insert(name, parameter)
@@ -72,6 +79,13 @@ impl<'s> Parameters<'s> {
     }
 }
 
+/// The warning for a name that is set to different values, of those of [`Parameters::repeated`].
+pub fn set_twice((name, first, last): (&str, Span, Span)) -> Diagnostic {
+    let warning = Diagnostic::warning(ASSUMED, last, format!("`{name}` is set twice: the spec has this value"));
+    let warning = warning.here("the last").also(first, "another value");
+    warning.help("if both stand under conditions, leave only the one that holds")
+}
+
 /// Reads the parameters; lines of a script that set none are passed over.
 ///
 /// # Errors
@@ -82,6 +96,7 @@ pub fn read(source: &Source) -> Result<Parameters<'_>, Box<Diagnostic>> {
     for line in source.text.split_inclusive('\n') {
         let code = &line[..line.find('#').unwrap_or(line.len())];
         if let Some((name, value)) = parts(code) {
+            found.is_saved |= code.starts_with(|c: char| c.is_ascii_digit());
             let value = value.ok_or_else(|| incomplete(source, start, code, name))?;
             if value.starts_with(['$', '`']) {
                 let from = start + (value.as_ptr() as usize - code.as_ptr() as usize);

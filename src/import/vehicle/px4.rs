@@ -5,7 +5,7 @@
 pub mod script;
 
 use super::draft::{Draft, Field, Figure, Rotor, name_from_file};
-use super::parameters::Parameters;
+use super::parameters::{Parameters, set_twice};
 use crate::diagnostic::Diagnostic;
 use crate::import::{ASSUMED, Outcome, SYNTAX, UNSUPPORTED, at};
 use crate::model::vehicle::ROTORS;
@@ -163,11 +163,8 @@ impl Reader<'_, '_> {
             let warning = Diagnostic::warning(ASSUMED, first, message);
             found.push(warning.here("PX4 needs proportions only").help("measure the arms, and write them in the spec"));
         }
-        for (name, first, last) in self.parameters.repeated().filter(|(name, ..)| name.starts_with("CA_")) {
-            let warning = Diagnostic::warning(ASSUMED, last, format!("`{name}` is set twice: the spec has this value"));
-            let warning = warning.here("the last").also(first, "another value");
-            found.push(warning.help("if both stand under conditions, leave only the one that holds"));
-        }
+        found.extend(self.parameters.repeated().filter(|(name, ..)| name.starts_with("CA_")).map(set_twice));
+        self.warn_of_rotors_unlike_the_others(rotors, found);
         let is_placed = |i: &usize| ["PX", "PY"].iter().any(|key| self.value(*i, key).is_some());
         let span = self.parameters.get("CA_ROTOR_COUNT").map(|count| count.span);
         for (i, span) in (0..rotors.len()).filter(|i| !is_placed(i)).filter_map(|i| Some((i, span?))) {
@@ -176,6 +173,39 @@ impl Reader<'_, '_> {
             found.push(
                 warning.help(format!("set `CA_ROTOR{i}_PX` and `CA_ROTOR{i}_PY`, or correct the number of motors")),
             );
+        }
+    }
+
+    /// A saved file has every parameter of every rotor, and motors with another torque than PX4's default were measured.
+    fn warn_of_rotors_unlike_the_others(&self, rotors: &[Px4Rotor], found: &mut Vec<Diagnostic>) {
+        let mut warn = |span: Span, message: String, here: &str, help: String| {
+            found.push(Diagnostic::warning(ASSUMED, span, message).here(here).help(help));
+        };
+        let is_measured = rotors.iter().any(|rotor| rotor.has_torque && rotor.torque.abs() != DEFAULT_KM);
+        for (i, rotor) in rotors.iter().enumerate() {
+            let Some(span) = self.any(i) else { continue };
+            let missing = |key: &str| self.value(i, key).is_none();
+            if let Some(key) = ["PX", "PY", "PZ"].iter().find(|key| self.parameters.is_saved() && missing(key)) {
+                let message = format!("motor {} has no `CA_ROTOR{i}_{key}`: PX4 takes 0 m", i + 1);
+                warn(span, message, "has other parameters", "save the file again, or add the line".into());
+            }
+            if !rotor.has_torque && (is_measured || self.parameters.is_saved()) {
+                let message = format!("motor {} has no `CA_ROTOR{i}_KM`: PX4 takes {DEFAULT_KM} m", i + 1);
+                warn(span, message, "has other parameters", "write its torque per thrust in the spec".into());
+            }
+        }
+        for i in rotors.len()..*ROTORS.end() {
+            let elsewhere = ["PX", "PY"].iter().filter_map(|key| self.value(i, key)).find(|(x, _)| *x != 0.0);
+            if let Some((_, span)) = elsewhere {
+                let message = format!("the file places motor {}, but `CA_ROTOR_COUNT` is {}", i + 1, rotors.len());
+                warn(
+                    span,
+                    message,
+                    "left out",
+                    "correct the number of motors, or remove the parameters of this one".into(),
+                );
+                return;
+            }
         }
     }
 
@@ -231,8 +261,10 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>) -> Draft {
         if thrust.is_none() {
             own.push(("max_thrust", newtons(rotor.thrust)));
         }
+        let mut remark = None;
         if torque.is_none() {
             own.push(("torque_per_thrust", ratio(rotor.torque)));
+            remark = (!rotor.has_torque).then(|| "torque_per_thrust is PX4's default, which nobody measured".into());
         }
         if rotor.may_reverse {
             own.push(("min_thrust", Figure::Unknown));
@@ -246,7 +278,7 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>) -> Draft {
             },
             motor: i + 1,
             own,
-            remark: None,
+            remark,
         }
     };
     let placed = rotors.iter().enumerate().map(rotor).collect();

@@ -1,6 +1,6 @@
 //! Imposes the volumes of a mission on the vehicle that flies it, and reports what geometry alone excludes.
 
-use super::{Side, passage};
+use super::{Side, corridor, passage};
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::{Limit, Mission, Plan, PlanModel, Vehicle, Waypoint};
@@ -32,7 +32,23 @@ pub fn impose(cx: &mut Context, mission: &mut Mission, vehicle: &Vehicle) -> boo
         fits &= keeps_waypoints(cx, &limits, &mission.waypoints, volume.side, volume.clearance + size);
         mission.limits.extend(limits);
     }
-    fits && leaves_ways(cx, mission, size)
+    fits && leaves_corridors(cx, mission, size) && leaves_ways(cx, mission, size)
+}
+
+/// Reports a leg whose corridor a volume closes.
+fn leaves_corridors(cx: &mut Context, mission: &Mission, size: f64) -> bool {
+    let Some(found) = corridor::closed(&mission.limits, &mission.waypoints) else { return true };
+    let [from, to] = [found.waypoint - 1, found.waypoint].map(|index| (index, &mission.waypoints[index]));
+    let (by, corridor) = (&mission.limits[found.by], &mission.limits[found.corridor]);
+    let message = format!("no straight way leads from {} to {}: `{}` closes it", which(from), which(to), by.name());
+    let error = Diagnostic::error(NO_WAY, to.1.span, message).here("cannot be reached along a straight line");
+    let error = error.also(from.1.span, "from here").also(by.span, "closes the way");
+    let (kept, radius) = (significant(size, 3), significant(corridor.upper.unwrap_or(0.0), 3));
+    cx.report(error.help(format!(
+        "let the leg go around, by a waypoint beside the volume or without `straight` or `corridor`: it stays within {radius} m of its \
+         line, and the vehicle keeps {kept} m and the `clearance` from the boundary"
+    )));
+    false
 }
 
 /// Reports a waypoint that the volumes close off from the one before it.

@@ -104,7 +104,8 @@ struct Boxes {
     excluded: [[Option<Span>; 2]; 3],
 }
 
-fn slack(limit: &Limit) -> f64 {
+/// By how much a limit is violated at least where no checked path passes, m.
+pub(super) fn slack(limit: &Limit) -> f64 {
     SLACK + 2.0 * MOST_PAST_LIMIT * limit.size()
 }
 

@@ -74,7 +74,7 @@ fn mistakes_of_the_vehicle_are_in_its_file() {
     let none = mavc(&["check", "-", "--vehicle", "no such.mav"]);
     assert_eq!(none.status.code(), Some(2));
     assert!(err(&none).contains("cannot read no such.mav"), "{}", err(&none));
-    let alone = mavc(&["check", "tests/it/import_missions/field.plan"]);
+    let alone = mavc(&["check", "examples/field.plan"]);
     assert_eq!(alone.status.code(), Some(2));
     assert!(err(&alone).contains("--vehicle"), "{}", err(&alone));
 }
@@ -120,4 +120,38 @@ fn the_mission_of_the_vehicle_is_not_looked_at() {
     assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));
     let model = mavc(&["emit", "model", &path("field.mav")]);
     assert!(out(&model).contains("\nmission field\n"), "{}", out(&model) + &err(&model));
+}
+
+/// Items are flown straight, so a fence across a leg leaves no way, although a way around it would be short.
+#[test]
+fn a_fence_across_a_leg_is_named_at_its_item() {
+    let item = |id: usize, command: u32, east: f64| {
+        let longitude = 8.5456075 + east / 75_460.0;
+        format!(
+            r#"{{"type":"SimpleItem","command":{command},"doJumpId":{id},"frame":3,"params":[0,0,0,null,47.3977507,{longitude},10]}}"#
+        )
+    };
+    let plan = |radius: f64| {
+        let fence = format!(
+            r#"{{"circle":{{"center":[47.3977507,{}],"radius":{radius}}},"inclusion":false,"version":1}}"#,
+            8.5456075 + 60.0 / 75_460.0
+        );
+        format!(
+            "{{\"fileType\":\"Plan\",\"version\":1,\"groundStation\":\"QGroundControl\",\"mission\":{{\"version\":2,\"firmwareType\":12,\
+             \"vehicleType\":2,\"cruiseSpeed\":15,\"hoverSpeed\":5,\"plannedHomePosition\":[47.3977507,8.5456075,488],\"items\":[\n{},\n{},\n{}]}},\n\
+             \"geoFence\":{{\"version\":2,\"circles\":[{fence}],\"polygons\":[]}},\"rallyPoints\":{{\"version\":2,\"points\":[]}}}}\n",
+            item(1, 22, 0.0),
+            item(2, 16, 20.0),
+            item(3, 16, 100.0)
+        )
+    };
+    let across = check(&plan(15.0), HEXA);
+    assert_eq!(across.status.code(), Some(1), "{}", out(&across));
+    says(&across, 4, "error[mavc::volume::no_way]", "item 3: no straight way leads from waypoint 3 to waypoint 4");
+    // The leg passes within its tolerance where the fence is smaller than that: no cross-section is closed.
+    let small = check(
+        &plan(0.02).replace("[0,0,0,null", "[0,2,0,null"),
+        &HEXA.replace("propeller_radius = 12 cm", "size = 5 cm"),
+    );
+    assert!(!out(&small).contains("no_way"), "{}", out(&small));
 }

@@ -45,6 +45,7 @@ fn mistakes_have_a_code_and_a_place() {
     for text in ["", "\n", "<xml/>", "vehicle v { }", "QGC WPL 120\n", "QGC WPL", "1,2\n3,4\n"] {
         refused(text, FORMAT);
     }
+    assert!(found("CA_ROTOR_COUNT\t4\n")[0].2.contains("a vehicle and no mission"));
     refused("QGC WPL 110\n", SYNTAX);
     refused(&WPL.replace("\t47.398\t", "\tnorth\t"), SYNTAX);
     refused(&WPL.replace("\t47.398\t", "\tinf\t"), SYNTAX);
