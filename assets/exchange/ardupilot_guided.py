@@ -7,7 +7,7 @@ Flies the plan in ArduPilot's GUIDED mode by SET_POSITION_TARGET_LOCAL_NED. Need
 
 The vehicle has to hover, armed, near the start of the plan; the script neither arms nor takes off. Positions are relative to the
 origin of the EKF; --here moves the plan so that it begins where the vehicle is. At the end the vehicle stays in GUIDED mode, at the
-end of the plan.
+end of the plan; Ctrl-C puts it into BRAKE mode.
 """
 import argparse
 import math
@@ -62,7 +62,7 @@ def main():
 
     link = mavutil.mavlink_connection(options.address)
     if link.wait_heartbeat(timeout=30) is None:
-        sys.exit("no heartbeat within 30 s")
+        sys.exit(f"no heartbeat within 30 s at {options.address}")
     if not link.motors_armed():
         sys.exit("the vehicle is not armed: take off first")
     at = link.recv_match(type="LOCAL_POSITION_NED", blocking=True, timeout=30)
@@ -75,7 +75,13 @@ def main():
         link.recv_match(type="HEARTBEAT", blocking=True, timeout=1)
         if time.monotonic() > until:
             sys.exit("the vehicle does not take GUIDED mode")
-    play(link, offset)
+    print(f"{SETPOINTS[-1][0]:.1f} s to fly, moved by {offset[0]:.1f} m north, {offset[1]:.1f} m east, {offset[2]:.1f} m down", flush=True)
+    try:
+        play(link, offset)
+    except KeyboardInterrupt:
+        link.set_mode("BRAKE")
+        sys.exit("stopped: the vehicle was put into BRAKE mode")
+    print("the plan has ended: the vehicle stays in GUIDED mode")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,8 @@ Flies the plan in PX4's offboard mode by set_position_velocity_acceleration_ned.
     python3 plan.py udpin://0.0.0.0:14540 --here
 
 The vehicle has to hover, armed, near the start of the plan; the script neither arms nor takes off. Positions are relative to the
-origin of PX4's local frame; --here moves the plan so that it begins where the vehicle is. At the end the vehicle holds its place.
+origin of PX4's local frame; --here moves the plan so that it begins where the vehicle is. At the end, and after Ctrl-C, the vehicle
+holds its place.
 """
 import argparse
 import math
@@ -63,7 +64,7 @@ def main():
         mavsdk.add_any_connection(options.address)
         system = mavsdk.first_autopilot(30.0)
         if system is None:
-            sys.exit("no autopilot within 30 s")
+            sys.exit(f"no autopilot within 30 s at {options.address}")
         telemetry, offboard = Telemetry(system), Offboard(system)
         until = time.monotonic() + 30.0
         while not (telemetry.armed() and math.isfinite(telemetry.position_velocity_ned().position.north_m)):
@@ -76,9 +77,15 @@ def main():
         # PX4 takes the offboard mode only while setpoints come in.
         send(*messages(SETPOINTS[0], offset))
         offboard.start()
-        play(send, offset)
-        # PX4's mode hold.
-        offboard.stop()
+        print(f"{SETPOINTS[-1][0]:.1f} s to fly, moved by {offset[0]:.1f} m north, {offset[1]:.1f} m east, {offset[2]:.1f} m down", flush=True)
+        try:
+            play(send, offset)
+        except KeyboardInterrupt:
+            sys.exit("stopped: the vehicle holds its place")
+        finally:
+            # PX4's mode hold.
+            offboard.stop()
+        print("the plan has ended: the vehicle holds its place")
 
 
 if __name__ == "__main__":

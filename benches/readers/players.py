@@ -2,6 +2,7 @@
 and where it is, accepts every command, parameter and mission, and keeps what it is sent."""
 
 import os
+import signal
 import struct
 import subprocess
 import sys
@@ -18,6 +19,7 @@ from tables import MAX, VECTORS  # noqa: E402
 
 MAVLINK = mavutil.mavlink
 GUIDED, OFFBOARD = 4, 6 << 16
+BRAKE, HOLD = 17, 4 << 16 | 3 << 24
 
 
 class Vehicle(threading.Thread):
@@ -167,4 +169,23 @@ def starts(plan):
         yield name, "refusals but one", abs(refused - 1), 0
 
 
-CHECKS = [ardupilot_guided, px4_offboard, starts]
+def stopped(plan):
+    """Ctrl-C in the middle of the plan: the mode that the vehicle is left in."""
+    ardupilot, px4 = MAVLINK.MAV_AUTOPILOT_ARDUPILOTMEGA, MAVLINK.MAV_AUTOPILOT_PX4
+    for name, autopilot, port, mode in (("ardupilot-guided", ardupilot, 14663, BRAKE), ("px4-offboard", px4, 14664, HOLD)):
+        script = plan.write("player.py", "--format", name)
+        address = f"{'udpin:' if autopilot == ardupilot else 'udpin://'}127.0.0.1:{port}"
+        start = (plan.exact.at([0], 0)[0, :3] @ NED.T).tolist()
+        with Vehicle(port, autopilot, start) as vehicle:
+            player = subprocess.Popen([sys.executable, script, address], stderr=subprocess.PIPE, text=True)
+            until = time.monotonic() + 30
+            while len(vehicle.received) < 50 and time.monotonic() < until:
+                time.sleep(0.02)
+            player.send_signal(signal.SIGINT)
+            said = player.communicate(timeout=30)[1]
+            time.sleep(0.2)
+        assert player.returncode == 1 and "stopped: the vehicle" in said, said
+        yield f"{name}, Ctrl-C", "modes other than the due one", int(vehicle.mode != mode), 0
+
+
+CHECKS = [ardupilot_guided, px4_offboard, starts, stopped]

@@ -185,7 +185,7 @@ impl Reader<'_, '_> {
         for (i, rotor) in rotors.iter().enumerate() {
             let Some(span) = self.any(i) else { continue };
             let missing = |key: &str| self.value(i, key).is_none();
-            if let Some(key) = ["PX", "PY", "PZ"].iter().find(|key| self.parameters.is_saved() && missing(key)) {
+            if let Some(key) = ["PX", "PY"].iter().find(|key| self.parameters.is_saved() && missing(key)) {
                 let message = format!("motor {} has no `CA_ROTOR{i}_{key}`: PX4 takes 0 m", i + 1);
                 warn(span, message, "has other parameters", "save the file again, or add the line".into());
             }
