@@ -64,6 +64,7 @@ fn examples_have_something_to_guard_against() {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_quadcopter_tolerates_weak_rotors_and_lands_without_one() {
     let modes = modes(SPECS[0], &[]);
     let verdicts = verdicts(&modes);
