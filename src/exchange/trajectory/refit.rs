@@ -110,7 +110,7 @@ fn nodes_within(trajectory: &Trajectory, most: usize, tolerance: f64) -> Option<
             let errors = piece.errors(trajectory, SEARCHED);
             errors.position <= tolerance && errors.yaw <= tolerance
         };
-        // One interval is met but for rounding.
+        // A single interval always fits, up to rounding: the plan has a lower degree there.
         let (mut to, mut step) = (from + 1, 1);
         while to < last && is_within((to + step).min(last)) {
             to = (to + step).min(last);
