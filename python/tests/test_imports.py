@@ -83,7 +83,7 @@ def test_lengths_that_are_let(write):
 def test_warnings_have_places_in_the_file(command, write):
     shares = HEXA.replace("0.26", "1.0").replace("0.15", "1.0").replace("0.3", "1.0")
     name = write("shares.params", shares)
-    with pytest.warns(mavc.SpecWarning, match="every motor is 0 or 1 m") as caught:
+    with pytest.warns(mavc.SpecWarning, match="seem to be proportions") as caught:
         found = mavc.import_vehicle(name)
     assert str(caught[0].message).strip() == found.warnings.text.strip()
     assert caught[0].filename == __file__

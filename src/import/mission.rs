@@ -7,6 +7,7 @@
 //! 3. `write` makes the text of the spec, and keeps for each of its lines the item that it came from.
 //! 4. `join` compiles this text with a vehicle, and reports each mistake at the item.
 
+mod commands;
 mod draft;
 mod fence;
 mod flyable;

@@ -159,9 +159,10 @@ impl Reader<'_, '_> {
 
     fn warn(&self, rotors: &[Px4Rotor], found: &mut Vec<Diagnostic>) {
         if let Some(first) = self.any(0).or(self.parameters.first()).filter(|_| are_shares(rotors)) {
-            let message = "every motor is 0 or 1 m from the centre, which seem to be proportions";
-            let warning = Diagnostic::warning(ASSUMED, first, message);
-            found.push(warning.here("PX4 needs proportions only").help("measure the arms, and write them in the spec"));
+            let message = "the places of the motors seem to be proportions and not metres";
+            let warning = Diagnostic::warning(ASSUMED, first, message)
+                .here("they are 0 or 1 along each axis, or 1 from the centre");
+            found.push(warning.help("PX4 needs proportions only: measure the arms, and write them in the spec"));
         }
         found.extend(self.parameters.repeated().filter(|(name, ..)| name.starts_with("CA_")).map(set_twice));
         self.warn_of_rotors_unlike_the_others(rotors, found);

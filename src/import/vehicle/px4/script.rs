@@ -18,8 +18,8 @@ pub enum Reason {
     Defaults(Span),
 }
 
-/// Types that stand in the class `Copter` and are no multirotors with parallel rotors.
-const OTHER_TYPES: [&str; 4] = ["Helicopter", "Coaxial Helicopter", "Bicopter", "Tricopter Y+"];
+/// Beginnings of types that stand in the class `Copter` and are no multirotors with parallel rotors.
+const OTHER_TYPES: [&str; 4] = ["Helicopter", "Coaxial Helicopter", "Bicopter", "Tricopter"];
 
 /// Why a script has no geometry; `None` if the file is no such script.
 pub fn reason(source: &Source) -> Option<Reason> {
@@ -46,7 +46,7 @@ pub fn reason(source: &Source) -> Option<Reason> {
 /// The aircraft that `# @class` or `# @type` names, if it is no multirotor, with its place.
 pub fn other_aircraft(text: &str) -> Option<(Span, String)> {
     let class = tag(text, "@class").filter(|(_, class)| *class != "Copter");
-    let kind = tag(text, "@type").filter(|(_, kind)| OTHER_TYPES.contains(kind));
+    let kind = tag(text, "@type").filter(|(_, kind)| OTHER_TYPES.iter().any(|other| kind.starts_with(other)));
     let (range, name) = class.or(kind)?;
     Some((at(range), name.chars().take(40).collect()))
 }
