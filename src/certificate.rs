@@ -89,6 +89,10 @@ pub struct PlanClaim {
 pub struct SpinRecord {
     pub mode: String,
     pub spin_rad_s: [f64; 2],
+    /// The largest rate at which the direction of the thrust turns, rad/s. Needed where the moments of inertia about x and y
+    /// differ, because turning then accelerates the spin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turning_rad_s: Option<f64>,
 }
 
 /// A waypoint is due before any motion that satisfies the spec's limits at every instant can reach it.

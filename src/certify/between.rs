@@ -82,6 +82,7 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     let plane = |side: f64, row: &SetRow| Plane {
         normal: std::array::from_fn(|i| Interval::point(side * row.normal[i])),
         offset: Interval::point(side * row.offset),
+        room: Interval::WHOLE,
         rotors: Vec::new(),
         is_facet: true,
     };

@@ -28,9 +28,11 @@ fn without_yaw(model: &Model) -> Vec<SpinRecord> {
     }
     let healthy = AdmissibleSet::healthy(model);
     let record = |&mode: &usize| match Provision::of(model, &AdmissibleSet::of_mode(model, mode), &healthy) {
-        Provision::WithoutYaw(core) => {
-            Some(SpinRecord { mode: model.modes[mode].name.clone(), spin_rad_s: core.spin_rad_s })
-        }
+        Provision::WithoutYaw(core) => Some(SpinRecord {
+            mode: model.modes[mode].name.clone(),
+            spin_rad_s: core.spin_rad_s,
+            turning_rad_s: core.turning_rad_s,
+        }),
         Provision::WithYaw | Provision::Capture => None,
     };
     model.plan.against.iter().filter_map(record).collect()

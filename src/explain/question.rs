@@ -154,10 +154,18 @@ fn unhurried(mission: &Mission, from: usize, gravity: f64) -> f64 {
     let leg = |pair: &[crate::model::Waypoint]| {
         let apart: [f64; 3] = std::array::from_fn(|i| (pair[1].position[i] - pair[0].position[i]).abs());
         let length = apart.iter().map(|d| d * d).sum::<f64>().sqrt();
-        let turn = (pair[1].yaw - pair[0].yaw).abs();
+        let turned = pair[1].yaw - pair[0].yaw;
+        let turn = turned.abs();
         let accelerated = |way: f64, most: f64| 2.0 * (way / most).sqrt();
         let limited = mission.limits.iter().filter_map(|limit| {
-            let most = limit.upper.filter(|upper| *upper > 0.0)?;
+            let (upper, lower) = (limit.upper, limit.lower.map(|lower| -lower));
+            let most = match limit.kind {
+                LimitKind::YawRate if turned < 0.0 => lower,
+                // A turn begins with an acceleration to one side and ends with one to the other.
+                LimitKind::YawAcceleration => upper.into_iter().chain(lower).reduce(f64::min),
+                _ => upper,
+            };
+            let most = most.filter(|most| *most > 0.0)?;
             Some(match limit.kind {
                 LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => 0.0,
                 LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => 0.0,

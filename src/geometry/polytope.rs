@@ -99,12 +99,13 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
     }
 
     /// The set shrunk about `point` by `share` (0 to 1): `{ w : point + (w - point) / (1 - share) in self }`, the
-    /// reserve of `docs/method.md`, section 2. `point` must satisfy the equalities.
+    /// reserve of `docs/method.md`, section 2. `point` must satisfy the equalities. Facets that it violates stay as they are, so
+    /// that the result is a part of the set in any case.
     pub fn shrink_about(&self, point: &SVector<f64, D>, share: f64) -> Self {
         let mut shrunk = self.clone();
         for f in &mut shrunk.facets {
             let at = f.normal.dot(point);
-            f.offset = at + (1.0 - share) * (f.offset - at);
+            f.offset = at + (1.0 - share) * (f.offset - at).max(0.0) + (f.offset - at).min(0.0);
         }
         shrunk
     }

@@ -161,7 +161,8 @@ pub(super) fn settle(
 }
 
 /// Adds the limits on the yaw of waypoints and legs where it follows from the motion. Between two waypoints with one rule it
-/// holds on the whole leg, otherwise at the waypoint.
+/// holds on the whole leg, with the tolerance of the waypoint where the leg ends, otherwise at the waypoint. Where a rule begins,
+/// a smaller tolerance of the waypoint holds there.
 pub(super) fn impose(mission: &mut Mission, vehicle: &Vehicle) {
     let points = &mission.waypoints;
     let mut found = Vec::new();
@@ -171,16 +172,15 @@ pub(super) fn impose(mission: &mut Mission, vehicle: &Vehicle) {
             Heading::Towards(point) => Target::Towards { point, nearest: vehicle.radius() },
             Heading::AlongPath => Target::AlongPath,
         };
-        let continues = |other: Option<&Waypoint>| other.is_some_and(|other| other.heading == point.heading);
-        let from_before = continues(index.checked_sub(1).and_then(|before| points.get(before)));
+        let same = |other: Option<&Waypoint>| other.is_some_and(|other| other.heading == point.heading);
+        let begins = !same(index.checked_sub(1).and_then(|before| points.get(before)));
+        // The next waypoint adds the leg that begins here, which keeps its tolerance at this end too.
+        let kept_by_next = points.get(index + 1).is_some_and(|n| same(Some(n)) && n.yaw_within <= point.yaw_within);
         let (leg, part) = match index {
-            // The rule holds on the leg that leaves, which the next waypoint adds.
-            0 if continues(points.get(1)) => continue,
+            _ if begins && kept_by_next => continue,
             0 => (0, Part::Start),
-            _ if from_before => (index - 1, Part::Whole),
-            // The next waypoint adds the leg that begins here.
-            _ if continues(points.get(index + 1)) => continue,
-            _ => (index - 1, Part::End),
+            _ if begins => (index - 1, Part::End),
+            _ => (index - 1, Part::Whole),
         };
         let at = match &point.name {
             Some(name) => format!("waypoint `{name}`"),

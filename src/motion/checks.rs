@@ -103,24 +103,35 @@ pub fn past(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 
     over.max(under)
 }
 
-/// Like [`past`], but as the checker of plans measures it. Only tilt differs: its violation is the distance of the
-/// acceleration from the tilt cone divided by gravity.
+/// The distance of a vector from a cone about an axis with a half-angle (rad, below pi/2); `ahead` is its component along
+/// the axis, `aside` the length of the rest.
+fn outside_cone(aside: f64, ahead: f64, angle: f64) -> f64 {
+    let (sine, cosine) = angle.sin_cos();
+    match ahead * cosine + aside * sine >= 0.0 {
+        true => aside * cosine - ahead * sine,
+        false => aside.hypot(ahead),
+    }
+}
+
+/// Like [`past`], but as the checker of plans measures it. Angles differ: their violation is the distance from a cone, of
+/// the acceleration (divided by gravity), of the velocity, or of the direction that the yaw follows.
 pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     match (limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {
             let out = |wind: &Environment| {
                 let state = in_air(state, wind);
                 let up = state[Z][2] + wind.gravity;
-                (state[X][2].hypot(state[Y][2]) * upper.cos() - up * upper.sin()) / wind.gravity
+                outside_cone(state[X][2].hypot(state[Y][2]), up, upper) / wind.gravity
             };
             environment.corners().iter().map(out).fold(f64::NEG_INFINITY, f64::max)
         }
         (LimitKind::Arrival, Some(upper)) => {
             let (ahead, aside) = arrival(limit, state);
-            aside * upper.cos() - ahead * upper.sin()
+            outside_cone(aside, ahead, upper)
         }
         (LimitKind::Heading, Some(upper)) => {
-            heading_error(limit, state).map_or(f64::NEG_INFINITY, |error| (error.abs() - upper).sin())
+            let distance = |error: f64| outside_cone(error.sin().abs(), error.cos(), upper);
+            heading_error(limit, state).map_or(f64::NEG_INFINITY, distance)
         }
         _ => past(limit, state, environment),
     }

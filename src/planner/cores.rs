@@ -117,7 +117,7 @@ impl Transcription<'_> {
         let mut cone = vec![room.times(1.0 / core.torque)];
         // |x| + delta |y| <= |(sqrt(1 + kappa) x, sqrt(1 + 1/kappa) delta y)| for every kappa > 0; equal where delta |y| = kappa |x|.
         let delta = core.unevenness.abs();
-        let kappa = delta / core.inertia;
+        let kappa = if delta > 0.0 { delta / core.inertia } else { 0.0 };
         let even = (1.0 + kappa).sqrt();
         cone.extend([0, 1].map(|i| combined(i, even * core.inertia, even * core.momentum)));
         if delta > 0.0 {

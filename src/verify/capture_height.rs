@@ -1,5 +1,6 @@
 //! `require capture_height`: the height is a result of simulated flights, which the checker does not repeat. It takes the height
-//! from the certificate, decides whether the motion keeps it, and says that it was simulated.
+//! from the certificate, decides whether the motion keeps it, and says that nothing more is known of it: a certificate can name
+//! any height, simulated or not.
 
 use super::Rejection;
 use crate::certificate::Certificate;
@@ -30,8 +31,8 @@ pub fn weaker(model: &Model) -> Option<String> {
     let required = model.plan.require_capture?;
     Some(match required.height {
         Some(height) => format!(
-            "`require capture_height`: that {} m above the ground is enough after a fault was simulated, not proved; the height is \
-             that of the certificate",
+            "`require capture_height`: the certificate claims that {} m above the ground is enough after a fault; this is not \
+             checked, and neither is whether the height was simulated",
             number(height)
         ),
         None => "`require capture_height` is not checked: the certificate gives no height".into(),

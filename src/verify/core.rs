@@ -3,11 +3,12 @@
 
 mod envelope;
 
-use super::interval::Interval;
+use super::interval::{Interval, exceeds};
 use super::motion::State;
+use super::premise::{Premise, Premises};
 use super::proof::{Family, Measure, Rated};
 use super::series::{Series, Vector};
-use super::sets::{Generators, Plane};
+use super::sets::{Generators, Plane, ROUNDING, shrunk};
 use super::wrench::{Dynamics, Turned};
 use super::{Rejection, cost, lag, mode_named};
 use crate::certificate::SpinRecord;
@@ -31,6 +32,8 @@ pub struct Core {
     corners: Vec<(Interval, Interval)>,
     /// The least and the largest rate, rad/s.
     spin: [f64; 2],
+    /// The largest rate at which the direction of the thrust turns, rad/s, where the inertia is uneven.
+    turning: Option<f64>,
     /// Mean moment of inertia about x and y, and half their difference, kg m^2.
     inertia: Interval,
     unevenness: Interval,
@@ -49,10 +52,10 @@ impl WithoutYaw {
     ///
     /// # Errors
     /// A record names a mode whose yaw the spec does not give up, or a range of rates that is not one.
-    pub fn of(model: &Model, records: &[SpinRecord]) -> Result<Self, Rejection> {
+    pub fn of(model: &Model, records: &[SpinRecord], premises: Premises) -> Result<Self, Rejection> {
         let mut found = WithoutYaw::default();
         for record in records {
-            found.cores.push(Core::of(model, record)?);
+            found.cores.push(Core::of(model, record, premises)?);
         }
         for mode in model.plan.against.iter().filter_map(|&i| model.modes.get(i)) {
             let is_recorded = records.iter().any(|record| record.mode == mode.name);
@@ -137,7 +140,7 @@ fn has_disc(model: &Model, mode: &FaultMode) -> bool {
 }
 
 impl Core {
-    fn of(model: &Model, record: &SpinRecord) -> Result<Self, Rejection> {
+    fn of(model: &Model, record: &SpinRecord, premises: Premises) -> Result<Self, Rejection> {
         let named = || format!("the mode {} without yaw", record.mode);
         let wrong = |why: &str| Err(Rejection::new(named(), why));
         let Some(mode) = mode_named(model, &record.mode) else { return wrong("the spec has no such mode") };
@@ -152,21 +155,45 @@ impl Core {
         if !(low <= 0.0 && high >= 0.0 && low.is_finite() && high.is_finite()) {
             return wrong("the range of its spin does not contain zero");
         }
-        let whole = Generators::of(model, &mode.name)?;
+        let [jx, jy, _] = model.vehicle.inertia.map(Interval::point);
+        let turning = match record.turning_rad_s {
+            _ if model.vehicle.inertia[0] == model.vehicle.inertia[1] || !premises.has(Premise::Spin) => None,
+            None => return wrong("the moments of inertia about x and y differ, so that it needs `turning_rad_s`"),
+            Some(rate) if !(rate.is_finite() && rate > 0.0) => return wrong("`turning_rad_s` is not above zero"),
+            rate => rate,
+        };
+        let coupled = turning.map_or(Interval::ZERO, |rate| coupling(jx, jy, rate));
+        let torques = [balanced(&drag, low) + coupled, balanced(&drag, high) - coupled];
+        if exceeds(torques[0].high, torques[1].low) {
+            return wrong("no yaw torque keeps its spin in the range while the direction of the thrust turns");
+        }
+        // The reserve is taken of the rows: hover may lie outside the whole set, yaw included.
+        let whole = generators(model, mode);
         let planes = whole.planes().map_err(|why| Rejection::new(named(), why))?;
-        let kept = Interval::ONE - Interval::point(model.plan.reserve);
-        let torques = spin.map(|rate| balanced(&drag, rate) * kept);
         let mut rows = eliminated(&planes, Some(torques));
+        if model.plan.reserve > 0.0 {
+            let (hover, kept) = (whole.hover_thrust(), Interval::ONE - Interval::point(model.plan.reserve));
+            for row in &mut rows {
+                let at_hover = row.thrust * hover;
+                let room = row.offset - at_hover;
+                if premises.has(Premise::Reserve) && exceeds(-room.low, ROUNDING * width(model, row)) {
+                    return wrong(
+                        "the reserve is a share of the way from hover to its core's boundary, but hover lies outside",
+                    );
+                }
+                row.offset = at_hover + shrunk(room, kept);
+            }
+        }
         // Two opposite planes add up to a row that bounds nothing: its normal is zero up to rounding.
         rows.retain(|row| width(model, row) > NEGLIGIBLE * row.offset.low);
         rows.iter_mut().for_each(|row| *row = row.over(width(model, row)));
-        let [jx, jy, _] = model.vehicle.inertia.map(Interval::point);
         let half = Interval::point(0.5);
         Ok(Core {
             mode: mode.name.clone(),
             rows: envelope::irredundant(rows),
             corners: corners(model, spin),
             spin,
+            turning,
             inertia: (jx + jy) * half,
             unevenness: ((jx - jy) * half).abs(),
         })
@@ -177,7 +204,8 @@ impl Core {
         self.spin
     }
 
-    /// Every row at every corner of momenta and rates.
+    /// Every row at every corner of momenta and rates; then the bound on how fast the direction of the thrust turns, if there is
+    /// one.
     fn members(&self) -> Vec<Member> {
         let of_row = |row: &Row| {
             let Row { thrust, torque, offset } = *row;
@@ -192,10 +220,17 @@ impl Core {
             };
             self.corners.iter().map(at).collect::<Vec<_>>()
         };
-        self.rows.iter().flat_map(of_row).collect()
+        let rows = self.rows.iter().flat_map(of_row);
+        rows.chain(self.turning.map(|rate| Member::turning(Interval::point(rate)))).collect()
     }
 
-    /// The violation of every row at every corner, then by how much the plan itself turns faster than at the ends of the spin.
+    /// How many members of the family, the last ones, are premises of the others: they hold wherever some member is imposed.
+    pub fn premises(&self) -> usize {
+        2 + usize::from(self.turning.is_some())
+    }
+
+    /// The violation of every row at every corner, then those of [`Core::premises`]: of the rate at which the direction of the
+    /// thrust turns, and by how much the plan itself turns faster than at the ends of the spin.
     pub fn family<'a>(&self, dynamics: &Dynamics<'a>) -> Family<'a> {
         family(dynamics, self.members(), Some(self.spin))
     }
@@ -214,6 +249,14 @@ pub struct Member {
 }
 
 impl Member {
+    /// `|s'| <= rate` (rad/s), as a share of the rate.
+    pub fn turning(rate: Interval) -> Self {
+        let zero = Interval::ZERO;
+        let torque = Interval::ONE / rate;
+        let (momentum, offset) = (Interval::ONE, Interval::ONE);
+        Member { thrust: zero, torque, offset, inertia: zero, unevenness: zero, momentum, spin: zero }
+    }
+
     fn violation(&self, turned: &Turned) -> Series<2> {
         turned.thrust.times(self.thrust) + self.rho(turned).times(self.torque) - Series::constant(self.offset)
     }
@@ -233,7 +276,7 @@ impl Member {
 }
 
 /// The violations of rows along a motion; with a range of rates (rad/s) also by how much the motion's own rate leaves it at either
-/// end, in rad/s times the tolerance of rows.
+/// end, rad/s.
 pub fn family<'a>(dynamics: &Dynamics<'a>, rows: Vec<Member>, spin: Option<[f64; 2]>) -> Family<'a> {
     let dynamics = dynamics.clone();
     let members = rows.len() + if spin.is_some() { 2 } else { 0 };
@@ -241,8 +284,7 @@ pub fn family<'a>(dynamics: &Dynamics<'a>, rows: Vec<Member>, spin: Option<[f64;
         let turned = dynamics.turned(state);
         let beyond = |side: usize| {
             let (sign, end) = (if side == 0 { -1.0 } else { 1.0 }, spin.map_or(0.0, |ends| ends[side]));
-            let past = turned.spin.times(Interval::point(sign)) - Series::constant(Interval::point(sign * end));
-            past.times(Interval::point(MOST_OUTSIDE))
+            turned.spin.times(Interval::point(sign)) - Series::constant(Interval::point(sign * end))
         };
         let member = |&member: &usize| match rows.get(member) {
             Some(row) => row.violation(&turned),
@@ -276,6 +318,13 @@ fn length(parts: &Vector<2>) -> Series<2> {
 fn balanced(drag: &YawDrag, rate: f64) -> Interval {
     let [linear, share, quadratic, rate] = [drag.linear, drag.spread.low, drag.quadratic, rate].map(Interval::point);
     linear * share * rate + quadratic * rate * rate.abs()
+}
+
+/// The largest yaw torque with which a turning thrust accelerates the spin of a body with uneven inertia: by Euler's equation
+/// `Jz r' = tau_z + (Jx - Jy) p q`, and `|p q| <= |s'|^2/2`, as p and q are the components of s' in the body; N m.
+fn coupling(jx: Interval, jy: Interval, rate: f64) -> Interval {
+    let rate = Interval::point(rate) * (Interval::ONE + Interval::point(MOST_OUTSIDE));
+    (jx - jy).abs() * rate.square() * Interval::point(0.5)
 }
 
 /// The corners of the box of momenta and rates, in which rho is convex.

@@ -1,10 +1,11 @@
 //! A yaw that follows from the motion: towards a point, or along the path.
 //!
 //! With the direction d that the yaw psi has to follow, the error is the angle e between d and (cos psi, sin psi), and with the
-//! tolerance L the violation is `(|c| cos L - s sin L)/|d| = sin(e - L)`, where c and s are the cross and the inner product of
-//! the two. Where |d| is below its least size, nothing is required.
+//! tolerance L the violation is the distance of d/|d| from the cone of half-angle L about the yaw: `sin(e - L)`, and 1 where e - L
+//! is more than a right angle. Where |d| is below its least size, nothing is required.
 
 use super::interval::Interval;
+use super::limits::outside_cone;
 use super::motion::{Motion, State, X, Y, YAW};
 use crate::model::{Limit, SLOWEST, Target};
 
@@ -27,8 +28,8 @@ fn violation_at(limit: &Limit, state: &State, within: f64) -> Interval {
     let (sine, cosine) = state[YAW][0].sin_cos();
     let cross = (cosine * d[1] - sine * d[0]).abs();
     let inner = cosine * d[0] + sine * d[1];
-    let (sine, cosine) = Interval::point(within).sin_cos();
-    (cross * cosine - inner * sine) / size
+    let at_an_instant = |part: Interval| Series::of_derivatives(&[part, Interval::WHOLE]);
+    outside_cone(at_an_instant(cross), at_an_instant(inner), within).value() / size
 }
 
 /// The vector whose direction is followed, and its least size.

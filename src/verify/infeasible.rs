@@ -68,6 +68,7 @@ pub(super) fn decide(
     if !estimate.fits(budget) {
         return Err(Refusal::Budget { estimate, budget });
     }
+    setting.reserve_has_hover()?;
     let selected_by = setting.selected_by(&claim.selected_by, &WithoutYaw::wherever_possible(model))?;
     let planes = planes(setting, claim, &selected_by)?;
     let (total, pieces) = (grid.total, grid.times.len() - 1);

@@ -1,10 +1,11 @@
 //! Lower bounds on the time at which motions that satisfy the spec's limits at every instant reach each waypoint: from
 //! distances, limits and full thrust, in interval arithmetic. docs/certificates.md has the theorem.
 //!
-//! Consider a leg with a displacement of at least d along some direction, a rate of at most v and an acceleration of at most
-//! a in that direction, and k of its ends at rest. If u is its largest rate, it takes at least `d/u + k u/(2 a)`, because the
-//! mean rate in the `u/a` s next to an end at rest is at most `u/2`. This decreases in u up to `sqrt(2 a d/k)`, where it has
-//! its minimum `sqrt(2 k d/a)`; below that, u = v gives the bound. If the jerk is at most j and acceleration and rate start
+//! Consider a leg with a displacement of at least d along some direction and a rate of at most v in it. Let s be the sum of `1/a`
+//! over its ends at rest, with a the largest acceleration in the direction for the first end, and against it for the last. If u is
+//! its largest rate, it takes at least `d/u + s u/2`, because the mean rate in the `u/a` s next to an end at rest is at most
+//! `u/2`. This decreases in u up to `sqrt(2 d/s)`, where it has its minimum `sqrt(2 d s)`; below that, u = v gives the bound. If the
+//! jerk is at most j and acceleration and rate start
 //! at zero, the displacement is at most `j t^3/6`; if they also end at zero, at most `j T^3/32`, half of it in either half.
 
 use super::Rejection;
@@ -19,39 +20,45 @@ use std::f64::consts::FRAC_PI_2;
 /// Instants with a smaller relative difference count as equal.
 const SAME_TIME: f64 = 1e-9;
 
-/// Upper bounds on rate, acceleration and jerk; infinite if there is none.
+/// Upper bounds on rate, acceleration and jerk along a direction; infinite if there is none.
 #[derive(Clone, Copy)]
 struct Most {
     rate: f64,
-    acceleration: f64,
+    /// In the direction.
+    speeding: f64,
+    /// Against it.
+    slowing: f64,
     jerk: f64,
 }
 
 impl Most {
-    /// The least time for a displacement of at least `d`, with rest at `ends` ends, rounded down, s.
-    fn least(&self, d: Interval, ends: usize) -> f64 {
+    /// The least time for a displacement of at least `d`, with rest at the first and the last end or not, rounded down, s.
+    fn least(&self, d: Interval, rests: [bool; 2]) -> f64 {
         if !exceeds(d.low, 0.0) {
             return 0.0;
         }
-        let smoothly = self.smoothly(d.low, ends);
-        let (d, k) = (Interval::point(d.low), Interval::point(ends as f64));
-        let [v, a] = [self.rate, self.acceleration].map(Interval::point);
-        let two = Interval::point(2.0);
-        let whatever_the_rate = if a.high.is_finite() { (two * k * d / a).sqrt().low } else { 0.0 };
+        let smoothly = self.smoothly(d.low, rests);
+        let (d, v, two) = (Interval::point(d.low), Interval::point(self.rate), Interval::point(2.0));
+        // Where thrust cannot accelerate at all the vehicle never leaves; nothing is claimed of that.
+        let bounded = |a: f64| a.is_finite() && a > 0.0;
+        let at_rest = rests.into_iter().zip([self.speeding, self.slowing]).filter(|&(rests, a)| rests && bounded(a));
+        let s = at_rest.fold(Interval::ZERO, |sum, (_, a)| sum + Interval::ONE / Interval::point(a));
+        let whatever_the_rate = (two * d * s).sqrt().low;
         if !v.high.is_finite() {
             return whatever_the_rate.max(smoothly);
         }
         let at_that_rate = (d / v).low;
-        let slowed = match a.high.is_finite() && (k * v * v).high <= (two * a * d).low {
-            true => (d / v + k * v / (two * a)).low,
-            false => 0.0,
-        };
+        let slowed = if (s * v * v).high <= (two * d).low { (d / v + s * v / two).low } else { 0.0 };
         whatever_the_rate.max(at_that_rate).max(slowed).max(smoothly)
     }
 
     /// The least time that follows from the bound on the jerk alone, s.
-    fn smoothly(&self, d: f64, ends: usize) -> f64 {
-        let factor = [0.0, 6.0, 32.0][ends.min(2)];
+    fn smoothly(&self, d: f64, rests: [bool; 2]) -> f64 {
+        let factor = match rests {
+            [false, false] => 0.0,
+            [true, true] => 32.0,
+            _ => 6.0,
+        };
         if !self.jerk.is_finite() || factor == 0.0 {
             return 0.0;
         }
@@ -63,32 +70,71 @@ impl Most {
     }
 }
 
-/// The largest value of a quantity on a leg under the limits of a kind, including the tolerance of the check of plans.
-fn most(mission: &Mission, leg: usize, kind: LimitKind) -> f64 {
-    let upper = |limit: &Limit| {
-        let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(limit.size());
-        Some((Interval::point(limit.upper?) + let_pass).high)
-    };
-    let of_kind = mission.limits.iter().filter(|limit| limit.kind == kind && limit.concerns(leg));
-    of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
+/// The directions in which a quantity is bounded.
+#[derive(Clone, Copy)]
+enum Sense {
+    /// Towards larger values: the upper side of limits.
+    Upwards,
+    /// Towards smaller values: the lower side. Only limits on yaw have one; the others are on norms, or on the speed one way.
+    Downwards,
 }
 
-/// The largest total thrust divided by the mass, m/s^2.
-fn force(model: &Model) -> Interval {
-    let vehicle = &model.vehicle;
-    let thrust = vehicle.rotors.iter().fold(Interval::ZERO, |sum, rotor| {
-        let speed = Interval::point(rotor.max_speed);
-        let full = Interval::point(rotor.thrust_coefficient) * speed * speed;
-        sum + full * Interval::point(rotor.spread.full_thrust.high)
-    });
-    let let_pass = Interval::ONE + Interval::point(MOST_OUTSIDE);
-    thrust * let_pass / (Interval::point(vehicle.mass) * Interval::point(vehicle.mass_spread.low))
+/// How far a quantity may go in one direction on a leg under the limits of a kind, including the tolerance of the check of plans.
+fn most(mission: &Mission, leg: usize, kind: LimitKind, sense: Sense) -> f64 {
+    let bound = |limit: &Limit| {
+        let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(limit.size());
+        let side = match sense {
+            Sense::Upwards => limit.upper?,
+            Sense::Downwards => -limit.lower?,
+        };
+        Some((Interval::point(side) + let_pass).high)
+    };
+    let of_kind = mission.limits.iter().filter(|limit| limit.kind == kind && limit.concerns(leg));
+    of_kind.filter_map(bound).fold(f64::INFINITY, f64::min)
+}
+
+/// The total thrust over the mass, m/s^2: `most` is an upper bound, and `reversed` one on its size where rotors that reverse make it
+/// negative. A healthy set widened by its tolerance is the set scaled about its centre, so that either end moves by this share
+/// of the thrust's whole range.
+struct Thrust {
+    most: Interval,
+    reversed: Interval,
+}
+
+impl Thrust {
+    fn of(model: &Model) -> Self {
+        let vehicle = &model.vehicle;
+        let (mut full, mut reversed) = (Interval::ZERO, Interval::ZERO);
+        for rotor in &vehicle.rotors {
+            let at = |speed: f64| {
+                let speed = Interval::point(speed);
+                Interval::point(rotor.thrust_coefficient) * speed * speed.abs()
+            };
+            full = full + at(rotor.max_speed) * Interval::point(rotor.spread.full_thrust.high);
+            if rotor.is_reversible() {
+                reversed = reversed - at(rotor.min_speed);
+            }
+        }
+        let let_pass = Interval::point(MOST_OUTSIDE) * (full + reversed);
+        let lightest = Interval::point(vehicle.mass) * Interval::point(vehicle.mass_spread.low);
+        Thrust { most: (full + let_pass) / lightest, reversed: (reversed + let_pass) / lightest }
+    }
+
+    /// The largest acceleration downwards, m/s^2. In the exact model the thrust points along an axis of the body that points
+    /// up, so that it cannot pull down beyond the tolerance on sets.
+    fn falling(&self, model: &Model) -> Interval {
+        let g = Interval::point(model.gravity);
+        match model.plan.model {
+            PlanModel::Hover => g + self.reversed,
+            PlanModel::Exact => g + Interval::point(MOST_OUTSIDE) * self.most,
+        }
+    }
 }
 
 /// The largest horizontal acceleration on a leg for a given force per mass and the limit on tilt, m/s^2.
 fn sideways(problem: Problem, leg: usize, force: Interval) -> f64 {
     let (model, mission) = (problem.model(), problem.mission());
-    let tilt = most(mission, leg, LimitKind::Tilt);
+    let tilt = most(mission, leg, LimitKind::Tilt, Sense::Upwards);
     let let_pass =
         Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
     // A drag along the body's z axis of its own changes the size of the thrust, but not its direction: the limit on tilt, which is
@@ -132,18 +178,30 @@ fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), most: Interval,
     }
 }
 
-/// The bounds on the displacements of a leg: along its line, horizontal, up, down, and in yaw.
-fn bounds(problem: Problem, leg: usize) -> [Most; 5] {
+/// The bounds on the displacements of a leg.
+#[derive(Clone, Copy)]
+struct Bounds {
+    along_line: Most,
+    horizontal: Most,
+    up: Most,
+    down: Most,
+    /// Turns to larger yaws.
+    left: Most,
+    /// Turns to smaller yaws.
+    right: Most,
+}
+
+fn bounds(problem: Problem, leg: usize) -> Bounds {
     let (model, mission) = (problem.model(), problem.mission());
     let is_isotropic = model.environment().is_isotropic();
-    let (force, g) = (force(model), Interval::point(model.gravity));
-    let most = |kind| most(mission, leg, kind);
+    let (thrust, g) = (Thrust::of(model), Interval::point(model.gravity));
+    let force = thrust.most;
+    let turning = |kind, sense| most(mission, leg, kind, sense);
+    let most = |kind| most(mission, leg, kind, Sense::Upwards);
     let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
     let whole = most(LimitKind::Acceleration);
     // In the hover model the force is bounded only along z.
     let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
-    // The thrust may be negative by the tolerance on sets.
-    let vertical = (g + Interval::point(MOST_OUTSIDE) * force).high.max((force - g).high).min(whole);
     let all = [0, 1, 2];
     let (rate, in_all) = with_drag(problem, (speed, in_all), force + g, &all);
     // With a drag for each axis of the body: a part of the velocity is at most the whole, and so is that of the drag.
@@ -151,22 +209,33 @@ fn bounds(problem: Problem, leg: usize) -> [Most; 5] {
         true => with_drag(problem, (own, acceleration), most, axes),
         false => (own.min(rate), with_drag(problem, (rate, acceleration), force + g, &all).1),
     };
-    let along_line = Most { rate, acceleration: whole.min(in_all), jerk };
+    let both_ways = |rate: f64, acceleration: f64| Most { rate, speeding: acceleration, slowing: acceleration, jerk };
+    let along_line = both_ways(rate, whole.min(in_all));
     let across = speed.min(most(LimitKind::SpeedHorizontal));
     let (rate_across, in_plane) = of_part((across, sideways(problem, leg, force)), force, &[0, 1]);
-    let horizontal = Most {
-        rate: rate_across,
-        acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane),
-        jerk,
+    let horizontal = both_ways(rate_across, whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane));
+    let vertical = |kind: LimitKind, speeding: Interval, slowing: Interval| {
+        let rate = speed.min(most(kind));
+        let in_air = |acceleration: Interval| of_part((rate, acceleration.high), force + g, &[2]);
+        let [speeding, slowing] = [in_air(speeding), in_air(slowing)];
+        Most { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
     };
-    let of_climb = |kind: LimitKind| {
-        let (rate, acceleration) = of_part((speed.min(most(kind)), vertical), force + g, &[2]);
-        Most { rate, acceleration: acceleration.min(whole), jerk }
+    let (rising, falling) = (force - g, thrust.falling(model));
+    let [more, less] = [Sense::Upwards, Sense::Downwards];
+    let turn = |ahead, back| Most {
+        rate: turning(LimitKind::YawRate, ahead),
+        speeding: turning(LimitKind::YawAcceleration, ahead),
+        slowing: turning(LimitKind::YawAcceleration, back),
+        jerk: f64::INFINITY,
     };
-    let (up, down) = (of_climb(LimitKind::Climb), of_climb(LimitKind::Descent));
-    let turn =
-        Most { rate: most(LimitKind::YawRate), acceleration: most(LimitKind::YawAcceleration), jerk: f64::INFINITY };
-    [along_line, horizontal, up, down, turn]
+    Bounds {
+        along_line,
+        horizontal,
+        up: vertical(LimitKind::Climb, rising, falling),
+        down: vertical(LimitKind::Descent, falling, rising),
+        left: turn(more, less),
+        right: turn(less, more),
+    }
 }
 
 /// Lower bounds on when each waypoint is reached, s, in the order of flight.
@@ -181,20 +250,22 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
     };
     let leg = |i: usize| {
         let (from, to) = (&mission.waypoints[i], &mission.waypoints[i + 1]);
-        let ends = usize::from(rests(i)) + usize::from(rests(i + 1));
+        let ends = [rests(i), rests(i + 1)];
         let apart = |axis: usize| Interval::point(to.position[axis]) - Interval::point(from.position[axis]);
         let sum = |axes: &[usize]| axes.iter().fold(Interval::ZERO, |sum, &axis| sum + apart(axis).square()).sqrt();
         let room = met_within(from.within, to.within);
         let has_yaw = from.heading == Heading::Given && to.heading == Heading::Given;
-        let turned = (Interval::point(to.yaw) - Interval::point(from.yaw)).abs();
+        let turned = Interval::point(to.yaw) - Interval::point(from.yaw);
         let yaw_room = met_within(from.yaw_within, to.yaw_within);
-        let [along_line, horizontal, up, down, turn] = general.unwrap_or_else(|| bounds(problem, i));
+        let bounds = general.unwrap_or_else(|| bounds(problem, i));
+        let turn = |most: Most, turned: Interval| if has_yaw { most.least(turned - yaw_room, ends) } else { 0.0 };
         [
-            along_line.least(sum(&[0, 1, 2]) - room, ends),
-            horizontal.least(sum(&[0, 1]) - room, ends),
-            up.least(apart(2) - room, ends),
-            down.least(-apart(2) - room, ends),
-            if has_yaw { turn.least(turned - yaw_room, ends) } else { 0.0 },
+            bounds.along_line.least(sum(&[0, 1, 2]) - room, ends),
+            bounds.horizontal.least(sum(&[0, 1]) - room, ends),
+            bounds.up.least(apart(2) - room, ends),
+            bounds.down.least(-apart(2) - room, ends),
+            turn(bounds.left, turned),
+            turn(bounds.right, -turned),
         ]
         .into_iter()
         .fold(0.0, f64::max)

@@ -12,11 +12,9 @@ use std::f64::consts::PI;
 /// Value and rate of change.
 type Series = super::series::Series<2>;
 
-/// The violation of a limit, upper side then lower side, in the limit's SI unit. For tilt it is
-/// `(|(x'', y'')| cos L - (z'' + g) sin L) / g`: the distance of the acceleration from the cone, divided by gravity.
-///
-/// For a direction of arrival it is `|v - (v.d) d| cos L - (v.d) sin L`, m/s: the distance of the velocity v from the cone about the
-/// direction d. `within` are the nodes of the part of the motion on which the limit holds, see [`Family::within`].
+/// The violation of a limit, upper side then lower side, in the limit's SI unit. For tilt it is the distance of the acceleration
+/// `(x'', y'', z'' + g)` from the cone about the vertical, divided by gravity; for a direction of arrival that of the velocity from
+/// the cone about the direction, m/s ([`outside_cone`]). `within` are the nodes of the part of the motion on which the limit holds, see [`Family::within`].
 pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(usize, usize)>) -> Family<'l> {
     let environment = *environment;
     let Limit { kind, lower, upper, .. } = *limit;
@@ -109,26 +107,43 @@ fn length(state: &State, axes: &[usize], order: usize) -> Series {
     Series::of_derivatives(&[value, rate])
 }
 
+/// The distance of a vector from the cone of those at an angle of at most `angle` (rad, below pi/2) to an axis: `ahead` is its
+/// component along the axis, `aside` the length of the rest. Beyond a right angle to the cone's side the apex is nearest, so
+/// that the distance is the whole length: its sine alone would fall to zero again for a vector that points backwards.
+pub(super) fn outside_cone(aside: Series, ahead: Series, angle: f64) -> Series {
+    let (sine, cosine) = Interval::point(angle).sin_cos();
+    let from_side = aside.times(cosine) - ahead.times(sine);
+    let along_side = ahead.value() * cosine + aside.value() * sine;
+    if along_side.low >= 0.0 {
+        return from_side;
+    }
+    let length = |of: fn(&Series) -> Interval| (of(&aside).square() + of(&ahead).square()).sqrt();
+    let from_apex = length(|part| part.value());
+    // No distance changes faster than the vector does.
+    let steepest = Interval::around_zero(length(|part| part.slope()).high);
+    let nearest = if along_side.high < 0.0 { from_apex.low } else { from_side.value().low.min(from_apex.low) };
+    Series::of_derivatives(&[Interval::new(nearest, from_apex.high), steepest])
+}
+
 /// At an instant; the rate is not bounded.
 fn arrival_violation(limit: &Limit, state: &State, angle: f64) -> Series {
-    let (sine, cosine) = Interval::point(angle).sin_cos();
     let direction = limit.leg.as_ref().and_then(|on| on.direction).unwrap_or([f64::NAN; 3]).map(Interval::point);
     let velocity = [X, Y, Z].map(|axis| state[axis][1]);
     let dot = |a: [Interval; 3]| (0..3).fold(Interval::ZERO, |sum, i| sum + a[i] * direction[i]);
     let ahead = dot(velocity);
     let aside = (0..3).fold(Interval::ZERO, |sum, i| sum + (velocity[i] - ahead * direction[i]).square()).sqrt();
-    Series::of_derivatives(&[aside * cosine - ahead * sine, Interval::WHOLE])
+    let at_an_instant = |part: Interval| Series::of_derivatives(&[part, Interval::WHOLE]);
+    outside_cone(at_an_instant(aside), at_an_instant(ahead), angle)
 }
 
 /// The drag along z does not change the direction of the thrust. Where that of x and y differ, a spec has no limit on tilt.
 fn tilt_violation(state: &State, limit: f64, environment: &Environment) -> Series {
-    let (sine, cosine) = Interval::point(limit).sin_cos();
     let g = Interval::point(environment.gravity);
     let [x, y, lift] = thrust_over_mass::<2>(state, environment, environment.drag_rates[0]);
     let across = match environment.has_drag() {
         true => length_of(&[x, y]),
         false => length(state, &[X, Y], 2),
     };
-    let out = across.times(cosine) - lift.times(sine);
+    let out = outside_cone(across, lift, limit);
     Series::of_derivatives(&out.0.map(|c| c / g))
 }

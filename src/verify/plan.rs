@@ -13,7 +13,7 @@ use super::premise::{Premise, Premises};
 use super::proof::Family;
 use super::sets::{Generators, HEALTHY, Plane};
 use super::wrench::{Dynamics, Held};
-use super::{Refusal, Rejection, Shown, joints, lag, mode_named, required, schedule, wind};
+use super::{Refusal, Rejection, Shown, joints, lag, mode_named, required, required_whole, schedule, wind};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Heading, Mission, Model, PlannerKind, Problem};
 use crate::number::number;
@@ -174,7 +174,7 @@ impl<'a> Setting<'a> {
         if !estimate.fits(budget) {
             return Err(Refusal::Budget { estimate, budget });
         }
-        let without_yaw = WithoutYaw::of(self.model(), &claim.without_yaw)?;
+        let without_yaw = WithoutYaw::of(self.model(), &claim.without_yaw, self.premises)?;
         let selected_by = match self.premises.has(Premise::SelectedBy) {
             true => self.selections(claim, &without_yaw)?,
             false => self.unchecked(&claim.selected_by)?,
@@ -246,12 +246,47 @@ impl<'a> Setting<'a> {
         }
         for mode in modes {
             let span = self.span_of(&mode);
-            match Generators::of(self.model(), &mode)?.planes() {
+            match self.planes_of(&mode)? {
                 Ok(planes) => groups.push(Group { mode, whole: true, span, planes }),
                 Err(why) => undecided.push(format!("the set of {mode}: {why}")),
             }
         }
         Ok((groups, undecided))
+    }
+
+    /// Every plane that bounds a mode's set, shrunk by the reserve; or why they are not known.
+    ///
+    /// # Errors
+    /// The spec has no such mode, or requires a reserve of a set that does not contain hover.
+    pub(super) fn planes_of(&self, mode: &str) -> Result<Result<Vec<Plane>, String>, Rejection> {
+        let planes = Generators::of(self.model(), mode)?.planes();
+        let outside = |planes: &Vec<Plane>| planes.iter().any(Plane::excludes_hover);
+        match self.reserves() && planes.as_ref().is_ok_and(outside) {
+            true => Err(self.reserve_about_nothing(mode)),
+            false => Ok(planes),
+        }
+    }
+
+    /// Whether the spec requires a reserve.
+    fn reserves(&self) -> bool {
+        self.premises.has(Premise::Reserve) && self.model().plan.reserve > 0.0
+    }
+
+    /// The rejection where hover, about which a reserve is taken, lies outside a mode's set.
+    fn reserve_about_nothing(&self, mode: &str) -> Rejection {
+        let why = format!(
+            "it is a share of the way from hover to the boundary of the set of {mode}, but hover lies outside that set"
+        );
+        Rejection { span: Some(self.model().plan.reserve_span), ..Rejection::new("the reserve", why) }
+    }
+
+    /// Checks that hover lies in every set that a reserve shrinks.
+    ///
+    /// # Errors
+    /// It lies outside of one.
+    pub(super) fn reserve_has_hover(&self) -> Result<(), Rejection> {
+        let modes = if self.reserves() { required_whole(self.model()) } else { Vec::new() };
+        modes.iter().try_for_each(|mode| self.planes_of(mode).map(drop))
     }
 
     fn span_of(&self, mode: &str) -> Option<Span> {

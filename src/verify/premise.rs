@@ -24,6 +24,12 @@ pub enum Premise {
     Limits,
     /// The wrench stays in the sets that the spec's planner imposes.
     Sets,
+    /// Hover, about which a reserve shrinks sets, lies in them.
+    Reserve,
+    /// The motion stays in the cores of modes without yaw.
+    Cores,
+    /// The range of spins of a core is one that the body cannot leave, and the motion's own rate lies in it.
+    Spin,
     /// So does the commanded wrench of lagging rotors.
     Commands,
     /// The thrust's vertical part stays above a tenth of the weight.
@@ -45,7 +51,7 @@ pub enum Premise {
 }
 
 impl Premise {
-    pub const ALL: [Premise; 19] = [
+    pub const ALL: [Premise; 22] = [
         Premise::Spec,
         Premise::Equations,
         Premise::Shape,
@@ -56,6 +62,9 @@ impl Premise {
         Premise::Waypoints,
         Premise::Limits,
         Premise::Sets,
+        Premise::Reserve,
+        Premise::Cores,
+        Premise::Spin,
         Premise::Commands,
         Premise::Upright,
         Premise::SelectedBy,

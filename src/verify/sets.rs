@@ -12,7 +12,7 @@ pub mod inverse;
 use self::doubt::{Doubts, Known};
 use self::inverse::Inverse;
 use super::dyadic::{Dyadic, dot, orthogonal};
-use super::interval::Interval;
+use super::interval::{Interval, exceeds};
 use super::{Rejection, mode_named};
 use crate::model::{Allocation, Environment, FaultMode, Model, Rotor, Spin, Vehicle};
 use std::cmp::Ordering;
@@ -31,6 +31,8 @@ type Exact = [Dyadic; 4];
 pub struct Plane {
     pub normal: [Interval; 4],
     pub offset: Interval,
+    /// How far hover lies inside the plane before the reserve is taken; below zero outside.
+    pub room: Interval,
     /// The rotors that span it, from 1; fewer than three in a flat set. With the pseudo-inverse, the one at a bound; none for
     /// the row T >= 0.
     pub rotors: Vec<usize>,
@@ -43,6 +45,21 @@ impl Plane {
     pub fn violation(&self, wrench: &[Interval; 4]) -> Interval {
         along(&self.normal, wrench) - self.offset
     }
+
+    /// Whether hover lies outside, for some mass of an interval.
+    pub fn excludes_hover(&self) -> bool {
+        exceeds(-self.room.low, ROUNDING)
+    }
+}
+
+/// Distances up to this, in widths of the healthy set, are rounding.
+pub const ROUNDING: f64 = 1e-9;
+
+/// What a reserve leaves of the way from hover to a plane, `kept` of it. Behind the plane, where hover lies outside, a share of
+/// the way would end outside the set, so that all of it counts.
+pub fn shrunk(room: Interval, kept: Interval) -> Interval {
+    let share = kept * room;
+    Interval { low: share.low.min(room.low), high: share.high.min(room.high) }
 }
 
 /// The scalar product.
@@ -328,7 +345,7 @@ impl Generators {
                 normal[axis] = Dyadic::of(sign);
                 let hover = dot(&normal, &self.hover);
                 let room = self.support(&normal).minus(&hover).enclosure();
-                Interval::point(sign) * (hover.enclosure() + self.kept * room)
+                Interval::point(sign) * (hover.enclosure() + shrunk(room, self.kept))
             };
             Interval::new(reach(-1.0).low, reach(1.0).high)
         })
@@ -348,7 +365,8 @@ impl Generators {
         }
     }
 
-    /// The half-space, shrunk about hover by the reserve: n.w <= n.h + (1 - reserve) (e - n.h).
+    /// The half-space, shrunk about hover by the reserve: n.w <= n.h + (1 - reserve) (e - n.h), and n.w <= e where hover is
+    /// outside.
     fn plane(&self, normal: &Exact, offset: &Dyadic, rotors: Vec<usize>, is_facet: bool) -> Plane {
         if self.doubts.is_none() {
             let width = absolute(self.healthy.iter().map(|g| dot(normal, g))).enclosure();
@@ -356,7 +374,8 @@ impl Generators {
             let room = offset.minus(&hover).enclosure();
             return Plane {
                 normal: normal.each_ref().map(|n| n.enclosure() / width),
-                offset: (hover.enclosure() + self.kept * room) / width,
+                offset: (hover.enclosure() + shrunk(room, self.kept)) / width,
+                room: room / width,
                 rotors,
                 is_facet,
             };
@@ -365,8 +384,9 @@ impl Generators {
         let enclosed = |v: &Exact| v.each_ref().map(Dyadic::enclosure);
         let width = self.healthy.iter().fold(Interval::ZERO, |sum, g| sum + along(&normal, &enclosed(g)).abs());
         let hover = along(&normal, &enclosed(&self.hover));
-        let offset = (hover + self.kept * (offset - hover)) / width;
-        Plane { normal: normal.map(|n| n / width), offset, rotors, is_facet }
+        let room = offset - hover;
+        let offset = (hover + shrunk(room, self.kept)) / width;
+        Plane { normal: normal.map(|n| n / width), offset, room: room / width, rotors, is_facet }
     }
 }
 

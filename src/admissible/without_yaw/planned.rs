@@ -8,6 +8,7 @@ use crate::admissible::{AdmissibleSet, FacetOf, edge, hover, verdict};
 use crate::geometry::polytope::{Facet, Polytope, intersect};
 use crate::geometry::zonotope::Spanning;
 use crate::model::{GiveUpYaw, LimitKind, Model, Spin, YawDrag};
+use crate::tolerance::MOST_OUTSIDE;
 use nalgebra::{SVector, Vector2, Vector4};
 
 /// What a row of a core depends on, whatever the heading of the body: T (N), the two components of `s x s''` (1/s^2), those of s'
@@ -34,6 +35,11 @@ pub struct CoreRow {
 }
 
 impl CoreRow {
+    /// Whether this is the bound on how fast the direction of the thrust turns, a premise of the other rows.
+    pub fn bounds_turning(&self) -> bool {
+        self.inertia == 0.0
+    }
+
     /// `J s x s'' + H s'` and `s x s'' + 2 r s'`.
     pub fn torques(&self, turning: &Turning) -> [Vector2<f64>; 2] {
         let (swing, rate) = (turning.fixed_rows::<2>(1).into_owned(), turning.fixed_rows::<2>(3).into_owned());
@@ -57,6 +63,8 @@ pub struct PlannedCore {
     pub spin_rad_s: [f64; 2],
     /// The yaw torques (N m) that are used: the smallest interval about zero with which the disc at hover is whole.
     pub yaw_torque_n_m: [f64; 2],
+    /// The largest rate at which the direction of the thrust may turn, rad/s, where the moments of inertia about x and y differ.
+    pub turning_rad_s: Option<f64>,
     /// In widths of the healthy set.
     pub rows: Vec<SetRow>,
 }
@@ -126,6 +134,12 @@ impl Provision {
 /// Half the range of the rates (rad/s) at which a plan may turn where it limits no yaw rate.
 pub const YAW_RATE: f64 = 1.0;
 
+/// With an uneven inertia, turning takes at most this share of the largest drag of the spin for which there would be rates
+/// enough without it; and the range of turning rates (rad/s) between which that share sets the bound. Chosen by hand: a bound
+/// below 1 rad/s would hold up plans that the core itself allows, and faster turning than 5 rad/s is rare in plans.
+const TURNING_SHARE: f64 = 0.25;
+const TURNING: [f64; 2] = [1.0, 5.0];
+
 /// Halvings of the interval of yaw torques.
 const HALVINGS: usize = 30;
 
@@ -162,7 +176,8 @@ impl PlannedCore {
         let guaranteed = set.guaranteed(model);
         let slice = Slice { hover: hover(model), polytope: &guaranteed.polytope, scale: set.zonotope.scale() };
         let torques = slice.least_torques()?;
-        let spin = spin_range(model, &slow_drag, torques);
+        let turning = TurningBound::of(model, &slow_drag, torques);
+        let spin = spin_range(model, &slow_drag, torques, turning.map_or(0.0, |bound| bound.coupling));
         let kept = 1.0 - model.plan.reserve;
         let [jx, jy, _] = model.vehicle.inertia;
         let mut rows = Vec::new();
@@ -187,14 +202,53 @@ impl PlannedCore {
                 }),
             }));
         }
-        Some(PlannedCore { mode, spin_rad_s: spin, yaw_torque_n_m: torques, rows })
+        let facet = rows.last().map_or(0, |row| row.origin[0].facet + 1);
+        rows.extend(turning.map(|bound| bound.row(FacetOf { mode: set.mode, facet, spanning: Spanning(0) })));
+        let turning_rad_s = turning.map(|bound| bound.rate);
+        Some(PlannedCore { mode, spin_rad_s: spin, yaw_torque_n_m: torques, turning_rad_s, rows })
     }
 }
 
-/// The rates that the body does not leave: its drag at either end is at least the yaw torque there.
-fn spin_range(model: &Model, drag: &YawDrag, [low, high]: [f64; 2]) -> [f64; 2] {
+/// A bound on how fast the direction of the thrust turns. By Euler's equation `Jz r' = tau_z + (Jx - Jy) p q` turning accelerates the
+/// spin of a body with uneven inertia, by at most `|Jx - Jy| |s'|^2/2`, because p and q are the components of s'.
+#[derive(Debug, Clone, Copy)]
+struct TurningBound {
+    /// rad/s
+    rate: f64,
+    /// The yaw torque that is left for it, N m.
+    coupling: f64,
+}
+
+impl TurningBound {
+    /// The bound for the yaw torques that plans use; `None` with equal moments of inertia.
+    fn of(model: &Model, drag: &YawDrag, torques: [f64; 2]) -> Option<Self> {
+        let [jx, jy, _] = model.vehicle.inertia;
+        let uneven = (jx - jy).abs();
+        let of_drag =
+            spin_range(model, drag, torques, 0.0).map(|rate| drag.torque(rate).abs()).into_iter().fold(0.0, f64::max);
+        let [least, most] = TURNING;
+        let rate = (2.0 * TURNING_SHARE * of_drag / uneven).sqrt().clamp(least, most);
+        // The check of plans lets the rate pass by its tolerance, and torques by rounding.
+        let coupling = 0.5 * uneven * (rate * (1.0 + 2.0 * MOST_OUTSIDE)).powi(2);
+        (uneven > 0.0).then_some(TurningBound { rate, coupling })
+    }
+
+    /// `|s'| <= rate` as a row: (98) with b = 1/rate, J = 0, H = 1 and e = 1.
+    fn row(&self, origin: FacetOf) -> SetRow {
+        SetRow {
+            normal: Wrench::zeros(),
+            offset: 1.0,
+            equality: false,
+            origin: vec![origin],
+            core: Some(CoreRow { torque: 1.0 / self.rate, inertia: 0.0, unevenness: 0.0, momentum: 1.0, spin: 0.0 }),
+        }
+    }
+}
+
+/// The rates that the body does not leave: its drag at either end is at least the yaw torque there and that of `coupling` (N m).
+fn spin_range(model: &Model, drag: &YawDrag, [low, high]: [f64; 2], coupling: f64) -> [f64; 2] {
     let planned = 2.0 * yaw_rate(model);
-    [drag.spin(low).min(-planned), drag.spin(high).max(planned)]
+    [drag.spin(low - coupling).min(-planned), drag.spin(high + coupling).max(planned)]
 }
 
 /// The corners of the box of momenta (N m s) and rates (rad/s); rho is convex in both.

@@ -36,7 +36,7 @@ impl HoverPlanner<'_> {
     fn largest_inputs(&self) -> [f64; 3] {
         let zonotope = &self.healthy.zonotope;
         let reach = |n: Wrench| zonotope.support(&n).abs().max(zonotope.support(&-n).abs());
-        let extent = |axis: usize| reach(Wrench::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 }));
+        let unit = |axis: usize| Wrench::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 });
         let vehicle = &self.model().vehicle;
         let [ixx, iyy, izz] = vehicle.inertia;
         // x^2 + y^2 does not depend on psi: it is (g tau_x / Ixx)^2 + (g tau_y / Iyy)^2. Its root is at most
@@ -50,8 +50,11 @@ impl HoverPlanner<'_> {
             })
             .fold(0.0, f64::max);
         let snap = widest / (slice / 2.0).cos();
-        let climb = (extent(0) / vehicle.mass - self.model().gravity).abs().max(self.model().gravity);
-        let turn = extent(3) / izz;
+        // With rotors that reverse the least thrust is below zero.
+        let (most, least) = (zonotope.support(&unit(0)), (-zonotope.support(&-unit(0))).min(0.0));
+        let g = self.model().gravity;
+        let climb = (most / vehicle.mass - g).abs().max(g - least / vehicle.mass);
+        let turn = reach(unit(3)) / izz;
         [snap, climb, turn]
     }
 

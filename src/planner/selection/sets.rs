@@ -72,7 +72,10 @@ impl PlanningSets {
         let of = |set: &PlanningSet| {
             let found = outside(&trajectory, &model.vehicle, &model.environment(), &set.rows);
             let rows = if planned.model == WrenchModel::Exact { found.violated } else { found.facets };
-            rows.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
+            // The bound on turning is a premise of a core's other rows.
+            let turning = set.rows.iter().position(|row| row.core.is_some_and(|core| core.bounds_turning()));
+            let missing = turning.filter(|turning| !rows.is_empty() && !rows.contains(turning));
+            rows.into_iter().chain(missing).map(|row| set.rows[row].clone()).collect::<Vec<_>>()
         };
         self.modes.iter().flat_map(of).collect()
     }

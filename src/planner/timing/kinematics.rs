@@ -1,10 +1,11 @@
 //! Lower bounds on the duration of each leg, from distances, limits and thrust alone. They hold for motions that keep the spec's
 //! limits at every instant, whatever the division of the time. The planner's initial durations come from them.
 //!
-//! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at most v
-//! and the acceleration at most a in size, a leg of length d takes at least d/v; if the vehicle rests at k of its two ends, at
-//! least `d/v + k v/(2a)` where it reaches v, and `sqrt(2 k d/a)` where it does not (time-optimal control of the double
-//! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk of at
+//! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at most v,
+//! a leg of length d takes at least d/v. With s the sum of `1/a` over those of its ends where the vehicle rests, a the largest
+//! acceleration in the direction for the first end and against it for the last, it takes at least `d/v + s v/2` where it reaches v,
+//! and `sqrt(2 d s)` where it does not (time-optimal control of the double integrator; Bryson and Ho, *Applied Optimal
+//! Control*, 1975). At rest the acceleration vanishes too, so that a jerk of at
 //! most j needs `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
 use crate::model::{Heading, Limit, LimitKind, PlanModel, Problem, Waypoint};
@@ -17,22 +18,34 @@ use std::ops::Range;
 #[derive(Debug, Clone, Copy)]
 struct Pace {
     rate: f64,
-    acceleration: f64,
+    /// In the direction of the displacement.
+    speeding: f64,
+    /// Against it.
+    slowing: f64,
     jerk: f64,
 }
 
 impl Pace {
-    /// The least time for a displacement with rest at `rests` (0 to 2) of its ends, s.
-    fn least(self, displacement: f64, rests: usize) -> f64 {
+    /// The same acceleration in both directions.
+    fn both_ways(rate: f64, acceleration: f64, jerk: f64) -> Self {
+        Pace { rate, speeding: acceleration, slowing: acceleration, jerk }
+    }
+
+    /// The least time for a displacement with rest at its first and its last end or not, s.
+    fn least(self, displacement: f64, rests: [bool; 2]) -> f64 {
         if displacement <= 0.0 {
             return 0.0;
         }
-        let (Pace { rate, acceleration, jerk }, k) = (self, rests as f64);
-        let unsaturated = (2.0 * k * displacement / acceleration).sqrt();
-        let smooth = ([0.0, 6.0, 32.0][rests.min(2)] * displacement / jerk).cbrt();
-        // The rate is reached if half of `k v^2/a`, what starting and stopping take, is no more than the displacement.
-        let bounded = match rate.is_finite() && 0.5 * k * rate * rate / acceleration <= displacement {
-            true => displacement / rate + 0.5 * k * rate / acceleration,
+        let Pace { rate, speeding, slowing, jerk } = self;
+        // Where thrust cannot accelerate at all the vehicle never leaves; nothing is claimed of that.
+        let at_rest = rests.into_iter().zip([speeding, slowing]).filter(|&(rests, a)| rests && a > 0.0);
+        let s: f64 = at_rest.map(|(_, a)| 1.0 / a).sum();
+        let unsaturated = (2.0 * displacement * s).sqrt();
+        let factor = [0.0, 6.0, 32.0][rests.into_iter().filter(|rests| *rests).count()];
+        let smooth = (factor * displacement / jerk).cbrt();
+        // The rate is reached if `s v^2/2`, what starting and stopping take, is no more than the displacement.
+        let bounded = match rate.is_finite() && 0.5 * s * rate * rate <= displacement {
+            true => displacement / rate + 0.5 * s * rate,
             false => unsaturated,
         };
         bounded.max(smooth)
@@ -87,7 +100,17 @@ struct Paces {
     horizontal: Pace,
     up: Pace,
     down: Pace,
-    turn: Pace,
+    /// Turns to larger yaws.
+    left: Pace,
+    /// Turns to smaller yaws.
+    right: Pace,
+}
+
+/// A bound on a quantity towards larger values or towards smaller ones. Only limits on yaw have a lower side.
+#[derive(Clone, Copy)]
+enum Sense {
+    Upwards,
+    Downwards,
 }
 
 impl Paces {
@@ -95,21 +118,32 @@ impl Paces {
     /// most. Each limit is widened by `past`, in its SI unit, and by the tolerance of the check of plans ([`tolerance`]).
     fn of(problem: Problem, past: &[f64], legs: Range<usize>) -> Self {
         let (model, mission) = (problem.model(), problem.mission());
-        let upper =
-            |(limit, past): (&Limit, &f64)| Some(limit.upper? + past + tolerance::MOST_PAST_LIMIT * limit.size());
-        let most = |kind: LimitKind| {
+        let turning = |kind: LimitKind, sense: Sense| {
             let of_kind = mission
                 .limits
                 .iter()
                 .zip(past)
                 .filter(|(limit, _)| limit.kind == kind && legs.clone().all(|leg| limit.concerns(leg)));
-            of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
+            let bound = |(limit, past): (&Limit, &f64)| {
+                let side = match sense {
+                    Sense::Upwards => limit.upper?,
+                    Sense::Downwards => -limit.lower?,
+                };
+                Some(side + past + tolerance::MOST_PAST_LIMIT * limit.size())
+            };
+            of_kind.filter_map(bound).fold(f64::INFINITY, f64::min)
         };
+        let most = |kind| turning(kind, Sense::Upwards);
         let vehicle = &model.vehicle;
         let thrust: f64 = vehicle.rotors.iter().map(|r| r.max_thrust() * r.spread.full_thrust.high).sum();
+        // Rotors that reverse make the thrust negative.
+        let reversed: f64 = vehicle.rotors.iter().map(|r| (-r.idle_thrust()).max(0.0)).sum();
         let g = model.gravity;
+        // Sets are kept to a share of the whole range of the thrust.
+        let per_mass = |thrust: f64| thrust / (vehicle.mass * vehicle.mass_spread.low);
+        let let_pass = tolerance::MOST_OUTSIDE * (thrust + reversed);
         // |(x'', y'', z'' + g)| is at most this.
-        let force = (1.0 + tolerance::MOST_OUTSIDE) * thrust / (vehicle.mass * vehicle.mass_spread.low);
+        let force = per_mass(thrust + let_pass);
         // Tilt is kept up to an acceleration: `|(x'', y'')| cos L - (z'' + g) sin L` is at most this share of g.
         let out = tolerance::MOST_PAST_LIMIT * FRAC_PI_2 * g;
         let tilt = most(LimitKind::Tilt);
@@ -123,8 +157,12 @@ impl Paces {
             PlanModel::Hover => (f64::INFINITY, f64::INFINITY),
         };
         let whole = most(LimitKind::Acceleration);
-        // A climb slows under gravity alone and a descent under full thrust: the larger of the two holds for both ends.
-        let vertical = (g + tolerance::MOST_OUTSIDE * force).max(force - g).min(whole);
+        // In the exact model the thrust points up; about hover, rotors that reverse pull down.
+        let falling = match model.plan.model {
+            PlanModel::Exact => g + tolerance::MOST_OUTSIDE * force,
+            PlanModel::Hover => g + per_mass(reversed + let_pass),
+        };
+        let rising = force - g;
         let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
         let across = speed.min(most(LimitKind::SpeedHorizontal));
         let (rate, any) = air.paced((speed, any), force + g, &[0, 1, 2]);
@@ -133,40 +171,42 @@ impl Paces {
             true => air.paced(of, most, axes),
             false => (of.0.min(rate), air.paced((rate, of.1), force + g, &[0, 1, 2]).1),
         };
-        let of_climb = |rate: LimitKind| {
-            let (rate, acceleration) = part((speed.min(most(rate)), vertical), force + g, &[2]);
-            Pace { rate, acceleration: acceleration.min(whole), jerk }
+        let vertical = |rate: LimitKind, speeding: f64, slowing: f64| {
+            let rate = speed.min(most(rate));
+            let [speeding, slowing] = [speeding, slowing].map(|most| part((rate, most), force + g, &[2]));
+            Pace { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
         };
         let (rate_across, sideways) = part((across, sideways), force, &[0, 1]);
+        let turn = |ahead: Sense, back: Sense| Pace {
+            rate: turning(LimitKind::YawRate, ahead),
+            speeding: turning(LimitKind::YawAcceleration, ahead),
+            slowing: turning(LimitKind::YawAcceleration, back),
+            jerk: f64::INFINITY,
+        };
+        let of_plane = whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways);
         Paces {
-            whole: Pace { rate, acceleration: whole.min(any), jerk },
-            horizontal: Pace {
-                rate: rate_across,
-                acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways),
-                jerk,
-            },
-            up: of_climb(LimitKind::Climb),
-            down: of_climb(LimitKind::Descent),
-            turn: Pace {
-                rate: most(LimitKind::YawRate),
-                acceleration: most(LimitKind::YawAcceleration),
-                jerk: f64::INFINITY,
-            },
+            whole: Pace::both_ways(rate, whole.min(any), jerk),
+            horizontal: Pace::both_ways(rate_across, of_plane, jerk),
+            up: vertical(LimitKind::Climb, rising, falling),
+            down: vertical(LimitKind::Descent, falling, rising),
+            left: turn(Sense::Upwards, Sense::Downwards),
+            right: turn(Sense::Downwards, Sense::Upwards),
         }
     }
 
-    /// The least time from one waypoint to the next with rest at `rests` of them, and the displacement that determines it.
-    fn leg(&self, from: &Waypoint, to: &Waypoint, rests: usize) -> LeastLeg {
+    /// The least time from one waypoint to the next, each with rest or not, and the displacement that determines it.
+    fn leg(&self, from: &Waypoint, to: &Waypoint, rests: [bool; 2]) -> LeastLeg {
         let room = from.within + to.within + 2.0 * tolerance::MOST_MISS;
         let yaw_room = from.yaw_within + to.yaw_within + 2.0 * tolerance::MOST_MISS;
         let has_yaw = from.heading == Heading::Given && to.heading == Heading::Given;
-        let turn = if has_yaw { (to.yaw - from.yaw).abs() - yaw_room } else { 0.0 };
+        let turned = |by: f64| if has_yaw { by - yaw_room } else { 0.0 };
         let [x, y, z]: [f64; 3] = std::array::from_fn(|i| to.position[i] - from.position[i]);
         let all = [
             (self.horizontal.least(x.hypot(y) - room, rests), Along::Horizontal),
             (self.up.least(z - room, rests), Along::Up),
             (self.down.least(-z - room, rests), Along::Down),
-            (self.turn.least(turn, rests), Along::Turn),
+            (self.left.least(turned(to.yaw - from.yaw), rests), Along::Turn),
+            (self.right.least(turned(from.yaw - to.yaw), rests), Along::Turn),
             (self.whole.least(x.hypot(y).hypot(z) - room, rests), Along::Line),
         ];
         let none = LeastLeg { seconds: 0.0, along: Along::Line };
@@ -240,8 +280,7 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
         // A waypoint that requires nothing does not end a leg.
         let is_required = points[to].within < UNBOUNDED || points[to].time.is_some() || mission.rests_at(to);
         if is_required || to == last {
-            let resting = usize::from(rests(from)) + usize::from(rests(to));
-            legs[to - 1] = paces(from..to).leg(&points[from], &points[to], resting);
+            legs[to - 1] = paces(from..to).leg(&points[from], &points[to], [rests(from), rests(to)]);
             from = to;
         }
     }
@@ -283,10 +322,10 @@ const LEAST_SHARE: f64 = 0.05;
 pub fn initial(problem: Problem) -> Vec<f64> {
     let (model, mission) = (problem.model(), problem.mission());
     let least = least_time_within(problem).legs;
-    let half = Pace { rate: f64::INFINITY, acceleration: 0.5 * model.gravity, jerk: f64::INFINITY };
+    let half = Pace::both_ways(f64::INFINITY, 0.5 * model.gravity, f64::INFINITY);
     let legs = mission.waypoints.windows(2).zip(least).map(|(pair, least)| {
         let apart = (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt();
-        (OVER_LEAST * least.seconds).max(FLOWN_THROUGH * half.least(apart, 2))
+        (OVER_LEAST * least.seconds).max(FLOWN_THROUGH * half.least(apart, [true; 2]))
     });
     let durations: Vec<f64> = legs.collect();
     let mean = durations.iter().sum::<f64>() / durations.len().max(1) as f64;
@@ -300,18 +339,24 @@ mod tests {
     /// Bang-bang motions by closed form.
     #[test]
     fn least_times_are_those_of_bang_bang_motions() {
-        let pace = |rate: f64, acceleration: f64| Pace { rate, acceleration, jerk: f64::INFINITY };
+        let pace = |rate: f64, acceleration: f64| Pace::both_ways(rate, acceleration, f64::INFINITY);
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.max(1.0), "{a} {b}");
-        near(pace(2.0, f64::INFINITY).least(10.0, 2), 5.0);
-        near(pace(f64::INFINITY, 2.0).least(8.0, 2), 4.0); // 2 sqrt(d/a)
-        near(pace(f64::INFINITY, 2.0).least(8.0, 1), 8f64.sqrt()); // sqrt(2 d/a)
-        near(pace(f64::INFINITY, 2.0).least(8.0, 0), 0.0);
-        near(pace(3.0, 2.0).least(12.0, 2), 4.0 + 1.5);
-        near(pace(3.0, 2.0).least(12.0, 1), 4.0 + 0.75);
-        near(pace(3.0, 2.0).least(4.5, 2), 3.0); // it just reaches 3 m/s
-        assert_eq!(pace(3.0, 2.0).least(-1.0, 2), 0.0);
+        let (both, first, last, neither) = ([true; 2], [true, false], [false, true], [false; 2]);
+        near(pace(2.0, f64::INFINITY).least(10.0, both), 5.0);
+        near(pace(f64::INFINITY, 2.0).least(8.0, both), 4.0); // 2 sqrt(d/a)
+        near(pace(f64::INFINITY, 2.0).least(8.0, first), 8f64.sqrt()); // sqrt(2 d/a)
+        near(pace(f64::INFINITY, 2.0).least(8.0, neither), 0.0);
+        near(pace(3.0, 2.0).least(12.0, both), 4.0 + 1.5);
+        near(pace(3.0, 2.0).least(12.0, last), 4.0 + 0.75);
+        near(pace(3.0, 2.0).least(4.5, both), 3.0); // it just reaches 3 m/s
+        assert_eq!(pace(3.0, 2.0).least(-1.0, both), 0.0);
         let smooth = Pace { jerk: 4.0, ..pace(f64::INFINITY, f64::INFINITY) };
-        near(smooth.least(1.0, 2), 2.0); // half a second each of 4, -4, -4, 4 m/s^3
-        near(smooth.least(18.0, 1), 3.0); // j t^3/6
+        near(smooth.least(1.0, both), 2.0); // half a second each of 4, -4, -4, 4 m/s^3
+        near(smooth.least(18.0, first), 3.0); // j t^3/6
+        // Slowing at 1 m/s^2 takes four times as long as speeding up at 4: 9.6 m/s after 2.4 s, rest after 9.6 s more.
+        let uneven = Pace { speeding: 4.0, slowing: 1.0, ..pace(f64::INFINITY, f64::INFINITY) };
+        near(uneven.least(0.5 * 9.6 * 12.0, both), 12.0);
+        near(uneven.least(8.0, first), 2.0);
+        near(uneven.least(8.0, last), 4.0);
     }
 }

@@ -4,6 +4,7 @@ use super::super::core::{Core, WithoutYaw};
 use super::super::cost::Purse;
 use super::super::interval::Interval;
 use super::super::motion::Motion;
+use super::super::premise::Premise;
 use super::super::proof::above_at_nodes;
 use super::super::{Reach, Rejection, Shown, required};
 use super::along::violated;
@@ -21,14 +22,22 @@ impl Setting<'_> {
         selected_by: &[Motion],
         without_yaw: &WithoutYaw,
     ) -> Result<Vec<ImposedCore>, Rejection> {
+        if !self.premises.has(Premise::Cores) {
+            return Ok(Vec::new());
+        }
         let required = required(self.model());
         let mut imposed = Vec::new();
         for core in &without_yaw.cores {
             let whole = required.contains(&core.mode);
+            let all = core.family(&self.dynamics).members;
             let members = match whole {
-                true => (0..core.family(&self.dynamics).members).collect(),
+                true => (0..all).collect(),
                 false if selects(self.model()) => self.selected_members(core, selected_by),
                 false => Vec::new(),
+            };
+            let members = match self.premises.has(Premise::Spin) {
+                true => members,
+                false => members.into_iter().filter(|&member| member < all - core.premises()).collect(),
             };
             let family = core.family(&self.dynamics).only(&members);
             if let Some(failure) = above_at_nodes(&family, motion, MOST_OUTSIDE) {
@@ -42,8 +51,17 @@ impl Setting<'_> {
         Ok(imposed)
     }
 
-    /// The members that some motion violates, with the bounds on its own rate.
+    /// The members that some motion violates, with their premises.
     fn selected_members(&self, core: &Core, motions: &[Motion]) -> Vec<usize> {
+        let over = self.members_over(core, motions);
+        let premises = over.len() - core.premises();
+        // The planner does not select the ends of the spin, which leave room for the rates of plans.
+        let is_selected = over[..over.len() - 2].contains(&true);
+        (0..over.len()).filter(|&member| is_selected && (over[member] || member >= premises)).collect()
+    }
+
+    /// For each member whether some motion violates it.
+    pub(super) fn members_over(&self, core: &Core, motions: &[Motion]) -> Vec<bool> {
         let family = core.family(&self.dynamics);
         let all: Vec<usize> = (0..family.members).collect();
         let mut over = vec![false; family.members];
@@ -61,9 +79,7 @@ impl Setting<'_> {
                 }
             }
         }
-        let is_selected = over.iter().any(|over| *over);
-        let of_rate = family.members - 2;
-        all.into_iter().filter(|&member| over[member] || (is_selected && member >= of_rate)).collect()
+        over
     }
 }
 

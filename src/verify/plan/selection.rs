@@ -2,13 +2,13 @@
 //! with more `rounds`, those violated by each plan for the selection so far. A certificate includes these plans; each is
 //! checked like a plan, and the facets that it violates are computed here.
 
-use super::super::core::{WithoutYaw, may_be_freed};
+use super::super::core::{Core, WithoutYaw, may_be_freed};
 use super::super::cost;
 use super::super::interval::Interval;
 use super::super::motion::Motion;
 use super::super::proof::above_at_nodes;
 use super::super::schedule;
-use super::super::sets::{Generators, Plane};
+use super::super::sets::Plane;
 use super::super::{Rejection, mode_named};
 use super::{Group, MOST_OUTSIDE, Role, Setting, of_groups};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
@@ -131,21 +131,24 @@ impl Setting<'_> {
                 out.groups.push(group(planes));
             }
         }
-        if !violated.contains(&true) {
+        let selects_of_cores =
+            without_yaw.cores.iter().any(|core| self.members_over(core, selected_by).contains(&true));
+        if !violated.contains(&true) && !selects_of_cores {
             // If nothing is selected, RSP's plan is RIP's, and the included plan leaves no set: the facets that another motion
             // violates are not guarded.
-            let leaves = self.violated(bounding.iter().map(|(_, plane)| plane), std::slice::from_ref(motion));
-            if let Some(((mode, _), _)) =
-                bounding.iter().zip(&leaves).find(|((_, plane), over)| **over && plane.is_facet)
-            {
+            let alone = std::slice::from_ref(motion);
+            let leaves = self.violated(bounding.iter().map(|(_, plane)| plane), alone);
+            let of_set = bounding.iter().zip(&leaves).find(|((_, plane), over)| **over && plane.is_facet);
+            let of_core = without_yaw.cores.iter().find(|core| self.members_over(core, alone).contains(&true));
+            let left = of_set.map(|((mode, _), _)| format!("set of {mode}"));
+            if let Some(left) = left.or_else(|| of_core.map(|core| format!("core of {}", core.mode))) {
                 out.remarks.push(format!(
-                    "the included plan selects no facet, but the motion leaves the set of {mode}: no facet of the fault sets is \
-                     guarded"
+                    "the included plan selects no facet, but the motion leaves the {left}: no facet of the fault sets is guarded"
                 ));
             }
         }
         if selected_by.len() < self.model().plan.rounds
-            && !out.groups.is_empty()
+            && (!out.groups.is_empty() || selects_of_cores)
             && !self.closed(motion, selected_by, without_yaw)?
         {
             out.remarks.push(format!(
@@ -163,11 +166,17 @@ impl Setting<'_> {
         let (bounding, _) = self.planes_of_modes(without_yaw)?;
         let over = |motions: &[Motion]| self.violated(bounding.iter().map(|(_, plane)| plane), motions);
         let new_in = |motion: &Motion, before: &[Motion]| {
-            let (now, known) = (over(std::slice::from_ref(motion)), over(before));
-            bounding
+            let alone = std::slice::from_ref(motion);
+            let (now, known) = (over(alone), over(before));
+            let of_sets = bounding
                 .iter()
                 .zip(now.iter().zip(&known))
-                .any(|((_, plane), (now, known))| plane.is_facet && *now && !known)
+                .any(|((_, plane), (now, known))| plane.is_facet && *now && !known);
+            let of_core = |core: &Core| {
+                let (now, known) = (self.members_over(core, alone), self.members_over(core, before));
+                now.iter().zip(&known).any(|(now, known)| *now && !known)
+            };
+            of_sets || without_yaw.cores.iter().any(of_core)
         };
         let Some((last, before)) = selected_by.split_last() else { return Ok(false) };
         Ok(!new_in(last, before) || !new_in(motion, selected_by))
@@ -191,7 +200,7 @@ impl Setting<'_> {
         let (mut bounding, mut undecided) = (Vec::new(), Vec::new());
         let against = self.model().plan.against.iter().filter_map(|&i| self.model().modes.get(i));
         for mode in against.filter(|mode| !without_yaw.frees(&mode.name)) {
-            match Generators::of(self.model(), &mode.name)?.planes() {
+            match self.planes_of(&mode.name)? {
                 Ok(planes) => bounding.extend(planes.into_iter().map(|plane| (mode.name.clone(), plane))),
                 Err(why) => undecided.push((mode.name.clone(), why)),
             }

@@ -182,8 +182,8 @@ fn bounds_in_every_wind_are_above_each_and_the_planners_above_the_checkers() {
                 Held::Commands { .. } => OverWinds::of_commands(WrenchModel::Exact, &vehicle, &environment, LAG, &path),
             };
             let n = normal(&mut numbers);
-            let plane =
-                Plane { normal: n.map(Interval::point), offset: Interval::ZERO, rotors: Vec::new(), is_facet: true };
+            let (offset, room) = (Interval::ZERO, Interval::WHOLE);
+            let plane = Plane { normal: n.map(Interval::point), offset, room, rotors: Vec::new(), is_facet: true };
             let row = SetRow { normal: Wrench::from(n), offset: 0.0, equality: false, origin: Vec::new(), core: None };
             let proved = wind::violations(&boxes, held, &state, &[&plane])[0].value.high;
             let planned = planners.worst(&row);
