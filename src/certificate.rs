@@ -39,7 +39,8 @@ pub struct Certificate {
     /// SHA-256 over all files of the spec and its overrides, as in reports.
     pub spec_sha256: String,
     pub model: DynamicModel,
-    /// The height above the ground that `require capture_height` keeps, m. It was simulated: the checker takes it from here.
+    /// The height above the ground that `require capture_height` keeps, m. It comes from simulated flights, so the checker takes
+    /// it from here and calls it a claim.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub capture_height_m: Option<f64>,
     pub claim: Claim,

@@ -3,6 +3,7 @@
 
 mod arithmetic;
 mod between;
+mod bounds;
 mod checked;
 mod command;
 mod exact;

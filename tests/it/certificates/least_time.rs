@@ -39,6 +39,8 @@ fn claiming(model: &Model, waypoint: usize, soonest_s: f64) -> Certificate {
 fn closed_forms() -> Vec<(Model, f64)> {
     let full = octocopter("PPNNPPNN");
     let force: f64 = full.vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).sum::<f64>() / full.vehicle.mass;
+    // A climb begins with the thrust that the weight leaves and ends by falling; a descent the other way round.
+    let ends = |speed: f64| 0.5 * speed * (1.0 / (force - 9.81) + 1.0 / 9.81);
     let leans = 20f64.to_radians();
     let tilted = force * leans.sin();
     vec![
@@ -48,8 +50,8 @@ fn closed_forms() -> Vec<(Model, f64)> {
             hop([60.0, 80.0, 2.0], 0.0, &[(LimitKind::SpeedHorizontal, 5.0), (LimitKind::Tilt, leans)]),
             20.0 + 5.0 / tilted,
         ),
-        (hop([0.0, 0.0, 42.0], 0.0, &[(LimitKind::Climb, 4.0)]), 10.0 + 4.0 / (force - 9.81).max(9.81)),
-        (hop([0.0, 0.0, -38.0], 0.0, &[(LimitKind::Descent, 2.0)]), 20.0 + 2.0 / (force - 9.81).max(9.81)),
+        (hop([0.0, 0.0, 42.0], 0.0, &[(LimitKind::Climb, 4.0)]), 10.0 + ends(4.0)),
+        (hop([0.0, 0.0, -38.0], 0.0, &[(LimitKind::Descent, 2.0)]), 20.0 + ends(2.0)),
         (hop([50.0, 0.0, 2.0], 0.0, &[(LimitKind::AccelerationHorizontal, 2.0)]), 10.0),
         (hop([32.0, 0.0, 2.0], 0.0, &[(LimitKind::Jerk, 1.0)]), 1024f64.cbrt()),
         (hop([0.0, 0.0, 2.0], 3.0, &[(LimitKind::YawRate, 0.3)]), 10.0),
