@@ -186,7 +186,7 @@ fn no_plan_in_time_ends_with_3_and_a_report() {
     let ran = mavc_with(&args, HOP);
     assert_eq!(code(&ran), 3, "{}{}", out(&ran), err(&ran));
     assert!(
-        out(&ran).contains("proved infeasible at 0.7 s: no motion within the limits takes less than 0.8113 s"),
+        out(&ran).contains("proved infeasible at 0.7 s: no motion within the limits takes less than 0.8464 s"),
         "{}",
         out(&ran)
     );

@@ -152,7 +152,9 @@ pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
 }
 
 pub fn limit(kind: LimitKind, upper: f64) -> Limit {
-    Limit { kind, lower: None, upper: Some(upper), span: Span::default(), volume: None, leg: None }
+    let both_ways = matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration);
+    let lower = both_ways.then_some(-upper);
+    Limit { kind, lower, upper: Some(upper), span: Span::default(), volume: None, leg: None }
 }
 
 /// Viviani's curve of section 5.4 with a = 4 m: 21 points evenly spaced in s and time.
