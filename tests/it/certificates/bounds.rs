@@ -62,7 +62,7 @@ impl Draw {
         let fault = if layout.len() == 8 { "rotor 1 lost" } else { "rotor 1 reduced to 70 %" };
         format!(
             "vehicle v {{\n{vehicle}\n}}\nfaults {{ mode F {{ {fault} }} }}\nmission m {{\n{}}}\nplan {{ model = {model}; \
-             planner = {planner}; against = [F]; time = minimum; samples = 20; reserve = {} %; within = 2 cm; \
+             planner = {planner}; against = [F]; time = minimum; samples = 12; reserve = {} %; within = 2 cm; \
              yaw_within = 0.5 deg }}\n",
             self.mission(model),
             self.one_of(&["0", "0", "10"])
@@ -188,7 +188,7 @@ fn compare(seed: u64) -> Seen {
     note(&outcome);
     let near = outcome.plan().map_or(2.0 * least.max(1.0), |plan| plan.time);
     // Times between the bound and the plan, below the bound, and well above.
-    for share in [-0.03, 0.4, 0.8] {
+    for share in [-0.03, 0.5] {
         let seconds = least + share * (near - least);
         if seconds > 0.1 {
             at(&text, seconds).iter().for_each(&mut note);
@@ -233,8 +233,8 @@ fn survey(seeds: std::ops::Range<u64>) -> (usize, usize, usize, f64) {
 
 #[test]
 fn no_plan_is_below_its_bound() {
-    let (tried, found, proved, median) = survey(0..16);
-    assert!(tried >= 10 && found >= 8 && proved >= 4, "{tried} {found} {proved}");
+    let (tried, found, proved, median) = survey(0..4);
+    assert!(tried >= 3 && found >= 3 && proved >= 2, "{tried} {found} {proved}");
     assert!((1.0..3.0).contains(&median), "{median}");
 }
 
