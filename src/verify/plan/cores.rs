@@ -1,16 +1,17 @@
 //! The cores of modes in which yaw is given up, along a motion.
 
-use super::super::core::{Core, WithoutYaw};
+use super::super::core::WithoutYaw;
 use super::super::cost::Purse;
 use super::super::interval::Interval;
 use super::super::motion::Motion;
-use super::super::proof::above_at_nodes;
+use super::super::proof::{Family, above_at_nodes};
 use super::super::{Reach, Rejection, Shown, required};
 use super::along::violated;
-use super::selection::{PARTS, VIOLATED, selects};
+use super::selection::{PARTS, Selecting, VIOLATED, selects};
 use super::{Checked, Found, ImposedCore, MOST_OUTSIDE, Setting};
 use crate::certificate::DynamicModel;
 use crate::number::significant;
+use std::collections::HashSet;
 
 impl Setting<'_> {
     /// The cores that the spec's planner imposes: RCP's whole, RSP's where the plans that it selects from violate them. The motion
@@ -18,19 +19,20 @@ impl Setting<'_> {
     pub(super) fn imposed_cores(
         &self,
         motion: &Motion,
-        selected_by: &[Motion],
+        selected_by: &[Selecting],
         without_yaw: &WithoutYaw,
     ) -> Result<Vec<ImposedCore>, Rejection> {
-        let required = required(self.model());
+        let required: HashSet<String> = required(self.model()).into_iter().collect();
         let mut imposed = Vec::new();
         for core in &without_yaw.cores {
             let whole = required.contains(&core.mode);
-            let members = match whole {
-                true => (0..core.family(&self.dynamics).members).collect(),
-                false if selects(self.model()) => self.selected_members(core, selected_by),
+            let family = core.family(&self.dynamics);
+            let members: Vec<usize> = match whole {
+                true => (0..family.members).collect(),
+                false if selects(self.model()) => self.selected_members(&family, selected_by),
                 false => Vec::new(),
             };
-            let family = core.family(&self.dynamics).only(&members);
+            let family = family.only(&members);
             if let Some(failure) = above_at_nodes(&family, motion, MOST_OUTSIDE) {
                 let measure = family.measure;
                 let claim = format!("the core of {}", core.mode);
@@ -43,12 +45,11 @@ impl Setting<'_> {
     }
 
     /// The members that some motion violates, with the bounds on its own rate.
-    fn selected_members(&self, core: &Core, motions: &[Motion]) -> Vec<usize> {
-        let family = core.family(&self.dynamics);
+    fn selected_members(&self, family: &Family, motions: &[Selecting]) -> Vec<usize> {
         let all: Vec<usize> = (0..family.members).collect();
         let mut over = vec![false; family.members];
         let parts = if self.dynamics.model == DynamicModel::Exact { PARTS } else { 1 };
-        for motion in motions {
+        for Selecting { motion, .. } in motions {
             for piece in 0..motion.pieces() {
                 let nodes = [piece, piece + 1].map(|node| motion.node_in(node, piece));
                 let points = parts * (motion.extra_points(piece) + 1) - 1;
