@@ -11,7 +11,7 @@ use super::Rejection;
 use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
 use crate::certificate::TooEarlyClaim;
-use crate::model::{Heading, Limit, LimitKind, Mission, Model, PlanModel, Problem, Waypoint};
+use crate::model::{Heading, Limit, LimitKind, Model, PlanModel, Problem, Waypoint};
 use crate::number::{down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use std::f64::consts::FRAC_PI_2;
@@ -64,13 +64,13 @@ impl Most {
 }
 
 /// The largest value of a quantity on a leg under the limits of a kind, including the tolerance of the check of plans.
-fn most(mission: &Mission, leg: usize, kind: LimitKind) -> f64 {
+fn most(of_leg: &[&Limit], kind: LimitKind) -> f64 {
     let upper = |limit: &Limit| {
         let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(limit.size());
         Some((Interval::point(limit.upper?) + let_pass).high)
     };
-    let of_kind = mission.limits.iter().filter(|limit| limit.kind == kind && limit.concerns(leg));
-    of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
+    let of_kind = of_leg.iter().filter(|limit| limit.kind == kind);
+    of_kind.filter_map(|limit| upper(limit)).fold(f64::INFINITY, f64::min)
 }
 
 /// The largest total thrust divided by the mass, m/s^2.
@@ -86,9 +86,8 @@ fn force(model: &Model) -> Interval {
 }
 
 /// The largest horizontal acceleration on a leg for a given force per mass and the limit on tilt, m/s^2.
-fn sideways(problem: Problem, leg: usize, force: Interval) -> f64 {
-    let (model, mission) = (problem.model(), problem.mission());
-    let tilt = most(mission, leg, LimitKind::Tilt);
+fn sideways(model: &Model, of_leg: &[&Limit], force: Interval) -> f64 {
+    let tilt = most(of_leg, LimitKind::Tilt);
     let let_pass =
         Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
     // A drag along the body's z axis of its own changes the size of the thrust, but not its direction: the limit on tilt, which is
@@ -137,7 +136,9 @@ fn bounds(problem: Problem, leg: usize) -> [Most; 5] {
     let (model, mission) = (problem.model(), problem.mission());
     let is_isotropic = model.environment().is_isotropic();
     let (force, g) = (force(model), Interval::point(model.gravity));
-    let most = |kind| most(mission, leg, kind);
+    // Looked for once: missions may have thousands of limits, each of one leg.
+    let of_leg: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.concerns(leg)).collect();
+    let most = |kind| most(&of_leg, kind);
     let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
     let whole = most(LimitKind::Acceleration);
     // In the hover model the force is bounded only along z.
@@ -153,7 +154,7 @@ fn bounds(problem: Problem, leg: usize) -> [Most; 5] {
     };
     let along_line = Most { rate, acceleration: whole.min(in_all), jerk };
     let across = speed.min(most(LimitKind::SpeedHorizontal));
-    let (rate_across, in_plane) = of_part((across, sideways(problem, leg, force)), force, &[0, 1]);
+    let (rate_across, in_plane) = of_part((across, sideways(model, &of_leg, force)), force, &[0, 1]);
     let horizontal = Most {
         rate: rate_across,
         acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane),

@@ -137,6 +137,11 @@ impl<'a> Setting<'a> {
         // Where cores are imposed, the healthy set takes the place of those of their modes.
         let of_motion = self.estimate_of_motion(&claim.motion, imposed.len() as u64 + 1)?;
         all.add(of_motion.units, of_motion.bytes);
+        if claim.least_time_s.is_some() {
+            // Of each leg the limits that concern it.
+            let (legs, limits) = (self.mission().legs.len() as u64, self.mission().limits.len() as u64);
+            all.add(times(legs, limits.div_ceil(cost::LIMITS_OF_A_UNIT)), 0);
+        }
         let of_others = self.estimate_of_selecting(&claim.selected_by)?;
         all.add(of_others.units, of_others.bytes);
         Ok(all)
@@ -240,9 +245,16 @@ impl<'a> Setting<'a> {
 
     /// Units of one state with its wrench.
     fn overhead(&self) -> u64 {
+        match self.dynamics.is_in_winds() {
+            true => times(wind::cost(&self.dynamics), self.of_one_wind()),
+            false => self.of_one_wind(),
+        }
+    }
+
+    /// Units of one state with its wrench in one wind.
+    fn of_one_wind(&self) -> u64 {
         match self.dynamics.model {
             DynamicModel::Hover => cost::OF_HOVER_WRENCH,
-            DynamicModel::Exact if self.dynamics.is_in_winds() => wind::cost(&self.dynamics) * cost::OF_EXACT_WRENCH,
             DynamicModel::Exact => cost::OF_EXACT_WRENCH,
         }
     }

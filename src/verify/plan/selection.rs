@@ -304,8 +304,9 @@ impl Setting<'_> {
 
     /// Units of work for finding which of some planes a motion with that many checkpoints violates.
     pub(in crate::verify) fn cost_of_selecting(&self, checkpoints: u64, planes: u64) -> u64 {
+        // In each extreme wind, without a bound for those between.
         let winds = self.dynamics.in_each_wind().len() as u64;
-        let of_wind = self.overhead().saturating_add(planes);
+        let of_wind = self.of_one_wind().saturating_add(planes);
         cost::times(self.selecting_states(checkpoints), cost::times(winds, of_wind))
     }
 
