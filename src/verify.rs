@@ -239,9 +239,9 @@ fn required(model: &Model) -> Vec<String> {
 
 /// The modes of [`required`] in whose whole sets every plan stays: those in which plans may give up yaw are left out, and then the
 /// healthy vehicle's is one of them.
-fn required_whole(model: &Model) -> Vec<String> {
-    let mut modes = required(model);
-    let kept = |name: &String| mode_named(model, name).is_none_or(|mode| !core::may_be_freed(model, mode));
+fn required_whole(sets: &sets::Sets) -> Vec<String> {
+    let mut modes = required(sets.model());
+    let kept = |name: &String| sets.mode(name).is_none_or(|mode| !core::may_be_freed(sets, mode));
     let before = modes.len();
     modes.retain(kept);
     if modes.len() < before && !modes.iter().any(|mode| mode == sets::HEALTHY) {

@@ -122,7 +122,7 @@ fn kept_facets(
     violation: impl Fn(usize, &NodeState) -> f64,
 ) -> Between {
     let rows = if held == Held::Wrench { WRENCH } else { COMMANDS }.to_string();
-    let family = wrench_family(dynamics, held, planes);
+    let family = wrench_family(dynamics, held, planes.iter().collect());
     // A state in every wind of an interval counts as many in one.
     let winds = (family.overhead / OF_EXACT_WRENCH).max(1);
     let mut purse = Purse(winds * WORK.max(WORK_EACH * (planes.len() * trajectory.intervals()) as u64));
@@ -183,13 +183,15 @@ fn kept_limit(setting: &Setting, motion: &Motion, limit: &Limit, trajectory: &Tr
             seen(trajectory, within)
         }
     };
+    // A polygon costs more with each of its corners.
+    let work = WORK.saturating_mul(family.of_a_member);
     // Bounds that the grid disproves are not tried, nor any on what is required at nodes only.
     let is_between = limit.kind != LimitKind::Heading;
     let proved = PAST
         .map(|share| share * limit.size())
         .into_iter()
         .filter(|bound| is_between && seen <= *bound)
-        .find(|&violation| throughout(&family, motion, violation, &mut Purse(WORK)).iter().all(|&kept| kept));
+        .find(|&violation| throughout(&family, motion, violation, &mut Purse(work)).iter().all(|&kept| kept));
     match proved {
         Some(violation) => Between { rows, shown: Shown::Proved, points: None, imposed: 1, proved: 1, violation },
         None => Between { rows, shown: Shown::Checked, points: Some(GRID), imposed: 1, proved: 0, violation: seen },

@@ -3,6 +3,7 @@
 mod corridor;
 mod impose;
 pub mod passage;
+mod reach;
 mod read;
 mod split;
 

@@ -1,6 +1,7 @@
 //! The core of a mode in which yaw is given up: the thrusts and roll and pitch torques that rotors give in every heading while the
 //! body's rate stays in a range that it cannot leave. docs/method.md, section 17, "Plans".
 
+mod elimination;
 mod envelope;
 
 use super::interval::{Interval, exceeds};
@@ -8,12 +9,15 @@ use super::motion::State;
 use super::premise::{Premise, Premises};
 use super::proof::{Family, Measure, Rated};
 use super::series::{Series, Vector};
-use super::sets::{Generators, Plane, ROUNDING, shrunk};
+use super::sets::{Generators, Plane, ROUNDING, Sets, shrunk};
 use super::wrench::{Dynamics, Turned};
-use super::{Rejection, cost, lag, mode_named};
+use super::{Rejection, cost, lag};
 use crate::certificate::SpinRecord;
 use crate::model::{FaultMode, GiveUpYaw, Model, Spin, YawDrag};
 use crate::tolerance::{EDGE, MOST_OUTSIDE};
+use elimination::Elimination;
+use envelope::Envelope;
+use std::collections::{HashMap, HashSet};
 
 /// A row `thrust T + torque rho <= offset` for both ends of the spin; over a width of the healthy set.
 #[derive(Debug, Clone, Copy)]
@@ -45,38 +49,72 @@ pub struct WithoutYaw {
     pub cores: Vec<Core>,
     /// Modes that add no rows: nothing is left to torques in some direction.
     pub caught: Vec<String>,
+    /// The modes of both.
+    freed: HashSet<String>,
 }
 
 impl WithoutYaw {
     /// The cores of a claim's modes, and the modes without one, for the spec's `against`.
     ///
     /// # Errors
-    /// A record names a mode whose yaw the spec does not give up, or a range of rates that is not one.
-    pub fn of(model: &Model, records: &[SpinRecord], premises: Premises) -> Result<Self, Rejection> {
+    /// A record names a mode whose yaw the spec does not give up, a mode named before, or a range of rates that is not one.
+    pub fn of(sets: &Sets, records: &[SpinRecord], premises: Premises) -> Result<Self, Rejection> {
+        let model = sets.model();
         let mut found = WithoutYaw::default();
         for record in records {
-            found.cores.push(Core::of(model, record, premises)?);
+            // A second record would add nothing but work.
+            if !found.freed.insert(record.mode.clone()) {
+                let named = format!("the mode {} without yaw", record.mode);
+                return Err(Rejection::new(named, "the certificate names it more than once"));
+            }
+            found.cores.push(Core::of(sets, record, premises)?);
         }
         for mode in model.plan.against.iter().filter_map(|&i| model.modes.get(i)) {
-            let is_recorded = records.iter().any(|record| record.mode == mode.name);
-            if !is_recorded && gives_up_yaw(model, mode) && obstacle(model).is_none() && !has_disc(model, mode) {
+            if !found.freed.contains(&mode.name) && may_be_freed(sets, mode) && !has_disc(model, mode) {
                 found.caught.push(mode.name.clone());
             }
         }
+        found.freed.extend(found.caught.iter().cloned());
         Ok(found)
     }
 
     /// Every mode of `against` in which plans may give up yaw, without rows.
-    pub fn wherever_possible(model: &Model) -> Self {
+    pub fn wherever_possible(sets: &Sets) -> Self {
+        let model = sets.model();
         let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i));
-        let caught = against.filter(|mode| may_be_freed(model, mode)).map(|mode| mode.name.clone());
-        WithoutYaw { cores: Vec::new(), caught: caught.collect() }
+        let caught: Vec<String> =
+            against.filter(|mode| may_be_freed(sets, mode)).map(|mode| mode.name.clone()).collect();
+        WithoutYaw { cores: Vec::new(), freed: caught.iter().cloned().collect(), caught }
     }
 
     /// Whether the set of a mode is not imposed whole.
     pub fn frees(&self, mode: &str) -> bool {
-        self.cores.iter().any(|core| core.mode == mode) || self.caught.iter().any(|name| name == mode)
+        self.freed.contains(mode)
     }
+}
+
+/// Units of work and bytes for the cores of some records and for the modes of the spec's `against` that may be without one. The
+/// planes of sets are not included: [`modes_looked_at`].
+pub fn cost_of(model: &Model, records: &[SpinRecord]) -> cost::Estimate {
+    let mut all = cost::Estimate::default();
+    if obstacle(model).is_some() {
+        return all;
+    }
+    let rows = elimination::rows_at_most(&model.vehicle);
+    let held = rows.min(2 * envelope::BATCH as u64);
+    let cores = (records.len() as u64).min(model.modes.len() as u64);
+    let of_core = cost::times(rows, cost::OF_A_CORE_ROW);
+    all.add(cost::times(cores, of_core), cost::times(held, cost::BYTES_OF_A_CORE_ROW));
+    let shadow = elimination::shadow_rows_at_most(&model.vehicle);
+    let others = model.plan.against.iter().filter_map(|&i| model.modes.get(i)).filter(|mode| may_give_up(model, mode));
+    all.add(cost::times(others.count() as u64, shadow), 0);
+    all
+}
+
+/// The modes of the spec's `against` whose planes decide whether their yaw is given up.
+pub fn modes_looked_at(model: &Model) -> impl Iterator<Item = &FaultMode> {
+    let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i));
+    against.filter(|mode| obstacle(model).is_none() && wanted(model, mode) == GiveUpYaw::WhereNeeded)
 }
 
 /// Why the spec's plans cannot give up yaw.
@@ -91,18 +129,27 @@ fn obstacle(model: &Model) -> Option<&'static str> {
     all.into_iter().find(|(is_there, _)| *is_there).map(|(_, why)| why)
 }
 
+fn wanted(model: &Model, mode: &FaultMode) -> GiveUpYaw {
+    mode.without_yaw.unwrap_or(model.plan.without_yaw)
+}
+
+/// Whether plans might give up yaw after a fault of the mode, whatever its set.
+fn may_give_up(model: &Model, mode: &FaultMode) -> bool {
+    obstacle(model).is_none() && wanted(model, mode) != GiveUpYaw::Never
+}
+
 /// Whether the spec lets plans give up yaw after a fault of the mode.
-fn gives_up_yaw(model: &Model, mode: &FaultMode) -> bool {
-    match mode.without_yaw.unwrap_or(model.plan.without_yaw) {
+fn gives_up_yaw(sets: &Sets, mode: &FaultMode) -> bool {
+    match wanted(sets.model(), mode) {
         GiveUpYaw::Never => false,
         GiveUpYaw::Always => true,
-        GiveUpYaw::WhereNeeded => !controls_all(model, mode),
+        GiveUpYaw::WhereNeeded => !sets.has_hover(&mode.name, || controls_all(sets, mode)),
     }
 }
 
 /// Whether plans may be made without yaw for a mode, so that its whole set proves nothing about them.
-pub fn may_be_freed(model: &Model, mode: &FaultMode) -> bool {
-    obstacle(model).is_none() && gives_up_yaw(model, mode)
+pub fn may_be_freed(sets: &Sets, mode: &FaultMode) -> bool {
+    may_give_up(sets.model(), mode) && gives_up_yaw(sets, mode)
 }
 
 fn generators(model: &Model, mode: &FaultMode) -> Generators {
@@ -115,14 +162,15 @@ fn width_of_edge(hover: f64) -> f64 {
 }
 
 /// Whether hover lies inside the whole set of a mode by more than the width of the edge.
-fn controls_all(model: &Model, mode: &FaultMode) -> bool {
-    let generators = generators(model, mode);
-    let hover = generators.hover_thrust().middle();
-    let Ok(planes) = generators.planes() else { return false };
+fn controls_all(sets: &Sets, mode: &FaultMode) -> bool {
+    let hover = generators(sets.model(), mode).hover_thrust().middle();
+    let Ok(Ok(planes)) = sets.planes(&mode.name) else { return false };
+    // The reserve leaves this share of the distance from hover to each plane.
+    let kept = 1.0 - sets.model().plan.reserve;
     let slack = |plane: &Plane| {
         let normal = plane.normal.map(Interval::middle);
         let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
-        (plane.offset.middle() - normal[0] * hover) / length
+        (plane.offset.middle() - normal[0] * hover) / (length * kept)
     };
     planes.iter().map(slack).fold(f64::INFINITY, f64::min) > width_of_edge(hover)
 }
@@ -131,23 +179,24 @@ fn controls_all(model: &Model, mode: &FaultMode) -> bool {
 fn has_disc(model: &Model, mode: &FaultMode) -> bool {
     let generators = generators(model, mode);
     let hover = generators.hover_thrust().middle();
-    let Ok(planes) = generators.planes() else { return false };
-    let slack = |row: &Row| {
+    let mut least = f64::INFINITY;
+    let found = elimination::shadow_rows(&generators, |row: Row| {
         let [a, b, e] = [row.thrust, row.torque, row.offset].map(Interval::middle);
-        (e - a * hover) / a.hypot(b)
-    };
-    eliminated(&planes, None).iter().map(slack).fold(f64::INFINITY, f64::min) > width_of_edge(hover)
+        least = least.min((e - a * hover) / a.hypot(b));
+    });
+    found && least > width_of_edge(hover)
 }
 
 impl Core {
-    fn of(model: &Model, record: &SpinRecord, premises: Premises) -> Result<Self, Rejection> {
+    fn of(sets: &Sets, record: &SpinRecord, premises: Premises) -> Result<Self, Rejection> {
+        let model = sets.model();
         let named = || format!("the mode {} without yaw", record.mode);
         let wrong = |why: &str| Err(Rejection::new(named(), why));
-        let Some(mode) = mode_named(model, &record.mode) else { return wrong("the spec has no such mode") };
+        let Some(mode) = sets.mode(&record.mode) else { return wrong("the spec has no such mode") };
         if let Some(why) = obstacle(model) {
             return wrong(why);
         }
-        if !gives_up_yaw(model, mode) {
+        if !gives_up_yaw(sets, mode) {
             return wrong("the spec does not give up its yaw");
         }
         let Some(drag) = model.vehicle.yaw_drag else { return wrong("the spec gives no `yaw_drag`") };
@@ -169,28 +218,33 @@ impl Core {
         }
         // The reserve is taken of the rows: hover may lie outside the whole set, yaw included.
         let whole = generators(model, mode);
-        let planes = whole.planes().map_err(|why| Rejection::new(named(), why))?;
-        let mut rows = eliminated(&planes, Some(torques));
-        if model.plan.reserve > 0.0 {
-            let (hover, kept) = (whole.hover_thrust(), Interval::ONE - Interval::point(model.plan.reserve));
-            for row in &mut rows {
+        let hover = whole.hover_thrust();
+        let planes = sets.planes(&mode.name)?.map_err(|why| Rejection::new(named(), why))?;
+        let planes: Vec<Plane> = planes.iter().map(|plane| plane.without_reserve(hover)).collect();
+        let kept = Interval::ONE - Interval::point(model.plan.reserve);
+        let (mut envelope, mut excludes_hover) = (Envelope::default(), false);
+        Elimination { planes: &planes, generators: &whole, torques }.rows(|mut row| {
+            let width = width(model, &row);
+            if model.plan.reserve > 0.0 {
                 let at_hover = row.thrust * hover;
                 let room = row.offset - at_hover;
-                if premises.has(Premise::Reserve) && exceeds(-room.low, ROUNDING * width(model, row)) {
-                    return wrong(
-                        "the reserve is a share of the way from hover to its core's boundary, but hover lies outside",
-                    );
-                }
+                excludes_hover |= exceeds(-room.low, ROUNDING * width);
                 row.offset = at_hover + shrunk(room, kept);
             }
+            // Two opposite planes add up to a row that bounds nothing: its normal is zero up to rounding.
+            if width > NEGLIGIBLE * row.offset.low {
+                envelope.add(row.over(width));
+            }
+        });
+        if excludes_hover && premises.has(Premise::Reserve) {
+            return wrong(
+                "the reserve is a share of the way from hover to its core's boundary, but hover lies outside",
+            );
         }
-        // Two opposite planes add up to a row that bounds nothing: its normal is zero up to rounding.
-        rows.retain(|row| width(model, row) > NEGLIGIBLE * row.offset.low);
-        rows.iter_mut().for_each(|row| *row = row.over(width(model, row)));
         let half = Interval::point(0.5);
         Ok(Core {
             mode: mode.name.clone(),
-            rows: envelope::irredundant(rows),
+            rows: envelope.rows(),
             corners: corners(model, spin),
             spin,
             turning,
@@ -257,8 +311,14 @@ impl Member {
         Member { thrust: zero, torque, offset, inertia: zero, unevenness: zero, momentum, spin: zero }
     }
 
-    fn violation(&self, turned: &Turned) -> Series<2> {
-        turned.thrust.times(self.thrust) + self.rho(turned).times(self.torque) - Series::constant(self.offset)
+    fn violation(&self, turned: &Turned, rho: Series<2>) -> Series<2> {
+        turned.thrust.times(self.thrust) + rho.times(self.torque) - Series::constant(self.offset)
+    }
+
+    /// The numbers on which rho depends.
+    fn of_body(&self) -> [u64; 8] {
+        let [a, b, c, d] = [self.inertia, self.unevenness, self.momentum, self.spin];
+        [a.low, a.high, b.low, b.high, c.low, c.high, d.low, d.high].map(f64::to_bits)
     }
 
     /// `|J s x s'' + H s'| + |delta| |s x s'' + 2 r s'|`
@@ -280,14 +340,29 @@ impl Member {
 pub fn family<'a>(dynamics: &Dynamics<'a>, rows: Vec<Member>, spin: Option<[f64; 2]>) -> Family<'a> {
     let dynamics = dynamics.clone();
     let members = rows.len() + if spin.is_some() { 2 } else { 0 };
+    // Many rows share their momentum and rate, and so rho. The first row of each stands for them.
+    let mut bodies: HashMap<[u64; 8], usize> = HashMap::new();
+    let mut firsts = Vec::new();
+    let body_of = |(member, row): (usize, &Member)| {
+        *bodies.entry(row.of_body()).or_insert_with(|| {
+            firsts.push(member);
+            firsts.len() - 1
+        })
+    };
+    let body: Vec<usize> = rows.iter().enumerate().map(body_of).collect();
+    let overhead = cost::OF_EXACT_WRENCH + cost::times(firsts.len() as u64, cost::OF_A_SPIN);
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         let turned = dynamics.turned(state);
         let beyond = |side: usize| {
             let (sign, end) = (if side == 0 { -1.0 } else { 1.0 }, spin.map_or(0.0, |ends| ends[side]));
             turned.spin.times(Interval::point(sign)) - Series::constant(Interval::point(sign * end))
         };
+        let mut rhos: Vec<Option<Series<2>>> = vec![None; firsts.len()];
         let member = |&member: &usize| match rows.get(member) {
-            Some(row) => row.violation(&turned),
+            Some(row) => {
+                let rho = *rhos[body[member]].get_or_insert_with(|| row.rho(&turned));
+                row.violation(&turned, rho)
+            }
             None => beyond(member - rows.len()),
         };
         wanted.iter().map(member).map(|s| Rated { value: s.value(), rate: s.slope() }).collect()
@@ -300,7 +375,8 @@ pub fn family<'a>(dynamics: &Dynamics<'a>, rows: Vec<Member>, spin: Option<[f64;
         within: None,
         at_nodes_only: false,
         measure: Measure::WIDTH,
-        overhead: cost::OF_EXACT_WRENCH,
+        overhead,
+        of_a_member: cost::OF_A_ROW,
     }
 }
 
@@ -379,38 +455,6 @@ impl Row {
         let [a, b, e] = [self.thrust, self.torque, self.offset].map(Interval::middle);
         (b > 1e-9 * a.abs()).then(|| (-a / b, e / b))
     }
-}
-
-/// The rows on T and rho for which there is a yaw torque that satisfies all planes, in every direction of the roll and pitch torque;
-/// if given, a torque between two bounds, N m.
-fn eliminated(planes: &[Plane], torques: Option<[Interval; 2]>) -> Vec<Row> {
-    let most =
-        torques.map_or(Interval::ZERO, |[low, high]| Interval::around_zero(low.magnitude().max(high.magnitude())));
-    let (mut upper, mut lower, mut rows) = (Vec::new(), Vec::new(), Vec::new());
-    for plane in planes {
-        let [t, x, y, z] = plane.normal;
-        if z.low > 0.0 {
-            upper.push(([t / z, x / z, y / z], plane.offset / z));
-        } else if z.high < 0.0 {
-            lower.push(([-t / z, -x / z, -y / z], -plane.offset / z));
-        } else {
-            // Whatever the yaw torque.
-            rows.push(Row::new([t, x, y], plane.offset - z * most));
-        }
-    }
-    if let Some([low, high]) = torques {
-        upper.push(([Interval::ZERO; 3], high));
-        lower.push(([Interval::ZERO; 3], -low));
-    }
-    for (up, above) in &upper {
-        for (down, below) in &lower {
-            let head: [Interval; 3] = std::array::from_fn(|i| up[i] + down[i]);
-            rows.push(Row::new(head, *above + *below));
-        }
-    }
-    // The two bounds on the torque alone leave a row without a normal.
-    rows.retain(|row| row.thrust.magnitude() > 0.0 || row.torque.magnitude() > 0.0);
-    rows
 }
 
 /// A width of the healthy set along a row, by which violations are measured.

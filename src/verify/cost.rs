@@ -18,6 +18,12 @@ pub const OF_HOVER_WRENCH: u64 = 20;
 pub const OF_EXACT_WRENCH: u64 = 100;
 /// Units of one state of a motion for a limit.
 pub const OF_A_LIMIT: u64 = 10;
+/// Limits of which one unit finds those that concern a leg.
+pub const LIMITS_OF_A_UNIT: u64 = 16;
+/// Units of a corner of a polygon, for the distance of one state from it.
+pub const OF_A_CORNER: u64 = 1;
+/// Units of one state for the torque that a spinning body needs, at one of its momenta and rates.
+pub const OF_A_SPIN: u64 = 10;
 
 /// Units of a joint between two pieces.
 pub const OF_A_JOINT: u64 = 50;
@@ -25,13 +31,22 @@ pub const OF_A_JOINT: u64 = 50;
 /// Units of a plane in exact arithmetic: the vector orthogonal to three, and its support.
 pub const OF_A_PLANE: u64 = 300;
 
+/// Units of a rotor's exact wrenches, of which a set is made.
+pub const OF_A_ROTOR: u64 = 100;
+/// Units of a row of which a core is made, with its share of the sorting.
+pub const OF_A_CORE_ROW: u64 = 10;
+
 /// Units of a multiplier's row.
 pub const OF_A_MULTIPLIER: u64 = 20;
 /// Units of expressing one node's derivatives by those of the node before.
 pub const OF_A_NODE_CARRIED: u64 = 100;
 
-/// Bytes of a plane, including the allocator's overhead.
-pub const BYTES_OF_A_PLANE: u64 = 256;
+/// Bytes of a plane, including the allocator's overhead and the lists of a proof.
+pub const BYTES_OF_A_PLANE: u64 = 512;
+/// Bytes of a row of which a core is made.
+pub const BYTES_OF_A_CORE_ROW: u64 = 256;
+/// Bytes of a row of a core at one of its momenta and rates.
+pub const BYTES_OF_A_MEMBER: u64 = 512;
 /// Bytes of a node of a motion.
 pub const BYTES_OF_A_NODE: u64 = 1024;
 /// Bytes of a multiplier.

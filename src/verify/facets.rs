@@ -4,19 +4,17 @@ use super::Rejection;
 use super::interval::{Interval, exceeds};
 use super::sets::{Facet, Generators, Plane};
 use crate::certificate::FacetRecord;
-use crate::model::Model;
 use crate::number::number;
 
 /// Printed normals and offsets may differ by this share.
 const PRINTED: f64 = 1e-9;
 
-/// The facet that the rotors name. With `strict`, the printed normal and offset are compared with it.
+/// The facet that the rotors name in the set of its mode, whose generators are given. With `strict`, the printed normal and offset are compared with it.
 ///
 /// # Errors
 /// The rotors name no facet, or the printed numbers are not those of the facet.
-pub fn named(model: &Model, record: &FacetRecord, strict: bool) -> Result<Facet, Rejection> {
+pub fn named(generators: &Generators, record: &FacetRecord, strict: bool) -> Result<Facet, Rejection> {
     let wrong = |why: String| Err(Rejection::new("the facet", why));
-    let generators = Generators::of(model, &record.mode)?;
     let Some(facet) = generators.named(&record.rotors, &record.normal) else {
         return wrong("these rotors name no facet on that side".into());
     };

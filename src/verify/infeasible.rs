@@ -22,17 +22,20 @@ use super::motion::{Motion, X, Y, YAW, Z};
 use super::plan::Setting;
 use super::premise::{Premise, Premises};
 use super::schedule::{self, Grid};
-use super::sets::Plane;
+use super::sets::{Generators, Plane};
 use super::{Refusal, Rejection, Shown, Verdict, lag, required_whole};
 use crate::certificate::{DynamicModel, FacetRecord, InfeasibleClaim};
 use crate::model::Problem;
 use crate::number::{number, plural};
+use std::collections::HashSet;
 
 struct Rows<'a> {
     problem: Problem<'a>,
     claim: &'a InfeasibleClaim,
     grid: Grid,
     planes: Vec<Plane>,
+    /// Bounds on T, tau_x, tau_y and tau_z in the set of a mode in which every plan stays, if there is one.
+    extent: Option<[Interval; 4]>,
     kind: DynamicModel,
     /// sin and cos of the one yaw of the hover model.
     yaw: (Interval, Interval),
@@ -69,12 +72,16 @@ pub(super) fn decide(
         return Err(Refusal::Budget { estimate, budget });
     }
     setting.reserve_has_hover()?;
-    let selected_by = setting.selected_by(&claim.selected_by, &WithoutYaw::wherever_possible(model))?;
-    let planes = planes(setting, claim, &selected_by)?;
+    let selected_by = setting.selected_by(&claim.selected_by, &WithoutYaw::wherever_possible(&setting.sets))?;
+    let required = required_whole(&setting.sets);
+    let planes = planes(setting, claim, &required, &selected_by)?;
+    let first_required = required.into_iter().next();
+    let extent = first_required.map(|mode| setting.sets.generators(&mode)).transpose()?.map(|set| set.extent());
     let (total, pieces) = (grid.total, grid.times.len() - 1);
     let yaw = Interval::point(first.yaw).sin_cos();
     let lag = lag::constant(model);
-    let mut rows = Rows { problem: setting.problem, claim, grid, planes, kind, yaw, lag, thrust: None, premises };
+    let mut rows =
+        Rows { problem: setting.problem, claim, grid, planes, extent, kind, yaw, lag, thrust: None, premises };
     if kind == DynamicModel::Exact {
         rows.thrust = Some(rows.most_thrust()?);
     }
@@ -110,23 +117,45 @@ fn estimate(setting: &Setting, claim: &InfeasibleClaim, grid: &Grid) -> Result<E
     let (rows, nodes, facets) = (claim.multipliers.len() as u64, grid.times.len() as u64, claim.facets.len() as u64);
     all.add(cost::times(rows, cost::OF_A_MULTIPLIER), cost::times(rows, cost::BYTES_OF_A_MULTIPLIER));
     all.add(cost::times(nodes, cost::OF_A_NODE_CARRIED), cost::times(nodes, cost::BYTES_OF_A_NODE));
-    all.add(cost::times(facets, cost::OF_A_PLANE), cost::times(facets, cost::BYTES_OF_A_PLANE));
+    let of_generators = cost::times(setting.model().vehicle.rotors.len() as u64, cost::OF_A_ROTOR);
+    let of_facet = of_generators.saturating_add(cost::OF_A_PLANE);
+    all.add(cost::times(facets, of_facet), cost::times(facets, cost::BYTES_OF_A_PLANE));
+    // Facets may be listed more than once, and each is looked for along the motions.
+    for record in &claim.selected_by {
+        let motion = setting.motion(record)?;
+        all.add(setting.cost_of_selecting(motion.checkpoints(), facets), 0);
+    }
+    all.add(cost::times(claim.thrust.len() as u64, cost::OF_A_ROW), 0);
     Ok(all)
 }
 
 /// The planes of the listed facets. Each must belong to a set in which every plan stays, or be selected by the included
 /// plans.
-fn planes(setting: &Setting, claim: &InfeasibleClaim, selected_by: &[Motion]) -> Result<Vec<Plane>, Rejection> {
-    let required = required_whole(setting.model());
+fn planes(
+    setting: &Setting,
+    claim: &InfeasibleClaim,
+    required: &[String],
+    selected_by: &[Motion],
+) -> Result<Vec<Plane>, Rejection> {
+    let required: HashSet<&str> = required.iter().map(String::as_str).collect();
+    // Facets of one mode usually follow each other.
+    let mut last: Option<(&str, Generators)> = None;
+    let selectable_modes = setting.selectable_modes();
     let mut planes = Vec::new();
     let mut to_select = Vec::new();
     for (index, facet) in claim.facets.iter().enumerate() {
-        let (kept, selectable) = (required.contains(&facet.mode), setting.selects_facets_of(&facet.mode));
+        let (kept, selectable) =
+            (required.contains(facet.mode.as_str()), selectable_modes.contains(facet.mode.as_str()));
+        if last.as_ref().is_none_or(|(mode, _)| *mode != facet.mode) {
+            let generators = setting.sets.generators(&facet.mode).map_err(of_facet(index, facet))?;
+            last = Some((&facet.mode, generators));
+        }
+        let Some((_, generators)) = &last else { continue };
         if setting.premises.has(Premise::Rows) && !kept && !selectable {
             return Err(of_facet(index, facet)(Rejection::new("", "the planner does not impose this mode's set")));
         }
         let strict = setting.premises.has(Premise::Facets);
-        planes.push(named(setting.model(), facet, strict).map_err(of_facet(index, facet))?.plane);
+        planes.push(named(generators, facet, strict).map_err(of_facet(index, facet))?.plane);
         if !kept && selectable {
             to_select.push(index);
         }
@@ -177,7 +206,7 @@ impl Rows<'_> {
         }
         self.carry_back(&mut sums);
         let inputs = match self.premises.has(Premise::Inputs) {
-            true => self.inputs()?,
+            true => self.inputs(),
             false => [Interval::ZERO; 4],
         };
         let mut most = constant;

@@ -12,7 +12,7 @@ use super::Rejection;
 use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
 use crate::certificate::TooEarlyClaim;
-use crate::model::{Heading, Limit, LimitKind, Mission, Model, PlanModel, Problem, Waypoint};
+use crate::model::{Heading, Limit, LimitKind, Model, PlanModel, Problem, Waypoint};
 use crate::number::{down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use std::f64::consts::FRAC_PI_2;
@@ -80,7 +80,7 @@ enum Sense {
 }
 
 /// How far a quantity may go in one direction on a leg under the limits of a kind, including the tolerance of the check of plans.
-fn most(mission: &Mission, leg: usize, kind: LimitKind, sense: Sense) -> f64 {
+fn most(of_leg: &[&Limit], kind: LimitKind, sense: Sense) -> f64 {
     let bound = |limit: &Limit| {
         let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(limit.size());
         let side = match sense {
@@ -89,8 +89,8 @@ fn most(mission: &Mission, leg: usize, kind: LimitKind, sense: Sense) -> f64 {
         };
         Some((Interval::point(side) + let_pass).high)
     };
-    let of_kind = mission.limits.iter().filter(|limit| limit.kind == kind && limit.concerns(leg));
-    of_kind.filter_map(bound).fold(f64::INFINITY, f64::min)
+    let of_kind = of_leg.iter().filter(|limit| limit.kind == kind);
+    of_kind.filter_map(|limit| bound(limit)).fold(f64::INFINITY, f64::min)
 }
 
 /// The total thrust over the mass, m/s^2: `most` is an upper bound, and `reversed` one on its size where rotors that reverse make it
@@ -132,9 +132,8 @@ impl Thrust {
 }
 
 /// The largest horizontal acceleration on a leg for a given force per mass and the limit on tilt, m/s^2.
-fn sideways(problem: Problem, leg: usize, force: Interval) -> f64 {
-    let (model, mission) = (problem.model(), problem.mission());
-    let tilt = most(mission, leg, LimitKind::Tilt, Sense::Upwards);
+fn sideways(model: &Model, of_leg: &[&Limit], force: Interval) -> f64 {
+    let tilt = most(of_leg, LimitKind::Tilt, Sense::Upwards);
     let let_pass =
         Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
     // A drag along the body's z axis of its own changes the size of the thrust, but not its direction: the limit on tilt, which is
@@ -196,8 +195,10 @@ fn bounds(problem: Problem, leg: usize) -> Bounds {
     let is_isotropic = model.environment().is_isotropic();
     let (thrust, g) = (Thrust::of(model), Interval::point(model.gravity));
     let force = thrust.most;
-    let turning = |kind, sense| most(mission, leg, kind, sense);
-    let most = |kind| most(mission, leg, kind, Sense::Upwards);
+    // Looked for once: missions may have thousands of limits, each of one leg.
+    let of_leg: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.concerns(leg)).collect();
+    let turning = |kind, sense| most(&of_leg, kind, sense);
+    let most = |kind| most(&of_leg, kind, Sense::Upwards);
     let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
     let whole = most(LimitKind::Acceleration);
     // In the hover model the force is bounded only along z.
@@ -212,7 +213,7 @@ fn bounds(problem: Problem, leg: usize) -> Bounds {
     let both_ways = |rate: f64, acceleration: f64| Most { rate, speeding: acceleration, slowing: acceleration, jerk };
     let along_line = both_ways(rate, whole.min(in_all));
     let across = speed.min(most(LimitKind::SpeedHorizontal));
-    let (rate_across, in_plane) = of_part((across, sideways(problem, leg, force)), force, &[0, 1]);
+    let (rate_across, in_plane) = of_part((across, sideways(model, &of_leg, force)), force, &[0, 1]);
     let horizontal = both_ways(rate_across, whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane));
     let vertical = |kind: LimitKind, speeding: Interval, slowing: Interval| {
         let rate = speed.min(most(kind));

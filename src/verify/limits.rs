@@ -1,12 +1,12 @@
 //! The mission's limits as quantities along a motion.
 
-use super::cost::OF_A_LIMIT;
+use super::cost::{OF_A_CORNER, OF_A_LIMIT};
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
 use super::wrench::thrust_over_mass;
 use super::{heading, volumes};
-use crate::model::{Environment, Limit, LimitKind};
+use crate::model::{Body, Bounded, Environment, Limit, LimitKind};
 use std::f64::consts::PI;
 
 /// Value and rate of change.
@@ -47,6 +47,15 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(u
         at_nodes_only,
         measure,
         overhead: OF_A_LIMIT,
+        of_a_member: 1 + OF_A_CORNER * limit.volume.as_deref().map_or(0, |volume| corners(&volume.quantity)),
+    }
+}
+
+/// The corners that are looked at for the distance from a body.
+fn corners(quantity: &Bounded) -> u64 {
+    match quantity {
+        Bounded::FromBody(Body::Prism { corners, .. }) => corners.len() as u64,
+        _ => 0,
     }
 }
 

@@ -92,6 +92,12 @@ impl Motion {
         self.extra_points[piece].min(MAX_NODES)
     }
 
+    /// Number of extra points inside some pieces.
+    pub(super) fn extra_points_in(&self, pieces: std::ops::Range<usize>) -> u64 {
+        let extra = self.extra_points.get(pieces).unwrap_or_default();
+        extra.iter().map(|&n| n as u64).fold(0, u64::saturating_add)
+    }
+
     /// The extra points of a piece, s since it began.
     pub fn extra_instants(&self, piece: usize) -> impl Iterator<Item = Interval> {
         self.grid(piece, self.extra_points[piece])

@@ -5,21 +5,25 @@ mod along;
 mod cores;
 mod selection;
 
-use super::core::{Core, WithoutYaw};
+use super::core::{self, Core, WithoutYaw};
 use super::cost::{self, Budget, Estimate, Purse, times};
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, X, Y, YAW, Z};
 use super::premise::{Premise, Premises};
-use super::proof::Family;
-use super::sets::{Generators, HEALTHY, Plane};
+use super::proof::{Family, cost_at_nodes};
+use super::sets::{HEALTHY, Plane, Sets, planes_at_most};
 use super::wrench::{Dynamics, Held};
-use super::{Refusal, Rejection, Shown, joints, lag, mode_named, required, required_whole, schedule, wind};
+use super::{Refusal, Rejection, Shown, joints, lag, required, required_whole, schedule, wind};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Heading, Mission, Model, PlannerKind, Problem};
 use crate::number::number;
 use crate::source::Span;
+use std::collections::HashSet;
+use std::sync::{Arc, OnceLock};
 
 pub use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
+use selection::Selecting;
+
 pub use along::{OF_A_GRID, wrench_family};
 
 /// In the exact model the vertical part of the thrust is at least this share of the weight.
@@ -40,6 +44,9 @@ struct Checked<'m> {
     /// Remarks on the selection.
     selection: Vec<String>,
     coarser_legs: usize,
+    /// For RSP which planes and which rows of cores the motion violates, if that was needed.
+    violates: OnceLock<Vec<bool>>,
+    of_cores: OnceLock<Vec<Vec<bool>>>,
     setting: &'m Setting<'m>,
 }
 
@@ -51,7 +58,7 @@ struct Group {
     /// Whether these are all planes of the set; otherwise selected facets.
     whole: bool,
     span: Option<Span>,
-    planes: Vec<Plane>,
+    planes: Arc<[Plane]>,
 }
 
 /// A core with the members of its family that are imposed: all, or under RSP those that it selects.
@@ -68,6 +75,7 @@ pub struct Setting<'a> {
     /// The commanded wrench, if rotors lag.
     commands: Option<Held>,
     pub(super) premises: Premises,
+    pub(super) sets: Sets<'a>,
 }
 
 /// The role of a plan, which determines its rows.
@@ -88,7 +96,7 @@ impl<'a> Setting<'a> {
         let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
         let dynamics = Dynamics { vehicle: &model.vehicle, environment: model.environment(), model: kind, one_yaw };
         let commands = lag::constant(model).map(|tau| Held::Commands { tau });
-        Setting { problem, dynamics, commands, premises }
+        Setting { problem, dynamics, commands, premises, sets: Sets::new(model) }
     }
 
     /// The model of the spec.
@@ -120,61 +128,154 @@ impl<'a> Setting<'a> {
         Motion::new(record, self.dynamics.model, strict).map_err(|why| Rejection::new("the motion", why))
     }
 
-    /// The cost of deciding a plan without proofs between the nodes.
+    /// The cost of deciding a plan without proofs between the nodes. Left out are the rows of cores at the nodes, whose number follows
+    /// from their making: [`Setting::estimate_of_cores`].
     fn estimate(&self, claim: &PlanClaim) -> Result<Estimate, Rejection> {
-        let mut all = self.estimate_of(std::slice::from_ref(&claim.motion))?;
-        let others = self.estimate_of(&claim.selected_by)?;
-        all.add(others.units, others.bytes);
+        let imposed = required(self.model());
+        let mut all = self.estimate_of_sets(&imposed, claim.without_yaw.iter().map(|record| record.mode.as_str()));
+        let cores = core::cost_of(self.model(), &claim.without_yaw);
+        all.add(cores.units, cores.bytes);
+        // Where cores are imposed, the healthy set takes the place of those of their modes.
+        let of_motion = self.estimate_of_motion(&claim.motion, imposed.len() as u64 + 1)?;
+        all.add(of_motion.units, of_motion.bytes);
+        if claim.least_time_s.is_some() {
+            // Of each leg the limits that concern it.
+            let (legs, limits) = (self.mission().legs.len() as u64, self.mission().limits.len() as u64);
+            all.add(times(legs, limits.div_ceil(cost::LIMITS_OF_A_UNIT)), 0);
+        }
+        let of_others = self.estimate_of_selecting(&claim.selected_by)?;
+        all.add(of_others.units, of_others.bytes);
         Ok(all)
     }
 
-    /// The cost of deciding some motions and the facets that they select.
+    /// The cost of deciding a claim's motions from which facets are selected, and the sets of these facets.
     pub(super) fn estimate_of(&self, records: &[MotionRecord]) -> Result<Estimate, Rejection> {
+        let mut all = self.estimate_of_sets(&required(self.model()), std::iter::empty());
+        let cores = core::cost_of(self.model(), &[]);
+        all.add(cores.units, cores.bytes);
+        let of_motions = self.estimate_of_selecting(records)?;
+        all.add(of_motions.units, of_motions.bytes);
+        Ok(all)
+    }
+
+    /// The cost of all sets that are computed, each once: those imposed, those of which facets are selected, and those that decide
+    /// whether yaw is given up.
+    fn estimate_of_sets<'s>(&'s self, imposed: &'s [String], more: impl Iterator<Item = &'s str>) -> Estimate {
+        let mut modes: HashSet<&str> = imposed.iter().map(String::as_str).chain(more).collect();
+        modes.insert(HEALTHY);
+        modes.extend(core::modes_looked_at(self.model()).map(|mode| mode.name.as_str()));
+        if selection::selects(self.model()) {
+            modes.extend(
+                self.model().plan.against.iter().filter_map(|&i| Some(self.model().modes.get(i)?.name.as_str())),
+            );
+        }
+        let vehicle = &self.model().vehicle;
+        let (count, planes) = (modes.len() as u64, planes_at_most(vehicle));
+        let of_generators = times(vehicle.rotors.len() as u64, cost::OF_A_ROTOR);
+        let of_set = times(planes, cost::OF_A_PLANE).saturating_add(of_generators);
+        Estimate { units: times(count, of_set), bytes: times(times(count, planes), cost::BYTES_OF_A_PLANE) }
+    }
+
+    /// The cost of the motions that select facets: each is decided as a plan of the healthy set and of the facets that those before it
+    /// select, and all planes are looked at along each once.
+    fn estimate_of_selecting(&self, records: &[MotionRecord]) -> Result<Estimate, Rejection> {
         let mut all = Estimate::default();
+        let selectable = if selection::selects(self.model()) { self.model().plan.against.len() as u64 } else { 0 };
         for record in records {
-            let mut motion = self.motion(record)?;
-            schedule::check(self.problem, &mut motion, self.premises)?;
-            let nodes = motion.times.len() as u64;
-            let planes = self.planes_at_most()?;
-            let of_state = if self.commands.is_some() { 2 } else { 1 };
-            let rows = planes.saturating_add(self.overhead());
-            all.add(times(nodes, cost::OF_A_JOINT), times(nodes, cost::BYTES_OF_A_NODE));
-            all.add(times(times(motion.checkpoints(), rows), of_state), times(planes, cost::BYTES_OF_A_PLANE));
-            all.add(times(times(motion.checkpoints(), self.mission().limits.len() as u64), 2 * cost::OF_A_LIMIT), 0);
-            all.add(times(planes, cost::OF_A_PLANE), 0);
-            if selection::selects(self.model()) {
-                all.add(self.cost_of_selecting(motion.checkpoints(), planes), 0);
-            }
+            let of_motion = self.estimate_of_motion(record, selectable + 1)?;
+            all.add(of_motion.units, of_motion.bytes);
         }
         Ok(all)
+    }
+
+    /// The cost of deciding one motion at its nodes against some number of sets, and of the facets that it selects.
+    fn estimate_of_motion(&self, record: &MotionRecord, sets: u64) -> Result<Estimate, Rejection> {
+        let mut motion = self.motion(record)?;
+        schedule::check(self.problem, &mut motion, self.premises)?;
+        let (nodes, checkpoints) = (motion.times.len() as u64, motion.checkpoints());
+        let mut all = Estimate::default();
+        all.add(times(nodes, cost::OF_A_JOINT), times(nodes, cost::BYTES_OF_A_NODE));
+        let selectable = if selection::selects(self.model()) { self.model().plan.against.len() as u64 } else { 0 };
+        let planes = times(planes_at_most(&self.model().vehicle), sets.saturating_add(selectable));
+        // Commands jump at nodes, which are looked at from both sides.
+        let of_state = if self.commands.is_some() { 3 } else { 1 };
+        all.add(times(times(checkpoints, self.units_of(planes)), of_state), 0);
+        for limit in &self.mission().limits {
+            all.add(cost_at_nodes(&self.family_of(limit, &motion), &motion), 0);
+        }
+        all.add(times(checkpoints, 3 * cost::OF_A_LIMIT), 0);
+        if selectable > 0 {
+            all.add(self.cost_of_selecting(checkpoints, times(planes_at_most(&self.model().vehicle), selectable)), 0);
+        }
+        Ok(all)
+    }
+
+    /// The cost of the cores' rows at the nodes of the claim's motions.
+    fn estimate_of_cores(&self, claim: &PlanClaim, without_yaw: &WithoutYaw) -> Result<Estimate, Rejection> {
+        let mut all = Estimate::default();
+        if without_yaw.cores.is_empty() {
+            return Ok(all);
+        }
+        let mut states: u64 = 0;
+        for record in claim.selected_by.iter().chain([&claim.motion]) {
+            let checkpoints = self.checkpoints(record)?;
+            states = states.saturating_add(checkpoints);
+            if selection::selects(self.model()) {
+                states = states.saturating_add(self.selecting_states(checkpoints));
+            }
+        }
+        for core in &without_yaw.cores {
+            let family = core.family(&self.dynamics);
+            let members = family.members as u64;
+            let of_state = times(members, family.of_a_member).saturating_add(family.overhead);
+            all.add(times(states, of_state), times(members, cost::BYTES_OF_A_MEMBER));
+        }
+        Ok(all)
+    }
+
+    fn checkpoints(&self, record: &MotionRecord) -> Result<u64, Rejection> {
+        let mut motion = self.motion(record)?;
+        schedule::check(self.problem, &mut motion, self.premises)?;
+        Ok(motion.checkpoints())
+    }
+
+    /// Units of some planes at one state, with its wrench.
+    fn units_of(&self, planes: u64) -> u64 {
+        let of_planes = match self.dynamics.is_in_winds() {
+            true => times(planes, wind::cost_of_a_plane(&self.dynamics)),
+            false => times(planes, cost::OF_A_ROW),
+        };
+        of_planes.saturating_add(self.overhead())
     }
 
     /// Units of one state with its wrench.
     fn overhead(&self) -> u64 {
+        match self.dynamics.is_in_winds() {
+            true => times(wind::cost(&self.dynamics), self.of_one_wind()),
+            false => self.of_one_wind(),
+        }
+    }
+
+    /// Units of one state with its wrench in one wind.
+    fn of_one_wind(&self) -> u64 {
         match self.dynamics.model {
             DynamicModel::Hover => cost::OF_HOVER_WRENCH,
-            DynamicModel::Exact if self.dynamics.is_in_winds() => wind::cost(&self.dynamics) * cost::OF_EXACT_WRENCH,
             DynamicModel::Exact => cost::OF_EXACT_WRENCH,
         }
     }
 
-    /// Most planes of all sets that are checked: the sets imposed whole, and under RSP those from which facets are selected.
-    fn planes_at_most(&self) -> Result<u64, Rejection> {
-        let mut modes = required(self.model());
-        if selection::selects(self.model()) {
-            let against = self.model().plan.against.iter().filter_map(|&i| self.model().modes.get(i));
-            modes.extend(against.map(|m| m.name.clone()));
-        }
-        modes.iter().map(|mode| Ok(Generators::of(self.model(), mode)?.planes_at_most())).sum()
-    }
-
     /// Decides whether the motion is a plan: all conditions at the nodes and, as far as `budget` allows, between them.
     pub(super) fn decide(&self, claim: &PlanClaim, budget: Budget, between: bool) -> Result<Found, Refusal> {
-        let estimate = self.estimate(claim)?;
+        let mut estimate = self.estimate(claim)?;
         if !estimate.fits(budget) {
             return Err(Refusal::Budget { estimate, budget });
         }
-        let without_yaw = WithoutYaw::of(self.model(), &claim.without_yaw, self.premises)?;
+        let without_yaw = WithoutYaw::of(&self.sets, &claim.without_yaw, self.premises)?;
+        let of_cores = self.estimate_of_cores(claim, &without_yaw)?;
+        estimate.add(of_cores.units, of_cores.bytes);
+        if !estimate.fits(budget) {
+            return Err(Refusal::Budget { estimate, budget });
+        }
         let selected_by = match self.premises.has(Premise::SelectedBy) {
             true => self.selections(claim, &without_yaw)?,
             false => self.unchecked(&claim.selected_by)?,
@@ -193,7 +294,7 @@ impl<'a> Setting<'a> {
     fn at_nodes(
         &self,
         record: &MotionRecord,
-        selected_by: &[Motion],
+        selected_by: &[Selecting],
         (role, without_yaw): (Role, &WithoutYaw),
     ) -> Result<Checked<'_>, Rejection> {
         let mut motion = self.motion(record)?;
@@ -214,22 +315,24 @@ impl<'a> Setting<'a> {
         let (mut groups, undecided) = self.sets(role, without_yaw)?;
         self.inside_at_nodes(&motion, &groups)?;
         let mut remarks = Vec::new();
+        let selecting = Selecting::from(motion);
         if self.premises.has(Premise::Selection) {
-            let selected = self.select(&motion, selected_by, without_yaw)?;
+            let selected = self.select(&selecting, selected_by, without_yaw)?;
             groups.extend(selected.groups);
             remarks = selected.remarks;
         }
-        let cores = match role {
-            Role::Claimed => self.imposed_cores(&motion, selected_by, without_yaw)?,
-            Role::SelectedBy => Vec::new(),
-        };
+        let Selecting { motion, violates, of_cores } = selecting;
+        // A plan to select from keeps the rows that the plans before it select.
+        let cores = self.imposed_cores(&motion, selected_by, without_yaw)?;
         if role == Role::Claimed && !without_yaw.caught.is_empty() {
             let modes = without_yaw.caught.join(", ");
             remarks.push(format!(
                 "no row provides for {modes}: the vehicle is caught by its spin and landed, which no certificate shows"
             ));
         }
-        Ok(Checked { motion, groups, cores, undecided, selection: remarks, coarser_legs: coarser.legs, setting: self })
+        let coarser_legs = coarser.legs;
+        let selection = remarks;
+        Ok(Checked { motion, groups, cores, undecided, selection, coarser_legs, violates, of_cores, setting: self })
     }
 
     /// The sets that the planner imposes whole, and those that cannot be computed.
@@ -258,9 +361,9 @@ impl<'a> Setting<'a> {
     ///
     /// # Errors
     /// The spec has no such mode, or requires a reserve of a set that does not contain hover.
-    pub(super) fn planes_of(&self, mode: &str) -> Result<Result<Vec<Plane>, String>, Rejection> {
-        let planes = Generators::of(self.model(), mode)?.planes();
-        let outside = |planes: &Vec<Plane>| planes.iter().any(Plane::excludes_hover);
+    pub(super) fn planes_of(&self, mode: &str) -> Result<Result<Arc<[Plane]>, String>, Rejection> {
+        let planes = self.sets.planes(mode)?;
+        let outside = |planes: &Arc<[Plane]>| planes.iter().any(Plane::excludes_hover);
         match self.reserves() && planes.as_ref().is_ok_and(outside) {
             true => Err(self.reserve_about_nothing(mode)),
             false => Ok(planes),
@@ -285,12 +388,12 @@ impl<'a> Setting<'a> {
     /// # Errors
     /// It lies outside of one.
     pub(super) fn reserve_has_hover(&self) -> Result<(), Rejection> {
-        let modes = if self.reserves() { required_whole(self.model()) } else { Vec::new() };
+        let modes = if self.reserves() { required_whole(&self.sets) } else { Vec::new() };
         modes.iter().try_for_each(|mode| self.planes_of(mode).map(drop))
     }
 
     fn span_of(&self, mode: &str) -> Option<Span> {
-        mode_named(self.model(), mode).map(|m| m.span)
+        self.sets.mode(mode).map(|m| m.span)
     }
 
     /// Checks rest at both ends (unless `moving`), at stops and in holds: derivatives are zero, in holds the inputs too.
@@ -389,8 +492,8 @@ impl Checked<'_> {
 }
 
 /// The planes of all groups, in order.
-fn all_planes(groups: &[Group]) -> Vec<Plane> {
-    groups.iter().flat_map(|group| group.planes.iter().cloned()).collect()
+fn all_planes(groups: &[Group]) -> Vec<&Plane> {
+    groups.iter().flat_map(|group| group.planes.iter()).collect()
 }
 
 /// Whether rows on the wrench are linear over each piece.
@@ -399,6 +502,6 @@ fn is_linear(dynamics: &Dynamics) -> bool {
 }
 
 /// The family of rows on `held` for planes listed by group.
-fn of_groups<'f>(setting: &Setting<'f>, held: Held, planes: &'f [Plane]) -> Family<'f> {
+fn of_groups<'a: 'f, 'f>(setting: &Setting<'a>, held: Held, planes: Vec<&'f Plane>) -> Family<'f> {
     Family { overhead: setting.overhead(), ..wrench_family(&setting.dynamics, held, planes) }
 }

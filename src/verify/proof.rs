@@ -30,8 +30,10 @@ pub struct Family<'a> {
     /// They are bounded at nodes only, not at points that stand for those of finer pieces.
     pub at_nodes_only: bool,
     pub measure: Measure,
-    /// Units of work for a state, in addition to one per member.
+    /// Units of work for a state, in addition to those of its members.
     pub overhead: u64,
+    /// Units of work for each member at a state.
+    pub of_a_member: u64,
 }
 
 /// How messages print a violation.
@@ -82,7 +84,7 @@ impl<'a> Family<'a> {
 
 impl Family<'_> {
     fn units(&self, members: usize) -> u64 {
-        self.overhead.saturating_add(members as u64)
+        self.overhead.saturating_add(self.of_a_member.saturating_mul(members as u64))
     }
 
     fn everything(&self) -> Vec<usize> {
@@ -104,26 +106,41 @@ impl Family<'_> {
 pub fn above_at_nodes(family: &Family, motion: &Motion, most: f64) -> Option<Failure> {
     let members = family.everything();
     let mut worst: Option<Failure> = None;
+    at_each_state(family, motion, |state, at| keep_worst(&mut worst, above(family, &members, state, at, most)));
+    worst
+}
+
+/// For each member whether it is above `most` there.
+pub fn each_above_at_nodes(family: &Family, motion: &Motion, most: f64) -> Vec<bool> {
+    let members = family.everything();
+    let mut is_above = vec![false; family.members];
+    at_each_state(family, motion, |state, _| {
+        for (found, is_above) in (family.evaluate)(state, &members).iter().zip(&mut is_above) {
+            *is_above |= exceeds(found.value.high, most);
+        }
+    });
+    is_above
+}
+
+/// Calls `look` with the states at which bounds are decided, and their instants.
+fn at_each_state(family: &Family, motion: &Motion, mut look: impl FnMut(&State, f64)) {
     if let Some((node, piece)) = family.only_node() {
-        return above(family, &members, &motion.node_in(node, piece), motion.times[node], most);
+        return look(&motion.node_in(node, piece), motion.times[node]);
     }
     let pieces = family.pieces(motion);
     for piece in pieces.clone() {
         // A quantity that does not jump has the same value in both pieces.
         let ends = if family.jumps || piece + 1 == pieces.end { piece..=piece + 1 } else { piece..=piece };
         for node in ends {
-            let state = motion.node_in(node, piece);
-            keep_worst(&mut worst, above(family, &members, &state, motion.times[node], most));
+            look(&motion.node_in(node, piece), motion.times[node]);
         }
         if family.at_nodes_only {
             continue;
         }
         for at in motion.extra_instants(piece) {
-            let state = motion.over(piece, at);
-            keep_worst(&mut worst, above(family, &members, &state, motion.times[piece] + at.middle(), most));
+            look(&motion.over(piece, at), motion.times[piece] + at.middle());
         }
     }
-    worst
 }
 
 /// The largest value of any of `members` on a grid of `points` between the ends of every piece, and at them.
@@ -144,6 +161,20 @@ pub fn largest_on_grid(family: &Family, motion: &Motion, members: &[usize], poin
         }
     }
     worst
+}
+
+/// Units of work of [`above_at_nodes`].
+pub fn cost_at_nodes(family: &Family, motion: &Motion) -> u64 {
+    let states = match family.only_node() {
+        Some(_) => 1,
+        None => {
+            let pieces = family.pieces(motion);
+            let ends = if family.jumps { 2 * pieces.len() } else { pieces.len() + 1 };
+            let inside = if family.at_nodes_only { 0 } else { motion.extra_points_in(pieces) };
+            inside.saturating_add(ends as u64)
+        }
+    };
+    states.saturating_mul(family.units(family.members))
 }
 
 /// Units of work of [`largest_on_grid`].
@@ -236,7 +267,7 @@ impl Proof<'_> {
         let at_middle = (self.family.evaluate)(&self.motion.over(piece, middle), &members);
         let over = (self.family.evaluate)(&self.motion.over(piece, part), &members);
         let away = part - middle;
-        let mut left = Vec::new();
+        let mut left = Vec::with_capacity(members.len());
         for ((&member, there), all) in members.iter().zip(&at_middle).zip(&over) {
             let value = (there.value + all.rate * away).meet(all.value);
             if !exceeds(value.high, self.most) {
@@ -247,6 +278,8 @@ impl Proof<'_> {
                 false => left.push(member),
             }
         }
+        // The recursion would keep one copy of these for each of its depths.
+        drop((members, at_middle, over));
         for half in [Interval::new(part.low, middle.low), Interval::new(middle.low, part.high)] {
             self.over(piece, half, left.clone(), deeper.saturating_sub(1));
         }

@@ -172,7 +172,9 @@ pub(super) fn held_until(mission: &Mission, motion: &Motion, waypoint: usize) ->
     let ends = motion.times[node] + hold;
     let total = motion.times[motion.times.len() - 1];
     let until = motion.waypoint_nodes.get(waypoint + 1).copied().unwrap_or(motion.times.len());
-    (node + 1..until).find(|&n| !apart(motion.times[n], ends, total))
+    let later = motion.times.get(node + 1..until)?;
+    let reached = node + 1 + later.partition_point(|&time| time < ends && apart(time, ends, total));
+    (reached < until && !apart(motion.times[reached], ends, total)).then_some(reached)
 }
 
 /// Adds points to check within pieces that are longer than the spec's samples give, as densely as those samples.

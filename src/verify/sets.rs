@@ -8,6 +8,7 @@
 
 pub mod doubt;
 pub mod inverse;
+mod once;
 
 use self::doubt::{Doubts, Known};
 use self::inverse::Inverse;
@@ -16,6 +17,8 @@ use super::interval::{Interval, exceeds};
 use super::{Rejection, mode_named};
 use crate::model::{Allocation, Environment, FaultMode, Model, Rotor, Spin, Vehicle};
 use std::cmp::Ordering;
+
+pub use once::Sets;
 
 /// The name of the set without faults.
 pub const HEALTHY: &str = "healthy";
@@ -46,6 +49,11 @@ impl Plane {
         along(&self.normal, wrench) - self.offset
     }
 
+    /// The plane as it is before the reserve is taken about `hover`, N.
+    pub fn without_reserve(&self, hover: Interval) -> Plane {
+        Plane { offset: self.normal[0] * hover + self.room, ..self.clone() }
+    }
+
     /// Whether hover lies outside, for some mass of an interval.
     pub fn excludes_hover(&self) -> bool {
         exceeds(-self.room.low, ROUNDING)
@@ -65,6 +73,21 @@ pub fn shrunk(room: Interval, kept: Interval) -> Interval {
 /// The scalar product.
 pub fn along(normal: &[Interval; 4], vector: &[Interval; 4]) -> Interval {
     (0..4).fold(Interval::ZERO, |sum, i| sum + normal[i] * vector[i])
+}
+
+/// Most planes of a mode's set.
+pub fn planes_at_most(vehicle: &Vehicle) -> u64 {
+    let n = vehicle.rotors.len() as u64;
+    match vehicle.allocation {
+        Allocation::PseudoInverse => 2 * n + 1,
+        _ => n * n.saturating_sub(1) * n.saturating_sub(2) / 3 + n * n.saturating_sub(1) + 1,
+    }
+}
+
+/// Most planes of the shadow of a mode's set.
+pub fn shadow_at_most(vehicle: &Vehicle) -> u64 {
+    let n = vehicle.rotors.len() as u64;
+    n * n.saturating_sub(1) + 2 * n
 }
 
 /// The exact wrenches of a mode.
@@ -203,15 +226,6 @@ impl Generators {
         self.hover[0].enclosure()
     }
 
-    /// Most planes that [`Generators::planes`] may return.
-    pub fn planes_at_most(&self) -> u64 {
-        let n = self.own.len() as u64;
-        match self.inverse {
-            Some(_) => 2 * n + 1,
-            None => n * n.saturating_sub(1) * n.saturating_sub(2) / 3 + n * n.saturating_sub(1) + 1,
-        }
-    }
-
     /// The facet that a certificate names by rotors, on the side to which `towards` points; `None` if they name none.
     pub fn named(&self, rotors: &[usize], towards: &[f64; 4]) -> Option<Facet> {
         let towards = towards.map(Dyadic::of);
@@ -305,6 +319,58 @@ impl Generators {
             [&normal, &opposite].map(|n| self.plane(n, &self.support(n), rotors.clone(), is_facet))
         };
         Ok(normals.into_iter().flat_map(both).collect())
+    }
+
+    /// The planes that bound the set's shadow along tau_z, the wrenches of which some yaw torque is in the set; `None` if there are
+    /// none, or if intervals or the pseudo-inverse move planes, so that the set is no sum of generators.
+    ///
+    /// The shadow is the sum of the generators' shadows, so planes along tau_z through two of them bound it. All pairs are used.
+    pub fn shadow(&self) -> Option<Vec<Plane>> {
+        if self.doubts.is_some() || self.inverse.is_some() {
+            return None;
+        }
+        let mut along_yaw = zero();
+        along_yaw[3] = Dyadic::of(1.0);
+        let used: Vec<usize> = (0..self.own.len()).filter(|&k| !is_zero(&self.own[k])).collect();
+        let extent = self.extents();
+        let flattened = |k: &usize| {
+            let mut own = self.own[*k].clone();
+            own[3] = Dyadic::zero();
+            in_units_of(&extent, &own)
+        };
+        let shadows: Vec<[f64; 4]> = used.iter().map(flattened).collect();
+        let mut normals = Vec::new();
+        let (mut most, mut widest) = (0.0, None);
+        for (i, &a) in used.iter().enumerate() {
+            for (j, &b) in used.iter().enumerate().skip(i + 1) {
+                let normal = orthogonal(&self.own[a], &self.own[b], &along_yaw);
+                if is_zero(&normal) {
+                    continue;
+                }
+                let spanned = volume([&shadows[i], &shadows[j], &[0.0, 0.0, 0.0, 1.0]]);
+                if spanned > most {
+                    (most, widest) = (spanned, Some(normal.clone()));
+                }
+                normals.push((normal, vec![a + 1, b + 1]));
+            }
+        }
+        let lacking = widest?;
+        let unit = in_units_of(&extent.map(f64::recip), &lacking);
+        let within = |g: &[f64; 4]| (0..4).map(|axis| unit[axis] * g[axis]).sum::<f64>().abs() <= INDEPENDENT;
+        if shadows.iter().all(within) {
+            // Flat, as in `spanned`: rotors in a line.
+            for &a in &used {
+                let normal = orthogonal(&self.own[a], &lacking, &along_yaw);
+                if !is_zero(&normal) {
+                    normals.push((normal, vec![a + 1]));
+                }
+            }
+        }
+        let both = |(normal, rotors): (Exact, Vec<usize>)| {
+            let opposite = normal.clone().map(|n| n.negated());
+            [&normal, &opposite].map(|n| self.plane(n, &self.support(n), rotors.clone(), false))
+        };
+        Some(normals.into_iter().flat_map(both).collect())
     }
 
     /// The direction that a flat set lacks, up to rounding: the normal of the three generators that span the largest volume,

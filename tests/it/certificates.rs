@@ -13,6 +13,7 @@ mod joints;
 mod lag;
 mod least_time;
 mod relaxation;
+mod resources;
 mod selection;
 mod sets;
 mod tampering;

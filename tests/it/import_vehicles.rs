@@ -467,6 +467,64 @@ fn deep_and_large_files_are_refused() {
     assert_eq!(import("x", &large).diagnostics[0].code, "mavc::import::format");
 }
 
+/// A chain as long as a file may have it, with the rotors at its end: each joint is passed once, so that it is read at once.
+#[test]
+fn long_chains_of_links_are_read() {
+    const LINKS: usize = 60_000;
+    let mut urdf =
+        "<robot name='chain'><properties kf='3e-10' km='8e-12' thrust2weight='2'/><link name='l0'/>".to_string();
+    for i in 1..LINKS {
+        urdf.push_str(&format!(
+            "<link name='l{i}'/><joint><parent link='l{}'/><child link='l{i}'/><origin xyz='0.001 0 0'/></joint>",
+            i - 1
+        ));
+    }
+    for (k, place) in ["0.1 -0.1 0", "-0.1 -0.1 0", "-0.1 0.1 0", "0.1 0.1 0.04"].into_iter().enumerate() {
+        urdf.push_str(&format!(
+            "<link name='prop{k}_link'><inertial><mass value='0.25'/></inertial></link>\
+             <joint><parent link='l{}'/><child link='prop{k}_link'/><origin xyz='{place}'/></joint>",
+            LINKS - 1
+        ));
+    }
+    let imported = import("chain.urdf", (urdf + "</robot>").as_bytes());
+    let text = imported.text.unwrap_or_else(|| panic!("{:?}", imported.diagnostics));
+    assert!(text.contains(" = 1 kg") && text.contains("[ 0.1,  0.1,  0.03] m"), "{text}");
+}
+
+/// As many motors and classes as a file may have.
+#[test]
+fn motors_of_many_classes_are_counted() {
+    const MOTORS: usize = 60_000;
+    let each = |of: &dyn Fn(usize) -> String| (0..MOTORS).map(of).collect::<String>();
+    let text = format!(
+        "<mujoco><default>{}</default><worldbody><body>{}</body></worldbody><actuator>{}</actuator></mujoco>",
+        each(&|i| format!("<default class='c{i}'><motor gear='0 0 1 0 0 0.1'/></default>")),
+        each(&|i| format!("<site name='s{i}'/>")),
+        each(&|i| format!("<motor class='c{i}' site='s{i}'/>")),
+    );
+    let message = &import("x", text.as_bytes()).diagnostics[0].message;
+    assert!(message.contains("60000 rotors are not among"), "{message}");
+}
+
+/// The parser compares every attribute of an element, and every namespace, with all others.
+#[test]
+fn elements_with_too_many_attributes_are_refused() {
+    let refused = |text: &str| {
+        let diagnostics = import("x", text.as_bytes()).diagnostics;
+        diagnostics[0].message.contains("more than 1000 attributes")
+    };
+    let many = |name: &str, count: usize| (0..count).map(|i| format!("{name}{i}='>1'\n")).collect::<String>();
+    assert!(refused(&format!("<robot {}/>", many("a", 1001))));
+    assert!(!refused(&format!("<robot {}/>", many("a", 1000))));
+    assert!(refused(&format!("<robot>{}</robot>", format!("<x {}/>", many("xmlns:a", 600)).repeat(2))));
+    assert!(!refused(&format!(
+        "<!-- {} --><?x {}?><robot><![CDATA[<{}]]></robot>",
+        many("a", 2000),
+        many("a", 2000),
+        many("a", 2000)
+    )));
+}
+
 /// The command: the spec on standard output, remarks on standard error; with an error nothing is written.
 #[test]
 fn the_command_writes_the_spec_or_nothing() {

@@ -17,6 +17,9 @@ use roxmltree::{Document, ParsingOptions};
 /// The most elements and texts of a file: a robot has thousands.
 const MOST_NODES: u32 = 500_000;
 
+/// The most attributes of one element, and the most namespaces of a file: the parser compares each with all others.
+const MOST_ATTRIBUTES: usize = 1_000;
+
 /// Products of inertia above this share of the smallest moment are named: a spec has none.
 const MOST_PRODUCT: f64 = 0.02;
 
@@ -67,6 +70,11 @@ const FIGURES: [(&str, &str); 6] = [
 
 /// The vehicle of an XML file.
 pub fn vehicle(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
+    if let Some(place) = xml::crowded(&source.text, MOST_ATTRIBUTES) {
+        let message = format!("an element has more than {MOST_ATTRIBUTES} attributes, or the file as many namespaces");
+        let error = Diagnostic::error(SYNTAX, at(place), message).here("this one is too many");
+        return Err(Box::new(error.help("name the file of one robot")));
+    }
     let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     let document =
         Document::parse_with_options(&source.text, options).map_err(|error| Box::new(not_xml(source, &error)))?;

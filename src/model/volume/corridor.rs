@@ -6,7 +6,8 @@
 //! value is found by a search over one interval. The converse does not hold: bodies that close a corridor only together are not found.
 
 use super::passage::slack;
-use crate::model::{Bounded, Limit, LimitKind, Waypoint};
+use super::reach::Reach;
+use crate::model::{Bounded, Limit, Waypoint};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -22,16 +23,27 @@ pub struct Closed {
     pub corridor: usize,
 }
 
+/// A bound that a body forbids, with the box that has all of what it forbids.
+struct Forbidding {
+    limit: usize,
+    reach: Reach,
+}
+
 /// The first corridor that one limit of a `keep_out` closes; `None` where none is found to be.
 pub fn closed(limits: &[Limit], waypoints: &[Waypoint]) -> Option<Closed> {
+    let forbidding = limits.iter().enumerate().filter(|(_, limit)| limit.is_general());
+    let forbidding: Vec<Forbidding> =
+        forbidding.filter_map(|(limit, own)| Some(Forbidding { limit, reach: Reach::of(own)? })).collect();
     limits.iter().enumerate().find_map(|(corridor, limit)| {
         let on = limit.leg.as_deref()?;
         let Bounded::FromLine { along, .. } = limit.volume.as_deref()?.quantity else { return None };
         let radius = limit.upper? + slack(limit);
         let ends = waypoints.get(on.leg..=on.leg + 1)?;
-        let bodies = (0..limits.len()).filter(|&i| limits[i].kind == LimitKind::Clearance && limits[i].is_general());
+        // A cross-section that is forbidden whole has its middle on the line between the ends.
+        let line = [0, 1].map(|i| ends[i].position);
+        let near = forbidding.iter().filter(|body| body.reach.meets(line));
         let ends = [0, 1].map(|i| (Vector3::from(ends[i].position), ends[i].within));
-        let by = { bodies }.find(|&by| closes(&limits[by], ends, Vector3::from(along), radius))?;
+        let by = { near }.find(|body| closes(&limits[body.limit], ends, Vector3::from(along), radius))?.limit;
         Some(Closed { waypoint: on.leg + 1, by, corridor })
     })
 }
@@ -45,22 +57,27 @@ fn closes(limit: &Limit, [from, to]: [(Vector3<f64>, f64); 2], along: Vector3<f6
     let across = along.cross(&Vector3::ith(along.iamin(), 1.0)).normalize();
     let other = along.cross(&across);
     let corner = radius / (PI / CORNERS as f64).cos();
-    let least = |s: f64| {
-        let violations = (0..CORNERS).map(|k| {
+    let slack = slack(limit);
+    // The smallest violation at the corners; `None` if one is so small that no section of the interval is closed: along the leg a
+    // violation changes no faster than the place.
+    let least = |s: f64, (low, high): (f64, f64)| {
+        let enough = slack - (s - low).max(high - s);
+        (0..CORNERS).try_fold(f64::INFINITY, |least, k| {
             let (sin, cos) = (2.0 * PI * k as f64 / CORNERS as f64).sin_cos();
             let p = from.0 + along * s + (across * cos + other * sin) * corner;
-            limit.violation_at(p.into()).unwrap_or(f64::NEG_INFINITY)
-        });
-        violations.fold(f64::INFINITY, f64::min)
+            let violation = limit.violation_at(p.into()).unwrap_or(f64::NEG_INFINITY);
+            (violation > enough).then_some(least.min(violation))
+        })
     };
     for _ in 0..STEPS {
         let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-        if least(a) > slack(limit) {
+        let Some((of_a, of_b)) = least(a, (low, high)).zip(least(b, (low, high))) else { return false };
+        if of_a > slack || of_b > slack {
             return true;
         }
-        (low, high) = if least(a) < least(b) { (a, high) } else { (low, b) };
+        (low, high) = if of_a < of_b { (a, high) } else { (low, b) };
     }
-    least(0.5 * (low + high)) > slack(limit)
+    least(0.5 * (low + high), (low, high)).is_some_and(|least| least > slack)
 }
 
 #[cfg(test)]

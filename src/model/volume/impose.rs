@@ -1,5 +1,6 @@
 //! Imposes the volumes of a mission on the vehicle that flies it, and reports what geometry alone excludes.
 
+use super::reach::Reach;
 use super::{Side, corridor, passage};
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
@@ -92,7 +93,11 @@ pub fn which((index, waypoint): (usize, &Waypoint)) -> String {
 /// Reports the first waypoint that violates a limit of a volume.
 fn keeps_waypoints(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint], side: Side, margin: f64) -> bool {
     for limit in limits {
+        let reach = Reach::of(limit);
         for (index, waypoint) in waypoints.iter().enumerate() {
+            if reach.is_some_and(|reach| !reach.contains(waypoint.position)) {
+                continue;
+            }
             let Some(violation) = limit.violation_at(waypoint.position) else { continue };
             if violation <= 1e-9 {
                 continue;

@@ -7,6 +7,7 @@
 //! of open boxes. If there is no such chain from one waypoint to the next, no path exists; what lies beyond the boxes counts as
 //! open where no bound excludes it. The converse does not hold: small gaps are not found closed.
 
+use super::reach::Reach;
 use super::{Side, Volume};
 use crate::geometry::body::Body;
 use crate::model::{Bounded, Limit, LimitKind, Waypoint};
@@ -39,11 +40,16 @@ pub struct ClosedOff {
 pub fn closed_off(limits: &[Limit], volumes: &[Volume], waypoints: &[Waypoint]) -> Option<ClosedOff> {
     let bounds: Vec<usize> =
         (0..limits.len()).filter(|&i| limits[i].is_general() && limits[i].value_at([0.0; 3]).is_some()).collect();
-    let keeps_out = |&&i: &&usize| limits[i].kind == LimitKind::Clearance;
+    let keeps_out = |i: usize| limits[i].kind == LimitKind::Clearance;
+    let (bodies, convex): (Vec<usize>, Vec<usize>) = bounds.iter().partition(|&&i| keeps_out(i));
     // Without a volume to keep out of, the bounds are convex.
-    bounds.iter().find(keeps_out)?;
-    let obstructed: Vec<usize> =
-        (1..waypoints.len()).filter(|&to| !is_straight_free(limits, &bounds, &waypoints[to - 1..=to])).collect();
+    bodies.first()?;
+    let bodies: Vec<(&Limit, Option<Reach>)> = bodies.iter().map(|&i| (&limits[i], Reach::of(&limits[i]))).collect();
+    let keeps_convex = |waypoint: &Waypoint| convex.iter().all(|&i| is_kept(&limits[i], waypoint.position));
+    let kept: Vec<bool> = waypoints.iter().map(keeps_convex).collect();
+    // A line between two points that keep convex bounds keeps them.
+    let is_free = |to: usize| kept[to - 1] && kept[to] && is_straight_free(&bodies, &waypoints[to - 1..=to]);
+    let obstructed: Vec<usize> = (1..waypoints.len()).filter(|&to| !is_free(to)).collect();
     if obstructed.is_empty() {
         return None;
     }
@@ -85,15 +91,19 @@ fn statements(limits: &[Limit], bounds: &[usize]) -> Vec<Vec<usize>> {
 /// Points of a leg's straight line that are looked at: this decides only whether to look closer.
 const POINTS: usize = 200;
 
-fn is_straight_free(limits: &[Limit], bounds: &[usize], ends: &[Waypoint]) -> bool {
+fn is_straight_free(bodies: &[(&Limit, Option<Reach>)], ends: &[Waypoint]) -> bool {
     let (a, b) = (ends[0].position, ends[1].position);
-    (0..=POINTS).all(|k| {
-        let p = std::array::from_fn(|i| a[i] + (b[i] - a[i]) * k as f64 / POINTS as f64);
-        bounds.iter().all(|&i| {
-            let value = limits[i].value_at(p).unwrap_or(0.0);
-            limits[i].upper.is_none_or(|upper| value <= upper) && limits[i].lower.is_none_or(|lower| value >= lower)
+    bodies.iter().filter(|(_, reach)| reach.is_none_or(|reach| reach.meets([a, b]))).all(|(limit, reach)| {
+        (0..=POINTS).all(|k| {
+            let p = std::array::from_fn(|i| a[i] + (b[i] - a[i]) * k as f64 / POINTS as f64);
+            reach.is_some_and(|reach| !reach.contains(p)) || is_kept(limit, p)
         })
     })
+}
+
+fn is_kept(limit: &Limit, p: [f64; 3]) -> bool {
+    let value = limit.value_at(p).unwrap_or(0.0);
+    limit.upper.is_none_or(|upper| value <= upper) && limit.lower.is_none_or(|lower| value >= lower)
 }
 
 /// Boxes between planes across the axes.

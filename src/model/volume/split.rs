@@ -105,17 +105,22 @@ fn ears(mut polygon: Polygon) -> Vec<Polygon> {
 
 /// The parts with neighbours merged while the result is convex; `None` for no part.
 fn merged(mut parts: Vec<Polygon>) -> Option<Vec<Polygon>> {
-    'again: loop {
-        for i in 0..parts.len() {
-            for j in i + 1..parts.len() {
-                if let Some(both) = joined(&parts[i], &parts[j]).filter(is_convex) {
-                    parts[i] = both;
-                    parts.remove(j);
-                    continue 'again;
-                }
-            }
+    let both = |parts: &[Polygon], i: usize, j: usize| joined(&parts[i], &parts[j]).filter(is_convex);
+    // In the order of the first pair that can be merged. No two of the parts before i can be: only a part that has changed is looked
+    // at again.
+    let mut i = 0;
+    while i < parts.len() {
+        let Some((j, merged)) = (i + 1..parts.len()).find_map(|j| Some((j, both(&parts, i, j)?))) else {
+            i += 1;
+            continue;
+        };
+        parts[i] = merged;
+        parts.remove(j);
+        while let Some((before, merged)) = (0..i).find_map(|before| Some((before, both(&parts, before, i)?))) {
+            parts[before] = merged;
+            parts.remove(i);
+            i = before;
         }
-        break;
     }
     (!parts.is_empty()).then(|| parts.into_iter().map(without_straight).collect())
 }
@@ -179,6 +184,34 @@ mod tests {
         }
         let square = [[0.0, 0.0], [0.0, 2.0], [1.0, 2.0], [2.0, 2.0], [2.0, 0.0]];
         assert_eq!(convex_parts(&square).unwrap(), vec![vec![[2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]]]);
+    }
+
+    /// The parts are those of the plain search, which begins anew after each merge.
+    #[test]
+    fn pairs_are_merged_in_the_same_order() {
+        let mut seed = 5_u64;
+        let mut number = || {
+            seed = seed * 48_271 % 0x7fff_ffff;
+            seed as f64 / f64::from(0x7fff_ffff)
+        };
+        for corners in [9, 30, 60] {
+            let at = |i: usize, r: f64| {
+                let angle = i as f64 * std::f64::consts::TAU / corners as f64;
+                [r * angle.cos(), r * angle.sin()]
+            };
+            let triangles = ears((0..corners).map(|i| at(i, 1.0 + number())).collect());
+            let mut plain = triangles.clone();
+            while let Some((i, j, both)) = (0..plain.len())
+                .flat_map(|i| (i + 1..plain.len()).map(move |j| (i, j)))
+                .find_map(|(i, j)| Some((i, j, joined(&plain[i], &plain[j]).filter(is_convex)?)))
+            {
+                plain[i] = both;
+                plain.remove(j);
+            }
+            let plain: Vec<Polygon> = plain.into_iter().map(without_straight).collect();
+            assert!(plain.len() < triangles.len());
+            assert_eq!(merged(triangles).unwrap(), plain);
+        }
     }
 
     #[test]

@@ -1,43 +1,92 @@
 //! The rows of a core that bound it, in the plane of thrust and torque: the lower envelope of their lines.
 
 use super::Row;
+use crate::verify::interval::Interval;
 
 /// Lines closer than this, relative to their size, count as one.
 const SAME: f64 = 1e-9;
 
-/// The rows without those that others imply by a margin that rounding cannot close; equal ones become their hull.
-pub(super) fn irredundant(rows: Vec<Row>) -> Vec<Row> {
-    let (lines, mut kept): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(|row| row.line().is_some());
-    let mut lines: Vec<((f64, f64), Row)> = lines.into_iter().filter_map(|row| Some((row.line()?, row))).collect();
-    let size = |of: fn(&(f64, f64)) -> f64| lines.iter().map(|(line, _)| of(line).abs()).fold(0.0, f64::max);
-    let (slope, height) = (SAME * size(|l| l.0), SAME * size(|l| l.1));
-    // By falling slope: the lower envelope from small to large thrusts.
-    lines.sort_by(|(a, _), (b, _)| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
-    let mut merged: Vec<((f64, f64), Row)> = Vec::new();
-    for (line, row) in lines {
-        let parallel = merged.iter_mut().rev().take_while(|(other, _)| (other.0 - line.0).abs() <= slope);
-        match { parallel }.find(|(other, _)| (other.1 - line.1).abs() <= height) {
-            Some((_, same)) => *same = same.hull(&row),
-            None => merged.push((line, row)),
+/// Rows are collected up to this many, of which those that others imply are then dropped: memory does not grow with their number.
+pub(super) const BATCH: usize = 1 << 15;
+
+/// A row as a line `rho <= slope T + height`.
+#[derive(Clone, Copy)]
+struct Line {
+    slope: f64,
+    height: f64,
+    row: Row,
+}
+
+/// The rows found so far, without those that others imply.
+#[derive(Default)]
+pub(super) struct Envelope {
+    lines: Vec<Line>,
+    /// The bound on the thrust alone from above, and from below.
+    on_thrust: [Option<Row>; 2],
+    /// How many lines were left when some were dropped last.
+    left: usize,
+}
+
+impl Envelope {
+    pub fn add(&mut self, row: Row) {
+        let Some((slope, height)) = row.line() else {
+            let bound = &mut self.on_thrust[usize::from(row.thrust.middle() < 0.0)];
+            *bound = Some(bound.map_or(row, |other| other.stricter(&row)));
+            return;
+        };
+        self.lines.push(Line { slope, height, row });
+        if self.lines.len() >= self.left + BATCH {
+            self.lines = irredundant(std::mem::take(&mut self.lines));
+            self.left = self.lines.len();
         }
     }
-    let mut envelope: Vec<((f64, f64), Row)> = Vec::new();
-    for next in merged {
-        // Of parallel lines the lowest comes first.
-        if envelope.last().is_some_and(|(last, _)| (last.0 - next.0.0).abs() <= slope && next.0.1 > last.1 + height) {
-            continue;
+
+    /// The rows without those that others imply by a margin that rounding cannot close; equal ones become their hull.
+    pub fn rows(self) -> Vec<Row> {
+        let lines = irredundant(self.lines);
+        self.on_thrust.into_iter().flatten().chain(lines.into_iter().map(|line| line.row)).collect()
+    }
+}
+
+impl Row {
+    /// A row that implies two bounds on the thrust alone, over the same width: neither torque counts for more than rounding.
+    fn stricter(&self, other: &Row) -> Row {
+        let hull = self.hull(other);
+        let least = |end: fn(&Row) -> f64| end(self).min(end(other));
+        Row { offset: Interval::new(least(|row| row.offset.low), least(|row| row.offset.high)), ..hull }
+    }
+}
+
+fn irredundant(mut lines: Vec<Line>) -> Vec<Line> {
+    let size = |of: fn(&Line) -> f64| lines.iter().map(|line| of(line).abs()).fold(0.0, f64::max);
+    let (slope, height) = (SAME * size(|l| l.slope), SAME * size(|l| l.height));
+    let are_parallel = |a: &Line, b: &Line| (a.slope - b.slope).abs() <= slope;
+    // By falling slope: the lower envelope from small to large thrusts.
+    lines.sort_unstable_by(|a, b| b.slope.total_cmp(&a.slope).then(a.height.total_cmp(&b.height)));
+    let mut merged: Vec<Line> = Vec::new();
+    for next in lines {
+        // Of parallel lines the lowest counts.
+        while merged.last().is_some_and(|last| are_parallel(last, &next) && next.height < last.height - height) {
+            merged.pop();
         }
-        while let [.., (a, _), (b, _)] = &envelope[..] {
+        match merged.last_mut().filter(|last| are_parallel(last, &next)) {
+            Some(last) if next.height <= last.height + height => last.row = last.row.hull(&next.row),
+            Some(_) => {}
+            None => merged.push(next),
+        }
+    }
+    let mut envelope: Vec<Line> = Vec::new();
+    for next in merged {
+        while let [.., a, b] = &envelope[..] {
             // b is above the meeting point of a and the next line.
-            let (run, rise) = (a.0 - next.0.0, next.0.1 - a.1);
-            let share = (a.0 - b.0) / run;
-            match run > slope && a.1 + share * rise + height < b.1 {
+            let (run, rise) = (a.slope - next.slope, next.height - a.height);
+            let share = (a.slope - b.slope) / run;
+            match run > slope && a.height + share * rise + height < b.height {
                 true => envelope.pop(),
                 false => break,
             };
         }
         envelope.push(next);
     }
-    kept.extend(envelope.into_iter().map(|(_, row)| row));
-    kept
+    envelope
 }

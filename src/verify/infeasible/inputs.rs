@@ -1,35 +1,33 @@
 //! Bounds on the inputs of any plan, with which the inputs that the multipliers do not cancel are bounded.
 
+use super::super::Rejection;
 use super::super::interval::Interval;
 use super::super::motion::{X, Y, Z};
-use super::super::sets::{Generators, along};
-use super::super::{Rejection, required_whole};
+use super::super::sets::along;
 use super::Rows;
 use crate::certificate::DynamicModel;
 use crate::model::LimitKind;
 
 impl Rows<'_> {
     /// Bounds on the input of each axis at any node.
-    pub(super) fn inputs(&self) -> Result<[Interval; 4], Rejection> {
+    pub(super) fn inputs(&self) -> [Interval; 4] {
         match (self.kind, self.thrust) {
             (DynamicModel::Hover, _) => self.inputs_about_hover(),
-            (DynamicModel::Exact, Some(most)) => Ok(self.exact_inputs(most)),
-            (DynamicModel::Exact, None) => Ok([Interval::WHOLE; 4]),
+            (DynamicModel::Exact, Some(most)) => self.exact_inputs(most),
+            (DynamicModel::Exact, None) => [Interval::WHOLE; 4],
         }
     }
 
     /// Bounds on x'''', y'''', z'', psi'' from the set of a mode in which every plan stays.
-    fn inputs_about_hover(&self) -> Result<[Interval; 4], Rejection> {
-        let required = required_whole(self.problem.model());
-        let Some(mode) = required.first() else { return Ok([Interval::WHOLE; 4]) };
-        let reach = Generators::of(self.problem.model(), mode)?.extent();
+    fn inputs_about_hover(&self) -> [Interval; 4] {
+        let Some(reach) = self.extent else { return [Interval::WHOLE; 4] };
         let vehicle = &self.problem.model().vehicle;
         let g = Interval::point(self.problem.model().gravity);
         let [ixx, iyy, izz] = vehicle.inertia.map(Interval::point);
         let (s, c) = self.yaw;
         // tau_x = Ixx/g (s x'''' - c y''''), tau_y = Iyy/g (c x'''' + s y''''), solved for x'''' and y''''.
         let (a, b) = (reach[1] * g / ixx, reach[2] * g / iyy);
-        Ok([s * a + c * b, s * b - c * a, reach[0] / Interval::point(vehicle.mass) - g, reach[3] / izz])
+        [s * a + c * b, s * b - c * a, reach[0] / Interval::point(vehicle.mass) - g, reach[3] / izz]
     }
 
     /// Bounds on x'''', y'''', z'''' and psi'' of motions that start at rest.
@@ -130,9 +128,7 @@ impl Rows<'_> {
                 *left = *left - weight * *normal;
             }
         }
-        let required = required_whole(self.problem.model());
-        let Some(mode) = required.first() else { return wrong("the planner imposes no set") };
-        let reach = Generators::of(self.problem.model(), mode)?.extent();
+        let Some(reach) = self.extent else { return wrong("the planner imposes no set") };
         Ok(most + along(&rest, &reach))
     }
 }

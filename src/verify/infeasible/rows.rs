@@ -169,15 +169,9 @@ impl Rows<'_> {
         let last = self.nodes() - 1;
         let ends =
             node == 0 && self.problem.mission().start_at_rest || node == last && self.problem.mission().end_at_rest;
-        let held = self
-            .problem
-            .mission()
-            .waypoints
-            .iter()
-            .zip(&self.grid.waypoint_nodes)
-            .any(|(w, &n)| n == node && w.hold > 0.0);
-        let stops =
-            self.problem.mission().waypoints.iter().zip(&self.grid.waypoint_nodes).any(|(w, &n)| n == node && w.stop);
+        // The nodes of waypoints increase.
+        let point = self.grid.waypoint_nodes.binary_search(&node).ok().map(|i| &self.problem.mission().waypoints[i]);
+        let (held, stops) = (point.is_some_and(|w| w.hold > 0.0), point.is_some_and(|w| w.stop));
         let highest = if held { self.orders()[axis] } else { self.orders()[axis].min(3) };
         (ends || stops || held) && derivative <= highest
     }

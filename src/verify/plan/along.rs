@@ -75,7 +75,7 @@ impl<'a> Setting<'a> {
     pub(super) fn inside_at_nodes(&self, motion: &Motion, groups: &[Group]) -> Result<(), Rejection> {
         let planes = all_planes(groups);
         for held in self.held() {
-            let family = of_groups(self, held, &planes);
+            let family = of_groups(self, held, planes.clone());
             if let Some(failure) = above_at_nodes(&family, motion, MOST_OUTSIDE) {
                 return Err(self.outside(groups, &failure, held));
             }
@@ -176,7 +176,7 @@ impl Checked<'_> {
                     continue;
                 }
                 LimitKind::Heading => {
-                    found.shown.push(Shown::at_nodes(self.followed(&limits[0])));
+                    found.shown.push(Shown::at_nodes(self.followed(&limits[0], purse)));
                     continue;
                 }
                 _ => {}
@@ -211,7 +211,7 @@ impl Checked<'_> {
         }
         let planes = all_planes(&self.groups);
         for held in [Some(Held::Wrench), setting.commands].into_iter().flatten() {
-            let family = of_groups(setting, held, &planes);
+            let family = of_groups(setting, held, planes.clone());
             self.groups_between(&family, held, purse, found);
         }
         self.cores_between(purse, found);
@@ -221,8 +221,12 @@ impl Checked<'_> {
     }
 
     /// A yaw that follows from the motion, with the largest error that a grid shows.
-    fn followed(&self, limit: &Limit) -> String {
-        let within = self.setting.family_of(limit, &self.motion).within.unwrap_or((0, self.motion.pieces()));
+    fn followed(&self, limit: &Limit, purse: &mut Purse) -> String {
+        let family = self.setting.family_of(limit, &self.motion);
+        let within = family.within.unwrap_or((0, self.motion.pieces()));
+        if !purse.spend(cost_of_grid(&family, &self.motion, 1, OF_A_GRID)) {
+            return limited(limit);
+        }
         let allowed = number(limit.upper.unwrap_or(0.0).to_degrees());
         match heading::largest(limit, &self.motion, within, OF_A_GRID) {
             Some((error, at)) => format!(
@@ -350,19 +354,22 @@ fn upright(environment: &Environment) -> Family<'static> {
         at_nodes_only: false,
         measure,
         overhead: cost::OF_A_LIMIT,
+        of_a_member: 1,
     }
 }
 
 /// The violation of each plane by the quantity `held`.
-pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'b [Plane]) -> Family<'b> {
+pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: Vec<&'b Plane>) -> Family<'b> {
     let linear = is_linear(dynamics);
     let dynamics = dynamics.clone();
     let is_windy = dynamics.is_in_winds();
     let boxes = if is_windy { wind::boxes(&dynamics) } else { Vec::new() };
     let overhead = if is_windy { wind::cost(&dynamics) } else { 1 } * cost::OF_EXACT_WRENCH;
+    let of_a_member = if is_windy { wind::cost_of_a_plane(&dynamics) } else { cost::OF_A_ROW };
+    let members = planes.len();
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         if is_windy {
-            let planes: Vec<&Plane> = wanted.iter().filter_map(|&m| planes.get(m)).collect();
+            let planes: Vec<&Plane> = wanted.iter().filter_map(|&m| planes.get(m).copied()).collect();
             return wind::violations(&boxes, held, state, &planes);
         }
         let found = dynamics.held(held, state);
@@ -374,7 +381,7 @@ pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'
     let measure = Measure::WIDTH;
     let (within, at_nodes_only) = (None, false);
     Family {
-        members: planes.len(),
+        members,
         evaluate: Box::new(evaluate),
         linear,
         jumps,
@@ -382,5 +389,6 @@ pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'
         at_nodes_only,
         measure,
         overhead,
+        of_a_member,
     }
 }

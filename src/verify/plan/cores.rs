@@ -5,13 +5,14 @@ use super::super::cost::Purse;
 use super::super::interval::Interval;
 use super::super::motion::Motion;
 use super::super::premise::Premise;
-use super::super::proof::above_at_nodes;
+use super::super::proof::{Family, above_at_nodes};
 use super::super::{Reach, Rejection, Shown, required};
 use super::along::violated;
-use super::selection::{PARTS, VIOLATED, selects};
+use super::selection::{PARTS, Selecting, VIOLATED, selects};
 use super::{Checked, Found, ImposedCore, MOST_OUTSIDE, Setting};
 use crate::certificate::DynamicModel;
 use crate::number::significant;
+use std::collections::HashSet;
 
 impl Setting<'_> {
     /// The cores that the spec's planner imposes: RCP's whole, RSP's where the plans that it selects from violate them. The motion
@@ -19,27 +20,28 @@ impl Setting<'_> {
     pub(super) fn imposed_cores(
         &self,
         motion: &Motion,
-        selected_by: &[Motion],
+        selected_by: &[Selecting],
         without_yaw: &WithoutYaw,
     ) -> Result<Vec<ImposedCore>, Rejection> {
         if !self.premises.has(Premise::Cores) {
             return Ok(Vec::new());
         }
-        let required = required(self.model());
+        let required: HashSet<String> = required(self.model()).into_iter().collect();
         let mut imposed = Vec::new();
-        for core in &without_yaw.cores {
+        for (index, core) in without_yaw.cores.iter().enumerate() {
             let whole = required.contains(&core.mode);
-            let all = core.family(&self.dynamics).members;
-            let members = match whole {
+            let family = core.family(&self.dynamics);
+            let all = family.members;
+            let members: Vec<usize> = match whole {
                 true => (0..all).collect(),
-                false if selects(self.model()) => self.selected_members(core, selected_by),
+                false if selects(self.model()) => self.selected_members(index, selected_by, without_yaw),
                 false => Vec::new(),
             };
-            let members = match self.premises.has(Premise::Spin) {
+            let members: Vec<usize> = match self.premises.has(Premise::Spin) {
                 true => members,
                 false => members.into_iter().filter(|&member| member < all - core.premises()).collect(),
             };
-            let family = core.family(&self.dynamics).only(&members);
+            let family = family.only(&members);
             if let Some(failure) = above_at_nodes(&family, motion, MOST_OUTSIDE) {
                 let measure = family.measure;
                 let claim = format!("the core of {}", core.mode);
@@ -51,31 +53,45 @@ impl Setting<'_> {
         Ok(imposed)
     }
 
-    /// The members that some motion violates, with their premises.
-    fn selected_members(&self, core: &Core, motions: &[Motion]) -> Vec<usize> {
-        let over = self.members_over(core, motions);
-        let premises = over.len() - core.premises();
+    /// The members of a core that some motion violates, with their premises.
+    fn selected_members(&self, core: usize, motions: &[Selecting], without_yaw: &WithoutYaw) -> Vec<usize> {
+        let over = self.core_members_over(motions, without_yaw).swap_remove(core);
+        let premises = over.len() - without_yaw.cores[core].premises();
         // The planner does not select the ends of the spin, which leave room for the rates of plans.
         let is_selected = over[..over.len() - 2].contains(&true);
         (0..over.len()).filter(|&member| is_selected && (over[member] || member >= premises)).collect()
     }
 
-    /// For each member whether some motion violates it.
-    pub(super) fn members_over(&self, core: &Core, motions: &[Motion]) -> Vec<bool> {
-        let family = core.family(&self.dynamics);
+    /// For each member of each core whether some motion violates it.
+    pub(super) fn core_members_over(&self, motions: &[Selecting], without_yaw: &WithoutYaw) -> Vec<Vec<bool>> {
+        let mut any: Vec<Vec<bool>> =
+            without_yaw.cores.iter().map(|core| vec![false; core.family(&self.dynamics).members]).collect();
+        for selecting in motions {
+            for (any, over) in any.iter_mut().zip(self.core_members_of(selecting, without_yaw)) {
+                any.iter_mut().zip(over).for_each(|(any, over)| *any |= over);
+            }
+        }
+        any
+    }
+
+    /// The same for one motion, found once.
+    pub(super) fn core_members_of<'s>(&self, selecting: &'s Selecting, without_yaw: &WithoutYaw) -> &'s [Vec<bool>] {
+        let found = |core: &Core| self.members_over(&core.family(&self.dynamics), &selecting.motion);
+        selecting.of_cores.get_or_init(|| without_yaw.cores.iter().map(found).collect())
+    }
+
+    fn members_over(&self, family: &Family, motion: &Motion) -> Vec<bool> {
         let all: Vec<usize> = (0..family.members).collect();
         let mut over = vec![false; family.members];
         let parts = if self.dynamics.model == DynamicModel::Exact { PARTS } else { 1 };
-        for motion in motions {
-            for piece in 0..motion.pieces() {
-                let nodes = [piece, piece + 1].map(|node| motion.node_in(node, piece));
-                let points = parts * (motion.extra_points(piece) + 1) - 1;
-                let between = motion.grid(piece, points).map(|at| motion.over(piece, at));
-                for state in nodes.into_iter().chain(between) {
-                    for (rated, over) in (family.evaluate)(&state, &all).iter().zip(&mut over) {
-                        // A violation close to the threshold may count or not.
-                        *over |= Interval::middle(rated.value) > 2.0 * VIOLATED;
-                    }
+        for piece in 0..motion.pieces() {
+            let nodes = [piece, piece + 1].map(|node| motion.node_in(node, piece));
+            let points = parts * (motion.extra_points(piece) + 1) - 1;
+            let between = motion.grid(piece, points).map(|at| motion.over(piece, at));
+            for state in nodes.into_iter().chain(between) {
+                for (rated, over) in (family.evaluate)(&state, &all).iter().zip(&mut over) {
+                    // A violation close to the threshold may count or not.
+                    *over |= Interval::middle(rated.value) > 2.0 * VIOLATED;
                 }
             }
         }

@@ -6,7 +6,8 @@ use super::{Part, Robot, RobotRotor};
 use crate::diagnostic::Diagnostic;
 use crate::import::UNSUPPORTED;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
-use roxmltree::Node;
+use roxmltree::{Node, NodeId};
+use std::collections::HashMap;
 
 type Problem = Box<Diagnostic>;
 
@@ -14,13 +15,17 @@ pub fn read(root: Node) -> Result<Robot, Problem> {
     let mut robot = Robot { name: root.attribute("model").map(String::from), format: "MJCF", ..Robot::default() };
     let Some(actuators) = child(root, "actuator") else { return Ok(robot) };
     let mut body: Option<Node> = None;
+    let defaults = Defaults::of(root);
+    let mut sites: HashMap<&str, Node> = HashMap::new();
+    for site in root.descendants().filter(|node| node.tag_name().name() == "site") {
+        if let Some(name) = site.attribute("name") {
+            sites.entry(name).or_insert(site);
+        }
+    }
     for actuator in actuators.children().filter(Node::is_element) {
         let name = actuator.tag_name().name();
-        let site = inherited(root, actuator, "site").and_then(|owner| owner.attribute("site"));
-        let site = site.and_then(|site| {
-            root.descendants().find(|node| node.tag_name().name() == "site" && node.attribute("name") == Some(site))
-        });
-        let (Some(site), true) = (site, matches!(name, "motor" | "general")) else {
+        let site = defaults.inherited(actuator, "site").and_then(|owner| owner.attribute("site"));
+        let Some(site) = site.and_then(|site| sites.get(site).copied()) else {
             robot.dropped.push(format!("actuator/{name}"));
             continue;
         };
@@ -31,7 +36,7 @@ pub fn read(root: Node) -> Result<Robot, Problem> {
             return Err(Box::new(error.help("a spec has one rigid body")));
         }
         body = own;
-        robot.rotors.push(motor(root, actuator, site, robot.rotors.len() + 1)?);
+        robot.rotors.push(motor(&defaults, actuator, site, robot.rotors.len() + 1)?);
     }
     if let Some(body) = body {
         if children(body, "body").next().is_some() {
@@ -43,34 +48,71 @@ pub fn read(root: Node) -> Result<Robot, Problem> {
     Ok(robot)
 }
 
-/// The element that gives an attribute of an actuator: itself, or the default of its class or of a class around it.
-fn inherited<'a, 'i>(root: Node<'a, 'i>, actuator: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
-    if actuator.attribute(name).is_some() {
-        return Some(actuator);
-    }
-    let kind = actuator.tag_name().name();
-    let is_class = |node: &Node| {
-        let class = actuator.attribute("class");
-        let is_outermost = node.parent_element().is_some_and(|parent| parent.tag_name().name() != "default");
-        node.tag_name().name() == "default"
-            && match class {
-                Some(class) => node.attribute("class") == Some(class),
-                None => is_outermost,
-            }
-    };
-    let mut class = root.descendants().find(is_class);
-    while let Some(of_class) = class.filter(|node| node.tag_name().name() == "default") {
-        let found = of_class.children().find(|c| c.tag_name().name() == kind && c.attribute(name).is_some());
-        if found.is_some() {
-            return found;
-        }
-        class = of_class.parent_element();
-    }
-    None
+/// The actuators that are motors.
+const KINDS: [&str; 2] = ["motor", "general"];
+
+/// The attributes of a motor that a class may give.
+const INHERITED: [&str; 3] = ["site", "gear", "ctrlrange"];
+
+/// For each of [`KINDS`] and [`INHERITED`] the element that gives the attribute.
+type Owners<'a, 'i> = [[Option<Node<'a, 'i>>; INHERITED.len()]; KINDS.len()];
+
+/// The default classes of a file, each with what it gives, itself or by a class around it: read once, as there may be as many classes
+/// as motors.
+struct Defaults<'a, 'i> {
+    owners: HashMap<NodeId, Owners<'a, 'i>>,
+    /// The first of a name counts.
+    by_class: HashMap<&'a str, NodeId>,
+    outermost: Option<NodeId>,
 }
 
-fn motor(root: Node, actuator: Node, site: Node, number: usize) -> Result<RobotRotor, Problem> {
-    let of = |name: &'static str| inherited(root, actuator, name);
+impl<'a, 'i> Defaults<'a, 'i> {
+    fn of(root: Node<'a, 'i>) -> Self {
+        let mut found = Defaults { owners: HashMap::new(), by_class: HashMap::new(), outermost: None };
+        // A class comes after the class around it.
+        for class in root.descendants().filter(|node| node.tag_name().name() == "default") {
+            let around = class.parent_element().filter(|parent| parent.tag_name().name() == "default");
+            let mut given: Owners = [[None; INHERITED.len()]; KINDS.len()];
+            for element in class.children() {
+                let Some(kind) = KINDS.iter().position(|kind| *kind == element.tag_name().name()) else { continue };
+                for (owner, name) in given[kind].iter_mut().zip(INHERITED) {
+                    *owner = owner.or(Some(element).filter(|element| element.has_attribute(name)));
+                }
+            }
+            if let Some(around) = around.and_then(|around| found.owners.get(&around.id())) {
+                for (owner, around) in given.as_flattened_mut().iter_mut().zip(around.as_flattened()) {
+                    *owner = owner.or(*around);
+                }
+            }
+            found.owners.insert(class.id(), given);
+            if let Some(name) = class.attribute("class") {
+                found.by_class.entry(name).or_insert(class.id());
+            }
+            if around.is_none() && class.parent_element().is_some() {
+                found.outermost.get_or_insert(class.id());
+            }
+        }
+        found
+    }
+
+    /// The element that gives an attribute of an actuator: itself, or the default of its class or of a class around it. `None` for
+    /// actuators that are no motors.
+    fn inherited(&self, actuator: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
+        let kind = KINDS.iter().position(|kind| *kind == actuator.tag_name().name())?;
+        if actuator.has_attribute(name) {
+            return Some(actuator);
+        }
+        let class = match actuator.attribute("class") {
+            Some(class) => self.by_class.get(class).copied(),
+            None => self.outermost,
+        };
+        let place = INHERITED.iter().position(|inherited| *inherited == name)?;
+        self.owners.get(&class?)?[kind][place]
+    }
+}
+
+fn motor(defaults: &Defaults, actuator: Node, site: Node, number: usize) -> Result<RobotRotor, Problem> {
+    let of = |name: &'static str| defaults.inherited(actuator, name);
     let gear = of("gear").map(|owner| attribute::<6>(owner, "gear")).transpose()?.flatten().unwrap_or_default();
     let range = of("ctrlrange").map(|owner| attribute::<2>(owner, "ctrlrange")).transpose()?.flatten();
     let [fx, fy, force, tx, ty, torque] = gear;

@@ -67,17 +67,23 @@ fn poses<'a>(source: &Source, root: Node<'a, '_>) -> Result<HashMap<&'a str, Iso
         joints.insert(end("child"), (end("parent"), origin(joint)?));
     }
     let mut poses = HashMap::new();
+    // Names of joints may be those of no link.
+    let mut placed: HashMap<&str, Isometry3<f64>> = HashMap::new();
     for link in children(root, "link") {
         let name = link.attribute("name").unwrap_or_default();
-        let (mut at, mut whole) = (name, Isometry3::identity());
-        let mut steps = 0;
-        while let Some((parent, own)) = joints.get(at) {
-            whole = own * whole;
+        // Up to a link that is placed already, so that every joint is passed once.
+        let (mut at, mut way) = (name, Vec::new());
+        while let Some((parent, own)) = joints.get(at).filter(|_| !placed.contains_key(at)) {
+            way.push((at, own));
             at = parent;
-            steps += 1;
-            if steps > joints.len() {
+            if way.len() > joints.len() {
                 return Err(Box::new(circle(source, link)));
             }
+        }
+        let mut whole = placed.get(at).copied().unwrap_or_else(Isometry3::identity);
+        for (below, own) in way.into_iter().rev() {
+            whole *= own;
+            placed.insert(below, whole);
         }
         poses.insert(name, whole);
     }

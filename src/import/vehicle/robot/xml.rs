@@ -5,6 +5,50 @@ use crate::import::{SYNTAX, at};
 use crate::source::Span;
 use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
 use roxmltree::Node;
+use std::ops::Range;
+
+/// The first attribute of an element beyond `most`, or the first namespace of the file beyond as many. It looks at the text as far as
+/// needed for that and no further: whether the file is well-formed is the parser's matter.
+pub fn crowded(text: &str, most: usize) -> Option<Range<usize>> {
+    let mut namespaces = 0;
+    let mut from = 0;
+    while let Some(tag) = text[from..].find('<').map(|at| from + at) {
+        let rest = &text[tag..];
+        // No attributes are within these.
+        let whole = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
+        if let Some((_, end)) = whole.iter().find(|(begin, _)| rest.starts_with(begin)) {
+            from = tag + rest.find(end)?;
+            continue;
+        }
+        let (mut attributes, mut quote) = (0, None);
+        let mut end = text.len();
+        for (i, byte) in rest.bytes().enumerate() {
+            match (quote, byte) {
+                (Some(open), _) if byte == open => quote = None,
+                (Some(_), _) => {}
+                (None, b'"' | b'\'') => quote = Some(byte),
+                (None, b'=') => {
+                    attributes += 1;
+                    let name = rest[..i]
+                        .rsplit(|c: char| c.is_whitespace() || matches!(c, '"' | '\''))
+                        .next()
+                        .unwrap_or_default();
+                    namespaces += usize::from(name.starts_with("xmlns"));
+                    if attributes > most || namespaces > most {
+                        return Some(tag + i - name.len()..tag + i);
+                    }
+                }
+                (None, b'>') => {
+                    end = tag + i + 1;
+                    break;
+                }
+                (None, _) => {}
+            }
+        }
+        from = end;
+    }
+    None
+}
 
 /// The opening tag of an element, without its attributes.
 pub fn tag(node: Node) -> Span {

@@ -1,0 +1,212 @@
+//! Costs that the checker counts before it works, and work that it does not do twice.
+
+use super::{Numbers, SHA, certified, decide, hop};
+use crate::vehicles::{hexacopter, limit, lost, octocopter, quadcopter, ring_model};
+use mavc::certificate::{Certificate, Claim, InfeasibleClaim, PlanClaim};
+use mavc::geometry::body::Body;
+use mavc::model::{
+    GiveUpYaw, LimitKind, MissionTime, Model, OnLeg, Part, PlannerKind, Spread, Volume, VolumeSide, YawDrag,
+};
+use mavc::source::Span;
+use mavc::verify::cost::{Budget, Estimate, OF_A_CORE_ROW, OF_A_CORNER, OF_A_PLANE, OF_A_ROTOR};
+use mavc::verify::interval::Interval;
+use mavc::verify::limits;
+use mavc::verify::sets::{Generators, Plane, planes_at_most, shadow_at_most};
+use mavc::verify::{Refusal, Settings};
+use std::path::Path;
+
+/// The bound on the cost of deciding a certificate.
+fn estimate(certificate: &Certificate, model: &Model) -> Estimate {
+    let settings = Settings { budget: Budget { seconds: 0.0, bytes: 0 }, ..Settings::default() };
+    match mavc::verify::decide(certificate, model, settings) {
+        Err(Refusal::Budget { estimate, .. }) => estimate,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn claim(certificate: &mut Certificate) -> &mut PlanClaim {
+    let Claim::Plan(claim) = &mut certificate.claim else { panic!("no plan") };
+    claim
+}
+
+/// Twenty million pairs of planes, in place of which the shadow is taken: accepted whole within the usual budget, which was once
+/// exceeded by far and ended before every row was proved.
+#[test]
+fn a_core_of_many_rotors_fits_the_budget() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/findings");
+    let model = mavc::Compiler::new().file(folder.join("core_of_32_rotors.mav")).unwrap().into_result().unwrap();
+    let model = model.model();
+    let text = std::fs::read_to_string(folder.join("core_of_32_rotors.json")).unwrap();
+    let mut certificate: Certificate = serde_json::from_str(&text).unwrap();
+    assert!(decide(&certificate, model).unwrap().weaker.is_empty());
+    // The rows of the core are counted.
+    let whole = estimate(&certificate, model);
+    let record = claim(&mut certificate).without_yaw.remove(0);
+    let without = estimate(&certificate, model);
+    let rows = planes_at_most(&model.vehicle) + shadow_at_most(&model.vehicle);
+    assert!(rows < 12_000 && whole.units >= without.units + rows * OF_A_CORE_ROW);
+    // With intervals pairs are taken, and counted, but not held at once.
+    let mut uncertain = model.clone();
+    for rotor in &mut uncertain.vehicle.rotors {
+        rotor.spread.full_thrust = Spread { low: 0.99, high: 1.01 };
+    }
+    claim(&mut certificate).without_yaw.push(record.clone());
+    let pairs = estimate(&certificate, &uncertain);
+    assert!(pairs.units > 20_000_000 * OF_A_CORE_ROW && pairs.bytes < 50_000_000, "{pairs:?}");
+    // A mode is named once.
+    claim(&mut certificate).without_yaw.push(record);
+    let why = decide(&certificate, model).unwrap_err().sentence();
+    assert!(why.contains("more than once"), "{why}");
+}
+
+/// Whether hover lies in a mode's set decides about its yaw: its planes are computed, and counted.
+#[test]
+fn sets_that_decide_about_yaw_are_counted_and_each_set_once() {
+    let mut model = hop(PlannerKind::Rip, 12.0);
+    model.vehicle.yaw_drag = Some(YawDrag { linear: 2.75e-3, spread: Spread::NONE, quadratic: 0.0 });
+    model.plan.against = (0..8).collect();
+    model.plan.without_yaw = GiveUpYaw::Never;
+    let mut certificate = certified(&model).unwrap();
+    let never = estimate(&certificate, &model).units;
+    model.plan.without_yaw = GiveUpYaw::WhereNeeded;
+    let planes = planes_at_most(&model.vehicle);
+    assert!(estimate(&certificate, &model).units >= never + 8 * planes * OF_A_PLANE);
+    // Each motion that selects adds its rows, and no set.
+    model.plan.without_yaw = GiveUpYaw::Never;
+    model.plan.planner = PlannerKind::Rsp;
+    model.plan.rounds = 9;
+    let mut units = Vec::new();
+    for _ in 0..3 {
+        let motion = claim(&mut certificate).motion.clone();
+        claim(&mut certificate).selected_by.push(motion);
+        units.push(estimate(&certificate, &model).units);
+    }
+    assert_eq!(units[2] - units[1], units[1] - units[0]);
+    let of_sets = 9 * (planes * OF_A_PLANE + 8 * OF_A_ROTOR);
+    let of_a_motion = units[1] - units[0];
+    // The claimed motion keeps fewer sets than those that select.
+    assert!(units[0] > of_a_motion + of_sets && units[0] < 2 * of_a_motion + of_sets, "{units:?} {of_sets}");
+}
+
+/// A polygon costs with each of its corners: before the work, and in the work of proofs.
+#[test]
+fn corners_are_counted() {
+    let model = hop(PlannerKind::Rip, 12.0);
+    let certificate = certified(&model).unwrap();
+    let with = |corners: usize| {
+        let at = |i: usize| {
+            let angle = i as f64 * std::f64::consts::TAU / corners as f64;
+            [40.0 + angle.cos(), 40.0 + angle.sin()]
+        };
+        let body = Body::Prism { corners: (0..corners).map(at).collect(), bottom: 0.0, top: 9.0 };
+        let (name, side, span) = ("tower".into(), VolumeSide::KeepOut, Span::default());
+        let volume = Volume { name, side, bodies: vec![body], clearance: 0.3, span };
+        let mut model = model.clone();
+        let limits = volume.limits(0.2);
+        let family = limits::family(&limits[0], &model.environment(), None);
+        model.mission.as_mut().unwrap().limits.extend(limits.clone());
+        (estimate(&certificate, &model).units, family.of_a_member)
+    };
+    let ((few, of_few), (many, of_many)) = (with(4), with(200));
+    let Claim::Plan(PlanClaim { motion, .. }) = &certificate.claim else { panic!("no plan") };
+    assert!(many >= few + 196 * OF_A_CORNER * motion.times_s.len() as u64);
+    assert_eq!(of_many, of_few + 196 * OF_A_CORNER);
+}
+
+/// A limit of one leg costs what that leg has of nodes.
+#[test]
+fn a_limit_of_a_leg_is_counted_on_its_leg() {
+    let model = hop(PlannerKind::Rip, 12.0);
+    let certificate = certified(&model).unwrap();
+    let added = |leg: Option<usize>| {
+        let mut model = model.clone();
+        let mission = model.mission.as_mut().unwrap();
+        let mut own = limit(LimitKind::Acceleration, 9.0);
+        let on = |leg| OnLeg { leg, part: Part::Whole, name: "own".into(), direction: None, target: None };
+        own.leg = leg.map(|leg| on(leg).into());
+        mission.limits.push(own);
+        estimate(&certificate, &model).units
+    };
+    let plain = estimate(&certificate, &model).units;
+    let [whole, first, second] = [None, Some(0), Some(1)].map(|leg| added(leg) - plain);
+    assert!(first > 0 && second > 0 && first + second <= whole + 40, "{whole} {first} {second}");
+}
+
+/// Facets listed twice are looked for twice along the motions that select.
+#[test]
+fn facets_are_counted_as_often_as_they_are_listed() {
+    let mut model = hop(PlannerKind::Rcp, 4.0);
+    let certificate = certified(&model).unwrap();
+    let Claim::Infeasible(infeasible) = &certificate.claim else { panic!("a plan") };
+    model.plan.planner = PlannerKind::Rsp;
+    let mut flown = hop(PlannerKind::Rip, 12.0);
+    flown.plan.time = MissionTime::Fixed(12.0);
+    let Claim::Plan(selecting) = certified(&flown).unwrap().claim else { panic!("no plan") };
+    model.plan.time = MissionTime::Fixed(12.0);
+    let with = |times: usize| {
+        let facets = std::iter::repeat_n(&infeasible.facets, times).flatten().cloned().collect();
+        let selected_by = vec![selecting.motion.clone()];
+        let claim = InfeasibleClaim { facets, selected_by, ..infeasible.clone() };
+        let certificate =
+            Certificate { claim: Claim::Infeasible(claim), spec_sha256: SHA.into(), ..certificate.clone() };
+        estimate(&certificate, &model).units
+    };
+    let each = infeasible.facets.len() as u64 * (OF_A_PLANE + 2 * selecting.motion.times_s.len() as u64);
+    assert!(with(2) >= with(1) + each, "{} {}", with(1), with(2));
+}
+
+/// The largest violation of planes.
+fn excess(planes: &[Plane], w: [f64; 4]) -> f64 {
+    planes.iter().map(|p| p.violation(&w.map(Interval::point)).middle()).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// What the planes of a set leave for some yaw torque is its shadow, also of flat sets and of rotors in a line.
+#[test]
+fn a_shadow_is_what_some_yaw_torque_leaves() {
+    let mut numbers = Numbers(23);
+    let mut in_a_line = octocopter("PNPNPNPN");
+    for (k, rotor) in in_a_line.vehicle.rotors.iter_mut().enumerate() {
+        rotor.position = [0.1 * k as f64 - 0.35, 0.0, 0.0];
+    }
+    let one_way = ring_model("PPPPPP", 1.5, [0.02, 0.02, 0.03], 8.5e-6, 1.4e-7, 870.0);
+    for mut model in [octocopter("PPNNPPNN"), hexacopter("PPNNPN"), quadcopter(), in_a_line, one_way] {
+        model.modes = vec![lost(&model, &[1]), lost(&model, &[2])];
+        model.modes[1].capacity[1] = 1.0;
+        model.modes[1].stuck[1] = Some(0.3);
+        for mode in [None, Some(&model.modes[0]), Some(&model.modes[1])] {
+            let generators = Generators::new(&model.vehicle, &model.environment(), mode, 0.1);
+            let (planes, shadow) = (generators.planes().unwrap(), generators.shadow().unwrap());
+            assert!(shadow.len() as u64 <= shadow_at_most(&model.vehicle));
+            assert!(shadow.iter().all(|plane| plane.normal[3].magnitude() < 1e-300));
+            let extent = generators.extent();
+            let (mut inside, mut outside) = (0, 0);
+            for _ in 0..400 {
+                let mut w: [f64; 4] = std::array::from_fn(|i| {
+                    extent[i].middle() + 0.7 * numbers.unit() * (extent[i].high - extent[i].low)
+                });
+                // The yaw torques that the planes leave.
+                let (mut low, mut high, mut flat) = (f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY);
+                w[3] = 0.0;
+                for plane in &planes {
+                    let (n, room) = (plane.normal[3].middle(), -plane.violation(&w.map(Interval::point)).middle());
+                    match n {
+                        _ if n > 1e-9 => high = high.min(room / n),
+                        _ if n < -1e-9 => low = low.max(room / n),
+                        _ => flat = flat.max(-room),
+                    }
+                }
+                let found = excess(&shadow, w);
+                let empty = flat.max((low - high) * 1e-3);
+                // Rounding decides near the boundary, and about everything that a flat shadow has.
+                if found < -1e-6 {
+                    assert!(empty < 1e-9, "{found} {empty}");
+                    inside += 1;
+                } else if found > 1e-6 {
+                    assert!(empty > 1e-12, "{found} {empty}");
+                    outside += 1;
+                }
+            }
+            assert!(outside > 40 && inside + outside > 300, "{inside} {outside}");
+        }
+    }
+}
