@@ -1,19 +1,25 @@
 //! Kinds of forgery, each a way to make a false certificate on purpose.
 
 mod air;
+mod capture_height;
+mod first;
+mod headings;
 mod infeasible;
 mod joints;
 mod least_time;
 mod legs;
 mod pieces;
+mod reserve;
 mod rest;
+mod reversing;
 mod rows;
 mod selection;
 mod shape;
+mod sides;
 mod times;
 mod witness;
 
-use super::motion::add_spline;
+use super::motion::{Timetable, Wish, add_spline};
 use super::numbers::Numbers;
 use super::specs::Spec;
 use super::truth::Falsehood;
@@ -38,6 +44,10 @@ pub enum Known {
     SoonerPlan,
     /// It says that nothing can be planned on one grid where the spec leaves times open.
     NoSuchGrid,
+    /// It says that there is a plan of a spec that requires a reserve about hover, outside a set that it shrinks.
+    Void,
+    /// It shows less than the spec requires: it may be accepted with these words among the reasons, and is false without them.
+    Weaker(&'static str),
 }
 
 /// A kind of forgery.
@@ -53,13 +63,17 @@ const fn evaluated(name: &'static str, premises: &'static [Premise], make: Make)
     Kind { name, known: Known::Evaluated, premises, make }
 }
 
+const fn sooner(name: &'static str, make: Make) -> Kind {
+    Kind { name, known: Known::SoonerPlan, premises: &[Premise::LeastTime], make }
+}
+
 const fn unfounded(name: &'static str, premises: &'static [Premise], make: Make) -> Kind {
     Kind { name, known: Known::PlanExists, premises, make }
 }
 
 /// Every kind.
 pub fn all() -> Vec<Kind> {
-    let families: [&[Kind]; 11] = [
+    let families: [&[Kind]; 17] = [
         joints::KINDS,
         pieces::KINDS,
         times::KINDS,
@@ -71,6 +85,12 @@ pub fn all() -> Vec<Kind> {
         shape::KINDS,
         infeasible::KINDS,
         least_time::KINDS,
+        reserve::KINDS,
+        reversing::KINDS,
+        headings::KINDS,
+        sides::KINDS,
+        first::KINDS,
+        capture_height::KINDS,
     ];
     families.into_iter().flatten().map(|k| Kind { ..*k }).collect()
 }
@@ -78,16 +98,30 @@ pub fn all() -> Vec<Kind> {
 impl Kind {
     /// A forgery that is known to be false, if this try gives one.
     pub fn forge(&self, spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
+        if spec.is_void != (self.known == Known::Void) {
+            return None;
+        }
         let certificate = (self.make)(spec, numbers)?;
         let is_false = match self.known {
             Known::Evaluated => spec.truth.falsehood(&certificate).is_some(),
             Known::PlanExists => spec.has_one_grid() && matches!(certificate.claim, Claim::Infeasible(_)),
             Known::SoonerPlan => spec.is_sooner_than(&certificate),
             Known::OtherHash => certificate.spec_sha256 != super::SHA,
+            Known::Void => spec.truth.falsehood(&certificate).is_some(),
+            Known::Weaker(_) => spec.truth.falsehood(&certificate).is_none(),
             Known::NoSuchGrid => !spec.has_one_grid() && matches!(certificate.claim, Claim::Infeasible(_)),
         };
         is_false.then_some(certificate)
     }
+}
+
+/// The honest motion of another wish.
+fn laid(spec: &Spec, wish: &Wish) -> Option<Certificate> {
+    Some(spec.claiming(&moved(spec, wish)?))
+}
+
+fn moved(spec: &Spec, wish: &Wish) -> Option<Trajectory> {
+    wish.motion(&Timetable::asked(spec.model(), spec.total())?, spec.truth.equations)
 }
 
 /// An axis at random; those whose spline is shorter as often as the others.

@@ -77,6 +77,8 @@ pub struct Wish {
     pub held: Vec<bool>,
     /// Whether it comes to rest at a waypoint.
     pub stops: Vec<bool>,
+    /// Velocities (m/s) at waypoints that are flown through.
+    pub velocities: Vec<(usize, [f64; 3])>,
 }
 
 impl Wish {
@@ -88,6 +90,7 @@ impl Wish {
             end_at_rest: mission.end_at_rest,
             held: mission.waypoints.iter().map(|w| w.hold > 0.0).collect(),
             stops: mission.waypoints.iter().map(|w| w.stop).collect(),
+            velocities: Vec::new(),
         }
     }
 
@@ -105,6 +108,8 @@ impl Wish {
                 given.extend((1..=order).map(|i| (node, i, 0.0)));
             }
         }
+        let of_axis = self.velocities.iter().filter(|_| axis != YAW);
+        given.extend(of_axis.map(|&(waypoint, velocity)| (table.waypoint_nodes[waypoint], 1, velocity[axis])));
         for (node, rests) in [(0, self.start_at_rest), (last, self.end_at_rest)] {
             let here = given.iter().any(|g| g.0 == node && g.1 == 1);
             // A hold at the very end holds its second node still by the first.
@@ -132,7 +137,7 @@ impl Wish {
         }
         let motion =
             Trajectory { times: table.times.clone(), nodes, waypoint_nodes: table.waypoint_nodes.clone(), model };
-        (widest_gap(&motion) < 1e-8).then_some(motion)
+        (widest_gap(&motion) < 1e-7).then_some(motion)
     }
 }
 

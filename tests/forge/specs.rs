@@ -3,10 +3,11 @@
 
 mod foreign;
 mod list;
+mod particular;
 
 use super::motion::{Timetable, Wish, add_spline, certificate};
 use super::numbers::Numbers;
-use super::truth::Truth;
+use super::truth::{Falsehood, Truth};
 use mavc::certificate::{Certificate, Claim};
 use mavc::model::{
     Allocation, Environment, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread, Volume,
@@ -18,6 +19,7 @@ use rayon::prelude::*;
 pub use foreign::WEAKER;
 use list::drafts;
 pub use list::flat_inverse;
+pub use particular::falling;
 
 /// A spec before its plan is made.
 pub struct Draft {
@@ -29,6 +31,16 @@ pub struct Draft {
     pub limits: Vec<(LimitKind, f64)>,
     /// Whether multipliers of harder specs are made.
     pub harder: bool,
+    /// The honest motion, where it is not that of least snap.
+    pub motion: Option<Trajectory>,
+    /// What the honest certificate gives as the capture height, m.
+    pub capture_height: Option<f64>,
+}
+
+impl Draft {
+    pub fn new(name: &'static str, total: f64, model: Model, limits: &[(LimitKind, f64)]) -> Self {
+        Draft { name, model, total, limits: limits.to_vec(), harder: false, motion: None, capture_height: None }
+    }
 }
 
 /// In what a spec is easier than the one that a plan is given for.
@@ -54,6 +66,10 @@ pub enum Harder {
     StricterLimits,
     OtherPlanner,
     WeakerVehicle,
+    /// Rotors that do not reverse.
+    OneWay,
+    /// Both sides of limits on the yaw as narrow as the narrower one.
+    NarrowSides,
 }
 
 /// A spec with its plan, and a forger's material.
@@ -65,6 +81,10 @@ pub struct Spec {
     pub easier: Vec<(Easier, Truth)>,
     /// Certificates that harder specs have no plan.
     pub harder: Vec<(Harder, Certificate)>,
+    /// m above the ground
+    pub capture_height: Option<f64>,
+    /// No certificate of this spec proves anything: its reserve is taken about a hover outside a set.
+    pub is_void: bool,
 }
 
 impl Spec {
@@ -100,12 +120,17 @@ impl Spec {
     }
 
     pub fn certificate(&self) -> Certificate {
-        certificate(&self.honest, &self.selected_by)
+        self.claiming(&self.honest)
     }
 
     /// A claim that another motion is the plan.
     pub fn claiming(&self, motion: &Trajectory) -> Certificate {
-        certificate(motion, &self.selected_by)
+        self.claim(motion, &self.selected_by)
+    }
+
+    /// The same with other motions to select by.
+    pub fn claim(&self, motion: &Trajectory, selected_by: &[Trajectory]) -> Certificate {
+        Certificate { capture_height_m: self.capture_height, ..certificate(motion, selected_by) }
     }
 
     /// Whether the spec leaves one grid of nodes only, on which multipliers may say something; the honest plan lies on it.
@@ -116,15 +141,15 @@ impl Spec {
 
 /// All specs with their plans.
 pub fn all() -> Vec<Spec> {
-    drafts().into_par_iter().map(Spec::of).collect()
+    drafts().into_par_iter().chain(particular::drafts()).map(Spec::of).collect()
 }
 
 impl Spec {
     /// # Panics
     /// Where the draft's honest plan is none: a mistake in the list.
     pub fn of(draft: Draft) -> Self {
-        let Draft { name, mut model, total, limits, harder } = draft;
-        let honest = smooth(&model, total).unwrap_or_else(|| panic!("{name}: no motion"));
+        let Draft { name, mut model, total, limits, harder, motion, capture_height } = draft;
+        let honest = motion.or_else(|| smooth(&model, total)).unwrap_or_else(|| panic!("{name}: no motion"));
         let air = model.environment();
         let wanted = limits.into_iter().map(|(kind, share)| reached(&honest, kind, share, &air));
         let (size, gravity) = (model.vehicle.radius(), model.gravity);
@@ -135,17 +160,19 @@ impl Spec {
         let of_volumes = mission.volumes.iter().flat_map(|volume| volume.limits(size));
         mission.limits = wanted.chain(of_volumes).chain(written).collect();
         let truth = Truth::of(&model);
-        let false_by = truth.of_plan(&honest);
+        let is_void = truth.reserves_about_nothing();
+        let false_by = truth.of_plan(&honest).filter(|why| !is_void || *why != Falsehood::Reserve);
         assert!(false_by.is_none(), "{name}: the honest plan is false by {false_by:?}");
         let tightest = truth.tightest(&honest);
         assert!(tightest <= 1e-6, "{name}: the honest plan is {tightest} tolerances beyond a row");
         let selected_by = match model.plan.planner {
+            PlannerKind::Rsp if is_void => vec![honest.clone()],
             PlannerKind::Rsp => selecting(name, &truth, &honest),
             _ => Vec::new(),
         };
         let found = if harder { foreign::harder(&model, total) } else { Vec::new() };
         let easier = easier(&model).into_iter().map(|(how, model)| (how, Truth::of(&model))).collect();
-        Spec { name, truth, honest, selected_by, easier, harder: found }
+        Spec { name, truth, honest, selected_by, easier, harder: found, capture_height, is_void }
     }
 }
 

@@ -1,6 +1,6 @@
 //! What became of all forgeries, as tables.
 
-use super::kinds::Kind;
+use super::kinds::{Kind, Known};
 use mavc::verify::Premise;
 use std::fmt::Write;
 use std::process::ExitCode;
@@ -10,6 +10,8 @@ use std::process::ExitCode;
 pub enum Outcome {
     /// With its headline: the checker was deceived.
     Accepted(String),
+    /// Accepted, and what it does not show is named.
+    Weaker,
     Rejected,
     /// Too costly to be decided.
     Refused,
@@ -31,9 +33,25 @@ struct Row {
     name: &'static str,
     made: usize,
     accepted: usize,
+    weaker: usize,
     rejected: usize,
     refused: usize,
     specs: std::collections::BTreeSet<&'static str>,
+    /// Premise, tried, passed.
+    premises: Vec<(Premise, usize, usize)>,
+}
+
+impl Row {
+    fn of(kind: &Kind) -> Self {
+        let premises = kind.premises.iter().map(|&premise| (premise, 0, 0)).collect();
+        Row { name: kind.name, premises, ..Row::default() }
+    }
+
+    /// For each premise how many of those tried pass without it.
+    fn passes(&self) -> String {
+        let of = |(premise, tried, passed): &(Premise, usize, usize)| format!("{premise:?} {passed}/{tried}");
+        self.premises.iter().map(of).collect::<Vec<_>>().join(", ")
+    }
 }
 
 /// Counts of everything.
@@ -48,8 +66,7 @@ pub struct Tally {
 impl Tally {
     /// `whole` where all kinds were asked for, so that every premise has to let some through.
     pub fn of(kinds: &[Kind], results: Vec<(usize, Result)>, whole: bool) -> Self {
-        let mut rows: Vec<Row> = kinds.iter().map(|k| Row { name: k.name, ..Row::default() }).collect();
-        let mut premises: Vec<(Premise, usize, usize)> = Premise::ALL.iter().map(|&p| (p, 0, 0)).collect();
+        let mut rows: Vec<Row> = kinds.iter().map(Row::of).collect();
         let mut failed = Vec::new();
         for (kind, result) in results {
             let row = &mut rows[kind];
@@ -62,11 +79,12 @@ impl Tally {
                     failed.push(format!("accepted: {} ({}): {headline}", row.name, result.spec));
                 }
                 Outcome::Panicked => failed.push(format!("panicked: {} ({})", row.name, result.spec)),
+                Outcome::Weaker => row.weaker += 1,
                 Outcome::Rejected => row.rejected += 1,
                 Outcome::Refused => row.refused += 1,
             }
             for (premise, passed) in result.without {
-                let counts = premises.iter_mut().find(|p| p.0 == premise);
+                let counts = row.premises.iter_mut().find(|p| p.0 == premise);
                 counts.into_iter().for_each(|(_, tried, let_through)| {
                     *tried += 1;
                     *let_through += usize::from(passed);
@@ -74,6 +92,14 @@ impl Tally {
             }
         }
         failed.extend(rows.iter().filter(|r| r.made == 0).map(|r| format!("no forgery was made: {}", r.name)));
+        let is_weaker = |kind: &Kind| matches!(kind.known, Known::Weaker(_));
+        let never = kinds.iter().zip(&rows).filter(|(kind, row)| is_weaker(kind) && row.weaker == 0);
+        failed.extend(never.map(|(kind, _)| format!("never accepted as weaker: {}", kind.name)));
+        let of_kinds = |premise: Premise| {
+            let counts = rows.iter().flat_map(|row| &row.premises).filter(|counts| counts.0 == premise);
+            counts.fold((premise, 0, 0), |sum, counts| (premise, sum.1 + counts.1, sum.2 + counts.2))
+        };
+        let premises: Vec<(Premise, usize, usize)> = Premise::ALL.iter().map(|&premise| of_kinds(premise)).collect();
         let idle = premises.iter().filter(|p| whole && p.2 == 0);
         failed.extend(idle.map(|(premise, tried, _)| format!("none of {tried} passes without {premise:?}")));
         Tally { rows, premises, failed }
@@ -85,19 +111,21 @@ impl Tally {
 
     /// Both tables, in Markdown.
     pub fn tables(&self) -> String {
-        let mut text =
-            String::from("| kind | specs | made | accepted | rejected | refused |\n|---|---|---|---|---|---|\n");
-        let mut line = |name: &str, specs: usize, counts: [usize; 4]| {
-            let [made, accepted, rejected, refused] = counts;
-            writeln!(text, "| {name} | {specs} | {made} | {accepted} | {rejected} | {refused} |").expect("a string");
+        let mut text = String::from(
+            "| kind | specs | made | accepted | weaker | rejected | refused | pass without |\n|---|---|---|---|---|---|---|---|\n",
+        );
+        let mut line = |name: &str, specs: usize, counts: [usize; 5], passes: &str| {
+            let [made, accepted, weaker, rejected, refused] = counts;
+            let counts = format!("{made} | {accepted} | {weaker} | {rejected} | {refused}");
+            writeln!(text, "| {name} | {specs} | {counts} | {passes} |").expect("a string");
         };
         for r in &self.rows {
-            line(r.name, r.specs.len(), [r.made, r.accepted, r.rejected, r.refused]);
+            line(r.name, r.specs.len(), [r.made, r.accepted, r.weaker, r.rejected, r.refused], &r.passes());
         }
         let sum = |of: fn(&Row) -> usize| self.rows.iter().map(of).sum();
-        let sums = [sum(|r| r.made), sum(|r| r.accepted), sum(|r| r.rejected), sum(|r| r.refused)];
+        let sums = [sum(|r| r.made), sum(|r| r.accepted), sum(|r| r.weaker), sum(|r| r.rejected), sum(|r| r.refused)];
         let every: std::collections::BTreeSet<_> = self.rows.iter().flat_map(|r| &r.specs).collect();
-        line("all", every.len(), sums);
+        line("all", every.len(), sums, "");
         text.push_str("\n| premise switched off | tried | forgeries that pass |\n|---|---|---|\n");
         for (premise, tried, passed) in &self.premises {
             writeln!(text, "| {premise:?} | {tried} | {passed} |").expect("a string");

@@ -14,12 +14,15 @@ use mavc::actuation::Wrench;
 use mavc::admissible::row::SetRow;
 use mavc::certificate::{Certificate, Claim, DynamicModel, PlanClaim};
 use mavc::model::grid::{leg_durations, pieces};
-use mavc::model::{Environment, Limit, LimitKind, Mission, MissionTime, Model, Part, PlanModel, PlannerKind};
+use mavc::model::{
+    Environment, Heading, Limit, LimitKind, Mission, MissionTime, Model, Part, PlanModel, PlannerKind, SLOWEST,
+};
 use mavc::motion::checks::past;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z, in_air};
 use mavc::planner::selection::PlanningSet;
 use mavc::planner::selection::sets::PlanningSets;
+use std::f64::consts::TAU;
 
 /// Falsehoods count from this many tolerances on.
 pub const TIMES: f64 = 10.0;
@@ -55,6 +58,12 @@ pub enum Falsehood {
     Commands,
     Upright,
     Selection,
+    /// The yaw at a waypoint is off the direction that it follows, by more than the waypoint's own tolerance.
+    Heading(usize),
+    /// A capture height that is not one, that the spec does not require, or that the motion does not keep.
+    Height,
+    /// The spec requires a reserve about hover, which lies outside a set that it shrinks.
+    Reserve,
 }
 
 /// Which rows a motion has to keep.
@@ -98,7 +107,40 @@ impl Truth {
         if exact != (self.model.plan.model == PlanModel::Exact) {
             return Some(Falsehood::Equations);
         }
-        self.of_claim(claim)
+        let keeps_height = |height: f64| {
+            let motion = of_record(&claim.motion, self.equations);
+            self.requires_height(height) && motion.is_some_and(|motion| self.keeps_height(&motion, height))
+        };
+        let of_height = certificate.capture_height_m.filter(|&height| !keeps_height(height));
+        self.of_claim(claim).or_else(|| of_height.map(|_| Falsehood::Height))
+    }
+
+    /// Whether a certificate of the spec may give this height, m above the ground.
+    fn requires_height(&self, height: f64) -> bool {
+        self.model.plan.require_capture.is_some() && height.is_finite() && height > 0.0
+    }
+
+    /// (102) of the method at nodes: high enough, or near the start or the end.
+    pub fn keeps_height(&self, motion: &Trajectory, height: f64) -> bool {
+        let mission = self.mission();
+        let Some((required, ground)) = self.model.plan.require_capture.zip(mission.ground) else { return true };
+        let ends = [&mission.waypoints[0], &mission.waypoints[mission.waypoints.len() - 1]];
+        motion.nodes.iter().all(|s| {
+            let near = ends.iter().any(|end| {
+                let apart = (s[X][0] - end.position[0]).hypot(s[Y][0] - end.position[1]);
+                apart <= required.radius + TIMES * ROW
+            });
+            near || s[Z][0] >= ground + height - TIMES * ROW
+        })
+    }
+
+    /// Whether hover lies outside a set that the spec's reserve shrinks. A set without hover stays as it is where hover is outside,
+    /// so that the planner's rows show it.
+    pub fn reserves_about_nothing(&self) -> bool {
+        let hover = mavc::admissible::hover(&self.model);
+        let shrunk = self.asked.rows.iter().chain(self.sets.modes.iter().flat_map(|set| &set.rows));
+        let is_outside = |row: &SetRow| row.violation(&hover) > TIMES * ROW;
+        self.model.plan.reserve > 0.0 && shrunk.into_iter().any(is_outside)
     }
 
     fn of_claim(&self, claim: &PlanClaim) -> Option<Falsehood> {
@@ -137,6 +179,8 @@ impl Truth {
             .or_else(|| (!self.rests(motion)).then_some(Falsehood::Rest))
             .or_else(|| (!self.arrives(motion)).then_some(Falsehood::Waypoint))
             .or_else(|| self.broken(motion, role))
+            .or_else(|| self.misled(motion))
+            .or_else(|| self.reserves_about_nothing().then_some(Falsehood::Reserve))
     }
 
     /// Schedule of the spec: start, fixed times, holds, shares of the legs.
@@ -202,9 +246,28 @@ impl Truth {
             let state = &motion.nodes[node];
             let distance = (0..3).map(|i| (state[i][0] - point.position[i]).powi(2)).sum::<f64>().sqrt();
             let turned = (state[YAW][0] - point.yaw).abs();
-            distance - point.within <= TIMES * MISS && turned - point.yaw_within <= TIMES * MISS
+            // A yaw that follows from the motion is another matter, and may be off by whole turns.
+            let points = point.heading != Heading::Given || turned - point.yaw_within <= TIMES * MISS;
+            distance - point.within <= TIMES * MISS && points
         };
         self.mission().waypoints.iter().zip(&motion.waypoint_nodes).all(met)
+    }
+
+    /// A waypoint at which the yaw does not follow from the motion within the waypoint's own tolerance, whatever limits the
+    /// compiler derives from it.
+    fn misled(&self, motion: &Trajectory) -> Option<Falsehood> {
+        let is_off = |(point, &node): (&mavc::model::Waypoint, &usize)| {
+            let s = &motion.nodes[node];
+            let (x, y, least) = match point.heading {
+                Heading::Towards(goal) => (goal[0] - s[X][0], goal[1] - s[Y][0], self.model.vehicle.radius()),
+                Heading::AlongPath => (s[X][1], s[Y][1], SLOWEST),
+                Heading::Given | Heading::Free => return false,
+            };
+            let off = (y.atan2(x) - s[YAW][0]).rem_euclid(TAU);
+            x.hypot(y) >= least && exceeds(off.min(TAU - off) - point.yaw_within, TIMES * ROW)
+        };
+        let mut points = self.mission().waypoints.iter().zip(&motion.waypoint_nodes);
+        points.position(is_off).map(Falsehood::Heading)
     }
 
     /// A row that is broken by ten tolerances at a node, or between nodes for as long as a piece of the spec lasts.

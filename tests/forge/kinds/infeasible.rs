@@ -4,7 +4,7 @@ use super::witness::{axis_of_flight, claiming, empty, grid_nodes, of_harder, of_
 use super::{Kind, Known, unfounded};
 use crate::numbers::Numbers;
 use crate::specs::{Harder, Spec, WEAKER};
-use mavc::certificate::{Certificate, FacetWeight, Multiplier, RowRecord, Side};
+use mavc::certificate::{Certificate, FacetWeight, InfeasibleClaim, Multiplier, RowRecord, Side};
 use mavc::model::{LimitKind, PlanModel, PlanRotors};
 use mavc::motion::YAW;
 use mavc::verify::Premise;
@@ -42,14 +42,18 @@ fn carried_over(spec: &Spec, how: Harder) -> Option<Certificate> {
 /// anew.
 fn weaker_vehicle(spec: &Spec, _: &mut Numbers) -> Option<Certificate> {
     let mut claim = of_harder(spec, Harder::WeakerVehicle)?;
-    let wider = WEAKER.powi(-2);
+    widen(&mut claim, WEAKER.powi(-2));
+    Some(claiming(spec, claim))
+}
+
+/// Multipliers of facets for a healthy set that is wider by a factor.
+pub fn widen(claim: &mut InfeasibleClaim, wider: f64) {
     for multiplier in &mut claim.multipliers {
         if matches!(multiplier.row, RowRecord::Facet { .. } | RowRecord::Commands { .. }) {
             multiplier.z.iter_mut().for_each(|z| *z *= wider);
         }
     }
     claim.thrust.iter_mut().for_each(|entry| entry.weight *= wider);
-    Some(claiming(spec, claim))
 }
 
 /// Offsets drawn in or normals turned, as if the set were smaller.

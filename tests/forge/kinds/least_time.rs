@@ -2,7 +2,6 @@
 
 use super::Kind;
 use super::Known::SoonerPlan;
-use crate::motion::certificate;
 use crate::numbers::Numbers;
 use crate::specs::Spec;
 use mavc::certificate::{Certificate, Claim, TooEarlyClaim};
@@ -19,7 +18,7 @@ pub const KINDS: &[Kind] = &[
 ];
 
 fn above_a_plan(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
-    let mut forged = certificate(&spec.honest, &spec.selected_by);
+    let mut forged = spec.certificate();
     if let Claim::Plan(claim) = &mut forged.claim {
         claim.least_time_s = Some(spec.total() * (1.0 + numbers.magnitude(1e-3, 10.0)));
     }
@@ -31,6 +30,6 @@ fn too_early(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let waypoint = 1 + numbers.below(nodes.len());
     let reached = spec.honest.times[nodes[waypoint - 1]];
     let soonest_s = (reached + numbers.magnitude(1e-6, 1.0)) * (1.0 + numbers.magnitude(1e-3, 10.0));
-    let honest = certificate(&spec.honest, &spec.selected_by);
+    let honest = spec.certificate();
     Some(Certificate { claim: Claim::TooEarly(TooEarlyClaim { waypoint, soonest_s }), ..honest })
 }

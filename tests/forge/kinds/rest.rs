@@ -1,7 +1,7 @@
 //! Motion where there should be none, and waypoints that are missed.
 
-use super::{Kind, evaluated};
-use crate::motion::{Timetable, Wish, add_spline, split};
+use super::{Kind, evaluated, laid};
+use crate::motion::{Wish, add_spline, split};
 use crate::numbers::Numbers;
 use crate::specs::Spec;
 use mavc::certificate::Certificate;
@@ -14,11 +14,6 @@ pub const KINDS: &[Kind] = &[
     evaluated("a waypoint missed", &[Premise::Waypoints], missed),
     evaluated("a yaw missed", &[Premise::Waypoints], turned),
 ];
-
-fn laid(spec: &Spec, wish: &Wish) -> Option<Certificate> {
-    let table = Timetable::asked(spec.model(), spec.total())?;
-    Some(spec.claiming(&wish.motion(&table, spec.truth.equations)?))
-}
 
 fn moving_end(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let mission = spec.truth.mission();

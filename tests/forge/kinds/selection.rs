@@ -1,7 +1,7 @@
 //! RSP: plans to select by that are none, and facets that are not kept.
 
 use super::{Kind, evaluated};
-use crate::motion::{Timetable, Wish, certificate, evenly, holds};
+use crate::motion::{Timetable, Wish, evenly, holds};
 use crate::numbers::Numbers;
 use crate::specs::Spec;
 use mavc::certificate::Certificate;
@@ -29,7 +29,7 @@ fn replaced(spec: &Spec, numbers: &mut Numbers, by: Trajectory) -> Option<Certif
     let mut selected_by = spec.selected_by.clone();
     *selected_by.first_mut()? = by;
     let claimed = [&spec.honest, spec.selected_by.first()?][numbers.below(2)];
-    Some(certificate(claimed, &selected_by))
+    Some(spec.claim(claimed, &selected_by))
 }
 
 /// The mission in another time, which violates nothing.
@@ -87,7 +87,7 @@ fn outside(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
 
 fn none(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let claimed = [Some(&spec.honest), spec.selected_by.first()][numbers.below(2)]?;
-    spec.is_rsp().then(|| certificate(claimed, &[]))
+    spec.is_rsp().then(|| spec.claim(claimed, &[]))
 }
 
 fn surplus(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
@@ -96,20 +96,20 @@ fn surplus(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     for _ in 0..=numbers.below(3) {
         selected_by.push(if numbers.below(2) == 0 { again.clone() } else { spec.honest.clone() });
     }
-    Some(certificate(&spec.honest, &selected_by))
+    Some(spec.claim(&spec.honest, &selected_by))
 }
 
 /// Of a planner that selects nothing.
 fn unasked(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let selected_by = vec![spec.honest.clone(); 1 + numbers.below(2)];
-    (!spec.is_rsp()).then(|| certificate(&spec.honest, &selected_by))
+    (!spec.is_rsp()).then(|| spec.claim(&spec.honest, &selected_by))
 }
 
 fn swapped(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let [first, second] = &spec.selected_by[..] else { return None };
     // The motion that is the plan, or the round that broke what the other selects.
     let claimed = [&spec.honest, second, first][numbers.below(3)];
-    Some(certificate(claimed, &[second.clone(), first.clone()]))
+    Some(spec.claim(claimed, &[second.clone(), first.clone()]))
 }
 
 /// A plan of the healthy set that is beyond a facet which the plan carried violates.

@@ -1,7 +1,7 @@
 //! Records that are no motion of the spec: numbers that are none, times that turn back, other equations, another spec.
 
 use super::{Kind, Known, evaluated};
-use crate::motion::{Timetable, Wish, certificate, record};
+use crate::motion::{Timetable, Wish, record};
 use crate::numbers::Numbers;
 use crate::specs::Spec;
 use mavc::certificate::{Certificate, Claim, MotionRecord, Vertical};
@@ -110,7 +110,7 @@ fn hover(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let last = wish.places.len() - 1;
     wish.places[last][2] += 0.9 * mission.waypoints[last].within * numbers.between(-1.0, 1.0);
     let motion = wish.motion(&table, model)?;
-    let mut forged = certificate(&motion, &[]);
+    let mut forged = spec.claim(&motion, &[]);
     let Claim::Plan(claim) = &mut forged.claim else { return None };
     claim.selected_by = spec.selected_by.iter().map(record).collect();
     Some(forged)

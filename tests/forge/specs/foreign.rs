@@ -3,7 +3,7 @@
 use super::Harder;
 use mavc::certificate::{Certificate, Claim};
 use mavc::certify;
-use mavc::model::{LimitKind, MissionTime, Model, PlannerKind, Problem};
+use mavc::model::{Limit, LimitKind, MissionTime, Model, PlannerKind, Problem};
 use mavc::planner::studies::{Scope, compare};
 
 /// The share of the top speeds that the weaker vehicle's rotors have; its thrusts go with the square.
@@ -28,10 +28,26 @@ pub fn harder(model: &Model, total: f64) -> Vec<(Harder, Certificate)> {
             }
         }));
     }
+    if model.vehicle.rotors.iter().any(|rotor| rotor.is_reversible()) {
+        tried.push(changed(Harder::OneWay, &|m| m.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = 0.0)));
+    }
+    let is_uneven = |l: &Limit| l.lower.zip(l.upper).is_some_and(|(lower, upper)| is_of_yaw(l) && lower != -upper);
+    if model.mission.iter().flat_map(|m| &m.limits).any(is_uneven) {
+        tried.push(changed(Harder::NarrowSides, &|m| {
+            for limit in m.mission.iter_mut().flat_map(|m| &mut m.limits).filter(|l| is_of_yaw(l)) {
+                let narrow = limit.lower.map(|lower| -lower).into_iter().chain(limit.upper).reduce(f64::min);
+                (limit.lower, limit.upper) = (narrow.map(|n| -n), narrow);
+            }
+        }));
+    }
     if model.plan.planner == PlannerKind::Rip && !model.plan.against.is_empty() {
         tried.push(changed(Harder::OtherPlanner, &|m| m.plan.planner = PlannerKind::Rcp));
     }
     tried.into_iter().filter_map(|(how, model)| Some((how, refuted(&model)?))).collect()
+}
+
+fn is_of_yaw(limit: &Limit) -> bool {
+    matches!(limit.kind, LimitKind::YawRate | LimitKind::YawAcceleration)
 }
 
 fn shorten(model: &mut Model, total: f64, share: f64) {

@@ -41,7 +41,7 @@ fn turning() -> Mission {
     flight
 }
 
-fn elevator(height: f64) -> Mission {
+pub fn elevator(height: f64) -> Mission {
     mission(vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([0.0, 0.0, 2.0 + height], 0.0)])
 }
 
@@ -51,7 +51,7 @@ fn moving(mut flight: Mission) -> Mission {
 }
 
 /// A vehicle with single losses as modes, planned for by `planner`.
-fn plan(mut vehicle: Model, flight: Mission, planner: PlannerKind, samples: usize) -> Model {
+pub fn plan(mut vehicle: Model, flight: Mission, planner: PlannerKind, samples: usize) -> Model {
     let rotors = vehicle.vehicle.rotors.len();
     vehicle.modes = (1..=rotors).map(|k| lost(&vehicle, &[k])).collect();
     vehicle.mission = Some(flight);
@@ -63,7 +63,7 @@ fn plan(mut vehicle: Model, flight: Mission, planner: PlannerKind, samples: usiz
     vehicle
 }
 
-fn octo(flight: Mission, planner: PlannerKind, samples: usize) -> Model {
+pub fn octo(flight: Mission, planner: PlannerKind, samples: usize) -> Model {
     plan(octocopter("PPNNPPNN"), flight, planner, samples)
 }
 
@@ -73,7 +73,7 @@ fn lagging(mut model: Model, time_constant: f64) -> Model {
     model
 }
 
-fn uncertain(mut model: Model) -> Model {
+pub fn uncertain(mut model: Model) -> Model {
     let about = |share: f64| Spread { low: 1.0 - share, high: 1.0 + share };
     model.vehicle.mass_spread = about(0.04);
     let spread = RotorSpread { full_thrust: about(0.08), idle_thrust: about(0.05), torque_per_thrust: about(0.02) };
@@ -81,18 +81,18 @@ fn uncertain(mut model: Model) -> Model {
     model
 }
 
-fn exact(mut model: Model) -> Model {
+pub fn exact(mut model: Model) -> Model {
     model.plan.model = PlanModel::Exact;
     model
 }
 
-fn with(mut model: Model, change: impl Fn(&mut Model)) -> Model {
+pub fn with(mut model: Model, change: impl Fn(&mut Model)) -> Model {
     change(&mut model);
     model
 }
 
 /// A mode in which every rotor gives two fifths of its thrust.
-fn weakened(mut model: Model) -> Model {
+pub fn weakened(mut model: Model) -> Model {
     let mut weak = lost(&model, &[]);
     weak.name = "weak".into();
     weak.capacity.fill(0.4);
@@ -115,7 +115,7 @@ pub fn flat_inverse() -> Draft {
         m.vehicle.allocation = Allocation::PseudoInverse;
         m.plan.time = MissionTime::Fixed(6.0);
     });
-    Draft { name: "RCP flat pseudo-inverse", model, total: 6.0, limits: Vec::new(), harder: false }
+    Draft::new("RCP flat pseudo-inverse", 6.0, model, &[])
 }
 
 /// The `index`-th volume of a mission; its clearance is set from the honest plan.
@@ -164,18 +164,24 @@ fn in_air(mut model: Model, spread: [f64; 3]) -> Model {
 
 /// A spec in text, for what the compiler derives: the limits of legs, and a yaw that follows from the motion.
 fn written(waypoints: &str, plan: &str) -> Model {
-    let text = format!(
-        "vehicle octo {{
-            layout = \"PPNNPPNN\"
-            arm = 0.211 m
-            mass = 1.8 kg
-            inertia = [0.0429, 0.0429, 0.0748] kg*m^2
-            rotor {{ max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }}
-        }}
-        mission legs {{ {waypoints} }}
-        plan {{ planner = rip; {plan} }}"
-    );
-    let spec = mavc::Compiler::new().text("legs.mav", text.as_bytes()).into_result().expect("a spec");
+    compiled(&format!("{OCTO}; mission legs {{ {waypoints} }}; plan {{ planner = rip; {plan} }}"))
+}
+
+/// The octocopter of [`octo`] in text.
+pub const OCTO: &str = "
+    vehicle octo {
+        layout = \"PPNNPPNN\"
+        arm = 0.211 m
+        mass = 1.8 kg
+        inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+        rotor { max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+    }";
+
+/// # Panics
+/// The text is not a spec: a mistake in the list.
+pub fn compiled(text: &str) -> Model {
+    let spec = mavc::Compiler::new().text("forge.mav", text.as_bytes()).into_result();
+    let spec = spec.unwrap_or_else(|why| panic!("{text}\n{why}"));
     spec.model().clone()
 }
 
@@ -234,7 +240,7 @@ pub fn drafts() -> Vec<Draft> {
                 m.plan.time = MissionTime::Fixed(total);
             }
         });
-        list.push(Draft { name, model, total, limits: limits.to_vec(), harder: false });
+        list.push(Draft::new(name, total, model, limits));
     };
     // The total is filled in.
     let fixed = |model: Model| with(model, |m| m.plan.time = MissionTime::Fixed(0.0));

@@ -1,0 +1,46 @@
+//! Reserves about a hover that lies outside a set: a share of the way to a boundary which is behind.
+
+use super::{Kind, Known};
+use crate::motion::Timetable;
+use crate::numbers::Numbers;
+use crate::specs::{Spec, falling};
+use mavc::certificate::Certificate;
+use mavc::motion::Z;
+use mavc::verify::Premise;
+
+pub const KINDS: &[Kind] = &[
+    Kind {
+        name: "a reserve about hover outside a set",
+        known: Known::Void,
+        premises: &[Premise::Reserve],
+        make: within,
+    },
+    // The planes behind which hover lies are not moved outward either, so that no premise alone lets it pass.
+    Kind { name: "a motion in what a reserve enlarges", known: Known::Void, premises: &[], make: beyond },
+];
+
+/// Thrust at which the spec's motion falls, over the most that the set has.
+fn thrusts(spec: &Spec) -> [f64; 2] {
+    let (vehicle, g) = (&spec.model().vehicle, spec.model().gravity);
+    let mode = &spec.model().modes[spec.model().plan.against[0]];
+    let most: f64 = vehicle.rotors.iter().zip(&mode.capacity).map(|(rotor, share)| rotor.max_thrust() * share).sum();
+    [(spec.honest.nodes[0][Z][2] + g) * vehicle.mass / most, most]
+}
+
+/// A fall with another thrust, as a share of the most that the set has.
+fn fallen(spec: &Spec, share: f64) -> Option<Certificate> {
+    let acceleration = share * thrusts(spec)[1] / spec.model().vehicle.mass - spec.model().gravity;
+    let table = Timetable::asked(spec.model(), spec.total())?;
+    Some(spec.claiming(&falling(spec.truth.mission(), &table, acceleration, spec.truth.equations)))
+}
+
+fn within(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
+    fallen(spec, thrusts(spec)[0] * numbers.between(0.9, 1.05))
+}
+
+/// Outside the set, by less than the way that the reserve would shift its boundary towards hover.
+fn beyond(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
+    let hover = spec.model().vehicle.mass * spec.model().gravity / thrusts(spec)[1];
+    let most = 1.0 + spec.model().plan.reserve * (hover - 1.0);
+    (most > 1.01).then(|| fallen(spec, numbers.between(1.005, most)))?
+}

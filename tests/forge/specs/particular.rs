@@ -1,0 +1,241 @@
+//! Specs that some kinds of forgery are about: reserves about nothing, rotors that reverse, yaws that follow from the motion,
+//! tolerances of their own, sides that differ, capture heights.
+
+use super::Draft;
+use super::list::{OCTO, compiled, elevator, exact, octo, uncertain, weakened, with};
+use crate::motion::{Timetable, equations};
+use mavc::model::{Mission, MissionTime, Model, PlannerKind, Spread};
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory, Z};
+
+/// A fall with one acceleration (m/s^2) from the first waypoint to the last, straight below it.
+pub fn falling(mission: &Mission, table: &Timetable, acceleration: f64, model: WrenchModel) -> Trajectory {
+    let (first, last) = (&mission.waypoints[0], &mission.waypoints[mission.waypoints.len() - 1]);
+    let total = table.times[table.times.len() - 1];
+    let speed = (last.position[2] - first.position[2]) / total - 0.5 * acceleration * total;
+    let node = |&t: &f64| {
+        let mut state = NodeState::default();
+        (state[0][0], state[1][0], state[3][0]) = (first.position[0], first.position[1], first.yaw);
+        let height = first.position[2] + speed * t + 0.5 * acceleration * t * t;
+        state[Z][..3].copy_from_slice(&[height, speed + acceleration * t, acceleration]);
+        state
+    };
+    let nodes = table.times.iter().map(node).collect();
+    Trajectory { times: table.times.clone(), nodes, waypoint_nodes: table.waypoint_nodes.clone(), model }
+}
+
+/// A mode too weak to hover, flown with both ends moving, and a reserve about hover.
+fn void(name: &'static str, mut model: Model, acceleration: f64) -> Draft {
+    let total = 2.0;
+    model.plan.time = MissionTime::Fixed(total);
+    let mission = model.mission.as_mut().expect("a mission");
+    (mission.start_at_rest, mission.end_at_rest) = (false, false);
+    let table = Timetable::asked(&model, total).expect("a grid");
+    let motion = falling(model.mission.as_ref().expect("a mission"), &table, acceleration, equations(&model));
+    Draft { motion: Some(motion), ..Draft::new(name, total, model, &[]) }
+}
+
+fn weak(planner: PlannerKind, share: f64) -> Model {
+    with(weakened(octo(elevator(-30.0), planner, 20)), |m| {
+        let mission = m.mission.as_mut().expect("a mission");
+        mission.waypoints.iter_mut().for_each(|w| w.position[2] += 40.0);
+        m.modes.last_mut().expect("a mode").capacity.fill(share);
+        m.plan.reserve = 0.1;
+    })
+}
+
+/// A quadcopter whose rotors give as much thrust backwards, 198 m above its goal.
+fn reversing(waypoints: &str, plan: &str) -> Model {
+    compiled(&format!(
+        "vehicle acro {{
+            layout = \"PNPN\"
+            arm = 20 cm
+            mass = 1 kg
+            inertia = [0.01, 0.01, 0.02] kg*m^2
+            rotor {{ max_thrust = 6 N; min_thrust = -100 %; torque_per_thrust = 15 mm; max_speed = 900 rad/s }}
+        }}
+        mission drop {{ start at [0, 0, 200] m; {waypoints} }}
+        plan {{ model = hover; planner = rip; within = 1 cm; samples = 48; {plan} }}"
+    ))
+}
+
+/// Down with one thrust and stopped by another: the shortest falls are not symmetric. Where there is a waypoint on the way, it is
+/// moved to where the motion is at its time.
+fn dropped(name: &'static str, total: f64, mut model: Model) -> Draft {
+    let table = Timetable::asked(&model, total).expect("a grid");
+    let times = &table.times;
+    let last = times.len() - 1;
+    let switch = (0.38 * last as f64) as usize;
+    let shapes = [1..switch, switch + 1..last];
+    let is_on = |k: usize, shape: usize| f64::from(u8::from(shapes[shape].contains(&k)));
+    // z' and z after an input that is linear between nodes.
+    let moved = |inputs: &dyn Fn(usize) -> f64| {
+        let mut states = vec![[0.0, 0.0]];
+        for k in 0..last {
+            let (h, a, b, [z, v]) = (times[k + 1] - times[k], inputs(k), inputs(k + 1), states[k]);
+            states.push([z + v * h + h * h * (2.0 * a + b) / 6.0, v + 0.5 * h * (a + b)]);
+        }
+        states
+    };
+    let ends = [0, 1].map(|shape| moved(&|k| is_on(k, shape))[last]);
+    let mission = model.mission.as_ref().expect("a mission");
+    let fall = mission.waypoints[mission.waypoints.len() - 1].position[2] - mission.waypoints[0].position[2];
+    // Both sizes from z' = 0 and the height at the end.
+    let determinant = ends[0][0] * ends[1][1] - ends[1][0] * ends[0][1];
+    let sizes = [fall * ends[1][1] / determinant, -fall * ends[0][1] / determinant];
+    let input = |k: usize| sizes[0] * is_on(k, 0) + sizes[1] * is_on(k, 1);
+    let states = moved(&input);
+    let node = |k: usize| {
+        let mut state = NodeState::default();
+        state[Z][..3].copy_from_slice(&[mission.waypoints[0].position[2] + states[k][0], states[k][1], input(k)]);
+        state
+    };
+    let mut nodes: Vec<NodeState> = (0..=last).map(node).collect();
+    nodes[last][Z][1] = 0.0;
+    let motion = Trajectory {
+        nodes,
+        times: times.clone(),
+        waypoint_nodes: table.waypoint_nodes.clone(),
+        model: equations(&model),
+    };
+    for (point, &node) in model.mission.iter_mut().flat_map(|m| &mut m.waypoints).zip(&table.waypoint_nodes) {
+        point.position[2] = motion.nodes[node][Z][0];
+    }
+    Draft { motion: Some(motion), ..Draft::new(name, total, model, &[]) }
+}
+
+/// In the exact model, with other fields of the plan.
+fn flown(mission: &str, plan: &str) -> Model {
+    compiled(&format!("{OCTO}; mission flown {{ {mission} }}; plan {{ planner = rip; samples = 32; {plan} }}"))
+}
+
+/// Straight on, with the yaw by a rule at the start; the tolerance of the yaw is that of the plan.
+fn straight_on(rule: &str, within: &str) -> Model {
+    let mission = format!(
+        "start at [0, 0, 5] m  yaw {rule}
+        waypoint at [4, 1, 6] m
+        waypoint at [8, 2, 5] m"
+    );
+    flown(&mission, &format!("time = 9 s; yaw_within = {within}"))
+}
+
+/// Every draft.
+pub fn drafts() -> Vec<Draft> {
+    use PlannerKind::{Rcp, Rsp};
+    let mut list = vec![
+        void("reserve about nothing", weak(Rcp, 0.1), -8.0),
+        void("reserve about nothing, exact", exact(weak(Rcp, 0.1)), -8.0),
+        void("reserve about nothing, RSP", exact(weak(Rsp, 0.1)), -8.0),
+    ];
+    // Enough for the middle of the mass's interval, and not for its upper end.
+    let nearly = with(uncertain(weak(Rcp, 0.1)), |m| {
+        let (mass, g) = (m.vehicle.mass, m.gravity);
+        m.vehicle.rotors.iter_mut().for_each(|rotor| rotor.spread = Default::default());
+        m.vehicle.mass_spread = Spread { low: 0.96, high: 1.04 };
+        let full: f64 = m.vehicle.rotors.iter().map(|rotor| rotor.max_thrust()).sum();
+        m.modes.last_mut().expect("a mode").capacity.fill(1.02 * mass * g / full);
+    });
+    list.push(void("reserve about nothing, an interval of the mass", nearly, -2.0));
+
+    let drop = "waypoint at [0, 0, 2] m";
+    let halfway = "waypoint at [0, 0, 100] m  time 3.5 s; waypoint at [0, 0, 2] m";
+    list.push(dropped("reversing rotors", 7.2, reversing(drop, "time = 7.2 s")));
+    list.push(dropped("reversing rotors, free total", 7.2, reversing(drop, "time = minimum")));
+    list.push(dropped("reversing rotors, fixed waypoint", 7.2, reversing(halfway, "time = 7.2 s")));
+    list.push(Draft { harder: true, ..dropped("reversing rotors, slow", 8.4, reversing(drop, "time = 8.4 s")) });
+
+    let towards = "towards [400, 100, 0] m";
+    for (name, rule, within) in [
+        ("yaw towards, 1e-5 rad", towards, "1e-5 rad"),
+        ("yaw towards, 0.005 deg", towards, "0.005 deg"),
+        ("yaw towards, 1 deg", towards, "1 deg"),
+        ("yaw towards, 30 deg", towards, "30 deg"),
+        ("yaw towards, 80 deg", towards, "80 deg"),
+        ("yaw along path, 1e-5 rad", "along path", "1e-5 rad"),
+        ("yaw along path, 5 deg", "along path", "5 deg"),
+        ("yaw along path, 80 deg", "along path", "80 deg"),
+    ] {
+        list.push(Draft::new(name, 9.0, straight_on(rule, within), &[]));
+    }
+    let landing = flown(
+        "start at [0, 0, 8] m
+        waypoint at [0, 0, 5] m  arrive from [0, 0, 1]
+        waypoint at [0, 0, 2] m",
+        "time = 7 s",
+    );
+    list.push(Draft::new("exact arrival from above", 7.0, landing, &[]));
+
+    let own = "start at [0, 0, 2] m  within 1 cm  yaw_within 0.5 deg
+        waypoint at [3, 1, 3] m  within 60 cm  yaw_within 20 deg
+        waypoint at [5, 0, 2.5] m  within 10 cm  yaw_within 2 deg
+        waypoint at [6, 0, 2.5] m  within 50 cm  yaw_within 25 deg";
+    list.push(Draft::new("own tolerances", 10.0, flown(own, "model = hover; time = 10 s"), &[]));
+    list.push(Draft::new("exact own tolerances", 10.0, flown(own, "time = 10 s"), &[]));
+    let start = |rule: &str| {
+        format!(
+            "start at [0, 0, 5] m  yaw {rule}  yaw_within 0.1 deg
+            waypoint at [4, 1, 6] m  yaw_within 80 deg
+            waypoint at [8, 2, 5] m  yaw_within 70 deg"
+        )
+    };
+    list.push(Draft::new("a narrow yaw at the start", 9.0, flown(&start(towards), "time = 9 s"), &[]));
+    let moving = format!("start moving; end moving; {}", start("along path"));
+    list.push(Draft::new("a narrow yaw at a moving start", 6.0, flown(&moving, "time = 6 s"), &[]));
+    let begins = |rule: &str| {
+        format!(
+            "start at [0, 0, 5] m  yaw 20 deg  yaw_within 5 deg
+            waypoint at [4, 1, 6] m  yaw {rule}  yaw_within 0.1 deg
+            waypoint at [8, 2, 5] m  yaw_within 80 deg
+            waypoint at [12, 3, 5] m  yaw_within 60 deg"
+        )
+    };
+    list.push(Draft::new("a rule begins in mid-mission", 10.0, flown(&begins(towards), "time = 10 s"), &[]));
+    list.push(Draft::new("along path from mid-mission", 10.0, flown(&begins("along path"), "time = 10 s"), &[]));
+
+    let turn = |limits: &str| {
+        format!(
+            "start at [0, 0, 5] m  yaw 0 deg  yaw_within 0.2 deg
+            waypoint at [2, 0, 5] m  yaw -90 deg  yaw_within 0.2 deg
+            limits {{ {limits} }}"
+        )
+    };
+    let both = "yaw_rate in -90 deg/s .. 10 deg/s; yaw_acceleration in -60 deg/s^2 .. 40 deg/s^2";
+    list.push(Draft::new("uneven sides", 5.0, flown(&turn(both), "time = 5 s"), &[]));
+    let hover = flown(&turn(both), "model = hover; time = minimum");
+    list.push(Draft::new("uneven sides, hover, free total", 5.5, hover, &[]));
+    let wide = flown(&turn("yaw_rate in -14 deg/s .. 4 deg/s"), "time = 16 s");
+    list.push(Draft::new("uneven yaw rate", 16.0, wide, &[]));
+    let rate = flown(&turn("yaw_rate in -90 deg/s .. 10 deg/s"), "time = 9.1 s");
+    list.push(Draft { harder: true, ..Draft::new("uneven sides, slow", 9.1, rate, &[]) });
+
+    let delivery = |model: &str| {
+        compiled(&format!(
+            "vehicle quad {{
+                layout = \"PNPN\"
+                arm = 23 cm
+                mass = 1.9 kg
+                inertia = [0.018, 0.018, 0.033] kg*m^2
+                yaw_drag = 2.75e-3 N*m*s/rad
+                rotor {{ max_thrust = 11 N; torque_per_thrust = 15 mm; max_speed = 8000 rpm; time_constant = 20 ms }}
+            }}
+            faults {{ every 1 rotor lost as L }}
+            mission delivery {{
+                ground = 0 m
+                start at [0, 0, 2] m
+                waypoint at [0, 0, 15] m  vertical  stop
+                waypoint at [14, 0, 15] m
+                waypoint at [14, 0, 4] m
+                limits {{ speed <= 8 m/s }}
+            }}
+            plan {{
+                planner = rip; model = {model}; samples = 42; time = 20 s
+                require capture_height {{ radius = 1.2 m; detection = 100 ms }}
+            }}"
+        ))
+    };
+    for (name, model) in [("capture height", "exact"), ("capture height, hover", "hover")] {
+        let draft = Draft::new(name, 20.0, delivery(model), &[]);
+        list.push(Draft { capture_height: Some(14.95), ..draft });
+    }
+    list
+}
