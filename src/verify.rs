@@ -178,12 +178,18 @@ impl Reach {
     /// The weaker of two: the one with the larger violation, or the smaller scope.
     fn weakest(self, other: Reach) -> Reach {
         let size = |reach: &Reach| reach.beyond.map_or(f64::NEG_INFINITY, |beyond| beyond.violation);
-        match size(&self).total_cmp(&size(&other)) {
+        let mut weakest = match size(&self).total_cmp(&size(&other)) {
             std::cmp::Ordering::Greater => self,
             std::cmp::Ordering::Less => other,
             std::cmp::Ordering::Equal if self.scope < other.scope => self,
             std::cmp::Ordering::Equal => other,
-        }
+        };
+        // The larger violation bounds both only if each is bounded at every instant.
+        let is_bounded =
+            |reach: &Reach| reach.scope == Scope::EveryInstant || reach.beyond.is_some_and(|beyond| beyond.throughout);
+        let both = is_bounded(&self) && is_bounded(&other);
+        weakest.beyond.iter_mut().for_each(|beyond| beyond.throughout &= both);
+        weakest
     }
 
     /// Why a statement is weaker than the spec requires, if it is.
@@ -193,7 +199,7 @@ impl Reach {
             (Scope::Grid, _) => Some(format!("{statement}: not proved between the points of a grid")),
             (Scope::Nodes, None) => Some(format!("{statement}: shown only at the nodes")),
             (Scope::Nodes, Some(beyond)) => {
-                let by = beyond.measure.of(beyond.violation);
+                let by = beyond.measure.at_most(beyond.violation);
                 let of = beyond.measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
                 let most = if beyond.throughout { "at most " } else { "" };
                 Some(format!("{statement}: exceeded between the nodes by {most}{by}{of}, at {} s", number(beyond.at)))
@@ -334,6 +340,9 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
     match &certificate.claim {
         Claim::Plan(claim) => {
             let mut found = setting.decide(claim, settings.budget, between)?;
+            if settings.premises.has(Premise::LeastTime) {
+                least_time::not_beaten(problem, &claim.motion)?;
+            }
             if let Some(least) = claim.least_time_s {
                 if settings.premises.has(Premise::LeastTime) {
                     least_time::bound(problem, least)?;
@@ -347,7 +356,7 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
                 found.shown.push(Shown { statement, reach: None });
             }
             let headline = plan_headline(problem, found.total, &claim.selected_by);
-            let weaker = found.weaker.into_iter().chain(capture_height::weaker(model)).collect();
+            let weaker = found.weaker.into_iter().chain(capture_height::weaker(model, false)).collect();
             Ok(Verdict { headline, shown: found.shown, weaker, undecided: found.undecided })
         }
         Claim::TooEarly(claim) => {
@@ -359,7 +368,7 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
         }
         Claim::Infeasible(claim) => {
             let mut verdict = infeasible::decide(&setting, certificate.model, claim, settings.budget)?;
-            verdict.weaker.extend(capture_height::weaker(model));
+            verdict.weaker.extend(capture_height::weaker(model, true));
             Ok(verdict)
         }
     }

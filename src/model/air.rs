@@ -230,6 +230,9 @@ pub(super) fn impose(vehicle: &mut Vehicle, air: &Air) {
         return;
     }
     vehicle.drag = vehicle.drag.map(|drag| drag * ratio);
+    if let Some(drag) = &mut vehicle.yaw_drag {
+        (drag.linear, drag.quadratic) = (drag.linear * ratio, drag.quadratic * ratio);
+    }
     for rotor in &mut vehicle.rotors {
         rotor.thrust_coefficient *= ratio;
         rotor.drag_coefficient *= ratio;

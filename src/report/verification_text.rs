@@ -38,5 +38,5 @@ fn words(reach: Reach) -> String {
     let Some(beyond) = reach.beyond else { return shown };
     let of = beyond.measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
     let most = if beyond.throughout { "at most " } else { "" };
-    format!("{shown}; exceeded between them by {most}{}{of}", beyond.measure.of(beyond.violation))
+    format!("{shown}; exceeded between them by {most}{}{of}", beyond.measure.at_most(beyond.violation))
 }

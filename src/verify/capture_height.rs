@@ -26,10 +26,16 @@ pub fn kept<'m>(certificate: &Certificate, model: &'m Model) -> Result<Cow<'m, M
     }
 }
 
-/// Why a certificate of a spec that requires the height shows less than the spec asks for.
-pub fn weaker(model: &Model) -> Option<String> {
+/// Why a certificate of a spec that requires the height shows less than the spec asks for, about a plan or about that there is
+/// none.
+pub fn weaker(model: &Model, of_none: bool) -> Option<String> {
     let required = model.plan.require_capture?;
     Some(match required.height {
+        Some(height) if of_none => format!(
+            "`require capture_height`: the certificate claims that {} m above the ground are required after a fault; this is not \
+             checked, and neither is whether the height was simulated",
+            number(height)
+        ),
         Some(height) => format!(
             "`require capture_height`: the certificate claims that {} m above the ground is enough after a fault; this is not \
              checked, and neither is whether the height was simulated",

@@ -13,7 +13,7 @@ use super::sets::{Generators, Plane, ROUNDING, Sets, shrunk};
 use super::wrench::{Dynamics, Turned};
 use super::{Rejection, cost, lag};
 use crate::certificate::SpinRecord;
-use crate::model::{FaultMode, GiveUpYaw, Model, Spin, YawDrag};
+use crate::model::{FaultMode, GiveUpYaw, Model, Rotor, Spin, YawDrag};
 use crate::tolerance::{EDGE, MOST_OUTSIDE};
 use elimination::Elimination;
 use envelope::Envelope;
@@ -222,7 +222,9 @@ impl Core {
         let planes = sets.planes(&mode.name)?.map_err(|why| Rejection::new(named(), why))?;
         let planes: Vec<Plane> = planes.iter().map(|plane| plane.without_reserve(hover)).collect();
         let kept = Interval::ONE - Interval::point(model.plan.reserve);
-        let (mut envelope, mut excludes_hover) = (Envelope::default(), false);
+        let full = |rotor: &Rotor| rotor.max_thrust() * rotor.spread.full_thrust.high;
+        let most = model.vehicle.rotors.iter().map(full).sum();
+        let (mut envelope, mut excludes_hover) = (Envelope::new(most), false);
         Elimination { planes: &planes, generators: &whole, torques }.rows(|mut row| {
             let width = width(model, &row);
             if model.plan.reserve > 0.0 {
@@ -278,7 +280,13 @@ impl Core {
         rows.chain(self.turning.map(|rate| Member::turning(Interval::point(rate)))).collect()
     }
 
-    /// How many members of the family, the last ones, are premises of the others: they hold wherever some member is imposed.
+    /// The largest rate at which the direction of the thrust turns, rad/s, where the inertia is uneven.
+    pub fn turning(&self) -> Option<f64> {
+        self.turning
+    }
+
+    /// How many members of the family, the last ones, are premises of the others: they hold wherever some member is imposed. The
+    /// last two are the ends of the spin, after the rate of turning where that is bounded.
     pub fn premises(&self) -> usize {
         2 + usize::from(self.turning.is_some())
     }
@@ -403,12 +411,20 @@ fn coupling(jx: Interval, jy: Interval, rate: f64) -> Interval {
     (jx - jy).abs() * rate.square() * Interval::point(0.5)
 }
 
+/// The highest speed of a rotor over its intervals, rad/s: those of b w_max^2 and of b may be as far apart as that of the speed
+/// makes them.
+fn fastest(rotor: &Rotor) -> Interval {
+    let [thrust, coefficient] = [rotor.spread.full_thrust.high, rotor.spread.idle_thrust.low].map(Interval::point);
+    let speed = Interval::point(rotor.max_speed);
+    if thrust == coefficient { speed } else { speed * (thrust / coefficient).sqrt() }
+}
+
 /// The corners of the box of momenta and rates, in which rho is convex.
 fn corners(model: &Model, spin: [f64; 2]) -> Vec<(Interval, Interval)> {
     let inertia = Interval::point(model.vehicle.inertia[2]);
     let (mut low, mut high) = (Interval::ZERO, Interval::ZERO);
     for rotor in &model.vehicle.rotors {
-        let most = Interval::point(rotor.inertia) * Interval::point(rotor.max_speed);
+        let most = Interval::point(rotor.inertia) * fastest(rotor);
         match rotor.spin {
             Spin::P => high = high + most,
             Spin::N => low = low - most,
@@ -461,7 +477,7 @@ impl Row {
 fn width(model: &Model, row: &Row) -> f64 {
     let (a, b) = (row.thrust.middle(), row.torque.middle());
     let along = |x: f64, y: f64| -> f64 {
-        let of_rotor = |rotor: &crate::model::Rotor| {
+        let of_rotor = |rotor: &Rotor| {
             let full = rotor.thrust_coefficient * (rotor.max_speed.powi(2) - rotor.min_speed * rotor.min_speed.abs());
             (full * (a + x * rotor.position[1] - y * rotor.position[0])).abs()
         };

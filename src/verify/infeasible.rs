@@ -96,12 +96,15 @@ pub(super) fn decide(
     let weighed = claim.multipliers.iter().filter(|m| m.z.iter().any(|z| *z != 0.0)).count();
     let rows_of_proof = format!("{} with multipliers{selection}", plural(weighed, "row"));
     let planner = model.plan.planner.name().to_uppercase();
+    let selected = if claim.selected_by.is_empty() { "" } else { ", for the facets selected by the included plans" };
+    // Whether the certificate's height is required is not decided.
+    let kept = model.plan.require_capture.and_then(|required| required.height);
+    let kept = kept.map_or(String::new(), |height| format!(", if {} m above the ground are required", number(height)));
     let headline = format!(
         "proved infeasible on one grid: mission {} has no {planner} plan of {} s whose inputs are linear between the nodes of \
-         the spec's {pieces} pieces in flight{}",
+         the spec's {pieces} pieces in flight{selected}{kept}",
         mission.name,
         number(total),
-        if claim.selected_by.is_empty() { "" } else { ", for the facets selected by the included plans" }
     );
     let proved = Shown { statement: format!("{rows_of_proof} contradict each other"), reach: None };
     let weaker = vec![format!(
@@ -161,6 +164,10 @@ fn planes(
         }
     }
     if setting.premises.has(Premise::Selection) {
+        if let Some(&index) = to_select.iter().find(|&&index| !planes[index].is_facet) {
+            let why = "it is not known to contain a facet, which alone RSP selects";
+            return Err(of_facet(index, &claim.facets[index])(Rejection::new("", why)));
+        }
         let violated = setting.violated(to_select.iter().map(|&index| &planes[index]), selected_by);
         if let Some((&index, _)) = to_select.iter().zip(&violated).find(|(_, over)| !**over) {
             let why = "no included plan violates it, so RSP does not select it";

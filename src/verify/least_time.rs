@@ -11,7 +11,7 @@
 use super::Rejection;
 use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
-use crate::certificate::TooEarlyClaim;
+use crate::certificate::{MotionRecord, TooEarlyClaim};
 use crate::model::{Heading, Limit, LimitKind, Model, PlanModel, Problem, Waypoint};
 use crate::number::{down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
@@ -278,9 +278,36 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
             now = now + Interval::point(leg(i - 1));
         }
         reached.push(now.low);
-        now = Interval::point(time.map_or(now.low, |due| due.max(now.low))) + Interval::point(*hold);
+        now = Interval::point(time.map_or(now.low, |due| earliest(due).max(now.low))) + Interval::point(*hold);
     }
     reached
+}
+
+/// When a waypoint with a fixed time may be reached, s: times agree to within [`SAME_TIME`].
+fn earliest(due: f64) -> f64 {
+    due - 2.0 * SAME_TIME * due.abs().max(1.0)
+}
+
+/// Checks that a motion reaches no waypoint sooner than motions within the limits can. The gaps at its joints and the tolerances of
+/// its rows, each too small to matter, could make it so together.
+///
+/// # Errors
+/// It does.
+pub(super) fn not_beaten(problem: Problem, motion: &MotionRecord) -> Result<(), Rejection> {
+    let arrivals = motion.waypoint_nodes.iter().map(|&node| motion.times_s.get(node).copied().unwrap_or(f64::NAN));
+    let beaten = soonest(problem).into_iter().zip(arrivals).enumerate().find(|(_, (least, at))| earliest(*least) > *at);
+    match beaten {
+        Some((i, (least, at))) => {
+            let why = format!(
+                "waypoint {} is reached at {} s, but motions within the limits take at least {} s: the motion uses its gaps",
+                i + 1,
+                number(at),
+                number(least)
+            );
+            Err(Rejection { at: Some(at), ..Rejection::new("the least time", why) })
+        }
+        None => Ok(()),
+    }
 }
 
 /// By how much two tolerances and the check of plans may shorten a displacement, m or rad.
@@ -301,7 +328,7 @@ pub(super) fn bound(problem: Problem, claimed: f64) -> Result<(), Rejection> {
     let end = mission.waypoints.last();
     let (own, hold) = (soonest(problem).last().copied().unwrap_or(0.0), end.map_or(0.0, |w| w.hold));
     // A last waypoint with a fixed time is reached at that time.
-    let reached = end.and_then(|w| w.time).map_or(own, |due| due.max(own));
+    let reached = end.and_then(|w| w.time).map_or(own, |due| earliest(due).max(own));
     let own = (Interval::point(reached) + Interval::point(hold)).low;
     if exceeds(claimed, own) {
         let why = format!("{} s is claimed, but distances and limits give {} s", number(claimed), number(own));

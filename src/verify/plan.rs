@@ -19,6 +19,7 @@ use crate::model::{Heading, Mission, Model, PlannerKind, Problem};
 use crate::number::number;
 use crate::source::Span;
 use std::collections::HashSet;
+use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
 pub use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
@@ -354,6 +355,12 @@ impl<'a> Setting<'a> {
                 Err(why) => undecided.push(format!("the set of {mode}: {why}")),
             }
         }
+        // In place of a set that cannot be computed at least the healthy one, in which the vehicle is until the fault.
+        if !undecided.is_empty() && !groups.iter().any(|group| group.mode == HEALTHY) {
+            if let Ok(planes) = self.planes_of(HEALTHY)? {
+                groups.push(Group { mode: HEALTHY.into(), whole: true, span: None, planes });
+            }
+        }
         Ok((groups, undecided))
     }
 
@@ -436,6 +443,16 @@ impl<'a> Setting<'a> {
                 .sqrt();
             let turned = apart(YAW, point.yaw).abs();
             let off = [("position", distance, point.within, "m"), ("yaw", turned, point.yaw_within, "rad")];
+            // The yaw of a start that follows a direction is that direction itself, not a full turn away from it.
+            let follows = i == 0 && point.heading != Heading::Given;
+            if follows && exceeds(turned.high, PI + MOST_MISS) {
+                let why = format!(
+                    "its yaw is {} rad from where yaws are counted, more than half a turn",
+                    number(turned.high)
+                );
+                let (at, span) = (Some(motion.times[node]), Some(point.span));
+                return Err(Rejection { at, span, ..Rejection::new("waypoint 1", why) });
+            }
             // A yaw that follows from the motion is checked as a limit.
             let count = if point.heading == Heading::Given { 2 } else { 1 };
             for (what, error, within, unit) in off.into_iter().take(count) {

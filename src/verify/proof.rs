@@ -3,7 +3,7 @@
 use super::cost::Purse;
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, State};
-use crate::number::number;
+use crate::number::{number, up};
 use std::ops::Range;
 
 /// A quantity and its rate of change, at an instant or over a time interval.
@@ -53,6 +53,11 @@ impl Measure {
     /// A number with its unit.
     pub fn of(self, x: f64) -> String {
         format!("{} {}", number(x * self.factor), self.unit)
+    }
+
+    /// The same, rounded up.
+    pub fn at_most(self, x: f64) -> String {
+        format!("{} {}", up(x * self.factor, 6), self.unit)
     }
 }
 

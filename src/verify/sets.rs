@@ -27,6 +27,25 @@ pub const HEALTHY: &str = "healthy";
 /// more than this, each scaled to length 1 in units of the set's extent along each axis. A smaller volume may be rounding.
 const INDEPENDENT: f64 = 1e-6;
 
+/// A set counts as thin if its width along some plane's normal is below this share of the healthy set's extents along it. Rows
+/// hold to 1e-4 of the healthy set's width, so that a set this thick reaches beyond itself by at most 2 % of its own width, and one
+/// that is thinner lies within 1 % of a flat one.
+const THIN: f64 = 1e-2;
+
+const TOO_FEW_DIMENSIONS: &str = "it has fewer than three dimensions";
+
+/// Two parallel planes that touch the set.
+struct Side {
+    normal: Exact,
+    opposite: Exact,
+    offsets: [Dyadic; 2],
+    /// From 1.
+    rotors: Vec<usize>,
+    is_facet: bool,
+    /// The distance between them, as a share of the extents of the healthy set along the normal.
+    share: f64,
+}
+
 type Exact = [Dyadic; 4];
 
 /// A half-space `normal . w <= offset`, both over the healthy set's width along the normal.
@@ -98,6 +117,8 @@ pub struct Generators {
     own: Vec<Exact>,
     /// Generators of the healthy vehicle.
     healthy: Vec<Exact>,
+    /// The extent of the healthy set along each axis, in units of which a set's thickness is measured.
+    extents: [f64; 4],
     hover: Exact,
     /// The share of the distance from hover to each plane that plans may use: one minus the reserve.
     kept: Interval,
@@ -180,7 +201,10 @@ impl Generators {
             let [idle, full] = [rotor.min_speed, rotor.max_speed].map(|speed| wrench_at(rotor, speed, &one, &one));
             (idle, full)
         };
-        let healthy = vehicle.rotors.iter().map(nominal).map(|(idle, full)| difference(&full, &idle)).collect();
+        let healthy: Vec<Exact> =
+            vehicle.rotors.iter().map(nominal).map(|(idle, full)| difference(&full, &idle)).collect();
+        let reach = |axis: usize| healthy.iter().map(|g| g[axis].enclosure().magnitude()).sum::<f64>();
+        let extents = std::array::from_fn(|axis| reach(axis).max(f64::MIN_POSITIVE));
         let mut offset = zero();
         let mut own = Vec::new();
         for (k, rotor) in vehicle.rotors.iter().enumerate() {
@@ -214,6 +238,7 @@ impl Generators {
             offset,
             own,
             healthy,
+            extents,
             hover,
             kept: Interval::ONE - Interval::point(reserve),
             doubts: vehicle.is_uncertain().then(|| Doubts::of(vehicle, mode)),
@@ -233,27 +258,36 @@ impl Generators {
             let [rotor] = *rotors else { return None };
             let bounds = inverse.bounds(rotor)?;
             let (normal, offset) = bounds.into_iter().find(|(n, _)| dot(n, &towards).sign() == Ordering::Greater)?;
-            return Some(self.facet(&normal, &offset, rotors));
+            return Some(self.facet(&normal, &offset, rotors, false));
         }
         let &[a, b, c] = rotors else { return None };
         let [a, b, c] = [a, b, c].map(|k| k.checked_sub(1).and_then(|k| self.own.get(k)));
-        let normal = orthogonal(a?, b?, c?);
+        let (a, b, c) = (a?, b?, c?);
+        let normal = orthogonal(a, b, c);
+        let is_facet = self.is_facet([a, b, c], &self.side(normal.clone(), Vec::new())?);
         let normal = match dot(&normal, &towards).sign() {
             Ordering::Greater => normal,
             Ordering::Less => normal.map(|n| n.negated()),
             Ordering::Equal => return None,
         };
-        Some(self.facet(&normal, &self.support(&normal), rotors))
+        Some(self.facet(&normal, &self.support(&normal), rotors, is_facet))
+    }
+
+    /// Whether the planes through three generators are known to contain facets. Planes moved by intervals may no longer contain
+    /// one, and those across a thin set mean little.
+    fn is_facet(&self, through: [&Exact; 3], side: &Side) -> bool {
+        let [a, b, c] = through.map(|g| in_units_of(&self.extents, g));
+        volume([&a, &b, &c]) > INDEPENDENT && self.doubts.is_none() && side.share >= THIN
     }
 
     /// The facet as certificates print it: normal of length 1, shrunk by intervals, not by the reserve.
-    fn facet(&self, normal: &Exact, offset: &Dyadic, rotors: &[usize]) -> Facet {
+    fn facet(&self, normal: &Exact, offset: &Dyadic, rotors: &[usize], is_facet: bool) -> Facet {
         let (row, bound) = self.row(normal, offset);
         let length = row.iter().fold(Interval::ZERO, |sum, n| sum + n.square()).sqrt();
         Facet {
             normal: row.map(|n| n / length),
             offset: bound / length,
-            plane: self.plane(normal, offset, rotors.to_vec(), true),
+            plane: self.plane(normal, offset, rotors.to_vec(), is_facet),
         }
     }
 
@@ -263,7 +297,9 @@ impl Generators {
     /// The set has fewer than three dimensions, or fewer than four with the pseudo-inverse.
     pub fn planes(&self) -> Result<Vec<Plane>, String> {
         let mut planes = match &self.inverse {
-            Some(_) if self.lacking().is_some() => return Err(inverse::NOT_ALL_GIVEN.into()),
+            Some(_) if self.through_three().iter().any(|side| side.share < THIN) => {
+                return Err(inverse::NOT_ALL_GIVEN.into());
+            }
             Some(inverse) => {
                 let rows = inverse.rows()?;
                 // A rotor's bound may be unreachable because of the others, so the plane need not contain a facet.
@@ -282,43 +318,64 @@ impl Generators {
     }
 
     fn spanned(&self) -> Result<Vec<Plane>, String> {
-        let used: Vec<usize> = (0..self.own.len()).filter(|&k| !is_zero(&self.own[k])).collect();
-        let mut normals = Vec::new();
-        let extent = self.extents();
-        let scaled: Vec<[f64; 4]> = self.own.iter().map(|g| in_units_of(&extent, g)).collect();
+        let mut sides = self.through_three();
+        let Some(thinnest) = sides.iter().min_by(|a, b| a.share.total_cmp(&b.share)) else {
+            return Err(TOO_FEW_DIMENSIONS.into());
+        };
+        if thinnest.share < THIN {
+            // Thin: planes through two generators along the thin direction bound the set across it. Those through three are nearly
+            // parallel to each other, and given a tolerance they bound it only along that direction.
+            let thin = thinnest.normal.clone();
+            let used = self.used();
+            let pairs = used.iter().enumerate().flat_map(|(i, &a)| used[i + 1..].iter().map(move |&b| [a, b]));
+            let normal_of = |[a, b]: [usize; 2]| (orthogonal(&self.own[a], &self.own[b], &thin), vec![a + 1, b + 1]);
+            let across: Vec<Side> =
+                pairs.map(normal_of).filter_map(|(normal, rotors)| self.side(normal, rotors)).collect();
+            if across.is_empty() || across.iter().any(|side| side.share < THIN) {
+                return Err(TOO_FEW_DIMENSIONS.into());
+            }
+            sides.extend(across);
+        }
+        Ok(sides.into_iter().flat_map(|side| self.both(side)).collect())
+    }
+
+    /// The rotors whose thrust can vary.
+    fn used(&self) -> Vec<usize> {
+        (0..self.own.len()).filter(|&k| !is_zero(&self.own[k])).collect()
+    }
+
+    /// The pairs of planes through every three generators that span one.
+    fn through_three(&self) -> Vec<Side> {
+        let used = self.used();
+        let mut sides = Vec::new();
         for (i, &a) in used.iter().enumerate() {
             for (j, &b) in used.iter().enumerate().skip(i + 1) {
                 for &c in &used[j + 1..] {
                     let normal = orthogonal(&self.own[a], &self.own[b], &self.own[c]);
-                    if !is_zero(&normal) {
-                        let independent = volume([&scaled[a], &scaled[b], &scaled[c]]) > INDEPENDENT;
-                        // A plane moved by intervals may no longer contain a facet.
-                        let is_facet = independent && self.doubts.is_none();
-                        normals.push((normal, vec![a + 1, b + 1, c + 1], is_facet));
-                    }
+                    let Some(mut side) = self.side(normal, vec![a + 1, b + 1, c + 1]) else { continue };
+                    side.is_facet = self.is_facet([&self.own[a], &self.own[b], &self.own[c]], &side);
+                    sides.push(side);
                 }
             }
         }
-        if normals.is_empty() {
-            return Err("it has fewer than three dimensions".into());
+        sides
+    }
+
+    /// The two planes with a normal that touch the set; `None` if it is zero.
+    fn side(&self, normal: Exact, rotors: Vec<usize>) -> Option<Side> {
+        if is_zero(&normal) {
+            return None;
         }
-        if let Some(lacking) = self.lacking() {
-            // Flat: two generators and the missing direction span a plane that bounds the set within its three dimensions.
-            // Planes that are not parallel only because of rounding would not bound it, given a tolerance.
-            for (i, &a) in used.iter().enumerate() {
-                for &b in &used[i + 1..] {
-                    let normal = orthogonal(&self.own[a], &self.own[b], &lacking);
-                    if !is_zero(&normal) {
-                        normals.push((normal, vec![a + 1, b + 1], false));
-                    }
-                }
-            }
-        }
-        let both = |(normal, rotors, is_facet): (Exact, Vec<usize>, bool)| {
-            let opposite = normal.clone().map(|n| n.negated());
-            [&normal, &opposite].map(|n| self.plane(n, &self.support(n), rotors.clone(), is_facet))
-        };
-        Ok(normals.into_iter().flat_map(both).collect())
+        let opposite = normal.clone().map(|n| n.negated());
+        let offsets = [self.support(&normal), self.support(&opposite)];
+        let width = offsets[0].plus(&offsets[1]).enclosure().high;
+        let whole: f64 = (0..4).map(|axis| normal[axis].enclosure().magnitude() * self.extents[axis]).sum();
+        Some(Side { normal, opposite, offsets, rotors, is_facet: false, share: width / whole })
+    }
+
+    fn both(&self, side: Side) -> [Plane; 2] {
+        let Side { normal, opposite, offsets: [above, below], rotors, is_facet, .. } = side;
+        [(normal, above), (opposite, below)].map(|(n, e)| self.plane(&n, &e, rotors.clone(), is_facet))
     }
 
     /// The planes that bound the set's shadow along tau_z, the wrenches of which some yaw torque is in the set; `None` if there are
@@ -331,76 +388,23 @@ impl Generators {
         }
         let mut along_yaw = zero();
         along_yaw[3] = Dyadic::of(1.0);
-        let used: Vec<usize> = (0..self.own.len()).filter(|&k| !is_zero(&self.own[k])).collect();
-        let extent = self.extents();
-        let flattened = |k: &usize| {
-            let mut own = self.own[*k].clone();
-            own[3] = Dyadic::zero();
-            in_units_of(&extent, &own)
-        };
-        let shadows: Vec<[f64; 4]> = used.iter().map(flattened).collect();
-        let mut normals = Vec::new();
-        let (mut most, mut widest) = (0.0, None);
+        let used = self.used();
+        let mut sides: Vec<Side> = Vec::new();
         for (i, &a) in used.iter().enumerate() {
-            for (j, &b) in used.iter().enumerate().skip(i + 1) {
+            for &b in &used[i + 1..] {
                 let normal = orthogonal(&self.own[a], &self.own[b], &along_yaw);
-                if is_zero(&normal) {
-                    continue;
-                }
-                let spanned = volume([&shadows[i], &shadows[j], &[0.0, 0.0, 0.0, 1.0]]);
-                if spanned > most {
-                    (most, widest) = (spanned, Some(normal.clone()));
-                }
-                normals.push((normal, vec![a + 1, b + 1]));
+                sides.extend(self.side(normal, vec![a + 1, b + 1]));
             }
         }
-        let lacking = widest?;
-        let unit = in_units_of(&extent.map(f64::recip), &lacking);
-        let within = |g: &[f64; 4]| (0..4).map(|axis| unit[axis] * g[axis]).sum::<f64>().abs() <= INDEPENDENT;
-        if shadows.iter().all(within) {
-            // Flat, as in `spanned`: rotors in a line.
-            for &a in &used {
-                let normal = orthogonal(&self.own[a], &lacking, &along_yaw);
-                if !is_zero(&normal) {
-                    normals.push((normal, vec![a + 1]));
-                }
-            }
+        let thinnest = sides.iter().min_by(|a, b| a.share.total_cmp(&b.share))?;
+        if thinnest.share < THIN {
+            // Thin, as in `spanned`: rotors in a line.
+            let thin = thinnest.normal.clone();
+            let across = used.iter().map(|&a| (orthogonal(&self.own[a], &thin, &along_yaw), vec![a + 1]));
+            let across: Vec<Side> = across.filter_map(|(normal, rotors)| self.side(normal, rotors)).collect();
+            sides.extend(across);
         }
-        let both = |(normal, rotors): (Exact, Vec<usize>)| {
-            let opposite = normal.clone().map(|n| n.negated());
-            [&normal, &opposite].map(|n| self.plane(n, &self.support(n), rotors.clone(), false))
-        };
-        Some(normals.into_iter().flat_map(both).collect())
-    }
-
-    /// The direction that a flat set lacks, up to rounding: the normal of the three generators that span the largest volume,
-    /// if all others lie in their span.
-    fn lacking(&self) -> Option<Exact> {
-        let extent = self.extents();
-        let used: Vec<&Exact> = self.own.iter().filter(|g| !is_zero(g)).collect();
-        let scaled: Vec<[f64; 4]> = used.iter().map(|g| in_units_of(&extent, g)).collect();
-        let (mut most, mut widest) = (0.0, None);
-        for i in 0..used.len() {
-            for j in i + 1..used.len() {
-                for k in j + 1..used.len() {
-                    let spanned = volume([&scaled[i], &scaled[j], &scaled[k]]);
-                    if spanned > most {
-                        (most, widest) = (spanned, Some([i, j, k]));
-                    }
-                }
-            }
-        }
-        let [i, j, k] = widest?;
-        let normal = orthogonal(used[i], used[j], used[k]);
-        let unit = in_units_of(&extent.map(f64::recip), &normal);
-        let within = |g: &[f64; 4]| (0..4).map(|axis| unit[axis] * g[axis]).sum::<f64>().abs() <= INDEPENDENT;
-        scaled.iter().all(within).then_some(normal)
-    }
-
-    /// The extent of all generators together along each axis.
-    fn extents(&self) -> [f64; 4] {
-        let reach = |axis: usize| self.own.iter().map(|g| g[axis].enclosure().magnitude()).sum::<f64>();
-        std::array::from_fn(|axis| reach(axis).max(f64::MIN_POSITIVE))
+        Some(sides.into_iter().flat_map(|side| self.both(side)).collect())
     }
 
     /// Bounds on T, tau_x, tau_y and tau_z over the set of everything that the rotors can give, shrunk by the reserve.

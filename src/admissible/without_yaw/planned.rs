@@ -259,7 +259,9 @@ fn momenta(model: &Model, spin: [f64; 2]) -> Vec<(f64, f64)> {
     let inertia = model.vehicle.inertia[2];
     let (mut low, mut high) = (0.0, 0.0);
     for rotor in &model.vehicle.rotors {
-        let most = rotor.inertia * rotor.max_speed;
+        // The highest speed over the intervals of b w_max^2 and of b.
+        let fastest = (rotor.spread.full_thrust.high / rotor.spread.idle_thrust.low).sqrt();
+        let most = rotor.inertia * rotor.max_speed * fastest;
         // Below zero for a rotor that may reverse.
         let least = rotor.inertia * rotor.min_speed.min(0.0);
         match rotor.spin {

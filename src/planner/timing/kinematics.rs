@@ -291,7 +291,8 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
             if soonest > due + 2.0 * SAME_TIME * due.max(1.0) && too_early.is_none() {
                 too_early = Some((i, soonest));
             }
-            soonest = soonest.max(due);
+            // Plans may be this much early.
+            soonest = soonest.max(due - 2.0 * SAME_TIME * due.max(1.0));
         }
         soonest += point.hold;
     }

@@ -3,7 +3,7 @@
 use super::Row;
 use crate::verify::interval::Interval;
 
-/// Lines closer than this, relative to their size, count as one.
+/// Lines closer than this at every thrust, relative to the largest height, count as one.
 const SAME: f64 = 1e-9;
 
 /// Rows are collected up to this many, of which those that others imply are then dropped: memory does not grow with their number.
@@ -18,8 +18,9 @@ struct Line {
 }
 
 /// The rows found so far, without those that others imply.
-#[derive(Default)]
 pub(super) struct Envelope {
+    /// The largest thrust, N.
+    thrust: f64,
     lines: Vec<Line>,
     /// The bound on the thrust alone from above, and from below.
     on_thrust: [Option<Row>; 2],
@@ -28,6 +29,11 @@ pub(super) struct Envelope {
 }
 
 impl Envelope {
+    /// An envelope for thrusts of at most `thrust`, N.
+    pub fn new(thrust: f64) -> Self {
+        Envelope { thrust, lines: Vec::new(), on_thrust: [None; 2], left: 0 }
+    }
+
     pub fn add(&mut self, row: Row) {
         let Some((slope, height)) = row.line() else {
             let bound = &mut self.on_thrust[usize::from(row.thrust.middle() < 0.0)];
@@ -36,14 +42,14 @@ impl Envelope {
         };
         self.lines.push(Line { slope, height, row });
         if self.lines.len() >= self.left + BATCH {
-            self.lines = irredundant(std::mem::take(&mut self.lines));
+            self.lines = irredundant(std::mem::take(&mut self.lines), self.thrust);
             self.left = self.lines.len();
         }
     }
 
     /// The rows without those that others imply by a margin that rounding cannot close; equal ones become their hull.
     pub fn rows(self) -> Vec<Row> {
-        let lines = irredundant(self.lines);
+        let lines = irredundant(self.lines, self.thrust);
         self.on_thrust.into_iter().flatten().chain(lines.into_iter().map(|line| line.row)).collect()
     }
 }
@@ -57,9 +63,10 @@ impl Row {
     }
 }
 
-fn irredundant(mut lines: Vec<Line>) -> Vec<Line> {
-    let size = |of: fn(&Line) -> f64| lines.iter().map(|line| of(line).abs()).fold(0.0, f64::max);
-    let (slope, height) = (SAME * size(|l| l.slope), SAME * size(|l| l.height));
+fn irredundant(mut lines: Vec<Line>, thrust: f64) -> Vec<Line> {
+    let height = SAME * lines.iter().map(|line| line.height.abs()).fold(0.0, f64::max);
+    // Lines whose slopes differ by no more than this are this close at every thrust.
+    let slope = height / thrust;
     let are_parallel = |a: &Line, b: &Line| (a.slope - b.slope).abs() <= slope;
     // By falling slope: the lower envelope from small to large thrusts.
     lines.sort_unstable_by(|a, b| b.slope.total_cmp(&a.slope).then(a.height.total_cmp(&b.height)));

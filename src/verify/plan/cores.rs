@@ -5,14 +5,15 @@ use super::super::cost::Purse;
 use super::super::interval::Interval;
 use super::super::motion::Motion;
 use super::super::premise::Premise;
-use super::super::proof::{Family, above_at_nodes};
+use super::super::proof::{Family, Measure, above_at_nodes};
 use super::super::{Reach, Rejection, Shown, required};
 use super::along::violated;
 use super::selection::{PARTS, Selecting, VIOLATED, selects};
 use super::{Checked, Found, ImposedCore, MOST_OUTSIDE, Setting};
 use crate::certificate::DynamicModel;
-use crate::number::significant;
+use crate::number::{down, up};
 use std::collections::HashSet;
+use std::ops::Range;
 
 impl Setting<'_> {
     /// The cores that the spec's planner imposes: RCP's whole, RSP's where the plans that it selects from violate them. The motion
@@ -41,14 +42,14 @@ impl Setting<'_> {
                 true => members,
                 false => members.into_iter().filter(|&member| member < all - core.premises()).collect(),
             };
-            let family = family.only(&members);
-            if let Some(failure) = above_at_nodes(&family, motion, MOST_OUTSIDE) {
-                let measure = family.measure;
-                let claim = format!("the core of {}", core.mode);
-                let span = self.span_of(&core.mode);
-                return Err(Rejection { span, ..violated(claim, &failure, measure, MOST_OUTSIDE) });
+            let imposed_core = ImposedCore { core: core.clone(), members, whole };
+            for Part { family, subject, .. } in self.parts(&imposed_core) {
+                if let Some(failure) = above_at_nodes(&family, motion, MOST_OUTSIDE) {
+                    let span = self.span_of(&core.mode);
+                    return Err(Rejection { span, ..violated(subject, &failure, family.measure, MOST_OUTSIDE) });
+                }
             }
-            imposed.push(ImposedCore { core: core.clone(), members, whole });
+            imposed.push(imposed_core);
         }
         Ok(imposed)
     }
@@ -99,26 +100,72 @@ impl Setting<'_> {
     }
 }
 
-impl Checked<'_> {
-    fn statement_of(core: &ImposedCore) -> String {
-        let [low, high] = core.core.spin().map(|rate| significant(rate, 3));
-        let which = if core.whole { "inside the core" } else { "inside the selected rows of the core" };
-        format!("motion {which} of {}, for every heading and spins of {low} to {high} rad/s", core.core.mode)
-    }
+/// Members of one measure.
+struct Part<'f> {
+    family: Family<'f>,
+    /// In rejections.
+    subject: String,
+    statement: String,
+}
 
+impl<'a> Setting<'a> {
+    /// The imposed rows of a core, then the premises that are imposed with them: the rate of turning, and that of the motion itself.
+    fn parts(&self, imposed: &ImposedCore) -> Vec<Part<'a>> {
+        let ImposedCore { core, members, whole } = imposed;
+        let all = core.family(&self.dynamics).members;
+        let [rows, turning] = [all - core.premises(), all - 2];
+        // Rounded towards zero, so that the range is not printed wider than it is.
+        let [low, high] = core.spin().map(|rate| if rate < 0.0 { up(rate, 3) } else { down(rate, 3) });
+        let mode = &core.mode;
+        let which = if *whole { "inside the core" } else { "inside the selected rows of the core" };
+        let rate = core.turning().map_or(String::new(), |rate| up(rate, 3));
+        let rad_s = Measure { factor: 1.0, unit: "rad/s", whole: None };
+        let of_turning = Measure { factor: 100.0, unit: "%", whole: Some("of that rate") };
+        let parts = [
+            (
+                0..rows,
+                Measure::WIDTH,
+                format!("the core of {mode}"),
+                format!("motion {which} of {mode}, for every heading and spins of {low} to {high} rad/s"),
+            ),
+            (
+                rows..turning,
+                of_turning,
+                format!("the rate of turning in the core of {mode}"),
+                format!("thrust turning at no more than {rate} rad/s, for the core of {mode}"),
+            ),
+            (
+                turning..all,
+                rad_s,
+                format!("the motion's own rate in the core of {mode}"),
+                format!("rate of the motion itself among the spins of the core of {mode}"),
+            ),
+        ];
+        let part = |(range, measure, subject, statement): (Range<usize>, Measure, String, String)| {
+            let members: Vec<usize> = members.iter().copied().filter(|member| range.contains(member)).collect();
+            let family = Family { measure, ..core.family(&self.dynamics).only(&members) };
+            (!members.is_empty()).then_some(Part { family, subject, statement })
+        };
+        parts.into_iter().filter_map(part).collect()
+    }
+}
+
+impl Checked<'_> {
     /// Checks cores between the nodes.
     pub(super) fn cores_between(&self, purse: &mut Purse, found: &mut Found) {
         for imposed in self.cores.iter().filter(|imposed| !imposed.members.is_empty()) {
-            let family = imposed.core.family(&self.setting.dynamics).only(&imposed.members);
-            let reach = self.reach(&family, MOST_OUTSIDE, 1.0, purse);
-            found.add(Self::statement_of(imposed), reach);
+            for Part { family, statement, .. } in self.setting.parts(imposed) {
+                let reach = self.reach(&family, MOST_OUTSIDE, 1.0, purse);
+                found.add(statement, reach);
+            }
         }
     }
 
     /// Adds what a check of the nodes alone shows of cores.
     pub(super) fn cores_at_nodes(&self, found: &mut Found) {
         for imposed in self.cores.iter().filter(|imposed| !imposed.members.is_empty()) {
-            found.shown.push(Shown::new(Self::statement_of(imposed), Reach::NODES));
+            let parts = self.setting.parts(imposed).into_iter();
+            found.shown.extend(parts.map(|part| Shown::new(part.statement, Reach::NODES)));
         }
     }
 }
