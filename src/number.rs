@@ -45,6 +45,13 @@ pub fn down_but_above(x: f64, digits: usize, other: f64) -> String {
     written.unwrap_or_else(|| down(x, digits))
 }
 
+/// Two numbers with enough digits to show that they differ.
+pub fn apart(a: f64, b: f64) -> [String; 2] {
+    let written = |digits| [a, b].map(|x| significant(x, digits));
+    let differ = |pair: &[String; 2]| pair[0] != pair[1];
+    (6..=MOST_DIGITS).map(written).find(differ).unwrap_or_else(|| written(MOST_DIGITS))
+}
+
 /// An upper bound with up to `digits` significant digits, rounded up.
 pub fn up(x: f64, digits: usize) -> String {
     let text = down(-x, digits);

@@ -21,6 +21,7 @@ use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
 use crate::planner::limits::place;
 use crate::planner::selection::PlanningSet;
+use crate::planner::timing::kinematics::least_time_within;
 use crate::planner::timing::search::{Hint, NoTime, Shortest};
 use crate::planner::transcription::Purpose;
 use crate::planner::working_set::WorkingSet;
@@ -146,6 +147,12 @@ impl<'a> HoverPlanner<'a> {
         }
     }
 
+    /// Whether the bound on the mission's time rules out a time for every division among the legs. Rows hold at nodes only, so
+    /// that a motion below it could pass between them.
+    pub(super) fn is_too_short(&self, total: f64) -> bool {
+        least_time_within(self.problem).is_above(total)
+    }
+
     /// Decides one mission time: plans it, or shows that no plan meets every waypoint within its tolerance plus
     /// [`FEASIBLE`].
     pub fn decide(&mut self, total: f64, samples: usize, set: &PlanningSet, working_set: &mut WorkingSet) -> Decision {
@@ -165,6 +172,9 @@ impl<'a> HoverPlanner<'a> {
         working_set: &mut WorkingSet,
         quickly: bool,
     ) -> Decision {
+        if self.is_too_short(total) {
+            return Decision::Infeasible;
+        }
         self.weights.clear();
         let layout = match self.layout(total, samples) {
             Ok(Some(layout)) => layout,

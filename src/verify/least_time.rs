@@ -13,7 +13,7 @@ use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
 use crate::certificate::{MotionRecord, TooEarlyClaim};
 use crate::model::{Heading, Limit, LimitKind, Model, PlanModel, Problem, Waypoint};
-use crate::number::{down_but_above, number};
+use crate::number::{apart, down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use std::f64::consts::FRAC_PI_2;
 
@@ -297,14 +297,14 @@ pub(super) fn not_beaten(problem: Problem, motion: &MotionRecord) -> Result<(), 
     let arrivals = motion.waypoint_nodes.iter().map(|&node| motion.times_s.get(node).copied().unwrap_or(f64::NAN));
     let beaten = soonest(problem).into_iter().zip(arrivals).enumerate().find(|(_, (least, at))| earliest(*least) > *at);
     match beaten {
-        Some((i, (least, at))) => {
+        Some((i, (least, reached))) => {
+            let [least, at] = apart(least, reached);
             let why = format!(
-                "waypoint {} is reached at {} s, but motions within the limits take at least {} s: the motion uses its gaps",
-                i + 1,
-                number(at),
-                number(least)
+                "waypoint {} is reached after {at} s, but motions within the limits take at least {least} s; the gaps and \
+                 tolerances of this one add up",
+                i + 1
             );
-            Err(Rejection { at: Some(at), ..Rejection::new("the least time", why) })
+            Err(Rejection { at: Some(reached), ..Rejection::new("the least time", why) })
         }
         None => Ok(()),
     }
@@ -331,7 +331,8 @@ pub(super) fn bound(problem: Problem, claimed: f64) -> Result<(), Rejection> {
     let reached = end.and_then(|w| w.time).map_or(own, |due| earliest(due).max(own));
     let own = (Interval::point(reached) + Interval::point(hold)).low;
     if exceeds(claimed, own) {
-        let why = format!("{} s is claimed, but distances and limits give {} s", number(claimed), number(own));
+        let [claimed, own] = apart(claimed, own);
+        let why = format!("{claimed} s is claimed, but distances and limits give {own} s");
         return Err(Rejection::new("the least time", why));
     }
     Ok(())
@@ -355,7 +356,8 @@ pub(super) fn too_early(problem: Problem, claim: &TooEarlyClaim) -> Result<Strin
     };
     let own = soonest(problem)[claim.waypoint - 1];
     if exceeds(claim.soonest_s, own) {
-        let why = format!("{} s is claimed, but distances and limits give {} s", number(claim.soonest_s), number(own));
+        let [claimed, own] = apart(claim.soonest_s, own);
+        let why = format!("{claimed} s is claimed, but distances and limits give {own} s");
         return Err(Rejection::new(format!("the earliest arrival at waypoint {}", claim.waypoint), why));
     }
     if !exceeds(claim.soonest_s, due + SAME_TIME * due.max(1.0)) {

@@ -42,12 +42,6 @@ impl ScpPlanner<'_, '_> {
         Iterate { states: planned.grid.without_holds(&planned.states), grid, model: self.wrench }
     }
 
-    /// Whether the kinematic lower bound rules out a mission time for every division among the legs. Only used where the planner
-    /// chooses the division; a given one is decided by the relaxation, which proves more.
-    fn is_too_short(&self, total: f64) -> bool {
-        self.chooses_times() && kinematics::least_time_within(self.hover.problem).is_above(total)
-    }
-
     /// The divisions of a mission time that are tried unchanged: [`Self::first_division`] and, where the planner chooses durations,
     /// the one by lengths. Empty if some leg has no time.
     fn divisions(&self, total: f64) -> Vec<TimeGrid> {
@@ -74,7 +68,7 @@ impl ScpPlanner<'_, '_> {
     /// from the relaxation's solution or by continuation from slower motions; a proof by the relaxation (74) or the kinematic bound
     /// that there is none; or neither, which is `Inconclusive(NOT_FOUND)`.
     pub fn decide(&mut self, total: f64, initial_guesses: &[&Planned]) -> Decision {
-        if self.is_too_short(total) {
+        if self.hover.is_too_short(total) {
             return Decision::Infeasible;
         }
         let divisions = self.divisions(total);
@@ -107,7 +101,7 @@ impl ScpPlanner<'_, '_> {
     /// the feasibility phase runs with two initial guesses, the relaxation's solution, which keeps every limit, and the
     /// minimum-snap motion. If `minimised`, or with the second guess, a short cost phase follows.
     pub fn attempt(&mut self, total: f64, minimised: bool) -> Decision {
-        if self.is_too_short(total) {
+        if self.hover.is_too_short(total) {
             return Decision::Infeasible;
         }
         let samples = self.hover.model().plan.samples;
