@@ -188,3 +188,76 @@ fn a_claimed_height_is_called_a_claim() {
                not checked, and neither is whether the height was simulated";
     assert!(verdict.weaker.iter().any(|weaker| weaker == why), "{:?}", verdict.weaker);
 }
+
+/// Four rotors nearly on a beam: their facets are those of a set 10 um thick, far below the tolerance of the healthy set.
+#[test]
+fn a_thin_set_is_bounded_across() {
+    let told = refused("thin_set");
+    assert!(told.starts_with("the set of sides, at the plane of rotors [1, 3] at 4.336 s: violated by 212"), "{told}");
+    let told = refused("thin_core");
+    assert!(told.starts_with("the core of sides at 9 s: violated by 37.6"), "{told}");
+}
+
+/// The healthy set takes the place of a set with fewer than three dimensions.
+#[test]
+fn a_set_that_is_not_decided_does_not_lift_the_healthy_one() {
+    let told = refused("undecided_set");
+    assert!(told.starts_with("the set of healthy"), "{told}");
+}
+
+/// A plane that an interval moves may not contain a facet; that it is left is said all the same.
+#[test]
+fn intervals_do_not_hide_a_set_that_is_left() {
+    let verdict = decide(&forged("selection_in_intervals"), &spec("selection_in_intervals")).unwrap();
+    let why = "the included plan selects no facet, but the motion leaves the set of ice: no facet of the fault sets is guarded";
+    assert_eq!(verdict.weaker, [why]);
+}
+
+#[test]
+fn a_second_plan_keeps_the_rows_of_cores_that_the_first_selects() {
+    let told = refused("second_plan");
+    assert!(told.starts_with("plan 2 to select from: the core of L1"), "{told}");
+}
+
+/// A limit of 90 deg on the yaw, which begins a full turn below its direction and ends at a heading of 121 deg.
+#[test]
+fn yaws_are_counted_from_the_start() {
+    let told = refused("start_turned");
+    assert!(told.starts_with("waypoint 1 at 0 s: its yaw is 6.28319 rad from where yaws are counted"), "{told}");
+}
+
+/// Both ends of a leg may have a fixed time, each with its tolerance.
+#[test]
+fn two_fixed_times_have_two_tolerances() {
+    let told = refused("due_twice");
+    assert!(told.starts_with("the earliest arrival at waypoint 3"), "{told}");
+}
+
+#[test]
+fn a_proof_with_a_claimed_height_is_conditional() {
+    let verdict = decide(&forged("height_too_high"), &spec("height_too_high")).unwrap();
+    assert!(verdict.headline.ends_with(", if 15 m above the ground are required"), "{}", verdict.headline);
+    assert!(verdict.weaker.iter().any(|weaker| weaker.contains("are required after a fault")), "{:?}", verdict.weaker);
+}
+
+/// The grid steps over a wall of 1 cm, so that the bound on another part of the volume bounds nothing here.
+#[test]
+fn a_bound_on_a_part_of_a_volume_does_not_bound_the_whole() {
+    let verdict = decide(&forged("between_walls"), &spec("between_walls")).unwrap();
+    let of_walls = verdict.weaker.iter().find(|weaker| weaker.starts_with("keep_out walls")).unwrap();
+    assert!(of_walls.contains("exceeded between the nodes by 0.201") && !of_walls.contains("at most"), "{of_walls}");
+}
+
+#[test]
+fn a_rate_is_not_a_share_of_a_width() {
+    let verdict = decide(&forged("own_rate"), &spec("own_rate")).unwrap();
+    let of_rate = verdict.weaker.iter().find(|weaker| weaker.starts_with("rate of the motion itself")).unwrap();
+    assert!(of_rate.contains("by at most 0.30") && of_rate.contains("rad/s"), "{of_rate}");
+}
+
+/// The drag that ends a spin falls with the density.
+#[test]
+fn thin_air_ends_a_spin_later() {
+    let told = refused("thin_air");
+    assert!(told.starts_with("the core of L1 at 0.230667 s: violated by 8.34"), "{told}");
+}
