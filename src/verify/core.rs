@@ -205,14 +205,20 @@ impl Core {
         let kept = Interval::ONE - Interval::point(model.plan.reserve);
         let torques = spin.map(|rate| balanced(&drag, rate) * kept);
         let mut envelope = Envelope::default();
+        let mut is_bounded = true;
         let elimination = Elimination { planes: &planes, generators: &sets.generators(&mode.name)?, torques };
         elimination.rows(|row| {
             let width = width(model, &row);
+            // Along a direction that the healthy rotors do not give, a plane has no width.
+            is_bounded &= [row.thrust, row.torque, row.offset].iter().all(|part| part.magnitude().is_finite());
             // Two opposite planes add up to a row that bounds nothing: its normal is zero up to rounding.
             if width > NEGLIGIBLE * row.offset.low {
                 envelope.add(row.over(width));
             }
         });
+        if !is_bounded {
+            return wrong("the rotors do not give all torques, so that its set has no width to measure by");
+        }
         let [jx, jy, _] = model.vehicle.inertia.map(Interval::point);
         let half = Interval::point(0.5);
         Ok(Core {
