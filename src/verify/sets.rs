@@ -378,7 +378,8 @@ impl Generators {
     /// The extent of all generators together along each axis.
     fn extents(&self) -> [f64; 4] {
         let reach = |axis: usize| self.own.iter().map(|g| g[axis].enclosure().magnitude()).sum::<f64>();
-        std::array::from_fn(|axis| reach(axis).max(f64::MIN_POSITIVE))
+        // Along an axis of none every unit is as good, as long as its inverse is no extreme: rotors in a line give no roll torque.
+        std::array::from_fn(|axis| Some(reach(axis)).filter(|extent| *extent > 0.0).unwrap_or(1.0))
     }
 
     /// Bounds on T, tau_x, tau_y and tau_z over the set of everything that the rotors can give, shrunk by the reserve.

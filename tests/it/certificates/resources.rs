@@ -206,7 +206,9 @@ fn a_shadow_is_what_some_yaw_torque_leaves() {
                     outside += 1;
                 }
             }
-            assert!(outside > 40 && inside + outside > 300, "{inside} {outside}");
+            // In a flat shadow no wrench is inside by more than rounding.
+            let is_flat = extent.iter().any(|range| range.high - range.low < 1e-9);
+            assert!(outside > 40 && (is_flat || inside + outside > 300), "{inside} {outside}");
         }
     }
 }
