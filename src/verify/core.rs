@@ -224,9 +224,11 @@ impl Core {
         let kept = Interval::ONE - Interval::point(model.plan.reserve);
         let full = |rotor: &Rotor| rotor.max_thrust() * rotor.spread.full_thrust.high;
         let most = model.vehicle.rotors.iter().map(full).sum();
-        let (mut envelope, mut excludes_hover) = (Envelope::new(most), false);
+        let (mut envelope, mut excludes_hover, mut is_bounded) = (Envelope::new(most), false, true);
         Elimination { planes: &planes, generators: &whole, torques }.rows(|mut row| {
             let width = width(model, &row);
+            // Along a direction that the healthy rotors do not give, a plane has no width.
+            is_bounded &= [row.thrust, row.torque, row.offset].iter().all(|part| part.magnitude().is_finite());
             if model.plan.reserve > 0.0 {
                 let at_hover = row.thrust * hover;
                 let room = row.offset - at_hover;
@@ -238,6 +240,9 @@ impl Core {
                 envelope.add(row.over(width));
             }
         });
+        if !is_bounded {
+            return wrong("the rotors do not give all torques, so that its set has no width to measure by");
+        }
         if excludes_hover && premises.has(Premise::Reserve) {
             return wrong(
                 "the reserve is a share of the way from hover to its core's boundary, but hover lies outside",

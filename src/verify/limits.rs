@@ -6,7 +6,7 @@ use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
 use super::wrench::thrust_over_mass;
 use super::{heading, volumes};
-use crate::model::{Body, Bounded, Environment, Limit, LimitKind};
+use crate::model::{Body, Boundary, Bounded, Environment, Limit, LimitKind};
 use std::f64::consts::PI;
 
 /// Value and rate of change.
@@ -49,6 +49,24 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(u
         overhead: OF_A_LIMIT,
         of_a_member: 1 + OF_A_CORNER * limit.volume.as_deref().map_or(0, |volume| corners(&volume.quantity)),
     }
+}
+
+/// The limit with a box about its polygon in place of the polygon, if that has more corners: what keeps out of the box keeps out of
+/// the polygon, and most of a motion is far from most volumes.
+pub fn about(limit: &Limit) -> Option<Limit> {
+    let volume = limit.volume.as_deref()?;
+    let Bounded::FromBody(Body::Prism { corners, bottom, top }) = &volume.quantity else { return None };
+    if corners.len() <= 4 || limit.upper.is_some() {
+        return None;
+    }
+    let ends = |axis: usize| {
+        let all = || corners.iter().map(|corner| corner[axis]);
+        (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max))
+    };
+    let ((left, right), (front, back)) = (ends(0), ends(1));
+    let corners = vec![[left, front], [right, front], [right, back], [left, back]];
+    let quantity = Bounded::FromBody(Body::Prism { corners, bottom: *bottom, top: *top });
+    Some(Limit { volume: Some(Boundary { quantity, ..volume.clone() }.into()), ..limit.clone() })
 }
 
 /// The corners that are looked at for the distance from a body.

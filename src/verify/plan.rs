@@ -13,7 +13,7 @@ use super::premise::{Premise, Premises};
 use super::proof::{Family, cost_at_nodes};
 use super::sets::{HEALTHY, Plane, Sets, planes_at_most};
 use super::wrench::{Dynamics, Held};
-use super::{Refusal, Rejection, Shown, joints, lag, required, required_whole, schedule, wind};
+use super::{Refusal, Rejection, Shown, joints, lag, limits, required, required_whole, schedule, wind};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Heading, Mission, Model, PlannerKind, Problem};
 use crate::number::number;
@@ -202,7 +202,9 @@ impl<'a> Setting<'a> {
         let of_state = if self.commands.is_some() { 3 } else { 1 };
         all.add(times(times(checkpoints, self.units_of(planes)), of_state), 0);
         for limit in &self.mission().limits {
-            all.add(cost_at_nodes(&self.family_of(limit, &motion), &motion), 0);
+            for limit in std::iter::once(limit).chain(&limits::about(limit)) {
+                all.add(cost_at_nodes(&self.family_of(limit, &motion), &motion), 0);
+            }
         }
         all.add(times(checkpoints, 3 * cost::OF_A_LIMIT), 0);
         if selectable > 0 {

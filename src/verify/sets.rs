@@ -204,7 +204,8 @@ impl Generators {
         let healthy: Vec<Exact> =
             vehicle.rotors.iter().map(nominal).map(|(idle, full)| difference(&full, &idle)).collect();
         let reach = |axis: usize| healthy.iter().map(|g| g[axis].enclosure().magnitude()).sum::<f64>();
-        let extents = std::array::from_fn(|axis| reach(axis).max(f64::MIN_POSITIVE));
+        // Along an axis of none every unit is as good: rotors in a line give no roll torque.
+        let extents = std::array::from_fn(|axis| Some(reach(axis)).filter(|extent| *extent > 0.0).unwrap_or(1.0));
         let mut offset = zero();
         let mut own = Vec::new();
         for (k, rotor) in vehicle.rotors.iter().enumerate() {

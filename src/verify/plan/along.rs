@@ -7,7 +7,9 @@ use super::super::interval::{Interval, exceeds};
 use super::super::limits;
 use super::super::motion::{Motion, State, YAW, series};
 use super::super::premise::Premise;
-use super::super::proof::{Failure, Family, Measure, Rated, above_at_nodes, cost_of_grid, largest_on_grid, throughout};
+use super::super::proof::{
+    Failure, Family, Measure, Rated, above_at_nodes, cost_at_nodes, cost_of_grid, largest_on_grid, throughout,
+};
 use super::super::series::Series;
 use super::super::sets::{Plane, along};
 use super::super::wind;
@@ -25,6 +27,9 @@ use std::collections::BTreeSet;
 /// Points inside a piece at which bounds that are not proved are checked; 64 with one of the ends.
 pub const OF_A_GRID: usize = 63;
 
+/// Work for a proof that may be in vain, as a multiple of that at the nodes.
+const TRIED: u64 = 8;
+
 /// A violation between nodes is reported with a bound at every instant if that bound, the grid's value plus this share of
 /// the limit's size, can be proved.
 const MISSED: f64 = 1e-3;
@@ -37,6 +42,10 @@ impl<'a> Setting<'a> {
         for (index, limit) in self.mission().limits.iter().enumerate() {
             let family = self.family_of(limit, motion);
             let most = MOST_PAST_LIMIT * limit.size();
+            let keeps = |about: Limit| above_at_nodes(&self.family_of(&about, motion), motion, most).is_none();
+            if limits::about(limit).is_some_and(keeps) {
+                continue;
+            }
             if let Some(failure) = above_at_nodes(&family, motion, most) {
                 let claim = format!("limit {} ({})", index + 1, limit.name());
                 return Err(Rejection { span: Some(limit.span), ..violated(claim, &failure, family.measure, most) });
@@ -182,8 +191,12 @@ impl Checked<'_> {
                 _ => {}
             }
             let reach = |limit: &Limit| {
+                let most = MOST_PAST_LIMIT * limit.size();
+                if limits::about(limit).is_some_and(|about| self.keeps_throughout(&about, most, purse)) {
+                    return Reach::EVERY_INSTANT;
+                }
                 let family = setting.family_of(limit, &self.motion);
-                self.reach(&family, MOST_PAST_LIMIT * limit.size(), limit.size(), purse)
+                self.reach(&family, most, limit.size(), purse)
             };
             if let Some(reach) = limits.iter().map(reach).reduce(Reach::weakest) {
                 found.add(limited(&limits[0]), reach);
@@ -270,6 +283,16 @@ impl Checked<'_> {
             let reach = self.on_grid(family, &open, MOST_OUTSIDE, purse);
             found.add(self.statement(group, held), reach);
         }
+    }
+
+    /// Whether a limit that another one follows from is proved, with a small part of the remaining work: if it is not, that was in vain.
+    fn keeps_throughout(&self, limit: &Limit, most: f64, purse: &mut Purse) -> bool {
+        let family = self.setting.family_of(limit, &self.motion);
+        let share = purse.0.min(cost_at_nodes(&family, &self.motion).saturating_mul(TRIED));
+        let mut own = Purse(share);
+        let kept = throughout(&family, &self.motion, most, &mut own).iter().all(|&kept| kept);
+        purse.spend(share - own.0);
+        kept
     }
 
     pub(super) fn reach(&self, family: &Family, most: f64, size: f64, purse: &mut Purse) -> Reach {
