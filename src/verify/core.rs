@@ -12,7 +12,7 @@ use super::sets::{Generators, Plane, ROUNDING, shrunk};
 use super::wrench::{Dynamics, Turned};
 use super::{Rejection, cost, lag, mode_named};
 use crate::certificate::SpinRecord;
-use crate::model::{FaultMode, GiveUpYaw, Model, Spin, YawDrag};
+use crate::model::{FaultMode, GiveUpYaw, Model, RotorSpread, Spin, Spread, YawDrag};
 use crate::tolerance::{EDGE, MOST_OUTSIDE};
 
 /// A row `thrust T + torque rho <= offset` for both ends of the spin; over a width of the healthy set.
@@ -59,7 +59,7 @@ impl WithoutYaw {
         }
         for mode in model.plan.against.iter().filter_map(|&i| model.modes.get(i)) {
             let is_recorded = records.iter().any(|record| record.mode == mode.name);
-            if !is_recorded && gives_up_yaw(model, mode) && obstacle(model).is_none() && !has_disc(model, mode) {
+            if !is_recorded && gives_up_yaw(model, mode) && obstacle(model).is_none() && is_on_edge(model, mode) {
                 found.caught.push(mode.name.clone());
             }
         }
@@ -127,16 +127,21 @@ fn controls_all(model: &Model, mode: &FaultMode) -> bool {
     planes.iter().map(slack).fold(f64::INFINITY, f64::min) > width_of_edge(hover)
 }
 
-/// Whether hover has a disc of torques in the projection of a mode's set.
-fn has_disc(model: &Model, mode: &FaultMode) -> bool {
-    let generators = generators(model, mode);
+/// Whether hover lies on the boundary of the projection of a mode's set, in the middle of all intervals. Inside there is a core, and
+/// a mode outside cannot even hover while it spins, so that nothing catches it.
+fn is_on_edge(model: &Model, mode: &FaultMode) -> bool {
+    let mut vehicle = model.vehicle.clone();
+    vehicle.mass_spread = Spread::NONE;
+    vehicle.rotors.iter_mut().for_each(|rotor| rotor.spread = RotorSpread::default());
+    let generators = Generators::new(&vehicle, &model.environment(), Some(mode), 0.0);
     let hover = generators.hover_thrust().middle();
-    let Ok(planes) = generators.planes() else { return false };
+    // Without planes it is not known, and the mode's whole set would not be decided either.
+    let Ok(planes) = generators.planes() else { return true };
     let slack = |row: &Row| {
         let [a, b, e] = [row.thrust, row.torque, row.offset].map(Interval::middle);
         (e - a * hover) / a.hypot(b)
     };
-    eliminated(&planes, None).iter().map(slack).fold(f64::INFINITY, f64::min) > width_of_edge(hover)
+    eliminated(&planes, None).iter().map(slack).fold(f64::INFINITY, f64::min).abs() <= width_of_edge(hover)
 }
 
 impl Core {
