@@ -39,22 +39,18 @@ impl Spacing {
     fn instant(self, duration: f64, share: f64) -> f64 {
         match self {
             Spacing::Even => share,
-            Spacing::Graded if share <= 0.5 => {
-                (2.0 * share * (0.5 * duration / TRANSIENT).ln_1p()).exp_m1() * TRANSIENT / duration
-            }
-            Spacing::Graded => 1.0 - self.instant(duration, 1.0 - share),
+            Spacing::Graded if share > 0.5 => 1.0 - self.instant(duration, 1.0 - share),
+            Spacing::Graded => (2.0 * share * (0.5 * duration / TRANSIENT).ln_1p()).exp_m1() * TRANSIENT / duration,
         }
     }
 
     /// The share (0 to 1) of the pieces of a leg of `duration` s that have ended after the fraction `instant` of its
-    /// duration: the inverse of `instant`.
+    /// duration: the inverse of `instant`. NaN gives NaN: a certificate's times may have no ratio.
     pub fn share(self, duration: f64, instant: f64) -> f64 {
         match self {
             Spacing::Even => instant,
-            Spacing::Graded if instant <= 0.5 => {
-                0.5 * (instant * duration / TRANSIENT).ln_1p() / (0.5 * duration / TRANSIENT).ln_1p()
-            }
-            Spacing::Graded => 1.0 - self.share(duration, 1.0 - instant),
+            Spacing::Graded if instant > 0.5 => 1.0 - self.share(duration, 1.0 - instant),
+            Spacing::Graded => 0.5 * (instant * duration / TRANSIENT).ln_1p() / (0.5 * duration / TRANSIENT).ln_1p(),
         }
     }
 }

@@ -13,7 +13,7 @@ use super::sets::{Generators, Plane, ROUNDING, Sets, shrunk};
 use super::wrench::{Dynamics, Turned};
 use super::{Rejection, cost, lag};
 use crate::certificate::SpinRecord;
-use crate::model::{FaultMode, GiveUpYaw, Model, Rotor, Spin, YawDrag};
+use crate::model::{FaultMode, GiveUpYaw, Model, Rotor, RotorSpread, Spin, Spread, YawDrag};
 use crate::tolerance::{EDGE, MOST_OUTSIDE};
 use elimination::Elimination;
 use envelope::Envelope;
@@ -70,7 +70,7 @@ impl WithoutYaw {
             found.cores.push(Core::of(sets, record, premises)?);
         }
         for mode in model.plan.against.iter().filter_map(|&i| model.modes.get(i)) {
-            if !found.freed.contains(&mode.name) && may_be_freed(sets, mode) && !has_disc(model, mode) {
+            if !found.freed.contains(&mode.name) && may_be_freed(sets, mode) && is_on_edge(model, mode) {
                 found.caught.push(mode.name.clone());
             }
         }
@@ -175,16 +175,21 @@ fn controls_all(sets: &Sets, mode: &FaultMode) -> bool {
     planes.iter().map(slack).fold(f64::INFINITY, f64::min) > width_of_edge(hover)
 }
 
-/// Whether hover has a disc of torques in the projection of a mode's set.
-fn has_disc(model: &Model, mode: &FaultMode) -> bool {
-    let generators = generators(model, mode);
+/// Whether hover lies on the boundary of the projection of a mode's set, in the middle of all intervals. Inside there is a core, and
+/// a mode outside cannot even hover while it spins, so that nothing catches it.
+fn is_on_edge(model: &Model, mode: &FaultMode) -> bool {
+    let mut vehicle = model.vehicle.clone();
+    vehicle.mass_spread = Spread::NONE;
+    vehicle.rotors.iter_mut().for_each(|rotor| rotor.spread = RotorSpread::default());
+    let generators = Generators::new(&vehicle, &model.environment(), Some(mode), 0.0);
     let hover = generators.hover_thrust().middle();
     let mut least = f64::INFINITY;
-    let found = elimination::shadow_rows(&generators, |row: Row| {
+    let is_known = elimination::shadow_rows(&generators, |row: Row| {
         let [a, b, e] = [row.thrust, row.torque, row.offset].map(Interval::middle);
         least = least.min((e - a * hover) / a.hypot(b));
     });
-    found && least > width_of_edge(hover)
+    // Without planes it is not known, and the mode's whole set would not be decided either.
+    !is_known || least.abs() <= width_of_edge(hover)
 }
 
 impl Core {

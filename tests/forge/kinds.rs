@@ -2,12 +2,14 @@
 
 mod air;
 mod capture_height;
+mod cores;
 mod first;
 mod headings;
 mod infeasible;
 mod joints;
 mod least_time;
 mod legs;
+mod outlines;
 mod pieces;
 mod reserve;
 mod rest;
@@ -73,7 +75,7 @@ const fn unfounded(name: &'static str, premises: &'static [Premise], make: Make)
 
 /// Every kind.
 pub fn all() -> Vec<Kind> {
-    let families: [&[Kind]; 17] = [
+    let families: [&[Kind]; 19] = [
         joints::KINDS,
         pieces::KINDS,
         times::KINDS,
@@ -91,6 +93,8 @@ pub fn all() -> Vec<Kind> {
         sides::KINDS,
         first::KINDS,
         capture_height::KINDS,
+        cores::KINDS,
+        outlines::KINDS,
     ];
     families.into_iter().flatten().map(|k| Kind { ..*k }).collect()
 }

@@ -7,7 +7,7 @@ mod particular;
 
 use super::motion::{Timetable, Wish, add_spline, certificate};
 use super::numbers::Numbers;
-use super::truth::{Falsehood, Truth};
+use super::truth::{Falsehood, Outline, Truth};
 use mavc::certificate::{Certificate, Claim};
 use mavc::model::{
     Allocation, Environment, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread, Volume,
@@ -35,11 +35,14 @@ pub struct Draft {
     pub motion: Option<Trajectory>,
     /// What the honest certificate gives as the capture height, m.
     pub capture_height: Option<f64>,
+    /// Those of the spec's volumes, where all of them are polygons.
+    pub outlines: Vec<Outline>,
 }
 
 impl Draft {
     pub fn new(name: &'static str, total: f64, model: Model, limits: &[(LimitKind, f64)]) -> Self {
-        Draft { name, model, total, limits: limits.to_vec(), harder: false, motion: None, capture_height: None }
+        let (limits, outlines) = (limits.to_vec(), Vec::new());
+        Draft { name, model, total, limits, harder: false, motion: None, capture_height: None, outlines }
     }
 }
 
@@ -130,7 +133,11 @@ impl Spec {
 
     /// The same with other motions to select by.
     pub fn claim(&self, motion: &Trajectory, selected_by: &[Trajectory]) -> Certificate {
-        Certificate { capture_height_m: self.capture_height, ..certificate(motion, selected_by) }
+        let mut made = certificate(motion, selected_by);
+        if let Claim::Plan(claim) = &mut made.claim {
+            claim.without_yaw = self.truth.records.clone();
+        }
+        Certificate { capture_height_m: self.capture_height, ..made }
     }
 
     /// Whether the spec leaves one grid of nodes only, on which multipliers may say something; the honest plan lies on it.
@@ -148,7 +155,7 @@ impl Spec {
     /// # Panics
     /// Where the draft's honest plan is none: a mistake in the list.
     pub fn of(draft: Draft) -> Self {
-        let Draft { name, mut model, total, limits, harder, motion, capture_height } = draft;
+        let Draft { name, mut model, total, limits, harder, motion, capture_height, outlines } = draft;
         let honest = motion.or_else(|| smooth(&model, total)).unwrap_or_else(|| panic!("{name}: no motion"));
         let air = model.environment();
         let wanted = limits.into_iter().map(|(kind, share)| reached(&honest, kind, share, &air));
@@ -159,7 +166,9 @@ impl Spec {
         let written = std::mem::take(&mut mission.limits);
         let of_volumes = mission.volumes.iter().flat_map(|volume| volume.limits(size));
         mission.limits = wanted.chain(of_volumes).chain(written).collect();
-        let truth = Truth::of(&model);
+        let margins = mission.volumes.iter().map(|volume| volume.clearance + size).collect::<Vec<_>>();
+        let mut truth = Truth::of(&model);
+        truth.outlines = outlines.into_iter().zip(margins).collect();
         let is_void = truth.reserves_about_nothing();
         let false_by = truth.of_plan(&honest).filter(|why| !is_void || *why != Falsehood::Reserve);
         assert!(false_by.is_none(), "{name}: the honest plan is false by {false_by:?}");
@@ -228,15 +237,14 @@ fn selecting(name: &str, truth: &Truth, honest: &Trajectory) -> Vec<Trajectory> 
         if add_spline(&mut motion, axis, first, 2, size).is_none() {
             continue;
         }
-        let beyond = truth.beyond_modes(&motion) > 3e-3;
+        let beyond = truth.beyond_modes(&motion) > 3e-3 && truth.selects_by(&motion);
         // Nothing is on the edge, neither here nor for the honest plan.
-        let known = truth.selected(&found, 1e-5);
-        let clear = motion.nodes.iter().all(|s| {
-            let wrench = motion.wrench(&truth.model.vehicle, &truth.model.environment(), s);
-            known.iter().all(|row| row.violation(&wrench) <= 5e-5)
-        });
-        let new = truth.selected(std::slice::from_ref(&motion), 3e-3).len();
-        if beyond && clear && new > 0 && truth.of_selecting(&motion).is_none() && truth.keeps_own(&motion) {
+        if beyond
+            && truth.is_clear_of_selection(&motion, &found)
+            && truth.of_selecting(&motion).is_none()
+            && truth.keeps_own(&motion)
+            && truth.is_clear_of_selection(honest, std::slice::from_ref(&motion))
+        {
             found.push(motion);
         }
     }

@@ -100,6 +100,9 @@ impl Tally {
             counts.fold((premise, 0, 0), |sum, counts| (premise, sum.1 + counts.1, sum.2 + counts.2))
         };
         let premises: Vec<(Premise, usize, usize)> = Premise::ALL.iter().map(|&premise| of_kinds(premise)).collect();
+        let untried =
+            Premise::ALL.iter().filter(|premise| whole && !kinds.iter().any(|k| k.premises.contains(premise)));
+        failed.extend(untried.map(|premise| format!("no kind is tried against {premise:?}")));
         let idle = premises.iter().filter(|p| whole && p.2 == 0);
         failed.extend(idle.map(|(premise, tried, _)| format!("none of {tried} passes without {premise:?}")));
         Tally { rows, premises, failed }

@@ -9,10 +9,16 @@
 //! hold, a mission of free time that takes longer than it must, and selected rows of sets that are flat, uncertain or the
 //! pseudo-inverse's, whose facets the checker says it cannot tell. None of these is made here as a forgery.
 
+mod cores;
+mod outline;
+
 use super::motion::{AXES, equations, of_record};
+use cores::Core;
 use mavc::actuation::Wrench;
+use mavc::admissible::AdmissibleSet;
 use mavc::admissible::row::SetRow;
-use mavc::certificate::{Certificate, Claim, DynamicModel, PlanClaim};
+use mavc::admissible::without_yaw::planned::{Provision, Turning};
+use mavc::certificate::{Certificate, Claim, DynamicModel, PlanClaim, SpinRecord};
 use mavc::model::grid::{leg_durations, pieces};
 use mavc::model::{
     Environment, Heading, Limit, LimitKind, Mission, MissionTime, Model, Part, PlanModel, PlannerKind, SLOWEST,
@@ -22,6 +28,7 @@ use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z, in_air};
 use mavc::planner::selection::PlanningSet;
 use mavc::planner::selection::sets::PlanningSets;
+pub use outline::Outline;
 use std::f64::consts::TAU;
 
 /// Falsehoods count from this many tolerances on.
@@ -49,6 +56,8 @@ const PARTS: usize = 16;
 pub enum Falsehood {
     Shape,
     Equations,
+    /// A record of a mode without yaw that the spec does not have or allow, or whose range is not one.
+    Record,
     Times,
     Joints,
     Rest,
@@ -57,7 +66,13 @@ pub enum Falsehood {
     Set,
     Commands,
     Upright,
+    /// By its index among the records: a motion outside a core, turning or spinning faster than the record says.
+    Core(usize),
+    Turning(usize),
+    Spin(usize),
     Selection,
+    /// A volume by its outline, whatever the compiler made of it.
+    Outline(usize),
     /// The yaw at a waypoint is off the direction that it follows, by more than the waypoint's own tolerance.
     Heading(usize),
     /// A capture height that is not one, that the spec does not require, or that the motion does not keep.
@@ -66,29 +81,82 @@ pub enum Falsehood {
     Reserve,
 }
 
-/// Which rows a motion has to keep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Role {
-    Asked,
-    Selecting,
+/// What a motion has to keep.
+#[derive(Debug, Clone, Default)]
+struct Imposed {
+    /// Rows of sets that hold throughout.
+    sets: Vec<SetRow>,
+    /// Rows of the modes' sets, of which RSP selects.
+    of_modes: Vec<SetRow>,
+    cores: Vec<Core>,
+    /// Whether all of a core holds, and not what RSP selects of it.
+    whole: bool,
 }
 
 /// A spec with its sets.
 pub struct Truth {
     pub model: Model,
     sets: PlanningSets,
-    asked: PlanningSet,
+    /// Modes planned against without yaw, with the rows of their whole sets.
+    freed: Vec<(String, Vec<SetRow>)>,
+    /// What an honest certificate says of them.
+    pub records: Vec<SpinRecord>,
+    asked: Imposed,
+    selecting: Imposed,
     pub equations: WrenchModel,
+    /// Outlines of volumes, with the distance (m) that is kept from each.
+    pub outlines: Vec<(Outline, f64)>,
+}
+
+/// Rows that are those of sets.
+fn of_sets(rows: &[SetRow]) -> Vec<SetRow> {
+    rows.iter().filter(|row| row.core.is_none()).cloned().collect()
 }
 
 impl Truth {
     pub fn of(model: &Model) -> Self {
         let sets = PlanningSets::of(model);
-        let asked = match model.plan.planner {
-            PlannerKind::Rcp => sets.joint.clone(),
-            _ => sets.rip.clone(),
+        let (mut freed, mut records) = (Vec::new(), Vec::new());
+        let modes = model.plan.against.iter().filter(|_| model.plan.planner != PlannerKind::Rip);
+        for (&mode, provision) in modes.zip(&sets.provisions) {
+            let Provision::WithoutYaw(core) = provision else { continue };
+            let name = model.modes[mode].name.clone();
+            let own = AdmissibleSet::of_mode(model, mode).guaranteed(model).with_reserve(model.plan.reserve);
+            freed.push((name.clone(), PlanningSet::of(&[&own], &sets.healthy).rows));
+            records.push(SpinRecord { mode: name, spin_rad_s: core.spin_rad_s, turning_rad_s: core.turning_rad_s });
+        }
+        let selecting = Imposed { sets: sets.rip.rows.clone(), ..Imposed::default() };
+        let (asked, equations) = (selecting.clone(), equations(model));
+        let (model, outlines) = (model.clone(), Vec::new());
+        let mut truth = Truth { model, sets, freed, records, asked, selecting, equations, outlines };
+        truth.asked = truth.imposed(&truth.records).expect("honest records");
+        truth
+    }
+
+    /// What the planner of the spec imposes with these records; `None` where one is of no mode whose yaw the spec gives up, or has
+    /// a range that is not one.
+    fn imposed(&self, records: &[SpinRecord]) -> Option<Imposed> {
+        let mut cores = Vec::new();
+        for record in records {
+            let mode = self.model.modes.iter().find(|mode| mode.name == record.mode)?;
+            let [low, high] = record.spin_rad_s;
+            let is_range = low.is_finite() && high.is_finite() && low <= high;
+            let is_rate = record.turning_rad_s.is_none_or(|rate| rate.is_finite() && rate > 0.0);
+            if !is_range || !is_rate || self.freed.iter().all(|(name, _)| *name != mode.name) {
+                return None;
+            }
+            cores.push(Core::of(&self.model, mode, record)?);
+        }
+        let missing = self.freed.iter().filter(|(name, _)| records.iter().all(|record| record.mode != *name));
+        let missing: Vec<SetRow> = missing.flat_map(|(_, rows)| rows.clone()).collect();
+        let mut of_modes: Vec<SetRow> = self.sets.modes.iter().flat_map(|set| of_sets(&set.rows)).collect();
+        of_modes.extend(missing.clone());
+        let (whole, mut sets) = match self.model.plan.planner {
+            PlannerKind::Rcp => (true, of_sets(&self.sets.joint.rows)),
+            _ => (false, of_sets(&self.sets.rip.rows)),
         };
-        Truth { model: model.clone(), equations: equations(model), asked, sets }
+        sets.extend(missing.into_iter().filter(|_| whole));
+        Some(Imposed { sets, of_modes, cores, whole })
     }
 
     pub fn mission(&self) -> &Mission {
@@ -97,7 +165,7 @@ impl Truth {
 
     /// Whether a row to keep is an equality: some set is flat.
     pub fn has_equalities(&self) -> bool {
-        self.asked.rows.iter().any(|row| row.equality)
+        self.asked.sets.iter().any(|row| row.equality)
     }
 
     /// Why a certificate of a plan is false, if it is.
@@ -138,7 +206,7 @@ impl Truth {
     /// so that the planner's rows show it.
     pub fn reserves_about_nothing(&self) -> bool {
         let hover = mavc::admissible::hover(&self.model);
-        let shrunk = self.asked.rows.iter().chain(self.sets.modes.iter().flat_map(|set| &set.rows));
+        let shrunk = self.asked.sets.iter().chain(&self.asked.of_modes);
         let is_outside = |row: &SetRow| row.violation(&hover) > TIMES * ROW;
         self.model.plan.reserve > 0.0 && shrunk.into_iter().any(is_outside)
     }
@@ -147,38 +215,39 @@ impl Truth {
         let Some(motion) = of_record(&claim.motion, self.equations) else { return Some(Falsehood::Shape) };
         let plan = &self.model.plan;
         let selects = plan.planner == PlannerKind::Rsp && plan.rounds > 0 && !plan.against.is_empty();
+        let Some(imposed) = self.imposed(&claim.without_yaw) else { return Some(Falsehood::Record) };
         let count = claim.selected_by.len();
         let wanted = if selects { 1..=plan.rounds } else { 0..=0 };
         let wrong_count = !wanted.contains(&count);
         let mut before: Vec<Trajectory> = Vec::new();
         for record in &claim.selected_by {
             let Some(other) = of_record(record, self.equations) else { return Some(Falsehood::Shape) };
-            if self.of_motion(&other, Role::Selecting).is_some() || self.breaks_selection(&other, &before) {
+            if self.of_motion(&other, &self.selecting).is_some() || self.breaks(&other, &before, &imposed) {
                 return Some(Falsehood::Selection);
             }
             before.push(other);
         }
-        let own = self.of_motion(&motion, Role::Asked);
-        own.or_else(|| (wrong_count || self.breaks_selection(&motion, &before)).then_some(Falsehood::Selection))
+        let own = self.of_motion(&motion, &imposed);
+        own.or_else(|| (wrong_count || self.breaks(&motion, &before, &imposed)).then_some(Falsehood::Selection))
     }
 
     /// Why a motion is not a plan by itself, if it is not.
     pub fn of_plan(&self, motion: &Trajectory) -> Option<Falsehood> {
-        self.of_motion(motion, Role::Asked)
+        self.of_motion(motion, &self.asked)
     }
 
     /// The same of a motion that facets are selected by.
     pub fn of_selecting(&self, motion: &Trajectory) -> Option<Falsehood> {
-        self.of_motion(motion, Role::Selecting)
+        self.of_motion(motion, &self.selecting)
     }
 
-    fn of_motion(&self, motion: &Trajectory, role: Role) -> Option<Falsehood> {
+    fn of_motion(&self, motion: &Trajectory, imposed: &Imposed) -> Option<Falsehood> {
         shaped(motion, self.mission())
             .or_else(|| (!self.on_time(motion)).then_some(Falsehood::Times))
             .or_else(|| (!joins(motion)).then_some(Falsehood::Joints))
             .or_else(|| (!self.rests(motion)).then_some(Falsehood::Rest))
             .or_else(|| (!self.arrives(motion)).then_some(Falsehood::Waypoint))
-            .or_else(|| self.broken(motion, role))
+            .or_else(|| self.broken(motion, imposed))
             .or_else(|| self.misled(motion))
             .or_else(|| self.reserves_about_nothing().then_some(Falsehood::Reserve))
     }
@@ -271,7 +340,7 @@ impl Truth {
     }
 
     /// A row that is broken by ten tolerances at a node, or between nodes for as long as a piece of the spec lasts.
-    fn broken(&self, motion: &Trajectory, role: Role) -> Option<Falsehood> {
+    fn broken(&self, motion: &Trajectory, imposed: &Imposed) -> Option<Falsehood> {
         let mut worst: Option<Falsehood> = None;
         let mut note = |found: Falsehood| worst = Some(worst.map_or(found, |w| w.min(found)));
         let asked = self.longest_pieces(motion);
@@ -283,7 +352,7 @@ impl Truth {
             let between = if h > longest * (1.0 + 1e-6) { looks } else { 1 };
             for i in 0..=between {
                 let at = if i == between { h } else { h * i as f64 / between as f64 };
-                let rows = self.excesses(motion, k, at, role);
+                let rows = self.excesses(motion, k, at, imposed);
                 let over: Vec<Falsehood> = rows.iter().filter(|r| exceeds(r.1, TIMES)).map(|r| r.0).collect();
                 let now = motion.times[k] + at;
                 if i == 0 || i == between {
@@ -325,7 +394,7 @@ impl Truth {
 
     /// Every kind of row with its largest excess in tolerances, `at` seconds into a piece; in an interval of winds in the worst of
     /// its corners.
-    fn excesses(&self, motion: &Trajectory, k: usize, at: f64, role: Role) -> Vec<(Falsehood, f64)> {
+    fn excesses(&self, motion: &Trajectory, k: usize, at: f64, imposed: &Imposed) -> Vec<(Falsehood, f64)> {
         let state = motion.within(k, at);
         let environment = self.model.environment();
         let winds = environment.corners();
@@ -345,7 +414,7 @@ impl Truth {
                 (Falsehood::Limit(i), over / (ROW * limit.size()))
             })
             .collect();
-        let rows = if role == Role::Asked { &self.asked.rows } else { &self.sets.rip.rows };
+        let rows = &imposed.sets;
         let vehicle = &self.model.vehicle;
         found.push((Falsehood::Set, worst(&|wind| most(rows, &motion.wrench(vehicle, wind, &state))) / ROW));
         if let Some(tau) = self.model.thrust_lag() {
@@ -355,7 +424,31 @@ impl Truth {
         if self.equations == WrenchModel::Exact {
             found.push((Falsehood::Upright, worst(&|wind| UPRIGHT - lift(wind) / g) / ROW));
         }
+        let outlines = 0..self.outlines.len();
+        found.extend(outlines.map(|i| (Falsehood::Outline(i), self.past_outline(i, &state) / ROW)));
+        for (index, core) in imposed.cores.iter().enumerate().filter(|_| imposed.whole) {
+            let turning = self.turning(&state);
+            found.push((Falsehood::Core(index), core.worst(&turning) / ROW));
+            found.push((Falsehood::Turning(index), core.turns_beyond(&turning) / ROW));
+            found.push((Falsehood::Spin(index), core.spins_beyond(&turning) / ROW));
+        }
         found
+    }
+
+    /// By how much each outline is passed, m.
+    fn past_outline(&self, index: usize, s: &NodeState) -> f64 {
+        let (outline, margin) = &self.outlines[index];
+        outline.past([s[X][0], s[Y][0], s[Z][0]], *margin)
+    }
+
+    /// Whether a motion is clearly past an outline at a node.
+    pub fn is_past(&self, motion: &Trajectory, index: usize) -> bool {
+        motion.nodes.iter().any(|s| self.past_outline(index, s) > TIMES * ROW)
+    }
+
+    /// How the direction of the thrust turns.
+    fn turning(&self, state: &NodeState) -> Turning {
+        self.equations.turning(&self.model.vehicle, &self.model.environment(), state)
     }
 
     /// Whether a limit holds `at` seconds into a piece: always, or on its leg, which begins after a hold.
@@ -374,49 +467,92 @@ impl Truth {
     /// The largest excess of any row at a node in tolerances: not above 0 where the motion keeps everything.
     pub fn tightest(&self, motion: &Trajectory) -> f64 {
         let ends = (0..motion.intervals()).flat_map(|k| [(k, 0.0), (k, motion.times[k + 1] - motion.times[k])]);
-        let rows = ends.flat_map(|(k, at)| self.excesses(motion, k, at, Role::Asked));
+        let rows = ends.flat_map(|(k, at)| self.excesses(motion, k, at, &self.asked));
         rows.map(|r| r.1).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Whether a motion to select by keeps its own rows without a tolerance.
     pub fn keeps_own(&self, motion: &Trajectory) -> bool {
         let ends = (0..motion.intervals()).flat_map(|k| [(k, 0.0), (k, motion.times[k + 1] - motion.times[k])]);
-        ends.flat_map(|(k, at)| self.excesses(motion, k, at, Role::Selecting)).all(|r| r.1 <= 0.0)
+        ends.flat_map(|(k, at)| self.excesses(motion, k, at, &self.selecting)).all(|r| r.1 <= 0.0)
     }
 
-    /// Facets of the modes' sets that some motion is beyond by `share` of the healthy set's width.
-    pub fn selected(&self, motions: &[Trajectory], share: f64) -> Vec<SetRow> {
+    /// What RSP selects by some motions that are beyond it by `share` of the healthy set's width: rows of the modes' sets, and
+    /// rows of cores by their indices.
+    fn selected(&self, motions: &[Trajectory], share: f64, imposed: &Imposed) -> (Vec<SetRow>, Vec<(usize, usize)>) {
         let parts = if self.equations == WrenchModel::Exact { PARTS } else { 1 };
-        let wrench =
-            |motion: &Trajectory, s: &NodeState| motion.wrench(&self.model.vehicle, &self.model.environment(), s);
-        let seen: Vec<Wrench> = motions
+        let seen: Vec<(Wrench, Turning)> = motions
             .iter()
             .flat_map(|motion| {
                 let looks = (0..motion.intervals()).flat_map(move |k| (0..=parts).map(move |i| (k, i)));
                 looks.map(move |(k, i)| {
                     let h = motion.times[k + 1] - motion.times[k];
-                    wrench(motion, &motion.within(k, h * i as f64 / parts as f64))
+                    let state = motion.within(k, h * i as f64 / parts as f64);
+                    (self.wrench(motion, &state), self.turning(&state))
                 })
             })
             .collect();
-        let rows = self.sets.modes.iter().flat_map(|set| &set.rows);
-        rows.filter(|row| seen.iter().any(|w| row.violation(w) > share)).cloned().collect()
-    }
-
-    /// Whether a facet that the motions before are clearly beyond is broken at a node.
-    pub fn breaks_selection(&self, motion: &Trajectory, before: &[Trajectory]) -> bool {
-        let rows = self.selected(before, TIMES * ROW);
-        let beyond = |s: &NodeState| {
-            most(&rows, &motion.wrench(&self.model.vehicle, &self.model.environment(), s)) > TIMES * ROW
+        let rows = imposed.of_modes.iter().filter(|row| seen.iter().any(|(w, _)| row.violation(w) > share));
+        let of_core = |(index, core): (usize, &Core)| {
+            let mut over = vec![false; core.edges().len()];
+            for (_, turning) in &seen {
+                let found = core.violations(turning).into_iter().zip(core.edges());
+                over.iter_mut().zip(found).for_each(|(over, (v, edge))| *over |= edge && v > share);
+            }
+            let members = (0..over.len()).filter(|&member| over[member]);
+            members.map(|member| (index, member)).collect::<Vec<_>>()
         };
-        motion.nodes.iter().any(beyond)
+        (rows.cloned().collect(), imposed.cores.iter().enumerate().flat_map(of_core).collect())
     }
 
-    /// How far a motion leaves the modes' sets at nodes, as a share of the healthy set's width.
+    fn wrench(&self, motion: &Trajectory, state: &NodeState) -> Wrench {
+        motion.wrench(&self.model.vehicle, &self.model.environment(), state)
+    }
+
+    /// Whether what RSP selects by some motions is broken by more than `share` of a width at a node: a row, or what is a premise of
+    /// every row of a core.
+    fn beyond_selected(&self, motion: &Trajectory, before: &[Trajectory], share: f64, imposed: &Imposed) -> bool {
+        // Nearly all that is clearly selected, where nothing may be broken.
+        let (rows, members) = self.selected(before, if share < TIMES * ROW { 1e-5 } else { TIMES * ROW }, imposed);
+        motion.nodes.iter().any(|s| {
+            let turning = self.turning(s);
+            let is_broken = |&(index, member): &(usize, usize)| {
+                let core: &Core = &imposed.cores[index];
+                let premise = core.turns_beyond(&turning).max(core.spins_beyond(&turning));
+                core.violations(&turning)[member].max(premise) > share
+            };
+            most(&rows, &self.wrench(motion, s)) > share || members.iter().any(is_broken)
+        })
+    }
+
+    fn breaks(&self, motion: &Trajectory, before: &[Trajectory], imposed: &Imposed) -> bool {
+        self.model.plan.planner == PlannerKind::Rsp && self.beyond_selected(motion, before, TIMES * ROW, imposed)
+    }
+
+    /// Whether a row that the motions before are clearly beyond is broken at a node.
+    pub fn breaks_selection(&self, motion: &Trajectory, before: &[Trajectory]) -> bool {
+        self.breaks(motion, before, &self.asked)
+    }
+
+    /// Whether all that the motions before are beyond is kept, and nothing of it is near.
+    pub fn is_clear_of_selection(&self, motion: &Trajectory, before: &[Trajectory]) -> bool {
+        !self.beyond_selected(motion, before, 5e-5, &self.asked)
+    }
+
+    /// Whether RSP selects something by a motion.
+    pub fn selects_by(&self, motion: &Trajectory) -> bool {
+        let (rows, members) = self.selected(std::slice::from_ref(motion), 3e-3, &self.asked);
+        !rows.is_empty() || !members.is_empty()
+    }
+
+    /// How far a motion leaves the modes' sets and cores at nodes, as a share of the healthy set's width.
     pub fn beyond_modes(&self, motion: &Trajectory) -> f64 {
-        let rows: Vec<SetRow> = self.sets.modes.iter().flat_map(|set| set.rows.clone()).collect();
-        let wrenches = motion.node_wrenches(&self.model.vehicle, &self.model.environment());
-        wrenches.iter().map(|w| most(&rows, w)).fold(f64::NEG_INFINITY, f64::max)
+        let of_node = |s: &NodeState| {
+            let turning = self.turning(s);
+            let of_cores = self.asked.cores.iter().map(|core| core.worst(&turning));
+            of_cores.fold(most(&self.asked.of_modes, &self.wrench(motion, s)), f64::max)
+        };
+        motion.nodes.iter().map(of_node).fold(f64::NEG_INFINITY, f64::max)
     }
 }
 

@@ -4,7 +4,8 @@ use super::{Kind, Known};
 use crate::motion::Timetable;
 use crate::numbers::Numbers;
 use crate::specs::{Spec, falling};
-use mavc::certificate::Certificate;
+use mavc::certificate::{Certificate, Claim, SpinRecord};
+use mavc::model::GiveUpYaw;
 use mavc::motion::Z;
 use mavc::verify::Premise;
 
@@ -14,6 +15,12 @@ pub const KINDS: &[Kind] = &[
         known: Known::Void,
         premises: &[Premise::Reserve],
         make: within,
+    },
+    Kind {
+        name: "a reserve about hover outside a core",
+        known: Known::Void,
+        premises: &[Premise::Reserve],
+        make: of_core,
     },
     // The planes behind which hover lies are not moved outward either, so that no premise alone lets it pass.
     Kind { name: "a motion in what a reserve enlarges", known: Known::Void, premises: &[], make: beyond },
@@ -36,6 +43,19 @@ fn fallen(spec: &Spec, share: f64) -> Option<Certificate> {
 
 fn within(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     fallen(spec, thrusts(spec)[0] * numbers.between(0.9, 1.05))
+}
+
+/// The weak mode given up in yaw, where the spec allows it.
+fn of_core(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
+    let mode = &spec.model().modes[spec.model().plan.against[0]];
+    if mode.without_yaw != Some(GiveUpYaw::Always) {
+        return None;
+    }
+    let mut forged = within(spec, numbers)?;
+    let Claim::Plan(claim) = &mut forged.claim else { return None };
+    let spin_rad_s = [-numbers.between(0.5, 3.0), numbers.between(0.5, 10.0)];
+    claim.without_yaw = vec![SpinRecord { mode: mode.name.clone(), spin_rad_s, turning_rad_s: None }];
+    Some(forged)
 }
 
 /// Outside the set, by less than the way that the reserve would shift its boundary towards hover.

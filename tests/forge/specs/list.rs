@@ -26,7 +26,7 @@ fn beam() -> Mission {
     mission(vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([4.0, 0.0, 2.5], 0.0)])
 }
 
-fn shuttle() -> Mission {
+pub fn shuttle() -> Mission {
     mission(vec![
         waypoint([0.0, 0.0, 2.0], 0.3),
         waypoint([4.0, 1.0, 4.0], 0.3),

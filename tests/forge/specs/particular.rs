@@ -2,11 +2,13 @@
 //! tolerances of their own, sides that differ, capture heights.
 
 use super::Draft;
-use super::list::{OCTO, compiled, elevator, exact, octo, uncertain, weakened, with};
+use super::list::{OCTO, compiled, elevator, exact, octo, shuttle, uncertain, weakened, with};
 use crate::motion::{Timetable, equations};
-use mavc::model::{Mission, MissionTime, Model, PlannerKind, Spread};
+use crate::truth::Outline;
+use mavc::model::{GiveUpYaw, Mission, MissionTime, Model, PlannerKind, Spread, YawDrag};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, Z};
+use std::f64::consts::TAU;
 
 /// A fall with one acceleration (m/s^2) from the first waypoint to the last, straight below it.
 pub fn falling(mission: &Mission, table: &Timetable, acceleration: f64, model: WrenchModel) -> Trajectory {
@@ -117,6 +119,92 @@ fn straight_on(rule: &str, within: &str) -> Model {
         waypoint at [8, 2, 5] m"
     );
     flown(&mission, &format!("time = 9 s; yaw_within = {within}"))
+}
+
+/// Past volumes with these outlines.
+fn among_outlines(name: &'static str, outlines: Vec<Outline>) -> Draft {
+    let volume = |(index, outline): (usize, &Outline)| {
+        let corners: Vec<String> = outline.corners.iter().map(|[x, y]| format!("[{x}, {y}]")).collect();
+        let kind = if outline.keep_in { "keep_in" } else { "keep_out" };
+        let (corners, Outline { bottom, top, .. }) = (corners.join(", "), outline);
+        format!("{kind} v{index} {{ shape = polygon; corners = [{corners}] m; bottom = {bottom} m; top = {top} m }}")
+    };
+    let volumes: Vec<String> = outlines.iter().enumerate().map(volume).collect();
+    let mission = format!("start at [0, 0, 2] m\n waypoint at [4, 1, 2.5] m\n{}", volumes.join("\n"));
+    Draft { outlines, ..Draft::new(name, 6.0, flown(&mission, "time = 6 s"), &[]) }
+}
+
+/// Corners around a centre, counter-clockwise, at distances that change in turn.
+fn around(centre: [f64; 2], count: usize, distances: [f64; 2], keep_in: bool) -> Outline {
+    let corner = |i: usize| {
+        let (sine, cosine) = (TAU * (i as f64 + 0.3) / count as f64).sin_cos();
+        [centre[0] + distances[i % 2] * cosine, centre[1] + distances[i % 2] * sine]
+    };
+    Outline { corners: (0..count).map(corner).collect(), bottom: -1.0, top: 6.0, keep_in }
+}
+
+/// A hexacopter that gives up yaw after the loss of a rotor, even where it could keep it.
+fn freed(inertia: &str, more: &str, turn: &str, plan: &str) -> Model {
+    compiled(&format!(
+        "vehicle hexa {{
+            layout = \"PNPNPN\"
+            arm = 25 cm
+            mass = 1.6 kg
+            inertia = {inertia} kg*m^2
+            yaw_drag = 2.75e-3 N*m*s/rad
+            rotor {{ max_thrust = 6 N; torque_per_thrust = 15 mm; max_speed = 900 rad/s; {more} }}
+        }}
+        faults {{ mode L {{ rotor 1 lost; without_yaw = always }} }}
+        mission go {{
+            start at [0, 0, 10] m
+            waypoint at [5, 2, 11] m  yaw {turn}
+            waypoint at [8, 0, 10] m
+        }}
+        plan {{ against = [L]; samples = 28; {plan} }}"
+    ))
+}
+
+const EVEN: &str = "[0.02, 0.02, 0.035]";
+const UNEVEN: &str = "[0.016, 0.03, 0.035]";
+
+/// Through hover from one side to the other with a thrust whose direction turns at 1 rad/s, which takes a yaw torque of a body so
+/// uneven, and hardly any other torque of one whose drag keeps it from spinning fast.
+fn swinging(name: &'static str, total: f64) -> Draft {
+    let model = with(freed("[0.01, 0.04, 0.035]", "", "0 deg", "planner = rcp; model = hover"), |m| {
+        let mission = m.mission.as_mut().expect("a mission");
+        (mission.start_at_rest, mission.end_at_rest) = (false, false);
+        mission.waypoints.remove(1);
+        mission.legs.pop();
+        m.vehicle.yaw_drag = Some(YawDrag { linear: 0.1, spread: Spread::NONE, quadratic: 0.0 });
+        m.plan.time = MissionTime::Fixed(total);
+    });
+    let table = Timetable::asked(&model, total).expect("a grid");
+    let points = &model.mission.as_ref().expect("a mission").waypoints;
+    let (from, to, jerk) = (points[0].position, points[1].position, model.gravity);
+    let speed = (to[0] - from[0]) / total + jerk * total * total / 12.0;
+    let node = |&t: &f64| {
+        let mut state = NodeState::default();
+        let x = from[0] + speed * t + jerk * (t * t * t / 6.0 - total * t * t / 4.0);
+        let x_rate = speed + jerk * (0.5 * t * t - 0.5 * total * t);
+        state[0][..4].copy_from_slice(&[x, x_rate, jerk * (t - 0.5 * total), jerk]);
+        state[Z][0] = from[2];
+        state
+    };
+    let nodes = table.times.iter().map(node).collect();
+    let (times, waypoint_nodes) = (table.times.clone(), table.waypoint_nodes.clone());
+    let motion = Trajectory { times, nodes, waypoint_nodes, model: equations(&model) };
+    Draft { motion: Some(motion), ..Draft::new(name, total, model, &[]) }
+}
+
+/// Of the octocopter, beside a mode that keeps its yaw and one in which it would be given up only where needed.
+fn beside_others() -> Model {
+    with(exact(octo(shuttle(), PlannerKind::Rcp, 36)), |m| {
+        m.vehicle.yaw_drag = Some(YawDrag { linear: 2.75e-3, spread: Spread { low: 0.8, high: 1.2 }, quadratic: 1e-5 });
+        m.modes[0].without_yaw = Some(GiveUpYaw::Always);
+        m.modes[4].without_yaw = Some(GiveUpYaw::Never);
+        m.plan.against = vec![0, 4, 2];
+        m.plan.time = MissionTime::Fixed(11.0);
+    })
 }
 
 /// Every draft.
@@ -233,6 +321,39 @@ pub fn drafts() -> Vec<Draft> {
             }}"
         ))
     };
+    let bay = [[1.0, -1.5], [6.0, -1.5], [6.0, 3.0], [1.0, 3.0], [1.0, 2.2], [5.0, 2.2], [5.0, -0.7], [1.0, -0.7]];
+    let bay = Outline { corners: bay.to_vec(), bottom: 0.0, top: 5.0, keep_in: false };
+    for (name, outlines) in [
+        ("keep-outs of many corners", vec![around([2.2, -1.7], 60, [1.0; 2], false)]),
+        ("a star between", vec![around([2.0, 2.4], 24, [1.0, 0.6], false), around([2.2, -1.7], 40, [1.0; 2], false)]),
+        ("into a bay", vec![bay]),
+        ("a keep-in of many corners", vec![around([2.0, 0.5], 60, [3.2; 2], true)]),
+    ] {
+        list.push(among_outlines(name, outlines));
+    }
+
+    for (name, inertia, more, turn, plan) in [
+        ("core, hover", EVEN, "", "0 deg", "planner = rcp; model = hover"),
+        ("core", EVEN, "", "100 deg", "planner = rcp; reserve = 5 %"),
+        ("uneven core, hover", UNEVEN, "rotor_inertia = 2e-5 kg*m^2", "0 deg", "planner = rcp; model = hover"),
+        ("uneven core", UNEVEN, "", "-50 deg", "planner = rcp"),
+        ("core of RSP, hover", EVEN, "", "40 deg", "planner = rsp; model = hover"),
+        ("core of RSP", EVEN, "rotor_inertia = 2e-5 kg*m^2", "0 deg", "planner = rsp"),
+        ("uneven core of RSP, hover", UNEVEN, "", "0 deg", "planner = rsp; model = hover"),
+        ("uneven core of RSP", UNEVEN, "", "30 deg", "planner = rsp"),
+    ] {
+        // Long pieces leave time for a fast yaw.
+        let plan = format!("{plan}; time = 12 s");
+        list.push(Draft::new(name, 12.0, freed(inertia, more, turn, &plan), &[]));
+    }
+    list.push(swinging("uneven core that swings", 1.6));
+    list.push(Draft::new("core beside other modes", 11.0, beside_others(), &[]));
+    let weak_core = with(exact(weak(Rcp, 0.1)), |m| {
+        m.vehicle.yaw_drag = Some(YawDrag { linear: 2.75e-3, spread: Spread::NONE, quadratic: 0.0 });
+        m.modes.last_mut().expect("a mode").without_yaw = Some(GiveUpYaw::Always);
+    });
+    list.push(void("reserve about nothing, core", weak_core, -8.0));
+
     for (name, model) in [("capture height", "exact"), ("capture height, hover", "hover")] {
         let draft = Draft::new(name, 20.0, delivery(model), &[]);
         list.push(Draft { capture_height: Some(14.95), ..draft });
