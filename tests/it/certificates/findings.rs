@@ -177,7 +177,7 @@ fn uneven_inertia_turns_the_spin() {
     claim.without_yaw[0] =
         SpinRecord { turning_rad_s: Some(0.1), spin_rad_s: [-1.0, 1.0], ..claim.without_yaw[0].clone() };
     let told = decide(&forged, &spec("uneven_inertia")).unwrap_err().sentence();
-    assert!(told.starts_with("the core of L at"), "{told}");
+    assert!(told.starts_with("the rate of turning in the core of L at"), "{told}");
 }
 
 /// A height of 1 cm that no flight gave: the checker says whose it is.
