@@ -175,8 +175,8 @@ fn controls_all(sets: &Sets, mode: &FaultMode) -> bool {
     planes.iter().map(slack).fold(f64::INFINITY, f64::min) > width_of_edge(hover)
 }
 
-/// Whether hover lies on the boundary of the projection of a mode's set, in the middle of all intervals. Inside there is a core, and
-/// a mode outside cannot even hover while it spins, so that nothing catches it.
+/// Whether hover lies on the boundary of the projection of a mode's set, in the middle of all intervals. Inside there
+/// is a core, and a mode outside cannot even hover while it spins, so that nothing catches it.
 fn is_on_edge(model: &Model, mode: &FaultMode) -> bool {
     let mut vehicle = model.vehicle.clone();
     vehicle.mass_spread = Spread::NONE;

@@ -48,7 +48,8 @@ pub enum Known {
     NoSuchGrid,
     /// It says that there is a plan of a spec that requires a reserve about hover, outside a set that it shrinks.
     Void,
-    /// It shows less than the spec requires: it may be accepted with these words among the reasons, and is false without them.
+    /// It shows less than the spec requires: it may be accepted with these words among the reasons, and is false
+    /// without them.
     Weaker(&'static str),
 }
 

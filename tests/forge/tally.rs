@@ -115,7 +115,8 @@ impl Tally {
     /// Both tables, in Markdown.
     pub fn tables(&self) -> String {
         let mut text = String::from(
-            "| kind | specs | made | accepted | weaker | rejected | refused | pass without |\n|---|---|---|---|---|---|---|---|\n",
+            "| kind | specs | made | accepted | weaker | rejected | refused | pass without |\n\
+             |---|---|---|---|---|---|---|---|\n",
         );
         let mut line = |name: &str, specs: usize, counts: [usize; 5], passes: &str| {
             let [made, accepted, weaker, rejected, refused] = counts;

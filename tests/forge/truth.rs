@@ -133,8 +133,8 @@ impl Truth {
         truth
     }
 
-    /// What the planner of the spec imposes with these records; `None` where one is of no mode whose yaw the spec gives up, or has
-    /// a range that is not one.
+    /// What the planner of the spec imposes with these records; `None` where one is of no mode whose yaw the spec
+    /// gives up, or has a range that is not one.
     fn imposed(&self, records: &[SpinRecord]) -> Option<Imposed> {
         let mut cores = Vec::new();
         for record in records {
@@ -202,8 +202,8 @@ impl Truth {
         })
     }
 
-    /// Whether hover lies outside a set that the spec's reserve shrinks. A set without hover stays as it is where hover is outside,
-    /// so that the planner's rows show it.
+    /// Whether hover lies outside a set that the spec's reserve shrinks. A set without hover stays as it is where
+    /// hover is outside, so that the planner's rows show it.
     pub fn reserves_about_nothing(&self) -> bool {
         let hover = mavc::admissible::hover(&self.model);
         let shrunk = self.asked.sets.iter().chain(&self.asked.of_modes);
@@ -322,8 +322,8 @@ impl Truth {
         self.mission().waypoints.iter().zip(&motion.waypoint_nodes).all(met)
     }
 
-    /// A waypoint at which the yaw does not follow from the motion within the waypoint's own tolerance, whatever limits the
-    /// compiler derives from it.
+    /// A waypoint at which the yaw does not follow from the motion within the waypoint's own tolerance, whatever
+    /// limits the compiler derives from it.
     fn misled(&self, motion: &Trajectory) -> Option<Falsehood> {
         let is_off = |(point, &node): (&mavc::model::Waypoint, &usize)| {
             let s = &motion.nodes[node];
@@ -477,8 +477,8 @@ impl Truth {
         ends.flat_map(|(k, at)| self.excesses(motion, k, at, &self.selecting)).all(|r| r.1 <= 0.0)
     }
 
-    /// What RSP selects by some motions that are beyond it by `share` of the healthy set's width: rows of the modes' sets, and
-    /// rows of cores by their indices.
+    /// What RSP selects by some motions that are beyond it by `share` of the healthy set's width: rows of the modes'
+    /// sets, and rows of cores by their indices.
     fn selected(&self, motions: &[Trajectory], share: f64, imposed: &Imposed) -> (Vec<SetRow>, Vec<(usize, usize)>) {
         let parts = if self.equations == WrenchModel::Exact { PARTS } else { 1 };
         let seen: Vec<(Wrench, Turning)> = motions
@@ -509,8 +509,8 @@ impl Truth {
         motion.wrench(&self.model.vehicle, &self.model.environment(), state)
     }
 
-    /// Whether what RSP selects by some motions is broken by more than `share` of a width at a node: a row, or what is a premise of
-    /// every row of a core.
+    /// Whether what RSP selects by some motions is broken by more than `share` of a width at a node: a row, or what is
+    /// a premise of every row of a core.
     fn beyond_selected(&self, motion: &Trajectory, before: &[Trajectory], share: f64, imposed: &Imposed) -> bool {
         // Nearly all that is clearly selected, where nothing may be broken.
         let (rows, members) = self.selected(before, if share < TIMES * ROW { 1e-5 } else { TIMES * ROW }, imposed);

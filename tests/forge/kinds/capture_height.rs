@@ -1,5 +1,5 @@
-//! Capture heights, which the checker takes from the certificate: what is not a height, what the motion does not keep, and
-//! whether a height that nobody simulated is called a claim.
+//! Capture heights, which the checker takes from the certificate: what is not a height, what the motion does not keep,
+//! and whether a height that nobody simulated is called a claim.
 
 use super::{Kind, Known, evaluated, grown};
 use crate::numbers::Numbers;

@@ -1,5 +1,5 @@
-//! Modes without yaw: motions outside their cores, ranges of spins that the body leaves or that hide a broken row, records of
-//! modes that the spec does not free, bounds on turning.
+//! Modes without yaw: motions outside their cores, ranges of spins that the body leaves or that hide a broken row,
+//! records of modes that the spec does not free, bounds on turning.
 
 use super::{Kind, Known, evaluated, grown};
 use crate::numbers::Numbers;
@@ -186,7 +186,8 @@ enum Bound {
     TooLarge,
 }
 
-/// Of a body whose moments of inertia about x and y differ. The range is narrowed until the coupling of yaw with turning matters.
+/// Of a body whose moments of inertia about x and y differ. The range is narrowed until the coupling of yaw with
+/// turning matters.
 fn bounded(spec: &Spec, numbers: &mut Numbers, how: Bound) -> Option<Certificate> {
     let [jx, jy, _] = spec.model().vehicle.inertia;
     let honest = spec.truth.records.first()?.turning_rad_s?;

@@ -1,4 +1,5 @@
-//! Waypoints whose own tolerances are the narrowest, missed by less than the others': the first one, and one where a rule begins.
+//! Waypoints whose own tolerances are the narrowest, missed by less than the others': the first one, and one where a
+//! rule begins.
 
 use super::{Kind, evaluated, laid};
 use crate::motion::Wish;

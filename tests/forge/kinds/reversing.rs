@@ -14,7 +14,8 @@ pub const KINDS: &[Kind] = &[
     unfounded("multipliers of rotors that do not reverse", &[Premise::Facets], multipliers),
 ];
 
-/// Between the time of the honest plan at a waypoint, and that of a fall with at most g or with what stops it, whichever is more.
+/// Between the time of the honest plan at a waypoint, and that of a fall with at most g or with what stops it,
+/// whichever is more.
 fn bound(spec: &Spec, numbers: &mut Numbers, waypoint: usize) -> Option<f64> {
     let (vehicle, g) = (&spec.model().vehicle, spec.model().gravity);
     if !vehicle.rotors.iter().any(|rotor| rotor.is_reversible()) {

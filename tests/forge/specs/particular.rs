@@ -1,5 +1,5 @@
-//! Specs that some kinds of forgery are about: reserves about nothing, rotors that reverse, yaws that follow from the motion,
-//! tolerances of their own, sides that differ, capture heights.
+//! Specs that some kinds of forgery are about: reserves about nothing, rotors that reverse, yaws that follow from the
+//! motion, tolerances of their own, sides that differ, capture heights.
 
 use super::Draft;
 use super::list::{OCTO, compiled, elevator, exact, octo, shuttle, uncertain, weakened, with};
@@ -61,8 +61,8 @@ fn reversing(waypoints: &str, plan: &str) -> Model {
     ))
 }
 
-/// Down with one thrust and stopped by another: the shortest falls are not symmetric. Where there is a waypoint on the way, it is
-/// moved to where the motion is at its time.
+/// Down with one thrust and stopped by another: the shortest falls are not symmetric. Where there is a waypoint on the
+/// way, it is moved to where the motion is at its time.
 fn dropped(name: &'static str, total: f64, mut model: Model) -> Draft {
     let table = Timetable::asked(&model, total).expect("a grid");
     let times = &table.times;
@@ -167,8 +167,8 @@ fn freed(inertia: &str, more: &str, turn: &str, plan: &str) -> Model {
 const EVEN: &str = "[0.02, 0.02, 0.035]";
 const UNEVEN: &str = "[0.016, 0.03, 0.035]";
 
-/// Through hover from one side to the other with a thrust whose direction turns at 1 rad/s, which takes a yaw torque of a body so
-/// uneven, and hardly any other torque of one whose drag keeps it from spinning fast.
+/// Through hover from one side to the other with a thrust whose direction turns at 1 rad/s, which takes a yaw torque
+/// of a body so uneven, and hardly any other torque of one whose drag keeps it from spinning fast.
 fn swinging(name: &'static str, total: f64) -> Draft {
     let model = with(freed("[0.01, 0.04, 0.035]", "", "0 deg", "planner = rcp; model = hover"), |m| {
         let mission = m.mission.as_mut().expect("a mission");

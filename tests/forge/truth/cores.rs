@@ -1,10 +1,10 @@
-//! Modes without yaw in plain numbers: whether the thrusts of a mode give what a motion needs, at headings and spins of a claimed
-//! range, while some yaw torque keeps the body's rate in the range.
+//! Modes without yaw in plain numbers: whether the thrusts of a mode give what a motion needs, at headings and spins
+//! of a claimed range, while some yaw torque keeps the body's rate in the range.
 //!
-//! The wrenches (T, tau_x, tau_y) of the mode, with a yaw torque between the drags at both ends of the range, are a convex set. Its
-//! facets are orthogonal to two or three rotors' wrenches; how far it reaches along a normal is a knapsack of the thrusts. Torques
-//! follow from Euler's equation for a body that is turned by a heading and turns at a spin. The checker eliminates the yaw
-//! torque from planes instead.
+//! The wrenches (T, tau_x, tau_y) of the mode, with a yaw torque between the drags at both ends of the range, are a
+//! convex set. Its facets are orthogonal to two or three rotors' wrenches; how far it reaches along a normal is a
+//! knapsack of the thrusts. Torques follow from Euler's equation for a body that is turned by a heading and turns at a
+//! spin. The checker eliminates the yaw torque from planes instead.
 
 use mavc::admissible::without_yaw::planned::Turning;
 use mavc::certificate::SpinRecord;
@@ -140,8 +140,9 @@ impl Core {
         found
     }
 
-    /// The yaw torques with which the spin stays in the range while the thrust's direction turns at up to a rate (rad/s), N m: the
-    /// drag is the smallest of its interval. Euler's equation has `(Jx - Jy) p q` about z, at most half the rate's square.
+    /// The yaw torques with which the spin stays in the range while the thrust's direction turns at up to a rate
+    /// (rad/s), N m: the drag is the smallest of its interval. Euler's equation has `(Jx - Jy) p q` about z, at most
+    /// half the rate's square.
     fn yaw_torques(&self, turning: f64) -> [f64; 2] {
         let coupled = 0.5 * (self.inertia[0] - self.inertia[1]).abs() * turning * turning;
         let drag = |rate: f64| self.drag.linear * self.drag.spread.low * rate + self.drag.quadratic * rate * rate.abs();
@@ -149,8 +150,8 @@ impl Core {
         [low + coupled, high - coupled]
     }
 
-    /// The most of `normal . (T, tau_x, tau_y)` with a yaw torque between two bounds, less the reserve; -infinity where there is no
-    /// such torque. The price of the yaw torque is where some rotor's thrust no longer matters.
+    /// The most of `normal . (T, tau_x, tau_y)` with a yaw torque between two bounds, less the reserve; -infinity
+    /// where there is no such torque. The price of the yaw torque is where some rotor's thrust no longer matters.
     fn reach(&self, normal: [f64; 3], [low, high]: [f64; 2]) -> f64 {
         let sum = |of: &dyn Fn(&Rotor) -> f64| self.rotors.iter().map(of).sum::<f64>();
         let ends = |r: &Rotor| [r.wrench[3] * r.least, r.wrench[3] * r.most];
@@ -169,8 +170,8 @@ impl Core {
         at_hover + self.kept * (reach - at_hover)
     }
 
-    /// Violations of every facet at the ends of the range and of the momenta, and in the middle, at the worst of the headings; in
-    /// widths of the healthy set.
+    /// Violations of every facet at the ends of the range and of the momenta, and in the middle, at the worst of the
+    /// headings; in widths of the healthy set.
     pub fn violations(&self, turning: &Turning) -> Vec<f64> {
         let [low, high] = self.range;
         // Without a bound on turning, nothing but the motion itself says how much of the yaw torque its turning takes.
@@ -192,8 +193,8 @@ impl Core {
         self.facets.iter().flat_map(of_facet).collect()
     }
 
-    /// Thrust and torques about x and y of the body at a heading (rad) relative to the frame of the motion's turning, by Euler's
-    /// equation.
+    /// Thrust and torques about x and y of the body at a heading (rad) relative to the frame of the motion's turning,
+    /// by Euler's equation.
     fn needed(&self, turning: &Turning, spin: f64, momentum: f64, heading: f64) -> [f64; 3] {
         let [jx, jy, jz] = self.inertia;
         let (sine, cosine) = heading.sin_cos();
