@@ -6,16 +6,20 @@ use super::Takes::{
     Bound, Names, Nothing, Quantity, QuantityOr, QuantityOrShare, QuantityOrVector, Share, Text, Vector, Whole,
     WordList, Words,
 };
-use super::{Absent, Entry, Takes};
+use super::{Absent, Entry, Family, Sizes, Takes};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Defines a constant for each row of a group, and the list of all rows.
+/// Defines a constant for each row of a group, and the list of all rows. After its line of documentation a row may have
+/// further columns, the methods of [`Entry`] in `columns.rs`; a row without them has the defaults of `Entry::new`.
 macro_rules! group {
-    ($(#[$doc:meta])* $group:ident: $($name:ident $written:literal, $takes:expr, $absent:expr, $doc_line:literal;)*) => {
+    ($(#[$doc:meta])* $group:ident: $(
+        $name:ident $written:literal, $takes:expr, $absent:expr, $doc_line:literal
+        $(.$column:ident($($value:expr),*))*;
+    )*) => {
         $(#[$doc])*
         pub mod $group {
             use super::*;
-            $(pub const $name: Entry = Entry::new($written, $takes, $absent, $doc_line);)*
+            $(pub const $name: Entry = Entry::new($written, $takes, $absent, $doc_line)$(.$column($($value),*))*;)*
             pub const ENTRIES: &[&Entry] = &[$(&$name),*];
         }
     };
@@ -26,11 +30,34 @@ const NO_DEFAULT: Absent = Otherwise("");
 /// The names of warnings; `crate::model` has the list and checks that each name is in it.
 const WARNINGS: Takes = Names(&[]);
 
+// Typical sizes for multirotors: two units where both are possible.
+const ANY: f64 = f64::INFINITY;
+const LENGTHS: Sizes = &[(5.0, &["m"]), (60.0, &["cm"]), (100.0, &["cm", "mm"]), (ANY, &["mm"])];
+const MASSES: Sizes = &[(50.0, &["kg"]), (1000.0, &["g", "kg"]), (ANY, &["g"])];
+const THRUSTS: Sizes = &[(100.0, &["N"]), (500.0, &["N", "gf"]), (ANY, &["gf", "N"])];
+const LEVERS: Sizes = &[(0.5, &["m"]), (5.0, &["cm", "mm"]), (ANY, &["mm"])];
+/// The smallest rotors reach 4000 rad/s, the largest less than 1500 rpm.
+const SPEEDS: Sizes = &[(50.0, &["rad/s"]), (1500.0, &["rad/s", "rpm"]), (4000.0, &["rpm", "rad/s"]), (ANY, &["rpm"])];
+/// Packs of small quadcopters hold 0.1 A*h, those of the largest multirotors less than 200 A*h.
+const CHARGES: Sizes = &[(90.0, &["A*h"]), (200.0, &["A*h", "mA*h"]), (ANY, &["mA*h"])];
+const LAGS: Sizes = &[(1.0, &["s"]), (ANY, &["ms"])];
+const DELAYS: Sizes = &[(1.0, &["s"]), (10.0, &["s", "ms"]), (ANY, &["ms"])];
+const TOLERANCES: Sizes = &[(1.0, &["m"]), (ANY, &["cm"])];
+
+/// The time of `hold`, which is a statement and not a field. Upper bounds of times are checked where they are read.
+pub const HOLD: Entry =
+    Entry::new("hold", Quantity("s", Positive), Needed, "stays at rest at the previous waypoint").bounds(0.0, ANY);
+
+/// The least bound of a rate or a tilt: with smaller ones nothing can move, and the least times they imply overflow.
+const LEAST_RATE: f64 = 1e-9;
+const MOST: f64 = 1e12;
+
 group! {
     /// Outside all blocks.
     top:
     GRAVITY "gravity", Quantity("m/s^2", Positive), Value(9.81, "9.81 m/s^2", "the language's default gravity"),
-        "the acceleration of gravity, `g0` in expressions; written outside all blocks: `gravity = 9.80665 m/s^2`";
+        "the acceleration of gravity, `g0` in expressions; written outside all blocks: `gravity = 9.80665 m/s^2`"
+        .sweepable().bounds(1e-3, 1e4);
     ALLOW "allow", WARNINGS, Written("[]", "every warning is shown"),
         "warnings to suppress, by the last part of their codes; written outside all blocks: `allow = [tip_speed]`";
 }
@@ -39,27 +66,37 @@ group! {
     /// The fields of `vehicle { }`.
     vehicle:
     LAYOUT "layout", Text, Otherwise("required for a ring"),
-        "the direction in which each rotor of a ring turns, one letter `P` or `N` per rotor, such as `\"PNPN\"`";
+        "the direction in which each rotor of a ring turns, one letter `P` or `N` per rotor, such as `\"PNPN\"`"
+        .excludes(&["rotors"]);
     FIRST "first", Quantity("deg", Any), Value(0.0, "0 deg", "the first rotor is on +y"),
-        "the angle from +y to the first rotor of a ring, clockwise";
+        "the angle from +y to the first rotor of a ring, clockwise"
+        .excludes(&["rotors"]);
     ARM "arm", Quantity("m", Positive), Otherwise("required for a ring"),
-        "the radius of a ring, from the centre of gravity to each rotor";
+        "the radius of a ring, from the centre of gravity to each rotor"
+        .excludes(&["rotors"]).sweepable().bounds(1e-4, 1e4).likely(LENGTHS);
     MASS "mass", Quantity("kg", Positive), Needed,
-        "the mass of the whole vehicle in flight, including its payload";
+        "the mass of the whole vehicle in flight, including its payload"
+        .sweepable().bounds(1e-6, 1e6).likely(MASSES).family(Family::Mass);
     PROPELLER_RADIUS "propeller_radius", Quantity("m", Positive), Otherwise("unknown"),
-        "the radius of a propeller";
+        "the radius of a propeller"
+        .bounds(1e-4, 1e4).likely(LENGTHS);
     DRAG "drag", QuantityOrVector("N*s/m", NotNegative), Otherwise("plans take no air into account"),
         "the drag force divided by the speed through the [air](#air): one number for all directions, or `[x, y, z]` along the \
-         axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`";
+         axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`"
+        .sweepable();
     YAW_DRAG "yaw_drag", Quantity("N*m*s/rad", Positive), Otherwise("unknown"),
         "the torque of the air about z divided by the rate at which the body turns about z. It ends the spin of a vehicle that \
-         [gives up yaw](#without-yaw)";
+         [gives up yaw](#without-yaw)"
+        .sweepable().bounds(1e-12, 1e6);
     YAW_DRAG_QUADRATIC "yaw_drag_quadratic", Quantity("N*m*s^2/rad^2", NotNegative), Value(0.0, "0 N*m*s^2/rad^2", "the drag is linear"),
-        "a torque about z in addition to `yaw_drag`, divided by the square of that rate";
+        "a torque about z in addition to `yaw_drag`, divided by the square of that rate"
+        .bounds(0.0, 1e6);
     SIZE "size", Quantity("m", Positive), Otherwise("the largest arm plus the propeller's radius"),
-        "the radius about the centre of gravity within which the whole vehicle stays; [volumes](#volumes) keep this distance";
+        "the radius about the centre of gravity within which the whole vehicle stays; [volumes](#volumes) keep this distance"
+        .bounds(1e-4, 1e4).likely(LENGTHS);
     INERTIA "inertia", Vector("kg*m^2", Positive), Needed,
-        "the moments of inertia `[Ixx, Iyy, Izz]` about the centre of gravity";
+        "the moments of inertia `[Ixx, Iyy, Izz]` about the centre of gravity"
+        .bounds(1e-15, 1e9).family(Family::Mass);
     ALLOCATION "allocation", Words(&["bounded", "pseudo_inverse"]), Written("bounded", "reaches all that the rotors can give"),
         "how a wrench becomes rotor speeds. `bounded` respects the limits of the rotors and gives up yaw first. \
          `pseudo_inverse` is the paper's, clipped; verdicts and plans then use only what it reaches without clipping";
@@ -69,35 +106,44 @@ group! {
     /// The fields of `rotor { }`.
     rotor:
     THRUST_COEFFICIENT "thrust_coefficient", Quantity("N*s^2/rad^2", Positive), Otherwise("required, or `max_thrust`"),
-        "a rotor's thrust divided by the square of its speed";
+        "a rotor's thrust divided by the square of its speed"
+        .excludes(&["max_thrust"]).sweepable().family(Family::Thrust);
     MAX_THRUST "max_thrust", Quantity("N", Positive), Otherwise("required, or `thrust_coefficient`"),
-        "a rotor's thrust at full speed";
+        "a rotor's thrust at full speed"
+        .sweepable().bounds(1e-6, 1e6).likely(THRUSTS).family(Family::Thrust);
     DRAG_COEFFICIENT "drag_coefficient", Quantity("N*m*s^2/rad^2", Positive), Otherwise("required, or `torque_per_thrust`"),
-        "a rotor's drag torque divided by the square of its speed";
+        "a rotor's drag torque divided by the square of its speed"
+        .excludes(&["torque_per_thrust"]).sweepable().family(Family::Torque);
     TORQUE_PER_THRUST "torque_per_thrust", Quantity("m", Positive), Otherwise("required, or `drag_coefficient`"),
-        "a rotor's drag torque divided by its thrust";
+        "a rotor's drag torque divided by its thrust"
+        .sweepable().bounds(1e-12, 1e4).likely(LEVERS).family(Family::Torque);
     MIN_SPEED "min_speed", Quantity("rad/s", Any), Otherwise("0"),
-        "the lowest speed: above zero for a rotor that cannot stop unless it is lost, below zero for one that can reverse";
+        "the lowest speed: above zero for a rotor that cannot stop unless it is lost, below zero for one that can reverse"
+        .excludes(&["min_thrust"]).sweepable().bounds(0.0, 1e6).likely(SPEEDS);
     MIN_THRUST "min_thrust", QuantityOrShare("N", Any), Otherwise("0, or that of `min_speed`"),
         "the lowest thrust instead of the lowest speed, in newtons or as a share of the thrust at full speed: `-60 %` for a rotor that \
-         reverses with up to 60 % of it";
+         reverses with up to 60 % of it"
+        .sweepable().bounds(0.0, 1e9);
     MAX_SPEED "max_speed", Quantity("rad/s", Positive), Needed,
-        "the full speed, the highest at which a rotor turns";
+        "the full speed, the highest at which a rotor turns"
+        .sweepable().bounds(0.1, 1e6).likely(SPEEDS);
     TIME_CONSTANT "time_constant", Quantity("s", Positive), Otherwise("20 ms in simulations"),
         "the time constant with which the speed w follows its command, w' = (command - w)/time_constant; \
-         [plans](#plan) use it with `rotors = lagging`";
+         [plans](#plan) use it with `rotors = lagging`"
+        .bounds(1e-6, 1e4).likely(LAGS);
     ROTOR_INERTIA "rotor_inertia", Quantity("kg*m^2", Positive), Otherwise("0: the momentum of rotors is neglected"),
         "the moment of inertia of a rotor about its axis, propeller and motor bell together, for the equilibria of a vehicle that \
-         [gives up yaw](#without-yaw)";
+         [gives up yaw](#without-yaw)"
+        .bounds(1e-15, 1e6);
 }
 
 /// The clauses of `rotor at` in `rotors { }`: two of its own, and the fields of [`rotor`].
 pub mod placed_rotor {
-    use super::rotor::*;
     use super::*;
 
     pub const AT: Entry =
-        Entry::new("at", Vector("m", Any), Needed, "the position `[x, y, z]` from the centre of gravity");
+        Entry::new("at", Vector("m", Any), Needed, "the position `[x, y, z]` from the centre of gravity")
+            .bounds(1e-100, ANY);
     pub const SPIN: Entry = Entry::new("spin", Words(&["P", "N"]), Needed, "the direction in which the rotor turns");
     pub const MOTOR: Entry = Entry::new(
         "motor",
@@ -105,35 +151,41 @@ pub mod placed_rotor {
         Otherwise("that of the rotor"),
         "the number of its motor at the autopilot, where rotors are numbered in another order here",
     );
-    pub const ENTRIES: &[&Entry] = &[
-        &AT,
-        &SPIN,
-        &MOTOR,
-        &THRUST_COEFFICIENT,
-        &MAX_THRUST,
-        &DRAG_COEFFICIENT,
-        &TORQUE_PER_THRUST,
-        &MIN_SPEED,
-        &MIN_THRUST,
-        &MAX_SPEED,
-        &TIME_CONSTANT,
-        &ROTOR_INERTIA,
-    ];
+    const OWN: [&Entry; 3] = [&AT, &SPIN, &MOTOR];
+    pub const ENTRIES: &[&Entry] = &joined(OWN, rotor::ENTRIES);
+
+    const fn joined(
+        own: [&'static Entry; 3],
+        shared: &[&'static Entry],
+    ) -> [&'static Entry; OWN.len() + rotor::ENTRIES.len()] {
+        let mut all = [own[0]; OWN.len() + rotor::ENTRIES.len()];
+        let mut k = 0;
+        while k < all.len() {
+            all[k] = if k < own.len() { own[k] } else { shared[k - own.len()] };
+            k += 1;
+        }
+        all
+    }
 }
 
 group! {
     /// The fields of `battery { }`.
     battery:
-    CAPACITY "capacity", Quantity("A*h", Positive), Needed, "the charge that the full battery gives until it is empty";
+    CAPACITY "capacity", Quantity("A*h", Positive), Needed, "the charge that the full battery gives until it is empty"
+        .bounds(1e-3, MOST).likely(CHARGES);
     VOLTAGE "voltage", Quantity("V", Positive), Needed,
-        "its mean voltage meanwhile: for lithium polymer about 3.7 V for each cell in series";
+        "its mean voltage meanwhile: for lithium polymer about 3.7 V for each cell in series"
+        .bounds(1e-3, 1e6);
     HOVER_POWER "hover_power", Quantity("W", Positive), Needed,
-        "the electrical power that the whole vehicle takes in hover at its `mass`, as measured";
+        "the electrical power that the whole vehicle takes in hover at its `mass`, as measured"
+        .bounds(1e-6, 1e9);
     KEEP "keep", Share, Value(0.2, "20 %", "a fifth of the charge stays in reserve"),
-        "the share of the charge that a plan should leave; below 100 %";
+        "the share of the charge that a plan should leave; below 100 %"
+        .sweepable();
     THRUST_AT_EMPTY "thrust_at_empty", Share, Value(1.0, "100 %", "full thrust does not depend on the charge"),
         "the share of full thrust that remains with an empty battery; from the full battery to the empty one the full thrust \
-         falls along a straight line";
+         falls along a straight line"
+        .sweepable();
 }
 
 group! {
@@ -158,10 +210,13 @@ group! {
     Z "z", Quantity("m", Any), Needed, "the height, as an expression of the parameter";
     YAW "yaw", Quantity("deg", Any), Otherwise("that of the previous waypoint; 0 deg for the first"),
         "the direction in which the vehicle points";
-    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "the position tolerance of each waypoint, a distance";
-    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "the yaw tolerance of each waypoint";
+    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "the position tolerance of each waypoint, a distance"
+        .bounds(1e-9, 1e9).likely(TOLERANCES).family(Family::Tolerance);
+    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "the yaw tolerance of each waypoint"
+        .bounds(1e-9, 1e9).family(Family::Tolerance);
     WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),
-        "the weight of the squared distance and of the squared yaw error";
+        "the weight of the squared distance and of the squared yaw error"
+        .bounds(0.0, MOST);
 }
 
 group! {
@@ -173,22 +228,30 @@ group! {
 group! {
     /// The clauses of `start` and `waypoint`.
     waypoint:
-    AT "at", Vector("m", Any), Needed, "the position `[x, y, z]`";
+    AT "at", Vector("m", Any), Needed, "the position `[x, y, z]`"
+        .bounds(1e-100, ANY);
     YAW "yaw", Quantity("deg", Any), Otherwise("that of the previous waypoint; 0 deg for the first"),
         "the direction in which the vehicle points; or `towards` a point or a waypoint, `along path`, or `free` ([yaw](#yaw))";
-    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "the position tolerance, a distance";
-    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "the yaw tolerance";
+    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "the position tolerance, a distance"
+        .bounds(1e-9, 1e9).likely(TOLERANCES).family(Family::Tolerance);
+    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "the yaw tolerance"
+        .bounds(1e-9, 1e9).family(Family::Tolerance);
     WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),
-        "the weight of the squared distance and of the squared yaw error";
-    TIME "time", Quantity("s", NotNegative), Otherwise("free"), "the time of arrival, counted from the start of the mission";
+        "the weight of the squared distance and of the squared yaw error"
+        .bounds(0.0, MOST);
+    TIME "time", Quantity("s", NotNegative), Otherwise("free"), "the time of arrival, counted from the start of the mission"
+        .bounds(1e-9, ANY);
     STRAIGHT "straight", Nothing, NO_DEFAULT,
-        "the leg that arrives here is a `corridor` whose radius is the larger `within` of its two waypoints ([legs](#legs))";
-    VERTICAL "vertical", Nothing, NO_DEFAULT, "the same for a leg whose waypoints are above each other, which it checks";
+        "the leg that arrives here is a `corridor` whose radius is the larger `within` of its two waypoints ([legs](#legs))"
+        .excludes(&["vertical", "corridor"]);
+    VERTICAL "vertical", Nothing, NO_DEFAULT, "the same for a leg whose waypoints are above each other, which it checks"
+        .excludes(&["corridor"]);
     CORRIDOR "corridor", Quantity("m", Positive), NO_DEFAULT,
         "the radius about the line from the previous waypoint within which the leg that arrives here stays";
     ARRIVE "arrive", Vector("1", Any), NO_DEFAULT,
         "after `from`: the direction `[x, y, z]` from which the vehicle comes, as in `arrive from [0, 0, 1]`";
-    STOP "stop", Nothing, Otherwise("`pass`"), "comes to rest here, without a `hold`";
+    STOP "stop", Nothing, Otherwise("`pass`"), "comes to rest here, without a `hold`"
+        .excludes(&["pass"]);
     PASS "pass", Nothing, NO_DEFAULT, "flies through; the opposite of `stop`";
 }
 
@@ -204,18 +267,28 @@ group! {
     Z "z", Bound("m", COORDINATE), NO_DEFAULT, "bounds the height";
     ALTITUDE "altitude", Bound("m", COORDINATE), NO_DEFAULT, "bounds the height; the same as `z`";
     YAW "yaw", Bound("deg", COORDINATE), NO_DEFAULT, "bounds the yaw, which continues through full turns from the start";
-    SPEED "speed", Bound("m/s", NORM), NO_DEFAULT, "bounds the magnitude of the velocity";
-    SPEED_HORIZONTAL "speed_horizontal", Bound("m/s", NORM), NO_DEFAULT, "bounds the magnitude of the horizontal velocity";
-    CLIMB "climb", Bound("m/s", NORM), NO_DEFAULT, "bounds the upward speed";
-    DESCENT "descent", Bound("m/s", NORM), NO_DEFAULT, "bounds the downward speed";
-    ACCELERATION "acceleration", Bound("m/s^2", NORM), NO_DEFAULT, "bounds the magnitude of the acceleration";
+    SPEED "speed", Bound("m/s", NORM), NO_DEFAULT, "bounds the magnitude of the velocity"
+        .bounds(LEAST_RATE, MOST).family(Family::Motion);
+    SPEED_HORIZONTAL "speed_horizontal", Bound("m/s", NORM), NO_DEFAULT, "bounds the magnitude of the horizontal velocity"
+        .bounds(LEAST_RATE, MOST);
+    CLIMB "climb", Bound("m/s", NORM), NO_DEFAULT, "bounds the upward speed"
+        .bounds(LEAST_RATE, MOST);
+    DESCENT "descent", Bound("m/s", NORM), NO_DEFAULT, "bounds the downward speed"
+        .bounds(LEAST_RATE, MOST);
+    ACCELERATION "acceleration", Bound("m/s^2", NORM), NO_DEFAULT, "bounds the magnitude of the acceleration"
+        .bounds(LEAST_RATE, MOST).family(Family::Motion);
     ACCELERATION_HORIZONTAL "acceleration_horizontal", Bound("m/s^2", NORM), NO_DEFAULT,
-        "bounds the magnitude of the horizontal acceleration";
-    JERK "jerk", Bound("m/s^3", NORM), NO_DEFAULT, "bounds the magnitude of the jerk";
-    YAW_RATE "yaw_rate", Bound("deg/s", RATE_FORMS), NO_DEFAULT, "bounds how fast the yaw changes; `<=` bounds both directions";
+        "bounds the magnitude of the horizontal acceleration"
+        .bounds(LEAST_RATE, MOST);
+    JERK "jerk", Bound("m/s^3", NORM), NO_DEFAULT, "bounds the magnitude of the jerk"
+        .bounds(LEAST_RATE, MOST).family(Family::Motion);
+    YAW_RATE "yaw_rate", Bound("deg/s", RATE_FORMS), NO_DEFAULT, "bounds how fast the yaw changes; `<=` bounds both directions"
+        .bounds(LEAST_RATE, MOST).family(Family::Motion);
     YAW_ACCELERATION "yaw_acceleration", Bound("deg/s^2", RATE_FORMS), NO_DEFAULT,
-        "bounds how fast the yaw rate changes; `<=` bounds both directions";
-    TILT "tilt", Bound("deg", NORM), NO_DEFAULT, "bounds the angle between the thrust and the vertical; the bound is below 90 deg";
+        "bounds how fast the yaw rate changes; `<=` bounds both directions"
+        .bounds(LEAST_RATE, MOST).family(Family::Motion);
+    TILT "tilt", Bound("deg", NORM), NO_DEFAULT, "bounds the angle between the thrust and the vertical; the bound is below 90 deg"
+        .bounds(LEAST_RATE, MOST).family(Family::Motion);
 }
 
 group! {
@@ -246,13 +319,17 @@ group! {
     air:
     WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
         "the velocity of the air, x east, y north, z up. With `+- 2 m/s`, or `+- [2, 2, 0] m/s`, every constant wind of this \
-         interval is possible; it acts only through `drag`";
+         interval is possible; it acts only through `drag`"
+        .bounds(0.0, 1e4);
     GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "no gusts"),
-        "the standard deviation of the gusts on each axis, in flights alone: plans do not take gusts into account";
+        "the standard deviation of the gusts on each axis, in flights alone: plans do not take gusts into account"
+        .bounds(0.0, 1e4);
     DENSITY "density", Quantity("kg/m^3", Positive), Otherwise("1.225 kg/m^3"),
-        "the density of the air: thrust, torque and drag are proportional to it, and are given for 1.225 kg/m^3";
+        "the density of the air: thrust, torque and drag are proportional to it, and are given for 1.225 kg/m^3"
+        .excludes(&["altitude"]).sweepable().bounds(1e-3, 1e3);
     ALTITUDE "altitude", Quantity("m", Any), Otherwise("0 m"),
-        "the height of the site above sea level, for the density of the standard atmosphere; instead of `density`";
+        "the height of the site above sea level, for the density of the standard atmosphere; instead of `density`"
+        .sweepable();
 }
 
 group! {
@@ -293,22 +370,28 @@ group! {
          these, `[M1 .. M4, worn]`; or `where FIELD RELATION VALUE` with `rpn`, `severity`, `occurrence`, `detection` or `rate` \
          and `< <= > >= =`, which skips modes without that number. `[]` chooses no mode";
     TIME "time", QuantityOr("s", Positive, &["minimum"]), Written("minimum", "the shortest time that the planner finds"),
-        "the time of the whole mission, including holds, or `minimum`: as short as the planner can make it";
+        "the time of the whole mission, including holds, or `minimum`: as short as the planner can make it"
+        .bounds(1e-9, ANY);
     WITHIN "within", Quantity("cm", Positive), Value(0.05, "5 cm", "position tolerance of each waypoint"),
-        "the position tolerance of each waypoint, a distance";
+        "the position tolerance of each waypoint, a distance"
+        .bounds(1e-9, 1e9).likely(TOLERANCES).family(Family::Tolerance);
     YAW_WITHIN "yaw_within", Quantity("deg", Positive), Value(PI / 90.0, "2 deg", "yaw tolerance of each waypoint"),
-        "the yaw tolerance of each waypoint";
+        "the yaw tolerance of each waypoint"
+        .bounds(1e-9, 1e9).family(Family::Tolerance);
     SAMPLES "samples", Whole(1, 3_000), Value(200.0, "200", "intervals of the whole mission"),
         "the number of intervals of the whole mission; 200 intervals have 201 nodes. Every waypoint lies on a node. A hold takes \
          one interval; legs share the others, with at least 10 from rest to rest and 5 from or to rest ([grid](#grid))";
     RESERVE "reserve", Share, Value(0.1, "10 %", "share of each set kept for feedback"),
         "the share of each set that is kept for feedback: sets are shrunk about hover; below 100 %";
     SNAP "snap", Quantity("1", NotNegative), Value(1e-4, "1e-4", "weight of snap: horizontal, in the exact model vertical too"),
-        "the weight of the integral of the squared horizontal snap, s^7/m^2";
+        "the weight of the integral of the squared horizontal snap, s^7/m^2"
+        .bounds(0.0, MOST);
     ACCELERATION "acceleration", Quantity("1", NotNegative), Value(1e-4, "1e-4", "weight of vertical and yaw acceleration"),
-        "the weight of the integral of the squared vertical acceleration (s^3/m^2) and yaw acceleration (s^3/rad^2)";
+        "the weight of the integral of the squared vertical acceleration (s^3/m^2) and yaw acceleration (s^3/rad^2)"
+        .bounds(0.0, MOST).family(Family::Motion);
     WEIGHT "weight", Quantity("1", NotNegative), Value(1.0, "1", "weight of the squared distance to each waypoint"),
-        "the weight of the squared distance to each waypoint, 1/m^2, and of the squared yaw error there, 1/rad^2";
+        "the weight of the squared distance to each waypoint, 1/m^2, and of the squared yaw error there, 1/rad^2"
+        .bounds(0.0, MOST);
     TIMING "timing", Words(&["optimal", "proportional", "uniform", "distance"]),
         Written("optimal", "the planner chooses the waypoint times"),
         "`optimal`: the planner searches for the waypoint times of the shortest mission (a local optimum). `proportional`: legs \
@@ -324,14 +407,16 @@ group! {
     RADIUS "radius", Quantity("m", Positive), Value(5.0, "5 m", "room to take off and to land"),
         "the horizontal distance from start and end within which the height is not required: the way up and the way down";
     DETECTION "detection", Quantity("s", NotNegative), Otherwise("that of `simulate`"),
-        "the delay after which a fault is known; required unless `simulate` gives a delay";
+        "the delay after which a fault is known; required unless `simulate` gives a delay"
+        .likely(DELAYS);
 }
 
 group! {
     /// The fields of `simulate { }`.
     simulate:
     DURATION "duration", Quantity("s", Positive), Written("that of the plan", "how long the flight is simulated"),
-        "how long the flight is simulated; a stop or a landing after a fault is simulated to its end";
+        "how long the flight is simulated; a stop or a landing after a fault is simulated to its end"
+        .bounds(1e-9, ANY);
     RATE "rate", Quantity("Hz", Positive), Value(1000.0, "1 kHz", "steps of the integration"),
         "integration steps per second (fourth-order Runge-Kutta); at most 100 kHz, and a step is at most half of the shortest \
          `time_constant`";
@@ -344,7 +429,8 @@ group! {
     DETECTION "detection", QuantityOr("s", NotNegative, &["estimator", "never"]),
         Written("estimator", "how the controller learns of a fault"),
         "how the controller learns of a fault: `estimator`, from the estimated capacities; `never`; or a delay after which it \
-         knows the mode";
+         knows the mode"
+        .likely(DELAYS);
     AFTER_FAULT "after_fault", Words(&["continue", "hold", "land"]), Written("continue", "flies on as planned"),
         "the reaction to a detected fault: `continue` the plan, `hold` where the vehicle comes to rest, or `land` there";
     POSITION_GAIN "position_gain", Quantity("1/s^2", Positive), Value(4.0, "4 1/s^2", "gain on the deviation in x and y"),
@@ -381,11 +467,14 @@ group! {
         "the drag force divided by the speed through the air, one number or `[x, y, z]` along the axes of the body; the vehicle's, \
          if that has one";
     WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
-        "the velocity of the air, x east, y north, z up; that of the mission's [air](#air), if it has any. It acts only through `drag`";
+        "the velocity of the air, x east, y north, z up; that of the mission's [air](#air), if it has any. It acts only through `drag`"
+        .bounds(0.0, 1e4);
     GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "still air"),
-        "the standard deviation of the gusts on each axis; that of the mission's [air](#air), if it has any";
+        "the standard deviation of the gusts on each axis; that of the mission's [air](#air), if it has any"
+        .bounds(0.0, 1e4);
     GUST_LENGTH "gust_length", Quantity("m", Positive), Value(50.0, "50 m", "length scale of gusts"),
-        "the length scale of the gusts (Dryden)";
+        "the length scale of the gusts (Dryden)"
+        .bounds(1e-6, 1e9);
     SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "seed of noise and gusts"),
         "the seed of noise and gusts: the same seed gives the same flight";
     LOST_BEYOND "lost_beyond", Quantity("m", Positive), Value(2.0, "2 m", "farther from its reference the vehicle is lost"),
