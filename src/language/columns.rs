@@ -40,7 +40,8 @@ impl Group {
         own.chain(others)
     }
 
-    /// What precedes a field of this group in the path of an override (`mavc --set`); `None` where overrides do not reach.
+    /// What precedes a field of this group in the path of an override (`mavc --set`); `None` where overrides do not
+    /// reach.
     pub const fn path(self) -> Option<&'static str> {
         match self {
             Group::Top => Some(""),

@@ -3,9 +3,9 @@
 use super::table::waypoint::ARRIVE;
 use super::{BLOCKS, Entry, FUNCTIONS, Group, OPENERS, Takes};
 
-/// One of the lists by the name that the marks in those files give it. A word comes before its own beginnings, `yaw_within`
-/// before `yaw`, because the first alternative of a grammar wins; otherwise the words are in alphabetical order. `None` for
-/// an unknown name.
+/// One of the lists by the name that the marks in those files give it. A word comes before its own beginnings,
+/// `yaw_within` before `yaw`, because the first alternative of a grammar wins; otherwise the words are in
+/// alphabetical order. `None` for an unknown name.
 pub fn word_list(name: &str) -> Option<Vec<&'static str>> {
     let clauses = || Group::OF_CLAUSES.into_iter().flat_map(Group::entries).copied();
     let is_bare = |entry: &Entry| entry.takes == Takes::Nothing;

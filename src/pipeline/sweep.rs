@@ -86,8 +86,8 @@ impl Standing {
     }
 }
 
-/// The path of the override for a swept field: a field of the table's column `sweepable`, where `vehicle.` may be left out, or
-/// a `let`.
+/// The path of the override for a swept field: a field of the table's column `sweepable`, where `vehicle.` may be
+/// left out, or a `let`.
 fn path(field: &str, files: &FileSet) -> Result<String, Problem> {
     let short = |path: String| path.strip_prefix(VEHICLE).map(String::from).unwrap_or(path);
     let known: Vec<String> = language::sweepable().map(short).collect();
@@ -167,8 +167,8 @@ impl Subject<'_> {
         }
     }
 
-    /// A vehicle that is too heavy for all its rotors is a result here, not a mistake: no mode lifts more than they do. The
-    /// error is about this vehicle if it points at its name, at its mass or at the value that is swept.
+    /// A vehicle that is too heavy for all its rotors is a result here, not a mistake: no mode lifts more than they
+    /// do. The error is about this vehicle if it points at its name, at its mass or at the value that is swept.
     fn is_too_heavy(&self, error: &Diagnostic, sources: &SourceMap) -> bool {
         let vehicle = &self.spec.model().vehicle;
         let is_of_it = |at: Span| at == vehicle.span || at == vehicle.mass_span || is_override(sources, at);
@@ -177,8 +177,8 @@ impl Subject<'_> {
 }
 
 impl Sweep {
-    /// Runs the sweep that `text` describes, such as `mass=1.5..2.5kg`: a field of the vehicle, gravity or a `let`, and a range
-    /// in one unit. `modes` are the analyses of the spec as it is written ([`crate::analyze`]).
+    /// Runs the sweep that `text` describes, such as `mass=1.5..2.5kg`: a field of the vehicle, gravity or a `let`,
+    /// and a range in one unit. `modes` are the analyses of the spec as it is written ([`crate::analyze`]).
     ///
     /// # Errors
     /// The text has another form, no verdict depends on the field, or the spec has errors at a value of the field.
@@ -201,7 +201,8 @@ impl Sweep {
             for (k, mode) in subject.modes.iter().enumerate() {
                 // Between two sampled values a verdict may change more than once.
                 let mut left = (left.0, left.1[k]);
-                // Hover is on the edge of a set within a tolerance, so it passes that state; only a lasting one is listed.
+                // Hover is on the edge of a set within a tolerance, so it passes that state; only a lasting one is
+                // listed.
                 let is_passed = |flip: &Flip, at: f64| {
                     flip.mode == mode.name && flip.above_hover == Place::OnEdge && at - flip.at <= 1e-4 * (high - low)
                 };

@@ -1,4 +1,5 @@
-//! The table of the language, and everything that repeats it: defaults, the language reference, the grammars of editors.
+//! The table of the language, and everything that repeats it: defaults, the language reference, the grammars of
+//! editors.
 
 mod generated;
 mod sweepable;

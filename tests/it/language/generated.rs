@@ -1,11 +1,12 @@
-//! The parts of other files that are written from the table, each between two marks. `MAVC_UPDATE=1 cargo test --test it
-//! language` writes them anew.
+//! The parts of other files that are written from the table, each between two marks. `MAVC_UPDATE=1 cargo test --test
+//! it language` writes them anew.
 
 use super::{read, root, with_tables};
 use mavc::language::word_list;
 use std::collections::BTreeSet;
 
-/// A file with lists of words on lines of their own: its name, what begins a comment, and what is around and between words.
+/// A file with lists of words on lines of their own: its name, what begins a comment, and what is around and between
+/// words.
 struct Listing {
     name: &'static str,
     comment: &'static str,
@@ -115,7 +116,8 @@ impl Listing {
     }
 }
 
-/// The TextMate grammar, whose lists are alternatives of regular expressions between two comments of these: JSON has none.
+/// The TextMate grammar, whose lists are alternatives of regular expressions between two comments of these: JSON has
+/// none.
 fn renewed_textmate(text: &str) -> String {
     let mut parts = text.split("(?#words: ");
     let (mut out, mut found) = (parts.next().unwrap().to_string(), BTreeSet::new());

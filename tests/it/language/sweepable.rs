@@ -4,7 +4,8 @@ use mavc::language::{Group, Takes, sweepable};
 use mavc::{Spec, analyze, compile};
 use std::collections::BTreeSet;
 
-/// A value for every field that takes a number and that the path of an override reaches, for a ring of four rotors in wind.
+/// A value for every field that takes a number and that the path of an override reaches, for a ring of four rotors in
+/// wind.
 const VALUES: [(Group, &[(&str, &str)]); 5] = [
     (Group::Top, &[("gravity", "9.81 m/s^2")]),
     (
@@ -50,8 +51,8 @@ const VALUES: [(Group, &[(&str, &str)]); 5] = [
 /// Shares of its value that a field takes in the experiment.
 const SHARES: [f64; 4] = [0.5, 0.8, 1.25, 2.0];
 
-/// The spec with every field of [`VALUES`] except those in `without` and the rivals of `field` and of earlier fields; `field`
-/// has this share of its value.
+/// The spec with every field of [`VALUES`] except those in `without` and the rivals of `field` and of earlier fields;
+/// `field` has this share of its value.
 fn spec(field: (Group, &str), share: f64, without: &[&str]) -> Option<Spec> {
     let block = |group: Group| {
         let values = VALUES.iter().find(|(of, _)| *of == group).unwrap().1;
@@ -115,8 +116,9 @@ fn what_may_be_swept_is_what_verdicts_depend_on() {
             let field = (group, entry.name);
             let has_value = VALUES.iter().any(|(of, values)| *of == group && values.iter().any(|v| v.0 == entry.name));
             assert!(has_value, "give {field:?} a value in this test");
-            // Rotors that may stop leave hover on the edge of a set, where the yaw-free word depends on `yaw_drag`, without which
-            // `yaw_drag_quadratic` is an error. With `rotor_inertia` the analysis of such a mode takes a second.
+            // Rotors that may stop leave hover on the edge of a set, where the yaw-free word depends on `yaw_drag`,
+            // without which `yaw_drag_quadratic` is an error. With `rotor_inertia` the analysis of such a mode takes
+            // a second.
             let stopping = ["min_speed", "min_thrust", "rotor_inertia", "yaw_drag_quadratic"];
             if matters(field, &[]) || !stopping.contains(&entry.name) && matters(field, &stopping) {
                 due.insert(format!("{}{}", group.path().unwrap(), entry.name));
