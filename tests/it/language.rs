@@ -101,6 +101,48 @@ fn every_entry_has_a_name_of_its_own_and_a_line() {
     }
 }
 
+/// The value in SI units of one of a unit.
+fn scale(unit: &str) -> f64 {
+    let unit = parse_unit(unit, 9.81).unwrap();
+    unit.numerator / unit.denominator
+}
+
+#[test]
+fn the_further_columns_fit_their_rows() {
+    for (group, entry) in entries() {
+        let who = format!("{} of {group:?}", entry.name);
+        for other in entry.excludes {
+            assert!(*other != entry.name && (group.has(other) || Place::opens_statement(other)), "{who}: {other}");
+            assert!(group.entry(other).is_none_or(|other| !other.excludes.contains(&entry.name)), "{who}: twice");
+        }
+        // Overrides reach the fields that rotors share, not the clauses of one rotor.
+        let is_reached = group.path().is_some() || group == Group::PlacedRotor;
+        assert!(!entry.sweepable || entry.unit().is_some() && is_reached, "{who}");
+        assert!(entry.bounds.is_none_or(|(least, most)| least < most && entry.unit().is_some()), "{who}");
+        assert!(entry.family.is_none() || entry.unit().is_some(), "{who}");
+        let sizes = entry.likely;
+        assert!(sizes.is_sorted_by(|a, b| a.0 < b.0), "{who}");
+        assert!(sizes.is_sorted_by(|a, b| scale(a.1[0]) >= scale(b.1[0])), "larger numbers have smaller units: {who}");
+        assert!(sizes.last().is_none_or(|(below, _)| *below == f64::INFINITY), "{who}");
+        for unit in sizes.iter().flat_map(|(_, units)| *units) {
+            let own = parse_unit(entry.unit().unwrap(), 9.81).unwrap();
+            assert_eq!(parse_unit(unit, 9.81).unwrap().dimension, own.dimension, "{who}: {unit}");
+        }
+    }
+}
+
+/// Fields of one name and unit are bounded alike wherever they are written.
+#[test]
+fn rows_of_one_name_and_unit_have_the_same_bounds_and_likely_units() {
+    for (group, entry) in entries() {
+        let alike = entries().filter(|(_, other)| (other.name, other.unit()) == (entry.name, entry.unit()));
+        for (other_group, other) in alike {
+            let (own, its) = ((entry.bounds, entry.likely), (other.bounds, other.likely));
+            assert_eq!(own, its, "{} of {group:?} and of {other_group:?}", entry.name);
+        }
+    }
+}
+
 #[test]
 fn every_function_has_a_line() {
     let documented: BTreeSet<&str> = FUNCTIONS.iter().map(|(name, _)| *name).collect();

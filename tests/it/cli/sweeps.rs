@@ -58,7 +58,7 @@ fn lowest_thrusts_batteries_and_the_air_are_swept() {
         all.map(|f| (f["at"].as_f64().unwrap(), f["above"].clone())).collect()
     };
     // Rotors that may not stop cannot balance the loss of one; those that reverse can.
-    let found = flips(&HOP, "rotor.min_thrust=-40..20%");
+    let found = flips(HOP, "rotor.min_thrust=-40..20%");
     assert!(!found.is_empty(), "{found:?}");
     // At 20 % charge four rotors lift 0.2 + 0.8 x of 4 b w^2: below that the vehicle is too heavy, which is no mistake here.
     let lift = 4.0 * 9.9865e-6 * 840.0 * 840.0;

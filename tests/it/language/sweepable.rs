@@ -71,7 +71,8 @@ fn spec(field: (Group, &str), share: f64, without: &[&str]) -> Option<Spec> {
         written.into_iter().map(|(_, line)| line).collect::<String>()
     };
     let text = format!(
-        "{}vehicle v {{\nlayout = \"PNPN\"\ninertia = [0.03, 0.05, 0.07] kg*m^2\n{}rotor {{\n{}}}\nbattery {{\n{}}}\n}}\n\
+        "{}vehicle v {{\nlayout = \"PNPN\"\ninertia = [0.03, 0.05, 0.07] kg*m^2\n{}\
+         rotor {{\n{}}}\nbattery {{\n{}}}\n}}\n\
          faults {{ mode one {{ rotor 1 lost }}\nmode weak {{ rotor 1 reduced to 50 % }} }}\n\
          mission m {{ start at [0, 0, 5] m\nwaypoint at [5, 0, 5] m\nair {{ wind = [4, 0, 0] m/s\n{}}} }}\n",
         block(Group::Top),
