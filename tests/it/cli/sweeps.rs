@@ -65,6 +65,10 @@ fn lowest_thrusts_batteries_and_the_air_are_swept() {
     let found = flips(&spec, "battery.thrust_at_empty=10..100%");
     let least = 100.0 * (1.32 * 9.81 / lift - 0.2) / 0.8;
     assert!(found.iter().any(|f| (f.0 - least).abs() < 1e-3 && f.1 == "controllable"), "{least} {found:?}");
+    // Thrust is proportional to the density of the air, and given for 1.225 kg/m^3.
+    let found = flips(&HOP.replace("mission hop {", "mission hop { air { }"), "mission.air.density=0.4..1.2kg/m^3");
+    let least = 1.225 * 1.32 * 9.81 / lift;
+    assert!(found.iter().any(|f| (f.0 - least).abs() < 1e-4 && f.1 == "controllable"), "{least} {found:?}");
     // A swept mass is too heavy at the charge that the battery keeps.
     let weak = spec.replace("battery {", "battery { thrust_at_empty = 50 %;");
     let found = flips(&weak, "mass=1..3kg");

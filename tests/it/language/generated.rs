@@ -147,6 +147,10 @@ fn what_is_written_from_the_table_is_up_to_date() {
 
 #[test]
 fn a_stale_list_is_found() {
+    // Another test is writing these files now.
+    if std::env::var_os("MAVC_UPDATE").is_some() {
+        return;
+    }
     for listing in &LISTINGS {
         let text = read(listing.name);
         let word = format!("{0}{1}{0}", listing.quote, due(listing.lists[0])[0]);
