@@ -1,19 +1,23 @@
-//! The language as one table: every block, statement, field, clause and limit with its type, its default and one line of
-//! documentation.
+//! The language as one table: every block, statement, field, clause and limit with its type, its default and one line
+//! of documentation.
 //!
-//! The readers of specs, completion and hover in editors, `check --explain-defaults` and the builder of specs take names,
-//! units, words, ranges and defaults from here. docs/language.md prints the same rows, and the editors' grammars list the
-//! same words; tests compare them (tests/it/language.rs). To add a field, add its row in [`table`], read it in `model`, and
-//! use it.
+//! The readers of specs, completion and hover in editors, `check --explain-defaults` and the builder of specs take
+//! names, units, words, ranges and defaults from here. docs/language.md, grammar/mav.pest and the editors'
+//! grammars are written from it (tests/it/language/generated.rs). To add a field, add its row in [`table`], read it in
+//! `model`, and use it.
 
+mod columns;
 mod place;
 mod render;
 mod statements;
 pub mod table;
+mod words;
 
+pub use columns::{clauses, is_clause, sweepable};
 pub use place::{Kind, OTHER_WORDS, Place};
 pub use render::{markdown, statement_markdown};
 pub use statements::{BLOCKS, BlockEntry, EFFECTS, FUNCTIONS, OPENERS, STATEMENTS, StatementEntry};
+pub use words::word_list;
 
 /// One field, clause or limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +27,32 @@ pub struct Entry {
     pub absent: Absent,
     /// One line of documentation, in Markdown.
     pub doc: &'static str,
+    /// Fields and blocks beside which it may not be written. A pair stands in one of its two rows; see
+    /// [`Group::rivals`].
+    pub excludes: &'static [&'static str],
+    /// Whether the verdict, the margin or the yaw-free word of a mode depends on it.
+    pub sweepable: bool,
+    /// The smallest nonzero and the largest magnitude, in SI units; `None` for the bounds of any quantity
+    /// (`model/magnitude.rs`).
+    pub bounds: Option<(f64, f64)>,
+    /// The units that a bare number was probably meant in; empty where only the usual unit is likely.
+    pub likely: Sizes,
+    /// The fields for which its value may have been meant.
+    pub family: Option<Family>,
+}
+
+/// Upper bounds of a number's size in ascending order, each with the likely units of smaller numbers, the likelier
+/// first.
+pub type Sizes = &'static [(f64, &'static [&'static str])];
+
+/// Related fields of different dimensions: a value of one may have been written for another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    Motion,
+    Thrust,
+    Torque,
+    Mass,
+    Tolerance,
 }
 
 /// The type of a field.
@@ -232,7 +262,7 @@ impl Group {
 
 impl Entry {
     const fn new(name: &'static str, takes: Takes, absent: Absent, doc: &'static str) -> Self {
-        Entry { name, takes, absent, doc }
+        Entry { name, takes, absent, doc, excludes: &[], sweepable: false, bounds: None, likely: &[], family: None }
     }
 
     /// The usual unit, `1` for a plain number; `None` for a field that takes no number.

@@ -22,6 +22,8 @@ mod documents;
 mod formatting;
 mod hints;
 mod hover;
+#[cfg(test)]
+mod made_up_field;
 mod mentions;
 mod names;
 mod navigation;

@@ -1,7 +1,7 @@
 ;;; mav-ts-mode.el --- Specs of multirotor missions that must survive rotor faults  -*- lexical-binding: t; -*-
 
 ;; Needs Emacs 29 with tree-sitter and the grammar of editors/tree-sitter-mav as libtree-sitter-mav: see
-;; docs/editors/emacs.md.
+;; docs/editors/emacs.md.  The words between marks are written from the table of the language (CONTRIBUTING.md).
 
 (require 'treesit)
 (require 'eglot)
@@ -13,10 +13,12 @@
    :language 'mav :feature 'string
    '((text) @font-lock-string-face)
    :language 'mav :feature 'keyword
-   '((["use" "let" "require" "vehicle" "faults" "mission" "plan" "simulate" "campaign" "limits"
-       "keep_in" "keep_out" "mode" "every"
-       "curve" "rotor" "rotors" "battery" "air" "start" "end" "moving" "waypoint" "waypoints" "from" "hold" "fault" "where" "in" "as"
-       "reduced" "to" "stuck" "at" "towards" "along" "path" "free"]
+   '(([
+       ;; words: statements
+       "air" "battery" "campaign" "curve" "end" "every" "faults" "fault" "hold" "keep_in" "keep_out" "let" "limits"
+       "mission" "mode" "plan" "require" "rotors" "rotor" "simulate" "start" "use" "vehicle" "waypoints" "waypoint"
+       ;; end of words
+       "moving" "from" "where" "in" "as" "reduced" "to" "stuck" "at" "towards" "along" "path" "free"]
       @font-lock-keyword-face)
      [(lost) (clause_word)] @font-lock-keyword-face)
    :language 'mav :feature 'definition

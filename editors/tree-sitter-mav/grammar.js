@@ -14,21 +14,31 @@
 // From loosest to tightest.
 const PRECEDENCE = { range: 1, interval: 2, sum: 3, product: 4, sign: 5, power: 6 };
 
+// The words between marks like the next two are written from the table of the language (CONTRIBUTING.md).
+
 // Words that begin a statement. They are also names of fields: `vehicle = octo`, `rotors = lagging`.
 const STATEMENT_WORDS = [
+  // words: statements
   'use', 'let', 'require', 'vehicle', 'faults', 'mission', 'plan', 'simulate', 'campaign', 'limits', 'mode', 'every',
-  'curve', 'rotor', 'rotors', 'start', 'end', 'waypoint', 'waypoints', 'hold', 'fault',
-  'keep_in', 'keep_out', 'battery', 'air',
+  'curve', 'rotor', 'rotors', 'start', 'end', 'waypoint', 'waypoints', 'hold', 'fault', 'keep_in', 'keep_out',
+  'battery', 'air'
+  // end of words
 ];
 
 const CLAUSE_WORDS = [
+  // words: clauses with a value
   'at', 'yaw_within', 'yaw', 'within', 'weight', 'time_constant', 'time', 'spin', 'min_speed', 'max_speed',
-  'min_thrust', 'max_thrust', 'thrust_coefficient', 'drag_coefficient', 'torque_per_thrust', 'rotor_inertia', 'motor', 'until',
-  'corridor',
+  'min_thrust', 'max_thrust', 'thrust_coefficient', 'drag_coefficient', 'torque_per_thrust', 'rotor_inertia', 'motor',
+  'until', 'corridor'
+  // end of words
 ];
 
 // Clauses of a waypoint without a value.
-const BARE_WORDS = ['straight', 'vertical', 'stop', 'pass'];
+const BARE_WORDS = [
+  // words: clauses without a value
+  'straight', 'vertical', 'stop', 'pass'
+  // end of words
+];
 
 // Clauses of a waypoint with `from` before the value.
 const FROM_WORDS = ['arrive'];

@@ -10,7 +10,7 @@ use super::hover::described;
 use super::names::Kind;
 use super::workspace::Spec;
 use crate::diagnostic::codes;
-use crate::language::{Absent, Entry, Takes};
+use crate::language::{Absent, Entry, Group, Takes};
 use crate::model::vocabulary::{allowed, clauses, constants, fields, functions, mode_numbers, words};
 use crate::source::FileId;
 use crate::syntax::Place;
@@ -123,17 +123,8 @@ fn missing_fields(context: &Context, list: &mut Vec<Offer>) {
 
 /// Whether the block has neither the field nor another one in its place.
 fn is_open(context: &Context, name: &str) -> bool {
-    const INSTEAD: [(&str, &[&str]); 7] = [
-        ("layout", &["rotors"]),
-        ("arm", &["rotors"]),
-        ("first", &["rotors"]),
-        ("thrust_coefficient", &["max_thrust"]),
-        ("max_thrust", &["thrust_coefficient"]),
-        ("drag_coefficient", &["torque_per_thrust"]),
-        ("torque_per_thrust", &["drag_coefficient"]),
-    ];
-    let others = INSTEAD.iter().filter(|row| row.0 == name).flat_map(|row| row.1);
-    !context.present.contains(name) && !others.into_iter().any(|other| context.present.contains(*other))
+    let mut rivals = Group::of_block(context.place).rivals(name);
+    !context.present.contains(name) && !rivals.any(|other| context.present.contains(other))
 }
 
 fn is_needed(entry: Option<&Entry>) -> bool {
@@ -267,7 +258,9 @@ fn next_clauses(context: &Context, list: &mut Vec<Offer>) {
         list.push(Offer::new(word, ItemKind::Keyword, 4).insert(format!("{word} ")));
     }
     let Some(opener) = &context.opener else { return };
-    for word in clauses(context.place, opener).iter().filter(|word| !context.clauses.contains(**word)) {
+    let group = Group::of_statement(context.place, opener);
+    let is_taken = |word: &str| context.clauses.contains(word);
+    for word in clauses(context.place, opener).iter().filter(|w| !is_taken(w) && !group.rivals(w).any(is_taken)) {
         let entry = documentation::field(context.place, word).map(described);
         let text = if *word == "arrive" { "arrive from ".to_string() } else { format!("{word} ") };
         list.push(Offer::new(word, ItemKind::Property, 4).insert(text).documented(entry));

@@ -19,16 +19,19 @@ pub(super) struct Due<'t> {
     pub unit: &'static str,
     /// Whether the unit may also be written without its radians.
     pub coefficient: bool,
+    /// Its row in the table, for bounds and guesses.
+    pub row: Option<&'static Entry>,
 }
 
 impl<'t> Due<'t> {
+    /// What is expected beside the fields of the table.
     pub fn new(what: &'t str, unit: &'static str) -> Self {
-        Due { what, unit, coefficient: false }
+        Due { what, unit, coefficient: false, row: None }
     }
 
     /// What a field of the language table expects.
     pub fn of(entry: &'static Entry) -> Self {
-        Due::new(entry.name, entry.unit().unwrap_or("1"))
+        Due { row: Some(entry), ..Due::new(entry.name, entry.unit().unwrap_or("1")) }
     }
 
     pub fn dimension(&self) -> Dimension {

@@ -12,6 +12,7 @@ use super::simulate::Around;
 use super::understanding::Understanding;
 use super::{DefaultUsed, FaultMode, Model, Vehicle, air, lag, mission, sense, vehicle, volume};
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
+use crate::language::table;
 use crate::number::number;
 use crate::source::{FileId, Span, Spanned};
 use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile};
@@ -204,7 +205,7 @@ fn whole<'a>(
 fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: &mut Vec<DefaultUsed>) {
     match field.map(|f| &f.value) {
         Some(FieldValue::Expr(expr)) => {
-            let given = cx.positive(Due::new("gravity", "m/s^2"), expr, "mavc::vehicle::not_positive");
+            let given = cx.positive(Due::of(&table::top::GRAVITY), expr, "mavc::vehicle::not_positive");
             if let Some(given) = given.filter(|g| *g != GRAVITY) {
                 sense::gravity(cx, given, expr.span);
                 cx.gravity = given;

@@ -4,29 +4,6 @@ use super::context::Context;
 use super::due::Due;
 use crate::syntax::ast::{Expr, ExprKind};
 
-/// Upper bounds of a number's size, each with the likely units for numbers below it.
-type Sizes = &'static [(f64, &'static [&'static str])];
-
-const ANY: f64 = f64::INFINITY;
-
-/// Typical sizes for multirotors by field. Two units where both are possible, the likelier first.
-const FIELDS: [(&[&str], Sizes); 9] = [
-    (&["within"], &[(1.0, &["m"]), (ANY, &["cm"])]),
-    (&["arm", "propeller_radius", "size"], &[(5.0, &["m"]), (60.0, &["cm"]), (100.0, &["cm", "mm"]), (ANY, &["mm"])]),
-    (&["torque_per_thrust"], &[(0.5, &["m"]), (5.0, &["cm", "mm"]), (ANY, &["mm"])]),
-    (&["mass"], &[(50.0, &["kg"]), (1000.0, &["g", "kg"]), (ANY, &["g"])]),
-    (&["max_thrust"], &[(100.0, &["N"]), (500.0, &["N", "gf"]), (ANY, &["gf", "N"])]),
-    // The smallest rotors reach 4000 rad/s, the largest less than 1500 rpm.
-    (
-        &["max_speed", "min_speed"],
-        &[(50.0, &["rad/s"]), (1500.0, &["rad/s", "rpm"]), (4000.0, &["rpm", "rad/s"]), (ANY, &["rpm"])],
-    ),
-    // Packs of small quadcopters hold 0.1 A*h, those of the largest multirotors less than 200 A*h.
-    (&["capacity"], &[(90.0, &["A*h"]), (200.0, &["A*h", "mA*h"]), (ANY, &["mA*h"])]),
-    (&["time_constant"], &[(1.0, &["s"]), (ANY, &["ms"])]),
-    (&["detection"], &[(1.0, &["s"]), (10.0, &["s", "ms"]), (ANY, &["ms"])]),
-];
-
 /// Units of angles and of their rates, in degrees and in radians.
 const RADIANS: [(&str, &str); 3] = [("deg", "rad"), ("deg/s", "rad/s"), ("deg/s^2", "rad/s^2")];
 
@@ -40,9 +17,9 @@ const QUARTER: f64 = 1.6;
 /// author can know.
 pub(super) fn likely_units(due: Due, size: f64) -> Vec<&'static str> {
     let size = size.abs();
-    if let Some((_, sizes)) = FIELDS.iter().find(|(names, _)| names.contains(&due.what)) {
-        let fits = sizes.iter().find(|(below, _)| size < *below);
-        return fits.map_or(vec![due.unit], |(_, units)| units.to_vec());
+    let sizes = due.row.map_or(&[][..], |row| row.likely);
+    if let Some((_, units)) = sizes.iter().find(|(below, _)| size < *below) {
+        return units.to_vec();
     }
     let may_be_radians = size > 0.0 && size <= if due.what == "tilt" { QUARTER } else { TURN };
     let radians = RADIANS.iter().find(|(degrees, _)| may_be_radians && *degrees == due.unit);
@@ -104,22 +81,7 @@ fn any_part(expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::unit::parse_unit;
-
-    #[test]
-    fn a_field_has_units_of_one_dimension_and_larger_numbers_have_smaller_units() {
-        for (names, sizes) in FIELDS {
-            let first = parse_unit(sizes[0].1[0], 9.81).unwrap();
-            let scale = |unit: &str| {
-                let unit = parse_unit(unit, 9.81).unwrap();
-                assert_eq!(unit.dimension, first.dimension, "{names:?}");
-                unit.numerator / unit.denominator
-            };
-            assert!(sizes.is_sorted_by(|a, b| a.0 < b.0), "{names:?}");
-            assert!(sizes.is_sorted_by(|a, b| scale(a.1[0]) >= scale(b.1[0])), "{names:?}");
-            assert_eq!(sizes.last().map(|(below, _)| *below), Some(ANY), "{names:?}");
-        }
-    }
+    use crate::language::table::rotor;
 
     #[test]
     fn only_small_angles_may_be_radians() {
@@ -129,6 +91,6 @@ mod tests {
         assert_eq!(of("tilt", "deg", 3.0), ["deg"]);
         assert_eq!(of("yaw_rate", "deg/s", 2.0), ["deg/s", "rad/s"]);
         assert_eq!(of("at", "m", 2.0), ["m"]);
-        assert_eq!(of("max_speed", "rad/s", 8500.0), ["rpm"]);
+        assert_eq!(likely_units(Due::of(&rotor::MAX_SPEED), 8500.0), ["rpm"]);
     }
 }

@@ -18,6 +18,7 @@ use super::load::FileSet;
 use super::{Air, Heading, Mission, Waypoint, air, edits, heading, limits, origin, sense, survey, volume};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
+use crate::language::table::HOLD;
 use crate::language::table::curve_head::POINTS;
 use crate::language::table::mission as of_mission;
 use crate::language::table::waypoint as table;
@@ -354,7 +355,7 @@ fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner:
 }
 
 fn hold<'a>(cx: &mut Context<'a>, duration: &'a Expr, span: Span, route: &mut Route) {
-    let seconds = cx.positive(Due::new("hold", "s"), duration, "mavc::mission::duration");
+    let seconds = cx.quantity(&HOLD, duration, "mavc::mission::duration");
     match (route.waypoints.last_mut(), seconds) {
         (Some(last), Some(seconds)) if (last.hold + seconds).is_finite() => {
             last.hold += seconds;

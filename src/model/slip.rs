@@ -3,6 +3,7 @@
 use super::context::Context;
 use super::due::{Due, called, joined_unit};
 use crate::diagnostic::Diagnostic;
+use crate::language::{Entry, Group};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, UnitText};
 use crate::unit::{Base, Dimension, Quantity, mismatch, parse_unit};
@@ -12,22 +13,6 @@ const WEIGHTS: [(&str, &str); 3] = [("g", "gf"), ("kg", "kgf"), ("lb", "lbf")];
 
 /// Units of frequency, each with the unit of turning rate for one turn per period, and the period.
 const TURNS: [(&str, &str, &str); 2] = [("Hz", "rev/s", "second"), ("1/min", "rpm", "minute")];
-
-/// Related fields of different dimensions, each with its unit: a value of one may have been written for another.
-const FAMILIES: [&[(&str, &str)]; 5] = [
-    &[
-        ("speed", "m/s"),
-        ("acceleration", "m/s^2"),
-        ("jerk", "m/s^3"),
-        ("tilt", "deg"),
-        ("yaw_rate", "deg/s"),
-        ("yaw_acceleration", "deg/s^2"),
-    ],
-    &[("max_thrust", "N"), ("thrust_coefficient", "N*s^2/rad^2")],
-    &[("torque_per_thrust", "m"), ("drag_coefficient", "N*m*s^2/rad^2")],
-    &[("mass", "kg"), ("inertia", "kg*m^2")],
-    &[("within", "cm"), ("yaw_within", "deg")],
-];
 
 /// What to write in place of a value.
 struct Remedy {
@@ -137,7 +122,7 @@ impl<'a> Context<'a> {
                 return certain(format!("for the period of {value} {unit}"), reciprocal());
             }
         }
-        let sibling = match sibling(due.what, found) {
+        let sibling = match sibling(due, found) {
             Some(other) => format!("; {} is given by `{other}`", kind(found)),
             None => String::new(),
         };
@@ -227,11 +212,11 @@ impl<'a> Context<'a> {
     }
 }
 
-/// The field related to `what` that takes a quantity of this dimension.
-fn sibling(what: &str, found: Dimension) -> Option<&'static str> {
-    let family = FAMILIES.iter().find(|family| family.iter().any(|(name, _)| *name == what))?;
-    let takes = |unit: &str| parse_unit(unit, 1.0).is_ok_and(|unit| unit.dimension == found);
-    family.iter().find(|(_, unit)| takes(unit)).map(|(name, _)| *name)
+/// The related field that takes a quantity of this dimension.
+fn sibling(due: Due, found: Dimension) -> Option<&'static str> {
+    let family = due.row?.family?;
+    let takes = |entry: &&'static Entry| entry.family == Some(family) && Due::of(entry).dimension() == found;
+    Group::ALL.into_iter().flat_map(Group::entries).copied().find(takes).map(|entry| entry.name)
 }
 
 /// The usual name of a dimension, without a unit.

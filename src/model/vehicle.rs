@@ -53,7 +53,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
 
     let (places, count) = match placed {
         Some(placed) => {
-            for field in ["layout", "first", "arm"] {
+            for field in Group::Vehicle.rivals("rotors") {
                 if let Some(at) = fields.span_of(field) {
                     let message = format!("`{field}` describes a ring, but {owner} places its rotors one by one");
                     cx.report(

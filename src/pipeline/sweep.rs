@@ -4,9 +4,11 @@ use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_each};
 use crate::admissible::without_yaw::YawFree;
 use crate::diagnostic::{Diagnostic, Severity, nearest};
-use crate::model::{FileSet, Model};
+use crate::language;
+use crate::model::{FileSet, Model, is_override};
 use crate::number::significant;
 use crate::report::terminal;
+use crate::source::{SourceMap, Span};
 use crate::spec::Spec;
 use crate::syntax::ast::Item;
 use serde::Serialize;
@@ -84,41 +86,30 @@ impl Standing {
     }
 }
 
-/// The fields that verdicts depend on, as written after `vehicle.`; gravity is another.
-const FIELDS: [&str; 11] = [
-    "mass",
-    "arm",
-    "first",
-    "rotor.max_thrust",
-    "rotor.thrust_coefficient",
-    "rotor.torque_per_thrust",
-    "rotor.drag_coefficient",
-    "rotor.min_speed",
-    "rotor.max_speed",
-    "yaw_drag",
-    "yaw_drag_quadratic",
-];
-const GRAVITY: &str = "gravity";
-
-/// The path of the override for a swept field.
+/// The path of the override for a swept field: a field of the table's column `sweepable`, where `vehicle.` may be
+/// left out, or a `let`.
 fn path(field: &str, files: &FileSet) -> Result<String, Problem> {
-    let inner = field.strip_prefix("vehicle.").unwrap_or(field);
-    if FIELDS.contains(&inner) {
-        return Ok(format!("vehicle.{inner}"));
+    let short = |path: String| path.strip_prefix(VEHICLE).map(String::from).unwrap_or(path);
+    let known: Vec<String> = language::sweepable().map(short).collect();
+    let inner = field.strip_prefix(VEHICLE).unwrap_or(field);
+    if let Some(path) = language::sweepable().find(|path| *path == field || path.strip_prefix(VEHICLE) == Some(inner)) {
+        return Ok(path);
     }
     let items = files.files.iter().flat_map(|file| &file.items);
     let lets: Vec<&str> =
         items.filter_map(|item| if let Item::Let(l) = item { Some(l.name.value.as_str()) } else { None }).collect();
-    if field == GRAVITY || lets.contains(&field) {
+    if lets.contains(&field) {
         return Ok(field.into());
     }
-    let of_rotor = FIELDS.into_iter().find(|known| known.strip_prefix("rotor.") == Some(inner));
-    let near = of_rotor.or_else(|| nearest(inner, FIELDS.into_iter().chain([GRAVITY]).chain(lets)));
-    Err(match near {
+    let names = || known.iter().map(String::as_str);
+    let of_block = names().find(|name| name.rsplit_once('.').is_some_and(|(_, last)| last == inner));
+    Err(match of_block.or_else(|| nearest(inner, names().chain(lets))) {
         Some(near) => format!("no verdict depends on a field `{field}`; did you mean `{near}`?"),
-        None => format!("no verdict depends on `{field}`; sweep {}, {GRAVITY} or a `let`", FIELDS.join(", ")),
+        None => format!("no verdict depends on `{field}`; sweep {} or a `let`", known.join(", ")),
     })
 }
+
+const VEHICLE: &str = "vehicle.";
 
 /// The range is divided into this many equal parts; a part that contains a flip is bisected.
 const PARTS: usize = 64;
@@ -170,21 +161,24 @@ impl Subject<'_> {
             Err(error) => error,
         };
         let mut errors = error.diagnostics.iter().filter(|d| d.severity == Severity::Error);
-        match errors.find(|d| !self.is_too_heavy(d)) {
+        match errors.find(|d| !self.is_too_heavy(d, &error.files.sources)) {
             Some(d) => Err(format!("at {}{unit}: {}", significant(value, 6), d.message)),
             None => Ok(vec![Standing::TOO_HEAVY; self.modes.len()]),
         }
     }
 
-    /// A vehicle that is too heavy for all its rotors is a result here, not a mistake: no mode lifts more than they do.
-    fn is_too_heavy(&self, error: &Diagnostic) -> bool {
-        error.code == TOO_HEAVY && error.labels.iter().any(|label| label.span == self.spec.model().vehicle.span)
+    /// A vehicle that is too heavy for all its rotors is a result here, not a mistake: no mode lifts more than they
+    /// do. The error is about this vehicle if it points at its name, at its mass or at the value that is swept.
+    fn is_too_heavy(&self, error: &Diagnostic, sources: &SourceMap) -> bool {
+        let vehicle = &self.spec.model().vehicle;
+        let is_of_it = |at: Span| at == vehicle.span || at == vehicle.mass_span || is_override(sources, at);
+        error.code == TOO_HEAVY && (is_of_it(error.span) || error.labels.iter().any(|label| is_of_it(label.span)))
     }
 }
 
 impl Sweep {
-    /// Runs the sweep that `text` describes, such as `mass=1.5..2.5kg`: a field of the vehicle, gravity or a `let`, and a range
-    /// in one unit. `modes` are the analyses of the spec as it is written ([`crate::analyze`]).
+    /// Runs the sweep that `text` describes, such as `mass=1.5..2.5kg`: a field of the vehicle, gravity or a `let`,
+    /// and a range in one unit. `modes` are the analyses of the spec as it is written ([`crate::analyze`]).
     ///
     /// # Errors
     /// The text has another form, no verdict depends on the field, or the spec has errors at a value of the field.
@@ -207,7 +201,8 @@ impl Sweep {
             for (k, mode) in subject.modes.iter().enumerate() {
                 // Between two sampled values a verdict may change more than once.
                 let mut left = (left.0, left.1[k]);
-                // Hover is on the edge of a set within a tolerance, so it passes that state; only a lasting one is listed.
+                // Hover is on the edge of a set within a tolerance, so it passes that state; only a lasting one is
+                // listed.
                 let is_passed = |flip: &Flip, at: f64| {
                     flip.mode == mode.name && flip.above_hover == Place::OnEdge && at - flip.at <= 1e-4 * (high - low)
                 };

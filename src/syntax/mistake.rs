@@ -17,7 +17,6 @@ mod wording;
 pub(super) use block::{check_head, misplaced, unknown_block};
 pub use effect::no_choice;
 pub(super) use flight::is_foreign;
-pub(super) use habit::CLAUSES;
 pub(super) use separator::separations;
 
 use super::cut;

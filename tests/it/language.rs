@@ -1,4 +1,8 @@
-//! The table of the language, and everything that repeats it: defaults, the language reference, the grammars of editors.
+//! The table of the language, and everything that repeats it: defaults, the language reference, the grammars of
+//! editors.
+
+mod generated;
+mod sweepable;
 
 use mavc::language::{Absent, Entry, FUNCTIONS, Group, OPENERS, Place, Takes, markdown, statement_markdown};
 use mavc::model::vocabulary::{constants, functions, words};
@@ -54,19 +58,6 @@ fn with_tables(page: &str) -> String {
     page
 }
 
-/// `MAVC_UPDATE=1 cargo test --test it language` rewrites them.
-#[test]
-fn the_tables_of_the_reference_are_those_of_the_language() {
-    let path = root().join("docs/language.md");
-    let page = std::fs::read_to_string(&path).unwrap();
-    let due = with_tables(&page);
-    if std::env::var_os("MAVC_UPDATE").is_some() {
-        std::fs::write(&path, &due).unwrap();
-        return;
-    }
-    assert!(page == due, "docs/language.md differs from the table: MAVC_UPDATE=1 cargo test --test it language");
-}
-
 /// The value of a default as one would write it, in SI.
 fn evaluated(written: &str) -> f64 {
     let (digits, unit) = written.split_once(' ').unwrap_or((written, "1"));
@@ -110,6 +101,48 @@ fn every_entry_has_a_name_of_its_own_and_a_line() {
     }
 }
 
+/// The value in SI units of one of a unit.
+fn scale(unit: &str) -> f64 {
+    let unit = parse_unit(unit, 9.81).unwrap();
+    unit.numerator / unit.denominator
+}
+
+#[test]
+fn the_further_columns_fit_their_rows() {
+    for (group, entry) in entries() {
+        let who = format!("{} of {group:?}", entry.name);
+        for other in entry.excludes {
+            assert!(*other != entry.name && (group.has(other) || Place::opens_statement(other)), "{who}: {other}");
+            assert!(group.entry(other).is_none_or(|other| !other.excludes.contains(&entry.name)), "{who}: twice");
+        }
+        // Overrides reach the fields that rotors share, not the clauses of one rotor.
+        let is_reached = group.path().is_some() || group == Group::PlacedRotor;
+        assert!(!entry.sweepable || entry.unit().is_some() && is_reached, "{who}");
+        assert!(entry.bounds.is_none_or(|(least, most)| least < most && entry.unit().is_some()), "{who}");
+        assert!(entry.family.is_none() || entry.unit().is_some(), "{who}");
+        let sizes = entry.likely;
+        assert!(sizes.is_sorted_by(|a, b| a.0 < b.0), "{who}");
+        assert!(sizes.is_sorted_by(|a, b| scale(a.1[0]) >= scale(b.1[0])), "larger numbers have smaller units: {who}");
+        assert!(sizes.last().is_none_or(|(below, _)| *below == f64::INFINITY), "{who}");
+        for unit in sizes.iter().flat_map(|(_, units)| *units) {
+            let own = parse_unit(entry.unit().unwrap(), 9.81).unwrap();
+            assert_eq!(parse_unit(unit, 9.81).unwrap().dimension, own.dimension, "{who}: {unit}");
+        }
+    }
+}
+
+/// Fields of one name and unit are bounded alike wherever they are written.
+#[test]
+fn rows_of_one_name_and_unit_have_the_same_bounds_and_likely_units() {
+    for (group, entry) in entries() {
+        let alike = entries().filter(|(_, other)| (other.name, other.unit()) == (entry.name, entry.unit()));
+        for (other_group, other) in alike {
+            let (own, its) = ((entry.bounds, entry.likely), (other.bounds, other.likely));
+            assert_eq!(own, its, "{} of {group:?} and of {other_group:?}", entry.name);
+        }
+    }
+}
+
 #[test]
 fn every_function_has_a_line() {
     let documented: BTreeSet<&str> = FUNCTIONS.iter().map(|(name, _)| *name).collect();
@@ -120,70 +153,6 @@ fn every_function_has_a_line() {
     for name in known {
         assert!(section.contains(name), "{name} is not in the section on expressions");
     }
-}
-
-/// The words between quotes of `kind` in a text.
-fn quoted(text: &str, quote: char) -> BTreeSet<String> {
-    let is_word = |word: &str| !word.is_empty() && word.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-    text.split(quote).skip(1).step_by(2).filter(|word| is_word(word)).map(String::from).collect()
-}
-
-/// The words that begin statements, clauses, and words that fields take.
-fn openers() -> BTreeSet<String> {
-    OPENERS.iter().flat_map(|(_, words)| *words).map(ToString::to_string).collect()
-}
-
-fn clauses() -> BTreeSet<String> {
-    let groups = [Group::Waypoint, Group::PlacedRotor, Group::Strike];
-    groups.into_iter().flat_map(Group::names).map(String::from).collect()
-}
-
-#[test]
-fn the_grammar_of_tree_sitter_has_the_same_words() {
-    let grammar = read("editors/tree-sitter-mav/grammar.js");
-    let list = |name: &str| {
-        let (_, rest) = grammar.split_once(&format!("const {name} = [")).unwrap_or_else(|| panic!("no {name}"));
-        quoted(rest.split(']').next().unwrap(), '\'')
-    };
-    let all = ["CLAUSE_WORDS", "BARE_WORDS", "FROM_WORDS"].into_iter().flat_map(list);
-    assert_eq!(all.collect::<BTreeSet<String>>(), clauses());
-    assert_eq!(list("STATEMENT_WORDS"), openers());
-}
-
-/// The queries list the same words as the table: a word too many is found as well as one that is missing.
-#[test]
-fn the_queries_of_tree_sitter_have_the_same_words() {
-    let queries = read("editors/tree-sitter-mav/queries/highlights.scm");
-    let any_of = |node: &str| {
-        let (_, rest) = queries.split_once(node).unwrap_or_else(|| panic!("highlights.scm has no {node}"));
-        quoted(rest.split("))").find(|part| part.contains("#any-of?")).unwrap(), '"')
-    };
-    let names = |all: &[&str]| all.iter().map(ToString::to_string).collect::<BTreeSet<String>>();
-    assert_eq!(any_of("(call function: (name)"), names(functions()));
-    assert_eq!(any_of("((reference (name)"), names(constants()));
-    assert_eq!(any_of("((field value: (reference"), words_of(|group, entry| !is_clause(group) && !is_list(entry)));
-    assert_eq!(any_of("((field value: (list"), words_of(|_, entry| is_list(entry)));
-    assert_eq!(any_of("((clause value:"), words_of(|group, _| is_clause(group)));
-    for list in [&queries, &read("editors/emacs/mav-ts-mode.el")] {
-        let keywords = quoted(list, '"');
-        for word in openers() {
-            assert!(keywords.contains(&word), "`{word}` is no keyword in\n{list}");
-        }
-    }
-}
-
-fn is_clause(group: Group) -> bool {
-    matches!(group, Group::Waypoint | Group::PlacedRotor | Group::Strike)
-}
-
-fn is_list(entry: &Entry) -> bool {
-    matches!(entry.takes, Takes::WordList(_))
-}
-
-/// The words that some entries accept, without the names of warnings. Words of a list may also stand alone.
-fn words_of(wanted: impl Fn(Group, &Entry) -> bool) -> BTreeSet<String> {
-    let found = entries().filter(|(group, entry)| wanted(*group, entry));
-    found.flat_map(|(_, entry)| entry.words()).map(ToString::to_string).collect()
 }
 
 /// The texts of the regular expressions in the TextMate grammar.
@@ -199,44 +168,36 @@ fn patterns(grammar: &serde_json::Value, found: &mut Vec<String>) {
     }
 }
 
-/// The alternatives `a|b|c` of a regular expression, wherever it has several words; `atan2?` is two.
-fn alternatives(pattern: &str) -> Vec<BTreeSet<String>> {
-    let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '|' | '?');
-    let runs = pattern.split(|c: char| !is_part(c)).filter(|run| run.contains('|'));
-    let both = |word: &str| match word.trim_start_matches('?').strip_suffix('?') {
-        Some(long) => vec![long.to_string(), long[..long.len() - 1].to_string()],
-        None => vec![word.trim_start_matches('?').to_string()],
-    };
-    runs.map(|run| run.split('|').flat_map(both).filter(|word| !word.is_empty()).collect()).collect()
-}
-
+/// Its patterns of statements are written by hand, because each has its own form.
 #[test]
-fn the_textmate_grammar_has_the_same_words() {
+fn the_textmate_grammar_has_every_statement() {
     let grammar = read("editors/vscode/syntaxes/mav.tmLanguage.json");
     let mut all = Vec::new();
     patterns(&serde_json::from_str(&grammar).unwrap(), &mut all);
-    let lists: Vec<BTreeSet<String>> = all.iter().flat_map(|pattern| alternatives(pattern)).collect();
-    let with = |word: &str| lists.iter().filter(|list| list.contains(word)).collect::<Vec<_>>();
-    // Every list of clauses, of which there are several, is complete.
-    let of_clauses = with("yaw_within");
-    assert!(of_clauses.len() >= 4, "{of_clauses:?}");
-    for list in of_clauses {
-        assert!(clauses().is_subset(list), "{:?} are missing", clauses().difference(list).collect::<Vec<_>>());
-    }
-    let fields = words_of(|group, entry| !is_clause(group) && !is_list(entry));
-    assert_eq!(with("pseudo_inverse"), [&fields]);
-    let known: BTreeSet<String> = functions().iter().map(ToString::to_string).collect();
-    assert_eq!(with("acos"), [&known]);
-    assert!(constants().iter().all(|name| with("g0")[0].contains(*name)));
-    let planners = words_of(|_, entry| is_list(entry));
-    assert!(with("rip").contains(&&planners), "{planners:?}");
     let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let words: BTreeSet<&str> =
         all.iter().flat_map(|pattern| pattern.split(|c| !is_letter(c))).map(|w| w.trim_start_matches('b')).collect();
-    for word in openers() {
-        let plural = word.strip_suffix('s').is_some_and(|one| all.iter().any(|p| p.contains(&format!("{one}s?"))));
-        assert!(plural || words.contains(word.trim_start_matches('b')), "the TextMate grammar has no `{word}`");
+    for word in OPENERS.iter().flat_map(|(_, words)| *words) {
+        assert!(words.contains(word.trim_start_matches('b')), "the TextMate grammar has no `{word}`");
     }
+}
+
+/// A snippet with a field that the language no longer has would insert a mistake.
+#[test]
+fn the_snippets_write_fields_of_the_language() {
+    let snippets: serde_json::Value = serde_json::from_str(&read("editors/vscode/snippets/mav.json")).unwrap();
+    let mut looked_at = 0;
+    for body in snippets.as_object().unwrap().values().map(|snippet| &snippet["body"]) {
+        let lines = body.as_array().into_iter().flatten().filter_map(|line| line.as_str());
+        for line in lines {
+            let mut words = line.split_whitespace();
+            if let (Some(name), Some("=" | "<=")) = (words.next(), words.next()) {
+                assert!(entries().any(|(_, entry)| entry.name == name), "{line}");
+                looked_at += 1;
+            }
+        }
+    }
+    assert!(looked_at > 20, "{looked_at}");
 }
 
 /// The words by which the model names a choice are those of the table.

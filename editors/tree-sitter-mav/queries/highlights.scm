@@ -12,13 +12,16 @@
 (import path: (text) @string.special.path)
 (survey path: (text) @string.special.path)
 
-; ---- words
+; ---- words, those between marks written from the table of the language (CONTRIBUTING.md)
 
 ["use" "waypoints" "from"] @keyword.import
 
 [
-  "let" "require" "vehicle" "faults" "mission" "plan" "simulate" "campaign" "limits" "keep_in" "keep_out" "mode" "every" "curve" "rotor"
-  "rotors" "battery" "air" "start" "end" "moving" "waypoint" "hold" "fault" "where" "in" "as" "reduced" "to" "stuck" "at" "towards" "along" "path" "free"
+  ; words: statements of the spec
+  "air" "battery" "campaign" "curve" "end" "every" "faults" "fault" "hold" "keep_in" "keep_out" "let" "limits"
+  "mission" "mode" "plan" "require" "rotors" "rotor" "simulate" "start" "vehicle" "waypoint"
+  ; end of words
+  "moving" "where" "in" "as" "reduced" "to" "stuck" "at" "towards" "along" "path" "free"
 ] @keyword
 
 (lost) @keyword
@@ -42,21 +45,40 @@
 (requirement name: (name) @property)
 
 ((call function: (name) @function.builtin)
-  (#any-of? @function.builtin "sin" "cos" "tan" "asin" "acos" "atan" "atan2" "sqrt" "abs" "min" "max"))
+  (#any-of? @function.builtin
+    ; words: functions
+    "abs" "acos" "asin" "atan2" "atan" "cos" "max" "min" "sin" "sqrt" "tan"
+    ; end of words
+  ))
 
 ((reference (name) @constant.builtin)
-  (#any-of? @constant.builtin "pi" "g0"))
+  (#any-of? @constant.builtin
+    ; words: constants
+    "g0" "pi"
+    ; end of words
+  ))
 
 ; Words that some fields take.
 ((field value: (reference (name) @constant.builtin))
   (#any-of? @constant.builtin
-    "all" "always" "bounded" "box" "continue" "cylinder" "distance" "estimator" "exact" "geometric" "half_space" "hold"
-    "hover" "instant" "lagging" "land" "minimum" "never" "off" "optimal" "pd" "polygon" "proportional"
-    "pseudo_inverse" "rcp" "rip" "rsp" "sphere" "uniform" "where_needed"))
+    ; words: values of fields
+    "all" "always" "bounded" "box" "continue" "cylinder" "distance" "estimator" "exact" "geometric" "half_space"
+    "hold" "hover" "instant" "lagging" "land" "minimum" "never" "off" "optimal" "pd" "polygon" "proportional"
+    "pseudo_inverse" "rcp" "rip" "rsp" "sphere" "uniform" "where_needed"
+    ; end of words
+  ))
 ((field value: (list (reference (name) @constant.builtin)))
-  (#any-of? @constant.builtin "rcp" "rip" "rsp"))
+  (#any-of? @constant.builtin
+    ; words: values in lists
+    "rcp" "rip" "rsp"
+    ; end of words
+  ))
 ((clause value: (reference (name) @constant.builtin))
-  (#any-of? @constant.builtin "P" "N"))
+  (#any-of? @constant.builtin
+    ; words: values of clauses
+    "N" "P"
+    ; end of words
+  ))
 
 ; ---- marks
 

@@ -28,13 +28,14 @@ typedef struct {
     uint8_t open_brackets;
 } Scanner;
 
-// `continuing_word` of the grammar.
+// `continuing_word` of the grammar. The words between the marks are written from the table of the language.
 static const char *const CONTINUING_WORDS[] = {
-    "at", "yaw_within", "yaw", "within", "weight", "time_constant", "time", "spin", "min_speed", "max_speed",
-    "min_thrust", "max_thrust", "thrust_coefficient", "drag_coefficient", "torque_per_thrust", "rotor_inertia", "motor", "until",
-    "corridor",
-    "straight", "vertical", "stop", "pass", "arrive",
     "rotors", "rotor", "lost", "reduced", "stuck", "to", "as", "in", "where",
+    // words: clauses
+    "arrive", "at", "corridor", "drag_coefficient", "max_speed", "max_thrust", "min_speed", "min_thrust", "motor",
+    "pass", "rotor_inertia", "spin", "stop", "straight", "thrust_coefficient", "time_constant", "time",
+    "torque_per_thrust", "until", "vertical", "weight", "within", "yaw_within", "yaw"
+    // end of words
 };
 
 enum { LONGEST_WORD = 31 };

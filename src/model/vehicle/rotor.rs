@@ -135,11 +135,7 @@ impl Traits {
                 (None, None) => (fields.may_have("min_speed") || fields.may_have("min_thrust")).then_some(None),
             },
         };
-        let alike = [
-            ("thrust_coefficient", "max_thrust"),
-            ("drag_coefficient", "torque_per_thrust"),
-            ("min_speed", "min_thrust"),
-        ];
+        let alike = table::ENTRIES.iter().flat_map(|row| row.excludes.iter().map(|other| (row.name, *other)));
         for (a, b) in alike {
             if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
                 let message = format!("`{a}` and `{b}` cannot both be given");

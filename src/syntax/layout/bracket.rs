@@ -2,8 +2,8 @@
 
 use super::{Scanner, is_name};
 use crate::diagnostic::Diagnostic;
-use crate::language::Place;
-use crate::syntax::mistake::{CLAUSES, is_foreign};
+use crate::language::{Place, is_clause};
+use crate::syntax::mistake::is_foreign;
 
 impl Scanner<'_> {
     pub(super) fn open_bracket(&mut self, at: usize) {
@@ -94,7 +94,7 @@ impl Scanner<'_> {
     /// statement, and before a unit that is meant for the whole list.
     fn closing_place(&self, opener: usize, end: usize) -> usize {
         let Ok(inside) = std::str::from_utf8(&self.out[opener + 1..end]) else { return end };
-        let goes_on = |word: &str| CLAUSES.contains(&word) || ["lost", "reduced", "stuck"].contains(&word);
+        let goes_on = |word: &str| is_clause(word) || ["lost", "reduced", "stuck"].contains(&word);
         let words = inside.split([' ', '\t']).map(|word| (word.as_ptr() as usize - inside.as_ptr() as usize, word));
         let over = words.filter(|(at, word)| *at > 0 && goes_on(word)).map(|(at, _)| at).next();
         let inside = inside[..over.unwrap_or(inside.len())].trim_end();

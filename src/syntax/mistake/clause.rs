@@ -2,23 +2,8 @@
 
 use super::{Broken, Expected, Failure, cut};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::language::Place;
-
-/// Clauses of a rotor, in their usual order.
-const OF_ROTOR: [&str; 12] = [
-    "at",
-    "spin",
-    "max_thrust",
-    "thrust_coefficient",
-    "torque_per_thrust",
-    "drag_coefficient",
-    "min_speed",
-    "min_thrust",
-    "max_speed",
-    "time_constant",
-    "rotor_inertia",
-    "motor",
-];
+use crate::language::table::waypoint;
+use crate::language::{Group, Place, clauses};
 
 /// Words for an axis that is not upright.
 const TILTED: [&str; 13] = [
@@ -72,25 +57,26 @@ pub(super) fn of_rotor(statement: &Broken, failure: &Failure) -> Option<Diagnost
         return Some(error(message).help(format!("did you mean `{clause}`?")).fix(span, *clause));
     }
     // Nearly right words are reported as misspelt.
-    nearest(found, OF_ROTOR).is_none().then(|| error(message).help(format!("its clauses are {}", listed())))
+    let is_near = nearest(found, Group::PlacedRotor.names()).is_some();
+    (!is_near).then(|| error(message).help(format!("its clauses are {}", listed(Group::PlacedRotor))))
 }
 
 /// "`at`, `spin` and `time_constant`"
-fn listed() -> String {
-    let quoted = OF_ROTOR.map(|word| format!("`{word}`"));
-    let (last, rest) = quoted.split_last().unwrap_or((&quoted[0], &[]));
-    format!("{} and {last}", rest.join(", "))
+fn listed(group: Group) -> String {
+    let form = |word| if word == waypoint::ARRIVE.name { "`arrive from`".into() } else { format!("`{word}`") };
+    let quoted: Vec<String> = group.names().map(form).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => quoted.concat(),
+    }
 }
 
 /// `waypoint at [..] m speed 3 m/s`
 pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
-    let clauses = match statement.word() {
-        "waypoint" | "start" => {
-            "`at`, `yaw`, `within`, `yaw_within`, `weight`, `time`, `straight`, `vertical`, `corridor`, `arrive from`, `stop` and `pass`"
-        }
-        _ => return None,
-    };
+    if !matches!(statement.word(), "waypoint" | "start") {
+        return None;
+    }
     let (from, before) = statement.before(failure.at);
     let is_value = found.starts_with(|c: char| c.is_ascii_digit());
     if let ("straight" | "vertical" | "stop", true) = (before, is_value) {
@@ -109,10 +95,11 @@ pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagn
         });
     }
     let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
-    if !failure.expects(Expected::Clause) || !is_word || nearest(found, super::CLAUSES).is_some() {
+    if !failure.expects(Expected::Clause) || !is_word || nearest(found, clauses()).is_some() {
         return None;
     }
     let follows_value = failure.expects(Expected::End);
+    let own = listed(Group::Waypoint);
     let diagnostic = super::wording::unexpected(
         statement,
         failure.at,
@@ -128,8 +115,8 @@ pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagn
         "heading" | "course" | "bearing" => {
             "write it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()
         }
-        "hold" | "wait" | "for" => format!("clauses are {clauses}; `hold 3 s` is a statement on the next line"),
-        _ => format!("clauses are {clauses}"),
+        "hold" | "wait" | "for" => format!("clauses are {own}; `hold 3 s` is a statement on the next line"),
+        _ => format!("clauses are {own}"),
     };
     follows_value.then(|| diagnostic.here("not a clause of a waypoint").help(help))
 }

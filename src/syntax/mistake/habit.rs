@@ -5,7 +5,7 @@ mod value;
 
 use super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::language::Place;
+use crate::language::{self, Place, is_clause};
 use crate::syntax::cut;
 
 /// The first that fits, from the surest to the least sure.
@@ -31,33 +31,6 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     value::unit_after_name,
     value::list_comma,
     wrong_start,
-];
-
-pub(in crate::syntax) const CLAUSES: [&str; 24] = [
-    "at",
-    "yaw",
-    "yaw_within",
-    "within",
-    "weight",
-    "time",
-    "spin",
-    "min_speed",
-    "min_thrust",
-    "max_speed",
-    "max_thrust",
-    "time_constant",
-    "thrust_coefficient",
-    "drag_coefficient",
-    "torque_per_thrust",
-    "rotor_inertia",
-    "motor",
-    "until",
-    "straight",
-    "vertical",
-    "corridor",
-    "arrive",
-    "stop",
-    "pass",
 ];
 
 pub(super) fn recognise(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
@@ -117,7 +90,7 @@ fn unknown_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
 fn doubled(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let (start, before) = statement.before(failure.at);
     let found = statement.found(failure.at);
-    if matches!(found, "=" | ":") && CLAUSES.contains(&before) && failure.expects(Expected::Value) {
+    if matches!(found, "=" | ":") && is_clause(before) && failure.expects(Expected::Value) {
         let span = statement.span(failure.at, failure.at + 1);
         let error = Diagnostic::error("mavc::syntax::unexpected", span, format!("`{before}` takes no `{found}`"));
         return Some(error.here("not expected").help("remove it: a clause is a word and its value").fix(span, ""));
@@ -341,7 +314,7 @@ fn misspelt_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         match expected {
             Expected::Word(word) => words.push(word),
             Expected::Effect => words.extend(["lost", "reduced", "stuck"]),
-            Expected::Clause => words.extend(CLAUSES),
+            Expected::Clause => words.extend(language::clauses()),
             _ => {}
         }
     }

@@ -1,9 +1,9 @@
 //! Positions, ranges and lists of names with other marks around them or between them, or without marks.
 
 use super::wording::unexpected;
-use super::{Broken, CLAUSES, Expected, Failure, is_name};
+use super::{Broken, Expected, Failure, is_name};
 use crate::diagnostic::Diagnostic;
-use crate::language::Place;
+use crate::language::{Place, is_clause};
 use crate::syntax::cut;
 
 /// `start at (0, 0, 2) m`
@@ -36,7 +36,7 @@ pub(super) fn position_without_brackets(statement: &Broken, failure: &Failure) -
     let rest = &statement.text[at..];
     // The clauses that follow are no coordinates.
     let words = rest.split([' ', '\t']).map(|word| (word.as_ptr() as usize - rest.as_ptr() as usize, word));
-    let clause = words.filter(|(_, word)| CLAUSES.contains(word)).map(|(start, _)| start).next();
+    let clause = words.filter(|(_, word)| is_clause(word)).map(|(start, _)| start).next();
     let written = rest[..clause.unwrap_or(rest.len())].trim_end();
     let parts: Vec<&str> = written.split(',').map(str::trim).collect();
     let [x, y, z] = parts[..] else { return None };

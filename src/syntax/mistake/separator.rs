@@ -1,8 +1,8 @@
 //! Statements on one line without `;` between them: `mass = 1 kg  arm = 0.2 m`.
 
-use super::{Broken, CLAUSES, Expected, Failure, is_name, token};
+use super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::Diagnostic;
-use crate::language::Place;
+use crate::language::{Place, is_clause};
 use crate::syntax::cut;
 
 /// Most statements separated on one line.
@@ -40,7 +40,7 @@ fn split(
     let text = statement.text;
     let found = statement.found(fails.at);
     // `within = 10 cm` after a waypoint is a clause with a mark too many.
-    if found == "=" && fails.expects(Expected::Value) && CLAUSES.contains(&statement.before(fails.at).1) {
+    if found == "=" && fails.expects(Expected::Value) && is_clause(statement.before(fails.at).1) {
         return None;
     }
     // There are no fields among rotors: `tilt = 15 deg` after one is meant as a clause.

@@ -2,7 +2,7 @@
 
 use super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::Diagnostic;
-use crate::language::Place;
+use crate::language::{Place, is_clause};
 use crate::syntax::cut;
 
 /// Tried before the habits that apply to any statement; each looks for one wording.
@@ -145,7 +145,7 @@ fn pi_and_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let number = head[from..].trim_end_matches('*');
     // Otherwise it is a name, or more than a product.
     let is_field = statement.text[failure.at + unit.len()..].trim_start().starts_with('=');
-    if !number.starts_with(|c: char| c.is_ascii_digit()) || super::CLAUSES.contains(&unit) || is_field {
+    if !number.starts_with(|c: char| c.is_ascii_digit()) || is_clause(unit) || is_field {
         return None;
     }
     let span = statement.span(from, failure.at + unit.len());

@@ -273,6 +273,21 @@ fn what_is_needed_comes_first() {
 }
 
 #[test]
+fn what_another_field_or_clause_excludes_is_not_offered() {
+    let all = offers(
+        "vehicle a {\n rotor {\n min_speed = 1 rad/s\n |\n }\n rotors {\n \
+         rotor at [0, 1, 0] m spin P min_thrust 2 % |\n }\n |\n}\n\
+         mission m {\n air {\n altitude = 5 m\n |\n }\n waypoint at [1, 0, 1] m stop vertical |\n}\n",
+    );
+    let of = |k: usize| labels(&all[k]);
+    assert!(!of(0).contains(&"min_thrust") && of(0).contains(&"max_thrust"), "{:?}", of(0));
+    assert!(!of(1).contains(&"min_speed") && of(1).contains(&"max_speed"), "{:?}", of(1));
+    assert!(!of(2).contains(&"arm") && !of(2).contains(&"layout") && of(2).contains(&"mass"), "{:?}", of(2));
+    assert!(!of(3).contains(&"density") && of(3).contains(&"gusts"), "{:?}", of(3));
+    assert!(!of(4).contains(&"pass") && !of(4).contains(&"corridor") && of(4).contains(&"arrive"), "{:?}", of(4));
+}
+
+#[test]
 fn editors_that_know_snippets_get_the_cursor_inside_the_braces() {
     for (knows, wanted) in [(true, "rotor {\n\t$0\n}"), (false, "rotor {\n}")] {
         let item = json!({ "completionItem": { "snippetSupport": knows } });

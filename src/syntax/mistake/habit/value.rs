@@ -1,8 +1,8 @@
 //! Habits in values: numbers, lists, ranges and units as other formats write them.
 
 use super::super::{Broken, Expected, Failure, is_name, token};
-use super::CLAUSES;
 use crate::diagnostic::Diagnostic;
+use crate::language::is_clause;
 use crate::syntax::cut;
 
 /// `arm = 0,211 m`, `max_speed = 8,500 rpm`
@@ -279,7 +279,7 @@ pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagn
 
 /// Whether a word can be a factor of a unit; longer words, and some short ones, begin something else.
 fn is_factor(word: &str) -> bool {
-    let other = ["and", "or", "to", "of", "for", "let", "use", "as", "in"].contains(&word) || CLAUSES.contains(&word);
+    let other = ["and", "or", "to", "of", "for", "let", "use", "as", "in"].contains(&word) || is_clause(word);
     word == "%" || word.len() <= 3 && word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') && !other
 }
 
