@@ -145,9 +145,9 @@ pub(super) fn outside_cone(aside: Series, ahead: Series, angle: f64) -> Series {
         return from_side;
     }
     let length = |of: fn(&Series) -> Interval| (of(&aside).square() + of(&ahead).square()).sqrt();
-    let from_apex = length(|part| part.value());
+    let from_apex = length(Series::value);
     // No distance changes faster than the vector does.
-    let steepest = Interval::around_zero(length(|part| part.slope()).high);
+    let steepest = Interval::around_zero(length(Series::slope).high);
     let nearest = if along_side.high < 0.0 { from_apex.low } else { from_side.value().low.min(from_apex.low) };
     Series::of_derivatives(&[Interval::new(nearest, from_apex.high), steepest])
 }

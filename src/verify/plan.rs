@@ -358,10 +358,12 @@ impl<'a> Setting<'a> {
             }
         }
         // In place of a set that cannot be computed at least the healthy one, in which the vehicle is until the fault.
-        if !undecided.is_empty() && !groups.iter().any(|group| group.mode == HEALTHY) {
-            if let Ok(planes) = self.planes_of(HEALTHY)? {
-                groups.push(Group { mode: HEALTHY.into(), whole: true, span: None, planes });
-            }
+        let has_healthy = groups.iter().any(|group| group.mode == HEALTHY);
+        if !undecided.is_empty()
+            && !has_healthy
+            && let Ok(planes) = self.planes_of(HEALTHY)?
+        {
+            groups.push(Group { mode: HEALTHY.into(), whole: true, span: None, planes });
         }
         Ok((groups, undecided))
     }

@@ -220,7 +220,7 @@ pub fn drafts() -> Vec<Draft> {
         let (mass, g) = (m.vehicle.mass, m.gravity);
         m.vehicle.rotors.iter_mut().for_each(|rotor| rotor.spread = Default::default());
         m.vehicle.mass_spread = Spread { low: 0.96, high: 1.04 };
-        let full: f64 = m.vehicle.rotors.iter().map(|rotor| rotor.max_thrust()).sum();
+        let full: f64 = m.vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).sum();
         m.modes.last_mut().expect("a mode").capacity.fill(1.02 * mass * g / full);
     });
     list.push(void("reserve about nothing, an interval of the mass", nearly, -2.0));

@@ -72,7 +72,7 @@ impl Draw {
     fn mission(&mut self, model: &str) -> String {
         let mut place = [0.0, 0.0, 40.0];
         let mut yaw = 0.0;
-        let mut text = format!("start at [0, 0, 40] m  yaw 0 deg\n");
+        let mut text = "start at [0, 0, 40] m  yaw 0 deg\n".to_string();
         if self.happens(0.15) {
             text.insert_str(0, "start moving\n");
         }
