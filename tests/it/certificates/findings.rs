@@ -1,8 +1,10 @@
 //! Forgeries that were once accepted, and specs of which too much was once said.
 
 use super::decide;
+use crate::vehicles::lost;
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, Multiplier, RowRecord, Side};
-use mavc::model::Model;
+use mavc::model::grid::Spacing;
+use mavc::model::{GiveUpYaw, Model, PlannerKind, Spread, YawDrag};
 use std::path::{Path, PathBuf};
 
 fn folder() -> PathBuf {
@@ -84,7 +86,7 @@ fn no_index_overflows() {
                 let kind =
                     if exact { mavc::certificate::DynamicModel::Exact } else { mavc::certificate::DynamicModel::Hover };
                 model.plan.model = if exact { mavc::model::PlanModel::Exact } else { mavc::model::PlanModel::Hover };
-                model.plan.planner = mavc::model::PlannerKind::Rcp;
+                model.plan.planner = PlannerKind::Rcp;
                 let multipliers = vec![Multiplier { row, z: vec![1.0] }];
                 let claim = InfeasibleClaim { multipliers, ..whole.clone() };
                 let certificate =
@@ -99,7 +101,7 @@ fn no_index_overflows() {
 /// A motion on a coarser grid than the spec's samples whose rows hold all the same is true, and weaker.
 #[test]
 fn fewer_pieces_are_weaker() {
-    let mut model = super::hop(mavc::model::PlannerKind::Rip, 12.0);
+    let mut model = super::hop(PlannerKind::Rip, 12.0);
     let certificate = super::certified(&model).unwrap();
     assert!(decide(&certificate, &model).unwrap().weaker.is_empty());
     model.plan.samples = 61;
@@ -108,4 +110,29 @@ fn fewer_pieces_are_weaker() {
         weaker.len() == 1 && weaker[0].starts_with("fewer pieces than the spec's 61 samples give, on 2 of 2 legs"),
         "{weaker:?}"
     );
+}
+
+/// A mode in which the rotors give a tenth of their thrust: nothing catches it, spinning or not, so that without a record its
+/// whole set is imposed.
+#[test]
+fn what_cannot_hover_is_not_caught_by_its_spin() {
+    let mut model = super::hop(PlannerKind::Rip, 12.0);
+    model.plan.reserve = 0.0;
+    let certificate = super::certified(&model).unwrap();
+    let mut weak = lost(&model, &[]);
+    (weak.name, weak.without_yaw) = ("weak".into(), Some(GiveUpYaw::Always));
+    weak.capacity.fill(0.1);
+    model.modes.push(weak);
+    model.vehicle.yaw_drag = Some(YawDrag { linear: 2.75e-3, spread: Spread::NONE, quadratic: 0.0 });
+    model.plan.planner = PlannerKind::Rcp;
+    model.plan.against = vec![model.modes.len() - 1];
+    let told = decide(&certificate, &model).unwrap_err().sentence();
+    assert!(told.contains("the set of weak"), "{told}");
+}
+
+/// Times of a certificate whose ratio is not a number, which only the check of shapes keeps away from grids.
+#[test]
+fn graded_pieces_have_no_endless_share() {
+    assert!(Spacing::Graded.share(f64::INFINITY, f64::NAN).is_nan());
+    assert!((Spacing::Graded.share(4.0, 0.75) + Spacing::Graded.share(4.0, 0.25) - 1.0).abs() < 1e-12);
 }
