@@ -6,6 +6,7 @@ use crate::kinds::witness::{claiming, of_harder};
 use crate::numbers::Numbers;
 use crate::specs::{Harder, Spec};
 use mavc::certificate::{Certificate, Claim, TooEarlyClaim};
+use mavc::model::Rotor;
 use mavc::verify::Premise;
 
 pub const KINDS: &[Kind] = &[
@@ -18,12 +19,12 @@ pub const KINDS: &[Kind] = &[
 /// whichever is more.
 fn bound(spec: &Spec, numbers: &mut Numbers, waypoint: usize) -> Option<f64> {
     let (vehicle, g) = (&spec.model().vehicle, spec.model().gravity);
-    if !vehicle.rotors.iter().any(mavc::model::Rotor::is_reversible) {
+    if !vehicle.rotors.iter().any(Rotor::is_reversible) {
         return None;
     }
     let points = &spec.truth.mission().waypoints;
     let fall = points[0].position[2] - points[waypoint].position[2];
-    let up = vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).sum::<f64>() / vehicle.mass - g;
+    let up = vehicle.rotors.iter().map(Rotor::max_thrust).sum::<f64>() / vehicle.mass - g;
     let is_last = waypoint + 1 == points.len();
     let claimed = if is_last { 2.0 * (fall / up.max(g)).sqrt() } else { (2.0 * fall / g).sqrt() };
     let reached = 1.002 * spec.honest.times[spec.honest.waypoint_nodes[waypoint]];

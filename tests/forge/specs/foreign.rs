@@ -3,7 +3,7 @@
 use super::Harder;
 use mavc::certificate::{Certificate, Claim};
 use mavc::certify;
-use mavc::model::{Limit, LimitKind, MissionTime, Model, PlannerKind, Problem};
+use mavc::model::{Limit, LimitKind, MissionTime, Model, PlannerKind, Problem, Rotor};
 use mavc::planner::studies::{Scope, compare};
 
 /// The share of the top speeds that the weaker vehicle's rotors have; its thrusts go with the square.
@@ -28,7 +28,7 @@ pub fn harder(model: &Model, total: f64) -> Vec<(Harder, Certificate)> {
             }
         }));
     }
-    if model.vehicle.rotors.iter().any(mavc::model::Rotor::is_reversible) {
+    if model.vehicle.rotors.iter().any(Rotor::is_reversible) {
         tried.push(changed(Harder::OneWay, &|m| m.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = 0.0)));
     }
     let is_uneven = |l: &Limit| l.lower.zip(l.upper).is_some_and(|(lower, upper)| is_of_yaw(l) && lower != -upper);

@@ -5,7 +5,7 @@ use super::Draft;
 use super::list::{OCTO, compiled, elevator, exact, octo, shuttle, uncertain, weakened, with};
 use crate::motion::{Timetable, equations};
 use crate::truth::Outline;
-use mavc::model::{GiveUpYaw, Mission, MissionTime, Model, PlannerKind, Spread, YawDrag};
+use mavc::model::{GiveUpYaw, Mission, MissionTime, Model, PlannerKind, Rotor, Spread, YawDrag};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, Z};
 use std::f64::consts::TAU;
@@ -220,7 +220,7 @@ pub fn drafts() -> Vec<Draft> {
         let (mass, g) = (m.vehicle.mass, m.gravity);
         m.vehicle.rotors.iter_mut().for_each(|rotor| rotor.spread = Default::default());
         m.vehicle.mass_spread = Spread { low: 0.96, high: 1.04 };
-        let full: f64 = m.vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).sum();
+        let full: f64 = m.vehicle.rotors.iter().map(Rotor::max_thrust).sum();
         m.modes.last_mut().expect("a mode").capacity.fill(1.02 * mass * g / full);
     });
     list.push(void("reserve about nothing, an interval of the mass", nearly, -2.0));

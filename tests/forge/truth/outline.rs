@@ -24,7 +24,7 @@ impl Outline {
     }
 
     /// The distance of a point from the edge, m.
-    fn past_edge(&self, [x, y]: [f64; 2]) -> f64 {
+    fn edge_distance(&self, [x, y]: [f64; 2]) -> f64 {
         let from = |([a, b], [c, d]): ([f64; 2], [f64; 2])| {
             let (u, v) = (c - a, d - b);
             let share = (((x - a) * u + (y - b) * v) / (u * u + v * v)).clamp(0.0, 1.0);
@@ -35,7 +35,7 @@ impl Outline {
 
     /// By how much a point comes nearer than a margin to what it may not enter, m.
     pub fn past(&self, [x, y, z]: [f64; 3], margin: f64) -> f64 {
-        let (is_inside, edge) = (self.contains([x, y]), self.past_edge([x, y]));
+        let (is_inside, edge) = (self.contains([x, y]), self.edge_distance([x, y]));
         let kept = match self.keep_in {
             true => if is_inside { edge } else { -edge }.min(z - self.bottom).min(self.top - z),
             false => {
