@@ -90,14 +90,17 @@ fn a_campaign_that_is_interrupted_says_how_to_go_on() {
 #[test]
 #[ignore = "long"]
 fn without_a_file_nothing_can_be_gone_on_with() {
-    let dir = desk();
-    let mut child =
-        spawn(dir.path(), &["campaign", "hop.mav", "--seeds", "20000", "-o", "/dev/null", "--threads", "1"]);
-    // Once flights are flown something is told of them.
-    std::thread::sleep(Duration::from_secs(3));
-    kill(&child, "-TERM");
-    let (_, said) = last_words(&mut child);
-    assert!(said.contains("the flights are not kept: with `-o rows.csv`"), "{said}");
+    let said_after = |seconds: u64| {
+        let dir = desk();
+        let mut child =
+            spawn(dir.path(), &["campaign", "hop.mav", "--seeds", "20000", "-o", "/dev/null", "--threads", "1"]);
+        std::thread::sleep(Duration::from_secs(seconds));
+        kill(&child, "-TERM");
+        last_words(&mut child).1
+    };
+    // Only once flights are flown is something said of them, which takes longer on a busy machine.
+    let is_said = |seconds: &u64| said_after(*seconds).contains("the flights are not kept: with `-o rows.csv`");
+    assert!([3, 10, 30, 90].iter().any(is_said));
 }
 
 #[test]
