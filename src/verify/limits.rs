@@ -14,7 +14,7 @@ type Series = super::series::Series<2>;
 
 /// The violation of a limit, upper side then lower side, in the limit's SI unit. For tilt it is the distance of the acceleration
 /// `(x'', y'', z'' + g)` from the cone about the vertical, divided by gravity; for a direction of arrival that of the velocity from
-/// the cone about the direction, m/s ([`outside_cone`]). `within` are the nodes of the part of the motion on which the limit holds, see [`Family::within`].
+/// the cone about the direction, m/s (`outside_cone`). `within` are the nodes of the part of the motion on which the limit holds, see [`Family::within`].
 pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(usize, usize)>) -> Family<'l> {
     let environment = *environment;
     let Limit { kind, lower, upper, .. } = *limit;
