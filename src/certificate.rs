@@ -39,8 +39,8 @@ pub struct Certificate {
     /// SHA-256 over all files of the spec and its overrides, as in reports.
     pub spec_sha256: String,
     pub model: DynamicModel,
-    /// The height above the ground that `require capture_height` keeps, m. It comes from simulated flights, so the checker takes
-    /// it from here and calls it a claim.
+    /// The height above the ground that `require capture_height` keeps, m. It comes from simulated flights, so the
+    /// checker takes it from here and calls it a claim.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub capture_height_m: Option<f64>,
     pub claim: Claim,
@@ -90,8 +90,8 @@ pub struct PlanClaim {
 pub struct SpinRecord {
     pub mode: String,
     pub spin_rad_s: [f64; 2],
-    /// The largest rate at which the direction of the thrust turns, rad/s. Needed where the moments of inertia about x and y
-    /// differ, because turning then accelerates the spin.
+    /// The largest rate at which the direction of the thrust turns, rad/s. Needed where the moments of inertia about x
+    /// and y differ, because turning then accelerates the spin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub turning_rad_s: Option<f64>,
 }

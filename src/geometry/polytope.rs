@@ -99,8 +99,8 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
     }
 
     /// The set shrunk about `point` by `share` (0 to 1): `{ w : point + (w - point) / (1 - share) in self }`, the
-    /// reserve of `docs/method.md`, section 2. `point` must satisfy the equalities. Facets that it violates stay as they are, so
-    /// that the result is a part of the set in any case.
+    /// reserve of `docs/method.md`, section 2. `point` must satisfy the equalities. Facets that it violates stay as
+    /// they are, so that the result is a part of the set in any case.
     pub fn shrink_about(&self, point: &SVector<f64, D>, share: f64) -> Self {
         let mut shrunk = self.clone();
         for f in &mut shrunk.facets {

@@ -160,9 +160,9 @@ pub(super) fn settle(
     (found, whole)
 }
 
-/// Adds the limits on the yaw of waypoints and legs where it follows from the motion. Between two waypoints with one rule it
-/// holds on the whole leg, with the tolerance of the waypoint where the leg ends, otherwise at the waypoint. Where a rule begins,
-/// a smaller tolerance of the waypoint holds there.
+/// Adds the limits on the yaw of waypoints and legs where it follows from the motion. Between two waypoints with one
+/// rule it holds on the whole leg, with the tolerance of the waypoint where the leg ends, otherwise at the waypoint.
+/// Where a rule begins, a smaller tolerance of the waypoint holds there.
 pub(super) fn impose(mission: &mut Mission, vehicle: &Vehicle) {
     let points = &mission.waypoints;
     let mut found = Vec::new();

@@ -103,8 +103,8 @@ pub fn past(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 
     over.max(under)
 }
 
-/// The distance of a vector from a cone about an axis with a half-angle (rad, below pi/2); `ahead` is its component along
-/// the axis, `aside` the length of the rest.
+/// The distance of a vector from a cone about an axis with a half-angle (rad, below pi/2); `ahead` is its component
+/// along the axis, `aside` the length of the rest.
 fn outside_cone(aside: f64, ahead: f64, angle: f64) -> f64 {
     let (sine, cosine) = angle.sin_cos();
     match ahead * cosine + aside * sine >= 0.0 {
@@ -113,8 +113,8 @@ fn outside_cone(aside: f64, ahead: f64, angle: f64) -> f64 {
     }
 }
 
-/// Like [`past`], but as the checker of plans measures it. Angles differ: their violation is the distance from a cone, of
-/// the acceleration (divided by gravity), of the velocity, or of the direction that the yaw follows.
+/// Like [`past`], but as the checker of plans measures it. Angles differ: their violation is the distance from a cone,
+/// of the acceleration (divided by gravity), of the velocity, or of the direction that the yaw follows.
 pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     match (limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {

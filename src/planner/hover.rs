@@ -147,8 +147,8 @@ impl<'a> HoverPlanner<'a> {
         }
     }
 
-    /// Whether the bound on the mission's time rules out a time for every division among the legs. Rows hold at nodes only, so
-    /// that a motion below it could pass between them.
+    /// Whether the bound on the mission's time rules out a time for every division among the legs. Rows hold at nodes
+    /// only, so that a motion below it could pass between them.
     pub(super) fn is_too_short(&self, total: f64) -> bool {
         least_time_within(self.problem).is_above(total)
     }

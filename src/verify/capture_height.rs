@@ -1,6 +1,6 @@
-//! `require capture_height`: the height is a result of simulated flights, which the checker does not repeat. It takes the height
-//! from the certificate, decides whether the motion keeps it, and says that nothing more is known of it: a certificate can name
-//! any height, simulated or not.
+//! `require capture_height`: the height is a result of simulated flights, which the checker does not repeat. It takes
+//! the height from the certificate, decides whether the motion keeps it, and says that nothing more is known of it: a
+//! certificate can name any height, simulated or not.
 
 use super::Rejection;
 use crate::certificate::Certificate;
@@ -26,19 +26,19 @@ pub fn kept<'m>(certificate: &Certificate, model: &'m Model) -> Result<Cow<'m, M
     }
 }
 
-/// Why a certificate of a spec that requires the height shows less than the spec asks for, about a plan or about that there is
-/// none.
+/// Why a certificate of a spec that requires the height shows less than the spec asks for, about a plan or about that
+/// there is none.
 pub fn weaker(model: &Model, of_none: bool) -> Option<String> {
     let required = model.plan.require_capture?;
     Some(match required.height {
         Some(height) if of_none => format!(
-            "`require capture_height`: the certificate claims that {} m above the ground are required after a fault; this is not \
-             checked, and neither is whether the height was simulated",
+            "`require capture_height`: the certificate claims that {} m above the ground are required after a fault; this is \
+             not checked, and neither is whether the height was simulated",
             number(height)
         ),
         Some(height) => format!(
-            "`require capture_height`: the certificate claims that {} m above the ground is enough after a fault; this is not \
-             checked, and neither is whether the height was simulated",
+            "`require capture_height`: the certificate claims that {} m above the ground is enough after a fault; this is \
+             not checked, and neither is whether the height was simulated",
             number(height)
         ),
         None => "`require capture_height` is not checked: the certificate gives no height".into(),

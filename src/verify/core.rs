@@ -57,7 +57,8 @@ impl WithoutYaw {
     /// The cores of a claim's modes, and the modes without one, for the spec's `against`.
     ///
     /// # Errors
-    /// A record names a mode whose yaw the spec does not give up, a mode named before, or a range of rates that is not one.
+    /// A record names a mode whose yaw the spec does not give up, a mode named before, or a range of rates that is not
+    /// one.
     pub fn of(sets: &Sets, records: &[SpinRecord], premises: Premises) -> Result<Self, Rejection> {
         let model = sets.model();
         let mut found = WithoutYaw::default();
@@ -93,8 +94,8 @@ impl WithoutYaw {
     }
 }
 
-/// Units of work and bytes for the cores of some records and for the modes of the spec's `against` that may be without one. The
-/// planes of sets are not included: [`modes_looked_at`].
+/// Units of work and bytes for the cores of some records and for the modes of the spec's `against` that may be without
+/// one. The planes of sets are not included: [`modes_looked_at`].
 pub fn cost_of(model: &Model, records: &[SpinRecord]) -> cost::Estimate {
     let mut all = cost::Estimate::default();
     if obstacle(model).is_some() {
@@ -270,8 +271,8 @@ impl Core {
         self.spin
     }
 
-    /// Every row at every corner of momenta and rates; then the bound on how fast the direction of the thrust turns, if there is
-    /// one.
+    /// Every row at every corner of momenta and rates; then the bound on how fast the direction of the thrust turns, if
+    /// there is one.
     fn members(&self) -> Vec<Member> {
         let of_row = |row: &Row| {
             let Row { thrust, torque, offset } = *row;
@@ -295,14 +296,14 @@ impl Core {
         self.turning
     }
 
-    /// How many members of the family, the last ones, are premises of the others: they hold wherever some member is imposed. The
-    /// last two are the ends of the spin, after the rate of turning where that is bounded.
+    /// How many members of the family, the last ones, are premises of the others: they hold wherever some member is
+    /// imposed. The last two are the ends of the spin, after the rate of turning where that is bounded.
     pub fn premises(&self) -> usize {
         2 + usize::from(self.turning.is_some())
     }
 
-    /// The violation of every row at every corner, then those of [`Core::premises`]: of the rate at which the direction of the
-    /// thrust turns, and by how much the plan itself turns faster than at the ends of the spin.
+    /// The violation of every row at every corner, then those of [`Core::premises`]: of the rate at which the direction
+    /// of the thrust turns, and by how much the plan itself turns faster than at the ends of the spin.
     pub fn family<'a>(&self, dynamics: &Dynamics<'a>) -> Family<'a> {
         family(dynamics, self.members(), Some(self.spin))
     }
@@ -414,15 +415,16 @@ fn balanced(drag: &YawDrag, rate: f64) -> Interval {
     linear * share * rate + quadratic * rate * rate.abs()
 }
 
-/// The largest yaw torque with which a turning thrust accelerates the spin of a body with uneven inertia: by Euler's equation
-/// `Jz r' = tau_z + (Jx - Jy) p q`, and `|p q| <= |s'|^2/2`, as p and q are the components of s' in the body; N m.
+/// The largest yaw torque with which a turning thrust accelerates the spin of a body with uneven inertia: by Euler's
+/// equation `Jz r' = tau_z + (Jx - Jy) p q`, and `|p q| <= |s'|^2/2`, as p and q are the components of s' in the body;
+/// N m.
 fn coupling(jx: Interval, jy: Interval, rate: f64) -> Interval {
     let rate = Interval::point(rate) * (Interval::ONE + Interval::point(MOST_OUTSIDE));
     (jx - jy).abs() * rate.square() * Interval::point(0.5)
 }
 
-/// The highest speed of a rotor over its intervals, rad/s: those of b w_max^2 and of b may be as far apart as that of the speed
-/// makes them.
+/// The highest speed of a rotor over its intervals, rad/s: those of b w_max^2 and of b may be as far apart as that of
+/// the speed makes them.
 fn fastest(rotor: &Rotor) -> Interval {
     let [thrust, coefficient] = [rotor.spread.full_thrust.high, rotor.spread.idle_thrust.low].map(Interval::point);
     let speed = Interval::point(rotor.max_speed);

@@ -9,7 +9,8 @@ use crate::number::number;
 /// Printed normals and offsets may differ by this share.
 const PRINTED: f64 = 1e-9;
 
-/// The facet that the rotors name in the set of its mode, whose generators are given. With `strict`, the printed normal and offset are compared with it.
+/// The facet that the rotors name in the set of its mode, whose generators are given. With `strict`, the printed normal
+/// and offset are compared with it.
 ///
 /// # Errors
 /// The rotors name no facet, or the printed numbers are not those of the facet.

@@ -1,8 +1,8 @@
 //! A yaw that follows from the motion: towards a point, or along the path.
 //!
-//! With the direction d that the yaw psi has to follow, the error is the angle e between d and (cos psi, sin psi), and with the
-//! tolerance L the violation is the distance of d/|d| from the cone of half-angle L about the yaw: `sin(e - L)`, and 1 where e - L
-//! is more than a right angle. Where |d| is below its least size, nothing is required.
+//! With the direction d that the yaw psi has to follow, the error is the angle e between d and (cos psi, sin psi), and
+//! with the tolerance L the violation is the distance of d/|d| from the cone of half-angle L about the yaw: `sin(e -
+//! L)`, and 1 where e - L is more than a right angle. Where |d| is below its least size, nothing is required.
 
 use super::interval::Interval;
 use super::limits::outside_cone;

@@ -1,12 +1,12 @@
 //! Lower bounds on the time at which motions that satisfy the spec's limits at every instant reach each waypoint: from
 //! distances, limits and full thrust, in interval arithmetic. docs/certificates.md has the theorem.
 //!
-//! Consider a leg with a displacement of at least d along some direction and a rate of at most v in it. Let s be the sum of `1/a`
-//! over its ends at rest, with a the largest acceleration in the direction for the first end, and against it for the last. If u is
-//! its largest rate, it takes at least `d/u + s u/2`, because the mean rate in the `u/a` s next to an end at rest is at most
-//! `u/2`. This decreases in u up to `sqrt(2 d/s)`, where it has its minimum `sqrt(2 d s)`; below that, u = v gives the bound. If the
-//! jerk is at most j and acceleration and rate start
-//! at zero, the displacement is at most `j t^3/6`; if they also end at zero, at most `j T^3/32`, half of it in either half.
+//! Consider a leg with a displacement of at least d along some direction and a rate of at most v in it. Let s be the
+//! sum of `1/a` over its ends at rest, with a the largest acceleration in the direction for the first end, and against
+//! it for the last. If u is its largest rate, it takes at least `d/u + s u/2`, because the mean rate in the `u/a` s
+//! next to an end at rest is at most `u/2`. This decreases in u up to `sqrt(2 d/s)`, where it has its minimum `sqrt(2 d
+//! s)`; below that, u = v gives the bound. If the jerk is at most j and acceleration and rate start at zero, the
+//! displacement is at most `j t^3/6`; if they also end at zero, at most `j T^3/32`, half of it in either half.
 
 use super::Rejection;
 use super::interval::{Interval, exceeds};
@@ -32,7 +32,8 @@ struct Most {
 }
 
 impl Most {
-    /// The least time for a displacement of at least `d`, with rest at the first and the last end or not, rounded down, s.
+    /// The least time for a displacement of at least `d`, with rest at the first and the last end or not, rounded down,
+    /// s.
     fn least(&self, d: Interval, rests: [bool; 2]) -> f64 {
         if !exceeds(d.low, 0.0) {
             return 0.0;
@@ -75,11 +76,13 @@ impl Most {
 enum Sense {
     /// Towards larger values: the upper side of limits.
     Upwards,
-    /// Towards smaller values: the lower side. Only limits on yaw have one; the others are on norms, or on the speed one way.
+    /// Towards smaller values: the lower side. Only limits on yaw have one; the others are on norms, or on the speed
+    /// one way.
     Downwards,
 }
 
-/// How far a quantity may go in one direction on a leg under the limits of a kind, including the tolerance of the check of plans.
+/// How far a quantity may go in one direction on a leg under the limits of a kind, including the tolerance of the check
+/// of plans.
 fn most(of_leg: &[&Limit], kind: LimitKind, sense: Sense) -> f64 {
     let bound = |limit: &Limit| {
         let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(limit.size());
@@ -93,9 +96,9 @@ fn most(of_leg: &[&Limit], kind: LimitKind, sense: Sense) -> f64 {
     of_kind.filter_map(|limit| bound(limit)).fold(f64::INFINITY, f64::min)
 }
 
-/// The total thrust over the mass, m/s^2: `most` is an upper bound, and `reversed` one on its size where rotors that reverse make it
-/// negative. A healthy set widened by its tolerance is the set scaled about its centre, so that either end moves by this share
-/// of the thrust's whole range.
+/// The total thrust over the mass, m/s^2: `most` is an upper bound, and `reversed` one on its size where rotors that
+/// reverse make it negative. A healthy set widened by its tolerance is the set scaled about its centre, so that either
+/// end moves by this share of the thrust's whole range.
 struct Thrust {
     most: Interval,
     reversed: Interval,
@@ -120,8 +123,8 @@ impl Thrust {
         Thrust { most: (full + let_pass) / lightest, reversed: (reversed + let_pass) / lightest }
     }
 
-    /// The largest acceleration downwards, m/s^2. In the exact model the thrust points along an axis of the body that points
-    /// up, so that it cannot pull down beyond the tolerance on sets.
+    /// The largest acceleration downwards, m/s^2. In the exact model the thrust points along an axis of the body that
+    /// points up, so that it cannot pull down beyond the tolerance on sets.
     fn falling(&self, model: &Model) -> Interval {
         let g = Interval::point(model.gravity);
         match model.plan.model {
@@ -288,8 +291,8 @@ fn earliest(due: f64) -> f64 {
     due - 2.0 * SAME_TIME * due.abs().max(1.0)
 }
 
-/// Checks that a motion reaches no waypoint sooner than motions within the limits can. The gaps at its joints and the tolerances of
-/// its rows, each too small to matter, could make it so together.
+/// Checks that a motion reaches no waypoint sooner than motions within the limits can. The gaps at its joints and the
+/// tolerances of its rows, each too small to matter, could make it so together.
 ///
 /// # Errors
 /// It does.
@@ -300,8 +303,8 @@ pub(super) fn not_beaten(problem: Problem, motion: &MotionRecord) -> Result<(), 
         Some((i, (least, reached))) => {
             let [least, at] = apart(least, reached);
             let why = format!(
-                "waypoint {} is reached after {at} s, but motions within the limits take at least {least} s; the gaps and \
-                 tolerances of this one add up",
+                "waypoint {} is reached after {at} s, but motions within the limits take at least {least} s; the gaps \
+                 and tolerances of this one add up",
                 i + 1
             );
             Err(Rejection { at: Some(reached), ..Rejection::new("the least time", why) })

@@ -12,9 +12,10 @@ use std::f64::consts::PI;
 /// Value and rate of change.
 type Series = super::series::Series<2>;
 
-/// The violation of a limit, upper side then lower side, in the limit's SI unit. For tilt it is the distance of the acceleration
-/// `(x'', y'', z'' + g)` from the cone about the vertical, divided by gravity; for a direction of arrival that of the velocity from
-/// the cone about the direction, m/s (`outside_cone`). `within` are the nodes of the part of the motion on which the limit holds, see [`Family::within`].
+/// The violation of a limit, upper side then lower side, in the limit's SI unit. For tilt it is the distance of the
+/// acceleration `(x'', y'', z'' + g)` from the cone about the vertical, divided by gravity; for a direction of arrival
+/// that of the velocity from the cone about the direction, m/s (`outside_cone`). `within` are the nodes of the part of
+/// the motion on which the limit holds, see [`Family::within`].
 pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(usize, usize)>) -> Family<'l> {
     let environment = *environment;
     let Limit { kind, lower, upper, .. } = *limit;
@@ -51,8 +52,8 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(u
     }
 }
 
-/// The limit with a box about its polygon in place of the polygon, if that has more corners: what keeps out of the box keeps out of
-/// the polygon, and most of a motion is far from most volumes.
+/// The limit with a box about its polygon in place of the polygon, if that has more corners: what keeps out of the box
+/// keeps out of the polygon, and most of a motion is far from most volumes.
 pub fn about(limit: &Limit) -> Option<Limit> {
     let volume = limit.volume.as_deref()?;
     let Bounded::FromBody(Body::Prism { corners, bottom, top }) = &volume.quantity else { return None };
@@ -134,9 +135,10 @@ fn length(state: &State, axes: &[usize], order: usize) -> Series {
     Series::of_derivatives(&[value, rate])
 }
 
-/// The distance of a vector from the cone of those at an angle of at most `angle` (rad, below pi/2) to an axis: `ahead` is its
-/// component along the axis, `aside` the length of the rest. Beyond a right angle to the cone's side the apex is nearest, so
-/// that the distance is the whole length: its sine alone would fall to zero again for a vector that points backwards.
+/// The distance of a vector from the cone of those at an angle of at most `angle` (rad, below pi/2) to an axis: `ahead`
+/// is its component along the axis, `aside` the length of the rest. Beyond a right angle to the cone's side the apex is
+/// nearest, so that the distance is the whole length: its sine alone would fall to zero again for a vector that points
+/// backwards.
 pub(super) fn outside_cone(aside: Series, ahead: Series, angle: f64) -> Series {
     let (sine, cosine) = Interval::point(angle).sin_cos();
     let from_side = aside.times(cosine) - ahead.times(sine);

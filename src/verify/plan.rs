@@ -129,8 +129,8 @@ impl<'a> Setting<'a> {
         Motion::new(record, self.dynamics.model, strict).map_err(|why| Rejection::new("the motion", why))
     }
 
-    /// The cost of deciding a plan without proofs between the nodes. Left out are the rows of cores at the nodes, whose number follows
-    /// from their making: [`Setting::estimate_of_cores`].
+    /// The cost of deciding a plan without proofs between the nodes. Left out are the rows of cores at the nodes, whose
+    /// number follows from their making: [`Setting::estimate_of_cores`].
     fn estimate(&self, claim: &PlanClaim) -> Result<Estimate, Rejection> {
         let imposed = required(self.model());
         let mut all = self.estimate_of_sets(&imposed, claim.without_yaw.iter().map(|record| record.mode.as_str()));
@@ -159,8 +159,8 @@ impl<'a> Setting<'a> {
         Ok(all)
     }
 
-    /// The cost of all sets that are computed, each once: those imposed, those of which facets are selected, and those that decide
-    /// whether yaw is given up.
+    /// The cost of all sets that are computed, each once: those imposed, those of which facets are selected, and those
+    /// that decide whether yaw is given up.
     fn estimate_of_sets<'s>(&'s self, imposed: &'s [String], more: impl Iterator<Item = &'s str>) -> Estimate {
         let mut modes: HashSet<&str> = imposed.iter().map(String::as_str).chain(more).collect();
         modes.insert(HEALTHY);
@@ -177,8 +177,8 @@ impl<'a> Setting<'a> {
         Estimate { units: times(count, of_set), bytes: times(times(count, planes), cost::BYTES_OF_A_PLANE) }
     }
 
-    /// The cost of the motions that select facets: each is decided as a plan of the healthy set and of the facets that those before it
-    /// select, and all planes are looked at along each once.
+    /// The cost of the motions that select facets: each is decided as a plan of the healthy set and of the facets that
+    /// those before it select, and all planes are looked at along each once.
     fn estimate_of_selecting(&self, records: &[MotionRecord]) -> Result<Estimate, Rejection> {
         let mut all = Estimate::default();
         let selectable = if selection::selects(self.model()) { self.model().plan.against.len() as u64 } else { 0 };

@@ -27,9 +27,9 @@ pub const HEALTHY: &str = "healthy";
 /// more than this, each scaled to length 1 in units of the set's extent along each axis. A smaller volume may be rounding.
 const INDEPENDENT: f64 = 1e-6;
 
-/// A set counts as thin if its width along some plane's normal is below this share of the healthy set's extents along it. Rows
-/// hold to 1e-4 of the healthy set's width, so that a set this thick reaches beyond itself by at most 2 % of its own width, and one
-/// that is thinner lies within 1 % of a flat one.
+/// A set counts as thin if its width along some plane's normal is below this share of the healthy set's extents along
+/// it. Rows hold to 1e-4 of the healthy set's width, so that a set this thick reaches beyond itself by at most 2 % of
+/// its own width, and one that is thinner lies within 1 % of a flat one.
 const THIN: f64 = 1e-2;
 
 const TOO_FEW_DIMENSIONS: &str = "it has fewer than three dimensions";
@@ -82,8 +82,8 @@ impl Plane {
 /// Distances up to this, in widths of the healthy set, are rounding.
 pub const ROUNDING: f64 = 1e-9;
 
-/// What a reserve leaves of the way from hover to a plane, `kept` of it. Behind the plane, where hover lies outside, a share of
-/// the way would end outside the set, so that all of it counts.
+/// What a reserve leaves of the way from hover to a plane, `kept` of it. Behind the plane, where hover lies outside, a
+/// share of the way would end outside the set, so that all of it counts.
 pub fn shrunk(room: Interval, kept: Interval) -> Interval {
     let share = kept * room;
     Interval { low: share.low.min(room.low), high: share.high.min(room.high) }
@@ -274,8 +274,8 @@ impl Generators {
         Some(self.facet(&normal, &self.support(&normal), rotors, is_facet))
     }
 
-    /// Whether the planes through three generators are known to contain facets. Planes moved by intervals may no longer contain
-    /// one, and those across a thin set mean little.
+    /// Whether the planes through three generators are known to contain facets. Planes moved by intervals may no longer
+    /// contain one, and those across a thin set mean little.
     fn is_facet(&self, through: [&Exact; 3], side: &Side) -> bool {
         let [a, b, c] = through.map(|g| in_units_of(&self.extents, g));
         volume([&a, &b, &c]) > INDEPENDENT && self.doubts.is_none() && side.share >= THIN
@@ -324,8 +324,8 @@ impl Generators {
             return Err(TOO_FEW_DIMENSIONS.into());
         };
         if thinnest.share < THIN {
-            // Thin: planes through two generators along the thin direction bound the set across it. Those through three are nearly
-            // parallel to each other, and given a tolerance they bound it only along that direction.
+            // Thin: planes through two generators along the thin direction bound the set across it. Those through three
+            // are nearly parallel to each other, and given a tolerance they bound it only along that direction.
             let thin = thinnest.normal.clone();
             let used = self.used();
             let pairs = used.iter().enumerate().flat_map(|(i, &a)| used[i + 1..].iter().map(move |&b| [a, b]));
@@ -379,10 +379,11 @@ impl Generators {
         [(normal, above), (opposite, below)].map(|(n, e)| self.plane(&n, &e, rotors.clone(), is_facet))
     }
 
-    /// The planes that bound the set's shadow along tau_z, the wrenches of which some yaw torque is in the set; `None` if there are
-    /// none, or if intervals or the pseudo-inverse move planes, so that the set is no sum of generators.
+    /// The planes that bound the set's shadow along tau_z, the wrenches of which some yaw torque is in the set; `None`
+    /// if there are none, or if intervals or the pseudo-inverse move planes, so that the set is no sum of generators.
     ///
-    /// The shadow is the sum of the generators' shadows, so planes along tau_z through two of them bound it. All pairs are used.
+    /// The shadow is the sum of the generators' shadows, so planes along tau_z through two of them bound it. All pairs
+    /// are used.
     pub fn shadow(&self) -> Option<Vec<Plane>> {
         if self.doubts.is_some() || self.inverse.is_some() {
             return None;
@@ -436,8 +437,8 @@ impl Generators {
         }
     }
 
-    /// The half-space, shrunk about hover by the reserve: n.w <= n.h + (1 - reserve) (e - n.h), and n.w <= e where hover is
-    /// outside.
+    /// The half-space, shrunk about hover by the reserve: n.w <= n.h + (1 - reserve) (e - n.h), and n.w <= e where
+    /// hover is outside.
     fn plane(&self, normal: &Exact, offset: &Dyadic, rotors: Vec<usize>, is_facet: bool) -> Plane {
         if self.doubts.is_none() {
             let width = absolute(self.healthy.iter().map(|g| dot(normal, g))).enclosure();

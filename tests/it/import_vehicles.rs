@@ -467,7 +467,8 @@ fn deep_and_large_files_are_refused() {
     assert_eq!(import("x", &large).diagnostics[0].code, "mavc::import::format");
 }
 
-/// A chain as long as a file may have it, with the rotors at its end: each joint is passed once, so that it is read at once.
+/// A chain as long as a file may have it, with the rotors at its end: each joint is passed once, so that it is read at
+/// once.
 #[test]
 fn long_chains_of_links_are_read() {
     const LINKS: usize = 60_000;

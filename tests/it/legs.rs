@@ -386,8 +386,8 @@ fn rules_of_the_yaw_continue() {
 }
 
 proptest! {
-    /// The checker's violation of a yaw that follows is the sine of the error less the tolerance, 1 beyond a right angle, and none
-    /// near the point.
+    /// The checker's violation of a yaw that follows is the sine of the error less the tolerance, 1 beyond a right
+    /// angle, and none near the point.
     #[test]
     fn the_checker_knows_the_error_of_the_yaw(p in prop::array::uniform2(-9.0..9.0f64), yaw in -9.0..9.0f64) {
         let limits = limits_of("start at [9, 9, 3] m  yaw towards [1, -2, 0] m; waypoint at [4, 9, 3] m  yaw 0 deg");

@@ -63,7 +63,8 @@ pub struct PlannedCore {
     pub spin_rad_s: [f64; 2],
     /// The yaw torques (N m) that are used: the smallest interval about zero with which the disc at hover is whole.
     pub yaw_torque_n_m: [f64; 2],
-    /// The largest rate at which the direction of the thrust may turn, rad/s, where the moments of inertia about x and y differ.
+    /// The largest rate at which the direction of the thrust may turn, rad/s, where the moments of inertia about x and
+    /// y differ.
     pub turning_rad_s: Option<f64>,
     /// In widths of the healthy set.
     pub rows: Vec<SetRow>,
@@ -134,13 +135,13 @@ impl Provision {
 /// Half the range of the rates (rad/s) at which a plan may turn where it limits no yaw rate.
 pub const YAW_RATE: f64 = 1.0;
 
-/// With an uneven inertia, turning takes this share of the largest drag of the spin, as long as the bound on the rate of turning
-/// stays in [`TURNING`]. Chosen by hand.
+/// With an uneven inertia, turning takes this share of the largest drag of the spin, as long as the bound on the rate
+/// of turning stays in [`TURNING`]. Chosen by hand.
 const TURNING_SHARE: f64 = 0.25;
 
-/// The least and the largest bound on the rate at which the thrust's direction turns, rad/s. A larger bound widens the range of
-/// spins: the shortest plan of `specs/missions/ridge_hexa.mav` takes 31.76 s with 2 rad/s and 32.10 s with 5 rad/s. Below 1 rad/s,
-/// chosen by hand, the bound would hold up plans that the core itself allows.
+/// The least and the largest bound on the rate at which the thrust's direction turns, rad/s. A larger bound widens the
+/// range of spins: the shortest plan of `specs/missions/ridge_hexa.mav` takes 31.76 s with 2 rad/s and 32.10 s with 5
+/// rad/s. Below 1 rad/s, chosen by hand, the bound would hold up plans that the core itself allows.
 const TURNING: [f64; 2] = [1.0, 2.0];
 
 /// Halvings of the interval of yaw torques.
@@ -212,8 +213,9 @@ impl PlannedCore {
     }
 }
 
-/// A bound on how fast the direction of the thrust turns. By Euler's equation `Jz r' = tau_z + (Jx - Jy) p q` turning accelerates the
-/// spin of a body with uneven inertia, by at most `|Jx - Jy| |s'|^2/2`, because p and q are the components of s'.
+/// A bound on how fast the direction of the thrust turns. By Euler's equation `Jz r' = tau_z + (Jx - Jy) p q` turning
+/// accelerates the spin of a body with uneven inertia, by at most `|Jx - Jy| |s'|^2/2`, because p and q are the
+/// components of s'.
 #[derive(Debug, Clone, Copy)]
 struct TurningBound {
     /// rad/s
@@ -248,7 +250,8 @@ impl TurningBound {
     }
 }
 
-/// The rates that the body does not leave: its drag at either end is at least the yaw torque there and that of `coupling` (N m).
+/// The rates that the body does not leave: its drag at either end is at least the yaw torque there and that of
+/// `coupling` (N m).
 fn spin_range(model: &Model, drag: &YawDrag, [low, high]: [f64; 2], coupling: f64) -> [f64; 2] {
     let planned = 2.0 * yaw_rate(model);
     [drag.spin(low - coupling).min(-planned), drag.spin(high + coupling).max(planned)]

@@ -58,8 +58,8 @@ fn closes(limit: &Limit, [from, to]: [(Vector3<f64>, f64); 2], along: Vector3<f6
     let other = along.cross(&across);
     let corner = radius / (PI / CORNERS as f64).cos();
     let slack = slack(limit);
-    // The smallest violation at the corners; `None` if one is so small that no section of the interval is closed: along the leg a
-    // violation changes no faster than the place.
+    // The smallest violation at the corners; `None` if one is so small that no section of the interval is closed: along
+    // the leg a violation changes no faster than the place.
     let least = |s: f64, (low, high): (f64, f64)| {
         let enough = slack - (s - low).max(high - s);
         (0..CORNERS).try_fold(f64::INFINITY, |least, k| {

@@ -1,4 +1,5 @@
-//! The box that has everything that a body and its margin forbid: beyond it nothing has to be computed from the body's corners.
+//! The box that has everything that a body and its margin forbid: beyond it nothing has to be computed from the body's
+//! corners.
 
 use crate::model::{Bounded, Limit, LimitKind};
 

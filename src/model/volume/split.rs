@@ -106,8 +106,8 @@ fn ears(mut polygon: Polygon) -> Vec<Polygon> {
 /// The parts with neighbours merged while the result is convex; `None` for no part.
 fn merged(mut parts: Vec<Polygon>) -> Option<Vec<Polygon>> {
     let both = |parts: &[Polygon], i: usize, j: usize| joined(&parts[i], &parts[j]).filter(is_convex);
-    // In the order of the first pair that can be merged. No two of the parts before i can be: only a part that has changed is looked
-    // at again.
+    // In the order of the first pair that can be merged. No two of the parts before i can be: only a part that has
+    // changed is looked at again.
     let mut i = 0;
     while i < parts.len() {
         let Some((j, merged)) = (i + 1..parts.len()).find_map(|j| Some((j, both(&parts, i, j)?))) else {

@@ -1,12 +1,12 @@
 //! Lower bounds on the duration of each leg, from distances, limits and thrust alone. They hold for motions that keep the spec's
 //! limits at every instant, whatever the division of the time. The planner's initial durations come from them.
 //!
-//! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at most v,
-//! a leg of length d takes at least d/v. With s the sum of `1/a` over those of its ends where the vehicle rests, a the largest
-//! acceleration in the direction for the first end and against it for the last, it takes at least `d/v + s v/2` where it reaches v,
-//! and `sqrt(2 d s)` where it does not (time-optimal control of the double integrator; Bryson and Ho, *Applied Optimal
-//! Control*, 1975). At rest the acceleration vanishes too, so that a jerk of at
-//! most j needs `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
+//! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at
+//! most v, a leg of length d takes at least d/v. With s the sum of `1/a` over those of its ends where the vehicle
+//! rests, a the largest acceleration in the direction for the first end and against it for the last, it takes at least
+//! `d/v + s v/2` where it reaches v, and `sqrt(2 d s)` where it does not (time-optimal control of the double
+//! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk
+//! of at most j needs `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
 use crate::model::{Heading, Limit, LimitKind, PlanModel, Problem, Waypoint};
 use crate::planner::transcription::UNBOUNDED;

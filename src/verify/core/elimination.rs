@@ -1,9 +1,11 @@
-//! The rows of a core: the thrusts and the roll and pitch torques for which some yaw torque between two bounds is in a set.
+//! The rows of a core: the thrusts and the roll and pitch torques for which some yaw torque between two bounds is in a
+//! set.
 //!
-//! Elimination after Fourier and Motzkin adds each plane that bounds the yaw torque from above to each that bounds it from below.
-//! Those are two planes of the set, or one of them and a bound on the torque. The first kind together bound the shadow of the set
-//! along tau_z, which [`Generators::shadow`] gives directly: some hundred rows in place of twenty million for 32 rotors. Only where
-//! intervals or the pseudo-inverse move the planes are the pairs taken one after the other.
+//! Elimination after Fourier and Motzkin adds each plane that bounds the yaw torque from above to each that bounds it
+//! from below. Those are two planes of the set, or one of them and a bound on the torque. The first kind together bound
+//! the shadow of the set along tau_z, which [`Generators::shadow`] gives directly: some hundred rows in place of twenty
+//! million for 32 rotors. Only where intervals or the pseudo-inverse move the planes are the pairs taken one after the
+//! other.
 
 use super::Row;
 use crate::model::{Allocation, Vehicle};

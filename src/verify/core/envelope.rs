@@ -6,7 +6,8 @@ use crate::verify::interval::Interval;
 /// Lines closer than this at every thrust, relative to the largest height, count as one.
 const SAME: f64 = 1e-9;
 
-/// Rows are collected up to this many, of which those that others imply are then dropped: memory does not grow with their number.
+/// Rows are collected up to this many, of which those that others imply are then dropped: memory does not grow with
+/// their number.
 pub(super) const BATCH: usize = 1 << 15;
 
 /// A row as a line `rho <= slope T + height`.
@@ -55,7 +56,8 @@ impl Envelope {
 }
 
 impl Row {
-    /// A row that implies two bounds on the thrust alone, over the same width: neither torque counts for more than rounding.
+    /// A row that implies two bounds on the thrust alone, over the same width: neither torque counts for more than
+    /// rounding.
     fn stricter(&self, other: &Row) -> Row {
         let hull = self.hull(other);
         let least = |end: fn(&Row) -> f64| end(self).min(end(other));

@@ -285,7 +285,8 @@ impl Checked<'_> {
         }
     }
 
-    /// Whether a limit that another one follows from is proved, with a small part of the remaining work: if it is not, that was in vain.
+    /// Whether a limit that another one follows from is proved, with a small part of the remaining work: if it is not,
+    /// that was in vain.
     fn keeps_throughout(&self, limit: &Limit, most: f64, purse: &mut Purse) -> bool {
         let family = self.setting.family_of(limit, &self.motion);
         let share = purse.0.min(cost_at_nodes(&family, &self.motion).saturating_mul(TRIED));

@@ -109,7 +109,8 @@ struct Part<'f> {
 }
 
 impl<'a> Setting<'a> {
-    /// The imposed rows of a core, then the premises that are imposed with them: the rate of turning, and that of the motion itself.
+    /// The imposed rows of a core, then the premises that are imposed with them: the rate of turning, and that of the
+    /// motion itself.
     fn parts(&self, imposed: &ImposedCore) -> Vec<Part<'a>> {
         let ImposedCore { core, members, whole } = imposed;
         let all = core.family(&self.dynamics).members;

@@ -1,6 +1,6 @@
-//! Lower bounds on mission times and proofs that there is no plan, against plans: random specs with every kind of rotor and of
-//! limit, with equal and unequal sides. No plan may be shorter than a bound that is called proved, by the planner or by the checker, and none
-//! may exist where none is said to exist.
+//! Lower bounds on mission times and proofs that there is no plan, against plans: random specs with every kind of rotor
+//! and of limit, with equal and unequal sides. No plan may be shorter than a bound that is called proved, by the
+//! planner or by the checker, and none may exist where none is said to exist.
 
 use super::Numbers;
 use mavc::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};

@@ -191,7 +191,8 @@ fn a_claimed_height_is_called_a_claim() {
     assert!(verdict.weaker.iter().any(|weaker| weaker == why), "{:?}", verdict.weaker);
 }
 
-/// Four rotors nearly on a beam: their facets are those of a set 10 um thick, far below the tolerance of the healthy set.
+/// Four rotors nearly on a beam: their facets are those of a set 10 um thick, far below the tolerance of the healthy
+/// set.
 #[test]
 fn a_thin_set_is_bounded_across() {
     let told = refused("thin_set");
@@ -264,8 +265,8 @@ fn thin_air_ends_a_spin_later() {
     assert!(told.starts_with("the core of L1 at 0.230667 s: violated by 8.34"), "{told}");
 }
 
-/// A mode in which the rotors give a tenth of their thrust: nothing catches it, spinning or not, so that without a record its
-/// whole set is imposed.
+/// A mode in which the rotors give a tenth of their thrust: nothing catches it, spinning or not, so that without a
+/// record its whole set is imposed.
 #[test]
 fn what_cannot_hover_is_not_caught_by_its_spin() {
     let mut model = super::hop(PlannerKind::Rip, 12.0);

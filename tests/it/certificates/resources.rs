@@ -29,8 +29,8 @@ fn claim(certificate: &mut Certificate) -> &mut PlanClaim {
     claim
 }
 
-/// Twenty million pairs of planes, in place of which the shadow is taken: accepted whole within the usual budget, which was once
-/// exceeded by far and ended before every row was proved.
+/// Twenty million pairs of planes, in place of which the shadow is taken: accepted whole within the usual budget, which
+/// was once exceeded by far and ended before every row was proved.
 #[test]
 fn a_core_of_many_rotors_fits_the_budget() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/findings");
@@ -214,7 +214,8 @@ fn a_shadow_is_what_some_yaw_torque_leaves() {
     }
 }
 
-/// What keeps out of the box about a polygon keeps out of the polygon; few corners and limits of other kinds have no box.
+/// What keeps out of the box about a polygon keeps out of the polygon; few corners and limits of other kinds have no
+/// box.
 #[test]
 fn boxes_about_polygons_are_stricter() {
     let corners = |count: usize| -> Vec<[f64; 2]> {

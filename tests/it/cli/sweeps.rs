@@ -60,7 +60,8 @@ fn lowest_thrusts_batteries_and_the_air_are_swept() {
     // Rotors that may not stop cannot balance the loss of one; those that reverse can.
     let found = flips(HOP, "rotor.min_thrust=-40..20%");
     assert!(!found.is_empty(), "{found:?}");
-    // At 20 % charge four rotors lift 0.2 + 0.8 x of 4 b w^2: below that the vehicle is too heavy, which is no mistake here.
+    // At 20 % charge four rotors lift 0.2 + 0.8 x of 4 b w^2: below that the vehicle is too heavy, which is no mistake
+    // here.
     let lift = 4.0 * 9.9865e-6 * 840.0 * 840.0;
     let found = flips(&spec, "battery.thrust_at_empty=10..100%");
     let least = 100.0 * (1.32 * 9.81 / lift - 0.2) / 0.8;

@@ -57,8 +57,8 @@ const INHERITED: [&str; 3] = ["site", "gear", "ctrlrange"];
 /// For each of [`KINDS`] and [`INHERITED`] the element that gives the attribute.
 type Owners<'a, 'i> = [[Option<Node<'a, 'i>>; INHERITED.len()]; KINDS.len()];
 
-/// The default classes of a file, each with what it gives, itself or by a class around it: read once, as there may be as many classes
-/// as motors.
+/// The default classes of a file, each with what it gives, itself or by a class around it: read once, as there may be
+/// as many classes as motors.
 struct Defaults<'a, 'i> {
     owners: HashMap<NodeId, Owners<'a, 'i>>,
     /// The first of a name counts.
@@ -95,8 +95,8 @@ impl<'a, 'i> Defaults<'a, 'i> {
         found
     }
 
-    /// The element that gives an attribute of an actuator: itself, or the default of its class or of a class around it. `None` for
-    /// actuators that are no motors.
+    /// The element that gives an attribute of an actuator: itself, or the default of its class or of a class around it.
+    /// `None` for actuators that are no motors.
     fn inherited(&self, actuator: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
         let kind = KINDS.iter().position(|kind| *kind == actuator.tag_name().name())?;
         if actuator.has_attribute(name) {

@@ -7,8 +7,8 @@ use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
 use roxmltree::Node;
 use std::ops::Range;
 
-/// The first attribute of an element beyond `most`, or the first namespace of the file beyond as many. It looks at the text as far as
-/// needed for that and no further: whether the file is well-formed is the parser's matter.
+/// The first attribute of an element beyond `most`, or the first namespace of the file beyond as many. It looks at the
+/// text as far as needed for that and no further: whether the file is well-formed is the parser's matter.
 pub fn crowded(text: &str, most: usize) -> Option<Range<usize>> {
     let mut namespaces = 0;
     let mut from = 0;
