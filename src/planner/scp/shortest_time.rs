@@ -75,7 +75,7 @@ impl ScpPlanner<'_, '_> {
     ) -> Result<Shortest, NoTime> {
         // Rows hold at nodes only, so that an iterate could be shorter than the bound.
         let least = kinematics::least_time_within(self.hover.problem).seconds;
-        let ticks = ((iterate.grid.total + self.held()).max(least) / GRID - 1e-6).ceil();
+        let ticks = ((iterate.grid.total + self.held()) / GRID - 1e-6).ceil().max((least / GRID).ceil());
         for late in self.settings.search.late {
             let time = (ticks + late) / (1.0 / GRID).round();
             let slower = self.lasting(iterate, time - self.held());
