@@ -360,6 +360,10 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
             Ok(Verdict { headline, shown: found.shown, weaker, undecided: found.undecided })
         }
         Claim::TooEarly(claim) => {
+            let (estimate, budget) = (least_time::cost(problem), settings.budget);
+            if !estimate.fits(budget) {
+                return Err(Refusal::Budget { estimate, budget });
+            }
             let headline = match settings.premises.has(Premise::LeastTime) {
                 true => least_time::too_early(problem, claim)?,
                 false => String::new(),

@@ -9,6 +9,7 @@
 //! displacement is at most `j t^3/6`; if they also end at zero, at most `j T^3/32`, half of it in either half.
 
 use super::Rejection;
+use super::cost::{self, Estimate};
 use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
 use crate::certificate::{MotionRecord, TooEarlyClaim};
@@ -240,6 +241,12 @@ fn bounds(problem: Problem, leg: usize) -> Bounds {
         left: turn(more, less),
         right: turn(less, more),
     }
+}
+
+/// The cost of [`soonest`]: of each leg the limits that concern it.
+pub(super) fn cost(problem: Problem) -> Estimate {
+    let (legs, limits) = (problem.mission().legs.len() as u64, problem.mission().limits.len() as u64);
+    Estimate { units: cost::times(legs, limits.div_ceil(cost::LIMITS_OF_A_UNIT)), bytes: 0 }
 }
 
 /// Lower bounds on when each waypoint is reached, s, in the order of flight.

@@ -13,7 +13,7 @@ use super::premise::{Premise, Premises};
 use super::proof::{Family, cost_at_nodes};
 use super::sets::{HEALTHY, Plane, Sets, planes_at_most};
 use super::wrench::{Dynamics, Held};
-use super::{Refusal, Rejection, Shown, joints, lag, limits, required, required_whole, schedule, wind};
+use super::{Refusal, Rejection, Shown, joints, lag, least_time, limits, required, required_whole, schedule, wind};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Heading, Mission, Model, PlannerKind, Problem};
 use crate::number::number;
@@ -139,11 +139,7 @@ impl<'a> Setting<'a> {
         // Where cores are imposed, the healthy set takes the place of those of their modes.
         let of_motion = self.estimate_of_motion(&claim.motion, imposed.len() as u64 + 1)?;
         all.add(of_motion.units, of_motion.bytes);
-        if claim.least_time_s.is_some() {
-            // Of each leg the limits that concern it.
-            let (legs, limits) = (self.mission().legs.len() as u64, self.mission().limits.len() as u64);
-            all.add(times(legs, limits.div_ceil(cost::LIMITS_OF_A_UNIT)), 0);
-        }
+        all.add(least_time::cost(self.problem).units, 0);
         let of_others = self.estimate_of_selecting(&claim.selected_by)?;
         all.add(of_others.units, of_others.bytes);
         Ok(all)

@@ -1,11 +1,11 @@
 //! Costs that the checker counts before it works, and work that it does not do twice.
 
 use super::{Numbers, SHA, certified, decide, hop};
-use crate::vehicles::{hexacopter, limit, lost, octocopter, quadcopter};
-use mavc::certificate::{Certificate, Claim, InfeasibleClaim, PlanClaim};
+use crate::vehicles::{hexacopter, limit, lost, mission, octocopter, quadcopter, waypoint};
+use mavc::certificate::{Certificate, Claim, DynamicModel, InfeasibleClaim, PlanClaim, SCHEMA, TooEarlyClaim};
 use mavc::geometry::body::Body;
 use mavc::model::{
-    GiveUpYaw, LimitKind, MissionTime, Model, OnLeg, Part, PlannerKind, Spread, Volume, VolumeSide, YawDrag,
+    GiveUpYaw, LimitKind, MissionTime, Model, OnLeg, Part, PlanModel, PlannerKind, Spread, Volume, VolumeSide, YawDrag,
 };
 use mavc::source::Span;
 use mavc::verify::cost::{Budget, Estimate, OF_A_CORE_ROW, OF_A_CORNER, OF_A_PLANE, OF_A_ROTOR};
@@ -240,4 +240,26 @@ fn boxes_about_polygons_are_stricter() {
     assert!(apart > 50, "{apart}");
     assert!(limits::about(&limit_of(4)).is_none() && limits::about(&limit(LimitKind::Speed, 2.0)).is_none());
     assert!(limits::about(&mavc::model::Limit { upper: Some(9.0), ..own }).is_none());
+}
+
+/// A claim that a waypoint is due too early looks at every limit of every leg.
+#[test]
+fn least_times_are_in_the_estimate() {
+    let mut model = octocopter("PPNNPPNN");
+    let points = (0..1000).map(|i| waypoint([f64::from(i), 0.0, 2.0], 0.0)).collect();
+    let mut flight = mission(points);
+    flight.limits = vec![limit(LimitKind::Speed, 2.0); 1000];
+    model.mission = Some(flight);
+    let claim = Claim::TooEarly(TooEarlyClaim { waypoint: 2, soonest_s: 0.1 });
+    let certificate = Certificate {
+        schema: SCHEMA,
+        spec_sha256: SHA.into(),
+        model: DynamicModel::Exact,
+        capture_height_m: None,
+        claim,
+    };
+    let settings = Settings { budget: Budget { seconds: 1e-4, ..Budget::default() }, ..Settings::default() };
+    model.plan.model = PlanModel::Exact;
+    let refused = mavc::verify::decide(&certificate, &model, settings);
+    assert!(matches!(refused, Err(Refusal::Budget { .. })), "{refused:?}");
 }
