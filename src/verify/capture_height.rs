@@ -32,13 +32,13 @@ pub fn weaker(model: &Model, of_none: bool) -> Option<String> {
     let required = model.plan.require_capture?;
     Some(match required.height {
         Some(height) if of_none => format!(
-            "`require capture_height`: the certificate claims that {} m above the ground are required after a fault; this is \
-             not checked, and neither is whether the height was simulated",
+            "`require capture_height`: the certificate claims that {} m above the ground are required after a fault; \
+             this is not checked, and neither is whether the height was simulated",
             number(height)
         ),
         Some(height) => format!(
-            "`require capture_height`: the certificate claims that {} m above the ground is enough after a fault; this is \
-             not checked, and neither is whether the height was simulated",
+            "`require capture_height`: the certificate claims that {} m above the ground is enough after a fault; \
+             this is not checked, and neither is whether the height was simulated",
             number(height)
         ),
         None => "`require capture_height` is not checked: the certificate gives no height".into(),

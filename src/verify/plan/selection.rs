@@ -183,8 +183,8 @@ impl Setting<'_> {
             let count = missed.iter().filter(|missed| **missed).count();
             if count > 0 {
                 out.remarks.push(format!(
-                    "{count} planes that may bound the set of {} are violated by the plan that RSP selects from, and by \
-                     the motion; whether they contain facets is not decided",
+                    "{count} planes that may bound the set of {} are violated by the plan that RSP selects from, and \
+                     by the motion; whether they contain facets is not decided",
                     set.mode.name
                 ));
             }
@@ -206,8 +206,8 @@ impl Setting<'_> {
             let of_core = of_cores.into_iter().find(|(_, over)| over.contains(&true));
             if let Some(left) = of_set.or_else(|| of_core.map(|(core, _)| format!("core of {}", core.mode))) {
                 out.remarks.push(format!(
-                    "the included plan selects no facet, but the motion leaves the {left}: no facet of the fault sets is \
-                     guarded"
+                    "the included plan selects no facet, but the motion leaves the {left}: no facet of the fault sets \
+                     is guarded"
                 ));
             }
         }

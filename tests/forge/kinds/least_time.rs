@@ -33,3 +33,17 @@ fn too_early(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let honest = spec.certificate();
     Some(Certificate { claim: Claim::TooEarly(TooEarlyClaim { waypoint, soonest_s }), ..honest })
 }
+
+/// The honest motion with a bound on its time, s.
+pub(super) fn with_least_time(spec: &Spec, bound: f64) -> Option<Certificate> {
+    let mut forged = spec.certificate();
+    let Claim::Plan(claim) = &mut forged.claim else { return None };
+    claim.least_time_s = Some(bound);
+    Some(forged)
+}
+
+/// A claim that a waypoint, from 0, is due before it can be reached at `soonest_s`.
+pub(super) fn due_too_early(spec: &Spec, waypoint: usize, soonest_s: f64) -> Certificate {
+    let claim = TooEarlyClaim { waypoint: waypoint + 1, soonest_s };
+    Certificate { claim: Claim::TooEarly(claim), ..spec.certificate() }
+}

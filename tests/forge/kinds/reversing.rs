@@ -1,11 +1,12 @@
 //! Rotors that reverse: bounds as if nothing fell faster than a stone.
 
 use super::infeasible::widen;
+use super::least_time::{due_too_early, with_least_time};
 use super::{Kind, sooner, unfounded};
 use crate::kinds::witness::{claiming, of_harder};
 use crate::numbers::Numbers;
 use crate::specs::{Harder, Spec};
-use mavc::certificate::{Certificate, Claim, TooEarlyClaim};
+use mavc::certificate::Certificate;
 use mavc::model::Rotor;
 use mavc::verify::Premise;
 
@@ -33,17 +34,13 @@ fn bound(spec: &Spec, numbers: &mut Numbers, waypoint: usize) -> Option<f64> {
 
 fn least(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let bound = bound(spec, numbers, spec.honest.waypoint_nodes.len() - 1)?;
-    let mut forged = spec.certificate();
-    let Claim::Plan(claim) = &mut forged.claim else { return None };
-    claim.least_time_s = Some(bound);
-    Some(forged)
+    with_least_time(spec, bound)
 }
 
 fn too_early(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let waypoint = 1 + numbers.below(spec.honest.waypoint_nodes.len() - 1);
     let soonest_s = bound(spec, numbers, waypoint)?;
-    let claim = TooEarlyClaim { waypoint: waypoint + 1, soonest_s };
-    Some(Certificate { claim: Claim::TooEarly(claim), ..spec.certificate() })
+    Some(due_too_early(spec, waypoint, soonest_s))
 }
 
 /// Rotors that reverse with all of their thrust make the healthy set twice as wide.

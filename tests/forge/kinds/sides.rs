@@ -1,11 +1,12 @@
 //! Limits whose two sides differ, read as if both were one of them.
 
+use super::least_time::{due_too_early, with_least_time};
 use super::witness::{claiming, of_harder};
 use super::{Kind, evaluated, grown, sooner, unfounded};
 use crate::numbers::Numbers;
 use crate::specs::{Harder, Spec};
 use crate::truth::Falsehood;
-use mavc::certificate::{Certificate, Claim, TooEarlyClaim};
+use mavc::certificate::Certificate;
 use mavc::model::{Limit, LimitKind};
 use mavc::motion::{Trajectory, YAW};
 use mavc::verify::Premise;
@@ -46,17 +47,13 @@ fn bound(spec: &Spec, numbers: &mut Numbers, waypoint: usize) -> Option<f64> {
 
 fn least(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let bound = bound(spec, numbers, spec.honest.waypoint_nodes.len() - 1)?;
-    let mut forged = spec.certificate();
-    let Claim::Plan(claim) = &mut forged.claim else { return None };
-    claim.least_time_s = Some(bound);
-    Some(forged)
+    with_least_time(spec, bound)
 }
 
 fn too_early(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let waypoint = 1 + numbers.below(spec.honest.waypoint_nodes.len() - 1);
     let soonest_s = bound(spec, numbers, waypoint)?;
-    let claim = TooEarlyClaim { waypoint: waypoint + 1, soonest_s };
-    Some(Certificate { claim: Claim::TooEarly(claim), ..spec.certificate() })
+    Some(due_too_early(spec, waypoint, soonest_s))
 }
 
 /// A motion beyond one side, for the narrow one within what the other side allows.

@@ -160,7 +160,8 @@ fn the_first_waypoint_has_a_yaw_tolerance_of_its_own() {
 #[test]
 fn cores_select_like_facets() {
     let verdict = decide(&forged("selection_without_core"), &spec("selection_without_core")).unwrap();
-    let why = "the included plan selects no facet, but the motion leaves the core of L: no facet of the fault sets is guarded";
+    let why = "the included plan selects no facet, but the motion leaves the core of L: no facet of the fault sets is \
+               guarded";
     assert_eq!(verdict.weaker, [why]);
 }
 
@@ -186,8 +187,8 @@ fn uneven_inertia_turns_the_spin() {
 #[test]
 fn a_claimed_height_is_called_a_claim() {
     let verdict = decide(&forged("claimed_height"), &spec("claimed_height")).unwrap();
-    let why = "`require capture_height`: the certificate claims that 0.01 m above the ground is enough after a fault; this is \
-               not checked, and neither is whether the height was simulated";
+    let why = "`require capture_height`: the certificate claims that 0.01 m above the ground is enough after a fault; \
+               this is not checked, and neither is whether the height was simulated";
     assert!(verdict.weaker.iter().any(|weaker| weaker == why), "{:?}", verdict.weaker);
 }
 
@@ -212,7 +213,8 @@ fn a_set_that_is_not_decided_does_not_lift_the_healthy_one() {
 #[test]
 fn intervals_do_not_hide_a_set_that_is_left() {
     let verdict = decide(&forged("selection_in_intervals"), &spec("selection_in_intervals")).unwrap();
-    let why = "the included plan selects no facet, but the motion leaves the set of ice: no facet of the fault sets is guarded";
+    let why = "the included plan selects no facet, but the motion leaves the set of ice: no facet of the fault sets is \
+               guarded";
     assert_eq!(verdict.weaker, [why]);
 }
 
