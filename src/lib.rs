@@ -1,44 +1,26 @@
 #![doc = include_str!("lib.md")]
 
-pub mod actuation;
-pub mod admissible;
-pub mod builder;
-pub mod campaign;
+pub mod answers;
 pub mod cancel;
-pub mod certificate;
-pub mod certify;
+pub mod documents;
+pub mod flights;
+pub mod front;
+pub mod physics;
+pub mod planning;
+
+pub use answers::{builder, observer, pipeline};
+pub use documents::{exchange, import, report};
+pub use flights::{campaign, flight};
 #[cfg(feature = "cli")]
-pub mod cli;
-pub mod diagnostic;
-pub mod energy;
-pub mod exchange;
-pub mod explain;
-pub mod flatness;
-pub mod flight;
-pub mod format;
-pub mod geodesy;
-pub mod geometry;
-pub mod import;
-pub mod input;
-pub mod language;
+pub use front::cli;
 #[cfg(feature = "lsp")]
-pub mod lsp;
-pub mod model;
-pub mod motion;
-pub mod number;
-pub mod observer;
-pub mod pipeline;
-pub mod planner;
-pub mod qp;
-pub mod report;
-pub mod solve;
-pub mod source;
-pub mod spec;
-pub mod syntax;
-pub mod tolerance;
-pub mod unit;
-pub mod verdict;
-pub mod verify;
+pub use front::lsp;
+pub use mavc_verify::{
+    body, certificate, diagnostic, format, geodesy, input, language, model, number, source, spec, syntax, text_table,
+    tolerance, unit, verdict, verify,
+};
+pub use physics::{actuation, admissible, energy, flatness, geometry, motion};
+pub use planning::{certify, explain, planner, qp, solve};
 
 pub use builder::Builder;
 pub use certificate::Certificate;

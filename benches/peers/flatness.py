@@ -2,7 +2,7 @@
 
 It starts from the attitude: columns of the rotation as vectors with their time derivatives, body rates from
 w_x = z_b . y_b' and so on. There are no angles, and derivatives with respect to the inputs are computed in forward mode, so
-this code shares nothing with src/flatness.rs except (3) to (9).
+this code shares nothing with src/physics/flatness.rs except (3) to (9).
 """
 
 import numpy as np

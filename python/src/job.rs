@@ -6,7 +6,7 @@
 use crate::held::Held;
 use crate::{Arguments, Value};
 use mavc::cancel::{Cancel, NoResult};
-use mavc::observer::Observer;
+use mavc::observer::{Observer, Stages};
 use pyo3::import_exception;
 use pyo3::prelude::*;
 use std::any::Any;
@@ -62,6 +62,8 @@ impl Reports {
         (self.send)(Progress { text, planner: None, time: None, done: Some(done), total: Some(total) });
     }
 }
+
+impl Stages for Reports {}
 
 impl Observer for Reports {
     fn begins(&self, what: &str) {

@@ -7,7 +7,8 @@ use crate::{Arguments, Value, object};
 use mavc::diagnostic::sort;
 use mavc::pipeline::{Sweep, Task};
 use mavc::report::analysis_record::AnalysisRecord;
-use mavc::report::{analysis_text, capture_text, verification_text};
+use mavc::report::{analysis_text, capture_text};
+use mavc::verify::text::verification;
 use pyo3::prelude::*;
 
 /// `check(spec, job)`: the diagnostics of `mavc check`.
@@ -71,7 +72,7 @@ pub fn verify(arguments: Arguments) -> Value {
     })?;
     match found {
         Ok(verdict) => {
-            let text = verification_text::verification("<certificate>", &verdict);
+            let text = verification("<certificate>", &verdict);
             let accepted = (text, verdict.headline, verdict.weaker, verdict.undecided);
             object(arguments.py(), (Some(accepted), None::<Shown>))
         }

@@ -106,7 +106,7 @@ fn undecided(draft: specs::Draft) -> Option<String> {
 
 /// A premise that is declared and not in the list of all, so that no kind would be missed; what is wrong otherwise.
 fn unlisted() -> Option<String> {
-    let source = include_str!("../../src/verify/premise.rs");
+    let source = include_str!("../../src/core/proof/verify/premise.rs");
     let body = source.split_once("pub enum Premise {")?.1.split_once("\n}")?.0;
     let declared = body.lines().filter(|line| line.trim_end().ends_with(',') && !line.trim_start().starts_with("//"));
     let (declared, listed) = (declared.count(), Premise::ALL.len());

@@ -11,9 +11,16 @@ fn is_path(word: &str) -> bool {
     parts.len() > 1 && parts.iter().all(is_name) && source(&parts[..1]).is_file()
 }
 
+/// The file of a module, `a::b`, where `a` may be in any room.
 fn source(modules: &[&str]) -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    modules.iter().fold(root, |path, module| path.join(module)).with_extension("rs")
+    let rooms = [&root, &root.join("core")].map(|of| std::fs::read_dir(of).unwrap().map(|entry| entry.unwrap().path()));
+    let files = rooms
+        .into_iter()
+        .flatten()
+        .chain([root.clone()])
+        .map(|room| modules.iter().fold(room, |path, module| path.join(module)).with_extension("rs"));
+    files.into_iter().find(|file| file.is_file()).unwrap_or_default()
 }
 
 /// Whether the longest module path that has a file is followed by names of items in that file.

@@ -1,7 +1,7 @@
 //! Stops after a fault: against closed forms, and each one found against what a stop is.
 
 use crate::vehicles::{lost, mission, octocopter, paper_case, waypoint};
-use mavc::geometry::body::Body;
+use mavc::body::Body;
 use mavc::model::{
     AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem, Volume,
     VolumeSide,

@@ -2,7 +2,7 @@
 
 use super::Draft;
 use crate::vehicles::{hexacopter, lost, mission, octocopter, quadcopter, waypoint};
-use mavc::geometry::body::Body;
+use mavc::body::Body;
 use mavc::model::{
     Allocation, LimitKind, Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind, RotorSpread, Spread,
 };

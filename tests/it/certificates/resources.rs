@@ -2,8 +2,8 @@
 
 use super::{Numbers, SHA, certified, decide, hop};
 use crate::vehicles::{hexacopter, limit, lost, mission, octocopter, quadcopter, waypoint};
+use mavc::body::Body;
 use mavc::certificate::{Certificate, Claim, DynamicModel, InfeasibleClaim, PlanClaim, SCHEMA, TooEarlyClaim};
-use mavc::geometry::body::Body;
 use mavc::model::{
     GiveUpYaw, LimitKind, MissionTime, Model, OnLeg, Part, PlanModel, PlannerKind, Spread, Volume, VolumeSide, YawDrag,
 };

@@ -1,0 +1,77 @@
+//! Reports of plans and comparisons, for programs (docs/schema) and for people.
+
+use super::tasks::{Explained, Planning, Task};
+use crate::certify::between::Between;
+use crate::diagnostic::Diagnostic;
+use crate::explain::diagnose::diagnose;
+use crate::flight::capture::needed::Needed;
+use crate::planner::studies::Comparison;
+use crate::planner::studies::rounds::Round;
+use crate::report::capture_height::{self, CaptureRecord};
+use crate::report::conflict_record::ConflictRecord;
+use crate::report::record::{Record, RoundRecord};
+use crate::report::{self, terminal};
+use crate::spec::Spec;
+use crate::text_table::Table;
+
+impl Task<'_> {
+    /// The report of a plan: `mavc plan --report`.
+    pub fn report(&self, planning: &Planning, explained: &Explained, between: Option<Vec<Between>>) -> Record {
+        let (problem, sources) = (self.problem(), self.spec().sources());
+        let mut record = Record::new(problem, planning.comparison(), self.spec().sha256().into());
+        record.conflict = explained.conflict.as_ref().map(|why| ConflictRecord::new(why, problem, sources));
+        record.found_at_s = explained.nearby.times().collect();
+        let mut record = self.with_captures(record, planning.comparison(), self.needed(planning).as_deref());
+        if let Some(planner) = record.planners.last_mut() {
+            planner.between_nodes = between;
+        }
+        record
+    }
+
+    /// The report of a plan for people: the text of `mavc plan`, with the colours of a terminal if `color` is set.
+    pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>, color: bool) -> String {
+        let mut text = terminal::plan(self.problem(), planning.comparison(), color);
+        text.push_str(&terminal::elsewhere(self.model(), &explained.nearby.times().collect::<Vec<_>>()));
+        if let Some(needed) = self.needed(planning)
+            && let Some(record) = CaptureRecord::new(self.model(), &needed)
+        {
+            let exposed = self.exposed(planning.comparison(), Some(&needed)).pop().unwrap_or_default();
+            text.push_str(&capture_height::text(&record, &exposed));
+        }
+        if let (Some(plan), Some(found)) = (planning.plan(), between) {
+            text.push_str(&report::between::between(self.model(), plan, found));
+        }
+        text
+    }
+
+    /// The record with the captures and how long its plans are lower.
+    fn with_captures(&self, record: Record, comparison: &Comparison, needed: Option<&Needed>) -> Record {
+        let captures = needed.and_then(|needed| CaptureRecord::new(self.model(), needed));
+        record.measured(captures, self.exposed(comparison, needed))
+    }
+
+    /// The conflict as a diagnostic of the spec that labels each of its statements.
+    pub fn diagnose(&self, explained: &Explained) -> Option<Diagnostic> {
+        let diagnostic = |why| diagnose(why, self.problem(), self.spec().sources());
+        explained.conflict.as_ref().map(diagnostic)
+    }
+
+    /// The report of a comparison: `mavc compare --report`.
+    pub fn comparison_report(&self, comparison: &Comparison, rounds: Option<&[Round]>) -> Record {
+        let record = Record::new(self.problem(), comparison, self.spec().sha256().into());
+        let needed = self.needed_of(comparison);
+        let mut record = self.with_captures(record, comparison, needed.as_deref());
+        let of_round = |round: &Round| RoundRecord::new(self.mission(), round);
+        record.rounds = rounds.map(|all| all.iter().map(of_round).collect());
+        record
+    }
+}
+
+/// The defaults that filled in for fields that the spec leaves out, as a table: `mavc check --explain-defaults`.
+pub fn defaults_text(spec: &Spec) -> String {
+    let mut table = Table::new(&["field", "default", "why"]);
+    for d in &spec.model().defaults {
+        table.row(vec![d.field.clone(), d.value.clone(), d.reason.clone()]);
+    }
+    table.render_left(0)
+}

@@ -1,0 +1,41 @@
+//! Terminal text: what an accepted certificate shows.
+
+use super::plan::OF_A_GRID;
+use super::{Reach, Scope, Verdict};
+use crate::text_table::{Table, WIDTH};
+
+/// The output of `mavc verify` for an accepted certificate `name`: what is shown, then where it is weaker than the spec
+/// requires.
+pub fn verification(name: &str, verdict: &Verdict) -> String {
+    let mut table = Table::new(&["shown", "where"]);
+    for shown in &verdict.shown {
+        table.row(vec![shown.statement.clone(), shown.reach.map_or("proved".into(), words)]);
+    }
+    // A certificate whose headline says everything has no rows.
+    let mut out = if verdict.shown.is_empty() { String::new() } else { table.render_left(0) + "\n" };
+    let strength = match verdict.weaker.is_empty() {
+        true => "accepted",
+        false => "accepted, weaker than the spec requires",
+    };
+    out.push_str(&textwrap::fill(&format!("{name}: {strength}: {}", verdict.headline), WIDTH));
+    out.push('\n');
+    for why in &verdict.weaker {
+        let options = textwrap::Options::new(WIDTH).initial_indent("  - ").subsequent_indent("    ");
+        out.push_str(&textwrap::fill(why, options));
+        out.push('\n');
+    }
+    out
+}
+
+fn words(reach: Reach) -> String {
+    let shown: String = match reach.scope {
+        Scope::Nodes => "at the nodes".into(),
+        // The points between the nodes and one of the nodes.
+        Scope::Grid => format!("on a grid of {} points per interval", OF_A_GRID + 1),
+        Scope::EveryInstant => "proved at every instant".into(),
+    };
+    let Some(beyond) = reach.beyond else { return shown };
+    let of = beyond.measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
+    let most = if beyond.throughout { "at most " } else { "" };
+    format!("{shown}; exceeded between them by {most}{}{of}", beyond.measure.at_most(beyond.violation))
+}

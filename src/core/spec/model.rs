@@ -1,0 +1,450 @@
+//! The model: the meaning of a spec in SI units. After this stage no name is looked up, every number
+//! is a finite `f64`, and every list is complete.
+
+mod after_fault;
+mod air;
+mod allow;
+mod arithmetic;
+mod battery;
+mod blame;
+mod blocks;
+mod campaign;
+pub mod capture_height;
+mod context;
+mod display;
+mod due;
+mod edits;
+mod elaborate;
+mod expression;
+mod fault;
+mod fields;
+mod flight_blocks;
+mod flight_settings;
+mod function;
+pub mod grid;
+mod heading;
+mod interval;
+mod lag;
+mod legs;
+mod likely_unit;
+mod limits;
+mod load;
+mod magnitude;
+mod mission;
+mod near_files;
+mod origin;
+mod overrides;
+mod plan;
+mod plan_settings;
+mod problem;
+mod sense;
+mod simulate;
+mod slip;
+mod survey;
+mod understanding;
+mod unreadable;
+pub mod vehicle;
+pub mod vocabulary;
+mod volume;
+mod without_yaw;
+mod yaw_drag;
+
+pub use crate::body::Body;
+pub use crate::input::MAX_TABLE_BYTES;
+pub use air::{Air, Environment, STANDARD_DENSITY};
+pub use battery::Battery;
+pub use elaborate::{elaborate, elaborate_for, understand};
+pub use flight_blocks::FlightBlocks;
+pub use flight_settings::{
+    AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
+};
+pub use heading::{Heading, SLOWEST, Target};
+pub use interval::{RotorSpread, Spread};
+pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
+pub use mission::ARRIVAL;
+pub use mission::MAX_WAYPOINTS;
+pub use near_files::is_unfit;
+pub use near_files::{List, entries};
+pub use origin::Origin;
+pub use overrides::{OVERRIDE, Override, is_override, parse_override};
+pub use plan::{MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH};
+pub use plan_settings::{CaptureHeight, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
+pub use problem::Problem;
+pub use simulate::{coarse_step, past_the_end, too_many_steps};
+pub use understanding::{Reading, Understanding};
+pub use volume::{Boundary, Bounded, Side as VolumeSide, Volume};
+pub use without_yaw::GiveUpYaw;
+pub use yaw_drag::YawDrag;
+
+use crate::language::Entry;
+use crate::source::Span;
+use grid::Spacing;
+use std::sync::Arc;
+
+/// A checked spec. A changed copy is not checked again.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// Acceleration of gravity g, m/s^2.
+    pub gravity: f64,
+    /// The vehicle that the plan chooses.
+    pub vehicle: Vehicle,
+    /// Declared fault modes in the order written, without the healthy vehicle.
+    pub modes: Vec<FaultMode>,
+    /// The mission that the plan chooses; `None` if the spec has no mission.
+    pub mission: Option<Mission>,
+    /// The `plan` block, or its defaults.
+    pub plan: Plan,
+    /// How the plan is flown: the `simulate` block, or its defaults.
+    pub simulation: Simulation,
+    /// The `campaign` block, or its defaults.
+    pub campaign: Campaign,
+    /// Every default that was used for something not written, for `check --explain-defaults`.
+    pub defaults: Vec<DefaultUsed>,
+}
+
+/// A default that was used because a field is not written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DefaultUsed {
+    /// Dotted path of the field, such as `plan.reserve`.
+    pub field: String,
+    /// The default as written in a spec, such as `10 %`.
+    pub value: String,
+    /// What the default means.
+    pub reason: String,
+}
+
+impl DefaultUsed {
+    /// The default of a field of the language table.
+    fn of(block: &str, entry: &Entry) -> Self {
+        let (value, reason) = entry.default().unwrap_or_default();
+        DefaultUsed { field: format!("{block}.{}", entry.name), value: value.into(), reason: reason.into() }
+    }
+}
+
+/// The vehicle: mass, inertia and rotors with parallel axes along body z.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Vehicle {
+    pub name: String,
+    pub doc: Option<String>,
+    /// The layout string of a ring, `None` where rotors are placed one by one.
+    pub layout: Option<String>,
+    /// Mass m, kg. This and all numbers of the vehicle are the middles of intervals where the spec gives intervals.
+    pub mass: f64,
+    /// The interval of the mass, relative to its middle.
+    pub mass_spread: Spread,
+    /// Diagonal of the inertia matrix J: Ixx, Iyy, Izz, kg m^2.
+    pub inertia: [f64; 3],
+    /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity through the
+    /// air along it. 0 if the spec gives none.
+    pub drag: [f64; 3],
+    /// The place of `drag`, if the spec gives it.
+    pub drag_span: Option<Span>,
+    /// The drag of the body that turns about z; `None` if the spec gives none.
+    pub yaw_drag: Option<YawDrag>,
+    /// Radius of a propeller, m, if the spec gives it.
+    pub propeller_radius: Option<f64>,
+    /// Radius about the centre of gravity within which the vehicle stays, m, if the spec gives it; see [`Vehicle::radius`].
+    pub size: Option<f64>,
+    /// In the order of the spec: rotor k of the language is `rotors[k - 1]`.
+    pub rotors: Vec<Rotor>,
+    /// How a commanded wrench becomes rotor speeds, in flights and in the admissible sets of plans.
+    pub allocation: Allocation,
+    pub battery: Option<Battery>,
+    pub span: Span,
+    pub mass_span: Span,
+}
+
+/// The direction in which a rotor turns, seen from above.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spin {
+    /// Counter-clockwise: the drag torque on the body is negative about z.
+    P,
+    /// Clockwise: the drag torque on the body is positive about z.
+    N,
+}
+
+/// One rotor: thrust and drag torque grow with the square of its speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rotor {
+    /// Position from the centre of gravity, m: x forward, y left, z up.
+    pub position: [f64; 3],
+    pub spin: Spin,
+    /// b, N s^2 (thrust = b w^2, w in rad/s).
+    pub thrust_coefficient: f64,
+    /// d, N m s^2 (drag torque = d w^2).
+    pub drag_coefficient: f64,
+    /// w_min, rad/s: 0 for a rotor that may stop, below 0 for one that may reverse, always below `max_speed`.
+    pub min_speed: f64,
+    /// w_max, rad/s; with a battery, that at the lowest charge ([`Battery::lowest_full_thrust`]).
+    pub max_speed: f64,
+    /// Time constant with which the speed follows its command, s; `None` if the spec gives none.
+    pub time_constant: Option<f64>,
+    /// Moment of inertia about its axis, kg m^2; 0 if the spec gives none.
+    pub inertia: f64,
+    /// The number of its motor at the autopilot; `None` if the spec gives none.
+    pub motor: Option<u32>,
+    /// The intervals of these numbers.
+    pub spread: RotorSpread,
+}
+
+impl Vehicle {
+    /// The autopilot's numbers of the motors, in the order of the rotors; `None` if the spec gives none.
+    pub fn motors(&self) -> Option<Vec<u32>> {
+        self.rotors.iter().map(|rotor| rotor.motor).collect()
+    }
+
+    /// The same where they differ from the rotors' own numbers.
+    pub fn other_motors(&self) -> Option<Vec<u32>> {
+        self.motors().filter(|motors| !motors.iter().copied().eq(1..=motors.len() as u32))
+    }
+}
+
+impl Rotor {
+    /// Full thrust, b w_max^2, N.
+    pub fn max_thrust(&self) -> f64 {
+        self.thrust_coefficient * self.max_speed * self.max_speed
+    }
+
+    /// Thrust at the lowest speed, b w_min |w_min|, N.
+    pub fn idle_thrust(&self) -> f64 {
+        self.thrust_coefficient * self.min_speed * self.min_speed.abs()
+    }
+
+    /// Whether the rotor may turn backwards.
+    pub fn is_reversible(&self) -> bool {
+        self.min_speed < 0.0
+    }
+}
+
+/// A fault mode: the rotor capacities theta of the paper's (32), with which rotor k gives theta_k b w^2 at a speed w of at
+/// most w_max.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaultMode {
+    pub name: String,
+    pub title: Option<String>,
+    pub doc: Option<String>,
+    /// Capacity theta of each rotor, from 0 to 1: 0 for a lost rotor, 1 for one that is not affected or stuck.
+    pub capacity: Vec<f64>,
+    /// For each rotor, the share of full thrust (0 to 1) at which it is stuck; `None` if it is not.
+    pub stuck: Vec<Option<f64>>,
+    /// FMEA numbers, 1..10.
+    pub severity: Option<u8>,
+    pub occurrence: Option<u8>,
+    pub detection: Option<u8>,
+    /// Failure rate, 1/s.
+    pub rate: Option<f64>,
+    /// The mode's own reaction to the fault, if it gives one: see [`Model::after_fault`].
+    pub after_fault: Option<AfterFault>,
+    /// Whether yaw is given up after this fault, if the mode says so: see [`Model::gives_up_yaw`].
+    pub without_yaw: Option<GiveUpYaw>,
+    pub span: Span,
+}
+
+impl FaultMode {
+    /// The numbers of the lost rotors, counted from 1.
+    pub fn lost(&self) -> Vec<usize> {
+        (1..=self.capacity.len()).filter(|k| self.capacity[k - 1] == 0.0).collect()
+    }
+
+    /// Risk priority number, severity x occurrence x detection, if all three are given.
+    pub fn rpn(&self) -> Option<u32> {
+        Some(u32::from(self.severity?) * u32::from(self.occurrence?) * u32::from(self.detection?))
+    }
+}
+
+/// A mission: waypoints in flight order, the legs between them, and limits on the motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mission {
+    pub name: String,
+    pub doc: Option<String>,
+    /// In flight order; at least two.
+    pub waypoints: Vec<Waypoint>,
+    /// `legs[i]` leads from `waypoints[i]` to `waypoints[i + 1]`.
+    pub legs: Vec<Leg>,
+    /// How the time grid divides each leg.
+    pub spacing: Spacing,
+    /// Whether the mission starts at rest; `false` with `start moving`.
+    pub start_at_rest: bool,
+    /// Whether the mission ends at rest; `false` with `end moving`.
+    pub end_at_rest: bool,
+    /// The limits of the `limits` block, then those that `volumes` impose on this vehicle.
+    pub limits: Vec<Limit>,
+    pub volumes: Vec<Volume>,
+    pub air: Air,
+    /// z of the ground, below every waypoint, m, if the spec gives it.
+    pub ground: Option<f64>,
+    /// Where `[0, 0, 0] m` is on the Earth, if the spec gives it.
+    pub origin: Option<Origin>,
+    pub span: Span,
+}
+
+impl Mission {
+    /// The number of intervals that leg `leg` needs for a nearly optimal motion. A rest at one end fixes four derivatives
+    /// there; with fewer than five intervals a leg from rest to rest has no freedom left, or no motion at all.
+    ///
+    /// # Panics
+    /// If there is no such leg.
+    pub fn least_intervals(&self, leg: usize) -> usize {
+        match (self.rests_at(leg), self.rests_at(leg + 1)) {
+            (true, true) => 10,
+            (true, false) | (false, true) => 5,
+            (false, false) => 1,
+        }
+    }
+
+    /// Whether the vehicle is at rest when it reaches a waypoint.
+    ///
+    /// # Panics
+    /// If there is no such waypoint.
+    pub fn rests_at(&self, waypoint: usize) -> bool {
+        let Waypoint { hold, stop, .. } = self.waypoints[waypoint];
+        let last = self.waypoints.len() - 1;
+        hold > 0.0 || stop || waypoint == 0 && self.start_at_rest || waypoint == last && self.end_at_rest
+    }
+
+    /// Whether some waypoint between start and end has no fixed time, so that legs can divide the time in more than one way.
+    pub fn leaves_times_free(&self) -> bool {
+        let between = self.waypoints.split_last().map_or(&[][..], |(_, others)| others);
+        between.iter().skip(1).any(|w| w.time.is_none())
+    }
+
+    /// The number of samples that holds and legs need ([`Mission::least_intervals`]); a plan with fewer gets a warning.
+    pub fn samples_needed(&self) -> usize {
+        let holds = self.waypoints.iter().filter(|w| w.hold > 0.0).count();
+        holds + (0..self.legs.len()).map(|leg| self.least_intervals(leg)).sum::<usize>()
+    }
+
+    /// Whether all waypoints have the same given yaw, up to rounding (1e-12 rad).
+    pub fn has_one_yaw(&self) -> bool {
+        self.waypoints.iter().all(|w| w.heading == Heading::Given && (w.yaw - self.waypoints[0].yaw).abs() < 1e-12)
+    }
+}
+
+/// A waypoint with its tolerances.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Waypoint {
+    pub name: Option<String>,
+    /// Position in the world frame, m: x east, y north, z up.
+    pub position: [f64; 3],
+    /// Yaw psi, rad, unwrapped along the mission (turns take the shorter way). If it follows from the motion, that at the waypoint
+    /// itself, as far as the waypoints tell it.
+    pub yaw: f64,
+    /// Position tolerance (Euclidean), m; positive.
+    pub within: f64,
+    /// What the yaw follows from; `yaw` and `yaw_within` are required if it is given.
+    pub heading: Heading,
+    /// Yaw tolerance, rad; positive.
+    pub yaw_within: f64,
+    /// Weight alpha_i of the paper's (47); not negative.
+    pub weight: f64,
+    /// Fixed arrival time since the start of the mission, s; `None` if it is free.
+    pub time: Option<f64>,
+    /// How long the vehicle stays at rest here after arriving, s; 0 if it flies on.
+    pub hold: f64,
+    /// Whether the vehicle comes to rest here even without a hold.
+    pub stop: bool,
+    /// The place of its statement: for a `curve`, parameter and range; for a table, the row.
+    pub span: Span,
+    pub time_span: Option<Span>,
+    pub hold_span: Option<Span>,
+}
+
+/// The part of a mission between two consecutive waypoints.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    /// Share of the time that fixed times and holds leave free; positive. Only ratios between legs matter.
+    pub share: f64,
+}
+
+/// The quantity that a limit bounds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LimitKind {
+    X,
+    Y,
+    /// `z` and `altitude`.
+    Z,
+    Yaw,
+    Speed,
+    SpeedHorizontal,
+    Climb,
+    Descent,
+    Acceleration,
+    AccelerationHorizontal,
+    Jerk,
+    YawRate,
+    YawAcceleration,
+    Tilt,
+    /// The position along the normal of a face of a `keep_in`, or along the axis of a corridor.
+    Face,
+    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one or of a corridor.
+    Distance,
+    /// The distance from a body of a `keep_out`: a lower bound, and the only limit that is not convex.
+    Clearance,
+    /// The angle between the velocity and [`OnLeg::direction`] at the end of the leg; without velocity there is none.
+    Arrival,
+    /// The angle between the yaw and the direction of [`OnLeg::target`], at nodes; where there is no such direction, nothing is
+    /// bounded.
+    Heading,
+}
+
+/// Where on its leg a limit holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// From the one waypoint to the other.
+    Whole,
+    /// At the first waypoint.
+    Start,
+    /// At the second waypoint.
+    End,
+}
+
+/// The leg to which a limit is restricted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OnLeg {
+    /// Index into [`Mission::legs`].
+    pub leg: usize,
+    pub part: Part,
+    /// The limit as messages name it: `speed on the leg to waypoint 3`.
+    pub name: String,
+    /// Of [`LimitKind::Arrival`]: the unit vector along which the vehicle arrives.
+    pub direction: Option<[f64; 3]>,
+    /// Of [`LimitKind::Heading`].
+    pub target: Option<Target>,
+}
+
+/// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only an
+/// `upper` bound. So do `Climb` and `Descent`, which bound the upward and the downward speed by a value that is not
+/// negative. A single `<=` on `YawRate` or `YawAcceleration` bounds both directions (lower = -upper).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limit {
+    pub kind: LimitKind,
+    pub lower: Option<f64>,
+    pub upper: Option<f64>,
+    pub span: Span,
+    /// The volume or corridor that imposes this limit; `None` for a limit that is written as one. `Face`, `Distance` and
+    /// `Clearance` always have one.
+    pub volume: Option<Arc<Boundary>>,
+    /// The leg on which the limit holds; `None` if it holds on all.
+    pub leg: Option<Arc<OnLeg>>,
+}
+
+impl Limit {
+    /// The scale of a violation, in the SI unit of the limit: the larger bound in magnitude, but at least 1; 1 m for a volume,
+    /// whose distance from the origin says nothing about how well it is kept.
+    pub fn size(&self) -> f64 {
+        if self.volume.is_some() {
+            return 1.0;
+        }
+        self.upper.unwrap_or(0.0).abs().max(self.lower.unwrap_or(0.0).abs()).max(1.0)
+    }
+
+    /// Whether the limit holds on all legs.
+    pub fn is_general(&self) -> bool {
+        self.leg.is_none()
+    }
+
+    /// Whether the limit holds somewhere on a leg.
+    pub fn concerns(&self, leg: usize) -> bool {
+        self.leg.as_ref().is_none_or(|on| on.leg == leg)
+    }
+}

@@ -1,0 +1,274 @@
+//! Terminal report of a campaign.
+
+mod agreement;
+mod path;
+
+pub use agreement::by_flight;
+
+use super::terminal::vehicle_line;
+use crate::campaign::HEALTHY;
+use crate::campaign::agreement::Agreement;
+use crate::campaign::cases::Shard;
+use crate::campaign::design::{Design, Missing, Plan};
+use crate::campaign::run::AFTERMATH;
+use crate::campaign::statistics::{Share, wilson};
+use crate::campaign::tally::{Group, Tally};
+use crate::flight::Cause;
+use crate::flight::indistinguishable::listed;
+use crate::model::{Detection, Simulation};
+use crate::number::{fixed, number, part_of_all, percent, significant};
+use crate::planner::studies::{NotFound, PlanOutcome, Proof};
+use crate::text_table::Table;
+use std::cmp::Reverse;
+
+/// Columns of running text.
+const WIDTH: usize = 110;
+
+/// Most modes that are listed one by one.
+const SHOWN: usize = 40;
+
+/// The whole report of the flights in `tally`, which are those of `shard`.
+pub fn campaign(design: &Design, shard: Shard, tally: &Tally) -> String {
+    let mut out = head(design, shard, tally);
+    for (p, plan) in design.plans.iter().enumerate() {
+        out.push_str(&format!("\n{}\n", planned(design, tally, p, plan)));
+    }
+    out.push_str(&left_out(&design.missing));
+    out.push_str(&agreement::agreement(&Agreement::new(design, tally)));
+    out
+}
+
+fn head(design: &Design, shard: Shard, tally: &Tally) -> String {
+    let (model, cases) = (design.model, design.cases);
+    let mission = model.mission.as_ref().map_or("", |m| m.name.as_str());
+    let mut out = format!("Campaign on mission {mission} with {}\n", vehicle_line(model));
+    let names: Vec<String> = design.plans.iter().map(|p| p.planner.name().to_uppercase()).collect();
+    out.push_str(&format!(
+        "{} in {} s, per plan: {} x {} x {} with a fault, and {} without\n",
+        names.join(", "),
+        number(design.time),
+        counted(cases.modes, "mode"),
+        counted(cases.times, "instant"),
+        counted(cases.seeds, "seed"),
+        counted(cases.seeds, "flight"),
+    ));
+    let part = match shard {
+        Shard::WHOLE => String::new(),
+        _ => format!("; shard {}/{} has {}", shard.index + 1, shard.of, tally.flights()),
+    };
+    out.push_str(&format!("campaign {}: {}{part}\n", design.id, counted(cases.count(), "flight")));
+    out + &flown_how(design) + &beyond_the_limit(design)
+}
+
+/// Modes of which a fault costs more height than `lost_beyond`: vehicles that are caught count as lost.
+fn beyond_the_limit(design: &Design) -> String {
+    let limit = design.model.simulation.lost_beyond;
+    let most = |m: &usize| design.modes[*m].capture.iter().filter_map(|c| c.height_m).fold(0.0, f64::max);
+    let beyond: Vec<usize> = (0..design.cases.modes).filter(|m| most(m) > limit).collect();
+    if beyond.is_empty() {
+        return String::new();
+    }
+    let names: Vec<&str> = beyond.iter().map(|m| design.model.modes[*m].name.as_str()).collect();
+    let height = beyond.iter().map(most).fold(0.0, f64::max);
+    filled(&format!(
+        "Caught by its spin after {}, the vehicle falls by up to {} m, more than the {} m of `lost_beyond`: flights that go on \
+         count as lost.",
+        listed(&names),
+        significant(height, 3),
+        number(limit)
+    ))
+}
+
+/// Controller, allocation, detection, reaction to a fault, and when a vehicle counts as lost.
+fn flown_how(design: &Design) -> String {
+    let model = design.model;
+    let s = &model.simulation;
+    let detection = match s.detection {
+        Detection::Never => "no fault is detected".to_string(),
+        Detection::After(delay) => format!("the fault is known after {} s", number(delay)),
+        Detection::Estimator => format!("faults are estimated at {} Hz", number(s.estimator_rate)),
+    };
+    format!(
+        "controller {}, allocation {}; {detection}; after_fault = {}\n\
+         lost: {} m off the plan, tilted past 90 degrees for {} s or at the end, {}or on the ground; {}\n",
+        s.controller.name(),
+        model.vehicle.allocation.name(),
+        s.after_fault.name(),
+        number(s.lost_beyond),
+        number(s.upside_down),
+        off_heading(s),
+        aftermath(design)
+    )
+}
+
+/// How long a flight continues after its fault.
+fn aftermath(design: &Design) -> String {
+    let least = number(AFTERMATH);
+    match design.plans.iter().all(|plan| plan.trajectory.ends_at_rest()) {
+        true => format!("{least} s are flown after a fault"),
+        false => format!("{least} s are flown after a fault, or the rest of a mission that ends in motion"),
+    }
+}
+
+/// `heading 90 degrees off for 1 s or at the end, `, if the spec sets such a limit.
+fn off_heading(s: &Simulation) -> String {
+    s.lost_yaw.map_or(String::new(), |limit| {
+        format!("heading {} degrees off for {} s or at the end, ", number(limit.to_degrees()), number(s.lost_yaw_after))
+    })
+}
+
+fn counted(n: usize, what: &str) -> String {
+    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
+}
+
+/// One planner: its flights by mode, and the map.
+fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
+    let against = match plan.against.as_slice() {
+        [] => "no mode".to_string(),
+        modes if modes.len() > 8 => format!("{} modes", modes.len()),
+        modes => modes.join(", "),
+    };
+    let mut out = format!("{}, planned against {against}\n", plan.planner.name().to_uppercase());
+    let (modes, all) = (worst(tally, p, design.cases.modes), design.cases.modes);
+    if modes.len() < all {
+        out.push_str(&format!("  the {SHOWN} of {all} modes with the most losses; `--report` lists all\n"));
+    }
+    let mut table = Table::new(&[
+        "mode",
+        "flights",
+        "survived",
+        "95 % CI",
+        "RMSE",
+        "max error",
+        "heading",
+        "detected",
+        "violated",
+        "last violation",
+        "lost to",
+    ]);
+    let healthy = tally.healthy(p);
+    let mut cells = group_cells(HEALTHY, healthy);
+    cells.extend([String::new(), String::new(), causes(healthy)]);
+    table.row(cells);
+    for &m in &modes {
+        let outside = &plan.outside[m];
+        let mut cells = group_cells(&design.model.modes[m].name, tally.mode(p, m));
+        cells.push(percent(outside.seconds / design.time));
+        cells.push(outside.last.map_or("never".into(), |last| percent(last / design.time)));
+        cells.push(causes(tally.mode(p, m)));
+        table.row(cells);
+    }
+    out.push_str(&table.render(2));
+    out.push_str(
+        "  errors and headings are those of the flights that survived, since the fault; violations are the plan's, in % of its time\n",
+    );
+    out.push_str(&path::table(design, tally, p, &modes));
+    if let lost @ 1.. = healthy.all_lost() {
+        let text = format!(
+            "Warning: {lost} of {} without a fault {} lost. The vehicle cannot fly this plan, so its losses say little \
+             about faults: limit the tilt, or give the mission more time.",
+            counted(healthy.flights, "flight"),
+            if lost == 1 { "was" } else { "were" }
+        );
+        out.push_str(&filled(&text));
+    }
+    let before: usize = (0..all).map(|m| tally.mode(p, m).lost_before).sum();
+    if before > 0 {
+        let were = if before == 1 { "was" } else { "were" };
+        out.push_str(&filled(&format!("{} {were} lost before the fault could strike.", counted(before, "flight"))));
+    }
+    let diverged = healthy.diverged + (0..all).map(|m| tally.mode(p, m).diverged).sum::<usize>();
+    if diverged > 0 {
+        let flights = counted(diverged, "flight");
+        out.push_str(&filled(&format!(
+            "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). What \
+             happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as survived."
+        )));
+    }
+    if !modes.is_empty() {
+        out.push_str(&path::maps(design, tally, p, &modes));
+    }
+    out.pop();
+    out
+}
+
+/// All modes as declared or, if there are many, those with the most losses.
+fn worst(tally: &Tally, p: usize, modes: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..modes).collect();
+    if modes > SHOWN {
+        order.sort_by_key(|&m| Reverse(tally.mode(p, m).all_lost()));
+        order.truncate(SHOWN);
+        order.sort_unstable();
+    }
+    order
+}
+
+/// Name, flights, survival, errors of the flights that survived, and how soon the fault was detected.
+fn group_cells(name: &str, group: &Group) -> Vec<String> {
+    // No share is printed if every outcome is unknown.
+    let survival = wilson(group.survived(), group.flights).filter(|_| group.diverged < group.flights);
+    let (rms, max) = (group.rms_error.summary(), group.max_error_after.summary());
+    let heading = group.max_heading_error.summary();
+    let detected = group.detected_after.summary().map(|d| {
+        let all = d.count == group.struck();
+        format!("{} s{}", fixed(d.mean, 2), if all { String::new() } else { format!(" ({})", d.count) })
+    });
+    let dash = || "-".to_string();
+    vec![
+        name.into(),
+        group.flights.to_string(),
+        survival.map_or_else(dash, |s| format!("{} %", part_of_all(s.share))),
+        survival.map_or_else(dash, |Share { low, high, .. }| format!("{} .. {}", hundred(low), hundred(high))),
+        rms.map_or_else(dash, |s| format!("{} m", significant(s.mean, 3))),
+        max.map_or_else(dash, |s| format!("{} m", significant(s.max, 3))),
+        heading.map_or_else(dash, |s| format!("{} deg", fixed(s.max.to_degrees(), 1))),
+        detected.unwrap_or_else(dash),
+    ]
+}
+
+/// `12 ground, 3 heading`: causes of loss, the most frequent first.
+fn causes(group: &Group) -> String {
+    let mut counts: Vec<(&str, usize)> = Cause::ALL.iter().zip(group.lost).map(|(c, n)| (cause(*c), n)).collect();
+    counts.push(("diverged", group.diverged));
+    counts.retain(|(_, n)| *n > 0);
+    counts.sort_by_key(|(_, n)| Reverse(*n));
+    let words: Vec<String> = counts.into_iter().map(|(name, n)| format!("{n} {name}")).collect();
+    if words.is_empty() { "-".into() } else { words.join(", ") }
+}
+
+/// A cause as the table names it.
+fn cause(cause: Cause) -> &'static str {
+    match cause {
+        Cause::Position => "position",
+        Cause::UpsideDown => "upside down",
+        Cause::Ground => "ground",
+        Cause::Heading => "heading",
+    }
+}
+
+fn hundred(share: f64) -> String {
+    // One decimal, but 100 only for the whole.
+    if share < 1.0 && share > 0.99949 { part_of_all(share) } else { fixed(100.0 * share, 1) }
+}
+
+/// The planners without a plan, with the reasons.
+pub fn left_out(missing: &[Missing]) -> String {
+    let mut out = String::new();
+    for one @ Missing { planner, outcome } in missing {
+        let why = match outcome {
+            Some(PlanOutcome::Infeasible(Proof { at, .. }) | PlanOutcome::NotFound(NotFound::Search { at, .. })) => {
+                format!("a plan of {} s with these samples", number(*at))
+            }
+            Some(PlanOutcome::NotAttempted { why, .. }) => why.clone(),
+            _ => "there is no mode to plan against, or no common time".into(),
+        };
+        let verdict = one.verdict();
+        out.push_str(&format!("\n{} is not flown; {verdict}: {why}\n", planner.name().to_uppercase()));
+    }
+    out
+}
+
+fn filled(text: &str) -> String {
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    textwrap::fill(text, options) + "\n"
+}

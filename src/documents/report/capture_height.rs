@@ -1,0 +1,184 @@
+//! The height that a fault without control of yaw costs, and how long a plan flies lower. The heights are simulated.
+
+use super::caveats::{Caveat, CaveatKind};
+use super::terminal::WIDTH;
+use crate::flight::capture::Capture;
+use crate::flight::capture::exposed::Exposed;
+use crate::flight::capture::needed::Needed;
+use crate::model::Model;
+use crate::number::{fixed, number, significant};
+use crate::text_table::Table;
+use serde::Serialize;
+
+/// The captures against which plans are measured.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CaptureRecord {
+    /// z of the ground, m.
+    pub ground_m: f64,
+    /// Delay after which a fault is known.
+    pub delay_s: f64,
+    /// The height above the ground that the plan keeps outside `radius_m` of start and end; omitted without
+    /// `require capture_height`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radius_m: Option<f64>,
+    /// Modes that are concerned and were not simulated.
+    pub modes_left_out: usize,
+    /// For each mode, at each speed.
+    pub captures: Vec<Capture>,
+}
+
+impl CaptureRecord {
+    /// The record of a spec with a ground; `None` without one.
+    pub fn new(model: &Model, needed: &Needed) -> Option<Self> {
+        let required = model.plan.require_capture.filter(|required| required.height.is_some());
+        Some(CaptureRecord {
+            ground_m: model.mission.as_ref()?.ground?,
+            delay_s: needed.delay,
+            height_m: required.and_then(|required| required.height),
+            radius_m: required.map(|required| required.radius),
+            modes_left_out: needed.left_out,
+            captures: needed.cases.clone(),
+        })
+    }
+
+    /// What the heights are and what the plan keeps, in one sentence.
+    pub fn headline(&self) -> String {
+        let known = format!("with the fault known after {} ms", number(1e3 * self.delay_s));
+        match self.height_m.zip(self.radius_m) {
+            Some((height, radius)) => format!(
+                "{known}. The plan keeps {} m above the ground outside {} m of start and end",
+                significant(height, 3),
+                number(radius)
+            ),
+            None => known,
+        }
+    }
+}
+
+/// When a plan is lower than a mode's captures ask for.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ExposedRecord {
+    pub mode: String,
+    /// Total duration.
+    pub seconds: f64,
+    /// Ascending.
+    pub intervals_s: Vec<[f64; 2]>,
+    /// The largest height that is missing; `None` where no height is known to be enough.
+    pub short_m: Option<f64>,
+    /// When it is missing.
+    pub short_at_s: f64,
+}
+
+impl ExposedRecord {
+    pub fn new(exposed: &Exposed) -> Self {
+        ExposedRecord {
+            mode: exposed.mode.clone(),
+            seconds: exposed.seconds,
+            intervals_s: exposed.intervals.clone(),
+            short_m: exposed.short.is_finite().then_some(exposed.short),
+            short_at_s: exposed.short_at,
+        }
+    }
+
+    /// `from 0 s to 4.31 s and from 20.1 s to 25 s`; of many intervals the longest.
+    pub fn when(&self) -> String {
+        const MOST: usize = 3;
+        let mut shown = self.intervals_s.clone();
+        shown.sort_by(|a, b| (b[1] - b[0]).total_cmp(&(a[1] - a[0])));
+        shown.truncate(MOST);
+        shown.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let parts: Vec<String> =
+            shown.iter().map(|[from, to]| format!("from {} s to {} s", fixed(*from, 2), fixed(*to, 2))).collect();
+        let more = match self.intervals_s.len() - shown.len() {
+            0 => String::new(),
+            n => format!(", and {n} times more"),
+        };
+        match parts.as_slice() {
+            [rest @ .., last] if !rest.is_empty() => format!("{} and {last}{more}", rest.join(", ")),
+            _ => parts.concat(),
+        }
+    }
+
+    /// `by up to 5.43 m`
+    fn by(&self) -> String {
+        self.short_m.map_or("for which no height is known to be enough".into(), |short| {
+            format!("by up to {} m at {} s", significant(short, 3), fixed(self.short_at_s, 2))
+        })
+    }
+}
+
+/// The caveat of a plan that flies lower than its captures ask for although its spec does not require the height: that of the mode to
+/// which it is exposed longest.
+pub fn caveat(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<Caveat> {
+    if record.height_m.is_some() {
+        return None;
+    }
+    let worst = exposed.iter().reduce(|a, b| if b.seconds > a.seconds { b } else { a })?;
+    let others = match exposed.len() - 1 {
+        0 => String::new(),
+        1 => " It is too low for one more mode.".into(),
+        n => format!(" It is too low for {n} more modes."),
+    };
+    let message = format!(
+        "If mode {} strikes {}, the plan is too low to regain level flight above the ground, {}; simulated, not proved.{others} Add \
+         `require capture_height {{ }}` to `plan`, or fly higher.",
+        worst.mode,
+        worst.when(),
+        worst.by()
+    );
+    let at_s = worst.short_at_s;
+    Some(Caveat { kind: CaveatKind::CaptureHeight, limit: None, value: worst.seconds, at_s, message })
+}
+
+/// The worst height of a case, m: `7.5`, rounded up; `-` if not every flight regains level flight.
+pub fn worst(case: &Capture) -> String {
+    match case.height_m {
+        Some([_, _, largest]) if case.regained == case.flights => fixed((10.0 * largest).ceil() / 10.0, 1),
+        _ => "-".into(),
+    }
+}
+
+/// Terminal output: the captures, and for each mode how long the plan is lower.
+pub fn text(record: &CaptureRecord, exposed: &[ExposedRecord]) -> String {
+    let flights = record.captures.first().map_or(0, |case| case.flights);
+    let head = format!(
+        "Height [m] that a fault costs until level flight is regained, {}. The most of {flights} flights each: simulated, not proved",
+        record.headline()
+    );
+    let wrap = |text: &str| {
+        let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+        format!("\n{}\n", textwrap::fill(text, options))
+    };
+    let mut out = wrap(&head);
+    let modes: Vec<&[Capture]> = record.captures.chunk_by(|a, b| a.mode == b.mode).collect();
+    let speeds = modes.first().map_or(&[][..], |of_mode| of_mode);
+    let columns = speeds.iter().map(|case| format!("{} m/s", significant(case.speed_m_per_s, 3)));
+    let headings: Vec<String> = std::iter::once("mode".to_string())
+        .chain(columns)
+        .chain(["exposed", "lowest by", "at"].map(String::from))
+        .collect();
+    let mut table = Table::new(&headings.iter().map(String::as_str).collect::<Vec<_>>());
+    for of_mode in &modes {
+        let mut cells = vec![of_mode[0].mode.clone()];
+        cells.extend(of_mode.iter().map(worst));
+        match exposed.iter().find(|exposed| exposed.mode == of_mode[0].mode) {
+            Some(found) => {
+                let short = found.short_m.map_or("-".into(), |short| format!("{} m", significant(short, 3)));
+                let at = format!("{} s", fixed(found.short_at_s, 2));
+                cells.extend([format!("{} s", significant(found.seconds, 3)), short, at]);
+            }
+            None => cells.extend(["0 s", "-", "-"].map(String::from)),
+        }
+        table.row(cells);
+    }
+    out.push_str(&table.render(2));
+    if record.modes_left_out > 0 {
+        out.push_str(&format!("  {} more modes were not simulated\n", record.modes_left_out));
+    }
+    if let Some(caveat) = caveat(record, exposed) {
+        out.push_str(&wrap(&caveat.message));
+    }
+    out
+}

@@ -1,0 +1,342 @@
+//! The arguments of every command, as `--help` prints them.
+
+use super::campaign::CampaignArgs;
+use super::exports::FRAMES;
+use crate::MISSION_TEMPLATES;
+use crate::exchange::{flight, trajectory};
+use crate::verify::cost::Budget;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  success
+  1  the spec has errors
+  2  wrong usage, or a file cannot be read or written
+  3  proved infeasible, or a mode that the plan must tolerate cannot hover
+  4  no plan was found, or none was attempted
+  5  the certificate is rejected
+  6  the simulated vehicle is lost
+  7  the certificate is accepted, but proves less than the spec requires
+  8  checking the certificate would exceed the budget
+  9  the integration of a simulated flight diverged
+
+SPEC may be `-` for standard input.";
+
+#[derive(Parser)]
+#[command(
+    name = "mavc",
+    version,
+    long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
+    about = "Checks a one-page spec of a multirotor mission, analyses which rotor faults the vehicle tolerates, and plans the mission",
+    after_help = EXIT_CODES
+)]
+pub(super) struct Cli {
+    #[command(subcommand)]
+    pub command: Command,
+    /// Print results and errors only: no progress, no notes, and no warnings (except in `check`)
+    #[arg(short, long, global = true)]
+    pub quiet: bool,
+    /// Print the time of each stage to standard error
+    #[arg(long, global = true)]
+    pub timings: bool,
+}
+
+#[derive(Subcommand)]
+pub(super) enum Command {
+    /// Check specs: every mistake, and the fault modes that the plan must tolerate but cannot
+    Check(CheckArgs),
+    /// Report verdict, margins, heaviest mass and headroom of each fault mode
+    Analyze(AnalyzeArgs),
+    /// Plan the mission and write the trajectory
+    Plan(PlanArgs),
+    /// Plan with RIP, RCP and RSP, and compare the plans
+    Compare(CompareArgs),
+    /// Check a certificate written by `plan --certificate`, without the planner
+    Verify(VerifyArgs),
+    /// Plan the mission, then simulate a flight with the faults of the spec
+    Simulate(SimulateArgs),
+    /// Simulate flights of every planner's plan with every fault mode, at many instants and with many noise seeds
+    Campaign(CampaignArgs),
+    /// Format specs: indentation, spaces, columns
+    Fmt(FmtArgs),
+    /// Print the output of one stage of the compiler
+    Emit(EmitArgs),
+    /// Write a spec from the file of another tool; what the file does not say stands as `?`
+    #[command(subcommand)]
+    Import(ImportCommand),
+    /// Write a commented spec that can be planned as it is
+    New {
+        /// The file to write, which must not exist yet, or `-` for standard output
+        file: PathBuf,
+        /// Start from a whole mission, with volumes and a battery; `room` is one of a Crazyflie, the others have legs and wind
+        #[arg(long, value_name = "KIND", value_parser = MISSION_TEMPLATES.map(|(kind, _)| kind))]
+        mission: Option<String>,
+    },
+    /// Run the language server, over standard input and output
+    #[cfg(feature = "lsp")]
+    Lsp {
+        /// Accepted because some editors pass it; there is no other transport
+        #[arg(long, hide = true)]
+        stdio: bool,
+    },
+    /// Explain the code of a diagnostic, or list codes
+    Explain {
+        /// A code such as mavc::unit::mismatch, or a part of one; without it, all codes are listed
+        code: Option<String>,
+    },
+    /// Print a completion script for a shell
+    Completions { shell: clap_complete::Shell },
+    /// Print the manual page, or write a page for each command into a folder
+    Man {
+        /// The folder, such as ~/.local/share/man/man1; it is created if it is missing
+        folder: Option<PathBuf>,
+    },
+}
+
+#[derive(Args)]
+pub(super) struct SpecArgs {
+    /// The spec, or `-` for standard input
+    #[arg(value_hint = clap::ValueHint::FilePath)]
+    pub spec: String,
+    /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
+    #[arg(long = "set", value_name = "FIELD=VALUE", value_hint = clap::ValueHint::Other)]
+    pub set: Vec<String>,
+}
+
+#[derive(Args)]
+pub(super) struct CheckArgs {
+    /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input
+    #[arg(required = true, value_name = "SPEC")]
+    pub specs: Vec<String>,
+    /// Check missions of ground stations (`mavc import mission`) with the vehicle of this spec, whose own mission is not looked at
+    #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
+    pub vehicle: Option<String>,
+    /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
+    #[arg(long = "set", value_name = "FIELD=VALUE", value_hint = clap::ValueHint::Other)]
+    pub set: Vec<String>,
+    /// Print diagnostics for people, on one line each, or as JSON
+    #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
+    pub format: CheckFormat,
+    /// Treat warnings as errors: exit code 1
+    #[arg(long, value_name = "warnings", value_enum)]
+    pub deny: Option<Deny>,
+    /// Print every default that applies because the spec leaves a field out
+    #[arg(long)]
+    pub explain_defaults: bool,
+    /// Check again whenever a file that was read changes, until Ctrl-C
+    #[arg(long)]
+    pub watch: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum CheckFormat {
+    Human,
+    Short,
+    Json,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum Deny {
+    Warnings,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum Format {
+    Human,
+    Json,
+}
+
+#[derive(Args)]
+pub(super) struct AnalyzeArgs {
+    #[command(flatten)]
+    pub spec: SpecArgs,
+    /// Print tables for people, or JSON
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    pub format: Format,
+    /// Vary a field of the vehicle, gravity or a `let`, and print where verdicts change: mass=1.5..2.5kg
+    #[arg(long, value_name = "FIELD=LOW..HIGH", value_hint = clap::ValueHint::Other)]
+    pub sweep: Option<String>,
+    /// Simulate what faults after which yaw is given up cost: the height lost until the vehicle flies level again, by delay
+    #[arg(long, conflicts_with = "sweep")]
+    pub capture: bool,
+}
+
+#[derive(Args)]
+pub(super) struct PlanArgs {
+    #[command(flatten)]
+    pub spec: SpecArgs,
+    /// Write the trajectory to this file; `-` for standard output
+    #[arg(short, long, value_name = "TRAJ.CSV")]
+    pub output: Option<PathBuf>,
+    /// Write the trajectory of -o for another tool (docs/exchange.md); without this mavc's table, csv
+    #[arg(long, value_name = "FORMAT", requires = "output", value_parser = trajectory::FORMATS.map(|(_, name)| name))]
+    pub format: Option<String>,
+    /// Write csv or rows in these frames of world and body: east, north, up and forward, left, up, the default, or north, east,
+    /// down and forward, right, down
+    #[arg(long, value_name = "FRAME", requires = "output", value_parser = FRAMES)]
+    pub frame: Option<String>,
+    /// Refit the trajectory of the format crazyflie within this error of position (as radians, of yaw), such as 5mm, 1cm without
+    /// this; or keep straight lines within it of the plan: 50cm for qgc-plan and wpl, 10cm for kml and geojson
+    #[arg(long, value_name = "LENGTH", requires = "output", value_hint = clap::ValueHint::Other)]
+    pub tolerance: Option<String>,
+    /// Write the report (JSON) to this file; `-` prints it instead of the text for people
+    #[arg(long, value_name = "REPORT.JSON")]
+    pub report: Option<PathBuf>,
+    /// Write rows at a fixed rate, such as 100Hz, instead of one for each node. The last row is at the end of the plan or just
+    /// after it, with the last state; each waypoint is marked in the row nearest to it
+    #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
+    pub rate: Option<String>,
+    /// Write a certificate (JSON) for `mavc verify` to this file
+    #[arg(long, value_name = "CERT.JSON")]
+    pub certificate: Option<PathBuf>,
+    /// Write the report as one HTML page with charts, which needs no network
+    #[arg(long, value_name = "REPORT.HTML")]
+    pub html: Option<PathBuf>,
+    /// Write the charts as SVG files into this folder, which is created if it is missing
+    #[arg(long, value_name = "DIR")]
+    pub svg: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct VerifyArgs {
+    /// The certificate, or `-` for standard input
+    #[arg(value_name = "CERT.JSON")]
+    pub certificate: PathBuf,
+    #[command(flatten)]
+    pub spec: SpecArgs,
+    /// Limit the time and memory of the check; a larger budget may also prove more between the nodes
+    #[arg(long, value_name = "10s,500MB")]
+    pub budget: Option<Budget>,
+}
+
+#[derive(Args)]
+pub(super) struct CompareArgs {
+    #[command(flatten)]
+    pub spec: SpecArgs,
+    /// Write the report (JSON) to this file; `-` prints it instead of the text for people
+    #[arg(long, value_name = "REPORT.JSON")]
+    pub report: Option<PathBuf>,
+    /// Also compare numbers of rounds of selection at the common time T_d, such as 0..5
+    #[arg(long, value_name = "FIRST..LAST", value_hint = clap::ValueHint::Other)]
+    pub rounds: Option<String>,
+    /// Write the report as one HTML page with charts, which needs no network
+    #[arg(long, value_name = "REPORT.HTML")]
+    pub html: Option<PathBuf>,
+    /// Write the charts as SVG files into this folder, which is created if it is missing
+    #[arg(long, value_name = "DIR")]
+    pub svg: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct SimulateArgs {
+    #[command(flatten)]
+    pub spec: SpecArgs,
+    /// Write the flight log to this file; `-` for standard output
+    #[arg(short, long, value_name = "FLIGHT.CSV")]
+    pub output: Option<PathBuf>,
+    /// Write the log of -o for another tool (docs/exchange.md): mcap for Foxglove, ulog for PlotJuggler; without this as csv
+    #[arg(long, value_name = "FORMAT", requires = "output", value_parser = flight::FORMATS.map(|(_, name)| name))]
+    pub format: Option<String>,
+    /// Write a layout that shows the log in that tool: JSON for Foxglove, XML for PlotJuggler
+    #[arg(long, value_name = "LAYOUT", requires = "format")]
+    pub layout: Option<PathBuf>,
+    /// Write the report (JSON) to this file; `-` prints it instead of the text for people
+    #[arg(long, value_name = "REPORT.JSON")]
+    pub report: Option<PathBuf>,
+    /// Write rows of the log at this rate, such as 100Hz; at most the rate of the controller
+    #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
+    pub rate: Option<String>,
+    /// Write the report as one HTML page with charts, which needs no network
+    #[arg(long, value_name = "REPORT.HTML")]
+    pub html: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct FmtArgs {
+    /// Specs, folders with specs (`*.mav`, at any depth), or `-` to format standard input to standard output
+    #[arg(required = true, value_name = "SPEC")]
+    pub specs: Vec<String>,
+    /// Write nothing; list the files that would change, and exit with 1 if there are any
+    #[arg(long)]
+    pub check: bool,
+}
+
+#[derive(Args)]
+pub(super) struct EmitArgs {
+    /// The stage whose output is printed
+    #[arg(value_enum)]
+    pub stage: Stage,
+    #[command(flatten)]
+    pub spec: SpecArgs,
+    /// The format of `qp`: text, json (P, q, A, b, cones, origins of rows) or free MPS, which has no cones. `model` has json too,
+    /// with all digits
+    #[arg(long, value_enum, default_value_t = EmitFormat::Text)]
+    pub format: EmitFormat,
+}
+
+impl EmitArgs {
+    /// Whether the stage is printed in this format.
+    pub fn has_format(&self) -> bool {
+        matches!((self.stage, self.format), (_, EmitFormat::Text) | (Stage::Qp, _) | (Stage::Model, EmitFormat::Json))
+    }
+
+    /// Whether the flight blocks matter: the model is printed with them, and MuJoCo has the rate of `simulate`.
+    pub fn is_flown(&self) -> bool {
+        matches!(self.stage, Stage::Model | Stage::Mjcf)
+    }
+}
+
+#[derive(Subcommand)]
+pub(super) enum ImportCommand {
+    /// A vehicle: PX4 parameters or airframe script, ArduPilot parameters, URDF, SDF or MJCF
+    Vehicle(ImportArgs),
+    /// A mission: a plan of QGroundControl, a mission of MAVLink (`QGC WPL 110`) or a table of waypoints
+    Mission(ImportMissionArgs),
+}
+
+#[derive(Args)]
+pub(super) struct ImportMissionArgs {
+    #[command(flatten)]
+    pub import: ImportArgs,
+    /// Begin the spec with `use` of this one, which has the vehicle
+    #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
+    pub vehicle: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct ImportArgs {
+    /// The file, or `-` for standard input
+    #[arg(value_hint = clap::ValueHint::FilePath)]
+    pub file: String,
+    /// Write the spec to this file instead of standard output
+    #[arg(short, long, value_name = "SPEC.MAV")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum EmitFormat {
+    Text,
+    Json,
+    Mps,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum Stage {
+    /// The parsed text
+    Ast,
+    /// The spec in SI units
+    Model,
+    /// The actuation matrix
+    Actuation,
+    /// The admissible set of every mode
+    Sets,
+    /// The rows that the planner imposes on the wrench
+    Constraints,
+    /// The convex program of the hover model, at the time of the plan
+    Qp,
+    /// The vehicle and the mission for the simulator MuJoCo (MJCF)
+    Mjcf,
+    /// The rotors as parameters of PX4's control allocation, for QGroundControl
+    Px4Params,
+}

@@ -1,0 +1,100 @@
+//! Reading specs, and printing to standard output and standard error.
+
+use super::Problem;
+use crate::input;
+pub use crate::input::reason;
+use crate::source::visible;
+use std::io::{Error, ErrorKind, IsTerminal, Write};
+use std::path::Path;
+
+/// The bytes of a spec or a certificate ([`input::given`]), at most one more than `most`.
+pub fn read_spec(name: &str, most: usize) -> Result<Vec<u8>, Problem> {
+    input::given(name, most).map_err(|e| cannot_read(Path::new(name), &e))
+}
+
+/// The name of a file on one line of a terminal.
+pub fn shown(path: &Path) -> String {
+    visible::line(&path.display().to_string()).into_owned()
+}
+
+pub fn cannot_read(path: &Path, e: &Error) -> Problem {
+    format!("cannot read {}: {}", path.display(), reason(e))
+}
+
+/// Prints a text for people to standard output, disguised characters as escapes.
+pub fn print(text: &str) -> Result<(), Problem> {
+    print_as_it_is(&visible::text(text))
+}
+
+/// As [`print()`], and keeps the colours that mavc paints with ([`crate::report::heat`]).
+pub fn print_painted(text: &str) -> Result<(), Problem> {
+    print_as_it_is(&painted(text))
+}
+
+/// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes, and bytes that are
+/// no text are refused.
+pub fn print_result(bytes: &[u8]) -> Result<(), Problem> {
+    if std::io::stdout().is_terminal() {
+        return match std::str::from_utf8(bytes) {
+            Ok(text) => print(text),
+            Err(_) => Err("the result is binary and standard output a terminal: name a file with -o".into()),
+        };
+    }
+    let mut stream = std::io::stdout().lock();
+    written(stream.write_all(bytes).and_then(|()| stream.flush()))
+}
+
+/// Prints a text without disguised characters, with its colours and links.
+pub fn print_as_it_is(text: &str) -> Result<(), Problem> {
+    let mut stream = anstream::stdout().lock();
+    written(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
+}
+
+/// Whether standard output took the text; a reader that has gone away is not an error.
+pub fn written(outcome: std::io::Result<()>) -> Result<(), Problem> {
+    unless_gone(outcome).map_err(|e| format!("cannot write to standard output: {}", reason(&e)))
+}
+
+/// Ignores that the reader has gone away: it has seen all that it wanted.
+pub fn unless_gone(outcome: std::io::Result<()>) -> std::io::Result<()> {
+    outcome.or_else(|e| if e.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(e) })
+}
+
+/// Prints to standard error, disguised characters as escapes. Failures are ignored: there is no other place to report them.
+pub fn eprint(text: &str) {
+    eprint_as_it_is(&visible::text(text));
+}
+
+/// As [`print_painted`], on standard error.
+pub fn eprint_painted(text: &str) {
+    eprint_as_it_is(&painted(text));
+}
+
+/// The text with disguised characters as escapes, except for the colours that mavc paints with.
+fn painted(text: &str) -> String {
+    let mut pieces = text.split('\u{1b}');
+    let mut out = visible::text(pieces.next().unwrap_or_default()).into_owned();
+    for piece in pieces {
+        let digits = piece.strip_prefix('[').map(|p| p.trim_start_matches(|c: char| c.is_ascii_digit() || c == ';'));
+        let is_color = digits.is_some_and(|rest| rest.starts_with('m'));
+        out.push_str(if is_color { "\u{1b}" } else { "\\u{1b}" });
+        out.push_str(&visible::text(piece));
+    }
+    out
+}
+
+/// As [`print_as_it_is()`], on standard error.
+pub fn eprint_as_it_is(text: &str) {
+    let _ = anstream::stderr().write_all(text.as_bytes());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_all_escapes_only_colours_stay_where_mavc_paints() {
+        assert_eq!(painted("a\x1b[48;5;71m \x1b[0mb"), "a\x1b[48;5;71m \x1b[0mb");
+        assert_eq!(painted("a\x1b[2Jb\x1b]8;;c\x07\x1b\u{202e}"), "a\\u{1b}[2Jb\\u{1b}]8;;c\\u{7}\\u{1b}\\u{202e}");
+    }
+}

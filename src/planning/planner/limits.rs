@@ -1,0 +1,389 @@
+//! A mission's limits as rows: linear for one axis, second-order cones for norms.
+
+use crate::body::{Body, Separation};
+use crate::model::{Bounded as Position, Environment, Limit, LimitKind, Part, Target};
+use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
+use crate::planner::transcription::Transcription;
+use crate::qp::RowOrigin;
+use crate::qp::build::{Affine, Builder};
+
+/// What a limit bounds: `sign` times one derivative of one axis, or the norm of some.
+enum Bounded<'l> {
+    Axis {
+        axis: usize,
+        order: usize,
+        sign: f64,
+    },
+    Norm {
+        axes: &'static [usize],
+        order: usize,
+    },
+    /// tan(tilt) = |(x'', y'')| / (g + z''): the thrust points along (x'', y'', g + z'').
+    Tilt,
+    /// |(x''', y''', z''')|, where z''' is constant over an interval.
+    Jerk,
+    /// `normal . (x, y, z)`.
+    Along([f64; 3]),
+    /// The distance of the first coordinates from a point.
+    From(&'l [f64]),
+    /// The distance of (x, y, z) from a line.
+    FromLine {
+        point: [f64; 3],
+        along: [f64; 3],
+    },
+    /// The distance of (x, y, z) from a convex body.
+    FromBody(&'l Body),
+    /// The angle between the velocity and a direction.
+    Arrival([f64; 3]),
+    /// The angle between the yaw and a direction.
+    Heading(Target),
+    Nothing,
+}
+
+fn bounded(limit: &Limit) -> Bounded<'_> {
+    let axis = |axis, order, sign| Bounded::Axis { axis, order, sign };
+    let norm = |axes, order| Bounded::Norm { axes, order };
+    match limit.kind {
+        LimitKind::X => axis(X, 0, 1.0),
+        LimitKind::Y => axis(Y, 0, 1.0),
+        LimitKind::Z => axis(Z, 0, 1.0),
+        LimitKind::Yaw => axis(YAW, 0, 1.0),
+        LimitKind::YawRate => axis(YAW, 1, 1.0),
+        LimitKind::YawAcceleration => axis(YAW, 2, 1.0),
+        LimitKind::Climb => axis(Z, 1, 1.0),
+        LimitKind::Descent => axis(Z, 1, -1.0),
+        LimitKind::Speed => norm(&[X, Y, Z], 1),
+        LimitKind::SpeedHorizontal => norm(&[X, Y], 1),
+        LimitKind::Acceleration => norm(&[X, Y, Z], 2),
+        LimitKind::AccelerationHorizontal => norm(&[X, Y], 2),
+        LimitKind::Tilt => Bounded::Tilt,
+        LimitKind::Jerk => Bounded::Jerk,
+        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => {
+            match limit.volume.as_deref().map(|volume| &volume.quantity) {
+                Some(Position::Along(normal)) => Bounded::Along(*normal),
+                Some(Position::From(centre)) => Bounded::From(centre),
+                Some(Position::FromAxis(centre)) => Bounded::From(centre),
+                Some(Position::FromLine { point, along }) => Bounded::FromLine { point: *point, along: *along },
+                Some(Position::FromBody(body)) => Bounded::FromBody(body),
+                Some(Position::Coordinate) | None => Bounded::Nothing,
+            }
+        }
+        LimitKind::Arrival => limit.leg.as_ref().and_then(|on| on.direction).map_or(Bounded::Nothing, Bounded::Arrival),
+        LimitKind::Heading => limit.leg.as_ref().and_then(|on| on.target).map_or(Bounded::Nothing, Bounded::Heading),
+    }
+}
+
+/// Whether a limit holds at an instant, with `parts` of them in each interval between nodes. A limit of one leg holds at both
+/// its waypoints too, and one on a yaw that follows from the motion at nodes only.
+pub(super) fn covers(limit: &Limit, waypoint_nodes: &[usize], parts: usize, instant: usize) -> bool {
+    let Some(on) = &limit.leg else { return true };
+    let (first, last) = (waypoint_nodes[on.leg] * parts, waypoint_nodes[on.leg + 1] * parts);
+    match on.part {
+        Part::Start => instant == first,
+        Part::End => instant == last,
+        Part::Whole if limit.kind == LimitKind::Heading && !instant.is_multiple_of(parts) => false,
+        Part::Whole => (first..=last).contains(&instant),
+    }
+}
+
+/// Whether a limit holds inside an interval between nodes.
+pub(super) fn covers_interval(limit: &Limit, waypoint_nodes: &[usize], interval: usize) -> bool {
+    let Some(on) = &limit.leg else { return true };
+    let leg = waypoint_nodes[on.leg]..waypoint_nodes[on.leg + 1];
+    on.part == Part::Whole && limit.kind != LimitKind::Heading && leg.contains(&interval)
+}
+
+/// By how much more a step keeps the volume or corridor of a limit, m, given the `room` that volumes get: in a corridor at most a
+/// quarter of its half width, and none where there is neither.
+pub(super) fn room_of(limit: &Limit, room: f64) -> f64 {
+    limit.volume.as_ref().map_or(0.0, |volume| room.min(0.25 * volume.half_width))
+}
+
+/// Whether a limit bounds a place (x, y, z, yaw or a volume), and so does not depend on time.
+pub(super) fn place(kind: LimitKind) -> bool {
+    use LimitKind::{Clearance, Distance, Face, X, Y, Yaw, Z};
+    matches!(kind, X | Y | Z | Yaw | Face | Distance | Clearance)
+}
+
+/// By how much bounds are widened in a program.
+pub(super) struct Widening {
+    /// Each bound is wider by this share of itself, except bounds on positions.
+    share: Affine,
+    /// The relative change delta of the duration: derivatives of order m then shrink by (1 + delta)^m, so that bounds on them, in
+    /// the old time, grow by at least m delta.
+    duration_change: Affine,
+    /// How much further inside the bounds of volumes the position stays, m; see [`Transcription::room`].
+    room: f64,
+}
+
+impl Widening {
+    /// Each bound wider by this share of itself, the duration unchanged.
+    pub fn by(share: &Affine) -> Self {
+        Widening { share: share.clone(), duration_change: Affine::default(), room: 0.0 }
+    }
+
+    /// The same with a relative change of the duration.
+    pub fn with_duration_change(self, change: &Affine) -> Self {
+        Widening { duration_change: change.clone(), ..self }
+    }
+
+    /// The same with volumes kept by this much more, m.
+    pub fn with_room(self, room: f64) -> Self {
+        Widening { room, ..self }
+    }
+
+    /// A bound on a derivative of the given order; `side` is 1 for upper bounds, -1 for lower ones.
+    pub(super) fn bound(&self, bound: f64, order: usize, side: f64) -> Affine {
+        let mut wider = Affine::constant(bound);
+        wider.add(&self.share, side * widens(order, bound));
+        wider.add(&self.duration_change, bound * order as f64);
+        wider
+    }
+
+    /// A lower bound on the distance from a body, m. It is not convex, so the share applies to it: [`CLEARANCE_UNIT`] a unit.
+    fn clearance(&self, lower: f64) -> Affine {
+        let mut wider = Affine::constant(lower);
+        wider.add(&self.share, -CLEARANCE_UNIT);
+        wider
+    }
+}
+
+/// A violation of one unit of a distance from a body, m.
+const CLEARANCE_UNIT: f64 = 1.0;
+
+/// A violation of one unit of a yaw that follows from the motion, rad.
+const HEADING_UNIT: f64 = 1.0;
+
+/// A violation of one unit of a direction of arrival, m/s.
+const ARRIVAL_UNIT: f64 = 1.0;
+
+/// `a - (a . along) along`, for a unit vector `along`.
+fn across(along: [f64; 3], a: &[Affine]) -> Vec<Affine> {
+    let ahead = self::along(along, a);
+    let part = |(part, along): (&Affine, f64)| {
+        let mut across = part.clone();
+        across.add(&ahead, -along);
+        across
+    };
+    a.iter().zip(along).map(part).collect()
+}
+
+/// The part of a vector along a unit vector, and the length of the rest.
+fn split(along: [f64; 3], a: [f64; 3]) -> (f64, f64) {
+    let ahead: f64 = (0..3).map(|i| a[i] * along[i]).sum();
+    (ahead, (0..3).map(|i| (a[i] - ahead * along[i]).powi(2)).sum::<f64>().sqrt())
+}
+
+/// `normal . p`.
+fn along(normal: [f64; 3], p: &[Affine]) -> Affine {
+    let mut sum = Affine::default();
+    normal.iter().zip(p).for_each(|(n, part)| sum.add(part, *n));
+    sum
+}
+
+/// How much wider a bound becomes per unit of share: by itself, or not at all if it bounds a position.
+fn widens(order: usize, bound: f64) -> f64 {
+    if order > 0 { bound.abs() } else { 0.0 }
+}
+
+impl Transcription<'_> {
+    /// Adds one limit's rows at one instant.
+    pub(super) fn limit(&self, builder: &mut Builder, index: usize, instant: usize, widening: &Widening) {
+        let limit = &self.mission.limits[index];
+        if !self.covers(limit, instant) {
+            return;
+        }
+        let room = room_of(limit, widening.room);
+        let (lower, upper) = (limit.lower.map(|bound| bound + room), limit.upper.map(|bound| bound - room));
+        let origin = RowOrigin::Limit { limit: index, node: instant / self.parts };
+        let parts = |axes: &[usize], order: usize| -> Vec<Affine> {
+            axes.iter().map(|&a| self.derivative(instant, a, order)).collect()
+        };
+        let mut cone = |reach: Affine, parts: Vec<Affine>| {
+            builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
+        };
+        match (self.bounded(limit), upper) {
+            (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
+                let value = self.derivative(instant, axis, order).times(sign);
+                for (bound, side) in [(upper, 1.0), (lower, -1.0)] {
+                    let Some(bound) = bound else { continue };
+                    let mut row = widening.bound(bound, order, side).times(side);
+                    row.add(&value, -side);
+                    builder.nonnegative(row, origin);
+                }
+            }
+            (Bounded::Norm { axes, order }, Some(upper)) if self.plans(X) => {
+                cone(widening.bound(upper, order, 1.0), parts(axes, order));
+            }
+            (Bounded::Tilt, Some(upper)) if self.plans(X) => {
+                // The cone is convex, so that it contains the thrust in every wind if it does so in the extreme ones; of those
+                // that differ in their vertical part alone, the one that lifts most is the hardest.
+                let lifts_most = self.winds.iter().map(|wind| wind.wind[Z]).fold(f64::NEG_INFINITY, f64::max);
+                for wind in self.winds.iter().filter(|wind| wind.wind[Z] == lifts_most) {
+                    let [x, y, z] = self.thrust(instant, wind);
+                    let mut reach = z.plus_constant(-wind.gravity).times(upper.tan());
+                    reach.add(&widening.bound(wind.gravity, 2, 1.0), upper.tan());
+                    cone(reach, vec![x, y]);
+                }
+            }
+            (Bounded::Jerk, Some(upper)) if self.plans(X) => {
+                let beside = self.intervals_beside(instant);
+                for (interval, step) in beside.filter(|(interval, _)| self.covers_interval(limit, *interval)) {
+                    let mut slope = self.derivative(interval + 1, Z, 2);
+                    slope.add(&self.derivative(interval, Z, 2), -1.0);
+                    let mut parts = parts(&[X, Y], 3);
+                    parts.push(slope.times(1.0 / step));
+                    cone(widening.bound(upper, 3, 1.0), parts);
+                }
+            }
+            (Bounded::Along(normal), Some(upper)) if self.plans(X) => {
+                let mut row = widening.bound(upper, 0, 1.0);
+                row.add(&along(normal, &parts(&[X, Y, Z], 0)), -1.0);
+                builder.nonnegative(row, origin);
+            }
+            (Bounded::From(centre), Some(upper)) if self.plans(X) => {
+                let coordinates = parts(&[X, Y, Z][..centre.len()], 0);
+                let from_centre = coordinates.into_iter().zip(centre).map(|(part, c)| part.plus_constant(-c)).collect();
+                cone(widening.bound(upper, 0, 1.0), from_centre);
+            }
+            (Bounded::FromLine { point, along }, Some(upper)) if self.plans(X) => {
+                let from = parts(&[X, Y, Z], 0).into_iter().zip(point).map(|(part, p)| part.plus_constant(-p));
+                cone(widening.bound(upper, 0, 1.0), across(along, &from.collect::<Vec<_>>()));
+            }
+            // The cone does not depend on the duration: all velocities change alike.
+            (Bounded::Arrival(direction), Some(upper)) if self.plans(X) => {
+                let velocity = parts(&[X, Y, Z], 1);
+                let mut reach = along(direction, &velocity).times(upper.tan());
+                reach.add(&widening.share, ARRIVAL_UNIT);
+                cone(reach, across(direction, &velocity));
+            }
+            // Linear in yaw, position and velocity about the states nearby; without these there is no row, and the program is a
+            // relaxation.
+            (Bounded::Heading(target), Some(upper)) if self.plans(YAW) => {
+                let near = self.states.filter(|_| instant.is_multiple_of(self.parts));
+                let Some(near) = near.and_then(|states| states.get(instant / self.parts)) else { return };
+                let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| near[axis][order]));
+                let Some([x, y]) = target.direction(position, velocity) else { return };
+                let Some(off) = target.error(position, velocity, near[YAW][0]) else { return };
+                let mut error = self.derivative(instant, YAW, 0).plus_constant(off - near[YAW][0]);
+                // The direction of (x, y) turns by (x dy - y dx) / (x^2 + y^2); towards a point, (x, y) is that minus the position.
+                let (order, from, sign) = match target {
+                    Target::Towards { .. } => (0, position, 1.0),
+                    Target::AlongPath => (1, velocity, -1.0),
+                };
+                let square = x * x + y * y;
+                for (axis, from, weight) in [(X, from[0], -y), (Y, from[1], x)] {
+                    let change = self.derivative(instant, axis, order).plus_constant(-from);
+                    error.add(&change, sign * weight / square);
+                }
+                for side in [1.0, -1.0] {
+                    let mut row = Affine::constant(upper);
+                    row.add(&widening.share, HEADING_UNIT);
+                    row.add(&error, side);
+                    builder.nonnegative(row, origin);
+                }
+            }
+            // The distance is at least that from the plane that separates the body from a position nearby. Without such a
+            // position there is no row, and the program is a relaxation.
+            (Bounded::FromBody(body), None) if self.plans(X) => {
+                let near = self.positions.and_then(|positions| positions.get(instant));
+                let (Some(&near), Some(lower)) = (near, lower) else { return };
+                let Separation { normal, support, .. } = body.separation(near);
+                let mut row = along(normal, &parts(&[X, Y, Z], 0)).plus_constant(-support);
+                row.add(&widening.clearance(lower), -1.0);
+                builder.nonnegative(row, origin);
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether a limit holds at an instant.
+    pub(super) fn covers(&self, limit: &Limit, instant: usize) -> bool {
+        covers(limit, &self.grid.waypoint_nodes, self.parts, instant)
+    }
+
+    /// Whether a limit holds inside an interval.
+    pub(super) fn covers_interval(&self, limit: &Limit, interval: usize) -> bool {
+        covers_interval(limit, &self.grid.waypoint_nodes, interval)
+    }
+
+    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion with an acceleration g may move away
+    /// from the line through two neighbouring instants, `g delta^2 / 8` with delta the time between them.
+    pub(super) fn room(&self, instant: usize) -> f64 {
+        let interval = (instant / self.parts).min(self.grid.intervals() - 1);
+        let times = &self.grid.node_times;
+        let apart = (times[interval + 1] - times[interval]) / self.parts as f64;
+        self.model.gravity * apart * apart / 4.0
+    }
+
+    /// What a limit bounds, given the integrators: the jerk along z is a state or the slope of the input.
+    fn bounded<'l>(&self, limit: &'l Limit) -> Bounded<'l> {
+        match bounded(limit) {
+            Bounded::Jerk if self.orders[Z] > 2 => Bounded::Norm { axes: &[X, Y, Z], order: 3 },
+            other => other,
+        }
+    }
+
+    /// The violation of a limit widened by `sigma` by the states at a node, as a share of the limit (m or rad for positions and
+    /// yaw); negative inside.
+    pub(super) fn limit_violation(&self, limit: &Limit, states: &[NodeState], node: usize, sigma: f64) -> f64 {
+        if !self.covers(limit, node) {
+            return f64::NEG_INFINITY;
+        }
+        let mut state = states[node];
+        if let Bounded::Jerk = self.bounded(limit) {
+            let slope = |(interval, step): (usize, f64)| (states[interval + 1][Z][2] - states[interval][Z][2]) / step;
+            let beside = self.intervals_beside(node).filter(|(interval, _)| self.covers_interval(limit, *interval));
+            state[Z][3] = beside.map(slope).fold(0.0, |m: f64, s| m.max(s.abs()));
+        }
+        self.violation_of(limit, &state, sigma)
+    }
+
+    /// The same for one state, at which the limit holds.
+    pub(super) fn violation_of(&self, limit: &Limit, state: &NodeState, sigma: f64) -> f64 {
+        let length = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
+        let share = |violation: f64, scale: f64| if scale > 0.0 { violation / scale - sigma } else { violation };
+        let position = [state[X][0], state[Y][0], state[Z][0]];
+        match (bounded(limit), limit.upper) {
+            (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
+                let value = sign * state[axis][order];
+                let over = limit.upper.map(|upper| share(value - upper, widens(order, upper)));
+                let under = limit.lower.map(|lower| share(lower - value, widens(order, lower)));
+                over.into_iter().chain(under).fold(f64::NEG_INFINITY, f64::max)
+            }
+            (Bounded::Norm { axes, order }, Some(upper)) if self.plans(X) => share(length(axes, order) - upper, upper),
+            (Bounded::Tilt, Some(upper)) if self.plans(X) => {
+                let (g, tan) = (self.model.gravity, upper.tan());
+                let out = |wind: &Environment| {
+                    let state = in_air(state, wind);
+                    state[X][2].hypot(state[Y][2]) - tan * (g + state[Z][2])
+                };
+                share(self.winds.iter().map(out).fold(f64::NEG_INFINITY, f64::max), g * tan)
+            }
+            (Bounded::Jerk, Some(upper)) if self.plans(X) => share(length(&[X, Y, Z], 3) - upper, upper),
+            (Bounded::Along(_) | Bounded::From(_) | Bounded::FromLine { .. }, Some(upper)) if self.plans(X) => {
+                limit.value_at(position).map_or(f64::NEG_INFINITY, |value| value - upper)
+            }
+            (Bounded::Arrival(direction), Some(upper)) if self.plans(X) => {
+                let (ahead, aside) = split(direction, [X, Y, Z].map(|axis| state[axis][1]));
+                share(aside - upper.tan() * ahead, ARRIVAL_UNIT)
+            }
+            (Bounded::Heading(target), Some(upper)) if self.plans(YAW) => {
+                let velocity = [state[X][1], state[Y][1]];
+                let error = target.error([position[0], position[1]], velocity, state[YAW][0]);
+                error.map_or(f64::NEG_INFINITY, |error| share(error.abs() - upper, HEADING_UNIT))
+            }
+            (Bounded::FromBody(body), None) if self.plans(X) => {
+                let short = limit.lower.map(|lower| lower - body.separation(position).distance);
+                short.map_or(f64::NEG_INFINITY, |short| share(short, CLEARANCE_UNIT))
+            }
+            _ => f64::NEG_INFINITY,
+        }
+    }
+
+    /// The intervals that begin or end at a node, with their steps (s).
+    fn intervals_beside(&self, node: usize) -> impl Iterator<Item = (usize, f64)> {
+        let first = node.saturating_sub(1);
+        self.grid.steps().enumerate().skip(first).take_while(move |(interval, _)| *interval <= node)
+    }
+}

@@ -1,0 +1,100 @@
+//! The rows of every program: dynamics between nodes, rests and waypoints.
+
+use super::{Form, Transcription, UNBOUNDED};
+use crate::model::Heading;
+use crate::motion::{X, Y, YAW, Z};
+use crate::qp::RowOrigin;
+use crate::qp::build::{Affine, Builder};
+
+impl Transcription<'_> {
+    /// Exact steps under first-order hold: with m = r - i,
+    /// `d_i(k+1) = sum_{j=i}^{r-1} h^(j-i)/(j-i)! d_j + h^m [(1/m! - 1/(m+1)!) u_k + u_{k+1}/(m+1)!]`.
+    ///
+    /// If the leg that begins at a node may change its duration by another share than the one that ends there, the derivatives `d_j`
+    /// on its side differ by `jump` of (node, axis, j), in SI units (72).
+    pub(in crate::planning::planner) fn dynamics(
+        &self,
+        builder: &mut Builder,
+        jump: &dyn Fn(usize, usize, usize) -> Affine,
+    ) {
+        if let Form::Splines(_) = self.form {
+            return; // splines keep these rows by construction
+        }
+        const FACTORIAL: [f64; 6] = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0];
+        for (interval, h) in self.grid.steps().enumerate() {
+            let (tau, next) = (self.tau_at(interval), self.tau_at(interval + 1));
+            for &axis in self.axes {
+                let r = self.orders[axis];
+                for i in 0..r {
+                    // In units of the derivative at the later node.
+                    let unit = next.powi(i as i32);
+                    let mut row = Affine::term(self.var(interval + 1, axis, i), -1.0);
+                    let m = r - i;
+                    let power = h.powi(m as i32);
+                    let late = 1.0 / FACTORIAL[m + 1];
+                    for j in i..=r {
+                        let factor = match j {
+                            j if j < r => h.powi((j - i) as i32) / FACTORIAL[j - i],
+                            _ => power * (1.0 / FACTORIAL[m] - late),
+                        };
+                        row = row.plus(self.var(interval, axis, j), unit * factor * tau.powi(-(j as i32)));
+                        row.add(&jump(interval, axis, j), unit * factor);
+                    }
+                    row = row.plus(self.var(interval + 1, axis, r), unit * power * late * next.powi(-(r as i32)));
+                    builder.zero(row, RowOrigin::Dynamics { interval, axis, derivative: i });
+                }
+            }
+        }
+    }
+
+    /// Derivatives that vanish, as (node, axis, order): velocity, acceleration and (x, y) jerk at rest; where the vehicle
+    /// holds, inputs too.
+    pub(in crate::planning::planner) fn at_rest(&self) -> Vec<(usize, usize, usize)> {
+        let last = self.nodes() - 1;
+        let mut zero = Vec::new();
+        let mut rest = |node: usize, holding: bool| {
+            for &axis in self.axes {
+                let highest = if holding { self.orders[axis] } else { self.orders[axis].min(3) };
+                zero.extend((1..=highest).map(|order| (node, axis, order)));
+            }
+        };
+        for (w, &node) in self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes) {
+            let ends = node == 0 && self.mission.start_at_rest || node == last && self.mission.end_at_rest;
+            if w.hold > 0.0 || w.stop || ends {
+                rest(node, w.hold > 0.0);
+            }
+        }
+        zero
+    }
+
+    pub(in crate::planning::planner) fn rest(&self, builder: &mut Builder) {
+        for (node, axis, derivative) in self.at_rest() {
+            let row = self.at_node(node, axis, derivative).times(self.tau_at(node).powi(derivative as i32));
+            builder.zero(row, RowOrigin::Rest { node, axis, derivative });
+        }
+        if let Some(struck) = &self.struck {
+            self.stopping(builder, struck);
+        }
+    }
+
+    /// |p - p_i| <= within_i + slack; yaw tolerances widen in the same proportion:
+    /// |psi - psi_i| <= yaw_within_i (1 + slack / within_i).
+    pub(in crate::planning::planner) fn waypoints(&self, builder: &mut Builder, slack: &Affine) {
+        for (waypoint, (w, &node)) in self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes).enumerate() {
+            if self.plans(X) && w.within < UNBOUNDED {
+                let mut cone = vec![slack.clone().plus_constant(w.within)];
+                for (axis, target) in [X, Y, Z].into_iter().zip(w.position) {
+                    cone.push(self.at_node(node, axis, 0).plus_constant(-target));
+                }
+                builder.cone(cone, RowOrigin::Waypoint { waypoint });
+            }
+            if self.plans(YAW) && w.heading == Heading::Given && w.yaw_within < UNBOUNDED {
+                for sign in [1.0, -1.0] {
+                    let mut row = slack.clone().times(w.yaw_within / w.within).plus_constant(w.yaw_within);
+                    row.add(&self.at_node(node, YAW, 0).plus_constant(-w.yaw), sign);
+                    builder.nonnegative(row, RowOrigin::WaypointYaw { waypoint });
+                }
+            }
+        }
+    }
+}
