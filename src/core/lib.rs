@@ -2,7 +2,7 @@
 //! code that decides them. The program `mavc-verify` ([`program`]) is this crate alone; `mavc` re-exports its modules.
 //!
 //! ```text
-//! Source --syntax::parse--> SpecFile --model::elaborate--> Model --verify::decide(certificate)--> Verdict
+//! Source --syntax::parse--> SpecFile --read::elaborate--> Model --verify::decide(certificate)--> Verdict
 //! ```
 //!
 //! | room | what comes in | what goes out | what it does not know |
@@ -21,4 +21,4 @@ pub mod spec;
 pub use base::{body, diagnostic, geodesy, input, number, source, stages, text_table, tolerance, unit, verdict};
 pub use language::{format, syntax};
 pub use proof::{certificate, verify};
-pub use spec::model;
+pub use spec::{model, read};

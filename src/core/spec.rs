@@ -1,13 +1,12 @@
 //! Specs, and the compiler that makes one from a text.
 
 pub mod model;
+pub mod read;
 
 use crate::diagnostic::{Diagnostic, Severity, render_human, sort};
 use crate::input::read_named;
-use crate::model::{
-    FileSet, FlightBlocks, Mission, Model, OVERRIDE, Override, Problem, elaborate_for, entries, load_among,
-    parse_override,
-};
+use crate::model::{Mission, Model, Problem};
+use crate::read::{FileSet, FlightBlocks, OVERRIDE, Override, elaborate_for, entries, load_among, parse_override};
 use crate::source::SourceMap;
 use crate::stages::{Silent, Stages, timed};
 use sha2::{Digest, Sha256};

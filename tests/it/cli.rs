@@ -205,7 +205,7 @@ fn no_plan_in_time_ends_with_3_and_a_report() {
     assert!(list("statements", "message").iter().all(|m| told.contains(m.as_str())), "{told}\n{record:#}");
     assert!(list("fixes", "message").iter().all(|m| told.contains(m.as_str())), "{told}\n{record:#}");
     let time = conflict["statements"].as_array().unwrap().iter().find(|s| s["kind"] == "time").unwrap();
-    assert_eq!(time["file"], mavc::model::OVERRIDE);
+    assert_eq!(time["file"], mavc::read::OVERRIDE);
     // The time that would do does, and asks for no reasons.
     let later = conflict["fixes"].as_array().unwrap().iter().find(|f| f["kind"] == "time").unwrap();
     let set = format!("plan.time={}s", later["value"]);

@@ -2,7 +2,7 @@
 //! its first lines name and the messages in `messages.snap`.
 
 use mavc::diagnostic::{Diagnostic, render_human, sort};
-use mavc::model::{elaborate, entries, load_among};
+use mavc::read::{elaborate, entries, load_among};
 use mavc::source::{Source, SourceMap};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

@@ -5,7 +5,7 @@ mod command;
 use crate::syntax::{bare, block, parse, tree};
 use mavc::diagnostic::Checked;
 use mavc::format::format;
-use mavc::model::{elaborate, load};
+use mavc::read::{elaborate, load};
 use mavc::source::{FileId, Source};
 use proptest::prelude::*;
 use std::path::{Path, PathBuf};

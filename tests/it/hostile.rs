@@ -9,7 +9,7 @@ mod showing;
 
 use mavc::diagnostic::{Diagnostic, render_human, render_short, to_json_line};
 use mavc::input::MAX_FILE_BYTES;
-use mavc::model::{elaborate, load};
+use mavc::read::{elaborate, load};
 use mavc::source::{FileId, Source, SourceMap};
 use mavc::syntax::{MAX_ERRORS, MAX_STATEMENTS, MAX_TOKENS};
 use proptest::prelude::*;

@@ -5,8 +5,8 @@ mod generated;
 mod sweepable;
 
 use mavc::language::{Absent, Entry, FUNCTIONS, Group, OPENERS, Place, Takes, markdown, statement_markdown};
-use mavc::model::vocabulary::{constants, functions, words};
 use mavc::model::{AfterFault, Allocation, Controller, PlanModel, PlanRotors, PlannerKind};
+use mavc::read::vocabulary::{constants, functions, words};
 use mavc::unit::parse_unit;
 use std::collections::BTreeSet;
 use std::path::PathBuf;

@@ -12,7 +12,8 @@ mod sense;
 mod shipped;
 
 use mavc::diagnostic::Diagnostic;
-use mavc::model::{FileSet, Model, elaborate, load};
+use mavc::model::Model;
+use mavc::read::{FileSet, elaborate, load};
 use std::io;
 use std::path::Path;
 

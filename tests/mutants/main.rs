@@ -10,7 +10,7 @@ mod mutate;
 
 use mavc::admissible::diagnose::diagnose;
 use mavc::diagnostic::{render_human, render_short, to_json_line};
-use mavc::model::{elaborate, load};
+use mavc::read::{elaborate, load};
 use mutate::{Numbers, mutant};
 use rayon::prelude::*;
 use std::io;

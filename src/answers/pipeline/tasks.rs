@@ -9,7 +9,8 @@ use crate::explain::nearby::{self, Nearby};
 use crate::explain::planners::Planners;
 use crate::explain::{self, Explanation};
 use crate::flight::capture::needed::Needed;
-use crate::model::{MAX_SAMPLES_OF_A_SEARCH, Mission, Model, Problem};
+use crate::model::MAX_SAMPLES_OF_A_SEARCH;
+use crate::model::{Mission, Model, Problem};
 use crate::observer::{Observer, Silent, timed};
 use crate::planner::studies::rounds::{Round, rounds};
 use crate::planner::studies::{

@@ -3,75 +3,38 @@
 
 mod after_fault;
 mod air;
-mod allow;
-mod arithmetic;
 mod battery;
-mod blame;
-mod blocks;
-mod campaign;
 pub mod capture_height;
-mod context;
 mod display;
-mod due;
-mod edits;
-mod elaborate;
-mod expression;
-mod fault;
-mod fields;
-mod flight_blocks;
 mod flight_settings;
-mod function;
 pub mod grid;
 mod heading;
 mod interval;
 mod lag;
-mod legs;
-mod likely_unit;
+pub mod legs;
 mod limits;
-mod load;
-mod magnitude;
-mod mission;
-mod near_files;
 mod origin;
-mod overrides;
-mod plan;
 mod plan_settings;
 mod problem;
-mod sense;
-mod simulate;
-mod slip;
-mod survey;
-mod understanding;
-mod unreadable;
-pub mod vehicle;
-pub mod vocabulary;
-mod volume;
+pub mod volume;
 mod without_yaw;
 mod yaw_drag;
 
 pub use crate::body::Body;
-pub use crate::input::MAX_TABLE_BYTES;
 pub use air::{Air, Environment, STANDARD_DENSITY};
 pub use battery::Battery;
-pub use elaborate::{elaborate, elaborate_for, understand};
-pub use flight_blocks::FlightBlocks;
 pub use flight_settings::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
 pub use heading::{Heading, SLOWEST, Target};
 pub use interval::{RotorSpread, Spread};
-pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
-pub use mission::ARRIVAL;
-pub use mission::MAX_WAYPOINTS;
-pub use near_files::is_unfit;
-pub use near_files::{List, entries};
+pub use lag::SLOWEST_SHARE;
 pub use origin::Origin;
-pub use overrides::{OVERRIDE, Override, is_override, parse_override};
-pub use plan::{MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH};
-pub use plan_settings::{CaptureHeight, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
+pub use plan_settings::{
+    CaptureHeight, MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH, MAX_WAYPOINTS, MissionTime, Plan, PlanModel,
+    PlanRotors, PlannerKind,
+};
 pub use problem::Problem;
-pub use simulate::{coarse_step, past_the_end, too_many_steps};
-pub use understanding::{Reading, Understanding};
 pub use volume::{Boundary, Bounded, Side as VolumeSide, Volume};
 pub use without_yaw::GiveUpYaw;
 pub use yaw_drag::YawDrag;
@@ -115,7 +78,7 @@ pub struct DefaultUsed {
 
 impl DefaultUsed {
     /// The default of a field of the language table.
-    fn of(block: &str, entry: &Entry) -> Self {
+    pub fn of(block: &str, entry: &Entry) -> Self {
         let (value, reason) = entry.default().unwrap_or_default();
         DefaultUsed { field: format!("{block}.{}", entry.name), value: value.into(), reason: reason.into() }
     }

@@ -1,7 +1,8 @@
 //! The explanation of a missing plan in the machine-readable report.
 
 use crate::explain::Explanation;
-use crate::model::{OVERRIDE, Problem};
+use crate::model::Problem;
+use crate::read::OVERRIDE;
 use crate::source::{FileId, SourceMap};
 use crate::verdict::Verdict;
 use serde::Serialize;

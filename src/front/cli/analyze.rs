@@ -3,9 +3,9 @@
 use super::progress::Watch;
 use super::results::compact_json;
 use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files, spec};
-use crate::model::FlightBlocks;
 use crate::observer::timed;
 use crate::pipeline::{Sweep, analyze, capture};
+use crate::read::FlightBlocks;
 use crate::report::analysis_record::AnalysisRecord;
 use crate::report::{analysis_text, capture_text};
 

@@ -4,8 +4,9 @@ use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::spec::{self, Start};
 use super::{CompareArgs, Options, Problem, plan};
-use crate::model::{FlightBlocks, MAX_ROUNDS};
+use crate::model::MAX_ROUNDS;
 use crate::pipeline::Task;
+use crate::read::FlightBlocks;
 use crate::report::comparison_text;
 use crate::report::page::{self, Kind};
 

@@ -5,9 +5,9 @@ use super::results::compact_json;
 use super::spec::{self, Findings, Start};
 use super::{EmitArgs, EmitFormat, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, Stage, USAGE, files};
 use crate::diagnostic::sort;
-use crate::model::FlightBlocks;
 use crate::observer::Silent;
 use crate::pipeline::{Task, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
+use crate::read::FlightBlocks;
 use crate::source::visible;
 use crate::spec::Spec;
 

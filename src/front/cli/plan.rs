@@ -6,9 +6,9 @@ use super::results::{Names, Places, Results, subject};
 use super::spec::{self, Start};
 use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, files};
 use crate::diagnostic::Diagnostic;
-use crate::model::FlightBlocks;
 use crate::observer::{Observer, timed};
 use crate::pipeline::{Task, certify};
+use crate::read::FlightBlocks;
 use crate::report::page::{self, Kind};
 use crate::verdict::Verdict;
 

@@ -3,8 +3,8 @@
 use super::progress::Watch;
 use super::{FINE, OVER_BUDGET, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, WEAKER, files, spec};
 use crate::certificate::MAX_BYTES;
-use crate::model::FlightBlocks;
 use crate::observer::timed;
+use crate::read::FlightBlocks;
 use crate::source::FileId;
 use crate::verify::text::verification;
 use crate::verify::{Rejected, TOO_COSTLY, read, verify_within};

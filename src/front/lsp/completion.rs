@@ -11,7 +11,7 @@ use super::names::Kind;
 use super::workspace::Spec;
 use crate::diagnostic::codes;
 use crate::language::{Absent, Entry, Group, Takes};
-use crate::model::vocabulary::{allowed, clauses, constants, fields, functions, mode_numbers, words};
+use crate::read::vocabulary::{allowed, clauses, constants, fields, functions, mode_numbers, words};
 use crate::source::FileId;
 use crate::syntax::Place;
 use context::{Before, Context};

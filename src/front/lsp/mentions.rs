@@ -1,7 +1,7 @@
 //! Every word of a spec that has a meaning, with its meaning: fields, units, names and what they refer to.
 
 use super::names::{Definition, Names};
-use crate::model::vocabulary::words;
+use crate::read::vocabulary::words;
 use crate::source::{FileId, Span};
 use crate::syntax::Place;
 use crate::syntax::ast::*;
@@ -291,7 +291,7 @@ impl<'a> Walk<'a> {
     fn named(&mut self, name: &str, span: Span) {
         let what = match self.parameter.filter(|parameter| parameter.value == name) {
             Some(parameter) => self.names.declared_at(parameter.span).map(What::Reference),
-            None if crate::model::vocabulary::constants().contains(&name) => Some(What::Constant),
+            None if crate::read::vocabulary::constants().contains(&name) => Some(What::Constant),
             None => self.names.binding(name).map(What::Reference),
         };
         what.into_iter().for_each(|what| self.note(span, what));

@@ -27,7 +27,7 @@ pub fn target(spec: &Spec, file: FileId, offset: usize) -> Option<(usize, Span)>
 pub fn file_named_at(spec: &Spec, file: FileId, offset: usize) -> Option<FileId> {
     let mention = spec.mentions().at(file, offset).filter(|m| m.what == What::Text)?;
     let path = spec.snippet(mention.span).trim_matches('"');
-    let target = crate::model::resolve(&spec.source(file).name, path).display().to_string();
+    let target = crate::read::resolve(&spec.source(file).name, path).display().to_string();
     spec.file(&target)
 }
 

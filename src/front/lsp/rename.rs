@@ -6,7 +6,7 @@
 use super::names::Kind;
 use super::navigation::{Somewhere, declared_in, places, places_in_all};
 use super::workspace::{Spec, Workspace};
-use crate::model::vocabulary::{constants, functions, reserved_modes};
+use crate::read::vocabulary::{constants, functions, reserved_modes};
 use crate::source::Span;
 use crate::syntax::ast::{Item, Statement};
 use std::collections::{BTreeMap, BTreeSet};

@@ -2,10 +2,11 @@
 
 use super::{Explanation, Statement};
 use crate::diagnostic::Diagnostic;
-use crate::model::{MissionTime, Problem, is_override};
+use crate::model::{MissionTime, Problem};
 use crate::motion::time_grid::determined;
 use crate::number::number;
 use crate::planner::timing::kinematics::least_time_within;
+use crate::read::is_override;
 use crate::source::{SourceMap, Span};
 use crate::verdict::Verdict;
 

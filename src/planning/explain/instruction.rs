@@ -2,8 +2,9 @@
 
 use super::remedy::Change;
 use super::statement::{clause, length, written};
-use crate::model::{Limit, MissionTime, Problem, is_override};
+use crate::model::{Limit, MissionTime, Problem};
 use crate::number::number;
+use crate::read::is_override;
 use crate::source::{SourceMap, Span};
 
 impl Change {

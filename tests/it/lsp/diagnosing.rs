@@ -5,7 +5,7 @@ use mavc::admissible::diagnose::diagnose;
 use mavc::diagnostic::{Diagnostic, Severity, sort};
 use mavc::flight::indistinguishable;
 use mavc::input::read_named;
-use mavc::model::{elaborate, entries, load_among};
+use mavc::read::{elaborate, entries, load_among};
 use mavc::source::SourceMap;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 
 use mavc::diagnostic::Diagnostic;
 use mavc::lsp::{field_documentation, field_unit};
-use mavc::model::vocabulary::{clauses, fields, words};
+use mavc::read::vocabulary::{clauses, fields, words};
 use mavc::syntax::Place;
 
 const PLACES: [Place; 10] = [

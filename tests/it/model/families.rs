@@ -45,9 +45,9 @@ fn families_and_ranges_are_the_modes_they_declare() {
     }
     // As an option of the command line, too.
     let read = |_: &std::path::Path| Err(std::io::Error::from(std::io::ErrorKind::NotFound));
-    let (mut files, _) = mavc::model::load("spec.mav", spec("all").as_bytes(), &read);
-    let given = mavc::model::parse_override("plan.against=[W2..W4, worn]", &mut files.sources).unwrap();
-    let model = mavc::model::elaborate(&files, &[given]).value.unwrap();
+    let (mut files, _) = mavc::read::load("spec.mav", spec("all").as_bytes(), &read);
+    let given = mavc::read::parse_override("plan.against=[W2..W4, worn]", &mut files.sources).unwrap();
+    let model = mavc::read::elaborate(&files, &[given]).value.unwrap();
     let names: Vec<&str> = model.plan.against.iter().map(|&k| model.modes[k].name.as_str()).collect();
     assert_eq!(names, ["W2", "W3", "W4", "worn"]);
 }

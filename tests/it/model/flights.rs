@@ -2,9 +2,8 @@
 
 use super::{QUAD, check, codes, model};
 use mavc::language::Group;
-use mavc::model::{
-    AfterFault, Controller, Detection, Model, PlannerKind, Simulation, coarse_step, past_the_end, too_many_steps,
-};
+use mavc::model::{AfterFault, Controller, Detection, Model, PlannerKind, Simulation};
+use mavc::read::{coarse_step, past_the_end, too_many_steps};
 
 const REST: &str =
     "faults { every 1 rotor lost as M }\nmission hop {\n start at [0, 0, 2] m\n waypoint at [10, 0, 5] m\n}\n";

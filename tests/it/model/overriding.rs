@@ -2,7 +2,8 @@
 
 use super::QUAD;
 use mavc::diagnostic::Checked;
-use mavc::model::{Limit, LimitKind, MissionTime, Model, elaborate, load, parse_override};
+use mavc::model::{Limit, LimitKind, MissionTime, Model};
+use mavc::read::{elaborate, load, parse_override};
 use std::io;
 
 const REST: &str = "let a = 4 m\nfaults { every 1 rotor lost as M }\nmission m {\n start at [0, 0, 2] m\n waypoint at [a, 0, 2] m\n limits { tilt <= 30 deg }\n}\nplan { time = minimum; against = all }\n";

@@ -2,7 +2,8 @@
 
 use super::QUAD;
 use mavc::diagnostic::Diagnostic;
-use mavc::model::{FileSet, MAX_TABLE_BYTES, elaborate, load};
+use mavc::input::MAX_TABLE_BYTES;
+use mavc::read::{FileSet, elaborate, load};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;

@@ -333,9 +333,9 @@ fn allow_silences_by_word_code_and_override() {
     assert_eq!(codes(&format!("{QUAD}let a = 1\nallow = [\"mavc::name::unused\"]\n")), [""; 0]);
     // An override adds it, and replaces it.
     let mut set =
-        mavc::model::load("spec.mav", light.as_bytes(), &|_: &Path| Err(std::io::ErrorKind::NotFound.into())).0;
-    let text = mavc::model::parse_override("allow=[thrust_to_weight]", &mut set.sources).unwrap();
-    assert_eq!(mavc::model::elaborate(&set, &[text]).diagnostics, vec![]);
+        mavc::read::load("spec.mav", light.as_bytes(), &|_: &Path| Err(std::io::ErrorKind::NotFound.into())).0;
+    let text = mavc::read::parse_override("allow=[thrust_to_weight]", &mut set.sources).unwrap();
+    assert_eq!(mavc::read::elaborate(&set, &[text]).diagnostics, vec![]);
 }
 
 #[test]

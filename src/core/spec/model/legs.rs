@@ -24,7 +24,7 @@ const METRES_A_RADIAN: f64 = 1.0;
 /// The smallest share of a leg, as a fraction of the mean share.
 const LEAST: f64 = 0.01;
 
-pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
 
@@ -32,7 +32,7 @@ pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// legs of a curve share the curve's length evenly, so that both kinds are measured in metres and may be mixed. The effort
 /// of a leg is its length; for a leg shorter than 10 cm it is at least one metre per radian of turn. No leg gets less than
 /// 1 % of the mean.
-pub(super) fn shares(waypoints: &[Waypoint], curves: &[Option<usize>], timing: Timing) -> Vec<Leg> {
+pub fn shares(waypoints: &[Waypoint], curves: &[Option<usize>], timing: Timing) -> Vec<Leg> {
     let mut effort: Vec<f64> = waypoints.windows(2).map(|pair| leg_effort(&pair[0], &pair[1])).collect();
     match timing {
         Timing::Uniform => effort.fill(1.0),
@@ -71,7 +71,7 @@ fn leg_effort(from: &Waypoint, to: &Waypoint) -> f64 {
 
 /// Sets each waypoint's yaw, rad: a waypoint without one keeps the previous yaw (0 at the start), and each turn goes the
 /// shorter way, counter-clockwise where both are equally long.
-pub(super) fn unwrap_yaw(waypoints: &mut [Waypoint], given: &[Option<f64>]) {
+pub fn unwrap_yaw(waypoints: &mut [Waypoint], given: &[Option<f64>]) {
     let mut last: Option<f64> = None;
     for (waypoint, yaw) in waypoints.iter_mut().zip(given) {
         let next = match (last, yaw) {

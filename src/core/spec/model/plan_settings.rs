@@ -1,7 +1,21 @@
 //! How the mission is planned: the settings of the `plan` block.
 
 use super::{AfterFault, GiveUpYaw};
+use crate::language::table::plan as table;
 use crate::source::Span;
+
+/// The most rounds of facet selection.
+pub const MAX_ROUNDS: usize = table::ROUNDS.whole().1 as usize;
+
+/// The most intervals of one plan, so that planning takes less than 500 MB (docs/performance.md has the figures).
+pub const MAX_SAMPLES: usize = table::SAMPLES.whole().1 as usize;
+
+/// The most intervals where many plans are computed, to search for times or to compare planners, so that this takes minutes:
+/// a search that plans a hundred times with 3,000 intervals had not finished after 500 s.
+pub const MAX_SAMPLES_OF_A_SEARCH: usize = 1_000;
+
+/// The most waypoints that one mission may have.
+pub const MAX_WAYPOINTS: usize = crate::language::table::curve_head::POINTS.whole().1 as usize;
 
 /// Which sets the plan must stay in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,16 +1,11 @@
-//! Volumes: the `keep_in` and `keep_out` blocks of a mission, and the limits that they impose.
+//! Volumes: what a `keep_in` or `keep_out` is, the limits that it imposes, and the ways around it.
 
-mod corridor;
-mod impose;
+pub mod corridor;
 pub mod passage;
-mod reach;
-mod read;
-mod split;
+pub mod reach;
+pub mod split;
 
-pub(super) use impose::{impose, only_in_the_exact_model, which};
-pub(super) use read::{is_one, read};
-
-use super::{Limit, LimitKind, Rotor, Vehicle};
+use super::{Limit, LimitKind, Rotor, Vehicle, Waypoint};
 use crate::body::Body;
 use crate::source::Span;
 use std::sync::Arc;
@@ -188,5 +183,14 @@ impl Vehicle {
         let arm = |rotor: &Rotor| rotor.position.iter().map(|x| x * x).sum::<f64>().sqrt();
         let longest = || self.rotors.iter().map(arm).fold(0.0, f64::max);
         self.size.unwrap_or_else(|| longest() + self.propeller_radius.unwrap_or(0.0))
+    }
+}
+
+/// As messages name a waypoint with its index.
+pub fn which((index, waypoint): (usize, &Waypoint)) -> String {
+    match &waypoint.name {
+        Some(name) => format!("waypoint `{name}`"),
+        None if index == 0 => "the start".to_string(),
+        None => format!("waypoint {}", index + 1),
     }
 }

@@ -1,11 +1,6 @@
-//! `without_yaw` in `plan` and in fault modes: whether yaw may be given up after a fault.
+//! Whether yaw may be given up after a fault.
 
 use super::Model;
-use super::context::Context;
-use super::fields::Fields;
-use crate::language::table::plan as table;
-
-const CODE: &str = "mavc::plan::without_yaw";
 
 /// Whether yaw is given up on purpose once a fault is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -20,7 +15,8 @@ pub enum GiveUpYaw {
 }
 
 impl GiveUpYaw {
-    const ALL: [GiveUpYaw; 3] = [GiveUpYaw::Never, GiveUpYaw::WhereNeeded, GiveUpYaw::Always];
+    /// Every choice.
+    pub const ALL: [GiveUpYaw; 3] = [GiveUpYaw::Never, GiveUpYaw::WhereNeeded, GiveUpYaw::Always];
 
     /// The word of the language.
     pub fn name(self) -> &'static str {
@@ -30,13 +26,6 @@ impl GiveUpYaw {
             GiveUpYaw::Always => "always",
         }
     }
-}
-
-/// The field's word: `None` where it is not written, `Some(None)` where it has an error, which is reported.
-pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Option<GiveUpYaw>> {
-    fields.get(table::WITHOUT_YAW.name)?;
-    let word = fields.word(cx, CODE, &table::WITHOUT_YAW)?;
-    Some(GiveUpYaw::ALL.into_iter().find(|choice| Some(choice.name()) == word))
 }
 
 impl Model {

@@ -4,7 +4,7 @@ use super::write::{self, Written};
 use super::{flyable, read};
 use crate::diagnostic::{Diagnostic, sort};
 use crate::import::MAX_BYTES;
-use crate::model::FileSet;
+use crate::read::FileSet;
 use crate::source::{FileId, Source, SourceMap, Span};
 use crate::spec::{Compiled, Compiler, Spec};
 use std::path::Path;

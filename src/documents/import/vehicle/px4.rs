@@ -8,8 +8,8 @@ use super::draft::{Draft, Field, Figure, Rotor, name_from_file};
 use super::parameters::{Parameters, set_twice};
 use crate::diagnostic::Diagnostic;
 use crate::import::{ASSUMED, Outcome, SYNTAX, UNSUPPORTED, at};
-use crate::model::vehicle::ROTORS;
 use crate::number::number;
+use crate::read::vehicle::ROTORS;
 use crate::source::{Source, Span};
 use script::Reason;
 

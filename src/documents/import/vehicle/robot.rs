@@ -9,7 +9,7 @@ mod xml;
 use super::draft::{Draft, Field, Figure, Rotor, name_from, name_from_file};
 use crate::diagnostic::Diagnostic;
 use crate::import::{Outcome, SYNTAX, UNSUPPORTED, at};
-use crate::model::vehicle::ROTORS;
+use crate::read::vehicle::ROTORS;
 use crate::source::{Source, Span};
 use nalgebra::{Matrix3, Vector3};
 use roxmltree::{Document, ParsingOptions};

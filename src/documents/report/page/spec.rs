@@ -3,7 +3,7 @@
 use super::Subject;
 use super::prose::prose;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::model::OVERRIDE;
+use crate::read::OVERRIDE;
 use crate::source::{FileId, Source, Span};
 use maud::{Markup, html};
 use std::ops::Range;

@@ -2,7 +2,7 @@
 //! being typed has no tree.
 
 use crate::language::{Group, Takes};
-use crate::model::vocabulary::mode_numbers;
+use crate::read::vocabulary::mode_numbers;
 use crate::syntax::Place;
 use crate::syntax::scan::{Kind, Lexeme, lexemes};
 use std::collections::BTreeSet;
@@ -190,7 +190,7 @@ impl Context {
     /// In a statement of clauses: the last clause's value, or the next clause.
     fn in_clauses(&mut self, text: &str, statement: &[Lexeme], ended: bool) -> Before {
         let opener = statement[0].text(text);
-        let known = crate::model::vocabulary::clauses(self.place, opener);
+        let known = crate::read::vocabulary::clauses(self.place, opener);
         let is_clause = |l: &Lexeme| l.kind == Kind::Word && known.contains(&l.text(text));
         let mut words = statement[1..].iter().filter(|l| is_clause(l));
         self.clauses = words.clone().map(|l| l.text(text).to_string()).collect();

@@ -2,7 +2,7 @@
 
 use super::{ItemKind, Offer};
 use crate::input::Kind;
-use crate::model::is_unfit;
+use crate::read::is_unfit;
 use crate::source::Source;
 use std::ops::Range;
 use std::path::Path;

@@ -115,7 +115,7 @@ struct Boxes {
 }
 
 /// By how much a limit is violated at least where no checked path passes, m.
-pub(super) fn slack(limit: &Limit) -> f64 {
+pub fn slack(limit: &Limit) -> f64 {
     SLACK + 2.0 * MOST_PAST_LIMIT * limit.size()
 }
 

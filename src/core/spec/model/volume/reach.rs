@@ -5,7 +5,7 @@ use crate::model::{Bounded, Limit, LimitKind};
 
 /// Lowest and highest coordinates, m.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Reach {
+pub struct Reach {
     low: [f64; 3],
     high: [f64; 3],
 }

@@ -1,0 +1,51 @@
+//! The reader: from the trees of files to a [`Model`](crate::model::Model), with every diagnostic on the way. Names are
+//! resolved, units and ranges checked, and every number comes out in SI units.
+
+mod after_fault;
+mod air;
+mod allow;
+mod arithmetic;
+mod blame;
+mod blocks;
+mod campaign;
+mod context;
+mod due;
+mod edits;
+mod elaborate;
+mod expression;
+mod fault;
+mod fields;
+mod flight_blocks;
+mod function;
+mod heading;
+mod interval;
+mod lag;
+mod likely_unit;
+mod limits;
+mod load;
+mod magnitude;
+mod mission;
+mod near_files;
+mod origin;
+mod overrides;
+mod plan;
+mod sense;
+mod simulate;
+mod slip;
+mod survey;
+mod understanding;
+mod unreadable;
+pub mod vehicle;
+pub mod vocabulary;
+mod volume;
+mod without_yaw;
+mod yaw_drag;
+
+pub use elaborate::{elaborate, elaborate_for, understand};
+pub use flight_blocks::FlightBlocks;
+pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
+pub use mission::ARRIVAL;
+pub use near_files::{List, entries, is_unfit};
+pub use overrides::{OVERRIDE, Override, is_override, parse_override};
+pub use simulate::{coarse_step, past_the_end, too_many_steps};
+pub use understanding::{Reading, Understanding};

@@ -1,0 +1,287 @@
+//! The `limits` block of a mission.
+
+use super::context::{Context, listed};
+use super::due::Due;
+use super::edits;
+use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
+use crate::language::table::limits as table;
+use crate::language::{Entry, Group};
+use crate::model::{Limit, LimitKind, Waypoint};
+use crate::number::number;
+use crate::source::Span;
+use crate::syntax::ast::{Expr, ExprKind, LimitRelation, Statement};
+
+/// What a limit bounds.
+#[derive(Clone, Copy, PartialEq)]
+enum Form {
+    /// A coordinate.
+    Coordinate,
+    /// A norm, above zero.
+    Norm,
+    /// A one-sided rate, zero or above.
+    OneSided,
+    /// A rate: `<=` bounds both directions, `in` is around zero.
+    Rate,
+}
+
+/// The limits of the table, with what each bounds.
+const LIMITS: [(&Entry, LimitKind, Form); 15] = [
+    (&table::X, LimitKind::X, Form::Coordinate),
+    (&table::Y, LimitKind::Y, Form::Coordinate),
+    (&table::Z, LimitKind::Z, Form::Coordinate),
+    (&table::ALTITUDE, LimitKind::Z, Form::Coordinate),
+    (&table::YAW, LimitKind::Yaw, Form::Coordinate),
+    (&table::SPEED, LimitKind::Speed, Form::Norm),
+    (&table::SPEED_HORIZONTAL, LimitKind::SpeedHorizontal, Form::Norm),
+    (&table::CLIMB, LimitKind::Climb, Form::OneSided),
+    (&table::DESCENT, LimitKind::Descent, Form::OneSided),
+    (&table::ACCELERATION, LimitKind::Acceleration, Form::Norm),
+    (&table::ACCELERATION_HORIZONTAL, LimitKind::AccelerationHorizontal, Form::Norm),
+    (&table::JERK, LimitKind::Jerk, Form::Norm),
+    (&table::YAW_RATE, LimitKind::YawRate, Form::Rate),
+    (&table::YAW_ACCELERATION, LimitKind::YawAcceleration, Form::Rate),
+    (&table::TILT, LimitKind::Tilt, Form::Norm),
+];
+
+const FORM: &str = "mavc::mission::limit_form";
+const ORDER: &str = "mavc::mission::limit_order";
+const VALUE: &str = "mavc::mission::limit_value";
+
+/// Reads the statements of a block: the limits without errors, and whether these are all of them.
+pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> (Vec<Limit>, bool) {
+    let (mut limits, mut whole) = (Vec::new(), true);
+    // Name, sides (lower, upper) and place of each limit so far.
+    let mut given: Vec<(&str, bool, bool, Span)> = Vec::new();
+    for statement in body {
+        let limit = match statement {
+            Statement::Limit { name, relation, span } => {
+                let sides = match relation {
+                    LimitRelation::AtMost(_) => (false, true),
+                    LimitRelation::AtLeast(_) => (true, false),
+                    LimitRelation::In(_) => (true, true),
+                };
+                let earlier = given.iter().find(|g| g.0 == name.value && ((g.1 && sides.0) || (g.2 && sides.1)));
+                if let Some(&(.., first)) = earlier {
+                    let message = format!("`{}` is limited twice", name.value);
+                    let error = Diagnostic::error("mavc::name::duplicate", *span, message).here("limited again");
+                    let again = edits::removal(cx.sources.get(span.file), *span);
+                    cx.report(error.also(first, "first limited here").help("remove one of the two").fix(again, ""));
+                    whole = false;
+                    continue;
+                }
+                given.push((&name.value, sides.0, sides.1, *span));
+                match LIMITS.iter().find(|row| row.0.name == name.value) {
+                    Some(row) => one(cx, row, relation, *span),
+                    None => {
+                        unknown(cx, &name.value, name.span);
+                        None
+                    }
+                }
+            }
+            Statement::Field(field) => {
+                let name = &field.name.value;
+                match LIMITS.iter().find(|row| row.0.name == name) {
+                    Some(_) => {
+                        let error = Diagnostic::error(FORM, field.span, format!("the limit `{name}` takes no `=`"));
+                        cx.report(error.here("expected a bound").help(format!("write `{name} <= ...`")));
+                    }
+                    None => unknown(cx, name, field.name.span),
+                }
+                None
+            }
+            _ => None,
+        };
+        whole &= limit.is_some();
+        limits.extend(limit);
+    }
+    if let Some(kind) = crossed(cx, &limits) {
+        limits.retain(|limit| limit.kind != kind);
+        whole = false;
+    }
+    (limits, whole)
+}
+
+/// Reports a lower and an upper bound, in separate statements, that leave no value between them.
+fn crossed(cx: &mut Context, limits: &[Limit]) -> Option<LimitKind> {
+    let crossed = limits.iter().enumerate().find_map(|(i, limit)| {
+        let other = limits[..i].iter().find(|other| {
+            let is_above = |low: Option<f64>, high: Option<f64>| low.zip(high).is_some_and(|(low, high)| low > high);
+            other.kind == limit.kind && (is_above(other.lower, limit.upper) || is_above(limit.lower, other.upper))
+        });
+        other.map(|other| (limit, other))
+    });
+    let (limit, other) = crossed?;
+    let name = cx.sources.snippet(limit.span).split_whitespace().next().unwrap_or_default().to_string();
+    let message = format!("the lower bound of `{name}` exceeds the upper bound");
+    let error = Diagnostic::error(ORDER, limit.span, message).here("no value satisfies this");
+    cx.report(error.also(other.span, "and this").help("lower the lower bound, or raise the upper bound"));
+    Some(limit.kind)
+}
+
+fn unknown(cx: &mut Context, name: &str, span: Span) {
+    let names = || Group::Limits.names();
+    let error = Diagnostic::error("mavc::name::unknown_field", span, format!("unknown limit `{name}`"));
+    let error = error.here("not a limit");
+    const HABITS: [(&str, &str); 8] = [
+        ("velocity", "speed"),
+        ("height", "altitude"),
+        ("roll", "tilt"),
+        ("pitch", "tilt"),
+        ("bank", "tilt"),
+        ("climb_rate", "climb"),
+        ("descent_rate", "descent"),
+        ("heading", "yaw"),
+    ];
+    let habit = HABITS.iter().find(|(wrong, _)| *wrong == name).map(|(_, right)| *right);
+    cx.report(match habit.or_else(|| nearest(name, names())).or_else(|| nearest_by_words(name, names())) {
+        Some(near) => error.help(format!("did you mean `{near}`?")).fix(span, near),
+        None => error.help(format!("use one of the limits {}", listed(&names().collect::<Vec<_>>()))),
+    });
+}
+
+fn one<'a>(
+    cx: &mut Context<'a>,
+    &(entry, kind, form): &(&'static Entry, LimitKind, Form),
+    relation: &'a LimitRelation,
+    span: Span,
+) -> Option<Limit> {
+    let (written, bound) = match relation {
+        LimitRelation::AtMost(e) => ("<=", e),
+        LimitRelation::AtLeast(e) => (">=", e),
+        LimitRelation::In(e) => ("in", e),
+    };
+    let (name, due) = (entry.name, Due::of(entry));
+    let unit = due.unit;
+    if !entry.forms().contains(&written) {
+        let highest = if let ExprKind::Range { high, .. } = &bound.kind { high } else { bound };
+        let corrected = format!("{name} <= {}", cx.sources.snippet(highest.span));
+        let error = Diagnostic::error(FORM, span, format!("`{name}` takes only an upper bound"));
+        let error = error.here(format!("`{written}` is not allowed"));
+        cx.report(error.help(format!("write `{corrected}`")).fix(span, corrected));
+        return None;
+    }
+    let (lower, upper, at): (Option<f64>, Option<f64>, &Expr) = match relation {
+        LimitRelation::AtMost(e) => {
+            let upper = cx.number(due, e)?;
+            (if form == Form::Rate { Some(-upper) } else { None }, Some(upper), e)
+        }
+        LimitRelation::AtLeast(e) => (Some(cx.number(due, e)?), None, e),
+        LimitRelation::In(e) => {
+            let (low, high) = cx.range_of(due, e)?;
+            (Some(low), Some(high), e)
+        }
+    };
+    if let (Some(low), Some(high)) = (lower, upper)
+        && low > high
+        && written == "in"
+    {
+        let message = format!("the lower bound of `{name}` exceeds the upper bound");
+        let error = Diagnostic::error(ORDER, at.span, message);
+        let error = error.here("empty range").help("swap the two ends");
+        cx.report(match swapped(cx, at) {
+            Some(corrected) => error.fix(at.span, corrected),
+            None => error,
+        });
+        return None;
+    }
+    let wrong = match (form, upper) {
+        (Form::Norm, Some(upper)) if upper <= 0.0 => {
+            Some(("must be greater than zero", format!("write a value above 0 {unit}")))
+        }
+        (Form::Norm, Some(upper)) if kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 => {
+            let rule = "must be below 90 deg: there the thrust has no vertical component";
+            Some((rule, "write a smaller angle, as in `tilt <= 35 deg`".to_string()))
+        }
+        (Form::OneSided, Some(upper)) if upper < 0.0 => {
+            Some(("cannot be negative", "remove the sign: the name gives the direction".to_string()))
+        }
+        (Form::Rate, Some(upper)) if upper < 0.0 || lower.is_some_and(|low| low > 0.0) => {
+            let both_ways = format!("write `{name} <= ...` with a value above 0 {unit}: it bounds both directions");
+            Some(("must include zero, the rate at rest", both_ways))
+        }
+        _ => None,
+    };
+    if let Some((wrong, help)) = wrong {
+        let error = Diagnostic::error(VALUE, at.span, format!("`{name}` {wrong}"));
+        cx.report(error.here("out of range").help(help));
+        return None;
+    }
+    Some(Limit { kind, lower, upper, span, volume: None, leg: None })
+}
+
+/// `1 .. 30 m` for `30 .. 1 m`: a unit that applies to both ends stays at the end.
+fn swapped(cx: &Context, range: &Expr) -> Option<String> {
+    let ExprKind::Range { low, high } = &range.kind else { return None };
+    let (ExprKind::Number { text: first, unit: own, .. }, ExprKind::Number { text: second, unit: Some(unit), .. }) =
+        (&low.kind, &high.kind)
+    else {
+        return None;
+    };
+    Some(match own {
+        None => format!("{second} .. {first} {}", unit.value),
+        Some(_) => format!("{} .. {}", cx.sources.snippet(high.span).trim(), cx.sources.snippet(low.span).trim()),
+    })
+}
+
+/// Reports waypoints outside the limits on coordinates and yaw, once for each limit.
+pub(super) fn check(
+    cx: &mut Context,
+    limits: &[Limit],
+    waypoints: &[Waypoint],
+    numbers: &[Option<usize>],
+    sure: usize,
+) {
+    for limit in limits {
+        let coordinate = |waypoint: &Waypoint| match limit.kind {
+            LimitKind::X => Some(("x", waypoint.position[0], "m", 1.0)),
+            LimitKind::Y => Some(("y", waypoint.position[1], "m", 1.0)),
+            LimitKind::Z => Some(("z", waypoint.position[2], "m", 1.0)),
+            LimitKind::Yaw => Some(("yaw", waypoint.yaw, "deg", 180.0 / std::f64::consts::PI)),
+            _ => None,
+        };
+        let is_below = |value: f64| limit.lower.is_some_and(|low| value < low - 1e-9);
+        let is_above = |value: f64| limit.upper.is_some_and(|high| value > high + 1e-9);
+        // The yaw counts on from the waypoint before.
+        let known = if limit.kind == LimitKind::Yaw { &waypoints[..sure] } else { waypoints };
+        let concerned = |i: usize| limit.leg.as_ref().is_none_or(|on| i == on.leg || i == on.leg + 1);
+        let known = known.iter().enumerate().filter(|(i, _)| concerned(*i));
+        let mut outside = known.filter_map(|(i, waypoint)| {
+            let found = coordinate(waypoint).filter(|&(_, value, ..)| is_below(value) || is_above(value))?;
+            Some((i, waypoint, found))
+        });
+        let Some((index, waypoint, (axis, value, unit, scale))) = outside.next() else {
+            continue;
+        };
+        let called = |index: usize, waypoint: &Waypoint| match &waypoint.name {
+            Some(name) => format!("waypoint `{name}`"),
+            None => match numbers[index] {
+                Some(0) => "the first waypoint".to_string(),
+                Some(number) => format!("waypoint {}", number + 1),
+                None => "a waypoint".to_string(),
+            },
+        };
+        let which = called(index, waypoint);
+        let side = if is_below(value) { "below" } else { "above" };
+        let others: Vec<(usize, &Waypoint)> = outside.map(|(i, waypoint, _)| (i, waypoint)).collect();
+        // The start counts as waypoint 1, which a number needs to explain.
+        let is_numbered = |index: usize, waypoint: &Waypoint| {
+            numbers[index].is_some_and(|number| number > 0) && waypoint.name.is_none()
+        };
+        let numbered = is_numbered(index, waypoint) || matches!(others[..], [(i, w)] if is_numbered(i, w));
+        let counted = if numbered { "; the first waypoint is the start" } else { "" };
+        let others = match others[..] {
+            [] => String::new(),
+            [(i, waypoint)] => format!("; {} violates it too", called(i, waypoint)),
+            _ => format!("; {} more waypoints violate it", others.len()),
+        };
+        let message = format!("{which} has {axis} = {} {unit}, {side} the limit{others}", number(value * scale));
+        let error = Diagnostic::error("mavc::mission::outside_limits", waypoint.span, message);
+        let help = if others.is_empty() {
+            "move the waypoint or widen the limit"
+        } else {
+            "move the waypoints or widen the limit"
+        };
+        let error = error.here("violates the limit").also(limit.span, "the limit");
+        cx.report(error.help(format!("{help}{counted}")));
+    }
+}

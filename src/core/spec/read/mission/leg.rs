@@ -1,0 +1,239 @@
+//! The clauses of a waypoint about the leg that arrives there, and the limits that they impose on it.
+
+use super::super::limits as reader;
+use crate::diagnostic::Diagnostic;
+use crate::language::table::waypoint as table;
+use crate::model::legs::distance;
+use crate::model::volume::{Boundary, Bounded};
+use crate::model::{Limit, LimitKind, OnLeg, Part, Waypoint};
+use crate::number::number;
+use crate::read::context::Context;
+use crate::read::due::Due;
+use crate::read::fields::Fields;
+use crate::source::Span;
+use crate::syntax::ast::Clauses;
+use std::sync::Arc;
+
+/// The largest angle between the velocity at a waypoint and the direction that `arrive from` gives, rad.
+pub const ARRIVAL: f64 = std::f64::consts::PI / 36.0;
+
+/// Waypoints nearer to each other than this have no line between them, and those of a vertical leg are above each other to
+/// within this, m.
+const SAME_PLACE: f64 = 1e-6;
+
+const FIRST: &str = "mavc::mission::leg_first";
+const CONFLICT: &str = "mavc::mission::leg_conflict";
+const LINE: &str = "mavc::mission::leg_line";
+const ARRIVE: &str = "mavc::mission::arrival";
+
+/// How far a leg may stray from its line.
+#[derive(Debug, Clone, Copy)]
+enum Shape {
+    Straight,
+    Vertical,
+    /// m
+    Corridor(f64),
+}
+
+impl Shape {
+    fn word(self) -> &'static str {
+        match self {
+            Shape::Straight => "straight",
+            Shape::Vertical => "vertical",
+            Shape::Corridor(_) => "corridor",
+        }
+    }
+}
+
+/// What is written about the leg that arrives at a waypoint.
+#[derive(Debug)]
+pub struct Written {
+    /// The waypoint's index.
+    to: usize,
+    pub stop: bool,
+    stop_span: Option<Span>,
+    pass_span: Option<Span>,
+    shape: Option<(Shape, Span)>,
+    /// The direction from which the vehicle comes, not of unit length.
+    from: Option<([f64; 3], Span)>,
+    limits: Vec<Limit>,
+}
+
+impl Written {
+    /// Whether anything is written.
+    pub fn is_written(&self) -> bool {
+        let Written { stop_span, pass_span, shape, from, limits, .. } = self;
+        stop_span.is_some() || pass_span.is_some() || shape.is_some() || from.is_some() || !limits.is_empty()
+    }
+}
+
+/// Reads the clauses about the leg and the limits in braces; `None` where one has an error. `to` is the index of the waypoint,
+/// if that is certain.
+pub fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, fields: &Fields<'a>, to: Option<usize>) -> Option<Written> {
+    let mut is_refused = false;
+    if to == Some(0) {
+        let words = ["straight", "vertical", "corridor", "arrive", "stop", "pass"];
+        let clause = clauses.clauses.iter().find(|clause| words.contains(&clause.word.value.as_str()));
+        let braces = clauses.body.first().map(|statement| ("limits", statement.span()));
+        if let Some((what, span)) = clause.map(|c| (c.word.value.as_str(), c.span())).or(braces) {
+            let what = if what == "limits" { "limits".to_string() } else { format!("`{what}`") };
+            let message = format!("the first waypoint takes no {what}: no leg arrives there");
+            let error = Diagnostic::error(FIRST, span, message).here("the mission begins here");
+            cx.report(error.help("write it at the waypoint where the leg arrives, or remove it"));
+            is_refused = true;
+        }
+    }
+    let shapes = [table::STRAIGHT.name, table::VERTICAL.name, table::CORRIDOR.name];
+    let mut given: Vec<(&str, Span)> = shapes.iter().filter_map(|word| Some((*word, fields.clause(word)?))).collect();
+    given.sort_by_key(|(_, span)| span.start);
+    if let [(first, at), (second, again), ..] = given[..] {
+        let message = format!("`{first}` and `{second}` contradict each other: a leg has one shape");
+        let error = Diagnostic::error(CONFLICT, again, message).here("another shape");
+        cx.report(error.also(at, "the first one").help("remove one of the two"));
+        return None;
+    }
+    let shape = match given.first() {
+        None => Some(None),
+        Some(&("straight", span)) => Some(Some((Shape::Straight, span))),
+        Some(&("vertical", span)) => Some(Some((Shape::Vertical, span))),
+        Some(&(word, span)) => {
+            let radius = fields.get(word).and_then(|e| cx.quantity(&table::CORRIDOR, e, super::TOLERANCE));
+            radius.map(|radius| Some((Shape::Corridor(radius), span)))
+        }
+    };
+    let (stop_span, pass_span) = (fields.clause(table::STOP.name), fields.clause(table::PASS.name));
+    if let (Some(stop), Some(pass)) = (stop_span, pass_span) {
+        let message = "`stop` and `pass` contradict each other";
+        let error = Diagnostic::error(CONFLICT, pass, message).here("flies through").also(stop, "comes to rest");
+        cx.report(error.help("remove one of the two"));
+        return None;
+    }
+    let from = match fields.get(table::ARRIVE.name) {
+        None => Some(None),
+        Some(expr) => cx.triple(Due::of(&table::ARRIVE), expr).and_then(|from| {
+            let is_direction = from.iter().any(|part| *part != 0.0);
+            if !is_direction {
+                let message = "`arrive from` needs a direction, but all its parts are zero";
+                let error = Diagnostic::error(ARRIVE, expr.span, message).here("no direction");
+                cx.report(error.help("write where the vehicle comes from, as in `arrive from [0, 0, 1]`"));
+            }
+            let span = fields.clause(table::ARRIVE.name).unwrap_or(expr.span);
+            is_direction.then_some(Some((from, span)))
+        }),
+    };
+    let (limits, whole) = reader::read(cx, &clauses.body);
+    let (shape, from) = (shape?, from?);
+    let stop = stop_span.is_some();
+    (whole && !is_refused).then_some(Written { to: to.unwrap_or(0), stop, stop_span, pass_span, shape, from, limits })
+}
+
+/// The limits of all legs without errors, in the order of flight, and whether these are all of them.
+pub fn limits(cx: &mut Context, legs: &[Written], waypoints: &[Waypoint], end_at_rest: bool) -> (Vec<Limit>, bool) {
+    let mut found = Vec::new();
+    let mut whole = true;
+    for leg in legs.iter().filter(|leg| leg.to > 0 && leg.to < waypoints.len()) {
+        let (from, to) = (&waypoints[leg.to - 1], &waypoints[leg.to]);
+        let is_last = leg.to + 1 == waypoints.len();
+        let at = match &to.name {
+            Some(name) => format!("waypoint `{name}`"),
+            None => format!("waypoint {}", leg.to + 1),
+        };
+        whole &= agrees(cx, leg, to, is_last && end_at_rest, is_last && !end_at_rest);
+        let on = |name: String, direction: Option<[f64; 3]>| {
+            let part = if direction.is_some() { Part::End } else { Part::Whole };
+            Some(Arc::new(OnLeg { leg: leg.to - 1, part, name, direction, target: None }))
+        };
+        if let Some((shape, span)) = leg.shape {
+            match line(cx, from, to, shape, span) {
+                Some((along, radius)) => {
+                    let name = match shape {
+                        Shape::Corridor(_) => format!("corridor to {at}"),
+                        _ => format!("{} leg to {at}", shape.word()),
+                    };
+                    let bound = |kind, upper, quantity| {
+                        let volume = Some(Arc::new(Boundary { name: name.clone(), quantity, half_width: radius }));
+                        Limit { kind, lower: None, upper: Some(upper), span, volume, leg: on(name.clone(), None) }
+                    };
+                    let ahead = |p: [f64; 3]| (0..3).map(|i| along[i] * p[i]).sum::<f64>();
+                    let point = from.position;
+                    found.push(bound(LimitKind::Distance, radius, Bounded::FromLine { point, along }));
+                    found.push(bound(LimitKind::Face, ahead(to.position) + radius, Bounded::Along(along)));
+                    let back = along.map(|part| -part);
+                    found.push(bound(LimitKind::Face, radius - ahead(from.position), Bounded::Along(back)));
+                }
+                None => whole = false,
+            }
+        }
+        if let Some((comes_from, span)) = leg.from {
+            let length = comes_from.iter().map(|part| part * part).sum::<f64>().sqrt();
+            let direction = Some(comes_from.map(|part| -part / length));
+            let leg = on(format!("direction of arrival at {at}"), direction);
+            found.push(Limit { kind: LimitKind::Arrival, lower: None, upper: Some(ARRIVAL), span, volume: None, leg });
+        }
+        found.extend(leg.limits.iter().map(|limit| {
+            let name = format!("{} on the leg to {at}", limit.kind.name_and_unit().0);
+            Limit { leg: on(name, None), ..limit.clone() }
+        }));
+    }
+    (found, whole)
+}
+
+/// Whether the clauses agree with the statements about rest: `rests` and `moves` at the end of the mission.
+fn agrees(cx: &mut Context, leg: &Written, to: &Waypoint, rests: bool, moves: bool) -> bool {
+    let held = to.hold_span.filter(|_| to.hold > 0.0);
+    if let (Some(pass), Some(hold)) = (leg.pass_span, held) {
+        let message = "`pass` and `hold` contradict each other";
+        let error = Diagnostic::error(CONFLICT, pass, message).here("flies through").also(hold, "stays at rest");
+        cx.report(error.help("remove one of the two"));
+        return false;
+    }
+    if let Some(pass) = leg.pass_span.filter(|_| rests) {
+        let message = "`pass` at the last waypoint, where the mission ends at rest";
+        let error = Diagnostic::error(CONFLICT, pass, message).here("flies through");
+        cx.report(error.help("remove it, or add `end moving`"));
+        return false;
+    }
+    if let Some(stop) = leg.stop_span.filter(|_| moves) {
+        let message = "`stop` and `end moving` contradict each other";
+        let error = Diagnostic::error(CONFLICT, stop, message).here("comes to rest at the last waypoint");
+        cx.report(error.help("remove one of the two"));
+        return false;
+    }
+    let rest = held.or(leg.stop_span).or(rests.then_some(to.span));
+    if let (Some((_, span)), Some(rest)) = (leg.from, rest) {
+        let message = "`arrive from` gives the direction of the velocity, but the vehicle comes to rest here";
+        let error = Diagnostic::error(ARRIVE, span, message).here("no velocity, no direction");
+        let error = if rest == to.span { error } else { error.also(rest, "at rest") };
+        let instead = if rests { "or add `end moving`" } else { "or let it pass" };
+        cx.report(error.help(format!("write `straight` instead, {instead}")));
+        return false;
+    }
+    true
+}
+
+/// The direction of a leg's line, of unit length, and how far the leg may stray from it, m.
+fn line(cx: &mut Context, from: &Waypoint, to: &Waypoint, shape: Shape, span: Span) -> Option<([f64; 3], f64)> {
+    let length = distance(from.position, to.position);
+    let word = shape.word();
+    if length <= SAME_PLACE {
+        let message = format!("a leg without length has no line: `{word}` has no meaning");
+        let error = Diagnostic::error(LINE, span, message).here("the leg that arrives here has no length");
+        let error = if from.span == to.span { error } else { error.also(from.span, "it begins at the same place") };
+        cx.report(error.help("remove it, or move one of the waypoints"));
+        return None;
+    }
+    let apart: [f64; 3] = std::array::from_fn(|i| to.position[i] - from.position[i]);
+    let aside = apart[0].hypot(apart[1]);
+    if matches!(shape, Shape::Vertical) && aside > SAME_PLACE {
+        let message = format!("the leg is not vertical: its ends are {} m apart horizontally", number(aside));
+        let error =
+            Diagnostic::error(LINE, span, message).here("the leg arrives here").also(from.span, "it begins here");
+        cx.report(error.help("write `straight`, or give both waypoints the same x and y"));
+        return None;
+    }
+    let radius = match shape {
+        Shape::Corridor(radius) => radius,
+        Shape::Straight | Shape::Vertical => from.within.max(to.within),
+    };
+    Some((apart.map(|part| part / length), radius))
+}

@@ -1,0 +1,373 @@
+//! The `simulate` block: how the plan is flown, and which faults strike during the flight.
+
+mod checks;
+mod strike;
+mod word_or_value;
+
+pub use checks::{coarse_step, past_the_end, too_many_steps};
+
+use super::context::Context;
+use super::due::Due;
+use super::fault::family::Families;
+use super::fields::Fields;
+use super::mission::{MAX_DURATION, too_long};
+use super::sense;
+use crate::diagnostic::Diagnostic;
+use crate::language::table::simulate as table;
+use crate::language::{Entry, Group, Range, Takes};
+use crate::model::MOTOR_TIME_CONSTANT;
+use crate::model::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Mission, Simulation, Vehicle};
+use crate::number::number;
+use crate::source::Span;
+use crate::syntax::ast::{Block, Expr, Statement};
+
+const CHOICE: &str = "mavc::simulate::choice";
+const POSITIVE: &str = "mavc::simulate::not_positive";
+const NEGATIVE: &str = "mavc::simulate::negative";
+
+/// The parts of the spec against which the flight blocks are checked.
+pub(super) struct Around<'m> {
+    pub modes: &'m [FaultMode],
+    pub families: &'m Families,
+    /// Some mode has an error, so that an unknown name may be the name of that mode.
+    pub incomplete: bool,
+    pub vehicle: Option<&'m Vehicle>,
+    pub mission: Option<&'m Mission>,
+    /// The plan's time where it is fixed, s, and its place.
+    pub plan_time: Option<(f64, Span)>,
+    /// The place of the plan, which stands in for blocks that are not written.
+    pub fallback: Span,
+}
+
+impl Around<'_> {
+    /// The drag of the vehicle (N s/m), and wind and gusts of the mission (m/s).
+    pub fn air(&self) -> ([f64; 3], [f64; 3], f64) {
+        let air = self.mission.map(|mission| &mission.air);
+        let drag = self.vehicle.map_or([0.0; 3], |vehicle| vehicle.drag);
+        (drag, air.map_or([0.0; 3], |air| air.wind), air.map_or(0.0, |air| air.gusts))
+    }
+}
+
+/// Reads the block. The simulation is `None` where it has errors; defaults are listed only if the block is written.
+/// `campaign` is the place of a `campaign` block, which flies with the same settings.
+pub(super) fn elaborate<'a>(
+    cx: &mut Context<'a>,
+    block: Option<&'a Block>,
+    campaign: Option<Span>,
+    around: &Around,
+) -> (Option<Simulation>, Vec<DefaultUsed>) {
+    let Some(block) = block else {
+        let ground = own_ground(around.mission).unwrap_or_else(|| {
+            lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(table::GROUND.value(), |(z, _)| z - 1.0)
+        });
+        let rate_span = campaign.unwrap_or(around.fallback);
+        let (drag, wind, gusts) = around.air();
+        let flown = Simulation { drag, wind, gusts, ..Simulation::default() };
+        let simulation = Simulation { ground, span: around.fallback, rate_span, ..flown };
+        if let (Some(_), Some(vehicle)) = (campaign, around.vehicle)
+            && let Some(error) = checks::coarse(&simulation, vehicle)
+        {
+            cx.report(error);
+            return (None, Vec::new());
+        }
+        return (Some(simulation), Vec::new());
+    };
+    let span = block.keyword.span;
+    let fields = Fields::of_block(cx, "`simulate`".into(), span, &block.body, Group::Simulate);
+    let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
+    let mut reader = Reader { fields, defaults: Vec::new(), fine: !broken };
+    let simulation = reader.read(cx, block, around);
+    if around.vehicle.is_some_and(|v| v.rotors.iter().any(|r| r.time_constant.is_none())) {
+        let (field, value) =
+            ("vehicle.rotor.time_constant".to_string(), format!("{} ms", number(MOTOR_TIME_CONSTANT * 1e3)));
+        reader.defaults.push(DefaultUsed { field, value, reason: "time constant of rotors in simulations".into() });
+    }
+    (simulation.filter(|_| reader.fine), reader.defaults)
+}
+
+/// Height and place of the lowest waypoint.
+fn lowest(mission: Option<&Mission>) -> Option<(f64, Span)> {
+    let heights = mission?.waypoints.iter().map(|w| (w.position[2], w.span));
+    heights.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// The ground of the mission, if that gives it.
+fn own_ground(mission: Option<&Mission>) -> Option<f64> {
+    mission.and_then(|mission| mission.ground)
+}
+
+/// The seed of the random noise: a plain whole number.
+pub(super) fn seed<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<u64> {
+    let value = cx.number(Due::of(&table::SEED), expr)?;
+    if value.fract() == 0.0 && value >= 0.0 && value <= table::SEED.whole().1 as f64 {
+        return Some(value as u64);
+    }
+    let error = Diagnostic::error("mavc::simulate::seed", expr.span, "`seed` must be a whole number from 0 to 2^53");
+    cx.report(error.here(format!("this is {}", number(value))).help("write a whole number such as `1`"));
+    None
+}
+
+struct Reader<'a> {
+    fields: Fields<'a>,
+    defaults: Vec<DefaultUsed>,
+    /// Whether the block has no errors so far.
+    fine: bool,
+}
+
+impl<'a> Reader<'a> {
+    fn read(&mut self, cx: &mut Context<'a>, block: &'a Block, around: &Around) -> Option<Simulation> {
+        let span = block.keyword.span;
+        let duration = self.duration(cx);
+        let rate = self.quantity(cx, &table::RATE);
+        let control_rate = self.quantity(cx, &table::CONTROL_RATE);
+        let estimator_rate = self.quantity(cx, &table::ESTIMATOR_RATE);
+        let choice = self.choice(cx, &table::CONTROLLER, &[Controller::Geometric, Controller::Pd]);
+        let detection = self.detection(cx);
+        let reactions = [AfterFault::Continue, AfterFault::Hold, AfterFault::Land];
+        let after_fault = self.choice(cx, &table::AFTER_FAULT, &reactions);
+        let gains = self.gains(cx);
+        let forgetting = self.forgetting(cx);
+        let gyroscope_noise = self.quantity(cx, &table::GYROSCOPE_NOISE);
+        let gyroscope_range = self.quantity(cx, &table::GYROSCOPE_RANGE);
+        let position_noise = self.quantity(cx, &table::POSITION_NOISE);
+        let (drag, wind, gusts) = self.air(cx, around);
+        let gust_length = self.quantity(cx, &table::GUST_LENGTH);
+        let seed = match self.fields.get("seed") {
+            Some(expr) => seed(cx, expr),
+            None => Some(self.default(&table::SEED, table::SEED.value() as u64)),
+        };
+        let lost_beyond = self.quantity(cx, &table::LOST_BEYOND);
+        let upside_down = self.quantity(cx, &table::UPSIDE_DOWN);
+        let lost_yaw = self.lost_yaw(cx);
+        let lost_yaw_after = self.quantity(cx, &table::LOST_YAW_AFTER);
+        let ground = self.ground(cx, around.mission);
+        if let (Some(drag), Some(wind), Some(gusts)) = (drag, wind, gusts) {
+            self.warn_no_drag(cx, drag, wind, gusts);
+        }
+        let end = self.fields.get("duration").map(|expr| (duration.flatten(), expr.span, "the flight lasts this long"));
+        // A `duration` with an error leaves the end unknown.
+        let end = match end {
+            Some((duration, span, why)) => duration.map(|d| (d, span, why)),
+            None => checks::fixed_end(around.plan_time, around.mission),
+        };
+        let faults = strike::read_all(cx, block, around, end);
+        let rates = [rate, control_rate, estimator_rate];
+        if !checks::rates(cx, &self.fields, rates, around.vehicle, span) {
+            self.fine = false;
+        }
+        if let (Some(rate), Some((end, at, _))) = (rate, end)
+            && let Some(error) = checks::steps(end, rate, at)
+        {
+            cx.report(error);
+            self.fine = false;
+        }
+        let simulation = Simulation {
+            duration: duration?,
+            rate: rate?,
+            control_rate: control_rate?,
+            estimator_rate: estimator_rate?,
+            controller: choice?,
+            detection: detection?,
+            after_fault: after_fault?,
+            gains: gains?,
+            forgetting: forgetting?,
+            gyroscope_noise: gyroscope_noise?,
+            gyroscope_range: gyroscope_range?,
+            position_noise: position_noise?,
+            drag: drag?,
+            wind: wind?,
+            gusts: gusts?,
+            gust_length: gust_length?,
+            seed: seed?,
+            faults: faults?,
+            lost_beyond: lost_beyond?,
+            upside_down: upside_down?,
+            lost_yaw: lost_yaw?,
+            lost_yaw_after: lost_yaw_after?,
+            ground: ground?,
+            written: true,
+            span,
+            rate_span: self.fields.get("rate").map_or(span, |expr| expr.span),
+        };
+        if let Some(error) = around.vehicle.and_then(|vehicle| checks::coarse_drag(&simulation, vehicle)) {
+            cx.report(error);
+            self.fine = false;
+        } else if self.fine {
+            sense::check_air(cx, &simulation, around.vehicle, &self.fields, span);
+            sense::check_noise(cx, &simulation, &self.fields, span);
+            sense::check_estimator(cx, &simulation, &self.fields, span);
+            sense::check_loss(cx, &simulation, &self.fields, span);
+        }
+        if let Some(vehicle) = around.vehicle.filter(|_| self.fine) {
+            sense::check_gains(cx, &simulation, vehicle, &self.fields, span);
+        }
+        Some(simulation)
+    }
+
+    /// Drag (N s/m), wind and gusts (m/s) of the flights: those of the plan, unless the block gives others.
+    fn air(&mut self, cx: &mut Context<'a>, around: &Around) -> (Option<[f64; 3]>, Option<[f64; 3]>, Option<f64>) {
+        let (drag_of_plan, wind_of_plan, gusts_of_plan) = around.air();
+        let drag = match self.fields.get("drag") {
+            Some(expr) => cx.drag(&table::DRAG, expr, NEGATIVE),
+            None if drag_of_plan != [0.0; 3] => Some(drag_of_plan),
+            None => Some(self.default(&table::DRAG, [table::DRAG.value(); 3])),
+        };
+        let wind = match self.fields.get("wind") {
+            Some(expr) => cx.triple(Due::of(&table::WIND), expr),
+            None if wind_of_plan != [0.0; 3] => Some(wind_of_plan),
+            None => Some(self.default(&table::WIND, [0.0; 3])),
+        };
+        let gusts = match self.fields.get("gusts") {
+            None if gusts_of_plan != 0.0 => Some(gusts_of_plan),
+            _ => self.quantity(cx, &table::GUSTS),
+        };
+        if drag_of_plan != [0.0; 3] {
+            let differs = [
+                ("drag", drag.is_some_and(|drag| drag != drag_of_plan)),
+                ("wind", wind.is_some_and(|wind| wind != wind_of_plan)),
+            ];
+            for (field, _) in differs.iter().filter(|row| row.1) {
+                let Some(span) = self.fields.span_of(field) else { continue };
+                let message = format!("flights have another `{field}` than the plan");
+                let warning =
+                    Diagnostic::warning("mavc::simulate::other_air", span, message).here("used by flights alone");
+                let help = if *field == "drag" { "the vehicle's `drag`" } else { "the mission's `air`" };
+                cx.report(warning.help(format!("remove it to fly with {help}, by which the mission is planned")));
+            }
+        }
+        (drag, wind, gusts)
+    }
+
+    /// Returns `value` and records it as the default of a field that is not written.
+    fn default<T>(&mut self, entry: &Entry, value: T) -> T {
+        self.defaults.push(DefaultUsed::of("simulate", entry));
+        value
+    }
+
+    fn quantity(&mut self, cx: &mut Context<'a>, entry: &'static Entry) -> Option<f64> {
+        let Some(expr) = self.fields.get(entry.name) else { return Some(self.default(entry, entry.value())) };
+        let code = if matches!(entry.takes, Takes::Quantity(_, Range::NotNegative)) { NEGATIVE } else { POSITIVE };
+        cx.quantity(entry, expr, code)
+    }
+
+    /// One of `choices`, the meanings of the entry's words in the same order; the first if the field is not written.
+    fn choice<T: Copy>(&mut self, cx: &mut Context<'a>, entry: &'static Entry, choices: &[T]) -> Option<T> {
+        match self.fields.word(cx, CHOICE, entry) {
+            Some(word) => entry.words().iter().zip(choices).find(|(w, _)| Some(**w) == word).map(|(_, c)| *c),
+            None => Some(self.default(entry, choices[0])),
+        }
+    }
+
+    /// `Some(None)`: as long as the plan.
+    fn duration(&mut self, cx: &mut Context<'a>) -> Option<Option<f64>> {
+        let Some(expr) = self.fields.get("duration") else {
+            return Some(self.default(&table::DURATION, None));
+        };
+        let duration = cx.quantity(&table::DURATION, expr, POSITIVE)?;
+        if duration > MAX_DURATION {
+            cx.report(too_long(expr.span, duration));
+            return None;
+        }
+        Some(Some(duration))
+    }
+
+    fn gains(&mut self, cx: &mut Context<'a>) -> Option<Gains> {
+        let position = self.quantity(cx, &table::POSITION_GAIN);
+        let velocity = self.quantity(cx, &table::VELOCITY_GAIN);
+        let altitude = self.quantity(cx, &table::ALTITUDE_GAIN);
+        let climb = self.quantity(cx, &table::CLIMB_GAIN);
+        let attitude = self.quantity(cx, &table::ATTITUDE_GAIN);
+        let attitude_rate = self.quantity(cx, &table::ATTITUDE_RATE_GAIN);
+        let yaw = self.quantity(cx, &table::YAW_GAIN);
+        let yaw_rate = self.quantity(cx, &table::YAW_RATE_GAIN);
+        Some(Gains {
+            position: position?,
+            velocity: velocity?,
+            altitude: altitude?,
+            climb: climb?,
+            attitude: attitude?,
+            attitude_rate: attitude_rate?,
+            yaw: yaw?,
+            yaw_rate: yaw_rate?,
+        })
+    }
+
+    fn forgetting(&mut self, cx: &mut Context<'a>) -> Option<f64> {
+        let Some(expr) = self.fields.get("forgetting") else {
+            return Some(self.default(&table::FORGETTING, table::FORGETTING.value()));
+        };
+        let value = cx.number(Due::of(&table::FORGETTING), expr)?;
+        if value > 0.0 && value < 1.0 {
+            return Some(value);
+        }
+        let error = Diagnostic::error(
+            "mavc::simulate::forgetting",
+            expr.span,
+            "`forgetting` must be greater than 0 and less than 1",
+        );
+        cx.report(error.here(format!("this is {}", number(value))).help("write a number such as `0.95`"));
+        None
+    }
+
+    fn ground(&mut self, cx: &mut Context<'a>, mission: Option<&Mission>) -> Option<f64> {
+        let lowest = lowest(mission);
+        let Some(expr) = self.fields.get("ground") else {
+            if let Some(ground) = own_ground(mission) {
+                return Some(ground);
+            }
+            return Some(match lowest.filter(|(z, _)| *z <= 0.0) {
+                Some((z, _)) => {
+                    self.defaults.push(DefaultUsed {
+                        field: "simulate.ground".into(),
+                        value: format!("{} m", number(z - 1.0)),
+                        reason: "1 m below the lowest waypoint".into(),
+                    });
+                    z - 1.0
+                }
+                None => self.default(&table::GROUND, table::GROUND.value()),
+            });
+        };
+        let ground = cx.quantity(&table::GROUND, expr, POSITIVE)?;
+        match lowest.filter(|(z, _)| *z <= ground) {
+            Some((z, span)) => {
+                let message = format!("`ground` must be below every waypoint, not at {} m", number(ground));
+                let error = Diagnostic::error("mavc::simulate::ground", expr.span, message).here("too high");
+                cx.report(error.also(span, format!("the lowest waypoint is at {} m", number(z))).help(format!(
+                    "write a height below {} m, such as `{} m`",
+                    number(z),
+                    number(z - 1.0)
+                )));
+                None
+            }
+            None => Some(ground),
+        }
+    }
+
+    /// Warns of wind or gusts without drag, which have no effect.
+    fn warn_no_drag(&self, cx: &mut Context<'a>, drag: [f64; 3], wind: [f64; 3], gusts: f64) {
+        let given = [("wind", wind != [0.0; 3]), ("gusts", gusts > 0.0)];
+        let Some((name, expr)) = given.iter().find(|g| g.1).and_then(|(name, _)| Some((name, self.fields.get(name)?)))
+        else {
+            return;
+        };
+        if drag != [0.0; 3] {
+            return;
+        }
+        let warning = Diagnostic::warning(
+            "mavc::simulate::no_drag",
+            expr.span,
+            format!("`{name}` has no effect, because `drag` is 0 N*s/m"),
+        );
+        let warning = warning.here("acts only through drag");
+        let warning = match self.fields.get("drag") {
+            Some(drag) => warning.also(drag.span, "no drag"),
+            None => warning,
+        };
+        let example = "drag = 0.3 N*s/m";
+        let warning = warning.help(format!("give a `drag` above zero, such as `{example}`"));
+        cx.report(match self.fields.get("drag") {
+            Some(drag) => warning.fix(drag.span, "0.3 N*s/m"),
+            None => self.fields.add(cx, warning, example),
+        });
+    }
+}

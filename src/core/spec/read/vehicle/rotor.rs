@@ -1,0 +1,305 @@
+//! The properties of rotors: those given for all, and those given for one.
+
+use super::{POSITIVE, Place};
+use crate::diagnostic::Diagnostic;
+use crate::language::Entry;
+use crate::language::table::rotor as table;
+use crate::model::{Rotor, RotorSpread, Spin, Spread};
+use crate::number::number;
+use crate::read::context::Context;
+use crate::read::due::Due;
+use crate::read::fields::Fields;
+use crate::read::sense::WrittenRotor;
+use crate::source::Span;
+use crate::syntax::ast::Expr;
+use crate::unit::Dimension;
+
+pub(super) const MIN_SPEED: &str = "mavc::vehicle::min_speed";
+
+/// Every rotor with its thrust, torque and speed: its own clauses override the `rotor` block.
+pub(super) fn give_all<'a>(
+    cx: &mut Context<'a>,
+    places: Vec<Place<'a>>,
+    shared: Option<&Fields<'a>>,
+    base: Option<Traits>,
+) -> Option<Vec<Rotor>> {
+    let mut rotors = Some(Vec::new());
+    let mut reported = false;
+    for place in &places {
+        let own = place.own.as_ref().map(|fields| Traits::read(cx, fields));
+        let traits = match (&own, &base) {
+            (Some(own), Some(base)) => own.over(base),
+            (Some(own), None) => own.clone(),
+            (None, Some(base)) => base.clone(),
+            (None, None) => return None,
+        };
+        let owner = shared.filter(|_| own.is_none()).or(place.own.as_ref()).or(shared);
+        match (&mut rotors, traits.rotor(cx, place, owner, &mut reported)) {
+            (Some(list), Some(rotor)) => list.push(rotor),
+            (list, _) => *list = None,
+        }
+        if rotors.is_none() && place.own.is_none() {
+            return None;
+        }
+    }
+    rotors
+}
+
+/// Where each rotor's numbers are written: in its own clauses, or else in the `rotor` block. `fields` are those of the
+/// vehicle, which give the arm of a ring.
+pub(super) fn written(places: &[Place], fields: &Fields, shared: Option<&Fields>) -> Vec<WrittenRotor> {
+    let one = |place: &Place| {
+        let blocks = [place.own.as_ref(), shared, Some(fields)];
+        let of = |names: &[&str]| {
+            let found = blocks.iter().flatten().find_map(|block| names.iter().find_map(|name| block.span_of(name)));
+            found.unwrap_or(fields.span)
+        };
+        WrittenRotor {
+            place: of(&["at", "arm"]),
+            thrust: of(&["thrust_coefficient", "max_thrust"]),
+            torque: of(&["drag_coefficient", "torque_per_thrust"]),
+            min_speed: of(&["min_speed", "min_thrust"]),
+            max_speed: of(&["max_speed"]),
+            time_constant: of(&["time_constant"]),
+        }
+    };
+    places.iter().map(one).collect()
+}
+
+/// A number and how well it is known.
+type Known = (f64, Spread);
+
+/// The lowest speed of a rotor, as written.
+#[derive(Clone, Copy)]
+enum Lowest {
+    /// rad/s
+    Speed(f64),
+    /// N
+    Thrust(f64),
+    /// A share of the thrust at full speed.
+    Share(f64),
+}
+
+impl Lowest {
+    /// The speed (rad/s) that gives it, with the middle of the thrust coefficient b (N s^2/rad^2): the thrust is b w |w|.
+    fn speed(self, thrust_coefficient: f64, max_speed: f64) -> f64 {
+        match self {
+            Lowest::Speed(speed) => speed,
+            Lowest::Thrust(thrust) => (thrust.abs() / thrust_coefficient).sqrt().copysign(thrust),
+            Lowest::Share(share) => max_speed * share.abs().sqrt().copysign(share),
+        }
+    }
+}
+
+/// The properties written for a rotor. `Some(None)` is a value with an error.
+#[derive(Clone, Default)]
+pub(super) struct Traits {
+    thrust_coefficient: Option<Option<Known>>,
+    max_thrust: Option<Option<Known>>,
+    drag_coefficient: Option<Option<Known>>,
+    torque_per_thrust: Option<Option<Known>>,
+    lowest: Option<Option<(Lowest, Span)>>,
+    max_speed: Option<Option<Known>>,
+    time_constant: Option<Option<f64>>,
+    inertia: Option<Option<f64>>,
+}
+
+impl Traits {
+    pub fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Self {
+        let mut take = |entry: &'static Entry, coefficient: bool| {
+            let due = Due { coefficient, ..Due::of(entry) };
+            match fields.get(entry.name) {
+                Some(expr) => Some(cx.interval(due, expr, POSITIVE)),
+                None => fields.may_have(entry.name).then_some(None),
+            }
+        };
+        let traits = Traits {
+            thrust_coefficient: take(&table::THRUST_COEFFICIENT, true),
+            max_thrust: take(&table::MAX_THRUST, false),
+            drag_coefficient: take(&table::DRAG_COEFFICIENT, true),
+            torque_per_thrust: take(&table::TORQUE_PER_THRUST, false),
+            max_speed: take(&table::MAX_SPEED, false),
+            time_constant: match fields.get("time_constant") {
+                Some(expr) => Some(cx.quantity(&table::TIME_CONSTANT, expr, POSITIVE)),
+                None => fields.may_have("time_constant").then_some(None),
+            },
+            inertia: match fields.get("rotor_inertia") {
+                Some(expr) => Some(cx.quantity(&table::ROTOR_INERTIA, expr, POSITIVE)),
+                None => fields.may_have("rotor_inertia").then_some(None),
+            },
+            lowest: match (fields.get("min_speed"), fields.get("min_thrust")) {
+                (Some(expr), _) => {
+                    Some(cx.quantity(&table::MIN_SPEED, expr, MIN_SPEED).map(|w| (Lowest::Speed(w), expr.span)))
+                }
+                (None, Some(expr)) => Some(lowest_thrust(cx, expr).map(|lowest| (lowest, expr.span))),
+                (None, None) => (fields.may_have("min_speed") || fields.may_have("min_thrust")).then_some(None),
+            },
+        };
+        let alike = table::ENTRIES.iter().flat_map(|row| row.excludes.iter().map(|other| (row.name, *other)));
+        for (a, b) in alike {
+            if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
+                let message = format!("`{a}` and `{b}` cannot both be given");
+                let (first, second) = if first.start <= second.start { (first, second) } else { (second, first) };
+                cx.report(
+                    Diagnostic::error("mavc::vehicle::conflict", second, message)
+                        .here("one of the two")
+                        .also(first, "the other")
+                        .help("remove one of them"),
+                );
+            }
+        }
+        traits
+    }
+
+    /// These properties, completed by `base`; a thrust or torque in one form replaces the other form.
+    fn over(&self, base: &Traits) -> Traits {
+        let thrust = self.thrust_coefficient.is_some() || self.max_thrust.is_some();
+        let torque = self.drag_coefficient.is_some() || self.torque_per_thrust.is_some();
+        Traits {
+            thrust_coefficient: if thrust { self.thrust_coefficient } else { base.thrust_coefficient },
+            max_thrust: if thrust { self.max_thrust } else { base.max_thrust },
+            drag_coefficient: if torque { self.drag_coefficient } else { base.drag_coefficient },
+            torque_per_thrust: if torque { self.torque_per_thrust } else { base.torque_per_thrust },
+            lowest: self.lowest.or(base.lowest),
+            max_speed: self.max_speed.or(base.max_speed),
+            time_constant: self.time_constant.or(base.time_constant),
+            inertia: self.inertia.or(base.inertia),
+        }
+    }
+
+    /// Reports what these traits, which all rotors share, lack or contradict.
+    pub fn check<'a>(&self, cx: &mut Context<'a>, fields: &Fields<'a>) {
+        let anywhere = Place { position: [0.0; 3], spin: Spin::P, motor: None, own: None };
+        self.rotor(cx, &anywhere, Some(fields), &mut false);
+    }
+
+    fn rotor<'a>(
+        &self,
+        cx: &mut Context<'a>,
+        place: &Place<'a>,
+        owner: Option<&Fields<'a>>,
+        reported: &mut bool,
+    ) -> Option<Rotor> {
+        let mut missing = Vec::new();
+        if self.max_speed.is_none() {
+            missing.push(("`max_speed`", "max_speed = 800 rad/s"));
+        }
+        if self.thrust_coefficient.is_none() && self.max_thrust.is_none() {
+            missing.push(("`thrust_coefficient` or `max_thrust`", "thrust_coefficient = 9e-6 N*s^2/rad^2"));
+        }
+        if self.drag_coefficient.is_none() && self.torque_per_thrust.is_none() {
+            missing.push(("`drag_coefficient` or `torque_per_thrust`", "drag_coefficient = 1.5e-7 N*m*s^2/rad^2"));
+        }
+        if !missing.is_empty() {
+            if let Some(owner) = owner.filter(|_| !*reported) {
+                missing.iter().for_each(|(what, example)| owner.missing(cx, what, example));
+                *reported = true;
+            }
+            return None;
+        }
+        let (max_speed, of_speed) = self.max_speed??;
+        let (square, slowest) = (of_speed.times(of_speed), of_speed.low);
+        // Full thrust is b w_max^2: where the spec gives the thrust, b follows from it.
+        let (thrust_coefficient, full_thrust, of_coefficient) = match self.thrust_coefficient {
+            Some(given) => {
+                let (b, spread) = given?;
+                (b, spread.times(square), spread)
+            }
+            None => {
+                let (thrust, spread) = self.max_thrust??;
+                (thrust / (max_speed * max_speed), spread, spread.over(square))
+            }
+        };
+        let (drag_coefficient, torque_per_thrust) = match self.drag_coefficient {
+            Some(given) => {
+                let (d, spread) = given?;
+                (d, spread.over(of_coefficient))
+            }
+            None => {
+                let (ratio, spread) = self.torque_per_thrust??;
+                (ratio * thrust_coefficient, spread)
+            }
+        };
+        let spread = RotorSpread { full_thrust, idle_thrust: of_coefficient, torque_per_thrust };
+        let min_speed = match self.lowest {
+            Some(given) => {
+                let (lowest, span) = given?;
+                let speed = lowest.speed(thrust_coefficient, max_speed);
+                if let Some(error) = out_of_range(lowest, speed, max_speed * slowest, thrust_coefficient, span) {
+                    if !*reported {
+                        *reported = true;
+                        cx.report(error);
+                    }
+                    return None;
+                }
+                speed.max(-max_speed)
+            }
+            None => 0.0,
+        };
+        let time_constant = match self.time_constant {
+            Some(given) => Some(given?),
+            None => None,
+        };
+        let inertia = match self.inertia {
+            Some(given) => given?,
+            None => 0.0,
+        };
+        Some(Rotor {
+            position: place.position,
+            spin: place.spin,
+            thrust_coefficient,
+            drag_coefficient,
+            min_speed,
+            max_speed,
+            time_constant,
+            inertia,
+            motor: place.motor,
+            spread,
+        })
+    }
+}
+
+/// `-4 N` or `-60 %`; a number without a unit is a share, of which the range then says more.
+fn lowest_thrust<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Lowest> {
+    let due = Due::of(&table::MIN_THRUST);
+    cx.expect_unit(due, expr);
+    let found = cx.evaluate_quantity(expr)?;
+    if found.dimension == Dimension::PLAIN {
+        return cx.lower(Due::new(table::MIN_THRUST.name, "1"), found, expr).map(Lowest::Share);
+    }
+    cx.lower(due, found, expr).map(Lowest::Thrust)
+}
+
+/// Room for the rounding of a speed from a thrust.
+const ROUNDING: f64 = 1e-12;
+
+/// The error for a lowest speed (rad/s) that is not below the full speed, or turns backwards faster than forwards.
+fn out_of_range(lowest: Lowest, speed: f64, full: f64, thrust_coefficient: f64, at: Span) -> Option<Diagnostic> {
+    let is_too_low = speed < -full * (1.0 + ROUNDING);
+    if !is_too_low && speed < full * (1.0 - ROUNDING) {
+        return None;
+    }
+    let full_thrust = thrust_coefficient * full * full;
+    let (field, most, unit, value, limit) = match lowest {
+        Lowest::Speed(speed) => ("min_speed", "`max_speed`", "rad/s", speed, full),
+        Lowest::Thrust(thrust) => ("min_thrust", "the thrust at full speed", "N", thrust, full_thrust),
+        Lowest::Share(share) => ("min_thrust", "the thrust at full speed", "%", 100.0 * share, 100.0),
+    };
+    let (message, here, help) = match is_too_low {
+        true => (
+            format!("`{field}` must be at least minus {most}"),
+            format!("{} {unit}, below {} {unit}", number(value), number(-limit)),
+            "write a value nearer to zero: a rotor reverses at most as fast as it turns forwards".to_string(),
+        ),
+        false => (
+            format!("`{field}` must be below {most}"),
+            format!("{} {unit}, not below {} {unit}", number(value), number(limit)),
+            format!("write a lower value, or remove `{field}` for a rotor that may stop"),
+        ),
+    };
+    let error = Diagnostic::error(MIN_SPEED, at, message).here(here);
+    Some(match lowest {
+        Lowest::Share(_) => error.help(format!("{help}; newtons have their unit, as in `2 N`")),
+        _ => error.help(help),
+    })
+}
