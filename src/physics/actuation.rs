@@ -92,14 +92,15 @@ impl Actuation {
     pub fn under(&self, mode: &FaultMode) -> (Wrench, Vec<Wrench>) {
         let mut shift = Wrench::zeros();
         let generators = (0..self.rotors())
-            .map(|k| match mode.stuck[k] {
+            .map(|k| match mode.rotors[k].stuck_at() {
                 Some(share) => {
                     shift += self.full(k) * share;
                     Wrench::zeros()
                 }
                 None => {
-                    shift += self.idle(k) * mode.capacity[k];
-                    (self.full(k) - self.idle(k)) * mode.capacity[k]
+                    let capacity = mode.rotors[k].capacity();
+                    shift += self.idle(k) * capacity;
+                    (self.full(k) - self.idle(k)) * capacity
                 }
             })
             .collect();

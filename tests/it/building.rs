@@ -1,6 +1,7 @@
 //! Specs that are built from values, and what is said of values that are wrong.
 
 use mavc::builder::Builder;
+use mavc::model::RotorState;
 use mavc::{PlanOutcome, Spec};
 
 /// An octocopter that may lose a rotor and flies 10 m.
@@ -100,7 +101,10 @@ fn every_kind_of_value_and_statement_is_written() {
     let model = spec.model();
     let mission = spec.mission().unwrap();
     assert_eq!((model.gravity, model.vehicle.rotors[0].time_constant), (1.62, Some(0.03)));
-    assert_eq!((model.modes[0].capacity[1], model.modes[1].stuck[2]), (0.7, Some(0.4)));
+    assert_eq!(
+        (model.modes[0].rotors[1], model.modes[1].rotors[2]),
+        (RotorState::Reduced(0.7), RotorState::Stuck(0.4))
+    );
     assert_eq!((model.modes[0].severity, model.modes[0].rate), (Some(4), Some(1e-9)));
     let second = &mission.waypoints[1];
     assert_eq!((second.yaw, second.within, second.time, second.hold), (0.5, 0.02, Some(8.5), 1.5));

@@ -5,7 +5,7 @@ use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::verdict::{Verdict, analyze};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
-use mavc::model::{Allocation, FaultMode, Mission, Model, PlannerKind, Problem};
+use mavc::model::{Allocation, FaultMode, Mission, Model, PlannerKind, Problem, RotorState};
 use mavc::planner::hover::{Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
 use mavc::planner::studies::{MissionPlan, PlanOutcome, Run, Scope, compare};
@@ -28,7 +28,7 @@ fn corners(model: &Model, mode: usize) -> Vec<Wrench> {
     let n = model.vehicle.rotors.len();
     let square = |code: usize, k: usize| {
         let rotor = &model.vehicle.rotors[k];
-        match mode.stuck[k] {
+        match mode.rotors[k].stuck_at() {
             Some(share) => share * rotor.max_speed.powi(2),
             None => {
                 if code >> k & 1 == 0 {
@@ -39,7 +39,9 @@ fn corners(model: &Model, mode: usize) -> Vec<Wrench> {
             }
         }
     };
-    (0..1usize << n).map(|code| (0..n).map(|k| a.column(k) * (mode.capacity[k] * square(code, k))).sum()).collect()
+    (0..1usize << n)
+        .map(|code| (0..n).map(|k| a.column(k) * (mode.rotors[k].capacity() * square(code, k))).sum())
+        .collect()
 }
 
 proptest! {
@@ -54,10 +56,9 @@ proptest! {
     ) {
         let mut model = idling(if ppnn { "PPNNPPNN" } else { "PNPNPNPN" }, &speeds);
         let mut mode = lost(&model, &[]);
-        mode.capacity = capacity;
+        mode.rotors = capacity.into_iter().map(RotorState::of_capacity).collect();
         if let Some((k, share)) = stuck {
-            mode.stuck[k] = Some(share);
-            mode.capacity[k] = 1.0;
+            mode.rotors[k] = RotorState::Stuck(share);
         }
         model.modes.push(mode);
         let set = AdmissibleSet::of_mode(&model, 0);
@@ -130,7 +131,7 @@ fn dive() -> Mission {
 fn conservative_plans_keep_to_the_healthy_set_as_well() {
     // All rotors give less: with torques balanced, less than the healthy vehicle can.
     let mut model = idling("PNPNPNPN", &[420.0]);
-    let weak = FaultMode { capacity: vec![0.7; 8], ..lost(&model, &[]) };
+    let weak = FaultMode { rotors: vec![RotorState::Reduced(0.7); 8], ..lost(&model, &[]) };
     model.modes.push(weak);
     model.mission = Some(dive());
     model.plan.planner = PlannerKind::Rcp;

@@ -6,6 +6,7 @@ use mavc::admissible::diagnose::{NOT_ROBUST, diagnose};
 use mavc::admissible::interval::{Certainty, guaranteed, possible, robust};
 use mavc::admissible::verdict::{Verdict, analyze};
 use mavc::admissible::{AdmissibleSet, hover};
+use mavc::model::RotorState;
 use mavc::model::{MissionTime, Model, PlannerKind, Problem, RotorSpread, Spread};
 use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use proptest::prelude::*;
@@ -57,11 +58,10 @@ fn case() -> impl Strategy<Value = Model> {
             model.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = idle);
             let mut mode = lost(&model, &[]);
             if !whole {
-                mode.capacity = capacity;
+                mode.rotors = capacity.into_iter().map(RotorState::of_capacity).collect();
             }
             if let Some((k, share)) = stuck.filter(|_| !whole) {
-                mode.stuck[k - 1] = Some(share);
-                mode.capacity[k - 1] = 1.0;
+                mode.rotors[k - 1] = RotorState::Stuck(share);
             }
             model.modes.push(mode);
             model

@@ -5,6 +5,7 @@ use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::verdict::{Verdict, analyze, analyze_all};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
+use mavc::model::RotorState;
 use mavc::model::{Allocation, Environment, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use nalgebra::{DMatrix, DVector};
@@ -21,14 +22,14 @@ pub fn squares(model: &Model, mode: Option<usize>, w: &Wrench) -> DVector<f64> {
     let n = model.vehicle.rotors.len();
     let fault = mode.map(|i| &model.modes[i]);
     let mut rest = *w;
-    let b = DMatrix::from_fn(4, n, |i, k| match fault.and_then(|f| f.stuck[k]) {
+    let b = DMatrix::from_fn(4, n, |i, k| match fault.and_then(|f| f.rotors[k].stuck_at()) {
         Some(share) => {
             if i == 0 {
                 rest -= a.column(k) * (share * model.vehicle.rotors[k].max_speed.powi(2));
             }
             0.0
         }
-        None => a[(i, k)] * fault.map_or(1.0, |f| f.capacity[k]),
+        None => a[(i, k)] * fault.map_or(1.0, |f| f.rotors[k].capacity()),
     });
     // Rows of like size: w lies in the range, so their scale does not matter.
     let scale = DVector::from_fn(4, |i, _| 1.0 / b.row(i).norm().max(1e-300));
@@ -43,7 +44,7 @@ fn room(model: &Model, mode: usize, w: &Wrench) -> f64 {
     let fault = &model.modes[mode];
     let rotors = model.vehicle.rotors.iter().enumerate();
     rotors
-        .filter(|(k, _)| fault.capacity[*k] > 0.0 && fault.stuck[*k].is_none())
+        .filter(|(k, _)| fault.rotors[*k] != RotorState::Lost && fault.rotors[*k].stuck_at().is_none())
         .map(|(k, r)| {
             let full = r.max_speed.powi(2);
             ((omega[k] - r.min_speed.powi(2)) / full).min(1.0 - omega[k] / full)
@@ -67,10 +68,9 @@ proptest! {
             (rotor.min_speed, rotor.max_speed) = (*low, *high);
         }
         let mut mode = lost(&model, &[]);
-        mode.capacity = capacity;
+        mode.rotors = capacity.into_iter().map(RotorState::of_capacity).collect();
         if let Some((k, share)) = stuck {
-            mode.stuck[k] = Some(share);
-            mode.capacity[k] = 1.0;
+            mode.rotors[k] = RotorState::Stuck(share);
         }
         model.modes.push(mode);
         let set = AdmissibleSet::of_mode(&model, 0);
@@ -152,7 +152,7 @@ fn flights_clip_nothing_inside_the_set() {
     model.modes.push(lost(&model, &[3]));
     let set = AdmissibleSet::of_mode(&model, 0);
     let mut allocator = Allocator::new(&model, model.vehicle.allocation);
-    allocator.believe(&Belief { capacity: model.modes[0].capacity.clone(), stuck: vec![None; 8] });
+    allocator.believe(&Belief { capacity: model.modes[0].capacities(), stuck: vec![None; 8] });
     let a = Actuation::of(&model.vehicle).effectiveness;
     let given = |allocator: &mut Allocator, w: &Wrench| {
         let mut speeds = [0.0; 8];

@@ -3,8 +3,8 @@
 use crate::vehicles::{lost, mission, octocopter, paper_case, waypoint};
 use mavc::body::Body;
 use mavc::model::{
-    AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem, Volume,
-    VolumeSide,
+    AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem, RotorState,
+    Volume, VolumeSide,
 };
 use mavc::motion::checks::past;
 use mavc::motion::wrench_model::WrenchModel;
@@ -43,7 +43,7 @@ const LEFT: f64 = 0.4;
 /// Straight down above a floor, by a plan that takes no notice of a fault that leaves two fifths of the thrust.
 fn descent(wrench: PlanModel) -> Model {
     let mut model = octocopter("PPNNPPNN");
-    model.modes = vec![FaultMode { capacity: vec![LEFT; 8], ..lost(&model, &[]) }];
+    model.modes = vec![FaultMode { rotors: vec![RotorState::Reduced(LEFT); 8], ..lost(&model, &[]) }];
     let points = vec![waypoint([0.0, 0.0, 30.0], 0.0), waypoint([0.0, 0.0, 2.0], 0.0)];
     model.mission = Some(Mission { limits: vec![at_least(LimitKind::Z, FLOOR)], ..mission(points) });
     model.plan.planner = PlannerKind::Rip;

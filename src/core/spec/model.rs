@@ -179,17 +179,56 @@ impl Rotor {
     }
 }
 
-/// A fault mode: the rotor capacities theta of the paper's (32), with which rotor k gives theta_k b w^2 at a speed w of at
-/// most w_max.
+/// What a fault leaves of a rotor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RotorState {
+    /// Not affected.
+    Sound,
+    /// It gives this share of the thrust and torque that belong to its speed; between 0 and 1.
+    Reduced(f64),
+    /// Its thrust stays at this share of full thrust, 0 to 1.
+    Stuck(f64),
+    /// It gives nothing.
+    Lost,
+}
+
+impl RotorState {
+    /// The state with the capacity theta of the paper's (32), 0 to 1.
+    pub fn of_capacity(theta: f64) -> Self {
+        match theta {
+            0.0 => RotorState::Lost,
+            1.0 => RotorState::Sound,
+            share => RotorState::Reduced(share),
+        }
+    }
+
+    /// The capacity theta of (32), with which the rotor gives theta b w^2 at a speed w; 1 for a stuck rotor, whose speed is
+    /// what the fault determines.
+    pub fn capacity(self) -> f64 {
+        match self {
+            RotorState::Sound | RotorState::Stuck(_) => 1.0,
+            RotorState::Reduced(share) => share,
+            RotorState::Lost => 0.0,
+        }
+    }
+
+    /// The share of full thrust, 0 to 1, at which the rotor is stuck; `None` if it is not.
+    pub fn stuck_at(self) -> Option<f64> {
+        match self {
+            RotorState::Stuck(share) => Some(share),
+            RotorState::Sound | RotorState::Reduced(_) | RotorState::Lost => None,
+        }
+    }
+}
+
+/// A fault mode: what it leaves of each rotor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FaultMode {
     pub name: String,
     pub title: Option<String>,
     pub doc: Option<String>,
-    /// Capacity theta of each rotor, from 0 to 1: 0 for a lost rotor, 1 for one that is not affected or stuck.
-    pub capacity: Vec<f64>,
-    /// For each rotor, the share of full thrust (0 to 1) at which it is stuck; `None` if it is not.
-    pub stuck: Vec<Option<f64>>,
+    /// In the order of [`Vehicle::rotors`].
+    pub rotors: Vec<RotorState>,
     /// FMEA numbers, 1..10.
     pub severity: Option<u8>,
     pub occurrence: Option<u8>,
@@ -206,7 +245,22 @@ pub struct FaultMode {
 impl FaultMode {
     /// The numbers of the lost rotors, counted from 1.
     pub fn lost(&self) -> Vec<usize> {
-        (1..=self.capacity.len()).filter(|k| self.capacity[k - 1] == 0.0).collect()
+        (1..=self.rotors.len()).filter(|k| self.rotors[k - 1] == RotorState::Lost).collect()
+    }
+
+    /// The capacity of each rotor: [`RotorState::capacity`].
+    pub fn capacities(&self) -> Vec<f64> {
+        self.rotors.iter().map(|rotor| rotor.capacity()).collect()
+    }
+
+    /// Where each rotor is stuck: [`RotorState::stuck_at`].
+    pub fn stuck(&self) -> Vec<Option<f64>> {
+        self.rotors.iter().map(|rotor| rotor.stuck_at()).collect()
+    }
+
+    /// Whether some rotor is stuck.
+    pub fn has_stuck(&self) -> bool {
+        self.rotors.iter().any(|rotor| rotor.stuck_at().is_some())
     }
 
     /// Risk priority number, severity x occurrence x detection, if all three are given.

@@ -62,9 +62,9 @@ struct RotorRecord {
 struct ModeRecord<'a> {
     name: &'a str,
     /// theta of each rotor.
-    capacity: &'a [f64],
+    capacity: Vec<f64>,
     /// Share of full thrust at which each rotor is stuck; `null` for one that is not.
-    stuck: &'a [Option<f64>],
+    stuck: Vec<Option<f64>>,
     /// `never`, `where_needed` or `always`.
     without_yaw: &'static str,
 }
@@ -153,8 +153,8 @@ fn rotor(rotor: &Rotor) -> RotorRecord {
 fn fault_mode<'a>(model: &Model, index: usize, mode: &'a FaultMode) -> ModeRecord<'a> {
     ModeRecord {
         name: &mode.name,
-        capacity: &mode.capacity,
-        stuck: &mode.stuck,
+        capacity: mode.capacities(),
+        stuck: mode.stuck(),
         without_yaw: model.gives_up_yaw(index).name(),
     }
 }

@@ -102,7 +102,7 @@ pub fn heights(model: &Model, mode: usize) -> Vec<CaptureHeight> {
 /// Whether yaw is given up after a fault, and hover is possible then.
 fn is_captured(model: &Model, mode: usize) -> bool {
     let fault = &model.modes[mode];
-    let belief = Belief { capacity: fault.capacity.clone(), stuck: fault.stuck.clone() };
+    let belief = Belief { capacity: fault.capacities(), stuck: fault.stuck() };
     let allocator = Allocator::new(model, Allocation::Bounded);
     let hover = hover(model);
     allocator.missing(&hover, &belief) < 1e-3

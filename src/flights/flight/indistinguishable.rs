@@ -45,9 +45,9 @@ fn indistinguishable(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
         let under = |squares: &Vec<f64>| {
             let rotors = columns.iter().zip(squares).zip(&model.vehicle.rotors).enumerate();
             rotors
-                .map(|(k, ((c, s), r))| match mode.stuck[k] {
+                .map(|(k, ((c, s), r))| match mode.rotors[k].stuck_at() {
                     Some(share) => c * (share * r.max_speed * r.max_speed),
-                    None => c * (mode.capacity[k] * s),
+                    None => c * (mode.rotors[k].capacity() * s),
                 })
                 .sum()
         };
@@ -106,7 +106,7 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
         |code, message: String| Diagnostic::warning(code, span, message).here("capacities are estimated here");
     let mut found = Vec::new();
     let is_struck = |mode: usize| model.campaign.written || struck.contains(&(mode + 1));
-    let pinned = |mode: usize| model.modes[mode].stuck.iter().any(Option::is_some);
+    let pinned = |mode: usize| model.modes[mode].has_stuck();
     let stuck: Vec<&str> =
         (0..model.modes.len()).filter(|m| is_struck(*m) && pinned(*m)).map(|m| model.modes[m].name.as_str()).collect();
     if !stuck.is_empty() {

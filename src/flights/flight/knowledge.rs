@@ -6,7 +6,7 @@ use super::body::Body;
 use super::estimate::Estimator;
 use crate::actuation::Wrench;
 use crate::admissible::hover;
-use crate::model::{Detection, GiveUpYaw, Model, Rotor, Simulation, Strike};
+use crate::model::{Detection, GiveUpYaw, Model, Rotor, RotorState, Simulation, Strike};
 
 /// The belief takes over the estimate if some capacity differs by more than this.
 const MOVED: f64 = 0.05;
@@ -153,8 +153,8 @@ impl<'a> Knowledge<'a> {
             self.fault_known = true;
             let mode = &self.model.modes[strike.mode];
             for k in 0..self.belief.capacity.len() {
-                self.belief.capacity[k] = self.belief.capacity[k].min(mode.capacity[k]);
-                self.belief.stuck[k] = self.belief.stuck[k].or(mode.stuck[k]);
+                self.belief.capacity[k] = self.belief.capacity[k].min(mode.rotors[k].capacity());
+                self.belief.stuck[k] = self.belief.stuck[k].or(mode.rotors[k].stuck_at());
             }
         }
         true
@@ -208,12 +208,11 @@ impl<'a> Knowledge<'a> {
         let active = |s: &&Strike| s.at <= t + 1e-9 && s.until.is_none_or(|end| end > t);
         let truth = |k: usize| {
             let modes = self.strikes.iter().filter(active).map(|s| &self.model.modes[s.mode]);
-            modes.fold((1.0_f64, false), |(c, stuck), m| (c.min(m.capacity[k]), stuck || m.stuck[k].is_some()))
+            modes.fold((1.0_f64, false), |(c, stuck), m| {
+                (c.min(m.rotors[k].capacity()), stuck || m.rotors[k].stuck_at().is_some())
+            })
         };
-        let touches = |s: &Strike, k: usize| {
-            let mode = &self.model.modes[s.mode];
-            mode.capacity[k] < 1.0 || mode.stuck[k].is_some()
-        };
+        let touches = |s: &Strike, k: usize| self.model.modes[s.mode].rotors[k] != RotorState::Sound;
         let has_failed = |k: usize| self.strikes.iter().any(|s| s.at <= t + 1e-9 && touches(s, k));
         let believed = |k: usize| (self.belief.capacity[k], self.belief.stuck[k].is_some());
         let n = self.belief.capacity.len();

@@ -64,8 +64,8 @@ impl Rotors {
         self.stuck.fill(None);
         for mode in active {
             for (k, capacity) in self.capacity.iter_mut().enumerate() {
-                *capacity = capacity.min(mode.capacity[k]);
-                self.stuck[k] = self.stuck[k].or(mode.stuck[k]);
+                *capacity = capacity.min(mode.rotors[k].capacity());
+                self.stuck[k] = self.stuck[k].or(mode.rotors[k].stuck_at());
             }
         }
         for k in 0..self.speed.len() {

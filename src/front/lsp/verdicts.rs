@@ -7,7 +7,7 @@ use crate::admissible::diagnose::diagnose_by;
 use crate::admissible::verdict::{ModeAnalysis, analyze};
 use crate::diagnostic::{Diagnostic, sort};
 use crate::flight::indistinguishable;
-use crate::model::{Environment, Model, Vehicle};
+use crate::model::{Environment, Model, RotorState, Vehicle};
 use crate::source::Span;
 use crossbeam_channel::{Receiver, Sender, unbounded};
 use std::collections::{HashMap, VecDeque};
@@ -180,5 +180,6 @@ impl Analyst {
 
 fn key(model: &Model, mode: Option<usize>) -> Key {
     let Some(mode) = mode.map(|mode| &model.modes[mode]) else { return Vec::new() };
-    mode.capacity.iter().zip(&mode.stuck).map(|(c, s)| (c.to_bits(), s.map(f64::to_bits))).collect()
+    let bits = |rotor: &RotorState| (rotor.capacity().to_bits(), rotor.stuck_at().map(f64::to_bits));
+    mode.rotors.iter().map(bits).collect()
 }

@@ -45,7 +45,7 @@ impl Middle {
             let kappa = 0.5 * (spread.high + spread.low) * ratio;
             let [x, y, _] = rotor.position;
             let each = Wrench::new(1.0, y, -x, if rotor.spin == Spin::P { -kappa } else { kappa });
-            if let Some(share) = fault.and_then(|f| f.stuck[k]) {
+            if let Some(share) = fault.and_then(|f| f.rotors[k].stuck_at()) {
                 let full = share * rotor.max_thrust();
                 let spread = rotor.spread.full_thrust;
                 zonotope.offset += each * (0.5 * (spread.high + spread.low) * full);
@@ -53,7 +53,7 @@ impl Middle {
                 zonotope.generators.push(Wrench::zeros());
                 continue;
             }
-            let capacity = fault.map_or(1.0, |f| f.capacity[k]);
+            let capacity = fault.map_or(1.0, |f| f.rotors[k].capacity());
             let [idle, full] = thrusts(rotor);
             if idle > full {
                 return None;

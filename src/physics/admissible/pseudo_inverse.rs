@@ -45,12 +45,12 @@ pub(super) fn facets(
     equalities: &[Equality<4>],
 ) -> Vec<Facet<4, Spanning>> {
     let n = actuation.rotors();
-    let stuck = |k: usize| fault.and_then(|f| f.stuck[k]);
+    let stuck = |k: usize| fault.and_then(|f| f.rotors[k].stuck_at());
     let scale = zonotope.scale();
     let columns: Vec<Wrench> = (0..n)
         .map(|k| match stuck(k) {
             Some(_) => Wrench::zeros(),
-            None => actuation.full(k).component_div(&scale) * fault.map_or(1.0, |f| f.capacity[k]),
+            None => actuation.full(k).component_div(&scale) * fault.map_or(1.0, |f| f.rotors[k].capacity()),
         })
         .collect();
     let mut rows = vec![Wrench::zeros(); n];

@@ -156,7 +156,7 @@ pub(crate) fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
 pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
     let rotors = model.vehicle.rotors.len();
     let (lost, capacity, stuck) = match set.mode.checked_sub(1) {
-        Some(i) => (model.modes[i].lost(), model.modes[i].capacity.clone(), model.modes[i].stuck.clone()),
+        Some(i) => (model.modes[i].lost(), model.modes[i].capacities(), model.modes[i].stuck()),
         None => (Vec::new(), vec![1.0; rotors], vec![None; rotors]),
     };
     let u_ref = hover(model);

@@ -30,7 +30,8 @@ pub const KINDS: &[Kind] = &[
 fn thrusts(spec: &Spec) -> [f64; 2] {
     let (vehicle, g) = (&spec.model().vehicle, spec.model().gravity);
     let mode = &spec.model().modes[spec.model().plan.against[0]];
-    let most: f64 = vehicle.rotors.iter().zip(&mode.capacity).map(|(rotor, share)| rotor.max_thrust() * share).sum();
+    let most: f64 =
+        vehicle.rotors.iter().zip(&mode.rotors).map(|(rotor, left)| rotor.max_thrust() * left.capacity()).sum();
     [(spec.honest.nodes[0][Z][2] + g) * vehicle.mass / most, most]
 }
 

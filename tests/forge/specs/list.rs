@@ -4,7 +4,8 @@ use super::Draft;
 use crate::vehicles::{hexacopter, lost, mission, octocopter, quadcopter, waypoint};
 use mavc::body::Body;
 use mavc::model::{
-    Allocation, LimitKind, Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind, RotorSpread, Spread,
+    Allocation, LimitKind, Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind, RotorSpread, RotorState,
+    Spread,
 };
 use mavc::model::{Volume, VolumeSide};
 use mavc::source::Span;
@@ -95,7 +96,7 @@ pub fn with(mut model: Model, change: impl Fn(&mut Model)) -> Model {
 pub fn weakened(mut model: Model) -> Model {
     let mut weak = lost(&model, &[]);
     weak.name = "weak".into();
-    weak.capacity.fill(0.4);
+    weak.rotors.fill(RotorState::Reduced(0.4));
     model.modes.push(weak);
     model.plan.against = vec![model.modes.len() - 1];
     model

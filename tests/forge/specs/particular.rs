@@ -5,7 +5,7 @@ use super::Draft;
 use super::list::{OCTO, compiled, elevator, exact, octo, shuttle, uncertain, weakened, with};
 use crate::motion::{Timetable, equations};
 use crate::truth::Outline;
-use mavc::model::{GiveUpYaw, Mission, MissionTime, Model, PlannerKind, Rotor, Spread, YawDrag};
+use mavc::model::{GiveUpYaw, Mission, MissionTime, Model, PlannerKind, Rotor, RotorState, Spread, YawDrag};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, Z};
 use std::f64::consts::TAU;
@@ -41,7 +41,7 @@ fn weak(planner: PlannerKind, share: f64) -> Model {
     with(weakened(octo(elevator(-30.0), planner, 20)), |m| {
         let mission = m.mission.as_mut().expect("a mission");
         mission.waypoints.iter_mut().for_each(|w| w.position[2] += 40.0);
-        m.modes.last_mut().expect("a mode").capacity.fill(share);
+        m.modes.last_mut().expect("a mode").rotors.fill(RotorState::Reduced(share));
         m.plan.reserve = 0.1;
     })
 }
@@ -221,7 +221,7 @@ pub fn drafts() -> Vec<Draft> {
         m.vehicle.rotors.iter_mut().for_each(|rotor| rotor.spread = Default::default());
         m.vehicle.mass_spread = Spread { low: 0.96, high: 1.04 };
         let full: f64 = m.vehicle.rotors.iter().map(Rotor::max_thrust).sum();
-        m.modes.last_mut().expect("a mode").capacity.fill(1.02 * mass * g / full);
+        m.modes.last_mut().expect("a mode").rotors.fill(RotorState::Reduced(1.02 * mass * g / full));
     });
     list.push(void("reserve about nothing, an interval of the mass", nearly, -2.0));
 

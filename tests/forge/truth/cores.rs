@@ -88,7 +88,7 @@ impl Core {
         }
         let momenta = if low == high { vec![low] } else { vec![low, high] };
         let mut core = Core {
-            rotors: vehicle.rotors.iter().zip(&mode.capacity).map(rotor).collect(),
+            rotors: vehicle.rotors.iter().zip(&mode.capacities()).map(rotor).collect(),
             drag: vehicle.yaw_drag?,
             inertia: vehicle.inertia,
             momenta,

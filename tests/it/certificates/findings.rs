@@ -4,7 +4,7 @@ use super::decide;
 use crate::vehicles::lost;
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, Multiplier, RowRecord, Side, SpinRecord};
 use mavc::model::grid::Spacing;
-use mavc::model::{GiveUpYaw, Model, PlannerKind, Problem, Spread, YawDrag};
+use mavc::model::{GiveUpYaw, Model, PlannerKind, Problem, RotorState, Spread, YawDrag};
 use mavc::planner::timing::kinematics::least_time_within;
 use mavc::verify::{Premise, Premises, Settings};
 use std::path::{Path, PathBuf};
@@ -276,7 +276,7 @@ fn what_cannot_hover_is_not_caught_by_its_spin() {
     let certificate = super::certified(&model).unwrap();
     let mut weak = lost(&model, &[]);
     (weak.name, weak.without_yaw) = ("weak".into(), Some(GiveUpYaw::Always));
-    weak.capacity.fill(0.1);
+    weak.rotors.fill(RotorState::Reduced(0.1));
     model.modes.push(weak);
     model.vehicle.yaw_drag = Some(YawDrag { linear: 2.75e-3, spread: Spread::NONE, quadratic: 0.0 });
     model.plan.planner = PlannerKind::Rcp;

@@ -5,7 +5,8 @@ use crate::vehicles::{hexacopter, limit, lost, mission, octocopter, quadcopter, 
 use mavc::body::Body;
 use mavc::certificate::{Certificate, Claim, DynamicModel, InfeasibleClaim, PlanClaim, SCHEMA, TooEarlyClaim};
 use mavc::model::{
-    GiveUpYaw, LimitKind, MissionTime, Model, OnLeg, Part, PlanModel, PlannerKind, Spread, Volume, VolumeSide, YawDrag,
+    GiveUpYaw, LimitKind, MissionTime, Model, OnLeg, Part, PlanModel, PlannerKind, RotorState, Spread, Volume,
+    VolumeSide, YawDrag,
 };
 use mavc::source::Span;
 use mavc::verify::cost::{Budget, Estimate, OF_A_CORE_ROW, OF_A_CORNER, OF_A_PLANE, OF_A_ROTOR};
@@ -171,7 +172,7 @@ fn a_shadow_is_what_some_yaw_torque_leaves() {
     in_a_line.modes = vec![lost(&in_a_line, &[6, 7, 8])];
     for mut model in [octocopter("PPNNPPNN"), hexacopter("PPNNPN"), quadcopter(), in_a_line] {
         let (mut stuck, one) = (lost(&model, &[2]), lost(&model, &[1]));
-        (stuck.capacity[1], stuck.stuck[1]) = (1.0, Some(0.3));
+        stuck.rotors[1] = RotorState::Stuck(0.3);
         model.modes.extend([one, stuck]);
         for mode in std::iter::once(None).chain(model.modes.iter().map(Some)) {
             // Not every mode can hover, and a reserve needs hover.

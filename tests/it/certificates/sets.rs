@@ -4,7 +4,7 @@ use super::Numbers;
 use crate::vehicles::{hexacopter, lost, octocopter, quadcopter};
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
-use mavc::model::{Allocation, Model, Spread};
+use mavc::model::{Allocation, Model, RotorState, Spread};
 use mavc::verify::interval::Interval;
 use mavc::verify::sets::{Generators, Plane};
 
@@ -93,9 +93,8 @@ fn other_vehicles_sets_are_the_planners() {
     for change in kinds {
         let mut model = octocopter("PPNNPPNN");
         model.modes = vec![lost(&model, &[3]), lost(&model, &[2]), lost(&model, &[4])];
-        model.modes[1].capacity[1] = 0.7;
-        model.modes[2].capacity[3] = 1.0;
-        model.modes[2].stuck[3] = Some(0.4);
+        model.modes[1].rotors[1] = RotorState::Reduced(0.7);
+        model.modes[2].rotors[3] = RotorState::Stuck(0.4);
         change(&mut model);
         for mode in [None, Some(0), Some(1), Some(2)] {
             assert_same(&model, mode, 0.0, &mut numbers);
@@ -109,9 +108,8 @@ fn sets_are_the_planners() {
     let mut numbers = Numbers(8);
     for mut model in [octocopter("PPNNPPNN"), octocopter("PNPNPNPN"), hexacopter("PPNNPN"), quadcopter()] {
         model.modes = vec![lost(&model, &[1]), lost(&model, &[2])];
-        model.modes[0].capacity[0] = 0.6;
-        model.modes[1].capacity[1] = 1.0;
-        model.modes[1].stuck[1] = Some(0.3);
+        model.modes[0].rotors[0] = RotorState::Reduced(0.6);
+        model.modes[1].rotors[1] = RotorState::Stuck(0.3);
         for mode in [None, Some(0)] {
             assert_same(&model, mode, 0.0, &mut numbers);
             assert_same(&model, mode, 0.2, &mut numbers);
@@ -119,8 +117,7 @@ fn sets_are_the_planners() {
     }
     let mut model = octocopter("PPNNPPNN");
     model.modes = vec![lost(&model, &[3]), lost(&model, &[1, 6]), lost(&model, &[4])];
-    model.modes[2].capacity[3] = 1.0;
-    model.modes[2].stuck[3] = Some(0.4);
+    model.modes[2].rotors[3] = RotorState::Stuck(0.4);
     for mode in 0..3 {
         assert_same(&model, Some(mode), 0.1, &mut numbers);
     }

@@ -189,7 +189,7 @@ fn single_losses_in_hover_are_identified() {
             assert!(found.detected_after.is_some_and(|t| t < 0.3), "{found:?}");
             assert!(found.isolated_after.is_some_and(|t| t < 0.5), "noise {noise} {found:?}");
             let last = all.last().unwrap();
-            let truth = &model.modes[mode].capacity;
+            let truth = &model.modes[mode].capacities();
             assert!(last.iter().zip(truth).all(|(b, c)| (b - c).abs() < 0.2), "M{}: {last:?}", mode + 1);
             assert_eq!(flight.false_alarms, 0, "M{}", mode + 1);
         }

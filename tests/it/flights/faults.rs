@@ -6,6 +6,7 @@ use mavc::actuation::Actuation;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::verdict::{Verdict, analyze};
 use mavc::flight::{Sortie, fly};
+use mavc::model::RotorState;
 use mavc::model::{Detection, Model};
 use nalgebra::Vector3;
 
@@ -142,7 +143,7 @@ fn rotors_that_recover_are_believed_again() {
     let mut model = octocopter("PPNNPPNN");
     model.simulation.detection = Detection::Estimator;
     let mut weak = lost(&model, &[4]);
-    weak.capacity[3] = 0.6;
+    weak.rotors[3] = RotorState::Reduced(0.6);
     model.modes = vec![lost(&model, &[3]), weak];
     for mode in 0..2 {
         let strikes = [mavc::model::Strike { until: Some(6.0), ..strike(mode, 2.0) }];
@@ -156,7 +157,7 @@ fn rotors_that_recover_are_believed_again() {
 fn a_stuck_rotor_that_is_lost_gives_nothing() {
     let mut model = told(octocopter("PPNNPPNN"));
     let mut stuck = lost(&model, &[3]);
-    (stuck.capacity[2], stuck.stuck[2]) = (1.0, Some(0.5));
+    stuck.rotors[2] = RotorState::Stuck(0.5);
     model.modes = vec![lost(&model, &[3]), stuck];
     for order in [[0, 1], [1, 0]] {
         let (_, given, wanted) = ends(&model, &[strike(order[0], 2.0), strike(order[1], 3.0)]);

@@ -5,6 +5,7 @@ use crate::vehicles::{lost, octocopter, quadcopter};
 use mavc::flight::body::Body;
 use mavc::flight::heading::{DEFINED_UP_TO, Heading, Patience, wrapped};
 use mavc::flight::{Cause, Outcome, Sample, Sortie, fly};
+use mavc::model::RotorState;
 use mavc::model::{Controller, Detection, GiveUpYaw, Model};
 use mavc::motion::{X, Y, YAW};
 use nalgebra::Vector3;
@@ -157,7 +158,7 @@ fn a_sound_vehicle_keeps_its_heading() {
 fn an_integration_that_breaks_down_is_neither_lost_nor_survived() {
     let mut model = quiet(octocopter("PPNNPPNN"));
     model.modes = vec![lost(&model, &[3])];
-    model.modes[0].capacity[2] = 0.85;
+    model.modes[0].rotors[2] = RotorState::Reduced(0.85);
     for inertia in [1e-9, 1e-10, 1e-12, 1e-14] {
         model.vehicle.inertia = [inertia; 3];
         let plan = staying(PLACE, 0.0, 4.0);

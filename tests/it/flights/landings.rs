@@ -4,7 +4,7 @@ use super::strike;
 use mavc::PlanOutcome;
 use mavc::flight::reference::{Course, DESCENT, Stop};
 use mavc::flight::{Outcome, Sortie, fly};
-use mavc::model::{AfterFault, Detection, FaultMode, Model};
+use mavc::model::{AfterFault, Detection, FaultMode, Model, RotorState};
 use mavc::motion::Trajectory;
 use std::sync::LazyLock;
 
@@ -63,8 +63,7 @@ mod thorough {
             let mut model = model.clone();
             let rotors = model.vehicle.rotors.len();
             model.modes = vec![FaultMode {
-                capacity: vec![1.0; rotors],
-                stuck: vec![None; rotors],
+                rotors: vec![RotorState::Sound; rotors],
                 ..model.modes.first().cloned().unwrap_or_else(|| crate::vehicles::lost(&model, &[1]))
             }];
             (model.simulation.detection, model.simulation.after_fault) = (Detection::After(0.0), AfterFault::Land);

@@ -6,6 +6,7 @@ use mavc::actuation::Wrench;
 use mavc::flight::body::{Body, Frame};
 use mavc::flight::rotors::Rotors;
 use mavc::model::Model;
+use mavc::model::RotorState;
 use nalgebra::Vector3;
 
 fn still() -> Vector3<f64> {
@@ -99,10 +100,10 @@ fn rotors_give_what_faults_leave() {
     };
     assert!((rotors.wrench() - of([1.0; 8], [250_000.0; 8])).norm() < 1e-12);
     let mut weak = crate::vehicles::lost(&model, &[2]);
-    weak.capacity[4] = 0.5;
+    weak.rotors[4] = RotorState::Reduced(0.5);
     let mut stuck = crate::vehicles::lost(&model, &[]);
-    stuck.stuck[6] = Some(0.25);
-    stuck.capacity[4] = 0.8;
+    stuck.rotors[6] = RotorState::Stuck(0.25);
+    stuck.rotors[4] = RotorState::Reduced(0.8);
     rotors.set_faults([&weak, &stuck].into_iter());
     let theta = [1.0, 0.0, 1.0, 1.0, 0.5, 1.0, 1.0, 1.0];
     let mut square = [250_000.0; 8];

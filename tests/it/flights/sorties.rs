@@ -5,6 +5,7 @@ use crate::vehicles::{lost, octocopter};
 use mavc::flight::body::Frame;
 use mavc::flight::reference::Course;
 use mavc::flight::{Cause, Outcome, Sample, control, fly};
+use mavc::model::RotorState;
 use mavc::model::{Allocation, Controller, Detection, Model};
 use mavc::motion::{X, Y, Z};
 use nalgebra::Vector3;
@@ -134,7 +135,7 @@ fn a_stuck_rotor_that_is_known_disturbs_little() {
     model.simulation.detection = Detection::After(0.1);
     for share in [0.2, 0.6] {
         let mut mode = lost(&model, &[]);
-        mode.stuck[2] = Some(share);
+        mode.rotors[2] = RotorState::Stuck(share);
         model.modes = vec![mode];
         let plan = staying(PLACE, 0.0, 8.0);
         let strikes = [strike(0, 2.0)];
@@ -165,7 +166,7 @@ fn a_vehicle_without_rotors_falls_to_its_end() {
 fn a_tumbling_vehicle_is_lost_and_not_flown_for_ever() {
     let mut model = quiet(octocopter("PPNNPPNN"));
     let mut mode = lost(&model, &[1, 2, 8]);
-    mode.stuck[4] = Some(1.0);
+    mode.rotors[4] = RotorState::Stuck(1.0);
     model.modes = vec![mode];
     let plan = staying(PLACE, 0.0, 1e4);
     let flight = fly(&sortie(&model, &plan, &[strike(0, 0.0)]), None);

@@ -1,7 +1,7 @@
 //! Expressions, missions and plans come out with the numbers one would compute by hand.
 
 use super::{QUAD, check, codes, model};
-use mavc::model::{AfterFault, LimitKind, MissionTime, PlannerKind, Spin};
+use mavc::model::{AfterFault, LimitKind, MissionTime, PlannerKind, RotorState, Spin};
 use std::f64::consts::PI;
 
 /// The x coordinate that `expression` gives, m.
@@ -126,8 +126,8 @@ fn combinations_are_named_and_numbered() {
     assert_eq!(names, ["D1_2", "D1_3", "D1_4", "D2_3", "D2_4", "D3_4", "S1", "S2", "S3", "S4", "W"]);
     assert_eq!(modes[4].lost(), [2, 4]);
     assert_eq!(modes[0].rpn(), Some(90));
-    assert_eq!((modes[7].stuck[1], modes[7].capacity[1]), (Some(0.5), 1.0));
-    assert_eq!(modes[10].capacity, [1.0, 1.0, 0.6, 1.0]);
+    assert_eq!(modes[7].rotors[1], RotorState::Stuck(0.5));
+    assert_eq!(modes[10].capacities(), [1.0, 1.0, 0.6, 1.0]);
     assert!((modes[10].rate.unwrap() * 3600.0 - 1e-5).abs() < 1e-20);
     assert_eq!(modes[10].title.as_deref(), Some("worn"));
 }

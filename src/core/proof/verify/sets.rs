@@ -15,7 +15,7 @@ use self::inverse::Inverse;
 use super::dyadic::{Dyadic, dot, orthogonal};
 use super::interval::{Interval, exceeds};
 use super::{Rejection, mode_named};
-use crate::model::{Allocation, Environment, FaultMode, Model, Rotor, Spin, Vehicle};
+use crate::model::{Allocation, Environment, FaultMode, Model, Rotor, RotorState, Spin, Vehicle};
 use std::cmp::Ordering;
 
 pub use once::Sets;
@@ -210,19 +210,17 @@ impl Generators {
         let mut own = Vec::new();
         for (k, rotor) in vehicle.rotors.iter().enumerate() {
             let known = Known::of(rotor);
-            match mode.and_then(|m| m.stuck.get(k).copied().flatten()) {
-                // Stuck at a share of full thrust.
-                Some(share) => {
-                    offset = sum(&offset, &scaled(&known.middle, share));
-                    own.push(zero());
+            // From the lowest speed to the highest, or at one speed, times the capacity.
+            let (at, range) = match mode.map_or(RotorState::Sound, |mode| mode.rotors[k]) {
+                RotorState::Sound => (known.idle.clone(), difference(&known.full, &known.idle)),
+                RotorState::Reduced(capacity) => {
+                    (scaled(&known.idle, capacity), scaled(&difference(&known.full, &known.idle), capacity))
                 }
-                // From the lowest speed to the highest, times the capacity.
-                None => {
-                    let capacity = mode.and_then(|m| m.capacity.get(k).copied()).unwrap_or(1.0);
-                    offset = sum(&offset, &scaled(&known.idle, capacity));
-                    own.push(scaled(&difference(&known.full, &known.idle), capacity));
-                }
-            }
+                RotorState::Stuck(share) => (scaled(&known.middle, share), zero()),
+                RotorState::Lost => (zero(), zero()),
+            };
+            offset = sum(&offset, &at);
+            own.push(range);
         }
         let mut hover = zero();
         hover[0] = match environment.has_drag() {

@@ -8,7 +8,7 @@ use super::GiveUpYaw;
 use super::Heading;
 use super::{
     AfterFault, Air, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Origin, Plan,
-    PlanRotors, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
+    PlanRotors, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
 };
 use crate::number::{fixed, number};
 
@@ -160,14 +160,14 @@ fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode) -> fmt::Result {
     }
     write!(f, ":")?;
     let mut first = true;
-    for k in 0..m.capacity.len() {
-        let what = match (m.stuck[k], m.capacity[k]) {
-            (Some(at), _) => format!("stuck at {} %", number(at * 100.0)),
-            (None, 0.0) => "lost".into(),
-            (None, 1.0) => continue,
-            (None, theta) => format!("at {} %", number(theta * 100.0)),
+    for (k, rotor) in (1..).zip(&m.rotors) {
+        let what = match *rotor {
+            RotorState::Sound => continue,
+            RotorState::Reduced(theta) => format!("at {} %", number(theta * 100.0)),
+            RotorState::Stuck(at) => format!("stuck at {} %", number(at * 100.0)),
+            RotorState::Lost => "lost".into(),
         };
-        write!(f, "{} rotor {} {what}", if first { "" } else { "," }, k + 1)?;
+        write!(f, "{} rotor {k} {what}", if first { "" } else { "," })?;
         first = false;
     }
     let numbers = [("severity", m.severity), ("occurrence", m.occurrence), ("detection", m.detection)];

@@ -12,7 +12,7 @@ use super::{after_fault, sense, without_yaw};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::mode as table;
 use crate::language::{Entry, Group};
-use crate::model::{AfterFault, FaultMode, GiveUpYaw};
+use crate::model::{AfterFault, FaultMode, GiveUpYaw, RotorState};
 use crate::number::number;
 use crate::source::{Span, Spanned, visible};
 use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
@@ -84,7 +84,7 @@ impl Modes {
         let mut mode = numbers.mode(name.value.clone(), rotors, name.span);
         mode.title = block.title.as_ref().map(|t| visible::line(&t.value).into_owned());
         mode.doc = block.doc.clone();
-        effects.iter().for_each(|(k, effect)| effect.apply(&mut mode, *k));
+        effects.iter().for_each(|(k, effect)| mode.rotors[k - 1] = *effect);
         self.push(mode);
     }
 
@@ -107,7 +107,7 @@ impl Modes {
             (self.incomplete, cx.modes_unnamed) = (true, true);
             return;
         }
-        let effect = Loss::read(cx, effect);
+        let effect = left_by(cx, effect);
         let numbers = Numbers::read(cx, format!("`every ... as {}`", prefix.value), span, body);
         let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());
         let count = cx.whole("the number of rotors", count, 1..=most, "mavc::fault::count").map(|k| (k, count.span));
@@ -149,7 +149,7 @@ impl Modes {
             };
             let mut mode = numbers.mode(name, n, span);
             mode.doc = doc.clone();
-            rotors.iter().for_each(|&rotor| effect.apply(&mut mode, rotor));
+            rotors.iter().for_each(|&rotor| mode.rotors[rotor - 1] = effect);
             self.push(mode);
         }
         if self.modes.len() > first {
@@ -206,32 +206,17 @@ fn combinations(n: usize, k: usize) -> impl Iterator<Item = Vec<usize>> {
     })
 }
 
-#[derive(Clone, Copy)]
-enum Loss {
-    Capacity(f64),
-    Stuck(f64),
-}
-
-impl Loss {
-    fn read<'a>(cx: &mut Context<'a>, effect: &'a Effect) -> Option<Self> {
-        const CODE: &str = "mavc::fault::percent";
-        match effect {
-            Effect::Lost(_) => Some(Loss::Capacity(0.0)),
-            Effect::Reduced(to) => {
-                let remaining = cx.share("the remaining thrust of a rotor", to, CODE)?;
-                sense::effect(cx, remaining, to.span);
-                Some(Loss::Capacity(remaining))
-            }
-            Effect::Stuck(at) => cx.share("the thrust a rotor is stuck at", at, CODE).map(Loss::Stuck),
+/// What an effect leaves of a rotor.
+fn left_by<'a>(cx: &mut Context<'a>, effect: &'a Effect) -> Option<RotorState> {
+    const CODE: &str = "mavc::fault::percent";
+    match effect {
+        Effect::Lost(_) => Some(RotorState::Lost),
+        Effect::Reduced(to) => {
+            let remaining = cx.share("the remaining thrust of a rotor", to, CODE)?;
+            sense::effect(cx, remaining, to.span);
+            Some(RotorState::of_capacity(remaining))
         }
-    }
-
-    /// Sets rotor `k`, counted from 1.
-    fn apply(self, mode: &mut FaultMode, k: usize) {
-        match self {
-            Loss::Capacity(share) => mode.capacity[k - 1] = share,
-            Loss::Stuck(share) => mode.stuck[k - 1] = Some(share),
-        }
+        Effect::Stuck(at) => cx.share("the thrust a rotor is stuck at", at, CODE).map(RotorState::Stuck),
     }
 }
 
@@ -244,7 +229,7 @@ impl Effects {
         block: &'a Block,
         owner: &str,
         rotors: Option<usize>,
-    ) -> Option<Vec<(usize, Loss)>> {
+    ) -> Option<Vec<(usize, RotorState)>> {
         let mut all = Some(Vec::new());
         let mut touched: BTreeMap<usize, Span> = BTreeMap::new();
         let mut any = false;
@@ -257,7 +242,7 @@ impl Effects {
                 }
                 _ => continue,
             };
-            let loss = Loss::read(cx, effect);
+            let loss = left_by(cx, effect);
             let indices = indices(cx, list, rotors);
             any |= indices.as_ref().is_none_or(|known| !known.is_empty());
             for &(k, span) in indices.iter().flatten() {
@@ -349,8 +334,7 @@ impl Numbers {
             name,
             title: None,
             doc: None,
-            capacity: vec![1.0; rotors],
-            stuck: vec![None; rotors],
+            rotors: vec![RotorState::Sound; rotors],
             severity: self.severity,
             occurrence: self.occurrence,
             detection: self.detection,

@@ -7,7 +7,7 @@ use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::admissible::without_yaw::YawFree;
 use crate::lsp::names::Kind;
-use crate::model::{FaultMode, Model, Rotor};
+use crate::model::{FaultMode, Model, Rotor, RotorState};
 use crate::number::{down, number, percent, significant};
 use crate::source::{FileId, Span};
 
@@ -96,11 +96,11 @@ pub fn modes(spec: &Spec, modes: &[usize]) -> Option<String> {
 
 /// `rotor 1 lost, rotor 3 reduced to 60 %; rate 1e-5 1/h`
 fn effect(mode: &FaultMode) -> String {
-    let rotors = (0..mode.capacity.len()).filter_map(|k| match (mode.capacity[k], mode.stuck[k]) {
-        (_, Some(share)) => Some(format!("rotor {} stuck at {}", k + 1, percent(share))),
-        (0.0, None) => Some(format!("rotor {} lost", k + 1)),
-        (1.0, None) => None,
-        (share, None) => Some(format!("rotor {} reduced to {}", k + 1, percent(share))),
+    let rotors = (1..).zip(&mode.rotors).filter_map(|(k, rotor)| match *rotor {
+        RotorState::Sound => None,
+        RotorState::Reduced(share) => Some(format!("rotor {k} reduced to {}", percent(share))),
+        RotorState::Stuck(share) => Some(format!("rotor {k} stuck at {}", percent(share))),
+        RotorState::Lost => Some(format!("rotor {k} lost")),
     });
     let mut text = rotors.collect::<Vec<_>>().join(", ");
     if text.is_empty() {

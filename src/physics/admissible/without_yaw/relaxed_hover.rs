@@ -235,8 +235,8 @@ impl Allocation {
         let extent = generators.iter().fold(Wrench::zeros(), |sum, g| sum + g.abs());
         let scale = extent.map(|e| if e > 1e-12 * extent.max() { 1.0 / e } else { 0.0 });
         let rotors = || vehicle.rotors.iter().enumerate();
-        let capacity: Vec<f64> = rotors().map(|(k, _)| mode.map_or(1.0, |mode| mode.capacity[k])).collect();
-        let stuck = |k: usize| mode.and_then(|mode| mode.stuck[k]);
+        let capacity: Vec<f64> = rotors().map(|(k, _)| mode.map_or(1.0, |mode| mode.rotors[k].capacity())).collect();
+        let stuck = |k: usize| mode.and_then(|mode| mode.rotors[k].stuck_at());
         Allocation {
             columns: generators.iter().map(|g| g.component_mul(&scale)).collect(),
             scale,

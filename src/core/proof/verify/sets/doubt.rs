@@ -64,7 +64,7 @@ impl Doubts {
             if delta.high > ratio.high {
                 ratio = delta;
             }
-            if let Some(share) = mode.and_then(|m| m.stuck.get(k).copied().flatten()) {
+            if let Some(share) = mode.and_then(|mode| mode.rotors[k].stuck_at()) {
                 let known = Known::of(rotor);
                 stuck.push(scaled(&difference(&known.middle, &known.full), share));
             }

@@ -7,7 +7,7 @@
 //! `det G w_min^2 <= (adj G a_k) . (w - c) <= det G w_max^2`.
 
 use super::{Exact, is_zero, scaled, sum, wrench_at, zero};
-use crate::model::{FaultMode, Vehicle};
+use crate::model::{FaultMode, RotorState, Vehicle};
 use crate::verify::dyadic::{Dyadic, dot, orthogonal};
 use std::cmp::Ordering;
 
@@ -31,16 +31,16 @@ impl Inverse {
         let mut offset = zero();
         let mut columns = Vec::new();
         for (k, rotor) in vehicle.rotors.iter().enumerate() {
-            match mode.and_then(|m| m.stuck.get(k).copied().flatten()) {
-                Some(share) => {
+            let unit = wrench_at(rotor, 1.0, &one, &one);
+            columns.push(match mode.map_or(RotorState::Sound, |mode| mode.rotors[k]) {
+                RotorState::Sound => unit,
+                RotorState::Reduced(capacity) => scaled(&unit, capacity),
+                RotorState::Stuck(share) => {
                     offset = sum(&offset, &scaled(&wrench_at(rotor, rotor.max_speed, &one, &one), share));
-                    columns.push(zero());
+                    zero()
                 }
-                None => {
-                    let capacity = mode.and_then(|m| m.capacity.get(k).copied()).unwrap_or(1.0);
-                    columns.push(scaled(&wrench_at(rotor, 1.0, &one, &one), capacity));
-                }
-            }
+                RotorState::Lost => zero(),
+            });
         }
         let square: [Exact; 4] = std::array::from_fn(|i| {
             std::array::from_fn(|j| columns.iter().fold(Dyadic::zero(), |sum, a| sum.plus(&a[i].times(&a[j]))))
