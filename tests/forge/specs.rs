@@ -205,10 +205,11 @@ fn kept(motion: &Trajectory, volume: &Volume, gravity: f64) -> f64 {
 
 /// A limit at a share of what a motion reaches.
 fn reached(motion: &Trajectory, kind: LimitKind, share: f64, air: &Environment) -> Limit {
-    let bound = |lower, upper| Limit { kind, lower, upper, span: Default::default(), volume: None, leg: None };
+    let bound =
+        |lower, upper| Limit { kind: kind.clone(), lower, upper, span: Default::default(), volume: None, leg: None };
     let most = peak(motion, |s| past(&bound(None, Some(0.0)), s, air)).value;
     let least = || peak(motion, |s| past(&bound(Some(0.0), None), s, air)).value;
-    match kind {
+    match &kind {
         // Room beside the motion, m and rad.
         LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => {
             bound(Some(-least() - (share - 1.0)), Some(most + (share - 1.0)))

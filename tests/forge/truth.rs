@@ -361,7 +361,7 @@ impl Truth {
                 since.retain(|(what, _)| over.contains(what));
                 // A yaw that follows from the motion is required at nodes alone.
                 let is_of_nodes = |what: &Falsehood| match what {
-                    Falsehood::Limit(i) => self.mission().limits[*i].kind == LimitKind::Heading,
+                    Falsehood::Limit(i) => self.mission().limits[*i].kind.is_heading(),
                     _ => false,
                 };
                 for what in over.into_iter().filter(|what| !is_of_nodes(what)) {
@@ -404,7 +404,7 @@ impl Truth {
         let limits = self.mission().limits.iter().enumerate().filter(|(_, limit)| self.holds(limit, motion, k, at));
         let mut found: Vec<(Falsehood, f64)> = limits
             .map(|(i, limit)| {
-                let over = match (limit.kind, limit.upper) {
+                let over = match (&limit.kind, limit.upper) {
                     (LimitKind::Tilt, Some(upper)) => worst(&|wind| {
                         let felt = in_air(&state, wind);
                         (felt[X][2].hypot(felt[Y][2]) * upper.cos() - lift(wind) * upper.sin()) / g

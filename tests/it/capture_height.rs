@@ -5,7 +5,7 @@ use mavc::certificate::Certificate;
 use mavc::flight::capture::Capture;
 use mavc::flight::capture::needed::Needed;
 use mavc::flight::{Outcome, Sortie, fly};
-use mavc::model::{AfterFault, Detection, LimitKind, Strike};
+use mavc::model::{AfterFault, Detection, DistanceFrom, LimitKind, Strike};
 use mavc::observer::Silent;
 use mavc::report::page::{self, Kind, Subject};
 use mavc::{Planning, Refusal, Spec, Task};
@@ -135,10 +135,12 @@ fn waypoints_show_where_the_way_up_ends() {
     let model = spec(&text("ground = 1 m", OVER, REQUIRED)).model().keeping(8.0).unwrap();
     let limits = &model.mission.as_ref().unwrap().limits;
     let of_capture = limits.iter().filter(|limit| limit.name() == "capture height");
-    let bounds: Vec<_> =
-        of_capture.map(|limit| (limit.kind, limit.leg.as_ref().unwrap().leg, limit.lower, limit.upper)).collect();
-    let near = |leg| (LimitKind::Distance, leg, None, Some(4.0));
-    assert_eq!(bounds, [(LimitKind::Z, 1, Some(9.0), None), near(0), near(2)]);
+    let bounds: Vec<_> = of_capture
+        .map(|limit| (limit.kind.clone(), limit.leg.as_ref().unwrap().leg, limit.lower, limit.upper))
+        .collect();
+    let about = [[0.0, 0.0], [15.0, 0.0]].map(|end| LimitKind::Distance(DistanceFrom::Axis(end)));
+    let near = |end: usize, leg| (about[end].clone(), leg, None, Some(4.0));
+    assert_eq!(bounds, [(LimitKind::Z, 1, Some(9.0), None), near(0, 0), near(1, 2)]);
 
     let code = |waypoints: &str| match refusal(&text("ground = 0 m", waypoints, REQUIRED)) {
         Refusal::TooLow(found) => {

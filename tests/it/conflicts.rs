@@ -404,12 +404,13 @@ impl Text {
     fn leave_out_of(&mut self, whole: &Text, statement: Statement) {
         let (_, before) = whole.model();
         let (_, now) = self.model();
-        let places = |model: &Model| model.mission.as_ref().unwrap().limits.iter().map(|l| l.kind).collect::<Vec<_>>();
+        let places =
+            |model: &Model| model.mission.as_ref().unwrap().limits.iter().map(|l| l.kind.clone()).collect::<Vec<_>>();
         // Limits that have gone have moved the others.
         let moved = match statement {
             Statement::Limit(limit) => {
-                let kind = before.mission.as_ref().unwrap().limits[limit].kind;
-                Statement::Limit(places(&now).iter().position(|k| *k == kind).unwrap())
+                let kind = &before.mission.as_ref().unwrap().limits[limit].kind;
+                Statement::Limit(places(&now).iter().position(|k| k == kind).unwrap())
             }
             other => other,
         };

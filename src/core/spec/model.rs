@@ -29,13 +29,14 @@ pub use flight_settings::{
 pub use heading::{Heading, SLOWEST, Target};
 pub use interval::{RotorSpread, Spread};
 pub use lag::SLOWEST_SHARE;
+pub use limits::{Description, Quantity};
 pub use origin::Origin;
 pub use plan_settings::{
     CaptureHeight, MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH, MAX_WAYPOINTS, MissionTime, Plan, PlanModel,
     PlanRotors, PlannerKind,
 };
 pub use problem::Problem;
-pub use volume::{Boundary, Bounded, Side as VolumeSide, Volume};
+pub use volume::{Boundary, Side as VolumeSide, Volume};
 pub use without_yaw::GiveUpYaw;
 pub use yaw_drag::YawDrag;
 
@@ -373,8 +374,8 @@ pub struct Leg {
     pub share: f64,
 }
 
-/// The quantity that a limit bounds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The quantity that a limit bounds, with what it is measured from.
+#[derive(Debug, Clone, PartialEq)]
 pub enum LimitKind {
     X,
     Y,
@@ -391,17 +392,28 @@ pub enum LimitKind {
     YawRate,
     YawAcceleration,
     Tilt,
-    /// The position along the normal of a face of a `keep_in`, or along the axis of a corridor.
-    Face,
-    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one or of a corridor.
-    Distance,
-    /// The distance from a body of a `keep_out`: a lower bound, and the only limit that is not convex.
-    Clearance,
-    /// The angle between the velocity and [`OnLeg::direction`] at the end of the leg; without velocity there is none.
-    Arrival,
-    /// The angle between the yaw and the direction of [`OnLeg::target`], at nodes; where there is no such direction, nothing is
+    /// The position along a unit vector: the normal of a face of a `keep_in`, or the axis of a corridor, m.
+    Face([f64; 3]),
+    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one or of a corridor, m.
+    Distance(DistanceFrom),
+    /// The distance from a body of a `keep_out`, m: a lower bound, and the only limit that is not convex.
+    Clearance(Arc<Body>),
+    /// The angle between the velocity and this unit vector at the end of the leg, rad; without velocity there is none.
+    Arrival([f64; 3]),
+    /// The angle between the yaw and the direction of the target, rad, at nodes; where there is no such direction, nothing is
     /// bounded.
-    Heading,
+    Heading(Target),
+}
+
+/// What a distance is measured from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum DistanceFrom {
+    /// A point.
+    Point([f64; 3]),
+    /// The vertical line through (x, y).
+    Axis([f64; 2]),
+    /// The line through `point` along the unit vector `along`.
+    Line { point: [f64; 3], along: [f64; 3] },
 }
 
 /// Where on its leg a limit holds.
@@ -423,10 +435,6 @@ pub struct OnLeg {
     pub part: Part,
     /// The limit as messages name it: `speed on the leg to waypoint 3`.
     pub name: String,
-    /// Of [`LimitKind::Arrival`]: the unit vector along which the vehicle arrives.
-    pub direction: Option<[f64; 3]>,
-    /// Of [`LimitKind::Heading`].
-    pub target: Option<Target>,
 }
 
 /// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only an
@@ -438,8 +446,7 @@ pub struct Limit {
     pub lower: Option<f64>,
     pub upper: Option<f64>,
     pub span: Span,
-    /// The volume or corridor that imposes this limit; `None` for a limit that is written as one. `Face`, `Distance` and
-    /// `Clearance` always have one.
+    /// The volume or corridor that imposes this limit; `None` for a limit that is written as one.
     pub volume: Option<Arc<Boundary>>,
     /// The leg on which the limit holds; `None` if it holds on all.
     pub leg: Option<Arc<OnLeg>>,

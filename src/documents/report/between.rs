@@ -4,7 +4,7 @@ use super::caveats::exceeded_limits;
 use super::terminal::WIDTH;
 use crate::admissible::row::VIOLATED;
 use crate::certify::between::{Between, COMMANDS, CORES, GRID, Shown, WRENCH};
-use crate::model::{LimitKind, Model};
+use crate::model::Model;
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::percent;
 use crate::planner::studies::MissionPlan;
@@ -28,7 +28,7 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
     let of_volume = |i: usize| model.mission.as_ref().is_some_and(|mission| mission.limits[i].volume.is_some());
     let are_one = |i: usize, j: usize| i == j || of_volume(i) && of_volume(j) && limits[i].rows == limits[j].rows;
     // A yaw that follows from the motion has a table of its own.
-    let is_yaw = |i: usize| model.mission.as_ref().is_some_and(|m| m.limits[i].kind == LimitKind::Heading);
+    let is_yaw = |i: usize| model.mission.as_ref().is_some_and(|m| m.limits[i].kind.is_heading());
     let is_exceeded = |i: usize| is_yaw(i) || exceeded.iter().any(|violation| are_one(i, violation.limit));
     let is_checked = |i: usize| (0..limits.len()).any(|j| are_one(i, j) && limits[j].shown == Shown::Checked);
     let satisfied = |shown: Shown| {

@@ -64,7 +64,7 @@ fn record(problem: Problem, statement: Statement, time_saved_s: f64) -> Statemen
             let limit = &mission.limits[limit];
             let relaxed_by = match limit.kind {
                 LimitKind::X | LimitKind::Y | LimitKind::Z => "10 cm",
-                LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => "10 cm",
+                LimitKind::Face(_) | LimitKind::Distance(_) | LimitKind::Clearance(_) => "10 cm",
                 LimitKind::Yaw => "1 deg",
                 _ => "1 %",
             };
@@ -94,7 +94,8 @@ fn bound(limit: &Limit) -> String {
     if let Some(volume) = &limit.volume {
         return volume.name.clone();
     }
-    let (name, unit, factor) = limit.kind.name_and_unit();
+    let description = limit.kind.describe();
+    let (name, unit, factor) = (description.name, description.unit, description.factor());
     let value = |bound: f64| number(bound * factor);
     match (limit.lower, limit.upper) {
         (Some(low), Some(high)) if low == -high => format!("{name} <= {} {unit}", value(high)),

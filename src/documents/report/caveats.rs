@@ -56,7 +56,7 @@ pub fn exceeded_limits(model: &Model, solved: &MissionPlan) -> Vec<LimitViolatio
     exceeded.retain(|violation| {
         let limit = &limits[violation.limit];
         // A yaw that follows from the motion is required at nodes only.
-        if limit.kind == LimitKind::Heading {
+        if limit.kind.is_heading() {
             return false;
         }
         let Some(mission) = &model.mission else { return false };
@@ -132,7 +132,8 @@ fn speed(state: &NodeState) -> f64 {
 pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
     let exceeded = exceeded_limits(model, solved).into_iter().map(|e| {
-        let (_, unit, factor) = limits[e.limit].kind.name_and_unit();
+        let description = limits[e.limit].kind.describe();
+        let (unit, factor) = (description.unit, description.factor());
         let name = limits[e.limit].name();
         Caveat {
             kind: CaveatKind::LimitBetweenSamples,

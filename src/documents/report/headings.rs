@@ -1,6 +1,6 @@
 //! How far a yaw that follows from the motion is off its direction.
 
-use crate::model::{Limit, LimitKind, Part, Problem};
+use crate::model::{Limit, Part, Problem};
 use crate::motion::NodeState;
 use crate::motion::checks::{heading_error, leg_intervals, peak_of};
 use crate::number::{fixed, significant};
@@ -25,7 +25,7 @@ pub struct HeadingRecord {
 /// The record of each leg and waypoint, in the order of flight.
 pub fn records(problem: Problem, solved: &MissionPlan) -> Vec<HeadingRecord> {
     let (mission, trajectory) = (problem.mission(), &solved.trajectory);
-    let of_yaw = mission.limits.iter().filter(|limit| limit.kind == LimitKind::Heading);
+    let of_yaw = mission.limits.iter().filter(|limit| limit.kind.is_heading());
     let record = |limit: &Limit| {
         let on = limit.leg.as_deref()?;
         let leg = leg_intervals(trajectory, mission, on.leg);

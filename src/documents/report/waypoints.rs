@@ -1,6 +1,6 @@
 //! The error of a plan at each waypoint, compared with the tolerance.
 
-use crate::model::{Heading, Limit, LimitKind, Mission, Part, Waypoint};
+use crate::model::{Heading, Limit, Mission, Part, Waypoint};
 use crate::motion::checks::heading_error;
 use crate::motion::{NodeState, YAW};
 use crate::number::{DIGITS, percent, significant};
@@ -105,7 +105,7 @@ pub fn yaw_error(index: usize, mission: &Mission, state: &NodeState) -> f64 {
             Part::Whole => on.leg == index || on.leg + 1 == index,
         })
     };
-    let of_yaw = mission.limits.iter().filter(|limit| limit.kind == LimitKind::Heading).filter(holds_here);
+    let of_yaw = mission.limits.iter().filter(|limit| limit.kind.is_heading()).filter(holds_here);
     of_yaw.filter_map(|limit| heading_error(limit, state)).map(f64::abs).fold(0.0, f64::max)
 }
 

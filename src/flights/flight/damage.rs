@@ -52,8 +52,9 @@ fn class(limit: &Limit) -> Option<usize> {
         LimitKind::AccelerationHorizontal => Some(8),
         LimitKind::YawRate => Some(9),
         LimitKind::Tilt => Some(10),
-        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => Some(11),
-        LimitKind::Yaw | LimitKind::Jerk | LimitKind::YawAcceleration | LimitKind::Arrival | LimitKind::Heading => None,
+        LimitKind::Face(_) | LimitKind::Distance(_) | LimitKind::Clearance(_) => Some(11),
+        LimitKind::Yaw | LimitKind::Jerk | LimitKind::YawAcceleration => None,
+        LimitKind::Arrival(_) | LimitKind::Heading(_) => None,
     }
 }
 
@@ -235,7 +236,7 @@ impl<'a> Collector<'a> {
         let acceleration = if self.needs_acceleration { acceleration() } else { Vector3::zeros() };
         let state = state(body, &acceleration, self.needs_yaw_rate);
         for bound in due {
-            let over = match (bound.limit.kind, bound.limit.upper) {
+            let over = match (&bound.limit.kind, bound.limit.upper) {
                 (LimitKind::Tilt, Some(upper)) => errors.tilt - upper,
                 _ => past(bound.limit, &state, &self.environment),
             };

@@ -3,7 +3,7 @@
 
 use super::{Trajectory, in_air, tilt};
 use crate::model::grid::{fewest_pieces, is_coarser};
-use crate::model::{Environment, Limit, LimitKind, Mission, Model, Part, Rotor};
+use crate::model::{Environment, Limit, LimitKind, Mission, Model, Part, Quantity, Rotor, Target};
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use std::ops::Range;
 
@@ -70,33 +70,25 @@ fn peak_over(trajectory: &Trajectory, intervals: Range<usize>, quantity: impl Fn
 /// interval of winds a limit on tilt is taken in the worst of its corners.
 pub fn past(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     let norm = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
-    let value = match limit.kind {
-        LimitKind::X => state[X][0],
-        LimitKind::Y => state[Y][0],
-        LimitKind::Z => state[Z][0],
-        LimitKind::Yaw => state[YAW][0],
-        LimitKind::YawRate => state[YAW][1],
-        LimitKind::YawAcceleration => state[YAW][2],
-        LimitKind::Climb => state[Z][1],
-        LimitKind::Descent => -state[Z][1],
-        LimitKind::Speed => norm(&[X, Y, Z], 1),
-        LimitKind::SpeedHorizontal => norm(&[X, Y], 1),
-        LimitKind::Acceleration => norm(&[X, Y, Z], 2),
-        LimitKind::AccelerationHorizontal => norm(&[X, Y], 2),
-        LimitKind::Jerk => norm(&[X, Y, Z], 3),
-        LimitKind::Tilt => environment.corners().iter().map(|wind| tilt(state, wind)).fold(f64::NEG_INFINITY, f64::max),
-        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => {
-            limit.value_at([state[X][0], state[Y][0], state[Z][0]]).unwrap_or(0.0)
+    let value = match (limit.kind.describe().quantity, &limit.kind) {
+        (Quantity::Axis { axis, order, sign }, _) => sign * state[axis][order],
+        (Quantity::Norm { axes, order }, _) => norm(axes, order),
+        (Quantity::Other, LimitKind::Tilt) => {
+            environment.corners().iter().map(|wind| tilt(state, wind)).fold(f64::NEG_INFINITY, f64::max)
         }
-        LimitKind::Arrival => {
-            let (ahead, aside) = arrival(limit, state);
+        (Quantity::Other, LimitKind::Arrival(direction)) => {
+            let (ahead, aside) = arrival(direction, state);
             aside.atan2(ahead)
         }
         // Nothing is bounded where there is no direction.
-        LimitKind::Heading => match heading_error(limit, state) {
+        (Quantity::Other, LimitKind::Heading(target)) => match off(target, state) {
             Some(error) => error.abs(),
             None => return f64::NEG_INFINITY,
         },
+        (Quantity::Other, _) => {
+            let position = [X, Y, Z].map(|axis| state[axis][0]);
+            limit.value_at(position).expect("what is left is a position or a distance")
+        }
     };
     let over = limit.upper.map_or(f64::NEG_INFINITY, |u| value - u);
     let under = limit.lower.map_or(f64::NEG_INFINITY, |l| l - value);
@@ -116,7 +108,7 @@ fn outside_cone(aside: f64, ahead: f64, angle: f64) -> f64 {
 /// Like [`past`], but as the checker of plans measures it. Angles differ: their violation is the distance from a cone,
 /// of the acceleration (divided by gravity), of the velocity, or of the direction that the yaw follows.
 pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
-    match (limit.kind, limit.upper) {
+    match (&limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {
             let out = |wind: &Environment| {
                 let state = in_air(state, wind);
@@ -125,27 +117,33 @@ pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, environment: &En
             };
             environment.corners().iter().map(out).fold(f64::NEG_INFINITY, f64::max)
         }
-        (LimitKind::Arrival, Some(upper)) => {
-            let (ahead, aside) = arrival(limit, state);
+        (LimitKind::Arrival(direction), Some(upper)) => {
+            let (ahead, aside) = arrival(direction, state);
             outside_cone(aside, ahead, upper)
         }
-        (LimitKind::Heading, Some(upper)) => {
+        (LimitKind::Heading(target), Some(upper)) => {
             let distance = |error: f64| outside_cone(error.sin().abs(), error.cos(), upper);
-            heading_error(limit, state).map_or(f64::NEG_INFINITY, distance)
+            off(target, state).map_or(f64::NEG_INFINITY, distance)
         }
         _ => past(limit, state, environment),
     }
 }
 
-/// By how much the yaw is off the direction that it has to follow, rad; `None` where there is none.
+/// By how much the yaw is off the direction that a limit has it follow, rad; `None` where there is none.
 pub fn heading_error(limit: &Limit, state: &NodeState) -> Option<f64> {
-    let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| state[axis][order]));
-    limit.leg.as_ref()?.target?.error(position, velocity, state[YAW][0])
+    match &limit.kind {
+        LimitKind::Heading(target) => off(target, state),
+        _ => None,
+    }
 }
 
-/// The velocity along the direction of arrival of a limit, and the size of the rest, m/s.
-fn arrival(limit: &Limit, state: &NodeState) -> (f64, f64) {
-    let along = limit.leg.as_ref().and_then(|on| on.direction).unwrap_or_default();
+fn off(target: &Target, state: &NodeState) -> Option<f64> {
+    let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| state[axis][order]));
+    target.error(position, velocity, state[YAW][0])
+}
+
+/// The velocity along a direction of arrival, and the size of the rest, m/s.
+fn arrival(along: &[f64; 3], state: &NodeState) -> (f64, f64) {
     let velocity = [X, Y, Z].map(|axis| state[axis][1]);
     let ahead: f64 = (0..3).map(|i| velocity[i] * along[i]).sum();
     (ahead, (0..3).map(|i| (velocity[i] - ahead * along[i]).powi(2)).sum::<f64>().sqrt())

@@ -3,7 +3,7 @@
 
 use super::witness::{model_of, motion};
 use crate::admissible::row::SetRow;
-use crate::model::{Limit, LimitKind, Model, Part, Problem};
+use crate::model::{Limit, Model, Part, Problem};
 use crate::motion::checks::{leg_intervals, past_as_checked, peak_of};
 use crate::motion::winds::OverWinds;
 use crate::motion::{NodeState, Trajectory};
@@ -186,7 +186,7 @@ fn kept_limit(setting: &Setting, motion: &Motion, limit: &Limit, trajectory: &Tr
     // A polygon costs more with each of its corners.
     let work = WORK.saturating_mul(family.of_a_member);
     // Bounds that the grid disproves are not tried, nor any on what is required at nodes only.
-    let is_between = limit.kind != LimitKind::Heading;
+    let is_between = !limit.kind.is_heading();
     let proved = PAST
         .map(|share| share * limit.size())
         .into_iter()

@@ -2,7 +2,7 @@
 
 use super::remedy::Change;
 use super::statement::{clause, length, written};
-use crate::model::{Limit, MissionTime, Problem};
+use crate::model::{Description, Limit, MissionTime, Problem};
 use crate::number::number;
 use crate::read::is_override;
 use crate::source::{SourceMap, Span};
@@ -45,7 +45,7 @@ impl Change {
             Change::Bound { limit, upper } => {
                 let limit = &mission.limits[limit];
                 let of_leg = on_leg(limit);
-                let (name, unit, scale) = limit.kind.words();
+                let Description { word: name, unit, unit_in_si: scale, .. } = limit.kind.describe();
                 let value = number(upper / scale);
                 match set(limit.span) {
                     true => format!("use `--set mission.limits.{name}={value}{unit}`"),

@@ -151,7 +151,7 @@ const COARSE: f64 = 0.05;
 fn exceeds_a_limit(planned: &Planned, mission: &Mission, environment: &Environment) -> bool {
     let trajectory = planned.trajectory();
     // A yaw that follows from the motion is required at nodes only.
-    mission.limits.iter().filter(|limit| limit.kind != LimitKind::Heading).any(|limit| {
+    mission.limits.iter().filter(|limit| !limit.kind.is_heading()).any(|limit| {
         let bound = limit.lower.into_iter().chain(limit.upper).map(f64::abs).fold(0.0, f64::max);
         let scale = match limit.kind {
             LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => 1.0,

@@ -168,8 +168,8 @@ fn unhurried(mission: &Mission, from: usize, gravity: f64) -> f64 {
             let most = most.filter(|most| *most > 0.0)?;
             Some(match limit.kind {
                 LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => 0.0,
-                LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => 0.0,
-                LimitKind::Arrival | LimitKind::Heading => 0.0,
+                LimitKind::Face(_) | LimitKind::Distance(_) | LimitKind::Clearance(_) => 0.0,
+                LimitKind::Arrival(_) | LimitKind::Heading(_) => 0.0,
                 LimitKind::Speed | LimitKind::SpeedHorizontal => length / most,
                 LimitKind::Climb | LimitKind::Descent => apart[2] / most,
                 LimitKind::Acceleration | LimitKind::AccelerationHorizontal => accelerated(length, most),

@@ -134,16 +134,16 @@ fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
     match statement {
         Statement::Limit(limit) => {
             let Limit { kind, lower, upper, volume, .. } = &questions.problem.mission().limits[limit];
-            let (kind, lower, upper) = (*kind, *lower, *upper);
-            if volume.is_some() || matches!(kind, LimitKind::Arrival | LimitKind::Heading) {
+            let (lower, upper) = (*lower, *upper);
+            if volume.is_some() || kind.is_arrival() || kind.is_heading() {
                 return None;
             }
             let upper = upper.filter(|u| *u > 0.0 && (lower.is_none() || lower == Some(-u)))?;
             if matches!(kind, LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw) {
                 return None;
             }
-            let (.., scale) = kind.words();
-            let most = if kind == LimitKind::Tilt { MOST_TILT } else { f64::INFINITY };
+            let scale = kind.describe().unit_in_si;
+            let most = if *kind == LimitKind::Tilt { MOST_TILT } else { f64::INFINITY };
             let values = between(upper / scale, (WIDER * upper / scale).min(most));
             seek(questions, &values, |value| Change::Bound { limit, upper: value * scale })
         }

@@ -194,8 +194,8 @@ pub(super) fn clause(limit: &Limit) -> Option<&'static str> {
     }
     let is_shape = |word: &&str| limit.volume.is_some() && on.name.starts_with(word);
     match limit.kind {
-        LimitKind::Arrival => Some("arrive from"),
-        LimitKind::Heading => Some("yaw"),
+        LimitKind::Arrival(_) => Some("arrive from"),
+        LimitKind::Heading(_) => Some("yaw"),
         _ => ["straight", "vertical", "corridor"].into_iter().find(is_shape),
     }
 }

@@ -1,77 +1,11 @@
 //! A mission's limits as rows: linear for one axis, second-order cones for norms.
 
-use crate::body::{Body, Separation};
-use crate::model::{Bounded as Position, Environment, Limit, LimitKind, Part, Target};
+use crate::body::Separation;
+use crate::model::{DistanceFrom, Environment, Limit, LimitKind, Part, Quantity, Target};
 use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
 use crate::planner::transcription::Transcription;
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
-
-/// What a limit bounds: `sign` times one derivative of one axis, or the norm of some.
-enum Bounded<'l> {
-    Axis {
-        axis: usize,
-        order: usize,
-        sign: f64,
-    },
-    Norm {
-        axes: &'static [usize],
-        order: usize,
-    },
-    /// tan(tilt) = |(x'', y'')| / (g + z''): the thrust points along (x'', y'', g + z'').
-    Tilt,
-    /// |(x''', y''', z''')|, where z''' is constant over an interval.
-    Jerk,
-    /// `normal . (x, y, z)`.
-    Along([f64; 3]),
-    /// The distance of the first coordinates from a point.
-    From(&'l [f64]),
-    /// The distance of (x, y, z) from a line.
-    FromLine {
-        point: [f64; 3],
-        along: [f64; 3],
-    },
-    /// The distance of (x, y, z) from a convex body.
-    FromBody(&'l Body),
-    /// The angle between the velocity and a direction.
-    Arrival([f64; 3]),
-    /// The angle between the yaw and a direction.
-    Heading(Target),
-    Nothing,
-}
-
-fn bounded(limit: &Limit) -> Bounded<'_> {
-    let axis = |axis, order, sign| Bounded::Axis { axis, order, sign };
-    let norm = |axes, order| Bounded::Norm { axes, order };
-    match limit.kind {
-        LimitKind::X => axis(X, 0, 1.0),
-        LimitKind::Y => axis(Y, 0, 1.0),
-        LimitKind::Z => axis(Z, 0, 1.0),
-        LimitKind::Yaw => axis(YAW, 0, 1.0),
-        LimitKind::YawRate => axis(YAW, 1, 1.0),
-        LimitKind::YawAcceleration => axis(YAW, 2, 1.0),
-        LimitKind::Climb => axis(Z, 1, 1.0),
-        LimitKind::Descent => axis(Z, 1, -1.0),
-        LimitKind::Speed => norm(&[X, Y, Z], 1),
-        LimitKind::SpeedHorizontal => norm(&[X, Y], 1),
-        LimitKind::Acceleration => norm(&[X, Y, Z], 2),
-        LimitKind::AccelerationHorizontal => norm(&[X, Y], 2),
-        LimitKind::Tilt => Bounded::Tilt,
-        LimitKind::Jerk => Bounded::Jerk,
-        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => {
-            match limit.volume.as_deref().map(|volume| &volume.quantity) {
-                Some(Position::Along(normal)) => Bounded::Along(*normal),
-                Some(Position::From(centre)) => Bounded::From(centre),
-                Some(Position::FromAxis(centre)) => Bounded::From(centre),
-                Some(Position::FromLine { point, along }) => Bounded::FromLine { point: *point, along: *along },
-                Some(Position::FromBody(body)) => Bounded::FromBody(body),
-                Some(Position::Coordinate) | None => Bounded::Nothing,
-            }
-        }
-        LimitKind::Arrival => limit.leg.as_ref().and_then(|on| on.direction).map_or(Bounded::Nothing, Bounded::Arrival),
-        LimitKind::Heading => limit.leg.as_ref().and_then(|on| on.target).map_or(Bounded::Nothing, Bounded::Heading),
-    }
-}
 
 /// Whether a limit holds at an instant, with `parts` of them in each interval between nodes. A limit of one leg holds at both
 /// its waypoints too, and one on a yaw that follows from the motion at nodes only.
@@ -81,7 +15,7 @@ pub(super) fn covers(limit: &Limit, waypoint_nodes: &[usize], parts: usize, inst
     match on.part {
         Part::Start => instant == first,
         Part::End => instant == last,
-        Part::Whole if limit.kind == LimitKind::Heading && !instant.is_multiple_of(parts) => false,
+        Part::Whole if limit.kind.is_heading() && !instant.is_multiple_of(parts) => false,
         Part::Whole => (first..=last).contains(&instant),
     }
 }
@@ -90,19 +24,19 @@ pub(super) fn covers(limit: &Limit, waypoint_nodes: &[usize], parts: usize, inst
 pub(super) fn covers_interval(limit: &Limit, waypoint_nodes: &[usize], interval: usize) -> bool {
     let Some(on) = &limit.leg else { return true };
     let leg = waypoint_nodes[on.leg]..waypoint_nodes[on.leg + 1];
-    on.part == Part::Whole && limit.kind != LimitKind::Heading && leg.contains(&interval)
+    on.part == Part::Whole && !limit.kind.is_heading() && leg.contains(&interval)
 }
 
 /// By how much more a step keeps the volume or corridor of a limit, m, given the `room` that volumes get: in a corridor at most a
 /// quarter of its half width, and none where there is neither.
 pub(super) fn room_of(limit: &Limit, room: f64) -> f64 {
-    limit.volume.as_ref().map_or(0.0, |volume| room.min(0.25 * volume.half_width))
+    limit.volume.as_ref().map_or(0.0, |volume| volume.half_width.map_or(room, |half| room.min(0.25 * half)))
 }
 
 /// Whether a limit bounds a place (x, y, z, yaw or a volume), and so does not depend on time.
-pub(super) fn place(kind: LimitKind) -> bool {
+pub(super) fn place(kind: &LimitKind) -> bool {
     use LimitKind::{Clearance, Distance, Face, X, Y, Yaw, Z};
-    matches!(kind, X | Y | Z | Yaw | Face | Distance | Clearance)
+    matches!(kind, X | Y | Z | Yaw | Face(_) | Distance(_) | Clearance(_))
 }
 
 /// By how much bounds are widened in a program.
@@ -202,8 +136,8 @@ impl Transcription<'_> {
         let mut cone = |reach: Affine, parts: Vec<Affine>| {
             builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
         };
-        match (self.bounded(limit), upper) {
-            (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
+        match (limit.kind.describe().quantity, &limit.kind, upper) {
+            (Quantity::Axis { axis, order, sign }, ..) if self.plans(axis) => {
                 let value = self.derivative(instant, axis, order).times(sign);
                 for (bound, side) in [(upper, 1.0), (lower, -1.0)] {
                     let Some(bound) = bound else { continue };
@@ -212,10 +146,7 @@ impl Transcription<'_> {
                     builder.nonnegative(row, origin);
                 }
             }
-            (Bounded::Norm { axes, order }, Some(upper)) if self.plans(X) => {
-                cone(widening.bound(upper, order, 1.0), parts(axes, order));
-            }
-            (Bounded::Tilt, Some(upper)) if self.plans(X) => {
+            (_, LimitKind::Tilt, Some(upper)) if self.plans(X) => {
                 // The cone is convex, so that it contains the thrust in every wind if it does so in the extreme ones; of those
                 // that differ in their vertical part alone, the one that lifts most is the hardest.
                 let lifts_most = self.winds.iter().map(|wind| wind.wind[Z]).fold(f64::NEG_INFINITY, f64::max);
@@ -226,7 +157,7 @@ impl Transcription<'_> {
                     cone(reach, vec![x, y]);
                 }
             }
-            (Bounded::Jerk, Some(upper)) if self.plans(X) => {
+            (_, LimitKind::Jerk, Some(upper)) if self.plans(X) && self.jumps_in_jerk() => {
                 let beside = self.intervals_beside(instant);
                 for (interval, step) in beside.filter(|(interval, _)| self.covers_interval(limit, *interval)) {
                     let mut slope = self.derivative(interval + 1, Z, 2);
@@ -236,22 +167,30 @@ impl Transcription<'_> {
                     cone(widening.bound(upper, 3, 1.0), parts);
                 }
             }
-            (Bounded::Along(normal), Some(upper)) if self.plans(X) => {
+            (Quantity::Norm { axes, order }, _, Some(upper)) if self.plans(X) => {
+                cone(widening.bound(upper, order, 1.0), parts(axes, order));
+            }
+            (_, &LimitKind::Face(normal), Some(upper)) if self.plans(X) => {
                 let mut row = widening.bound(upper, 0, 1.0);
                 row.add(&along(normal, &parts(&[X, Y, Z], 0)), -1.0);
                 builder.nonnegative(row, origin);
             }
-            (Bounded::From(centre), Some(upper)) if self.plans(X) => {
+            (_, LimitKind::Distance(from), Some(upper)) if self.plans(X) => {
+                let reach = widening.bound(upper, 0, 1.0);
+                let centre = match from {
+                    DistanceFrom::Point(centre) => &centre[..],
+                    DistanceFrom::Axis(centre) => &centre[..],
+                    DistanceFrom::Line { point, along } => {
+                        let from = parts(&[X, Y, Z], 0).into_iter().zip(point).map(|(part, p)| part.plus_constant(-p));
+                        return cone(reach, across(*along, &from.collect::<Vec<_>>()));
+                    }
+                };
                 let coordinates = parts(&[X, Y, Z][..centre.len()], 0);
                 let from_centre = coordinates.into_iter().zip(centre).map(|(part, c)| part.plus_constant(-c)).collect();
-                cone(widening.bound(upper, 0, 1.0), from_centre);
-            }
-            (Bounded::FromLine { point, along }, Some(upper)) if self.plans(X) => {
-                let from = parts(&[X, Y, Z], 0).into_iter().zip(point).map(|(part, p)| part.plus_constant(-p));
-                cone(widening.bound(upper, 0, 1.0), across(along, &from.collect::<Vec<_>>()));
+                cone(reach, from_centre);
             }
             // The cone does not depend on the duration: all velocities change alike.
-            (Bounded::Arrival(direction), Some(upper)) if self.plans(X) => {
+            (_, &LimitKind::Arrival(direction), Some(upper)) if self.plans(X) => {
                 let velocity = parts(&[X, Y, Z], 1);
                 let mut reach = along(direction, &velocity).times(upper.tan());
                 reach.add(&widening.share, ARRIVAL_UNIT);
@@ -259,7 +198,7 @@ impl Transcription<'_> {
             }
             // Linear in yaw, position and velocity about the states nearby; without these there is no row, and the program is a
             // relaxation.
-            (Bounded::Heading(target), Some(upper)) if self.plans(YAW) => {
+            (_, LimitKind::Heading(target), Some(upper)) if self.plans(YAW) => {
                 let near = self.states.filter(|_| instant.is_multiple_of(self.parts));
                 let Some(near) = near.and_then(|states| states.get(instant / self.parts)) else { return };
                 let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| near[axis][order]));
@@ -285,7 +224,7 @@ impl Transcription<'_> {
             }
             // The distance is at least that from the plane that separates the body from a position nearby. Without such a
             // position there is no row, and the program is a relaxation.
-            (Bounded::FromBody(body), None) if self.plans(X) => {
+            (_, LimitKind::Clearance(body), None) if self.plans(X) => {
                 let near = self.positions.and_then(|positions| positions.get(instant));
                 let (Some(&near), Some(lower)) = (near, lower) else { return };
                 let Separation { normal, support, .. } = body.separation(near);
@@ -316,12 +255,9 @@ impl Transcription<'_> {
         self.model.gravity * apart * apart / 4.0
     }
 
-    /// What a limit bounds, given the integrators: the jerk along z is a state or the slope of the input.
-    fn bounded<'l>(&self, limit: &'l Limit) -> Bounded<'l> {
-        match bounded(limit) {
-            Bounded::Jerk if self.orders[Z] > 2 => Bounded::Norm { axes: &[X, Y, Z], order: 3 },
-            other => other,
-        }
+    /// Whether the jerk along z is the slope of an input, constant over an interval, and not a state.
+    fn jumps_in_jerk(&self) -> bool {
+        self.orders[Z] <= 2
     }
 
     /// The violation of a limit widened by `sigma` by the states at a node, as a share of the limit (m or rad for positions and
@@ -331,7 +267,7 @@ impl Transcription<'_> {
             return f64::NEG_INFINITY;
         }
         let mut state = states[node];
-        if let Bounded::Jerk = self.bounded(limit) {
+        if limit.kind == LimitKind::Jerk && self.jumps_in_jerk() {
             let slope = |(interval, step): (usize, f64)| (states[interval + 1][Z][2] - states[interval][Z][2]) / step;
             let beside = self.intervals_beside(node).filter(|(interval, _)| self.covers_interval(limit, *interval));
             state[Z][3] = beside.map(slope).fold(0.0, |m: f64, s| m.max(s.abs()));
@@ -344,15 +280,17 @@ impl Transcription<'_> {
         let length = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
         let share = |violation: f64, scale: f64| if scale > 0.0 { violation / scale - sigma } else { violation };
         let position = [state[X][0], state[Y][0], state[Z][0]];
-        match (bounded(limit), limit.upper) {
-            (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
+        match (limit.kind.describe().quantity, &limit.kind, limit.upper) {
+            (Quantity::Axis { axis, order, sign }, ..) if self.plans(axis) => {
                 let value = sign * state[axis][order];
                 let over = limit.upper.map(|upper| share(value - upper, widens(order, upper)));
                 let under = limit.lower.map(|lower| share(lower - value, widens(order, lower)));
                 over.into_iter().chain(under).fold(f64::NEG_INFINITY, f64::max)
             }
-            (Bounded::Norm { axes, order }, Some(upper)) if self.plans(X) => share(length(axes, order) - upper, upper),
-            (Bounded::Tilt, Some(upper)) if self.plans(X) => {
+            (Quantity::Norm { axes, order }, _, Some(upper)) if self.plans(X) => {
+                share(length(axes, order) - upper, upper)
+            }
+            (_, LimitKind::Tilt, Some(upper)) if self.plans(X) => {
                 let (g, tan) = (self.model.gravity, upper.tan());
                 let out = |wind: &Environment| {
                     let state = in_air(state, wind);
@@ -360,20 +298,19 @@ impl Transcription<'_> {
                 };
                 share(self.winds.iter().map(out).fold(f64::NEG_INFINITY, f64::max), g * tan)
             }
-            (Bounded::Jerk, Some(upper)) if self.plans(X) => share(length(&[X, Y, Z], 3) - upper, upper),
-            (Bounded::Along(_) | Bounded::From(_) | Bounded::FromLine { .. }, Some(upper)) if self.plans(X) => {
+            (_, LimitKind::Face(_) | LimitKind::Distance(_), Some(upper)) if self.plans(X) => {
                 limit.value_at(position).map_or(f64::NEG_INFINITY, |value| value - upper)
             }
-            (Bounded::Arrival(direction), Some(upper)) if self.plans(X) => {
+            (_, &LimitKind::Arrival(direction), Some(upper)) if self.plans(X) => {
                 let (ahead, aside) = split(direction, [X, Y, Z].map(|axis| state[axis][1]));
                 share(aside - upper.tan() * ahead, ARRIVAL_UNIT)
             }
-            (Bounded::Heading(target), Some(upper)) if self.plans(YAW) => {
+            (_, LimitKind::Heading(target), Some(upper)) if self.plans(YAW) => {
                 let velocity = [state[X][1], state[Y][1]];
                 let error = target.error([position[0], position[1]], velocity, state[YAW][0]);
                 error.map_or(f64::NEG_INFINITY, |error| share(error.abs() - upper, HEADING_UNIT))
             }
-            (Bounded::FromBody(body), None) if self.plans(X) => {
+            (_, LimitKind::Clearance(body), None) if self.plans(X) => {
                 let short = limit.lower.map(|lower| lower - body.separation(position).distance);
                 short.map_or(f64::NEG_INFINITY, |short| share(short, CLEARANCE_UNIT))
             }

@@ -119,6 +119,6 @@ fn stop_mission(flown: &Mission, struck: &NodeState, settings: &StopSettings) ->
 }
 
 fn with_leeway(limit: &Limit) -> Limit {
-    let by = |bound: f64| if place(limit.kind) { LEEWAY } else { LEEWAY * bound.abs() };
+    let by = |bound: f64| if place(&limit.kind) { LEEWAY } else { LEEWAY * bound.abs() };
     Limit { lower: limit.lower.map(|b| b - by(b)), upper: limit.upper.map(|b| b + by(b)), ..limit.clone() }
 }

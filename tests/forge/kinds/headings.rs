@@ -79,9 +79,10 @@ fn round(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
 
 /// A waypoint with a direction of arrival, and this direction.
 fn arrival(spec: &Spec) -> Option<(usize, [f64; 3])> {
-    let limit = spec.truth.mission().limits.iter().find(|limit| limit.kind == LimitKind::Arrival)?;
-    let on = limit.leg.as_deref()?;
-    Some((on.leg + 1, on.direction?))
+    spec.truth.mission().limits.iter().find_map(|limit| match limit.kind {
+        LimitKind::Arrival(direction) => Some((limit.leg.as_deref()?.leg + 1, direction)),
+        _ => None,
+    })
 }
 
 /// The motion of least snap with this velocity at the waypoint, m/s.

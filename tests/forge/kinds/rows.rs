@@ -17,23 +17,29 @@ const fn limit(name: &'static str, make: Make) -> Kind {
 }
 
 pub const KINDS: &[Kind] = &[
-    limit("limit on x exceeded", |s, n| exceeded(s, n, LimitKind::X)),
-    limit("limit on y exceeded", |s, n| exceeded(s, n, LimitKind::Y)),
-    limit("limit on z exceeded", |s, n| exceeded(s, n, LimitKind::Z)),
-    limit("limit on yaw exceeded", |s, n| exceeded(s, n, LimitKind::Yaw)),
-    limit("limit on speed exceeded", |s, n| exceeded(s, n, LimitKind::Speed)),
-    limit("limit on horizontal speed exceeded", |s, n| exceeded(s, n, LimitKind::SpeedHorizontal)),
-    limit("limit on climb exceeded", |s, n| exceeded(s, n, LimitKind::Climb)),
-    limit("limit on descent exceeded", |s, n| exceeded(s, n, LimitKind::Descent)),
-    limit("limit on acceleration exceeded", |s, n| exceeded(s, n, LimitKind::Acceleration)),
-    limit("limit on horizontal acceleration exceeded", |s, n| exceeded(s, n, LimitKind::AccelerationHorizontal)),
-    limit("limit on jerk exceeded", |s, n| exceeded(s, n, LimitKind::Jerk)),
-    limit("limit on yaw rate exceeded", |s, n| exceeded(s, n, LimitKind::YawRate)),
-    limit("limit on yaw acceleration exceeded", |s, n| exceeded(s, n, LimitKind::YawAcceleration)),
-    limit("limit on tilt exceeded", |s, n| exceeded(s, n, LimitKind::Tilt)),
-    limit("a keep-in left by its flat side", |s, n| exceeded(s, n, LimitKind::Face)),
-    limit("a keep-in left by its round side", |s, n| exceeded(s, n, LimitKind::Distance)),
-    limit("a keep-out entered", |s, n| exceeded(s, n, LimitKind::Clearance)),
+    limit("limit on x exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::X))),
+    limit("limit on y exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Y))),
+    limit("limit on z exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Z))),
+    limit("limit on yaw exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Yaw))),
+    limit("limit on speed exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Speed))),
+    limit("limit on horizontal speed exceeded", |s, n| {
+        exceeded(s, n, |kind| matches!(kind, LimitKind::SpeedHorizontal))
+    }),
+    limit("limit on climb exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Climb))),
+    limit("limit on descent exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Descent))),
+    limit("limit on acceleration exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Acceleration))),
+    limit("limit on horizontal acceleration exceeded", |s, n| {
+        exceeded(s, n, |kind| matches!(kind, LimitKind::AccelerationHorizontal))
+    }),
+    limit("limit on jerk exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Jerk))),
+    limit("limit on yaw rate exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::YawRate))),
+    limit("limit on yaw acceleration exceeded", |s, n| {
+        exceeded(s, n, |kind| matches!(kind, LimitKind::YawAcceleration))
+    }),
+    limit("limit on tilt exceeded", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Tilt))),
+    limit("a keep-in left by its flat side", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Face(_)))),
+    limit("a keep-in left by its round side", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Distance(_)))),
+    limit("a keep-out entered", |s, n| exceeded(s, n, |kind| matches!(kind, LimitKind::Clearance(_)))),
     evaluated("a wrench outside the set", SETS, outside),
     evaluated("a RIP plan given as RCP's", SETS, |s, n| easier(s, n, Easier::RipInsteadOfRcp)),
     evaluated("a plan of a lighter vehicle", SETS, |s, n| easier(s, n, Easier::Lighter)),
@@ -49,19 +55,19 @@ pub const KINDS: &[Kind] = &[
     evaluated("thrust that points down", &[Premise::Upright], diving),
 ];
 
-fn exceeded(spec: &Spec, numbers: &mut Numbers, kind: LimitKind) -> Option<Certificate> {
+fn exceeded(spec: &Spec, numbers: &mut Numbers, is_kind: fn(&LimitKind) -> bool) -> Option<Certificate> {
     let limits = &spec.truth.mission().limits;
-    let of_kind: Vec<usize> = (0..limits.len()).filter(|&i| limits[i].kind == kind).collect();
+    let of_kind: Vec<usize> = (0..limits.len()).filter(|&i| is_kind(&limits[i].kind)).collect();
     // Several volumes have limits of one kind.
     let nth = if of_kind.len() > 1 { numbers.below(of_kind.len()) } else { 0 };
     let index = *of_kind.get(nth)?;
     let horizontal = [X, Y][numbers.below(2)];
     let any = [X, Y, Z][numbers.below(3)];
-    let along = match kind {
+    let along = match limits[index].kind {
         LimitKind::X => (X, 0),
         LimitKind::Y => (Y, 0),
         LimitKind::Z => (Z, 0),
-        LimitKind::Yaw | LimitKind::Heading => (YAW, 0),
+        LimitKind::Yaw | LimitKind::Heading(_) => (YAW, 0),
         LimitKind::YawRate => (YAW, 1),
         LimitKind::YawAcceleration => (YAW, 2),
         LimitKind::Climb | LimitKind::Descent => (Z, 1),
@@ -70,8 +76,8 @@ fn exceeded(spec: &Spec, numbers: &mut Numbers, kind: LimitKind) -> Option<Certi
         LimitKind::Acceleration => (any, 2),
         LimitKind::AccelerationHorizontal | LimitKind::Tilt => (horizontal, 2),
         LimitKind::Jerk => (horizontal, 3),
-        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => (any, 0),
-        LimitKind::Arrival => (any, 1),
+        LimitKind::Face(_) | LimitKind::Distance(_) | LimitKind::Clearance(_) => (any, 0),
+        LimitKind::Arrival(_) => (any, 1),
     };
     let motion = grown(spec, numbers, along, |_, found| found == Some(Falsehood::Limit(index)))?;
     Some(spec.claiming(&motion))

@@ -30,14 +30,14 @@ pub const KINDS: &[Kind] = &[
 ];
 
 /// A limit on the yaw with two sides that differ, and its index.
-fn uneven(spec: &Spec, kind: LimitKind) -> Option<(usize, &Limit)> {
-    let is_one = |limit: &Limit| limit.kind == kind && limit.lower.zip(limit.upper).is_some_and(|(l, u)| l != -u);
+fn uneven<'s>(spec: &'s Spec, kind: &LimitKind) -> Option<(usize, &'s Limit)> {
+    let is_one = |limit: &Limit| limit.kind == *kind && limit.lower.zip(limit.upper).is_some_and(|(l, u)| l != -u);
     spec.truth.mission().limits.iter().enumerate().find(|(_, limit)| is_one(limit))
 }
 
 /// Between the honest arrival and the time that the narrow side of the rate would need for the turn.
 fn bound(spec: &Spec, numbers: &mut Numbers, waypoint: usize) -> Option<f64> {
-    let (_, limit) = uneven(spec, LimitKind::YawRate)?;
+    let (_, limit) = uneven(spec, &LimitKind::YawRate)?;
     let points = &spec.truth.mission().waypoints;
     let turn = (points[waypoint].yaw - points[0].yaw).abs() - points[0].yaw_within - points[waypoint].yaw_within;
     let narrow = limit.upper?.abs().min(limit.lower?.abs());
@@ -58,7 +58,7 @@ fn too_early(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
 
 /// A motion beyond one side, for the narrow one within what the other side allows.
 fn beyond(spec: &Spec, numbers: &mut Numbers, kind: LimitKind, narrow: bool) -> Option<Certificate> {
-    let (index, limit) = uneven(spec, kind)?;
+    let (index, limit) = uneven(spec, &kind)?;
     let (lower, upper) = (limit.lower?, limit.upper?);
     let derivative = if kind == LimitKind::YawRate { 1 } else { 2 };
     let passes = |motion: &Trajectory| {

@@ -14,7 +14,7 @@ fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)]) -> Model {
     for point in &mut flight.waypoints {
         (point.within, point.yaw_within) = (1e-3, 1e-3);
     }
-    flight.limits = limits.iter().map(|&(kind, upper)| limit(kind, upper)).collect();
+    flight.limits = limits.iter().map(|(kind, upper)| limit(kind.clone(), *upper)).collect();
     model.mission = Some(flight);
     model.plan.planner = PlannerKind::Rip;
     model.plan.model = PlanModel::Exact;

@@ -11,7 +11,7 @@ fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model
     let mut model = octocopter("PPNNPPNN");
     model.modes = (1..=8).map(|k| lost(&model, &[k])).collect();
     let mut flight = mission(vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint(to, turn)]);
-    flight.limits = limits.iter().map(|&(kind, upper)| limit(kind, upper)).collect();
+    flight.limits = limits.iter().map(|(kind, upper)| limit(kind.clone(), *upper)).collect();
     for l in flight.limits.iter_mut().filter(|l| l.kind == LimitKind::YawRate) {
         l.lower = l.upper.map(|u| -u);
     }

@@ -123,7 +123,7 @@ fn a_limit_of_a_leg_is_counted_on_its_leg() {
         let mut model = model.clone();
         let mission = model.mission.as_mut().unwrap();
         let mut own = limit(LimitKind::Acceleration, 9.0);
-        let on = |leg| OnLeg { leg, part: Part::Whole, name: "own".into(), direction: None, target: None };
+        let on = |leg| OnLeg { leg, part: Part::Whole, name: "own".into() };
         own.leg = leg.map(|leg| on(leg).into());
         mission.limits.push(own);
         estimate(&certificate, &model).units

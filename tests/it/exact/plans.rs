@@ -56,8 +56,9 @@ fn passed(model: &Model, plan: &Trajectory, rows: &[SetRow]) -> (f64, f64, Strin
             };
             let wrench = WrenchModel::Exact.wrench(&model.vehicle, &model.environment(), &state);
             let facets = rows.iter().map(|row| (row.violation(&wrench), format!("{:?}", row.origin)));
-            let limits =
-                limits.iter().map(|l| (past(l.kind, l.upper.unwrap(), &state, model.gravity), format!("{:?}", l.kind)));
+            let limits = limits
+                .iter()
+                .map(|l| (past(l.kind.clone(), l.upper.unwrap(), &state, model.gravity), format!("{:?}", l.kind)));
             let upright = (UPRIGHT - 1.0 - state[Z][2] / model.gravity, "upright".into());
             let worst = facets.chain(limits).chain([upright]).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
             if part % 10 == 0 {

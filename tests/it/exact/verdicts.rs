@@ -16,7 +16,7 @@ use std::process::{Command, Stdio};
 
 fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model {
     let points = vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint(to, turn)];
-    let limits = limits.iter().map(|&(kind, upper)| limit(kind, upper)).collect();
+    let limits = limits.iter().map(|(kind, upper)| limit(kind.clone(), *upper)).collect();
     let mut model = planning(Mission { limits, ..mission(points) }, PlannerKind::Rip, &[], MissionTime::Fixed(time));
     model.plan.samples = 20;
     model

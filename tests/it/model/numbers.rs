@@ -45,7 +45,7 @@ fn units_spread_over_bare_elements_only() {
     assert_eq!(mission.waypoints[0].position, [0.5, 2.0, 3.0]);
     assert_eq!(mission.waypoints[1].position, [1.0, 2.0, 5.0]);
     assert_eq!(
-        (mission.limits[0].kind, mission.limits[0].lower, mission.limits[0].upper),
+        (mission.limits[0].kind.clone(), mission.limits[0].lower, mission.limits[0].upper),
         (LimitKind::Z, Some(1.0), Some(30.0))
     );
     assert!((mission.limits[1].lower.unwrap() + PI / 6.0).abs() < 1e-15);

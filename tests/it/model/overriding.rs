@@ -35,7 +35,7 @@ fn fields_of_every_block_can_be_set() {
     let mission = model.mission.unwrap();
     assert_eq!(mission.waypoints[1].position, [5.0, 0.0, 2.0]);
     let limits: Vec<(LimitKind, Option<f64>, Option<f64>)> =
-        mission.limits.iter().map(|l: &Limit| (l.kind, l.lower, l.upper)).collect();
+        mission.limits.iter().map(|l: &Limit| (l.kind.clone(), l.lower, l.upper)).collect();
     assert_eq!(limits, [(LimitKind::Tilt, None, Some(20f64.to_radians())), (LimitKind::Z, Some(1.0), Some(9.0))]);
     assert!(model.defaults.iter().all(|d| d.field != "plan.reserve"));
 }

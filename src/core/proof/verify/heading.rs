@@ -7,19 +7,18 @@
 use super::interval::Interval;
 use super::limits::outside_cone;
 use super::motion::{Motion, State, X, Y, YAW};
-use crate::model::{Limit, SLOWEST, Target};
+use crate::model::{SLOWEST, Target};
 
 /// Value and rate of change.
 type Series = super::series::Series<2>;
 
 /// The violation at an instant; the rate is not bounded.
-pub fn violation(limit: &Limit, state: &State, within: f64) -> Series {
-    let value = violation_at(limit, state, within);
+pub fn violation(target: Target, state: &State, within: f64) -> Series {
+    let value = violation_at(target, state, within);
     Series::of_derivatives(&[value, Interval::WHOLE])
 }
 
-fn violation_at(limit: &Limit, state: &State, within: f64) -> Interval {
-    let Some(target) = limit.leg.as_ref().and_then(|on| on.target) else { return Interval::WHOLE };
+fn violation_at(target: Target, state: &State, within: f64) -> Interval {
     let (d, least) = direction(target, state);
     let size = (d[0].square() + d[1].square()).sqrt();
     if size.high < least {
@@ -44,8 +43,7 @@ fn direction(target: Target, state: &State) -> ([Interval; 2], f64) {
 
 /// The largest error on `points` between the nodes of a part of the motion and at them, rad, and its instant, s; `None` if
 /// nothing is required there. It is evaluated at points, not bounded between them.
-pub fn largest(limit: &Limit, motion: &Motion, (first, last): (usize, usize), points: usize) -> Option<(f64, f64)> {
-    let target = limit.leg.as_ref().and_then(|on| on.target)?;
+pub fn largest(target: Target, motion: &Motion, (first, last): (usize, usize), points: usize) -> Option<(f64, f64)> {
     let error = |state: &State| {
         let (d, least) = direction(target, state);
         let [x, y] = d.map(Interval::middle);

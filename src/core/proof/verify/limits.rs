@@ -6,8 +6,7 @@ use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
 use super::wrench::thrust_over_mass;
 use super::{heading, volumes};
-use crate::model::{Body, Boundary, Bounded, Environment, Limit, LimitKind};
-use std::f64::consts::PI;
+use crate::model::{Body, Environment, Limit, LimitKind};
 
 /// Value and rate of change.
 type Series = super::series::Series<2>;
@@ -18,27 +17,41 @@ type Series = super::series::Series<2>;
 /// the motion on which the limit holds, see [`Family::within`].
 pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(usize, usize)>) -> Family<'l> {
     let environment = *environment;
-    let Limit { kind, lower, upper, .. } = *limit;
+    let Limit { kind, lower, upper, .. } = limit;
     let sides: Vec<(f64, f64)> = upper.map(|u| (1.0, -u)).into_iter().chain(lower.map(|l| (-1.0, l))).collect();
     let members = sides.len();
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         let tilted = |&(_, minus): &(f64, f64)| tilt_violation(state, -minus, &environment);
-        let plain = |&(sign, constant): &(f64, f64)| {
-            bounded(kind, state).times(Interval::point(sign)) + Series::constant(Interval::point(constant))
+        let beyond = |quantity: Series, &(sign, constant): &(f64, f64)| {
+            quantity.times(Interval::point(sign)) + Series::constant(Interval::point(constant))
         };
         let series = wanted.iter().filter_map(|&m| sides.get(m)).map(|side| match kind {
+            LimitKind::X => beyond(series(&state[X], 0), side),
+            LimitKind::Y => beyond(series(&state[Y], 0), side),
+            LimitKind::Z => beyond(series(&state[Z], 0), side),
+            LimitKind::Yaw => beyond(series(&state[YAW], 0), side),
+            LimitKind::YawRate => beyond(series(&state[YAW], 1), side),
+            LimitKind::YawAcceleration => beyond(series(&state[YAW], 2), side),
+            LimitKind::Climb => beyond(series(&state[Z], 1), side),
+            LimitKind::Descent => beyond(-series(&state[Z], 1), side),
+            LimitKind::Speed => beyond(length(state, &[X, Y, Z], 1), side),
+            LimitKind::SpeedHorizontal => beyond(length(state, &[X, Y], 1), side),
+            LimitKind::Acceleration => beyond(length(state, &[X, Y, Z], 2), side),
+            LimitKind::AccelerationHorizontal => beyond(length(state, &[X, Y], 2), side),
+            LimitKind::Jerk => beyond(length(state, &[X, Y, Z], 3), side),
             LimitKind::Tilt => tilted(side),
-            LimitKind::Arrival => arrival_violation(limit, state, -side.1),
-            LimitKind::Heading => heading::violation(limit, state, -side.1),
-            LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => volumes::past(limit, state, *side),
-            _ => plain(side),
+            LimitKind::Face(normal) => beyond(volumes::along(normal, state), side),
+            LimitKind::Distance(from) => beyond(volumes::away(from, state), side),
+            LimitKind::Clearance(body) => beyond(volumes::clear(body, state), side),
+            LimitKind::Arrival(direction) => arrival_violation(*direction, state, -side.1),
+            LimitKind::Heading(target) => heading::violation(*target, state, -side.1),
         });
         series.map(|s| Rated { value: s.value(), rate: s.slope() }).collect()
     };
     let measure = measure(kind);
     // The jerk along z is the slope of an input in the hover model, which changes at nodes.
-    let jumps = kind == LimitKind::Jerk;
-    let at_nodes_only = kind == LimitKind::Heading;
+    let jumps = *kind == LimitKind::Jerk;
+    let at_nodes_only = kind.is_heading();
     Family {
         members,
         evaluate: Box::new(evaluate),
@@ -48,15 +61,15 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(u
         at_nodes_only,
         measure,
         overhead: OF_A_LIMIT,
-        of_a_member: 1 + OF_A_CORNER * limit.volume.as_deref().map_or(0, |volume| corners(&volume.quantity)),
+        of_a_member: 1 + OF_A_CORNER * corners(kind),
     }
 }
 
 /// The limit with a box about its polygon in place of the polygon, if that has more corners: what keeps out of the box
 /// keeps out of the polygon, and most of a motion is far from most volumes.
 pub fn about(limit: &Limit) -> Option<Limit> {
-    let volume = limit.volume.as_deref()?;
-    let Bounded::FromBody(Body::Prism { corners, bottom, top }) = &volume.quantity else { return None };
+    let LimitKind::Clearance(body) = &limit.kind else { return None };
+    let Body::Prism { corners, bottom, top } = body.as_ref() else { return None };
     if corners.len() <= 4 || limit.upper.is_some() {
         return None;
     }
@@ -66,46 +79,27 @@ pub fn about(limit: &Limit) -> Option<Limit> {
     };
     let ((left, right), (front, back)) = (ends(0), ends(1));
     let corners = vec![[left, front], [right, front], [right, back], [left, back]];
-    let quantity = Bounded::FromBody(Body::Prism { corners, bottom: *bottom, top: *top });
-    Some(Limit { volume: Some(Boundary { quantity, ..volume.clone() }.into()), ..limit.clone() })
+    let about = Body::Prism { corners, bottom: *bottom, top: *top };
+    Some(Limit { kind: LimitKind::Clearance(about.into()), ..limit.clone() })
 }
 
 /// The corners that are looked at for the distance from a body.
-fn corners(quantity: &Bounded) -> u64 {
-    match quantity {
-        Bounded::FromBody(Body::Prism { corners, .. }) => corners.len() as u64,
+fn corners(kind: &LimitKind) -> u64 {
+    match kind {
+        LimitKind::Clearance(body) => match body.as_ref() {
+            Body::Prism { corners, .. } => corners.len() as u64,
+            Body::Cylinder { .. } | Body::Ball { .. } | Body::HalfSpace { .. } => 0,
+        },
         _ => 0,
     }
 }
 
 /// How messages print a violation.
-fn measure(kind: LimitKind) -> Measure {
-    match kind.name_and_unit() {
-        _ if kind == LimitKind::Tilt => Measure { factor: 100.0, unit: "%", whole: Some("of gravity") },
-        _ if kind == LimitKind::Heading => Measure { factor: 180.0 / PI, unit: "deg", whole: None },
-        _ if kind == LimitKind::Arrival => Measure { factor: 1.0, unit: "m/s", whole: None },
-        (_, unit, factor) => Measure { factor, unit, whole: None },
-    }
-}
-
-/// The limited quantity; tilt, volumes and directions of arrival are handled separately above.
-fn bounded(kind: LimitKind, state: &State) -> Series {
+fn measure(kind: &LimitKind) -> Measure {
     match kind {
-        LimitKind::X | LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => series(&state[X], 0),
-        LimitKind::Arrival => length(state, &[X, Y, Z], 1),
-        LimitKind::Heading => series(&state[YAW], 0),
-        LimitKind::Y => series(&state[Y], 0),
-        LimitKind::Z => series(&state[Z], 0),
-        LimitKind::Yaw => series(&state[YAW], 0),
-        LimitKind::YawRate => series(&state[YAW], 1),
-        LimitKind::YawAcceleration => series(&state[YAW], 2),
-        LimitKind::Climb => series(&state[Z], 1),
-        LimitKind::Descent => -series(&state[Z], 1),
-        LimitKind::Speed => length(state, &[X, Y, Z], 1),
-        LimitKind::SpeedHorizontal => length(state, &[X, Y], 1),
-        LimitKind::Acceleration => length(state, &[X, Y, Z], 2),
-        LimitKind::AccelerationHorizontal | LimitKind::Tilt => length(state, &[X, Y], 2),
-        LimitKind::Jerk => length(state, &[X, Y, Z], 3),
+        LimitKind::Tilt => Measure { factor: 100.0, unit: "%", whole: Some("of gravity") },
+        LimitKind::Arrival(_) => Measure { factor: 1.0, unit: "m/s", whole: None },
+        _ => Measure { factor: kind.describe().factor(), unit: kind.describe().unit, whole: None },
     }
 }
 
@@ -155,8 +149,8 @@ pub(super) fn outside_cone(aside: Series, ahead: Series, angle: f64) -> Series {
 }
 
 /// At an instant; the rate is not bounded.
-fn arrival_violation(limit: &Limit, state: &State, angle: f64) -> Series {
-    let direction = limit.leg.as_ref().and_then(|on| on.direction).unwrap_or([f64::NAN; 3]).map(Interval::point);
+fn arrival_violation(direction: [f64; 3], state: &State, angle: f64) -> Series {
+    let direction = direction.map(Interval::point);
     let velocity = [X, Y, Z].map(|axis| state[axis][1]);
     let dot = |a: [Interval; 3]| (0..3).fold(Interval::ZERO, |sum, i| sum + a[i] * direction[i]);
     let ahead = dot(velocity);

@@ -7,41 +7,38 @@
 use super::interval::Interval;
 use super::motion::{State, X, Y, Z, series};
 use crate::model::Body;
-use crate::model::{Bounded, Limit};
+use crate::model::DistanceFrom;
 
 /// Value and rate of change.
 type Series = super::series::Series<2>;
 
-/// The violation of one side of a limit of a volume: `sign` times the bounded quantity plus `constant`, m.
-pub fn past(limit: &Limit, state: &State, (sign, constant): (f64, f64)) -> Series {
-    let value =
-        limit.volume.as_deref().map_or(Series::constant(Interval::WHOLE), |volume| quantity(&volume.quantity, state));
-    value.times(Interval::point(sign)) + Series::constant(Interval::point(constant))
+/// The position along a unit vector.
+pub fn along(normal: &[f64; 3], state: &State) -> Series {
+    let parts = [X, Y, Z].into_iter().zip(normal);
+    let part = |(axis, n): (usize, &f64)| series(&state[axis], 0).times(Interval::point(*n));
+    parts.map(part).fold(Series::constant(Interval::ZERO), |sum, part| sum + part)
 }
 
-fn quantity(bounded: &Bounded, state: &State) -> Series {
-    match bounded {
-        Bounded::Coordinate => Series::constant(Interval::WHOLE),
-        Bounded::Along(normal) => {
-            let parts = [X, Y, Z].into_iter().zip(normal);
-            let part = |(axis, n): (usize, &f64)| series(&state[axis], 0).times(Interval::point(*n));
-            parts.map(part).fold(Series::constant(Interval::ZERO), |sum, part| sum + part)
-        }
-        Bounded::From(centre) => apart(state, centre),
-        Bounded::FromAxis(centre) => apart(state, centre),
-        Bounded::FromLine { point, along } => {
+/// The distance from a point or a line.
+pub fn away(from: &DistanceFrom, state: &State) -> Series {
+    match from {
+        DistanceFrom::Point(centre) => apart(state, centre),
+        DistanceFrom::Axis(centre) => apart(state, centre),
+        DistanceFrom::Line { point, along } => {
             let from: [Interval; 3] = std::array::from_fn(|i| state[[X, Y, Z][i]][0] - Interval::point(point[i]));
             let across = rejected(from, along.map(Interval::point));
             let rate = rejected([X, Y, Z].map(|axis| state[axis][1]), along.map(Interval::point));
             let length = |parts: [Interval; 3]| parts.iter().fold(Interval::ZERO, |sum, p| sum + p.square()).sqrt();
             Series::of_derivatives(&[length(across), Interval::around_zero(length(rate).high)])
         }
-        Bounded::FromBody(body) => {
-            let axes = [X, Y, Z].map(|axis| state[axis][0]);
-            let rate = Interval::around_zero(speed(state, 3).high);
-            Series::of_derivatives(&[distance(body, axes), rate])
-        }
     }
+}
+
+/// The distance from a body.
+pub fn clear(body: &Body, state: &State) -> Series {
+    let axes = [X, Y, Z].map(|axis| state[axis][0]);
+    let rate = Interval::around_zero(speed(state, 3).high);
+    Series::of_derivatives(&[distance(body, axes), rate])
 }
 
 /// `a - (a . along) along`: the distance from a line through a point is the length of this for the way from the point, and changes

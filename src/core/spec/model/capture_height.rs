@@ -5,8 +5,8 @@
 //! high enough within the radius about the end. Each of these limits is convex, and together they leave no instant that is outside
 //! the radius and too low.
 
-use super::volume::{Boundary, Bounded, which};
-use super::{Limit, LimitKind, Mission, Model, OnLeg, Part, Waypoint};
+use super::volume::{Boundary, which};
+use super::{DistanceFrom, Limit, LimitKind, Mission, Model, OnLeg, Part, Waypoint};
 use crate::diagnostic::Diagnostic;
 use crate::number::{number, significant};
 use std::sync::Arc;
@@ -80,11 +80,10 @@ impl Rule<'_> {
                 None => {}
             }
         }
-        let above =
-            |leg: usize, part: Part| self.limit(LimitKind::Z, (Some(self.level), None), Bounded::Coordinate, leg, part);
+        let above = |leg: usize, part: Part| self.limit(LimitKind::Z, (Some(self.level), None), leg, part);
         let near = |leg: usize, centre: [f64; 3]| {
-            let about = Bounded::FromAxis([centre[0], centre[1]]);
-            self.limit(LimitKind::Distance, (None, Some(self.radius)), about, leg, Part::Whole)
+            let about = LimitKind::Distance(DistanceFrom::Axis([centre[0], centre[1]]));
+            self.limit(about, (None, Some(self.radius)), leg, Part::Whole)
         };
         let mut limits: Vec<Limit> = (first..last).map(|leg| above(leg, Part::Whole)).collect();
         if first == last {
@@ -96,22 +95,14 @@ impl Rule<'_> {
         Ok(limits)
     }
 
-    fn limit(
-        &self,
-        kind: LimitKind,
-        (lower, upper): (Option<f64>, Option<f64>),
-        quantity: Bounded,
-        leg: usize,
-        part: Part,
-    ) -> Limit {
-        let half_width = upper.unwrap_or(f64::INFINITY);
-        let on = OnLeg { leg, part, name: NAME.into(), direction: None, target: None };
+    fn limit(&self, kind: LimitKind, (lower, upper): (Option<f64>, Option<f64>), leg: usize, part: Part) -> Limit {
+        let on = OnLeg { leg, part, name: NAME.into() };
         Limit {
             kind,
             lower,
             upper,
             span: self.span,
-            volume: Some(Arc::new(Boundary { name: NAME.into(), quantity, half_width })),
+            volume: Some(Arc::new(Boundary { name: NAME.into(), half_width: upper })),
             leg: Some(Arc::new(on)),
         }
     }

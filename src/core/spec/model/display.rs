@@ -7,7 +7,7 @@ use super::CaptureHeight;
 use super::GiveUpYaw;
 use super::Heading;
 use super::{
-    AfterFault, Air, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Origin, Plan,
+    AfterFault, Air, Campaign, Description, Detection, FaultMode, Limit, Mission, MissionTime, Model, Origin, Plan,
     PlanRotors, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
 };
 use crate::number::{fixed, number};
@@ -255,39 +255,11 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
     Ok(())
 }
 
-impl LimitKind {
-    /// Its name in the language, the usual unit, and that unit in SI.
-    pub fn words(self) -> (&'static str, &'static str, f64) {
-        let degree = PI / 180.0;
-        match self {
-            LimitKind::X => ("x", "m", 1.0),
-            LimitKind::Y => ("y", "m", 1.0),
-            LimitKind::Z => ("z", "m", 1.0),
-            LimitKind::Yaw => ("yaw", "deg", degree),
-            LimitKind::Speed => ("speed", "m/s", 1.0),
-            LimitKind::SpeedHorizontal => ("speed_horizontal", "m/s", 1.0),
-            LimitKind::Climb => ("climb", "m/s", 1.0),
-            LimitKind::Descent => ("descent", "m/s", 1.0),
-            LimitKind::Acceleration => ("acceleration", "m/s^2", 1.0),
-            LimitKind::AccelerationHorizontal => ("acceleration_horizontal", "m/s^2", 1.0),
-            LimitKind::Jerk => ("jerk", "m/s^3", 1.0),
-            LimitKind::YawRate => ("yaw_rate", "deg/s", degree),
-            LimitKind::YawAcceleration => ("yaw_acceleration", "deg/s^2", degree),
-            LimitKind::Tilt => ("tilt", "deg", degree),
-            LimitKind::Face => ("along the normal", "m", 1.0),
-            LimitKind::Distance => ("distance from the centre", "m", 1.0),
-            LimitKind::Clearance => ("distance from the body", "m", 1.0),
-            LimitKind::Arrival => ("angle to the direction of arrival", "deg", degree),
-            LimitKind::Heading => ("angle to the direction of the yaw", "deg", degree),
-        }
-    }
-}
-
 /// As written in a spec: `speed <= 8 m/s`.
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (name, unit, scale) = self.kind.words();
-        let shown = |x: f64| if scale == 1.0 { number(x) } else { degrees(x) };
+        let Description { word: name, unit, unit_in_si, .. } = self.kind.describe();
+        let shown = |x: f64| if unit_in_si == 1.0 { number(x) } else { degrees(x) };
         if let Some(volume) = &self.volume {
             write!(f, "{}: ", volume.name)?;
         }

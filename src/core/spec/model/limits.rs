@@ -1,31 +1,91 @@
-//! The kinds of limits: names and units.
+//! What each kind of limit bounds: its names, its unit, and how it follows from a motion.
 
 use super::LimitKind;
+use std::f64::consts::PI;
+
+/// The quantity that a kind of limit bounds, as a function of the axes x, y, z and yaw (0 to 3).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Quantity {
+    /// `sign` times a derivative of an axis.
+    Axis { axis: usize, order: usize, sign: f64 },
+    /// The length of a vector of derivatives of axes.
+    Norm { axes: &'static [usize], order: usize },
+    /// Neither: the kind says what it is.
+    Other,
+}
+
+/// How people name a kind of limit, and what it measures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Description {
+    /// The word of the language, or how `mavc emit model` names a kind without one.
+    pub word: &'static str,
+    /// In running text.
+    pub name: &'static str,
+    /// The unit in which reports show it.
+    pub unit: &'static str,
+    /// That unit in SI.
+    pub unit_in_si: f64,
+    pub quantity: Quantity,
+}
+
+impl Description {
+    /// The factor from SI to the unit.
+    pub fn factor(&self) -> f64 {
+        if self.unit_in_si == 1.0 { 1.0 } else { 180.0 / PI }
+    }
+}
 
 impl LimitKind {
-    /// Its name in running text, the unit in which reports show it, and the factor from SI to that unit.
-    pub fn name_and_unit(self) -> (&'static str, &'static str, f64) {
-        let degrees = 180.0 / std::f64::consts::PI;
+    /// The one description of the kind.
+    pub fn describe(&self) -> Description {
+        const DEGREE: f64 = PI / 180.0;
+        const SPACE: &[usize] = &[0, 1, 2];
+        const PLANE: &[usize] = &[0, 1];
+        let of = |word, name, unit, unit_in_si, quantity| Description { word, name, unit, unit_in_si, quantity };
+        let axis = |axis, order, sign| Quantity::Axis { axis, order, sign };
+        let norm = |axes, order| Quantity::Norm { axes, order };
+        let other = Quantity::Other;
         match self {
-            LimitKind::X => ("x", "m", 1.0),
-            LimitKind::Y => ("y", "m", 1.0),
-            LimitKind::Z => ("altitude", "m", 1.0),
-            LimitKind::Yaw => ("yaw", "deg", degrees),
-            LimitKind::Speed => ("speed", "m/s", 1.0),
-            LimitKind::SpeedHorizontal => ("horizontal speed", "m/s", 1.0),
-            LimitKind::Climb => ("climb", "m/s", 1.0),
-            LimitKind::Descent => ("descent", "m/s", 1.0),
-            LimitKind::Acceleration => ("acceleration", "m/s^2", 1.0),
-            LimitKind::AccelerationHorizontal => ("horizontal acceleration", "m/s^2", 1.0),
-            LimitKind::Jerk => ("jerk", "m/s^3", 1.0),
-            LimitKind::YawRate => ("yaw rate", "deg/s", degrees),
-            LimitKind::YawAcceleration => ("yaw acceleration", "deg/s^2", degrees),
-            LimitKind::Tilt => ("tilt", "deg", degrees),
-            LimitKind::Face => ("position across a face", "m", 1.0),
-            LimitKind::Distance => ("distance from the centre", "m", 1.0),
-            LimitKind::Clearance => ("distance from a body", "m", 1.0),
-            LimitKind::Arrival => ("direction of arrival", "deg", degrees),
-            LimitKind::Heading => ("yaw", "deg", degrees),
+            LimitKind::X => of("x", "x", "m", 1.0, axis(0, 0, 1.0)),
+            LimitKind::Y => of("y", "y", "m", 1.0, axis(1, 0, 1.0)),
+            LimitKind::Z => of("z", "altitude", "m", 1.0, axis(2, 0, 1.0)),
+            LimitKind::Yaw => of("yaw", "yaw", "deg", DEGREE, axis(3, 0, 1.0)),
+            LimitKind::Speed => of("speed", "speed", "m/s", 1.0, norm(SPACE, 1)),
+            LimitKind::SpeedHorizontal => of("speed_horizontal", "horizontal speed", "m/s", 1.0, norm(PLANE, 1)),
+            LimitKind::Climb => of("climb", "climb", "m/s", 1.0, axis(2, 1, 1.0)),
+            LimitKind::Descent => of("descent", "descent", "m/s", 1.0, axis(2, 1, -1.0)),
+            LimitKind::Acceleration => of("acceleration", "acceleration", "m/s^2", 1.0, norm(SPACE, 2)),
+            LimitKind::AccelerationHorizontal => {
+                of("acceleration_horizontal", "horizontal acceleration", "m/s^2", 1.0, norm(PLANE, 2))
+            }
+            LimitKind::Jerk => of("jerk", "jerk", "m/s^3", 1.0, norm(SPACE, 3)),
+            LimitKind::YawRate => of("yaw_rate", "yaw rate", "deg/s", DEGREE, axis(3, 1, 1.0)),
+            LimitKind::YawAcceleration => {
+                of("yaw_acceleration", "yaw acceleration", "deg/s^2", DEGREE, axis(3, 2, 1.0))
+            }
+            LimitKind::Tilt => of("tilt", "tilt", "deg", DEGREE, other),
+            LimitKind::Face(_) => of("along the normal", "position across a face", "m", 1.0, other),
+            LimitKind::Distance(_) => of("distance from the centre", "distance from the centre", "m", 1.0, other),
+            LimitKind::Clearance(_) => of("distance from the body", "distance from a body", "m", 1.0, other),
+            LimitKind::Arrival(_) => {
+                of("angle to the direction of arrival", "direction of arrival", "deg", DEGREE, other)
+            }
+            LimitKind::Heading(_) => of("angle to the direction of the yaw", "yaw", "deg", DEGREE, other),
         }
+    }
+
+    /// Whether it is the distance from a body to keep out of.
+    pub fn is_clearance(&self) -> bool {
+        matches!(self, LimitKind::Clearance(_))
+    }
+
+    /// Whether it is a yaw that follows from the motion.
+    pub fn is_heading(&self) -> bool {
+        matches!(self, LimitKind::Heading(_))
+    }
+
+    /// Whether it is a direction of arrival.
+    pub fn is_arrival(&self) -> bool {
+        matches!(self, LimitKind::Arrival(_))
     }
 }

@@ -5,7 +5,7 @@ pub mod passage;
 pub mod reach;
 pub mod split;
 
-use super::{Limit, LimitKind, Rotor, Vehicle, Waypoint};
+use super::{DistanceFrom, Limit, LimitKind, Rotor, Vehicle, Waypoint};
 use crate::body::Body;
 use crate::source::Span;
 use std::sync::Arc;
@@ -39,31 +39,13 @@ pub struct Volume {
     pub span: Span,
 }
 
-/// What a limit that belongs to a volume or a corridor bounds.
+/// The volume or corridor to which a limit belongs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Boundary {
     /// As messages name it: `keep_in field`, `corridor to waypoint 3`.
     pub name: String,
-    pub quantity: Bounded,
-    /// Half the width of a corridor, m; infinite for a volume.
-    pub half_width: f64,
-}
-
-/// A quantity of the position p.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Bounded {
-    /// A coordinate: the limit has the kind `X`, `Y` or `Z`.
-    Coordinate,
-    /// `normal . p`, for a unit normal.
-    Along([f64; 3]),
-    /// The distance of p from a point.
-    From([f64; 3]),
-    /// The distance of (x, y) from a point.
-    FromAxis([f64; 2]),
-    /// The distance of p from the line through `point` along the unit vector `along`.
-    FromLine { point: [f64; 3], along: [f64; 3] },
-    /// The distance of p from a body.
-    FromBody(Body),
+    /// Half the width of a corridor, m; `None` for a volume, which has none.
+    pub half_width: Option<f64>,
 }
 
 /// A normal whose other components are below this is that of an axis.
@@ -77,22 +59,21 @@ impl Volume {
         match self.side {
             Side::KeepIn => self.bodies.iter().flat_map(|body| self.inside(body, margin)).collect(),
             Side::KeepOut => {
-                let beyond = |body: &Body| {
-                    self.limit(LimitKind::Clearance, (Some(margin), None), Bounded::FromBody(body.clone()))
-                };
+                let beyond =
+                    |body: &Body| self.limit(LimitKind::Clearance(Arc::new(body.clone())), (Some(margin), None));
                 self.bodies.iter().map(beyond).collect()
             }
         }
     }
 
-    fn limit(&self, kind: LimitKind, (lower, upper): (Option<f64>, Option<f64>), quantity: Bounded) -> Limit {
+    fn limit(&self, kind: LimitKind, (lower, upper): (Option<f64>, Option<f64>)) -> Limit {
         let name = format!("{} {}", self.side.keyword(), self.name);
         Limit {
             kind,
             lower,
             upper,
             span: self.span,
-            volume: Some(Arc::new(Boundary { name, quantity, half_width: f64::INFINITY })),
+            volume: Some(Arc::new(Boundary { name, half_width: None })),
             leg: None,
         }
     }
@@ -110,21 +91,18 @@ impl Volume {
                 sides.chain([self.between(*bottom, *top, margin)]).collect()
             }
             Body::Cylinder { centre, radius, bottom, top } => {
-                let round = Bounded::FromAxis(*centre);
-                vec![
-                    self.limit(LimitKind::Distance, (None, Some(radius - margin)), round),
-                    self.between(*bottom, *top, margin),
-                ]
+                let round = LimitKind::Distance(DistanceFrom::Axis(*centre));
+                vec![self.limit(round, (None, Some(radius - margin))), self.between(*bottom, *top, margin)]
             }
             Body::Ball { centre, radius } => {
-                vec![self.limit(LimitKind::Distance, (None, Some(radius - margin)), Bounded::From(*centre))]
+                vec![self.limit(LimitKind::Distance(DistanceFrom::Point(*centre)), (None, Some(radius - margin)))]
             }
             Body::HalfSpace { normal, offset } => vec![self.face(*normal, offset - margin)],
         }
     }
 
     fn between(&self, bottom: f64, top: f64, margin: f64) -> Limit {
-        self.limit(LimitKind::Z, (Some(bottom + margin), Some(top - margin)), Bounded::Coordinate)
+        self.limit(LimitKind::Z, (Some(bottom + margin), Some(top - margin)))
     }
 
     /// `normal . p <= offset`; a bound on one coordinate where the normal is that of an axis.
@@ -132,9 +110,33 @@ impl Volume {
         let kinds = [LimitKind::X, LimitKind::Y, LimitKind::Z];
         let along = |axis: usize| (0..3).all(|other| other == axis || normal[other].abs() < ALONG_AN_AXIS);
         match (0..3).find(|&axis| along(axis)) {
-            Some(axis) if normal[axis] > 0.0 => self.limit(kinds[axis], (None, Some(offset)), Bounded::Coordinate),
-            Some(axis) => self.limit(kinds[axis], (Some(-offset), None), Bounded::Coordinate),
-            None => self.limit(LimitKind::Face, (None, Some(offset)), Bounded::Along(normal)),
+            Some(axis) if normal[axis] > 0.0 => self.limit(kinds[axis].clone(), (None, Some(offset))),
+            Some(axis) => self.limit(kinds[axis].clone(), (Some(-offset), None)),
+            None => self.limit(LimitKind::Face(normal), (None, Some(offset))),
+        }
+    }
+}
+
+impl DistanceFrom {
+    /// The distance of the position `p`, m.
+    pub fn distance(&self, p: [f64; 3]) -> f64 {
+        match *self {
+            DistanceFrom::Point(centre) => (0..3).map(|i| (p[i] - centre[i]).powi(2)).sum::<f64>().sqrt(),
+            DistanceFrom::Axis(centre) => (p[0] - centre[0]).hypot(p[1] - centre[1]),
+            DistanceFrom::Line { point, along } => {
+                let from: [f64; 3] = std::array::from_fn(|i| p[i] - point[i]);
+                let ahead: f64 = (0..3).map(|i| from[i] * along[i]).sum();
+                (0..3).map(|i| (from[i] - ahead * along[i]).powi(2)).sum::<f64>().sqrt()
+            }
+        }
+    }
+
+    /// The point of the first coordinates from which the distance is measured; `None` for a line in space.
+    pub fn centre(&self) -> Option<&[f64]> {
+        match self {
+            DistanceFrom::Point(centre) => Some(centre),
+            DistanceFrom::Axis(centre) => Some(centre),
+            DistanceFrom::Line { .. } => None,
         }
     }
 }
@@ -142,20 +144,26 @@ impl Volume {
 impl Limit {
     /// The value of the bounded quantity at the position `p` (m), for a limit on positions; `None` for any other limit.
     pub fn value_at(&self, p: [f64; 3]) -> Option<f64> {
-        Some(match (self.kind, self.volume.as_deref().map(|v| &v.quantity)) {
-            (LimitKind::X, _) => p[0],
-            (LimitKind::Y, _) => p[1],
-            (LimitKind::Z, _) => p[2],
-            (_, Some(Bounded::Along(normal))) => (0..3).map(|i| normal[i] * p[i]).sum(),
-            (_, Some(Bounded::From(centre))) => (0..3).map(|i| (p[i] - centre[i]).powi(2)).sum::<f64>().sqrt(),
-            (_, Some(Bounded::FromAxis(centre))) => (p[0] - centre[0]).hypot(p[1] - centre[1]),
-            (_, Some(Bounded::FromLine { point, along })) => {
-                let from: [f64; 3] = std::array::from_fn(|i| p[i] - point[i]);
-                let ahead: f64 = (0..3).map(|i| from[i] * along[i]).sum();
-                (0..3).map(|i| (from[i] - ahead * along[i]).powi(2)).sum::<f64>().sqrt()
-            }
-            (_, Some(Bounded::FromBody(body))) => body.separation(p).distance,
-            _ => return None,
+        Some(match &self.kind {
+            LimitKind::X => p[0],
+            LimitKind::Y => p[1],
+            LimitKind::Z => p[2],
+            LimitKind::Face(normal) => (0..3).map(|i| normal[i] * p[i]).sum(),
+            LimitKind::Distance(from) => from.distance(p),
+            LimitKind::Clearance(body) => body.separation(p).distance,
+            LimitKind::Yaw
+            | LimitKind::Speed
+            | LimitKind::SpeedHorizontal
+            | LimitKind::Climb
+            | LimitKind::Descent
+            | LimitKind::Acceleration
+            | LimitKind::AccelerationHorizontal
+            | LimitKind::Jerk
+            | LimitKind::YawRate
+            | LimitKind::YawAcceleration
+            | LimitKind::Tilt
+            | LimitKind::Arrival(_)
+            | LimitKind::Heading(_) => return None,
         })
     }
 
@@ -171,7 +179,7 @@ impl Limit {
         match (&self.volume, &self.leg) {
             (Some(volume), _) => &volume.name,
             (None, Some(on)) => &on.name,
-            (None, None) => self.kind.name_and_unit().0,
+            (None, None) => self.kind.describe().name,
         }
     }
 }

@@ -147,9 +147,9 @@ pub(super) fn impose(mission: &mut Mission, vehicle: &Vehicle) {
             Part::Whole => format!("yaw on the leg to {at}"),
             Part::Start | Part::End => format!("yaw at {at}"),
         };
-        let on = OnLeg { leg, part, name, direction: None, target: Some(target) };
+        let on = OnLeg { leg, part, name };
         let (upper, leg) = (Some(point.yaw_within), Some(Arc::new(on)));
-        found.push(Limit { kind: LimitKind::Heading, lower: None, upper, span: point.span, volume: None, leg });
+        found.push(Limit { kind: LimitKind::Heading(target), lower: None, upper, span: point.span, volume: None, leg });
     }
     mission.limits.extend(found);
 }

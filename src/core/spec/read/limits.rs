@@ -115,7 +115,7 @@ fn crossed(cx: &mut Context, limits: &[Limit]) -> Option<LimitKind> {
     let message = format!("the lower bound of `{name}` exceeds the upper bound");
     let error = Diagnostic::error(ORDER, limit.span, message).here("no value satisfies this");
     cx.report(error.also(other.span, "and this").help("lower the lower bound, or raise the upper bound"));
-    Some(limit.kind)
+    Some(limit.kind.clone())
 }
 
 fn unknown(cx: &mut Context, name: &str, span: Span) {
@@ -141,7 +141,7 @@ fn unknown(cx: &mut Context, name: &str, span: Span) {
 
 fn one<'a>(
     cx: &mut Context<'a>,
-    &(entry, kind, form): &(&'static Entry, LimitKind, Form),
+    (entry, kind, form): &(&'static Entry, LimitKind, Form),
     relation: &'a LimitRelation,
     span: Span,
 ) -> Option<Limit> {
@@ -163,7 +163,7 @@ fn one<'a>(
     let (lower, upper, at): (Option<f64>, Option<f64>, &Expr) = match relation {
         LimitRelation::AtMost(e) => {
             let upper = cx.number(due, e)?;
-            (if form == Form::Rate { Some(-upper) } else { None }, Some(upper), e)
+            (if *form == Form::Rate { Some(-upper) } else { None }, Some(upper), e)
         }
         LimitRelation::AtLeast(e) => (Some(cx.number(due, e)?), None, e),
         LimitRelation::In(e) => {
@@ -188,7 +188,7 @@ fn one<'a>(
         (Form::Norm, Some(upper)) if upper <= 0.0 => {
             Some(("must be greater than zero", format!("write a value above 0 {unit}")))
         }
-        (Form::Norm, Some(upper)) if kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 => {
+        (Form::Norm, Some(upper)) if *kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 => {
             let rule = "must be below 90 deg: there the thrust has no vertical component";
             Some((rule, "write a smaller angle, as in `tilt <= 35 deg`".to_string()))
         }
@@ -206,7 +206,7 @@ fn one<'a>(
         cx.report(error.here("out of range").help(help));
         return None;
     }
-    Some(Limit { kind, lower, upper, span, volume: None, leg: None })
+    Some(Limit { kind: kind.clone(), lower, upper, span, volume: None, leg: None })
 }
 
 /// `1 .. 30 m` for `30 .. 1 m`: a unit that applies to both ends stays at the end.

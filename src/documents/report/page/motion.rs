@@ -110,11 +110,12 @@ fn limited(model: &Model, kinds: &[LimitKind]) -> bool {
 fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
     let mut found = Vec::new();
     for limit in mission.limits.iter().filter(|l| l.is_general() && kinds.contains(&l.kind)) {
-        let (name, _, factor) = limit.kind.name_and_unit();
+        let description = limit.kind.describe();
+        let (name, factor) = (description.name, description.factor());
         let name = if limit.volume.is_some() { limit.name() } else { name };
         // A descent is drawn as a negative climb.
         let (name, factor, words) = match limit.kind {
-            LimitKind::Descent => (LimitKind::Climb.name_and_unit().0, -factor, ["at least", "at most"]),
+            LimitKind::Descent => (LimitKind::Climb.describe().name, -factor, ["at least", "at most"]),
             _ => (name, factor, ["at most", "at least"]),
         };
         let sides = [limit.upper, limit.lower].into_iter().zip(words);
@@ -201,9 +202,10 @@ fn position(mission: &Mission, solved: &MissionPlan) -> Chart {
 }
 
 /// `, of 6 m/s allowed`, or `, without a limit`.
-fn allowed(mission: &Mission, kind: LimitKind) -> String {
-    let (_, unit, factor) = kind.name_and_unit();
-    match mission.limits.iter().find(|l| l.is_general() && l.kind == kind).and_then(|l| l.upper) {
+fn allowed(mission: &Mission, kind: &LimitKind) -> String {
+    let description = kind.describe();
+    let (unit, factor) = (description.unit, description.factor());
+    match mission.limits.iter().find(|l| l.is_general() && l.kind == *kind).and_then(|l| l.upper) {
         Some(most) => format!(", of {} {unit} allowed", significant(factor * most, 3)),
         None => ", without a limit".into(),
     }
@@ -219,7 +221,7 @@ fn speed(mission: &Mission, solved: &MissionPlan) -> Chart {
     Chart {
         id: "speed",
         title: "Speed",
-        headline: format!("Speed reaches {}{}", at(top.value, "m/s", top.at), allowed(mission, LimitKind::Speed)),
+        headline: format!("Speed reaches {}{}", at(top.value, "m/s", top.at), allowed(mission, &LimitKind::Speed)),
         unit: "m/s",
         lines,
         bounds: bounds(mission, &kinds),
@@ -234,7 +236,7 @@ fn tilts(problem: Problem, solved: &MissionPlan) -> Chart {
     Chart {
         id: "tilt",
         title: "Tilt",
-        headline: format!("Tilt reaches {reached}{}", allowed(mission, LimitKind::Tilt)),
+        headline: format!("Tilt reaches {reached}{}", allowed(mission, &LimitKind::Tilt)),
         unit: "deg",
         lines: vec![Line::new("tilt", "tilt"), Line::new("roll", "roll"), Line::new("pitch", "pitch")],
         bounds: bounds(mission, &[LimitKind::Tilt]),
@@ -274,10 +276,10 @@ fn rare(
     kinds: &[LimitKind],
 ) -> Option<Chart> {
     let first = mission.limits.iter().find(|l| kinds.contains(&l.kind))?;
-    let column_of = |kind: LimitKind| match kind {
+    let column_of = |kind: &LimitKind| match kind {
         LimitKind::YawRate => "yaw_rate",
         LimitKind::YawAcceleration => "yaw_acceleration",
-        _ => NORMS.iter().find(|n| n.0 == kind).map_or("speed", |n| n.1),
+        _ => NORMS.iter().find(|n| n.0 == *kind).map_or("speed", |n| n.1),
     };
     let value = |s: &NodeState| match NORMS.iter().find(|n| n.0 == first.kind) {
         Some((_, _, axes, order)) => norm(s, axes, *order),
@@ -286,7 +288,7 @@ fn rare(
     };
     let top = peak(&solved.trajectory, value);
     let lines = kinds.iter().filter(|k| mission.limits.iter().any(|l| l.kind == **k));
-    let (name, ..) = first.kind.name_and_unit();
+    let name = first.kind.describe().name;
     Some(Chart {
         id,
         title,
@@ -295,10 +297,10 @@ fn rare(
             name[..1].to_uppercase(),
             &name[1..],
             at(top.value, unit, top.at),
-            allowed(mission, first.kind)
+            allowed(mission, &first.kind)
         ),
         unit,
-        lines: lines.map(|&k| Line::new(k.name_and_unit().0, column_of(k))).collect(),
+        lines: lines.map(|k| Line::new(k.describe().name, column_of(k))).collect(),
         bounds: bounds(mission, kinds),
         axis: None,
     })

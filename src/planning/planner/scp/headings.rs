@@ -11,7 +11,7 @@ impl ScpPlanner<'_, '_> {
     /// An initial guess whose yaw follows from its own path where the mission requires it; unchanged if it requires none or if
     /// no such guess was found.
     pub(super) fn headed(&mut self, grid: &TimeGrid, mut iterate: Iterate) -> Iterate {
-        if !self.hover.mission().limits.iter().any(|limit| limit.kind == LimitKind::Heading) {
+        if !self.hover.mission().limits.iter().any(|limit| limit.kind.is_heading()) {
             return iterate;
         }
         for _ in 0..ROUNDS {
@@ -28,12 +28,15 @@ impl ScpPlanner<'_, '_> {
     /// The states with the yaw that they have to follow, continued from node to node by the shorter way.
     fn with_continuous_yaw(&self, iterate: &Iterate) -> Vec<NodeState> {
         let mission = self.hover.mission();
-        let limits: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.kind == LimitKind::Heading).collect();
+        let limits: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.kind.is_heading()).collect();
         let mut last = mission.waypoints[0].yaw;
         let mut states = iterate.states.clone();
         for (node, state) in states.iter_mut().enumerate() {
             let holds = |limit: &&&Limit| covers(limit, &iterate.grid.waypoint_nodes, 1, node);
-            let targets = limits.iter().filter(holds).filter_map(|limit| limit.leg.as_ref()?.target);
+            let targets = limits.iter().filter(holds).filter_map(|limit| match limit.kind {
+                LimitKind::Heading(target) => Some(target),
+                _ => None,
+            });
             let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| state[axis][order]));
             if let Some([x, y]) = targets.into_iter().find_map(|target| target.direction(position, velocity)) {
                 let turn = y.atan2(x) - last;

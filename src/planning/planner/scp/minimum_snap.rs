@@ -1,7 +1,6 @@
 //! The minimum-snap initial guess: the least cost through the waypoints, without the set.
 
 use super::*;
-use crate::model::LimitKind;
 use crate::planner::limits::Widening;
 use crate::planner::transcription::Purpose;
 use crate::qp::QuadraticProgram;
@@ -60,12 +59,11 @@ impl ScpPlanner<'_, '_> {
         let form = self.transcription(&quick, &[]).about(positions).about_states(headed.as_deref());
         let mut places = self.places(grid);
         if headed.is_some() {
-            places.extend(self.limits_at_nodes(grid, |limit| limit.kind == LimitKind::Heading));
+            places.extend(self.limits_at_nodes(grid, |limit| limit.kind.is_heading()));
         }
         // A coarse grid would cut the corners of a way around.
         if positions.is_some() {
-            let volumes =
-                self.hover.problem.mission().limits.iter().enumerate().filter(|(_, l)| l.kind == LimitKind::Clearance);
+            let volumes = self.hover.problem.mission().limits.iter().enumerate().filter(|(_, l)| l.kind.is_clearance());
             let instants = (0..=grid.intervals() * PARTS).step_by(self.settings.guidance.instants);
             let rows =
                 volumes.flat_map(|(i, _)| instants.clone().map(move |instant| RowAt { row: Row::Limit(i), instant }));

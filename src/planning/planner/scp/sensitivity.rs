@@ -54,7 +54,7 @@ fn relaxed(mission: &Mission) -> Mission {
     for limit in &mut mission.limits {
         let room = |bound: f64| match limit.kind {
             LimitKind::X | LimitKind::Y | LimitKind::Z => PLACE,
-            LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => PLACE,
+            LimitKind::Face(_) | LimitKind::Distance(_) | LimitKind::Clearance(_) => PLACE,
             LimitKind::Yaw => YAW_PLACE,
             _ => SHARE * bound.abs(),
         };

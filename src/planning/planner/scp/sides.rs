@@ -2,7 +2,6 @@
 
 use super::way_around::{nth_way, obstructed};
 use super::*;
-use crate::model::LimitKind;
 
 /// The sides of a coarse iterate, for [`ScpPlanner::sides`].
 type Sides = BTreeMap<usize, usize>;
@@ -52,7 +51,7 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn other_sides(&self) -> Vec<Sides> {
         let mission = self.hover.problem.mission();
         let most = self.settings.guidance.sides;
-        if most == 0 || !mission.limits.iter().any(|limit| limit.kind == LimitKind::Clearance) {
+        if most == 0 || !mission.limits.iter().any(|limit| limit.kind.is_clearance()) {
             return Vec::new();
         }
         let ends = mission.waypoints.windows(2).map(|pair| (pair[0].position, pair[1].position));

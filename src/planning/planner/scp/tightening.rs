@@ -1,7 +1,6 @@
 //! Constraint tightening, so that rows also hold between the instants.
 
 use super::*;
-use crate::model::LimitKind;
 use settings::StoppingRule;
 
 impl ScpPlanner<'_, '_> {
@@ -76,7 +75,7 @@ impl ScpPlanner<'_, '_> {
         }
         // Limits on places have no width for a tightening, except distances from bodies.
         let limits = &self.hover.mission().limits;
-        let is_place = |limit: &Limit| place(limit.kind) && limit.kind != LimitKind::Clearance;
+        let is_place = |limit: &Limit| place(&limit.kind) && !limit.kind.is_clearance();
         over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if is_place(&limits[limit])));
         over.into_iter().collect()
     }

@@ -59,7 +59,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let facets = (0..self.set.rows.len()).map(move |facet| self.violation_of_row(facet, &wrench));
         // Limits on places have no width for a margin.
         let of_limit = move |limit: &Limit| match holds(limit) {
-            true => form.violation_of(limit, state, 0.0) - if place(limit.kind) { ACCEPTED } else { 0.0 },
+            true => form.violation_of(limit, state, 0.0) - if place(&limit.kind) { ACCEPTED } else { 0.0 },
             false => f64::NEG_INFINITY,
         };
         let limits = self.hover.mission().limits.iter().map(of_limit);
@@ -87,9 +87,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
     /// Whether the row at a place is of a volume, a corridor, a direction of arrival or a yaw that follows from the motion, for which
     /// the path alone counts.
     pub(super) fn is_of_path(&self, place: usize) -> bool {
-        self.limit_at(place).is_some_and(|limit| {
-            limit.volume.is_some() || matches!(limit.kind, LimitKind::Arrival | LimitKind::Heading)
-        })
+        self.limit_at(place)
+            .is_some_and(|limit| limit.volume.is_some() || limit.kind.is_arrival() || limit.kind.is_heading())
     }
 
     /// The limit whose row is at a place.
@@ -223,13 +222,14 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// The rows of limits on x, y, z and yaw, at every node, and on directions of arrival: they do not depend on time.
     pub(super) fn places(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
-        self.limits_at_nodes(grid, |limit| place(limit.kind) || limit.kind == LimitKind::Arrival).collect()
+        self.limits_at_nodes(grid, |limit| place(&limit.kind) || limit.kind.is_arrival()).collect()
     }
 
     /// The rows that each subproblem has at every node: limits on x, y, z and yaw, which do not depend on time, and on yaw rate,
     /// yaw acceleration and a yaw that follows from the motion. Yaw costs little, and its acceleration would oscillate beyond its bounds wherever no row limits it.
     pub(super) fn rows_everywhere(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
-        let is_yaw = |kind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading);
-        self.limits_at_nodes(grid, |limit| place(limit.kind) || is_yaw(limit.kind)).collect()
+        let is_yaw =
+            |kind: &LimitKind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading(_));
+        self.limits_at_nodes(grid, |limit| place(&limit.kind) || is_yaw(&limit.kind)).collect()
     }
 }

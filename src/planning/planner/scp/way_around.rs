@@ -6,7 +6,7 @@
 //! sides of the ways before are closed: `sides` chooses among them.
 
 use super::*;
-use crate::model::{Bounded, LimitKind, Mission};
+use crate::model::{LimitKind, Mission};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -57,7 +57,7 @@ impl ScpPlanner<'_, '_> {
 }
 
 fn keeps_out(mission: &Mission) -> bool {
-    mission.limits.iter().any(|limit| limit.kind == LimitKind::Clearance)
+    mission.limits.iter().any(|limit| limit.kind.is_clearance())
 }
 
 /// The mission with the limits that hold on a leg alone; `None` if all do.
@@ -204,10 +204,8 @@ impl Lattice {
         let mut low: Point = std::array::from_fn(|i| from[i].min(to[i]) - beyond);
         let mut high: Point = std::array::from_fn(|i| from[i].max(to[i]) + beyond);
         // A way around a volume leads along its sides: the lattice contains those that it meets, as far as they are finite.
-        for limit in mission.limits.iter().filter(|limit| limit.kind == LimitKind::Clearance) {
-            let Some(Bounded::FromBody(body)) = limit.volume.as_deref().map(|v| &v.quantity) else {
-                continue;
-            };
+        for limit in &mission.limits {
+            let LimitKind::Clearance(body) = &limit.kind else { continue };
             let (bottom, top) = body.extent();
             let margin = limit.lower.unwrap_or(0.0) + beyond;
             if (0..3).all(|i| bottom[i] - margin <= high[i] && low[i] <= top[i] + margin) {

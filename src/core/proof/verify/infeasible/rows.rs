@@ -6,7 +6,7 @@ use super::super::premise::Premise;
 use super::super::sets::Plane;
 use super::Rows;
 use crate::certificate::{DynamicModel, Multiplier, RowRecord, Side};
-use crate::model::{Bounded, Heading, Limit, LimitKind, Part};
+use crate::model::{DistanceFrom, Heading, Limit, LimitKind, Part};
 
 /// A plan may miss a waypoint by this much more than its tolerance, m; yaw in proportion.
 const FEASIBLE: f64 = 1e-6;
@@ -226,17 +226,14 @@ impl Rows<'_> {
         };
         let with = |reach: Expression, parts: Vec<Expression>| Some(std::iter::once(reach).chain(parts).collect());
         let reach = Expression::constant(upper);
-        if let Some(volume) = &limit.volume {
-            let centre = match &volume.quantity {
-                Bounded::FromLine { point, along } => return with(reach, across(node, 0, *point, *along)),
-                Bounded::From(centre) => &centre[..],
-                Bounded::FromAxis(centre) => &centre[..],
-                Bounded::Coordinate | Bounded::Along(_) | Bounded::FromBody(_) => return None,
-            };
+        let apart = |centre: &[f64]| -> Vec<Expression> {
             let part = |(axis, c): (usize, &f64)| Expression::of(node, axis, 0).minus(Interval::point(*c));
-            return with(reach, [X, Y, Z].into_iter().zip(centre).map(part).collect());
-        }
-        match limit.kind {
+            [X, Y, Z].into_iter().zip(centre).map(part).collect()
+        };
+        match &limit.kind {
+            LimitKind::Distance(DistanceFrom::Line { point, along }) => with(reach, across(node, 0, *point, *along)),
+            LimitKind::Distance(DistanceFrom::Point(centre)) => with(reach, apart(centre)),
+            LimitKind::Distance(DistanceFrom::Axis(centre)) => with(reach, apart(centre)),
             LimitKind::Speed => with(reach, parts(&[X, Y, Z], 1)),
             LimitKind::SpeedHorizontal => with(reach, parts(&[X, Y], 1)),
             LimitKind::Acceleration => with(reach, parts(&[X, Y, Z], 2)),
@@ -248,14 +245,13 @@ impl Rows<'_> {
                 let g = Interval::point(self.problem.model().gravity);
                 with(Expression::constant(tangent * g).plus(node, Z, 2, tangent), parts(&[X, Y], 2))
             }
-            LimitKind::Arrival => {
+            LimitKind::Arrival(direction) => {
                 // |v - (v.d) d| <= tan L (v.d), with d the direction of arrival.
-                let direction = limit.leg.as_ref()?.direction?;
                 let (s, c) = upper.sin_cos();
                 let ahead = [X, Y, Z].into_iter().zip(direction);
                 let reach = ahead
-                    .fold(Expression::default(), |row, (axis, d)| row.plus(node, axis, 1, s / c * Interval::point(d)));
-                with(reach, across(node, 1, [0.0; 3], direction))
+                    .fold(Expression::default(), |row, (axis, d)| row.plus(node, axis, 1, s / c * Interval::point(*d)));
+                with(reach, across(node, 1, [0.0; 3], *direction))
             }
             LimitKind::Jerk if self.kind == DynamicModel::Exact => with(reach, parts(&[X, Y, Z], 3)),
             LimitKind::Jerk if self.is_adjacent(node, interval) && self.holds_over(limit, interval) => {
@@ -286,7 +282,7 @@ fn across(node: usize, order: usize, point: [f64; 3], along: [f64; 3]) -> Vec<Ex
 
 /// A bound on one coordinate or rate; `None` if the limit has no such bound on that side.
 fn one_sided(limit: &Limit, node: usize, side: Side) -> Option<Expression> {
-    if let Some(Bounded::Along(normal)) = limit.volume.as_deref().map(|volume| &volume.quantity) {
+    if let LimitKind::Face(normal) = &limit.kind {
         let upper = limit.upper.filter(|_| side == Side::Upper)?;
         let parts = [X, Y, Z].into_iter().zip(normal);
         let slack = Expression::constant(Interval::point(upper));

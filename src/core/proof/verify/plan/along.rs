@@ -20,6 +20,7 @@ use super::{
     of_groups,
 };
 use crate::certificate::DynamicModel;
+use crate::model::Target;
 use crate::model::{Environment, Limit, LimitKind, Part};
 use crate::number::{number, significant};
 use std::collections::BTreeSet;
@@ -180,12 +181,12 @@ impl Checked<'_> {
         for limits in setting.mission().limits.chunk_by(same_volume) {
             match limits[0].kind {
                 // It holds at one node, where it has been decided.
-                LimitKind::Arrival => {
+                LimitKind::Arrival(_) => {
                     found.shown.push(Shown::at_nodes(limited(&limits[0])));
                     continue;
                 }
-                LimitKind::Heading => {
-                    found.shown.push(Shown::at_nodes(self.followed(&limits[0], purse)));
+                LimitKind::Heading(target) => {
+                    found.shown.push(Shown::at_nodes(self.followed(&limits[0], target, purse)));
                     continue;
                 }
                 _ => {}
@@ -234,14 +235,14 @@ impl Checked<'_> {
     }
 
     /// A yaw that follows from the motion, with the largest error that a grid shows.
-    fn followed(&self, limit: &Limit, purse: &mut Purse) -> String {
+    fn followed(&self, limit: &Limit, target: Target, purse: &mut Purse) -> String {
         let family = self.setting.family_of(limit, &self.motion);
         let within = family.within.unwrap_or((0, self.motion.pieces()));
         if !purse.spend(cost_of_grid(&family, &self.motion, 1, OF_A_GRID)) {
             return limited(limit);
         }
-        let allowed = number(limit.upper.unwrap_or(0.0).to_degrees());
-        match heading::largest(limit, &self.motion, within, OF_A_GRID) {
+        let Some(allowed) = limit.upper.map(|upper| number(upper.to_degrees())) else { return limited(limit) };
+        match heading::largest(target, &self.motion, within, OF_A_GRID) {
             Some((error, at)) => format!(
                 "{} within {allowed} deg (between the nodes {} deg on a grid, at {} s)",
                 limit.name(),

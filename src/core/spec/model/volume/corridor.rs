@@ -7,7 +7,7 @@
 
 use super::passage::slack;
 use super::reach::Reach;
-use crate::model::{Bounded, Limit, Waypoint};
+use crate::model::{DistanceFrom, Limit, LimitKind, Waypoint};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -36,7 +36,7 @@ pub fn closed(limits: &[Limit], waypoints: &[Waypoint]) -> Option<Closed> {
         forbidding.filter_map(|(limit, own)| Some(Forbidding { limit, reach: Reach::of(own)? })).collect();
     limits.iter().enumerate().find_map(|(corridor, limit)| {
         let on = limit.leg.as_deref()?;
-        let Bounded::FromLine { along, .. } = limit.volume.as_deref()?.quantity else { return None };
+        let LimitKind::Distance(DistanceFrom::Line { along, .. }) = limit.kind else { return None };
         let radius = limit.upper? + slack(limit);
         let ends = waypoints.get(on.leg..=on.leg + 1)?;
         // A cross-section that is forbidden whole has its middle on the line between the ends.

@@ -10,7 +10,7 @@
 use super::reach::Reach;
 use super::{Side, Volume};
 use crate::body::Body;
-use crate::model::{Bounded, Limit, LimitKind, Waypoint};
+use crate::model::{Limit, LimitKind, Waypoint};
 use crate::source::Span;
 use crate::tolerance::MOST_PAST_LIMIT;
 use std::ops::Range;
@@ -40,7 +40,7 @@ pub struct ClosedOff {
 pub fn closed_off(limits: &[Limit], volumes: &[Volume], waypoints: &[Waypoint]) -> Option<ClosedOff> {
     let bounds: Vec<usize> =
         (0..limits.len()).filter(|&i| limits[i].is_general() && limits[i].value_at([0.0; 3]).is_some()).collect();
-    let keeps_out = |i: usize| limits[i].kind == LimitKind::Clearance;
+    let keeps_out = |i: usize| limits[i].kind.is_clearance();
     let (bodies, convex): (Vec<usize>, Vec<usize>) = bounds.iter().partition(|&&i| keeps_out(i));
     // Without a volume to keep out of, the bounds are convex.
     bodies.first()?;
@@ -120,8 +120,8 @@ pub fn slack(limit: &Limit) -> f64 {
 }
 
 fn body(limit: &Limit) -> Option<&Body> {
-    match limit.volume.as_deref().map(|volume| &volume.quantity) {
-        Some(Bounded::FromBody(body)) => Some(body),
+    match &limit.kind {
+        LimitKind::Clearance(body) => Some(body),
         _ => None,
     }
 }
@@ -259,9 +259,8 @@ impl Boxes {
             })
         };
         let slack = slack(limit);
-        let centre = match limit.volume.as_deref().map(|volume| &volume.quantity) {
-            Some(Bounded::From(centre)) => Some(&centre[..]),
-            Some(Bounded::FromAxis(centre)) => Some(&centre[..]),
+        let centre = match &limit.kind {
+            LimitKind::Distance(from) => from.centre(),
             _ => None,
         };
         // The distance of a box from a point.

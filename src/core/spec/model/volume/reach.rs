@@ -1,7 +1,7 @@
 //! The box that has everything that a body and its margin forbid: beyond it nothing has to be computed from the body's
 //! corners.
 
-use crate::model::{Bounded, Limit, LimitKind};
+use crate::model::{Limit, LimitKind};
 
 /// Lowest and highest coordinates, m.
 #[derive(Debug, Clone, Copy)]
@@ -13,8 +13,8 @@ pub struct Reach {
 impl Reach {
     /// Of a limit that keeps out of a body; `None` for any other.
     pub fn of(limit: &Limit) -> Option<Self> {
-        let Bounded::FromBody(body) = &limit.volume.as_deref()?.quantity else { return None };
-        let margin = limit.lower.filter(|_| limit.kind == LimitKind::Clearance)?;
+        let LimitKind::Clearance(body) = &limit.kind else { return None };
+        let margin = limit.lower?;
         let (low, high) = body.extent();
         Some(Reach { low: low.map(|x| x - margin), high: high.map(|x| x + margin) })
     }

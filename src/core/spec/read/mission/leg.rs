@@ -4,7 +4,7 @@ use super::super::limits as reader;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::waypoint as table;
 use crate::model::legs::distance;
-use crate::model::volume::{Boundary, Bounded};
+use crate::model::{Boundary, DistanceFrom};
 use crate::model::{Limit, LimitKind, OnLeg, Part, Waypoint};
 use crate::number::number;
 use crate::read::context::Context;
@@ -139,10 +139,7 @@ pub fn limits(cx: &mut Context, legs: &[Written], waypoints: &[Waypoint], end_at
             None => format!("waypoint {}", leg.to + 1),
         };
         whole &= agrees(cx, leg, to, is_last && end_at_rest, is_last && !end_at_rest);
-        let on = |name: String, direction: Option<[f64; 3]>| {
-            let part = if direction.is_some() { Part::End } else { Part::Whole };
-            Some(Arc::new(OnLeg { leg: leg.to - 1, part, name, direction, target: None }))
-        };
+        let on = |name: String, part: Part| Some(Arc::new(OnLeg { leg: leg.to - 1, part, name }));
         if let Some((shape, span)) = leg.shape {
             match line(cx, from, to, shape, span) {
                 Some((along, radius)) => {
@@ -150,29 +147,36 @@ pub fn limits(cx: &mut Context, legs: &[Written], waypoints: &[Waypoint], end_at
                         Shape::Corridor(_) => format!("corridor to {at}"),
                         _ => format!("{} leg to {at}", shape.word()),
                     };
-                    let bound = |kind, upper, quantity| {
-                        let volume = Some(Arc::new(Boundary { name: name.clone(), quantity, half_width: radius }));
-                        Limit { kind, lower: None, upper: Some(upper), span, volume, leg: on(name.clone(), None) }
+                    let bound = |kind, upper| {
+                        let volume = Some(Arc::new(Boundary { name: name.clone(), half_width: Some(radius) }));
+                        Limit {
+                            kind,
+                            lower: None,
+                            upper: Some(upper),
+                            span,
+                            volume,
+                            leg: on(name.clone(), Part::Whole),
+                        }
                     };
                     let ahead = |p: [f64; 3]| (0..3).map(|i| along[i] * p[i]).sum::<f64>();
                     let point = from.position;
-                    found.push(bound(LimitKind::Distance, radius, Bounded::FromLine { point, along }));
-                    found.push(bound(LimitKind::Face, ahead(to.position) + radius, Bounded::Along(along)));
+                    found.push(bound(LimitKind::Distance(DistanceFrom::Line { point, along }), radius));
+                    found.push(bound(LimitKind::Face(along), ahead(to.position) + radius));
                     let back = along.map(|part| -part);
-                    found.push(bound(LimitKind::Face, radius - ahead(from.position), Bounded::Along(back)));
+                    found.push(bound(LimitKind::Face(back), radius - ahead(from.position)));
                 }
                 None => whole = false,
             }
         }
         if let Some((comes_from, span)) = leg.from {
             let length = comes_from.iter().map(|part| part * part).sum::<f64>().sqrt();
-            let direction = Some(comes_from.map(|part| -part / length));
-            let leg = on(format!("direction of arrival at {at}"), direction);
-            found.push(Limit { kind: LimitKind::Arrival, lower: None, upper: Some(ARRIVAL), span, volume: None, leg });
+            let kind = LimitKind::Arrival(comes_from.map(|part| -part / length));
+            let leg = on(format!("direction of arrival at {at}"), Part::End);
+            found.push(Limit { kind, lower: None, upper: Some(ARRIVAL), span, volume: None, leg });
         }
         found.extend(leg.limits.iter().map(|limit| {
-            let name = format!("{} on the leg to {at}", limit.kind.name_and_unit().0);
-            Limit { leg: on(name, None), ..limit.clone() }
+            let name = format!("{} on the leg to {at}", limit.kind.describe().name);
+            Limit { leg: on(name, Part::Whole), ..limit.clone() }
         }));
     }
     (found, whole)

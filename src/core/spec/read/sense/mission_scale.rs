@@ -20,7 +20,7 @@ const WITHIN: Usual = Usual::new(1e-4, 20.0);
 const YAW_WITHIN: Usual = Usual::new(0.001, 180.0);
 
 /// Name, usual range, unit of that range, and that unit in SI, of a limit that is checked.
-fn usual(kind: LimitKind) -> Option<(&'static str, Usual, &'static str, f64)> {
+fn usual(kind: &LimitKind) -> Option<(&'static str, Usual, &'static str, f64)> {
     let degree = std::f64::consts::PI / 180.0;
     Some(match kind {
         LimitKind::Speed | LimitKind::SpeedHorizontal => ("speed", Usual::new(0.05, USUAL_SPEED), "m/s", 1.0),
@@ -34,15 +34,15 @@ fn usual(kind: LimitKind) -> Option<(&'static str, Usual, &'static str, f64)> {
         LimitKind::YawAcceleration => ("yaw acceleration", Usual::new(0.5, 100_000.0), "deg/s^2", degree),
         LimitKind::Tilt => ("tilt", Usual::new(0.5, 90.0), "deg", degree),
         LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => return None,
-        LimitKind::Face | LimitKind::Distance | LimitKind::Clearance => return None,
-        LimitKind::Arrival | LimitKind::Heading => return None,
+        LimitKind::Face(_) | LimitKind::Distance(_) | LimitKind::Clearance(_) => return None,
+        LimitKind::Arrival(_) | LimitKind::Heading(_) => return None,
     })
 }
 
 /// Warns of limits that bind nothing or allow hardly any motion. A bound of zero is taken as intended.
 pub(in crate::spec::read) fn limits(cx: &mut Context, limits: &[Limit]) {
     for limit in limits {
-        let Some((name, usual, unit, scale)) = usual(limit.kind) else { continue };
+        let Some((name, usual, unit, scale)) = usual(&limit.kind) else { continue };
         let ends = [limit.lower, limit.upper].into_iter().flatten().map(|end| end.abs() / scale);
         let Some(odd) = ends.into_iter().find(|end| *end > 0.0 && !usual.has(*end)) else { continue };
         let message =
