@@ -16,11 +16,9 @@ pub mod conflict_record;
 pub mod headings;
 pub mod heat;
 pub mod least_time;
-pub mod mjcf;
 pub mod model_record;
 #[cfg(feature = "report")]
 pub mod page;
-pub mod px4_params;
 pub mod record;
 pub mod simulation;
 pub mod terminal;

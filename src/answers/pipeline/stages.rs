@@ -3,14 +3,14 @@
 use super::tasks::{Planning, Task};
 use crate::actuation::Actuation;
 use crate::admissible::AdmissibleSet;
+use crate::exchange::vehicle::mjcf;
+use crate::exchange::vehicle::px4_params;
 use crate::planner::hover::{FEASIBLE, HoverPlanner};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use crate::planner::transcription::{Purpose, Transcription};
 use crate::qp::{QuadraticProgram, mps};
-use crate::report::mjcf;
 use crate::report::model_record::ModelRecord;
-use crate::report::px4_params;
 use crate::spec::Spec;
 use serde::Serialize;
 use std::error::Error;
