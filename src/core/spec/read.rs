@@ -39,6 +39,7 @@ pub mod vehicle;
 pub mod vocabulary;
 mod volume;
 mod without_yaw;
+mod written;
 mod yaw_drag;
 
 pub use elaborate::{elaborate, elaborate_for, understand};

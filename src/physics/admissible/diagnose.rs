@@ -66,8 +66,9 @@ pub(crate) fn diagnose_by(
         let span = model.modes[index].span;
         let faint = || mode.nearest_rows.filter(|row| !before(row)).and_then(|row| nearly_parallel(&row, span));
         let answer = match without_yaw::judge(model, &mode, index) {
-            Some(answer) => answer,
-            None => judge(model, &mode, span),
+            without_yaw::Found::YawKept => judge(model, &mode, span),
+            without_yaw::Found::Nothing => None,
+            without_yaw::Found::Answer(answer) => Some(answer),
         };
         let Some(mut answer) = answer.or_else(faint) else { continue };
         answer.also = without_yaw::could_be_planned(model, &mode, index).filter(|_| answer.severity == Severity::Error);

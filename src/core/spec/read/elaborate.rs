@@ -175,7 +175,7 @@ fn whole<'a>(
     let flight_blocks = [&blocks.simulations, &blocks.campaigns].map(|blocks| blocks.first().copied());
     let (simulation, campaign) = flight_blocks::read(cx, flight_blocks, flights, &around, &mut defaults);
     let (mut plan, mut captures_known) = (plan, true);
-    if let Some((plan, written)) = plan.as_mut().zip(written_capture.flatten()) {
+    if let Some((plan, written)) = plan.as_mut().zip(written_capture.value()) {
         let required = capture_height::check(cx, written, flown, known, simulation.as_ref());
         captures_known = required.is_some();
         plan.require_capture = required;

@@ -310,22 +310,22 @@ struct Numbers {
 impl Numbers {
     fn read<'a>(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement]) -> Option<Self> {
         let fields = Fields::of_block(cx, owner, span, body, Group::Mode);
-        let rate = fields.get("rate").map(|e| cx.quantity(&table::RATE, e, "mavc::fault::rate"));
+        let rate = fields.written("rate", |e| cx.quantity(&table::RATE, e, "mavc::fault::rate"));
         let mut fmea = |entry: &'static Entry| {
             let what = format!("`{}`", entry.name);
-            fields.get(entry.name).map(|e| cx.count(entry, &what, e, "mavc::fault::fmea").map(|x| x as u8))
+            fields.written(entry.name, |e| cx.count(entry, &what, e, "mavc::fault::fmea").map(|x| x as u8))
         };
         let (severity, occurrence, detection) =
             (fmea(&table::SEVERITY), fmea(&table::OCCURRENCE), fmea(&table::DETECTION));
         let after_fault = after_fault::read(cx, &fields);
         let without_yaw = without_yaw::read(cx, &fields);
         Some(Numbers {
-            after_fault: settled(after_fault)?,
-            without_yaw: settled(without_yaw)?,
-            rate: settled(rate)?,
-            severity: settled(severity)?,
-            occurrence: settled(occurrence)?,
-            detection: settled(detection)?,
+            after_fault: after_fault.optional()?,
+            without_yaw: without_yaw.optional()?,
+            rate: rate.optional()?,
+            severity: severity.optional()?,
+            occurrence: occurrence.optional()?,
+            detection: detection.optional()?,
         })
     }
 
@@ -343,14 +343,5 @@ impl Numbers {
             without_yaw: self.without_yaw,
             span,
         }
-    }
-}
-
-/// `None` for a field with an error, `Some(None)` for one that is not written.
-fn settled<T>(given: Option<Option<T>>) -> Option<Option<T>> {
-    match given {
-        None => Some(None),
-        Some(None) => None,
-        Some(value) => Some(value),
     }
 }

@@ -4,6 +4,7 @@ use super::context::{Context, either, listed, no_filter};
 use super::edits;
 use super::expression::unknown;
 use super::overrides::is_override;
+use super::written::Written;
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::{Entry, Group};
 use crate::source::Span;
@@ -215,14 +216,19 @@ impl<'a> Fields<'a> {
         self.found.iter().find(|(n, ..)| n.value == name).and_then(|(_, expr, _)| *expr)
     }
 
-    /// The word of a field that takes one of a few words; `Some(None)` where its value is not one of them, which is reported.
-    pub fn word(&self, cx: &mut Context<'a>, code: &'static str, entry: &'static Entry) -> Option<Option<&'a str>> {
+    /// A field as `read` reads its value; faulty where that gives `None`.
+    pub fn written<T>(&self, name: &str, read: impl FnOnce(&'a Expr) -> Option<T>) -> Written<T> {
+        self.get(name).map_or(Written::Absent, |expr| Written::of(read(expr)))
+    }
+
+    /// The word of a field that takes one of a few words; faulty where its value is not one of them, which is reported.
+    pub fn word(&self, cx: &mut Context<'a>, code: &'static str, entry: &'static Entry) -> Written<&'a str> {
         let (field, words) = (entry.name, entry.words());
-        let expr = self.get(field)?;
+        let Some(expr) = self.get(field) else { return Written::Absent };
         if let ExprKind::Name(name) = &expr.kind
             && words.contains(&name.as_str())
         {
-            return Some(Some(name));
+            return Written::Value(name);
         }
         let error = Diagnostic::error(code, expr.span, format!("`{field}` must be {}", either(words)));
         let error = error.here(if words.len() > 2 { "not one of these" } else { "neither of these" });
@@ -242,7 +248,7 @@ impl<'a> Fields<'a> {
             Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
             None => error.help(format!("write one of these words, such as `{}`", words[0])),
         });
-        Some(None)
+        Written::Faulty
     }
 
     /// The words between the name of a clause and its value: `from`, `towards`.

@@ -3,6 +3,7 @@
 use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
+use super::written::Written;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::waypoint as table;
 use crate::model::{Heading, Limit, LimitKind, Mission, OnLeg, Part, Plan, PlanModel, Target, Vehicle, Waypoint};
@@ -20,7 +21,7 @@ const MODEL: &str = "mavc::mission::heading_model";
 
 /// What a waypoint says about its yaw beyond a number.
 #[derive(Debug, Clone)]
-pub(super) enum Written {
+pub(super) enum Rule {
     Given,
     Towards(Goal),
     AlongPath,
@@ -35,22 +36,19 @@ pub(super) enum Goal {
     Named(String, Span),
 }
 
-/// What is written about the yaw; `Some(None)` if nothing is, `None` if it has an error.
-pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Option<Written>> {
+/// What is written about the yaw.
+pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Written<Rule> {
     let Some(Name { value: how, .. }) = fields.how(table::YAW.name) else {
-        return Some(fields.get(table::YAW.name).map(|_| Written::Given));
+        return fields.written(table::YAW.name, |_| Some(Rule::Given));
     };
-    Some(Some(match how.as_str() {
-        "towards" => {
-            let expr = fields.get(table::YAW.name)?;
-            match &expr.kind {
-                ExprKind::Name(name) if !cx.in_scope(name) => Written::Towards(Goal::Named(name.clone(), expr.span)),
-                _ => Written::Towards(Goal::Point(cx.triple(Due::new("the point of `yaw towards`", "m"), expr)?)),
-            }
-        }
-        "free" => Written::Free,
-        _ => Written::AlongPath,
-    }))
+    Written::of(match how.as_str() {
+        "towards" => fields.get(table::YAW.name).and_then(|expr| match &expr.kind {
+            ExprKind::Name(name) if !cx.in_scope(name) => Some(Rule::Towards(Goal::Named(name.clone(), expr.span))),
+            _ => Some(Rule::Towards(Goal::Point(cx.triple(Due::new("the point of `yaw towards`", "m"), expr)?))),
+        }),
+        "free" => Some(Rule::Free),
+        _ => Some(Rule::AlongPath),
+    })
 }
 
 /// Gives each waypoint its rule, which continues until another one is written; the yaws (rad) that the rules give at the
@@ -59,7 +57,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Opti
 pub(super) fn settle(
     cx: &mut Context,
     waypoints: &mut [Waypoint],
-    written: &[Option<Written>],
+    written: &[Option<Rule>],
     yaws: &[Option<f64>],
     is_whole: bool,
 ) -> (Vec<Option<f64>>, bool) {
@@ -69,11 +67,11 @@ pub(super) fn settle(
     for index in 0..waypoints.len() {
         match written.get(index).and_then(Option::as_ref) {
             None => {}
-            Some(Written::Given) => rule = Heading::Given,
-            Some(Written::AlongPath) => rule = Heading::AlongPath,
-            Some(Written::Free) => rule = Heading::Free,
-            Some(Written::Towards(Goal::Point([x, y, _]))) => rule = Heading::Towards([*x, *y]),
-            Some(Written::Towards(Goal::Named(name, span))) => {
+            Some(Rule::Given) => rule = Heading::Given,
+            Some(Rule::AlongPath) => rule = Heading::AlongPath,
+            Some(Rule::Free) => rule = Heading::Free,
+            Some(Rule::Towards(Goal::Point([x, y, _]))) => rule = Heading::Towards([*x, *y]),
+            Some(Rule::Towards(Goal::Named(name, span))) => {
                 match waypoints.iter().find(|w| w.name.as_ref() == Some(name)) {
                     Some(goal) => rule = Heading::Towards([goal.position[0], goal.position[1]]),
                     // A waypoint with an error may have this name.

@@ -7,6 +7,7 @@ mod times;
 pub use leg::ARRIVAL;
 pub(super) use times::{MAX_DURATION, too_long};
 
+use super::written::Written;
 use crate::model::MAX_WAYPOINTS;
 use std::collections::BTreeMap;
 
@@ -65,7 +66,7 @@ pub(super) struct Stop {
     pub weight: f64,
     pub time: Option<(f64, Span)>,
     pub stop: bool,
-    pub(in crate::spec::read) heading: Option<heading::Written>,
+    pub(in crate::spec::read) heading: Option<heading::Rule>,
     pub span: Span,
 }
 
@@ -78,7 +79,7 @@ pub(super) struct Route {
     /// What is written about the legs, in the order of flight.
     legs: Vec<leg::Written>,
     /// What each waypoint says of its yaw.
-    headings: Vec<Option<heading::Written>>,
+    headings: Vec<Option<heading::Rule>>,
     /// A statement had an error, so points may be missing.
     pub broken: bool,
     /// The names of waypoints from statements, not from tables, with their places.
@@ -250,7 +251,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     route.broken |= !in_order;
     let ground = ground(cx, &fields, &route);
     let origin = origin::read(cx, &fields);
-    route.broken |= ground.is_none() || origin.is_none();
+    route.broken |= ground.is_faulty() || origin.is_faulty();
     let legs = shares(&route.waypoints, &route.curves, manner.timing);
     let air = air.filter(|_| limits_whole && volumes_whole && !route.broken);
     let mission = air.map(|air| Mission {
@@ -264,26 +265,26 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         limits,
         volumes,
         air,
-        ground: ground.flatten(),
-        origin: origin.flatten(),
+        ground: ground.value(),
+        origin: origin.value(),
         span,
     });
     Outline { name, span, mission, yaw_defaulted }
 }
 
-/// The height of the ground; `Some(None)` if it is not given.
-fn ground<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, route: &Route) -> Option<Option<f64>> {
+/// The height of the ground.
+fn ground<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, route: &Route) -> Written<f64> {
     const CODE: &str = "mavc::mission::ground";
-    let Some(expr) = fields.get("ground") else { return Some(None) };
-    let ground = cx.quantity(&of_mission::GROUND, expr, CODE)?;
+    let Some(expr) = fields.get("ground") else { return Written::Absent };
+    let Some(ground) = cx.quantity(&of_mission::GROUND, expr, CODE) else { return Written::Faulty };
     let heights = route.waypoints.iter().map(|w| (w.position[2], w.span));
     let lowest = heights.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|_| !route.broken);
-    let Some((z, span)) = lowest.filter(|(z, _)| *z <= ground) else { return Some(Some(ground)) };
+    let Some((z, span)) = lowest.filter(|(z, _)| *z <= ground) else { return Written::Value(ground) };
     let message = format!("`ground` must be below every waypoint, not at {} m", number(ground));
     let error = Diagnostic::error(CODE, expr.span, message).here("too high");
     let error = error.also(span, format!("the lowest waypoint is at {} m", number(z)));
     cx.report(error.help(format!("write a height below {} m, such as `{} m`", number(z), number(z - 1.0))));
-    None
+    Written::Faulty
 }
 
 /// Reports the second block of a kind of which a mission may have one.
@@ -317,14 +318,18 @@ fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> O
 fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner: Manner, route: &mut Route) {
     let fields = Fields::of_clauses(cx, owner.to_string(), clauses, Group::Waypoint);
     let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Due::of(&table::AT), e));
-    let heading = heading::read(cx, &fields);
-    let yaw = fields.get("yaw").filter(|_| fields.how("yaw").is_none()).map(|e| cx.number(Due::of(&table::YAW), e));
+    let heading = heading::read(cx, &fields).optional();
+    let yaw = if fields.how("yaw").is_some() {
+        Written::Absent
+    } else {
+        fields.written("yaw", |e| cx.number(Due::of(&table::YAW), e))
+    };
     let manner = manner_of(cx, &fields, manner);
     let leg = leg::read(cx, clauses, &fields, (!route.broken).then_some(route.waypoints.len()));
     let time =
-        fields.get("time").map(|e| cx.quantity(&table::TIME, e, "mavc::mission::time_order").map(|t| (t, e.span)));
+        fields.written("time", |e| cx.quantity(&table::TIME, e, "mavc::mission::time_order").map(|t| (t, e.span)));
     let (Some(position), Some(manner), Some(leg), Some(heading), false, false) =
-        (position, manner, leg, heading, yaw == Some(None), time == Some(None))
+        (position, manner, leg, heading, yaw.is_faulty(), time.is_faulty())
     else {
         route.broken = true;
         return;
@@ -340,11 +345,11 @@ fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner:
     let stop = Stop {
         name: name.map(|n| n.value.clone()),
         position,
-        yaw: yaw.flatten(),
+        yaw: yaw.value(),
         within: manner.within,
         yaw_within: manner.yaw_within,
         weight: manner.weight,
-        time: time.flatten(),
+        time: time.value(),
         stop: leg.stop,
         heading,
         span: clauses.head(),

@@ -19,6 +19,7 @@ use crate::model::{
     AfterFault, DefaultUsed, GiveUpYaw, MAX_SAMPLES_OF_A_SEARCH, Mission, MissionTime, Plan, PlanModel, PlanRotors,
     PlannerKind,
 };
+use crate::read::written::Written;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 
@@ -33,8 +34,8 @@ pub(super) struct Draft<'a> {
     against: Option<&'a Field>,
     /// The bound of `require risk`, `None` if it has an error, and its place.
     require: Option<(Option<f64>, Span)>,
-    /// `require capture_height`, `Some(None)` if it has an error.
-    pub capture_height: Option<Option<capture_height::Written>>,
+    /// `require capture_height`.
+    pub capture_height: Written<capture_height::Required>,
     /// Whether some statement of the block could not be parsed.
     broken: bool,
     /// Whether the planner chooses waypoint times.
@@ -49,7 +50,7 @@ impl<'a> Draft<'a> {
             fields: None,
             against: None,
             require: None,
-            capture_height: None,
+            capture_height: Written::Absent,
             broken: false,
             chooses_times: false,
             span: None,
@@ -136,15 +137,15 @@ impl<'a> Draft<'a> {
             None => self.default(&table::WEIGHT, table::WEIGHT.value()),
         };
         let timing = match self.word(cx, &table::TIMING) {
-            Some(Some("uniform")) => Timing::Uniform,
-            Some(Some("distance")) => Timing::Distance,
-            Some(Some("optimal")) => Timing::Optimal,
-            Some(Some(_)) => Timing::Proportional,
-            Some(None) => {
+            Written::Value("uniform") => Timing::Uniform,
+            Written::Value("distance") => Timing::Distance,
+            Written::Value("optimal") => Timing::Optimal,
+            Written::Value(_) => Timing::Proportional,
+            Written::Faulty => {
                 fine = false;
                 Timing::Proportional
             }
-            None => self.default(&table::TIMING, Timing::Optimal),
+            Written::Absent => self.default(&table::TIMING, Timing::Optimal),
         };
         self.chooses_times = timing == Timing::Optimal;
         // The hover model keeps the paper's grid.
@@ -153,9 +154,9 @@ impl<'a> Draft<'a> {
         (Manner { within, yaw_within, weight, timing, spacing }, fine)
     }
 
-    /// A field that takes one of a few words; `Some(None)` where its value is not one of them, which is reported.
-    fn word(&self, cx: &mut Context<'a>, entry: &'static Entry) -> Option<Option<&'a str>> {
-        self.fields.as_ref().and_then(|fields| fields.word(cx, CHOICE, entry))
+    /// A field that takes one of a few words: [`Fields::word`].
+    fn word(&self, cx: &mut Context<'a>, entry: &'static Entry) -> Written<&'a str> {
+        self.fields.as_ref().map_or(Written::Absent, |fields| fields.word(cx, CHOICE, entry))
     }
 
     /// Checks the block against modes and mission: the plan, `None` where it has errors; its time with its place, if that is
@@ -169,22 +170,25 @@ impl<'a> Draft<'a> {
         fallback: Span,
     ) -> (Option<Plan>, Option<(f64, Span)>, Vec<DefaultUsed>) {
         let span = self.span.unwrap_or(fallback);
-        let planner = match self.word(cx, &table::PLANNER) {
-            Some(word) => word.map(|w| match w {
-                "rip" => PlannerKind::Rip,
-                "rcp" => PlannerKind::Rcp,
-                _ => PlannerKind::Rsp,
-            }),
-            None => Some(self.default(&table::PLANNER, PlannerKind::Rsp)),
-        };
-        let wrench = match self.word(cx, &table::MODEL) {
-            Some(word) => word.map(|w| if w == "hover" { PlanModel::Hover } else { PlanModel::Exact }),
-            None => Some(self.default(&table::MODEL, PlanModel::Exact)),
-        };
-        let rotors = match self.word(cx, &table::ROTORS) {
-            Some(word) => word.map(|w| if w == "lagging" { PlanRotors::Lagging } else { PlanRotors::Instant }),
-            None => Some(self.default(&table::ROTORS, PlanRotors::Instant)),
-        };
+        let planner = self.word(cx, &table::PLANNER).and_then(|w| match w {
+            "rip" => Some(PlannerKind::Rip),
+            "rcp" => Some(PlannerKind::Rcp),
+            "rsp" => Some(PlannerKind::Rsp),
+            _ => None,
+        });
+        let planner = planner.or_default(|| self.default(&table::PLANNER, PlannerKind::Rsp));
+        let wrench = self.word(cx, &table::MODEL).and_then(|w| match w {
+            "hover" => Some(PlanModel::Hover),
+            "exact" => Some(PlanModel::Exact),
+            _ => None,
+        });
+        let wrench = wrench.or_default(|| self.default(&table::MODEL, PlanModel::Exact));
+        let rotors = self.word(cx, &table::ROTORS).and_then(|w| match w {
+            "lagging" => Some(PlanRotors::Lagging),
+            "instant" => Some(PlanRotors::Instant),
+            _ => None,
+        });
+        let rotors = rotors.or_default(|| self.default(&table::ROTORS, PlanRotors::Instant));
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
             None => {
@@ -207,14 +211,10 @@ impl<'a> Draft<'a> {
             Some(e) => cx.count(&table::ROUNDS, "`rounds`", e, "mavc::plan::rounds"),
             None => Some(self.default(&table::ROUNDS, table::ROUNDS.value() as usize)),
         };
-        let after_fault = match self.fields.as_ref().and_then(|fields| after_fault::read(cx, fields)) {
-            Some(written) => written,
-            None => Some(self.default(&table::AFTER_FAULT, AfterFault::Continue)),
-        };
-        let without_yaw = match self.fields.as_ref().and_then(|fields| without_yaw::read(cx, fields)) {
-            Some(written) => written,
-            None => Some(self.default(&table::WITHOUT_YAW, GiveUpYaw::WhereNeeded)),
-        };
+        let after_fault = self.fields.as_ref().map_or(Written::Absent, |fields| after_fault::read(cx, fields));
+        let after_fault = after_fault.or_default(|| self.default(&table::AFTER_FAULT, AfterFault::Continue));
+        let without_yaw = self.fields.as_ref().map_or(Written::Absent, |fields| without_yaw::read(cx, fields));
+        let without_yaw = without_yaw.or_default(|| self.default(&table::WITHOUT_YAW, GiveUpYaw::WhereNeeded));
         let reserve = match self.get("reserve") {
             Some(e) => self.reserve(cx, e),
             None => Some(self.default(&table::RESERVE, table::RESERVE.value())),
@@ -271,7 +271,7 @@ impl<'a> Draft<'a> {
                 Some(snap_weight),
                 Some(acceleration_weight),
                 Some((after_fault, without_yaw)),
-            ) if !self.broken && self.capture_height.is_none_or(|written| written.is_some()) => Some(Plan {
+            ) if !self.broken && !self.capture_height.is_faulty() => Some(Plan {
                 planner,
                 model,
                 rotors,

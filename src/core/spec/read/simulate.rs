@@ -18,6 +18,7 @@ use crate::language::{Entry, Group, Range, Takes};
 use crate::model::MOTOR_TIME_CONSTANT;
 use crate::model::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Mission, Simulation, Vehicle};
 use crate::number::number;
+use crate::read::written::Written;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, Statement};
 
@@ -144,7 +145,7 @@ impl<'a> Reader<'a> {
         if let (Some(drag), Some(wind), Some(gusts)) = (drag, wind, gusts) {
             self.warn_no_drag(cx, drag, wind, gusts);
         }
-        let end = self.fields.get("duration").map(|expr| (duration.flatten(), expr.span, "the flight lasts this long"));
+        let end = self.fields.get("duration").map(|expr| (duration.value(), expr.span, "the flight lasts this long"));
         // A `duration` with an error leaves the end unknown.
         let end = match end {
             Some((duration, span, why)) => duration.map(|d| (d, span, why)),
@@ -162,7 +163,7 @@ impl<'a> Reader<'a> {
             self.fine = false;
         }
         let simulation = Simulation {
-            duration: duration?,
+            duration: duration.optional()?,
             rate: rate?,
             control_rate: control_rate?,
             estimator_rate: estimator_rate?,
@@ -253,22 +254,23 @@ impl<'a> Reader<'a> {
     /// One of `choices`, the meanings of the entry's words in the same order; the first if the field is not written.
     fn choice<T: Copy>(&mut self, cx: &mut Context<'a>, entry: &'static Entry, choices: &[T]) -> Option<T> {
         match self.fields.word(cx, CHOICE, entry) {
-            Some(word) => entry.words().iter().zip(choices).find(|(w, _)| Some(**w) == word).map(|(_, c)| *c),
-            None => Some(self.default(entry, choices[0])),
+            Written::Value(word) => entry.words().iter().zip(choices).find(|(w, _)| **w == word).map(|(_, c)| *c),
+            Written::Faulty => None,
+            Written::Absent => Some(self.default(entry, choices[0])),
         }
     }
 
-    /// `Some(None)`: as long as the plan.
-    fn duration(&mut self, cx: &mut Context<'a>) -> Option<Option<f64>> {
+    /// Not written: as long as the plan.
+    fn duration(&mut self, cx: &mut Context<'a>) -> Written<f64> {
         let Some(expr) = self.fields.get("duration") else {
-            return Some(self.default(&table::DURATION, None));
+            return self.default(&table::DURATION, Written::Absent);
         };
-        let duration = cx.quantity(&table::DURATION, expr, POSITIVE)?;
+        let Some(duration) = cx.quantity(&table::DURATION, expr, POSITIVE) else { return Written::Faulty };
         if duration > MAX_DURATION {
             cx.report(too_long(expr.span, duration));
-            return None;
+            return Written::Faulty;
         }
-        Some(Some(duration))
+        Written::Value(duration)
     }
 
     fn gains(&mut self, cx: &mut Context<'a>) -> Option<Gains> {

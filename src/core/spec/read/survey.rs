@@ -228,7 +228,7 @@ impl Row {
             weight: value("weight").unwrap_or(manner.weight),
             time: given("time"),
             stop: false,
-            heading: value("yaw").map(|_| super::heading::Written::Given),
+            heading: value("yaw").map(|_| super::heading::Rule::Given),
             span: self.span,
         })
     }

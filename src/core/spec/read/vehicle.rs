@@ -89,20 +89,17 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
         _ => None,
     };
-    let mut length = |entry: &'static Entry| match fields.get(entry.name) {
-        Some(expr) => cx.quantity(entry, expr, POSITIVE).map(Some),
-        None => Some(None),
-    };
+    let mut length =
+        |entry: &'static Entry| fields.written(entry.name, |expr| cx.quantity(entry, expr, POSITIVE)).optional();
     let (propeller_radius, size) = (length(&table::PROPELLER_RADIUS), length(&table::SIZE));
     let drag = match fields.get("drag") {
         Some(expr) => cx.drag(&table::DRAG, expr, POSITIVE),
         None => Some([0.0; 3]),
     };
-    let yaw_drag = yaw_drag::read(cx, &fields);
-    let allocation = match fields.word(cx, "mavc::vehicle::allocation", &table::ALLOCATION) {
-        Some(word) => ALLOCATIONS.into_iter().find(|a| Some(a.name()) == word),
-        None => Some(Allocation::Bounded),
-    };
+    let yaw_drag = yaw_drag::read(cx, &fields).optional();
+    let allocation = fields.word(cx, "mavc::vehicle::allocation", &table::ALLOCATION);
+    let allocation = allocation.and_then(|word| ALLOCATIONS.into_iter().find(|a| a.name() == word));
+    let allocation = allocation.or_default(|| Allocation::Bounded);
     let mut defaults = match fields.may_have("allocation") {
         true => Vec::new(),
         false => vec![DefaultUsed::of("vehicle", &table::ALLOCATION)],

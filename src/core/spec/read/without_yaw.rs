@@ -2,14 +2,14 @@
 
 use super::context::Context;
 use super::fields::Fields;
+use super::written::Written;
 use crate::language::table::plan as table;
 use crate::model::GiveUpYaw;
 
 const CODE: &str = "mavc::plan::without_yaw";
 
-/// The field's word: `None` where it is not written, `Some(None)` where it has an error, which is reported.
-pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Option<GiveUpYaw>> {
-    fields.get(table::WITHOUT_YAW.name)?;
-    let word = fields.word(cx, CODE, &table::WITHOUT_YAW)?;
-    Some(GiveUpYaw::ALL.into_iter().find(|choice| Some(choice.name()) == word))
+/// The field's word.
+pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Written<GiveUpYaw> {
+    let word = fields.word(cx, CODE, &table::WITHOUT_YAW);
+    word.and_then(|word| GiveUpYaw::ALL.into_iter().find(|choice| choice.name() == word))
 }

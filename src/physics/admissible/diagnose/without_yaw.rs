@@ -15,12 +15,20 @@ const CAPTURE: &str = "mavc::analysis::capture";
 /// Code: the spec asks to give up yaw where plans cannot.
 const YAW_KEPT: &str = "mavc::analysis::yaw_kept";
 
-/// The finding about a mode in which yaw is given up, which may be nothing to report; `None` where yaw is kept.
-pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<Option<Answer>> {
+/// What is found about a mode with regard to yaw.
+pub(super) enum Found {
+    /// Yaw is kept: the mode is judged as one with yaw.
+    YawKept,
+    /// Yaw is given up, and there is nothing to report.
+    Nothing,
+    Answer(Answer),
+}
+
+pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Found {
     let asked = model.gives_up_yaw(index);
     let is_needed = !mode.keeps_full_control();
     if asked == GiveUpYaw::Never || (asked == GiveUpYaw::WhereNeeded && !is_needed) {
-        return None;
+        return Found::YawKept;
     }
     // One statement for all modes alike, where the plan is asked for.
     let span = match model.defaults.iter().any(|default| default.field == "plan.against") {
@@ -28,7 +36,7 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<
         false => model.plan.against_span,
     };
     let answer = |severity, code, what: &str, label: String, help| {
-        Some(Some(Answer {
+        Found::Answer(Answer {
             severity,
             code,
             span,
@@ -38,12 +46,12 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<
             reserve: false,
             modes: Vec::new(),
             also: None,
-        }))
+        })
     };
     if let Some(obstacle) = Obstacle::of(model) {
         // Where yaw has to be given up, the finding about the mode itself says more.
         return match is_needed {
-            true => None,
+            true => Found::YawKept,
             false => {
                 answer(Severity::Error, YAW_KEPT, "no plan can give up yaw", why(obstacle).into(), remedy(obstacle))
             }
@@ -54,9 +62,9 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<
     let is_default = model.defaults.iter().any(|default| default.field == "plan.without_yaw");
     let is_written = model.modes[index].without_yaw.is_some() || !is_default;
     match Provision::of(model, &set, &healthy) {
-        Provision::WithYaw => None,
+        Provision::WithYaw => Found::YawKept,
         // Who writes the word knows.
-        Provision::WithoutYaw(_) if is_written => Some(None),
+        Provision::WithoutYaw(_) if is_written => Found::Nothing,
         Provision::WithoutYaw(_) => answer(
             Severity::Warning,
             YAW_GIVEN_UP,

@@ -10,6 +10,7 @@ use crate::read::context::Context;
 use crate::read::due::Due;
 use crate::read::fields::Fields;
 use crate::read::likely_unit::runs_through_turns;
+use crate::read::written::Written;
 use crate::syntax::ast::{Expr, Field, Name, Statement};
 use crate::unit::Quantity;
 
@@ -52,7 +53,7 @@ impl<'a> Curve<'a> {
             let t = k as f64 / (points - 1) as f64;
             let value = low.value * (1.0 - t) + high.value * t;
             let (position, yaw) = self.at(cx, Quantity::new(value, low.dimension), [x, y, z], yaw);
-            let (Some(position), Some(yaw)) = (position, yaw) else {
+            let (Some(position), Some(yaw)) = (position, yaw.optional()) else {
                 route.broken = true;
                 return;
             };
@@ -68,7 +69,7 @@ impl<'a> Curve<'a> {
                 weight: manner.weight,
                 time: None,
                 stop: false,
-                heading: yaw.map(|_| crate::read::heading::Written::Given),
+                heading: yaw.map(|_| crate::read::heading::Rule::Given),
                 span: head,
             };
             let within_curve = (k > 0).then_some(self.index);
@@ -101,24 +102,20 @@ impl<'a> Curve<'a> {
         Some((low, high))
     }
 
-    /// Position and yaw at one value of the parameter; `None` where one has an error, which is reported.
-    #[allow(clippy::type_complexity)]
+    /// Position and yaw at one value of the parameter; errors are reported.
     fn at(
         &self,
         cx: &mut Context<'a>,
         value: Quantity,
         axes: [Option<&'a Expr>; 3],
         yaw: Option<&'a Expr>,
-    ) -> (Option<[f64; 3]>, Option<Option<f64>>) {
+    ) -> (Option<[f64; 3]>, Written<f64>) {
         cx.parameter = Some((&self.parameter.value, value));
         let [x, y, z] = axes;
         let x = x.and_then(|e| cx.number(Due::of(&table::X), e));
         let y = y.and_then(|e| cx.number(Due::of(&table::Y), e));
         let z = z.and_then(|e| cx.number(Due::of(&table::Z), e));
-        let yaw = match yaw {
-            Some(e) => cx.number(Due::of(&table::YAW), e).map(Some),
-            None => Some(None),
-        };
+        let yaw = yaw.map_or(Written::Absent, |e| Written::of(cx.number(Due::of(&table::YAW), e)));
         cx.parameter = None;
         let position = match (x, y, z) {
             (Some(x), Some(y), Some(z)) => Some([x, y, z]),

@@ -7,6 +7,7 @@ use crate::language::table::requirement as table;
 use crate::model::{CaptureHeight, DefaultUsed, Detection, Mission, Rotor, Simulation, Vehicle};
 use crate::read::context::Context;
 use crate::read::fields::Fields;
+use crate::read::written::Written;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
 
@@ -14,7 +15,7 @@ const CODE: &str = "mavc::plan::capture_height";
 
 /// The statement before the mission and the flights are known.
 #[derive(Debug, Clone, Copy)]
-pub struct Written {
+pub struct Required {
     /// m
     radius: f64,
     /// Its own delay, s.
@@ -27,21 +28,17 @@ pub fn is_one(block: &Block) -> bool {
     block.keyword.value == "require"
 }
 
-/// Reads the statement; `Some(None)` where it has an error.
-pub fn read<'a>(
-    cx: &mut Context<'a>,
-    body: &'a [Statement],
-    defaults: &mut Vec<DefaultUsed>,
-) -> Option<Option<Written>> {
+/// Reads the statement.
+pub fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement], defaults: &mut Vec<DefaultUsed>) -> Written<Required> {
     let mut blocks = body.iter().filter_map(|s| if let Statement::Block(block) = s { Some(block) } else { None });
-    let first = blocks.find(|block| is_one(block))?;
+    let Some(first) = blocks.find(|block| is_one(block)) else { return Written::Absent };
     if let Some(second) = blocks.find(|block| is_one(block)) {
         let message = "`require capture_height` is given twice in `plan`";
         let error = Diagnostic::error("mavc::name::duplicate", head(second), message).here("given again");
         cx.report(error.also(head(first), "first given here").help("remove one"));
-        return Some(None);
+        return Written::Faulty;
     }
-    Some(one(cx, first, defaults))
+    Written::of(one(cx, first, defaults))
 }
 
 /// From the keyword to the name.
@@ -49,7 +46,7 @@ fn head(block: &Block) -> Span {
     block.name.as_ref().map_or(block.keyword.span, |name| block.keyword.span.to(name.span))
 }
 
-fn one<'a>(cx: &mut Context<'a>, block: &'a Block, defaults: &mut Vec<DefaultUsed>) -> Option<Written> {
+fn one<'a>(cx: &mut Context<'a>, block: &'a Block, defaults: &mut Vec<DefaultUsed>) -> Option<Required> {
     let span = head(block);
     match block.name.as_ref().map(|name| (name.value.as_str(), name.span)) {
         Some(("capture_height", _)) => {}
@@ -87,19 +84,19 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block, defaults: &mut Vec<DefaultUse
         None => Some(None),
     };
     let is_whole = !block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    Some(Written { radius: radius?, detection: detection?, span }).filter(|_| is_whole)
+    Some(Required { radius: radius?, detection: detection?, span }).filter(|_| is_whole)
 }
 
 /// The requirement, if the rest of the spec gives what it needs: a ground, a bound on the speed, the lag of every rotor, and the
 /// delay after which a fault is known. Reports what is missing.
 pub fn check(
     cx: &mut Context,
-    written: Written,
+    required: Required,
     mission: Option<&Mission>,
     vehicle: Option<&Vehicle>,
     simulation: Option<&Simulation>,
 ) -> Option<CaptureHeight> {
-    let Written { radius, detection, span } = written;
+    let Required { radius, detection, span } = required;
     let mut fine = true;
     let mut needs = |what: &str, at: Option<Span>, label: &str, help: &str| {
         let error =

@@ -10,6 +10,7 @@ use crate::read::context::Context;
 use crate::read::due::Due;
 use crate::read::fields::Fields;
 use crate::read::sense::WrittenRotor;
+use crate::read::written::Written;
 use crate::source::Span;
 use crate::syntax::ast::Expr;
 use crate::unit::Dimension;
@@ -91,27 +92,27 @@ impl Lowest {
     }
 }
 
-/// The properties written for a rotor. `Some(None)` is a value with an error.
+/// The properties written for a rotor.
 #[derive(Clone, Default)]
 pub(super) struct Traits {
-    thrust_coefficient: Option<Option<Known>>,
-    max_thrust: Option<Option<Known>>,
-    drag_coefficient: Option<Option<Known>>,
-    torque_per_thrust: Option<Option<Known>>,
-    lowest: Option<Option<(Lowest, Span)>>,
-    max_speed: Option<Option<Known>>,
-    time_constant: Option<Option<f64>>,
-    inertia: Option<Option<f64>>,
+    thrust_coefficient: Written<Known>,
+    max_thrust: Written<Known>,
+    drag_coefficient: Written<Known>,
+    torque_per_thrust: Written<Known>,
+    lowest: Written<(Lowest, Span)>,
+    max_speed: Written<Known>,
+    time_constant: Written<f64>,
+    inertia: Written<f64>,
 }
 
 impl Traits {
     pub fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Self {
         let mut take = |entry: &'static Entry, coefficient: bool| {
             let due = Due { coefficient, ..Due::of(entry) };
-            match fields.get(entry.name) {
-                Some(expr) => Some(cx.interval(due, expr, POSITIVE)),
-                None => fields.may_have(entry.name).then_some(None),
-            }
+            meant(fields, entry.name, fields.written(entry.name, |expr| cx.interval(due, expr, POSITIVE)))
+        };
+        let quantity = |cx: &mut Context<'a>, entry: &'static Entry| {
+            meant(fields, entry.name, fields.written(entry.name, |expr| cx.quantity(entry, expr, POSITIVE)))
         };
         let traits = Traits {
             thrust_coefficient: take(&table::THRUST_COEFFICIENT, true),
@@ -119,20 +120,17 @@ impl Traits {
             drag_coefficient: take(&table::DRAG_COEFFICIENT, true),
             torque_per_thrust: take(&table::TORQUE_PER_THRUST, false),
             max_speed: take(&table::MAX_SPEED, false),
-            time_constant: match fields.get("time_constant") {
-                Some(expr) => Some(cx.quantity(&table::TIME_CONSTANT, expr, POSITIVE)),
-                None => fields.may_have("time_constant").then_some(None),
-            },
-            inertia: match fields.get("rotor_inertia") {
-                Some(expr) => Some(cx.quantity(&table::ROTOR_INERTIA, expr, POSITIVE)),
-                None => fields.may_have("rotor_inertia").then_some(None),
-            },
-            lowest: match (fields.get("min_speed"), fields.get("min_thrust")) {
-                (Some(expr), _) => {
-                    Some(cx.quantity(&table::MIN_SPEED, expr, MIN_SPEED).map(|w| (Lowest::Speed(w), expr.span)))
-                }
-                (None, Some(expr)) => Some(lowest_thrust(cx, expr).map(|lowest| (lowest, expr.span))),
-                (None, None) => (fields.may_have("min_speed") || fields.may_have("min_thrust")).then_some(None),
+            time_constant: quantity(cx, &table::TIME_CONSTANT),
+            inertia: quantity(cx, &table::ROTOR_INERTIA),
+            lowest: {
+                let speed = fields.written("min_speed", |expr| {
+                    cx.quantity(&table::MIN_SPEED, expr, MIN_SPEED).map(|w| (Lowest::Speed(w), expr.span))
+                });
+                let lowest = match speed.is_absent() {
+                    true => fields.written("min_thrust", |expr| Some((lowest_thrust(cx, expr)?, expr.span))),
+                    false => speed,
+                };
+                meant(fields, "min_thrust", meant(fields, "min_speed", lowest))
             },
         };
         let alike = table::ENTRIES.iter().flat_map(|row| row.excludes.iter().map(|other| (row.name, *other)));
@@ -153,8 +151,8 @@ impl Traits {
 
     /// These properties, completed by `base`; a thrust or torque in one form replaces the other form.
     fn over(&self, base: &Traits) -> Traits {
-        let thrust = self.thrust_coefficient.is_some() || self.max_thrust.is_some();
-        let torque = self.drag_coefficient.is_some() || self.torque_per_thrust.is_some();
+        let thrust = !self.thrust_coefficient.is_absent() || !self.max_thrust.is_absent();
+        let torque = !self.drag_coefficient.is_absent() || !self.torque_per_thrust.is_absent();
         Traits {
             thrust_coefficient: if thrust { self.thrust_coefficient } else { base.thrust_coefficient },
             max_thrust: if thrust { self.max_thrust } else { base.max_thrust },
@@ -181,13 +179,13 @@ impl Traits {
         reported: &mut bool,
     ) -> Option<Rotor> {
         let mut missing = Vec::new();
-        if self.max_speed.is_none() {
+        if self.max_speed.is_absent() {
             missing.push(("`max_speed`", "max_speed = 800 rad/s"));
         }
-        if self.thrust_coefficient.is_none() && self.max_thrust.is_none() {
+        if self.thrust_coefficient.is_absent() && self.max_thrust.is_absent() {
             missing.push(("`thrust_coefficient` or `max_thrust`", "thrust_coefficient = 9e-6 N*s^2/rad^2"));
         }
-        if self.drag_coefficient.is_none() && self.torque_per_thrust.is_none() {
+        if self.drag_coefficient.is_absent() && self.torque_per_thrust.is_absent() {
             missing.push(("`drag_coefficient` or `torque_per_thrust`", "drag_coefficient = 1.5e-7 N*m*s^2/rad^2"));
         }
         if !missing.is_empty() {
@@ -197,33 +195,26 @@ impl Traits {
             }
             return None;
         }
-        let (max_speed, of_speed) = self.max_speed??;
+        let (max_speed, of_speed) = self.max_speed.value()?;
         let (square, slowest) = (of_speed.times(of_speed), of_speed.low);
         // Full thrust is b w_max^2: where the spec gives the thrust, b follows from it.
-        let (thrust_coefficient, full_thrust, of_coefficient) = match self.thrust_coefficient {
-            Some(given) => {
-                let (b, spread) = given?;
-                (b, spread.times(square), spread)
-            }
+        let (thrust_coefficient, full_thrust, of_coefficient) = match self.thrust_coefficient.optional()? {
+            Some((b, spread)) => (b, spread.times(square), spread),
             None => {
-                let (thrust, spread) = self.max_thrust??;
+                let (thrust, spread) = self.max_thrust.value()?;
                 (thrust / (max_speed * max_speed), spread, spread.over(square))
             }
         };
-        let (drag_coefficient, torque_per_thrust) = match self.drag_coefficient {
-            Some(given) => {
-                let (d, spread) = given?;
-                (d, spread.over(of_coefficient))
-            }
+        let (drag_coefficient, torque_per_thrust) = match self.drag_coefficient.optional()? {
+            Some((d, spread)) => (d, spread.over(of_coefficient)),
             None => {
-                let (ratio, spread) = self.torque_per_thrust??;
+                let (ratio, spread) = self.torque_per_thrust.value()?;
                 (ratio * thrust_coefficient, spread)
             }
         };
         let spread = RotorSpread { full_thrust, idle_thrust: of_coefficient, torque_per_thrust };
-        let min_speed = match self.lowest {
-            Some(given) => {
-                let (lowest, span) = given?;
+        let min_speed = match self.lowest.optional()? {
+            Some((lowest, span)) => {
                 let speed = lowest.speed(thrust_coefficient, max_speed);
                 if let Some(error) = out_of_range(lowest, speed, max_speed * slowest, thrust_coefficient, span) {
                     if !*reported {
@@ -236,14 +227,8 @@ impl Traits {
             }
             None => 0.0,
         };
-        let time_constant = match self.time_constant {
-            Some(given) => Some(given?),
-            None => None,
-        };
-        let inertia = match self.inertia {
-            Some(given) => given?,
-            None => 0.0,
-        };
+        let time_constant = self.time_constant.optional()?;
+        let inertia = self.inertia.or_default(|| 0.0)?;
         Some(Rotor {
             position: place.position,
             spin: place.spin,
@@ -257,6 +242,11 @@ impl Traits {
             spread,
         })
     }
+}
+
+/// A field that is not written is faulty where a mistake may have been meant for it.
+fn meant<T>(fields: &Fields, name: &str, written: Written<T>) -> Written<T> {
+    if written.is_absent() && fields.may_have(name) { Written::Faulty } else { written }
 }
 
 /// `-4 N` or `-60 %`; a number without a unit is a share, of which the range then says more.

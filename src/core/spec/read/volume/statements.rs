@@ -77,7 +77,7 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Volume> {
         None => Some(table::CLEARANCE.value()),
     };
     fields.demand(cx, "shape", "shape = box");
-    let shape = fields.word(cx, SHAPE, &table::SHAPE)??;
+    let shape = fields.word(cx, SHAPE, &table::SHAPE).value()?;
     misplaced(cx, &fields, shape);
     let read = Reader { fields: &fields, side };
     let bodies = match shape {
