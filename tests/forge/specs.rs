@@ -12,7 +12,7 @@ use mavc::certificate::{Certificate, Claim};
 use mavc::model::{
     Allocation, Environment, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread, Volume,
 };
-use mavc::motion::checks::{past, peak};
+use mavc::motion::checks::{peak, violation};
 use mavc::motion::{Trajectory, X, Y, YAW, Z};
 use rayon::prelude::*;
 
@@ -198,7 +198,7 @@ const ROOM: f64 = 0.01;
 fn kept(motion: &Trajectory, volume: &Volume, gravity: f64) -> f64 {
     let limits = Volume { clearance: 0.0, ..volume.clone() }.limits(0.0);
     -peak(motion, |s| {
-        limits.iter().map(|l| past(l, s, &Environment::vacuum(gravity))).fold(f64::NEG_INFINITY, f64::max)
+        limits.iter().map(|l| violation(l, s, &Environment::vacuum(gravity))).fold(f64::NEG_INFINITY, f64::max)
     })
     .value
 }
@@ -207,8 +207,8 @@ fn kept(motion: &Trajectory, volume: &Volume, gravity: f64) -> f64 {
 fn reached(motion: &Trajectory, kind: LimitKind, share: f64, air: &Environment) -> Limit {
     let bound =
         |lower, upper| Limit { kind: kind.clone(), lower, upper, span: Default::default(), volume: None, leg: None };
-    let most = peak(motion, |s| past(&bound(None, Some(0.0)), s, air)).value;
-    let least = || peak(motion, |s| past(&bound(Some(0.0), None), s, air)).value;
+    let most = peak(motion, |s| violation(&bound(None, Some(0.0)), s, air)).value;
+    let least = || peak(motion, |s| violation(&bound(Some(0.0), None), s, air)).value;
     match &kind {
         // Room beside the motion, m and rad.
         LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => {

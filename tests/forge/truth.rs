@@ -23,7 +23,7 @@ use mavc::model::grid::{leg_durations, pieces};
 use mavc::model::{
     Environment, Heading, Limit, LimitKind, Mission, MissionTime, Model, Part, PlanModel, PlannerKind, SLOWEST,
 };
-use mavc::motion::checks::past;
+use mavc::motion::checks::violation;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z, in_air};
 use mavc::planner::selection::PlanningSet;
@@ -409,7 +409,7 @@ impl Truth {
                         let felt = in_air(&state, wind);
                         (felt[X][2].hypot(felt[Y][2]) * upper.cos() - lift(wind) * upper.sin()) / g
                     }),
-                    _ => past(limit, &state, &environment),
+                    _ => violation(limit, &state, &environment),
                 };
                 (Falsehood::Limit(i), over / (ROW * limit.size()))
             })

@@ -6,7 +6,7 @@ use mavc::model::{
     AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem, RotorState,
     Volume, VolumeSide,
 };
-use mavc::motion::checks::past;
+use mavc::motion::checks::violation;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, X, Y, YAW, Z};
 use mavc::planner::scp::Iterate;
@@ -184,7 +184,8 @@ fn is_a_stop(model: &Model, sets: &PlanningSets, struck: &NodeState, slope: &Nod
         }
         for limit in &model.mission.as_ref().unwrap().limits {
             assert!(
-                past(limit, &state, &mavc::model::Environment::vacuum(g)) <= 1e-3 * limit.upper.unwrap_or(1.0).abs(),
+                violation(limit, &state, &mavc::model::Environment::vacuum(g))
+                    <= 1e-3 * limit.upper.unwrap_or(1.0).abs(),
                 "{limit:?} {i}"
             );
         }

@@ -143,7 +143,7 @@ fn megabytes(bytes: u64) -> u64 {
 pub enum Scope {
     /// At the nodes given by the spec's samples.
     Nodes,
-    /// On a grid of [`plan::OF_A_GRID`] points between two nodes.
+    /// On a grid of [`plan::POINTS_OF_A_GRID`] points between two nodes.
     Grid,
     /// At every instant of the flight.
     EveryInstant,

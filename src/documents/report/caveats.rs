@@ -5,7 +5,7 @@ use super::battery;
 use crate::model::{LimitKind, Model};
 use crate::motion::NodeState;
 use crate::motion::checks::{
-    LimitViolation, coarser_legs, limit_violations, linear_range, past_as_checked, peak, peak_of,
+    LimitViolation, coarser_legs, limit_violations, linear_range, peak, peak_of, violation_as_checked,
 };
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, percent, significant};
@@ -60,7 +60,8 @@ pub fn exceeded_limits(model: &Model, solved: &MissionPlan) -> Vec<LimitViolatio
             return false;
         }
         let Some(mission) = &model.mission else { return false };
-        let worst = peak_of(limit, mission, &solved.trajectory, |state| past_as_checked(limit, state, &environment));
+        let worst =
+            peak_of(limit, mission, &solved.trajectory, |state| violation_as_checked(limit, state, &environment));
         worst.value > MOST_PAST_LIMIT * limit.size()
     });
     exceeded

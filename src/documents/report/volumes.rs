@@ -1,7 +1,7 @@
 //! The smallest distance of the vehicle from the boundary of each volume, along a plan and in a simulated flight.
 
 use crate::model::{Limit, Mission, Model, Problem, Volume};
-use crate::motion::checks::{past, peak};
+use crate::motion::checks::{peak, violation};
 use crate::motion::{NodeState, X, Y, Z};
 use crate::number::{fixed, significant};
 use crate::planner::studies::MissionPlan;
@@ -37,7 +37,7 @@ pub fn records(problem: Problem, solved: &MissionPlan) -> Vec<VolumeRecord> {
             .filter(|limit| limit.volume.is_some() && limit.is_general() && limit.span == volume.span)
             .collect();
         let violation = |state: &NodeState| {
-            limits.iter().map(|limit| past(limit, state, &environment)).fold(f64::NEG_INFINITY, f64::max)
+            limits.iter().map(|limit| violation(limit, state, &environment)).fold(f64::NEG_INFINITY, f64::max)
         };
         let nearest = peak(trajectory, violation);
         let state = trajectory.at(nearest.at);

@@ -5,7 +5,7 @@ use super::Sortie;
 use super::body::Body;
 use super::reference::{Course, Reference};
 use crate::model::{Environment, Limit, LimitKind, Mission, Part};
-use crate::motion::checks::{leg_intervals, past};
+use crate::motion::checks::{leg_intervals, violation};
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use crate::tolerance::MOST_MISS;
 use nalgebra::Vector3;
@@ -238,7 +238,7 @@ impl<'a> Collector<'a> {
         for bound in due {
             let over = match (&bound.limit.kind, bound.limit.upper) {
                 (LimitKind::Tilt, Some(upper)) => errors.tilt - upper,
-                _ => past(bound.limit, &state, &self.environment),
+                _ => violation(bound.limit, &state, &self.environment),
             };
             if over > bound.slack {
                 self.damage.limits.insert(bound.class);

@@ -68,7 +68,7 @@ fn peak_over(trajectory: &Trajectory, intervals: Range<usize>, quantity: impl Fn
 
 /// By how much `state` violates a limit, in the limit's SI unit; negative if the limit holds. In an
 /// interval of winds a limit on tilt is taken in the worst of its corners.
-pub fn past(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
+pub fn violation(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     let norm = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
     let value = match (limit.kind.describe().quantity, &limit.kind) {
         (Quantity::Axis { axis, order, sign }, _) => sign * state[axis][order],
@@ -105,9 +105,9 @@ fn outside_cone(aside: f64, ahead: f64, angle: f64) -> f64 {
     }
 }
 
-/// Like [`past`], but as the checker of plans measures it. Angles differ: their violation is the distance from a cone,
+/// Like [`violation`], but as the checker of plans measures it. Angles differ: their violation is the distance from a cone,
 /// of the acceleration (divided by gravity), of the velocity, or of the direction that the yaw follows.
-pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
+pub(crate) fn violation_as_checked(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     match (&limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {
             let out = |wind: &Environment| {
@@ -125,7 +125,7 @@ pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, environment: &En
             let distance = |error: f64| outside_cone(error.sin().abs(), error.cos(), upper);
             off(target, state).map_or(f64::NEG_INFINITY, distance)
         }
-        _ => past(limit, state, environment),
+        _ => violation(limit, state, environment),
     }
 }
 
@@ -178,7 +178,7 @@ pub fn limit_violations(trajectory: &Trajectory, model: &Model, tolerance: f64) 
     let environment = model.environment();
     limits
         .filter_map(|(limit, (mission, l))| {
-            let worst = peak_of(l, mission, trajectory, |s| past(l, s, &environment));
+            let worst = peak_of(l, mission, trajectory, |s| violation(l, s, &environment));
             (worst.value > tolerance).then_some(LimitViolation { limit, by: worst.value, at: worst.at })
         })
         .collect()

@@ -4,16 +4,16 @@
 use super::witness::{model_of, motion};
 use crate::admissible::row::SetRow;
 use crate::model::{Limit, Model, Part, Problem};
-use crate::motion::checks::{leg_intervals, past_as_checked, peak_of};
+use crate::motion::checks::{leg_intervals, peak_of, violation_as_checked};
 use crate::motion::winds::OverWinds;
 use crate::motion::{NodeState, Trajectory};
 use crate::planner::studies::{MissionPlan, PlannerRun};
 use crate::verify::Premises;
 use crate::verify::core::{self, Member};
-use crate::verify::cost::{OF_EXACT_WRENCH, Purse};
+use crate::verify::cost::{OF_EXACT_WRENCH, WorkLeft};
 use crate::verify::interval::Interval;
 use crate::verify::motion::Motion;
-use crate::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT, OF_A_GRID, Setting, wrench_family};
+use crate::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT, POINTS_OF_A_GRID, Setting, wrench_family};
 use crate::verify::proof::throughout;
 use crate::verify::sets::Plane;
 use crate::verify::wrench::{Dynamics, Held};
@@ -21,7 +21,7 @@ use serde::Serialize;
 
 /// Points per interval, including one of its ends, that are checked where nothing is proved: those that the cost phase of
 /// the exact model uses.
-pub const GRID: usize = OF_A_GRID + 1;
+pub const GRID: usize = POINTS_OF_A_GRID + 1;
 
 /// Most work for one proof, in the checker's units: a small part of the planning time.
 const WORK: u64 = 3_000_000;
@@ -125,7 +125,7 @@ fn kept_facets(
     let family = wrench_family(dynamics, held, planes.iter().collect());
     // A state in every wind of an interval counts as many in one.
     let winds = (family.overhead / OF_EXACT_WRENCH).max(1);
-    let mut purse = Purse(winds * WORK.max(WORK_EACH * (planes.len() * trajectory.intervals()) as u64));
+    let mut purse = WorkLeft(winds * WORK.max(WORK_EACH * (planes.len() * trajectory.intervals()) as u64));
     let proved = throughout(&family, motion, MOST_OUTSIDE, &mut purse).into_iter().filter(|&proved| proved).count();
     let (shown, points, violation) = match proved == planes.len() {
         true => (Shown::Proved, None, MOST_OUTSIDE),
@@ -149,7 +149,7 @@ fn kept_cores(
         Some(Member { thrust, torque, offset, inertia, unevenness, momentum, spin })
     };
     let family = core::family(dynamics, rows.iter().filter_map(member).collect(), None);
-    let mut purse = Purse(WORK.max(WORK_EACH * (rows.len() * trajectory.intervals()) as u64));
+    let mut purse = WorkLeft(WORK.max(WORK_EACH * (rows.len() * trajectory.intervals()) as u64));
     let proved = throughout(&family, motion, MOST_OUTSIDE, &mut purse).into_iter().filter(|&proved| proved).count();
     let environment = model.environment();
     let violation = |_: usize, state: &NodeState| {
@@ -170,14 +170,14 @@ fn kept_limit(setting: &Setting, motion: &Motion, limit: &Limit, trajectory: &Tr
     let (environment, mission) = (&setting.dynamics().environment, setting.mission());
     let family = setting.family_of(limit, motion);
     let seen = match limit.leg.as_deref().map(|on| (on, on.part)) {
-        None => seen(trajectory, |_, state| past_as_checked(limit, state, environment)),
+        None => seen(trajectory, |_, state| violation_as_checked(limit, state, environment)),
         Some((_, Part::Start | Part::End)) => {
-            peak_of(limit, mission, trajectory, |state| past_as_checked(limit, state, environment)).value
+            peak_of(limit, mission, trajectory, |state| violation_as_checked(limit, state, environment)).value
         }
         Some((on, Part::Whole)) => {
             let leg = leg_intervals(trajectory, mission, on.leg);
             let within = |k: usize, state: &NodeState| match leg.contains(&k) {
-                true => past_as_checked(limit, state, environment),
+                true => violation_as_checked(limit, state, environment),
                 false => f64::NEG_INFINITY,
             };
             seen(trajectory, within)
@@ -191,7 +191,7 @@ fn kept_limit(setting: &Setting, motion: &Motion, limit: &Limit, trajectory: &Tr
         .map(|share| share * limit.size())
         .into_iter()
         .filter(|bound| is_between && seen <= *bound)
-        .find(|&violation| throughout(&family, motion, violation, &mut Purse(work)).iter().all(|&kept| kept));
+        .find(|&violation| throughout(&family, motion, violation, &mut WorkLeft(work)).iter().all(|&kept| kept));
     match proved {
         Some(violation) => Between { rows, shown: Shown::Proved, points: None, imposed: 1, proved: 1, violation },
         None => Between { rows, shown: Shown::Checked, points: Some(GRID), imposed: 1, proved: 0, violation: seen },

@@ -3,7 +3,7 @@
 use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
 use crate::model::{Environment, LimitKind, Mission, Model, PlannerKind, Problem, Vehicle};
-use crate::motion::checks::{past, peak_of};
+use crate::motion::checks::{peak_of, violation};
 use crate::motion::time_grid::time_grid;
 use crate::planner::hover::{Decision, Planned};
 use crate::planner::scp::NOT_FOUND;
@@ -157,7 +157,7 @@ fn exceeds_a_limit(planned: &Planned, mission: &Mission, environment: &Environme
             LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => 1.0,
             _ => bound.max(COARSE),
         };
-        peak_of(limit, mission, &trajectory, |state| past(limit, state, environment)).value > COARSE * scale
+        peak_of(limit, mission, &trajectory, |state| violation(limit, state, environment)).value > COARSE * scale
     })
 }
 

@@ -4,7 +4,7 @@ use super::{SHA, certified, decide, hop, planned};
 use crate::vehicles::{limit, waypoint};
 use mavc::certify::between::{Between, Shown, WRENCH, between};
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, Problem};
-use mavc::motion::checks::past;
+use mavc::motion::checks::violation;
 use mavc::motion::{NodeState, tilt};
 use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome};
 use mavc::report::between as words;
@@ -48,7 +48,7 @@ fn assert_true(model: &Model, comparison: &Comparison, found: &[Between]) {
                 let size = (s[0][2].powi(2) + s[1][2].powi(2) + (s[2][2] + model.gravity).powi(2)).sqrt();
                 size * (tilt(s, &model.environment()) - limit.upper.unwrap()).sin() / model.gravity
             }
-            _ => past(limit, s, &model.environment()),
+            _ => violation(limit, s, &model.environment()),
         })
     }));
     for (b, seen) in found.iter().zip(seen) {

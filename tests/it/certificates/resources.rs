@@ -9,7 +9,7 @@ use mavc::model::{
     VolumeSide, YawDrag,
 };
 use mavc::source::Span;
-use mavc::verify::cost::{Budget, Estimate, OF_A_CORE_ROW, OF_A_CORNER, OF_A_PLANE, OF_A_ROTOR};
+use mavc::verify::cost::{Budget, COST_PER_CORE_ROW, COST_PER_CORNER, COST_PER_PLANE, COST_PER_ROTOR, Estimate};
 use mavc::verify::interval::Interval;
 use mavc::verify::limits;
 use mavc::verify::sets::{Generators, Plane, planes_at_most, shadow_at_most};
@@ -45,7 +45,7 @@ fn a_core_of_many_rotors_fits_the_budget() {
     let record = claim(&mut certificate).without_yaw.remove(0);
     let without = estimate(&certificate, model);
     let rows = planes_at_most(&model.vehicle) + shadow_at_most(&model.vehicle);
-    assert!(rows < 12_000 && whole.units >= without.units + rows * OF_A_CORE_ROW);
+    assert!(rows < 12_000 && whole.units >= without.units + rows * COST_PER_CORE_ROW);
     // With intervals pairs are taken, and counted, but not held at once.
     let mut uncertain = model.clone();
     for rotor in &mut uncertain.vehicle.rotors {
@@ -53,7 +53,7 @@ fn a_core_of_many_rotors_fits_the_budget() {
     }
     claim(&mut certificate).without_yaw.push(record.clone());
     let pairs = estimate(&certificate, &uncertain);
-    assert!(pairs.units > 20_000_000 * OF_A_CORE_ROW && pairs.bytes < 50_000_000, "{pairs:?}");
+    assert!(pairs.units > 20_000_000 * COST_PER_CORE_ROW && pairs.bytes < 50_000_000, "{pairs:?}");
     // A mode is named once.
     claim(&mut certificate).without_yaw.push(record);
     let why = decide(&certificate, model).unwrap_err().sentence();
@@ -71,7 +71,7 @@ fn sets_that_decide_about_yaw_are_counted_and_each_set_once() {
     let never = estimate(&certificate, &model).units;
     model.plan.without_yaw = GiveUpYaw::WhereNeeded;
     let planes = planes_at_most(&model.vehicle);
-    assert!(estimate(&certificate, &model).units >= never + 8 * planes * OF_A_PLANE);
+    assert!(estimate(&certificate, &model).units >= never + 8 * planes * COST_PER_PLANE);
     // Each motion that selects adds its rows, and no set.
     model.plan.without_yaw = GiveUpYaw::Never;
     model.plan.planner = PlannerKind::Rsp;
@@ -83,7 +83,7 @@ fn sets_that_decide_about_yaw_are_counted_and_each_set_once() {
         units.push(estimate(&certificate, &model).units);
     }
     assert_eq!(units[2] - units[1], units[1] - units[0]);
-    let of_sets = 9 * (planes * OF_A_PLANE + 8 * OF_A_ROTOR);
+    let of_sets = 9 * (planes * COST_PER_PLANE + 8 * COST_PER_ROTOR);
     let of_a_motion = units[1] - units[0];
     // The claimed motion keeps fewer sets than those that select.
     assert!(units[0] > of_a_motion + of_sets && units[0] < 2 * of_a_motion + of_sets, "{units:?} {of_sets}");
@@ -110,8 +110,8 @@ fn corners_are_counted() {
     };
     let ((few, of_few), (many, of_many)) = (with(4), with(200));
     let Claim::Plan(PlanClaim { motion, .. }) = &certificate.claim else { panic!("no plan") };
-    assert!(many >= few + 196 * OF_A_CORNER * motion.times_s.len() as u64);
-    assert_eq!(of_many, of_few + 196 * OF_A_CORNER);
+    assert!(many >= few + 196 * COST_PER_CORNER * motion.times_s.len() as u64);
+    assert_eq!(of_many, of_few + 196 * COST_PER_CORNER);
 }
 
 /// A limit of one leg costs what that leg has of nodes.
@@ -152,7 +152,7 @@ fn facets_are_counted_as_often_as_they_are_listed() {
             Certificate { claim: Claim::Infeasible(claim), spec_sha256: SHA.into(), ..certificate.clone() };
         estimate(&certificate, &model).units
     };
-    let each = infeasible.facets.len() as u64 * (OF_A_PLANE + 2 * selecting.motion.times_s.len() as u64);
+    let each = infeasible.facets.len() as u64 * (COST_PER_PLANE + 2 * selecting.motion.times_s.len() as u64);
     assert!(with(2) >= with(1) + each, "{} {}", with(1), with(2));
 }
 

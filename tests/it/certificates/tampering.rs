@@ -8,7 +8,7 @@ use mavc::actuation::Wrench;
 use mavc::admissible::row::SetRow;
 use mavc::certificate::{Certificate, Claim, DynamicModel, MotionRecord};
 use mavc::model::{Allocation, Mission, Model, PlannerKind, Problem};
-use mavc::motion::checks::past;
+use mavc::motion::checks::violation;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use serde_json::{Value, json};
@@ -118,7 +118,7 @@ fn bounded(t: &Trajectory, mission: &Mission, asked: &Asked) -> Option<String> {
     let outside = |w: &Wrench| asked.rows.iter().map(|row| row.violation(w)).fold(f64::NEG_INFINITY, f64::max);
     for node in 0..=last {
         let state = t.within(node.min(last - 1), if node == last { t.times[last] - t.times[last - 1] } else { 0.0 });
-        let over = mission.limits.iter().find(|l| past(l, &state, &model.environment()) > EXCESS * l.size());
+        let over = mission.limits.iter().find(|l| violation(l, &state, &model.environment()) > EXCESS * l.size());
         if let Some(limit) = over {
             return Some(format!("{:?} exceeded at node {node}", limit.kind));
         }

@@ -104,7 +104,7 @@ pub fn cost_of(model: &Model, records: &[SpinRecord]) -> cost::Estimate {
     let rows = elimination::rows_at_most(&model.vehicle);
     let held = rows.min(2 * envelope::BATCH as u64);
     let cores = (records.len() as u64).min(model.modes.len() as u64);
-    let of_core = cost::times(rows, cost::OF_A_CORE_ROW);
+    let of_core = cost::times(rows, cost::COST_PER_CORE_ROW);
     all.add(cost::times(cores, of_core), cost::times(held, cost::BYTES_OF_A_CORE_ROW));
     let shadow = elimination::shadow_rows_at_most(&model.vehicle);
     let others = model.plan.against.iter().filter_map(|&i| model.modes.get(i)).filter(|mode| may_give_up(model, mode));
@@ -369,7 +369,7 @@ pub fn family<'a>(dynamics: &Dynamics<'a>, rows: Vec<Member>, spin: Option<[f64;
         })
     };
     let body: Vec<usize> = rows.iter().enumerate().map(body_of).collect();
-    let overhead = cost::OF_EXACT_WRENCH + cost::times(firsts.len() as u64, cost::OF_A_SPIN);
+    let overhead = cost::OF_EXACT_WRENCH + cost::times(firsts.len() as u64, cost::COST_PER_SPIN);
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         let turned = dynamics.turned(state);
         let beyond = |side: usize| {
@@ -395,7 +395,7 @@ pub fn family<'a>(dynamics: &Dynamics<'a>, rows: Vec<Member>, spin: Option<[f64;
         at_nodes_only: false,
         measure: Measure::WIDTH,
         overhead,
-        of_a_member: cost::OF_A_ROW,
+        of_a_member: cost::COST_PER_ROW,
     }
 }
 

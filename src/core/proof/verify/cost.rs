@@ -11,36 +11,36 @@ use std::str::FromStr;
 pub const UNITS_PER_SECOND: f64 = 1e7;
 
 /// Units of evaluating one bounding plane of a set, or one side of a limit, at one state.
-pub const OF_A_ROW: u64 = 1;
+pub const COST_PER_ROW: u64 = 1;
 
 /// Units of one state of a motion with its wrench in the hover model.
 pub const OF_HOVER_WRENCH: u64 = 20;
 /// The same in the exact model.
 pub const OF_EXACT_WRENCH: u64 = 100;
 /// Units of one state of a motion for a limit.
-pub const OF_A_LIMIT: u64 = 10;
+pub const COST_PER_LIMIT: u64 = 10;
 /// Limits of which one unit finds those that concern a leg.
 pub const LIMITS_OF_A_UNIT: u64 = 16;
 /// Units of a corner of a polygon, for the distance of one state from it.
-pub const OF_A_CORNER: u64 = 1;
+pub const COST_PER_CORNER: u64 = 1;
 /// Units of one state for the torque that a spinning body needs, at one of its momenta and rates.
-pub const OF_A_SPIN: u64 = 10;
+pub const COST_PER_SPIN: u64 = 10;
 
 /// Units of a joint between two pieces.
-pub const OF_A_JOINT: u64 = 50;
+pub const COST_PER_JOINT: u64 = 50;
 
 /// Units of a plane in exact arithmetic: the vector orthogonal to three, and its support.
-pub const OF_A_PLANE: u64 = 300;
+pub const COST_PER_PLANE: u64 = 300;
 
 /// Units of a rotor's exact wrenches, of which a set is made.
-pub const OF_A_ROTOR: u64 = 100;
+pub const COST_PER_ROTOR: u64 = 100;
 /// Units of a row of which a core is made, with its share of the sorting.
-pub const OF_A_CORE_ROW: u64 = 10;
+pub const COST_PER_CORE_ROW: u64 = 10;
 
 /// Units of a multiplier's row.
-pub const OF_A_MULTIPLIER: u64 = 20;
+pub const COST_PER_MULTIPLIER: u64 = 20;
 /// Units of expressing one node's derivatives by those of the node before.
-pub const OF_A_NODE_CARRIED: u64 = 100;
+pub const COST_PER_CARRIED_NODE: u64 = 100;
 
 /// Bytes of a plane, including the allocator's overhead and the lists of a proof.
 pub const BYTES_OF_A_PLANE: u64 = 512;
@@ -126,9 +126,9 @@ impl Estimate {
 
 /// The remaining work, in units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Purse(pub u64);
+pub struct WorkLeft(pub u64);
 
-impl Purse {
+impl WorkLeft {
     /// Takes units; `false` if there are too few, in which case none remain.
     pub fn spend(&mut self, units: u64) -> bool {
         match self.0.checked_sub(units) {

@@ -118,17 +118,17 @@ pub(super) fn decide(
 fn estimate(setting: &Setting, claim: &InfeasibleClaim, grid: &Grid) -> Result<Estimate, Rejection> {
     let mut all = setting.estimate_of(&claim.selected_by)?;
     let (rows, nodes, facets) = (claim.multipliers.len() as u64, grid.times.len() as u64, claim.facets.len() as u64);
-    all.add(cost::times(rows, cost::OF_A_MULTIPLIER), cost::times(rows, cost::BYTES_OF_A_MULTIPLIER));
-    all.add(cost::times(nodes, cost::OF_A_NODE_CARRIED), cost::times(nodes, cost::BYTES_OF_A_NODE));
-    let of_generators = cost::times(setting.model().vehicle.rotors.len() as u64, cost::OF_A_ROTOR);
-    let of_facet = of_generators.saturating_add(cost::OF_A_PLANE);
+    all.add(cost::times(rows, cost::COST_PER_MULTIPLIER), cost::times(rows, cost::BYTES_OF_A_MULTIPLIER));
+    all.add(cost::times(nodes, cost::COST_PER_CARRIED_NODE), cost::times(nodes, cost::BYTES_OF_A_NODE));
+    let of_generators = cost::times(setting.model().vehicle.rotors.len() as u64, cost::COST_PER_ROTOR);
+    let of_facet = of_generators.saturating_add(cost::COST_PER_PLANE);
     all.add(cost::times(facets, of_facet), cost::times(facets, cost::BYTES_OF_A_PLANE));
     // Facets may be listed more than once, and each is looked for along the motions.
     for record in &claim.selected_by {
         let motion = setting.motion(record)?;
         all.add(setting.cost_of_selecting(motion.checkpoints(), facets), 0);
     }
-    all.add(cost::times(claim.thrust.len() as u64, cost::OF_A_ROW), 0);
+    all.add(cost::times(claim.thrust.len() as u64, cost::COST_PER_ROW), 0);
     Ok(all)
 }
 

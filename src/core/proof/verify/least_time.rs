@@ -23,7 +23,7 @@ const SAME_TIME: f64 = 1e-9;
 
 /// Upper bounds on rate, acceleration and jerk along a direction; infinite if there is none.
 #[derive(Clone, Copy)]
-struct Most {
+struct RateBounds {
     rate: f64,
     /// In the direction.
     speeding: f64,
@@ -32,7 +32,7 @@ struct Most {
     jerk: f64,
 }
 
-impl Most {
+impl RateBounds {
     /// The least time for a displacement of at least `d`, with rest at the first and the last end or not, rounded down,
     /// s.
     fn least(&self, d: Interval, rests: [bool; 2]) -> f64 {
@@ -184,14 +184,14 @@ fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), most: Interval,
 /// The bounds on the displacements of a leg.
 #[derive(Clone, Copy)]
 struct Bounds {
-    along_line: Most,
-    horizontal: Most,
-    up: Most,
-    down: Most,
+    along_line: RateBounds,
+    horizontal: RateBounds,
+    up: RateBounds,
+    down: RateBounds,
     /// Turns to larger yaws.
-    left: Most,
+    left: RateBounds,
     /// Turns to smaller yaws.
-    right: Most,
+    right: RateBounds,
 }
 
 fn bounds(problem: Problem, leg: usize) -> Bounds {
@@ -214,7 +214,8 @@ fn bounds(problem: Problem, leg: usize) -> Bounds {
         true => with_drag(problem, (own, acceleration), most, axes),
         false => (own.min(rate), with_drag(problem, (rate, acceleration), force + g, &all).1),
     };
-    let both_ways = |rate: f64, acceleration: f64| Most { rate, speeding: acceleration, slowing: acceleration, jerk };
+    let both_ways =
+        |rate: f64, acceleration: f64| RateBounds { rate, speeding: acceleration, slowing: acceleration, jerk };
     let along_line = both_ways(rate, whole.min(in_all));
     let across = speed.min(most(LimitKind::SpeedHorizontal));
     let (rate_across, in_plane) = of_part((across, sideways(model, &of_leg, force)), force, &[0, 1]);
@@ -223,11 +224,11 @@ fn bounds(problem: Problem, leg: usize) -> Bounds {
         let rate = speed.min(most(kind));
         let in_air = |acceleration: Interval| of_part((rate, acceleration.high), force + g, &[2]);
         let [speeding, slowing] = [in_air(speeding), in_air(slowing)];
-        Most { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
+        RateBounds { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
     };
     let (rising, falling) = (force - g, thrust.falling(model));
     let [more, less] = [Sense::Upwards, Sense::Downwards];
-    let turn = |ahead, back| Most {
+    let turn = |ahead, back| RateBounds {
         rate: turning(LimitKind::YawRate, ahead),
         speeding: turning(LimitKind::YawAcceleration, ahead),
         slowing: turning(LimitKind::YawAcceleration, back),
@@ -269,7 +270,7 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
         let turned = Interval::point(to.yaw) - Interval::point(from.yaw);
         let yaw_room = met_within(from.yaw_within, to.yaw_within);
         let bounds = general.unwrap_or_else(|| bounds(problem, i));
-        let turn = |most: Most, turned: Interval| if has_yaw { most.least(turned - yaw_room, ends) } else { 0.0 };
+        let turn = |most: RateBounds, turned: Interval| if has_yaw { most.least(turned - yaw_room, ends) } else { 0.0 };
         [
             bounds.along_line.least(sum(&[0, 1, 2]) - room, ends),
             bounds.horizontal.least(sum(&[0, 1]) - room, ends),

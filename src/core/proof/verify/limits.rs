@@ -1,6 +1,6 @@
 //! The mission's limits as quantities along a motion.
 
-use super::cost::{OF_A_CORNER, OF_A_LIMIT};
+use super::cost::{COST_PER_CORNER, COST_PER_LIMIT};
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
@@ -60,8 +60,8 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(u
         within,
         at_nodes_only,
         measure,
-        overhead: OF_A_LIMIT,
-        of_a_member: 1 + OF_A_CORNER * corners(kind),
+        overhead: COST_PER_LIMIT,
+        of_a_member: 1 + COST_PER_CORNER * corners(kind),
     }
 }
 

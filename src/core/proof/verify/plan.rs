@@ -6,7 +6,7 @@ mod cores;
 mod selection;
 
 use super::core::{self, Core, WithoutYaw};
-use super::cost::{self, Budget, Estimate, Purse, times};
+use super::cost::{self, Budget, Estimate, WorkLeft, times};
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, X, Y, YAW, Z};
 use super::premise::{Premise, Premises};
@@ -25,7 +25,7 @@ use std::sync::{Arc, OnceLock};
 pub use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use selection::Selecting;
 
-pub use along::{OF_A_GRID, wrench_family};
+pub use along::{POINTS_OF_A_GRID, wrench_family};
 
 /// In the exact model the vertical part of the thrust is at least this share of the weight.
 pub const UPRIGHT: f64 = 0.1;
@@ -168,8 +168,8 @@ impl<'a> Setting<'a> {
         }
         let vehicle = &self.model().vehicle;
         let (count, planes) = (modes.len() as u64, planes_at_most(vehicle));
-        let of_generators = times(vehicle.rotors.len() as u64, cost::OF_A_ROTOR);
-        let of_set = times(planes, cost::OF_A_PLANE).saturating_add(of_generators);
+        let of_generators = times(vehicle.rotors.len() as u64, cost::COST_PER_ROTOR);
+        let of_set = times(planes, cost::COST_PER_PLANE).saturating_add(of_generators);
         Estimate { units: times(count, of_set), bytes: times(times(count, planes), cost::BYTES_OF_A_PLANE) }
     }
 
@@ -191,7 +191,7 @@ impl<'a> Setting<'a> {
         schedule::check(self.problem, &mut motion, self.premises)?;
         let (nodes, checkpoints) = (motion.times.len() as u64, motion.checkpoints());
         let mut all = Estimate::default();
-        all.add(times(nodes, cost::OF_A_JOINT), times(nodes, cost::BYTES_OF_A_NODE));
+        all.add(times(nodes, cost::COST_PER_JOINT), times(nodes, cost::BYTES_OF_A_NODE));
         let selectable = if selection::selects(self.model()) { self.model().plan.against.len() as u64 } else { 0 };
         let planes = times(planes_at_most(&self.model().vehicle), sets.saturating_add(selectable));
         // Commands jump at nodes, which are looked at from both sides.
@@ -202,7 +202,7 @@ impl<'a> Setting<'a> {
                 all.add(cost_at_nodes(&self.family_of(limit, &motion), &motion), 0);
             }
         }
-        all.add(times(checkpoints, 3 * cost::OF_A_LIMIT), 0);
+        all.add(times(checkpoints, 3 * cost::COST_PER_LIMIT), 0);
         if selectable > 0 {
             all.add(self.cost_of_selecting(checkpoints, times(planes_at_most(&self.model().vehicle), selectable)), 0);
         }
@@ -242,7 +242,7 @@ impl<'a> Setting<'a> {
     fn units_of(&self, planes: u64) -> u64 {
         let of_planes = match self.dynamics.is_in_winds() {
             true => times(planes, wind::cost_of_a_plane(&self.dynamics)),
-            false => times(planes, cost::OF_A_ROW),
+            false => times(planes, cost::COST_PER_ROW),
         };
         of_planes.saturating_add(self.overhead())
     }
@@ -280,7 +280,7 @@ impl<'a> Setting<'a> {
             false => self.unchecked(&claim.selected_by)?,
         };
         let checked = self.at_nodes(&claim.motion, &selected_by, (Role::Claimed, &without_yaw))?;
-        let mut purse = Purse(budget.units().saturating_sub(estimate.units));
+        let mut purse = WorkLeft(budget.units().saturating_sub(estimate.units));
         let mut found = checked.found();
         match between {
             true => checked.between(&mut purse, &mut found),

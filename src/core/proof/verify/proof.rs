@@ -1,6 +1,6 @@
 //! Bounds on quantities along a motion: at nodes, on a grid, at every instant.
 
-use super::cost::Purse;
+use super::cost::WorkLeft;
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, State};
 use crate::number::{number, up};
@@ -206,7 +206,7 @@ fn above(family: &Family, members: &[usize], state: &State, at: f64, most: f64) 
 
 /// For each member whether it is proved to stay at or below `most` at every instant. A member for which the remaining work
 /// does not suffice is not proved.
-pub fn throughout(family: &Family, motion: &Motion, most: f64, purse: &mut Purse) -> Vec<bool> {
+pub fn throughout(family: &Family, motion: &Motion, most: f64, purse: &mut WorkLeft) -> Vec<bool> {
     let mut proof = Proof { family, motion, most, proved: vec![true; family.members], purse };
     if let Some((node, piece)) = family.only_node() {
         let members = proof.open();
@@ -232,7 +232,7 @@ struct Proof<'p> {
     motion: &'p Motion,
     most: f64,
     proved: Vec<bool>,
-    purse: &'p mut Purse,
+    purse: &'p mut WorkLeft,
 }
 
 impl Proof<'_> {

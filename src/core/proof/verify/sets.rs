@@ -10,7 +10,7 @@ pub mod doubt;
 pub mod inverse;
 mod once;
 
-use self::doubt::{Doubts, Known};
+use self::doubt::{RotorWrenches, Uncertainty};
 use self::inverse::Inverse;
 use super::dyadic::{Dyadic, dot, orthogonal};
 use super::interval::{Interval, exceeds};
@@ -123,7 +123,7 @@ pub struct Generators {
     /// The share of the distance from hover to each plane that plans may use: one minus the reserve.
     kept: Interval,
     /// How the set shrinks if rotors or the mass are known only to within intervals.
-    doubts: Option<Doubts>,
+    doubts: Option<Uncertainty>,
     /// With `allocation = pseudo_inverse`.
     inverse: Option<Inverse>,
 }
@@ -209,7 +209,7 @@ impl Generators {
         let mut offset = zero();
         let mut own = Vec::new();
         for (k, rotor) in vehicle.rotors.iter().enumerate() {
-            let known = Known::of(rotor);
+            let known = RotorWrenches::of(rotor);
             // From the lowest speed to the highest, or at one speed, times the capacity.
             let (at, range) = match mode.map_or(RotorState::Sound, |mode| mode.rotors[k]) {
                 RotorState::Sound => (known.idle.clone(), difference(&known.full, &known.idle)),
@@ -240,7 +240,7 @@ impl Generators {
             extents,
             hover,
             kept: Interval::ONE - Interval::point(reserve),
-            doubts: vehicle.is_uncertain().then(|| Doubts::of(vehicle, mode)),
+            doubts: vehicle.is_uncertain().then(|| Uncertainty::of(vehicle, mode)),
             inverse: (vehicle.allocation == Allocation::PseudoInverse).then(|| Inverse::of(vehicle, mode)),
         }
     }

@@ -1,6 +1,6 @@
 //! Terminal text: what an accepted certificate shows.
 
-use super::plan::OF_A_GRID;
+use super::plan::POINTS_OF_A_GRID;
 use super::{Reach, Scope, Verdict};
 use crate::text_table::{Table, WIDTH};
 
@@ -31,7 +31,7 @@ fn words(reach: Reach) -> String {
     let shown: String = match reach.scope {
         Scope::Nodes => "at the nodes".into(),
         // The points between the nodes and one of the nodes.
-        Scope::Grid => format!("on a grid of {} points per interval", OF_A_GRID + 1),
+        Scope::Grid => format!("on a grid of {} points per interval", POINTS_OF_A_GRID + 1),
         Scope::EveryInstant => "proved at every instant".into(),
     };
     let Some(beyond) = reach.beyond else { return shown };

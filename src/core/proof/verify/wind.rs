@@ -14,10 +14,10 @@ use super::wrench::{Dynamics, Held};
 use crate::model::Environment;
 
 /// Units of work of a state for each box, as a multiple of those for one wind (measured: 14 to 24).
-const OF_A_BOX: u64 = 25;
+const COST_PER_BOX: u64 = 25;
 
 /// Units of work of a plane in each box: its violation is a Taylor model too (measured: 9 to 12).
-const OF_A_PLANE_IN_A_BOX: u64 = 12;
+const COST_PER_PLANE_IN_BOX: u64 = 12;
 
 /// In a box of winds the thrust over mass changes along the three axes by at most this share of gravity in all.
 const WIDEST: f64 = 0.1;
@@ -52,12 +52,12 @@ pub fn boxes<'a>(dynamics: &Dynamics<'a>) -> Vec<Dynamics<'a>> {
 
 /// Units of work of a state, as a multiple of those for one wind.
 pub fn cost(dynamics: &Dynamics) -> u64 {
-    OF_A_BOX.saturating_mul(boxes(dynamics).len() as u64)
+    COST_PER_BOX.saturating_mul(boxes(dynamics).len() as u64)
 }
 
 /// Units of work of a plane at a state.
 pub fn cost_of_a_plane(dynamics: &Dynamics) -> u64 {
-    OF_A_PLANE_IN_A_BOX.saturating_mul(boxes(dynamics).len() as u64)
+    COST_PER_PLANE_IN_BOX.saturating_mul(boxes(dynamics).len() as u64)
 }
 
 /// An upper bound of each plane's violation over all winds of the `boxes`, and bounds on the violation's rate of change in

@@ -1,7 +1,7 @@
 //! The `air` block of a mission.
 
 use super::context::Context;
-use super::due::Due;
+use super::expected::Expected;
 use super::fields::Fields;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::air as table;
@@ -64,7 +64,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Air> {
 
 /// `[6, 0, 0] m/s`, with `+- 2 m/s` or `+- [2, 2, 0] m/s`: the middle and the largest deviation on each axis, m/s.
 fn wind<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<([f64; 3], [f64; 3])> {
-    let due = Due::of(&table::WIND);
+    let due = Expected::of(&table::WIND);
     let ExprKind::Interval { value, by } = &expr.kind else {
         return Some((cx.triple(due, expr)?, [0.0; 3]));
     };

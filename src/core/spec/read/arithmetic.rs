@@ -1,7 +1,7 @@
 //! The operators: on two numbers, and element by element on lists.
 
 use super::context::{CONSTANTS, Context};
-use super::due::joined_unit;
+use super::expected::joined_unit;
 use super::expression::{Value, trailing_unit};
 use crate::diagnostic::Diagnostic;
 use crate::source::{Span, Spanned};

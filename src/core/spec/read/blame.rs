@@ -1,8 +1,8 @@
 //! Errors that appear where a `let` is used but belong to its declaration: reported once, with both places.
 
 use super::context::{Context, State};
-use super::due::Due;
 use super::elaborate::expr_of;
+use super::expected::Expected;
 use super::expression::trailing_unit;
 use super::overrides::OVERRIDE;
 use super::understanding::Reading;
@@ -68,7 +68,7 @@ impl<'a> Context<'a> {
 
     /// Records the help for `expr`, whose dimension error is about to be reported, in case it names a `let` that turns out to
     /// be right for other uses.
-    pub(super) fn suspect_use(&mut self, due: Due, q: Quantity, expr: &Expr) {
+    pub(super) fn suspect_use(&mut self, due: Expected, q: Quantity, expr: &Expr) {
         let Some((name, _)) = self.let_behind(expr) else { return };
         let expected = due.dimension();
         if self.accused.contains_key(&(name, expected.to_string())) || self.is_full() {

@@ -2,7 +2,7 @@
 
 use super::blocks::{Blocks, broken, use_broken};
 use super::context::{Context, State, no_filter};
-use super::due::Due;
+use super::expected::Expected;
 use super::fault::Modes;
 use super::flight_blocks::{self, FlightBlocks};
 use super::load::FileSet;
@@ -11,7 +11,7 @@ use super::plan::{Draft, against, capture_height};
 use super::simulate::Around;
 use super::understanding::Understanding;
 use super::volume;
-use super::{air, lag, mission, sense, vehicle};
+use super::{air, lag, mission, plausibility, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::language::table;
 use crate::model::{DefaultUsed, FaultMode, Model, Vehicle};
@@ -152,7 +152,7 @@ fn whole<'a>(
         defaults.extend(plan_defaults);
     }
     if let Some(flown) = flown {
-        sense::check_pace(cx, &flown.waypoints, plan_time);
+        plausibility::check_pace(cx, &flown.waypoints, plan_time);
     }
     let lags_known = plan
         .as_ref()
@@ -207,9 +207,9 @@ fn whole<'a>(
 fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: &mut Vec<DefaultUsed>) {
     match field.map(|f| &f.value) {
         Some(FieldValue::Expr(expr)) => {
-            let given = cx.positive(Due::of(&table::top::GRAVITY), expr, "mavc::vehicle::not_positive");
+            let given = cx.positive(Expected::of(&table::top::GRAVITY), expr, "mavc::vehicle::not_positive");
             if let Some(given) = given.filter(|g| *g != GRAVITY) {
-                sense::gravity(cx, given, expr.span);
+                plausibility::gravity(cx, given, expr.span);
                 cx.gravity = given;
                 // Values evaluated meanwhile may have used the default gravity.
                 cx.lets.values_mut().for_each(|l| {

@@ -5,10 +5,10 @@ pub(super) mod family;
 use std::collections::BTreeMap;
 
 use super::context::{Context, duplicate};
-use super::due::Due;
+use super::expected::Expected;
 use super::expression::Value;
 use super::fields::Fields;
-use super::{after_fault, sense, without_yaw};
+use super::{after_fault, plausibility, without_yaw};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::mode as table;
 use crate::language::{Entry, Group};
@@ -213,7 +213,7 @@ fn left_by<'a>(cx: &mut Context<'a>, effect: &'a Effect) -> Option<RotorState> {
         Effect::Lost(_) => Some(RotorState::Lost),
         Effect::Reduced(to) => {
             let remaining = cx.share("the remaining thrust of a rotor", to, CODE)?;
-            sense::effect(cx, remaining, to.span);
+            plausibility::effect(cx, remaining, to.span);
             Some(RotorState::of_capacity(remaining))
         }
         Effect::Stuck(at) => cx.share("the thrust a rotor is stuck at", at, CODE).map(RotorState::Stuck),
@@ -286,7 +286,7 @@ fn indices<'a>(cx: &mut Context<'a>, expr: &'a Expr, rotors: Option<usize>) -> O
             ExprKind::List { elements, .. } => elements.get(i).unwrap_or(expr),
             _ => expr,
         };
-        let index = cx.lower(Due::new("rotor", "1"), q, place).and_then(|value| {
+        let index = cx.lower(Expected::new("rotor", "1"), q, place).and_then(|value| {
             cx.whole_value("a rotor number", value, place.span, 1..=most, "mavc::fault::rotor_index")
         });
         match (&mut indices, index) {

@@ -1,7 +1,7 @@
 //! `yaw towards`, `yaw along path` and `yaw free`, and the limits that they impose.
 
 use super::context::Context;
-use super::due::Due;
+use super::expected::Expected;
 use super::fields::Fields;
 use super::written::Written;
 use crate::diagnostic::Diagnostic;
@@ -44,7 +44,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Written<Rul
     Written::of(match how.as_str() {
         "towards" => fields.get(table::YAW.name).and_then(|expr| match &expr.kind {
             ExprKind::Name(name) if !cx.in_scope(name) => Some(Rule::Towards(Goal::Named(name.clone(), expr.span))),
-            _ => Some(Rule::Towards(Goal::Point(cx.triple(Due::new("the point of `yaw towards`", "m"), expr)?))),
+            _ => Some(Rule::Towards(Goal::Point(cx.triple(Expected::new("the point of `yaw towards`", "m"), expr)?))),
         }),
         "free" => Some(Rule::Free),
         _ => Some(Rule::AlongPath),

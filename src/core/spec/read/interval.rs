@@ -1,7 +1,7 @@
 //! Intervals as they are written: `1.8 kg +- 3 %`, `1.8 kg +- 50 g`.
 
 use super::context::Context;
-use super::due::Due;
+use super::expected::Expected;
 use super::expression::{Value, is_bare, trailing_unit};
 use crate::diagnostic::Diagnostic;
 use crate::model::Spread;
@@ -34,7 +34,7 @@ fn written(expr: &Expr) -> Option<Written<'_>> {
 
 impl<'a> Context<'a> {
     /// As [`Context::positive`], with the interval around the value if one is written; all of it must lie above zero.
-    pub(super) fn interval(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<(f64, Spread)> {
+    pub(super) fn interval(&mut self, due: Expected, expr: &'a Expr, code: &'static str) -> Option<(f64, Spread)> {
         let Some(Written { value, by, unit }) = written(expr) else {
             return self.positive(due, expr, code).map(|value| (value, Spread::NONE));
         };

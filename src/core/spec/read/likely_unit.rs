@@ -1,7 +1,7 @@
 //! Guesses from its size which unit a plain number was meant to have.
 
 use super::context::Context;
-use super::due::Due;
+use super::expected::Expected;
 use crate::syntax::ast::{Expr, ExprKind};
 
 /// Units of angles and of their rates, in degrees and in radians.
@@ -15,7 +15,7 @@ const QUARTER: f64 = 1.6;
 
 /// The likely units of a plain number of this size, the likeliest first: at least one, and more than one where only the
 /// author can know.
-pub(super) fn likely_units(due: Due, size: f64) -> Vec<&'static str> {
+pub(super) fn likely_units(due: Expected, size: f64) -> Vec<&'static str> {
     let size = size.abs();
     let sizes = due.row.map_or(&[][..], |row| row.likely);
     if let Some((_, units)) = sizes.iter().find(|(below, _)| size < *below) {
@@ -29,7 +29,7 @@ pub(super) fn likely_units(due: Due, size: f64) -> Vec<&'static str> {
 impl Context<'_> {
     /// As [`likely_units`], for the value of `expr`, whose form may show that it is in radians: `pi/2`, or the parameter of a
     /// curve that runs through full turns.
-    pub(super) fn likely_units_of(&self, due: Due, size: f64, expr: &Expr) -> Vec<&'static str> {
+    pub(super) fn likely_units_of(&self, due: Expected, size: f64, expr: &Expr) -> Vec<&'static str> {
         let written = self.let_behind(expr).map_or(expr, |(_, value)| value);
         let radians = RADIANS.iter().find(|(degrees, _)| *degrees == due.unit).map(|(_, radians)| *radians);
         match radians.filter(|_| self.is_in_radians(written)) {
@@ -85,12 +85,12 @@ mod tests {
 
     #[test]
     fn only_small_angles_may_be_radians() {
-        let of = |what, unit, size| likely_units(Due::new(what, unit), size);
+        let of = |what, unit, size| likely_units(Expected::new(what, unit), size);
         assert_eq!(of("yaw", "deg", -1.57), ["deg", "rad"]);
         assert_eq!(of("yaw", "deg", 90.0), ["deg"]);
         assert_eq!(of("tilt", "deg", 3.0), ["deg"]);
         assert_eq!(of("yaw_rate", "deg/s", 2.0), ["deg/s", "rad/s"]);
         assert_eq!(of("at", "m", 2.0), ["m"]);
-        assert_eq!(likely_units(Due::of(&rotor::MAX_SPEED), 8500.0), ["rpm"]);
+        assert_eq!(likely_units(Expected::of(&rotor::MAX_SPEED), 8500.0), ["rpm"]);
     }
 }

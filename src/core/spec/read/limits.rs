@@ -1,8 +1,8 @@
 //! The `limits` block of a mission.
 
 use super::context::{Context, listed};
-use super::due::Due;
 use super::edits;
+use super::expected::Expected;
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::table::limits as table;
 use crate::language::{Entry, Group};
@@ -150,7 +150,7 @@ fn one<'a>(
         LimitRelation::AtLeast(e) => (">=", e),
         LimitRelation::In(e) => ("in", e),
     };
-    let (name, due) = (entry.name, Due::of(entry));
+    let (name, due) = (entry.name, Expected::of(entry));
     let unit = due.unit;
     if !entry.forms().contains(&written) {
         let highest = if let ExprKind::Range { high, .. } = &bound.kind { high } else { bound };

@@ -2,7 +2,7 @@
 //! and products of any two values keep their digits. A value outside the range is an error.
 
 use super::context::Context;
-use super::due::{Due, called};
+use super::expected::{Expected, called};
 use crate::diagnostic::Diagnostic;
 use crate::language::Entry;
 use crate::language::table::rotor;
@@ -36,7 +36,7 @@ fn has((low, high): Bounds, value: f64) -> bool {
 
 impl Context<'_> {
     /// Whether `value`, in SI units, is within the supported magnitudes; reports it otherwise.
-    pub(super) fn is_within_magnitude(&mut self, due: Due, value: f64, span: Span) -> bool {
+    pub(super) fn is_within_magnitude(&mut self, due: Expected, value: f64, span: Span) -> bool {
         // The ranges of other plain numbers are checked where they are read.
         let bounds = due.row.and_then(|row| row.bounds).or((due.unit != "1").then_some(ANY));
         let Some(bounds) = bounds.filter(|bounds| !has(*bounds, value)) else { return true };

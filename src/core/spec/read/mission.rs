@@ -12,11 +12,11 @@ use crate::model::MAX_WAYPOINTS;
 use std::collections::BTreeMap;
 
 use super::context::Context;
-use super::due::Due;
+use super::expected::Expected;
 use super::fields::Fields;
 use super::load::FileSet;
 use super::volume;
-use super::{air, edits, heading, limits, origin, sense, survey};
+use super::{air, edits, heading, limits, origin, plausibility, survey};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::HOLD;
@@ -36,7 +36,7 @@ pub(super) const MAX_DISTANCE: f64 = 1e6;
 
 /// What applies to a waypoint that does not give these values itself.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Manner {
+pub(super) struct WaypointDefaults {
     /// m
     pub within: f64,
     /// rad
@@ -132,7 +132,12 @@ impl Route {
     }
 }
 
-pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Manner, files: &'a FileSet) -> Outline {
+pub(super) fn elaborate<'a>(
+    cx: &mut Context<'a>,
+    block: &'a Block,
+    manner: WaypointDefaults,
+    files: &'a FileSet,
+) -> Outline {
     let name = block.name.as_ref().map_or("mission", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     let fields = Fields::of_block(cx, format!("mission `{name}`"), span, &block.body, Group::Mission);
@@ -239,14 +244,14 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     let in_order = times::check(cx, &route.waypoints[..sure]);
     if !route.broken {
         warn_close(cx, &route.waypoints);
-        sense::check_mission(cx, &name, span, &route.waypoints);
+        plausibility::check_mission(cx, &name, span, &route.waypoints);
     }
     if !route.broken {
         let (of_legs, all) = leg::limits(cx, &route.legs, &route.waypoints, end_at_rest);
         limits.extend(of_legs);
         limits_whole &= all;
     }
-    sense::check_limits(cx, &limits);
+    plausibility::check_limits(cx, &limits);
     limits::check(cx, &limits, &route.waypoints, &numbers, sure);
     route.broken |= !in_order;
     let ground = ground(cx, &fields, &route);
@@ -299,7 +304,7 @@ const TOLERANCE: &str = "mavc::mission::tolerance";
 const WEIGHT: &str = "mavc::mission::weight";
 
 /// `manner` with `within`, `yaw_within` and `weight` replaced where `fields` give them; `None` where one has an error.
-fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> Option<Manner> {
+fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: WaypointDefaults) -> Option<WaypointDefaults> {
     let within = match fields.get("within") {
         Some(e) => cx.quantity(&table::WITHIN, e, TOLERANCE),
         None => Some(manner.within),
@@ -312,17 +317,17 @@ fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> O
         Some(e) => cx.quantity(&table::WEIGHT, e, WEIGHT),
         None => Some(manner.weight),
     };
-    Some(Manner { within: within?, yaw_within: yaw_within?, weight: weight?, ..manner })
+    Some(WaypointDefaults { within: within?, yaw_within: yaw_within?, weight: weight?, ..manner })
 }
 
-fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner: Manner, route: &mut Route) {
+fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner: WaypointDefaults, route: &mut Route) {
     let fields = Fields::of_clauses(cx, owner.to_string(), clauses, Group::Waypoint);
-    let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Due::of(&table::AT), e));
+    let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Expected::of(&table::AT), e));
     let heading = heading::read(cx, &fields).optional();
     let yaw = if fields.how("yaw").is_some() {
         Written::Absent
     } else {
-        fields.written("yaw", |e| cx.number(Due::of(&table::YAW), e))
+        fields.written("yaw", |e| cx.number(Expected::of(&table::YAW), e))
     };
     let manner = manner_of(cx, &fields, manner);
     let leg = leg::read(cx, clauses, &fields, (!route.broken).then_some(route.waypoints.len()));

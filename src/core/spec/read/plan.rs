@@ -8,7 +8,7 @@ mod require;
 use super::context::Context;
 use super::fault::Modes;
 use super::fields::Fields;
-use super::mission::{MAX_DURATION, Manner, too_long};
+use super::mission::{MAX_DURATION, WaypointDefaults, too_long};
 use super::{after_fault, edits, without_yaw};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::table::plan as table;
@@ -117,7 +117,7 @@ impl<'a> Draft<'a> {
 
     /// The values that apply to waypoints without their own, and whether they have no errors; a default replaces a value with
     /// an error.
-    pub fn manner(&mut self, cx: &mut Context<'a>) -> (Manner, bool) {
+    pub fn manner(&mut self, cx: &mut Context<'a>) -> (WaypointDefaults, bool) {
         const TOLERANCE: &str = "mavc::mission::tolerance";
         let mut fine = true;
         let mut keep = |value: Option<f64>, instead: f64| {
@@ -151,7 +151,7 @@ impl<'a> Draft<'a> {
         // The hover model keeps the paper's grid.
         let about_hover = matches!(self.get("model").map(|e| &e.kind), Some(ExprKind::Name(name)) if name == "hover");
         let spacing = if timing == Timing::Optimal && !about_hover { Spacing::Graded } else { Spacing::Even };
-        (Manner { within, yaw_within, weight, timing, spacing }, fine)
+        (WaypointDefaults { within, yaw_within, weight, timing, spacing }, fine)
     }
 
     /// A field that takes one of a few words: [`Fields::word`].

@@ -7,11 +7,11 @@ mod word_or_value;
 pub use checks::{coarse_step, past_the_end, too_many_steps};
 
 use super::context::Context;
-use super::due::Due;
+use super::expected::Expected;
 use super::fault::family::Families;
 use super::fields::Fields;
 use super::mission::{MAX_DURATION, too_long};
-use super::sense;
+use super::plausibility;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::simulate as table;
 use crate::language::{Entry, Group, Range, Takes};
@@ -99,7 +99,7 @@ fn own_ground(mission: Option<&Mission>) -> Option<f64> {
 
 /// The seed of the random noise: a plain whole number.
 pub(super) fn seed<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<u64> {
-    let value = cx.number(Due::of(&table::SEED), expr)?;
+    let value = cx.number(Expected::of(&table::SEED), expr)?;
     if value.fract() == 0.0 && value >= 0.0 && value <= table::SEED.whole().1 as f64 {
         return Some(value as u64);
     }
@@ -194,13 +194,13 @@ impl<'a> Reader<'a> {
             cx.report(error);
             self.fine = false;
         } else if self.fine {
-            sense::check_air(cx, &simulation, around.vehicle, &self.fields, span);
-            sense::check_noise(cx, &simulation, &self.fields, span);
-            sense::check_estimator(cx, &simulation, &self.fields, span);
-            sense::check_loss(cx, &simulation, &self.fields, span);
+            plausibility::check_air(cx, &simulation, around.vehicle, &self.fields, span);
+            plausibility::check_noise(cx, &simulation, &self.fields, span);
+            plausibility::check_estimator(cx, &simulation, &self.fields, span);
+            plausibility::check_loss(cx, &simulation, &self.fields, span);
         }
         if let Some(vehicle) = around.vehicle.filter(|_| self.fine) {
-            sense::check_gains(cx, &simulation, vehicle, &self.fields, span);
+            plausibility::check_gains(cx, &simulation, vehicle, &self.fields, span);
         }
         Some(simulation)
     }
@@ -214,7 +214,7 @@ impl<'a> Reader<'a> {
             None => Some(self.default(&table::DRAG, [table::DRAG.value(); 3])),
         };
         let wind = match self.fields.get("wind") {
-            Some(expr) => cx.triple(Due::of(&table::WIND), expr),
+            Some(expr) => cx.triple(Expected::of(&table::WIND), expr),
             None if wind_of_plan != [0.0; 3] => Some(wind_of_plan),
             None => Some(self.default(&table::WIND, [0.0; 3])),
         };
@@ -298,7 +298,7 @@ impl<'a> Reader<'a> {
         let Some(expr) = self.fields.get("forgetting") else {
             return Some(self.default(&table::FORGETTING, table::FORGETTING.value()));
         };
-        let value = cx.number(Due::of(&table::FORGETTING), expr)?;
+        let value = cx.number(Expected::of(&table::FORGETTING), expr)?;
         if value > 0.0 && value < 1.0 {
             return Some(value);
         }

@@ -5,9 +5,9 @@
 //! not given. Lines that begin with `#` are comments.
 
 use super::context::{Context, duplicate, listed};
-use super::due::Due;
+use super::expected::Expected;
 use super::load::Table;
-use super::mission::{Manner, Route, Stop};
+use super::mission::{Route, Stop, WaypointDefaults};
 use crate::diagnostic::Diagnostic;
 use crate::number::plural;
 use crate::source::{Span, Spanned, visible};
@@ -46,7 +46,7 @@ struct Row {
     cells: Vec<Span>,
 }
 
-pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut Route) {
+pub(super) fn read(cx: &mut Context, table: &Table, manner: WaypointDefaults, route: &mut Route) {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .trim(csv::Trim::All)
@@ -177,7 +177,7 @@ impl Row {
         }
     }
 
-    fn stop(&self, columns: &[Column], manner: Manner) -> Result<Stop, Box<Diagnostic>> {
+    fn stop(&self, columns: &[Column], manner: WaypointDefaults) -> Result<Stop, Box<Diagnostic>> {
         let mut values = [None; COLUMNS.len()];
         let mut name = None;
         for ((column, cell), &span) in columns.iter().zip(&self.record).zip(&self.cells) {
@@ -271,7 +271,7 @@ fn header(cx: &Context, row: &Row) -> Result<Vec<Column>, Box<Diagnostic>> {
                 ));
             }
             (due, Some(text)) => match parse_unit(text, cx.gravity) {
-                Ok(unit) if unit.dimension == Due::new(name, due).dimension() => Some(unit),
+                Ok(unit) if unit.dimension == Expected::new(name, due).dimension() => Some(unit),
                 _ => {
                     let message = format!("`{text}` is not a unit for column `{name}`");
                     return Err(Box::new(fail(message).help(format!("write `{name}_{due}`"))));

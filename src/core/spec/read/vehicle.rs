@@ -8,9 +8,9 @@ mod whole;
 use std::f64::consts::PI;
 
 use super::context::Context;
-use super::due::Due;
+use super::expected::Expected;
 use super::fields::Fields;
-use super::sense::{Written, check_battery, check_vehicle};
+use super::plausibility::{Written, check_battery, check_vehicle};
 use super::yaw_drag;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::{placed_rotor, vehicle as table};
@@ -47,7 +47,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let Blocks { shared, placed, battery, twice, battery_twice } = blocks(cx, block);
 
     let mass_expr = fields.demand_own(cx, "mass", "mass = 1.8 kg");
-    let mass = mass_expr.and_then(|e| cx.interval(Due::of(&table::MASS), e, POSITIVE));
+    let mass = mass_expr.and_then(|e| cx.interval(Expected::of(&table::MASS), e, POSITIVE));
     let inertia = fields.demand_own(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2").and_then(|e| inertia(cx, e));
     let rotor_fields =
         shared.map(|b| Fields::of_block(cx, format!("`rotor` of {owner}"), b.keyword.span, &b.body, Group::Rotor));
@@ -69,7 +69,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         }
         None => ring(cx, &fields),
     };
-    let base = rotor_fields.as_ref().map(|fields| rotor::Traits::read(cx, fields));
+    let base = rotor_fields.as_ref().map(|fields| rotor::PartialRotor::read(cx, fields));
     if base.is_none() && placed.is_none() && !fields.may_have("rotor") {
         let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
         fields.missing(cx, "a `rotor` block", example);
@@ -206,7 +206,7 @@ fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> Blocks<'a> {
 }
 
 fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
-    let [x, y, z] = cx.triple(Due::of(&table::INERTIA), expr)?;
+    let [x, y, z] = cx.triple(Expected::of(&table::INERTIA), expr)?;
     if let Some(bad) = [x, y, z].into_iter().find(|i| *i <= 0.0) {
         let error = Diagnostic::error(POSITIVE, expr.span, "`inertia` must be greater than zero about every axis");
         cx.report(error.here(format!("contains {} kg*m^2", number(bad))).help("write three values above zero"));
@@ -254,7 +254,7 @@ fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>
     };
     let arm = arm.and_then(|e| cx.quantity(&table::ARM, e, POSITIVE));
     let first = match fields.get("first") {
-        Some(expr) => cx.number(Due::of(&table::FIRST), expr),
+        Some(expr) => cx.number(Expected::of(&table::FIRST), expr),
         None => Some(0.0),
     };
     let (Some(spins), Some(arm), Some(first)) = (layout, arm, first) else {
@@ -400,7 +400,8 @@ fn check_motors(cx: &mut Context, places: &[Place]) {
 
 fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Place<'a>> {
     let own = Fields::of_clauses(cx, format!("rotor {k}"), rotor, Group::PlacedRotor);
-    let position = own.demand(cx, "at", "at [0.2, 0.15, 0] m").and_then(|e| cx.triple(Due::of(&placed_rotor::AT), e));
+    let position =
+        own.demand(cx, "at", "at [0.2, 0.15, 0] m").and_then(|e| cx.triple(Expected::of(&placed_rotor::AT), e));
     let spin = own.demand(cx, "spin", "spin P").and_then(|e| match &e.kind {
         ExprKind::Name(name) if name == "P" => Some(Spin::P),
         ExprKind::Name(name) if name == "N" => Some(Spin::N),

@@ -1,7 +1,7 @@
 //! `yaw_drag` and `yaw_drag_quadratic` of a vehicle.
 
 use super::context::Context;
-use super::due::Due;
+use super::expected::Expected;
 use super::fields::Fields;
 use super::written::Written;
 use crate::diagnostic::Diagnostic;
@@ -24,7 +24,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Written<Yaw
         cx.report(error.here("in addition to nothing").help("add the linear part: `yaw_drag = 3e-3 N*m*s/rad`"));
         return Written::Faulty;
     };
-    let linear = cx.interval(Due { coefficient: true, ..Due::of(&table::YAW_DRAG) }, expr, INVALID);
+    let linear = cx.interval(Expected { coefficient: true, ..Expected::of(&table::YAW_DRAG) }, expr, INVALID);
     let drag = linear.zip(quadratic).map(|((linear, spread), quadratic)| YawDrag { linear, spread, quadratic });
     Written::of(drag)
 }

@@ -7,7 +7,7 @@ use super::prose::unbroken;
 use crate::body::Body;
 use crate::model::{Problem, Volume, VolumeSide};
 use crate::motion::NodeState;
-use crate::motion::checks::past;
+use crate::motion::checks::violation;
 use crate::number::{fixed, significant};
 use crate::planner::studies::MissionPlan;
 use crate::report::record::PlannerRecord;
@@ -228,7 +228,8 @@ pub fn distances<'s>(
         let volume = &mission.volumes[index];
         let limits: Vec<_> = mission.limits.iter().filter(|l| l.volume.is_some() && l.span == volume.span).collect();
         let distance = |state: &NodeState| {
-            volume.clearance - limits.iter().map(|l| past(l, state, &environment)).fold(f64::NEG_INFINITY, f64::max)
+            volume.clearance
+                - limits.iter().map(|l| violation(l, state, &environment)).fold(f64::NEG_INFINITY, f64::max)
         };
         (format!("volume_{index}"), states.clone().map(distance).collect())
     };

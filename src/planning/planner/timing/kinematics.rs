@@ -16,7 +16,7 @@ use std::ops::Range;
 
 /// Bounds on rates and accelerations of one displacement, SI; infinite where nothing bounds them.
 #[derive(Debug, Clone, Copy)]
-struct Pace {
+struct RateBounds {
     rate: f64,
     /// In the direction of the displacement.
     speeding: f64,
@@ -25,10 +25,10 @@ struct Pace {
     jerk: f64,
 }
 
-impl Pace {
+impl RateBounds {
     /// The same acceleration in both directions.
     fn both_ways(rate: f64, acceleration: f64, jerk: f64) -> Self {
-        Pace { rate, speeding: acceleration, slowing: acceleration, jerk }
+        RateBounds { rate, speeding: acceleration, slowing: acceleration, jerk }
     }
 
     /// The least time for a displacement with rest at its first and its last end or not, s.
@@ -36,7 +36,7 @@ impl Pace {
         if displacement <= 0.0 {
             return 0.0;
         }
-        let Pace { rate, speeding, slowing, jerk } = self;
+        let RateBounds { rate, speeding, slowing, jerk } = self;
         // Where thrust cannot accelerate at all the vehicle never leaves; nothing is claimed of that.
         let at_rest = rests.into_iter().zip([speeding, slowing]).filter(|&(rests, a)| rests && a > 0.0);
         let s: f64 = at_rest.map(|(_, a)| 1.0 / a).sum();
@@ -95,15 +95,15 @@ impl Drag {
 
 /// The bounds that limits and thrust set for each displacement.
 #[derive(Debug, Clone, Copy)]
-struct Paces {
-    whole: Pace,
-    horizontal: Pace,
-    up: Pace,
-    down: Pace,
+struct LegRateBounds {
+    whole: RateBounds,
+    horizontal: RateBounds,
+    up: RateBounds,
+    down: RateBounds,
     /// Turns to larger yaws.
-    left: Pace,
+    left: RateBounds,
     /// Turns to smaller yaws.
-    right: Pace,
+    right: RateBounds,
 }
 
 /// A bound on a quantity towards larger values or towards smaller ones. Only limits on yaw have a lower side.
@@ -113,7 +113,7 @@ enum Sense {
     Downwards,
 }
 
-impl Paces {
+impl LegRateBounds {
     /// The bounds that hold throughout some legs of a mission under its vehicle's full thrust, with intervals at the ends that allow
     /// most. Each limit is widened by `past`, in its SI unit, and by the tolerance of the check of plans ([`tolerance`]).
     fn of(problem: Problem, past: &[f64], legs: Range<usize>) -> Self {
@@ -174,19 +174,19 @@ impl Paces {
         let vertical = |rate: LimitKind, speeding: f64, slowing: f64| {
             let rate = speed.min(most(rate));
             let [speeding, slowing] = [speeding, slowing].map(|most| part((rate, most), force + g, &[2]));
-            Pace { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
+            RateBounds { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
         };
         let (rate_across, sideways) = part((across, sideways), force, &[0, 1]);
-        let turn = |ahead: Sense, back: Sense| Pace {
+        let turn = |ahead: Sense, back: Sense| RateBounds {
             rate: turning(LimitKind::YawRate, ahead),
             speeding: turning(LimitKind::YawAcceleration, ahead),
             slowing: turning(LimitKind::YawAcceleration, back),
             jerk: f64::INFINITY,
         };
         let of_plane = whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways);
-        Paces {
-            whole: Pace::both_ways(rate, whole.min(any), jerk),
-            horizontal: Pace::both_ways(rate_across, of_plane, jerk),
+        LegRateBounds {
+            whole: RateBounds::both_ways(rate, whole.min(any), jerk),
+            horizontal: RateBounds::both_ways(rate_across, of_plane, jerk),
             up: vertical(LimitKind::Climb, rising, falling),
             down: vertical(LimitKind::Descent, falling, rising),
             left: turn(Sense::Upwards, Sense::Downwards),
@@ -271,8 +271,8 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
     let points = &mission.waypoints;
     let last = points.len().saturating_sub(1);
     // All legs have the same bounds unless some limit is of one leg.
-    let general = mission.limits.iter().all(Limit::is_general).then(|| Paces::of(problem, past, 0..last));
-    let paces = |legs: Range<usize>| general.unwrap_or_else(|| Paces::of(problem, past, legs));
+    let general = mission.limits.iter().all(Limit::is_general).then(|| LegRateBounds::of(problem, past, 0..last));
+    let paces = |legs: Range<usize>| general.unwrap_or_else(|| LegRateBounds::of(problem, past, legs));
     let rests = |i: usize| mission.rests_at(i);
     let mut legs = vec![LeastLeg { seconds: 0.0, along: Along::Line }; last];
     let mut from = 0;
@@ -323,7 +323,7 @@ const LEAST_SHARE: f64 = 0.05;
 pub fn initial(problem: Problem) -> Vec<f64> {
     let (model, mission) = (problem.model(), problem.mission());
     let least = least_time_within(problem).legs;
-    let half = Pace::both_ways(f64::INFINITY, 0.5 * model.gravity, f64::INFINITY);
+    let half = RateBounds::both_ways(f64::INFINITY, 0.5 * model.gravity, f64::INFINITY);
     let legs = mission.waypoints.windows(2).zip(least).map(|(pair, least)| {
         let apart = (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt();
         (OVER_LEAST * least.seconds).max(FLOWN_THROUGH * half.least(apart, [true; 2]))
@@ -340,7 +340,7 @@ mod tests {
     /// Bang-bang motions by closed form.
     #[test]
     fn least_times_are_those_of_bang_bang_motions() {
-        let pace = |rate: f64, acceleration: f64| Pace::both_ways(rate, acceleration, f64::INFINITY);
+        let pace = |rate: f64, acceleration: f64| RateBounds::both_ways(rate, acceleration, f64::INFINITY);
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.max(1.0), "{a} {b}");
         let (both, first, last, neither) = ([true; 2], [true, false], [false, true], [false; 2]);
         near(pace(2.0, f64::INFINITY).least(10.0, both), 5.0);
@@ -351,11 +351,11 @@ mod tests {
         near(pace(3.0, 2.0).least(12.0, last), 4.0 + 0.75);
         near(pace(3.0, 2.0).least(4.5, both), 3.0); // it just reaches 3 m/s
         assert_eq!(pace(3.0, 2.0).least(-1.0, both), 0.0);
-        let smooth = Pace { jerk: 4.0, ..pace(f64::INFINITY, f64::INFINITY) };
+        let smooth = RateBounds { jerk: 4.0, ..pace(f64::INFINITY, f64::INFINITY) };
         near(smooth.least(1.0, both), 2.0); // half a second each of 4, -4, -4, 4 m/s^3
         near(smooth.least(18.0, first), 3.0); // j t^3/6
         // Slowing at 1 m/s^2 takes four times as long as speeding up at 4: 9.6 m/s after 2.4 s, rest after 9.6 s more.
-        let uneven = Pace { speeding: 4.0, slowing: 1.0, ..pace(f64::INFINITY, f64::INFINITY) };
+        let uneven = RateBounds { speeding: 4.0, slowing: 1.0, ..pace(f64::INFINITY, f64::INFINITY) };
         near(uneven.least(0.5 * 9.6 * 12.0, both), 12.0);
         near(uneven.least(8.0, first), 2.0);
         near(uneven.least(8.0, last), 4.0);

@@ -1,7 +1,7 @@
 //! Bounds along a motion: limits, sets and facets, and an upright thrust. The nodes decide; between them, bounds are proved
 //! at every instant or checked on a grid.
 
-use super::super::cost::{self, Purse};
+use super::super::cost::{self, WorkLeft};
 use super::super::heading;
 use super::super::interval::{Interval, exceeds};
 use super::super::limits;
@@ -26,7 +26,7 @@ use crate::number::{number, significant};
 use std::collections::BTreeSet;
 
 /// Points inside a piece at which bounds that are not proved are checked; 64 with one of the ends.
-pub const OF_A_GRID: usize = 63;
+pub const POINTS_OF_A_GRID: usize = 63;
 
 /// Work for a proof that may be in vain, as a multiple of that at the nodes.
 const TRIED: u64 = 8;
@@ -175,7 +175,7 @@ impl Group {
 
 impl Checked<'_> {
     /// Checks limits, sets and facets between the nodes, as far as the remaining work allows.
-    pub(super) fn between(&self, purse: &mut Purse, found: &mut Found) {
+    pub(super) fn between(&self, purse: &mut WorkLeft, found: &mut Found) {
         let setting = self.setting;
         let before = purse.0;
         for limits in setting.mission().limits.chunk_by(same_volume) {
@@ -235,14 +235,14 @@ impl Checked<'_> {
     }
 
     /// A yaw that follows from the motion, with the largest error that a grid shows.
-    fn followed(&self, limit: &Limit, target: Target, purse: &mut Purse) -> String {
+    fn followed(&self, limit: &Limit, target: Target, purse: &mut WorkLeft) -> String {
         let family = self.setting.family_of(limit, &self.motion);
         let within = family.within.unwrap_or((0, self.motion.pieces()));
-        if !purse.spend(cost_of_grid(&family, &self.motion, 1, OF_A_GRID)) {
+        if !purse.spend(cost_of_grid(&family, &self.motion, 1, POINTS_OF_A_GRID)) {
             return limited(limit);
         }
         let Some(allowed) = limit.upper.map(|upper| number(upper.to_degrees())) else { return limited(limit) };
-        match heading::largest(target, &self.motion, within, OF_A_GRID) {
+        match heading::largest(target, &self.motion, within, POINTS_OF_A_GRID) {
             Some((error, at)) => format!(
                 "{} within {allowed} deg (between the nodes {} deg on a grid, at {} s)",
                 limit.name(),
@@ -274,7 +274,7 @@ impl Checked<'_> {
         }
     }
 
-    fn groups_between(&self, family: &Family, held: Held, purse: &mut Purse, found: &mut Found) {
+    fn groups_between(&self, family: &Family, held: Held, purse: &mut WorkLeft, found: &mut Found) {
         let proved = throughout(family, &self.motion, MOST_OUTSIDE, purse);
         let mut first = 0;
         for group in &self.groups {
@@ -288,16 +288,16 @@ impl Checked<'_> {
 
     /// Whether a limit that another one follows from is proved, with a small part of the remaining work: if it is not,
     /// that was in vain.
-    fn keeps_throughout(&self, limit: &Limit, most: f64, purse: &mut Purse) -> bool {
+    fn keeps_throughout(&self, limit: &Limit, most: f64, purse: &mut WorkLeft) -> bool {
         let family = self.setting.family_of(limit, &self.motion);
         let share = purse.0.min(cost_at_nodes(&family, &self.motion).saturating_mul(TRIED));
-        let mut own = Purse(share);
+        let mut own = WorkLeft(share);
         let kept = throughout(&family, &self.motion, most, &mut own).iter().all(|&kept| kept);
         purse.spend(share - own.0);
         kept
     }
 
-    pub(super) fn reach(&self, family: &Family, most: f64, size: f64, purse: &mut Purse) -> Reach {
+    pub(super) fn reach(&self, family: &Family, most: f64, size: f64, purse: &mut WorkLeft) -> Reach {
         let proved = throughout(family, &self.motion, most, purse);
         let open: Vec<usize> = (0..family.members).filter(|&member| !proved[member]).collect();
         let mut reach = self.on_grid(family, &open, most, purse);
@@ -312,14 +312,14 @@ impl Checked<'_> {
     }
 
     /// The result on a grid for members that are not proved.
-    fn on_grid(&self, family: &Family, open: &[usize], most: f64, purse: &mut Purse) -> Reach {
+    fn on_grid(&self, family: &Family, open: &[usize], most: f64, purse: &mut WorkLeft) -> Reach {
         if open.is_empty() {
             return Reach::EVERY_INSTANT;
         }
-        if !purse.spend(cost_of_grid(family, &self.motion, open.len(), OF_A_GRID)) {
+        if !purse.spend(cost_of_grid(family, &self.motion, open.len(), POINTS_OF_A_GRID)) {
             return Reach::NODES;
         }
-        match largest_on_grid(family, &self.motion, open, OF_A_GRID) {
+        match largest_on_grid(family, &self.motion, open, POINTS_OF_A_GRID) {
             Some(worst) if exceeds(worst.violation, most) => Reach::violated(worst, family.measure),
             _ => Reach { scope: Scope::Grid, beyond: None },
         }
@@ -378,7 +378,7 @@ fn upright(environment: &Environment) -> Family<'static> {
         within: None,
         at_nodes_only: false,
         measure,
-        overhead: cost::OF_A_LIMIT,
+        overhead: cost::COST_PER_LIMIT,
         of_a_member: 1,
     }
 }
@@ -390,7 +390,7 @@ pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: Ve
     let is_windy = dynamics.is_in_winds();
     let boxes = if is_windy { wind::boxes(&dynamics) } else { Vec::new() };
     let overhead = if is_windy { wind::cost(&dynamics) } else { 1 } * cost::OF_EXACT_WRENCH;
-    let of_a_member = if is_windy { wind::cost_of_a_plane(&dynamics) } else { cost::OF_A_ROW };
+    let of_a_member = if is_windy { wind::cost_of_a_plane(&dynamics) } else { cost::COST_PER_ROW };
     let members = planes.len();
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         if is_windy {

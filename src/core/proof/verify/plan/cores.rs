@@ -1,7 +1,7 @@
 //! The cores of modes in which yaw is given up, along a motion.
 
 use super::super::core::{Core, WithoutYaw};
-use super::super::cost::Purse;
+use super::super::cost::WorkLeft;
 use super::super::interval::Interval;
 use super::super::motion::Motion;
 use super::super::premise::Premise;
@@ -153,7 +153,7 @@ impl<'a> Setting<'a> {
 
 impl Checked<'_> {
     /// Checks cores between the nodes.
-    pub(super) fn cores_between(&self, purse: &mut Purse, found: &mut Found) {
+    pub(super) fn cores_between(&self, purse: &mut WorkLeft, found: &mut Found) {
         for imposed in self.cores.iter().filter(|imposed| !imposed.members.is_empty()) {
             for Part { family, statement, .. } in self.setting.parts(imposed) {
                 let reach = self.reach(&family, MOST_OUTSIDE, 1.0, purse);

@@ -12,7 +12,7 @@ use crate::verify::dyadic::{Dyadic, dot};
 use crate::verify::interval::Interval;
 
 /// Wrenches of one rotor, kappa in the middle of its interval.
-pub(super) struct Known {
+pub(super) struct RotorWrenches {
     /// At the lowest speed, thrust at the upper end of its interval.
     pub idle: Exact,
     /// At full speed, thrust at the lower end.
@@ -25,7 +25,7 @@ fn half() -> Dyadic {
     Dyadic::of(0.5)
 }
 
-impl Known {
+impl RotorWrenches {
     pub fn of(rotor: &Rotor) -> Self {
         let spread = rotor.spread;
         let [idle, low, high] =
@@ -33,7 +33,7 @@ impl Known {
         let ratio = spread.torque_per_thrust;
         let ratio = Dyadic::of(ratio.low).plus(&Dyadic::of(ratio.high)).times(&half());
         let full = |thrust: &Dyadic| wrench_at(rotor, rotor.max_speed, thrust, &ratio);
-        Known {
+        RotorWrenches {
             idle: wrench_at(rotor, rotor.min_speed, &idle, &ratio),
             full: full(&low),
             middle: full(&low.plus(&high).times(&half())),
@@ -43,7 +43,7 @@ impl Known {
 
 /// The quantities by which a set shrinks; see the module.
 #[derive(Debug, Clone)]
-pub struct Doubts {
+pub struct Uncertainty {
     /// delta, m
     ratio: Interval,
     /// r_k of each stuck rotor.
@@ -52,7 +52,7 @@ pub struct Doubts {
     mass: [f64; 2],
 }
 
-impl Doubts {
+impl Uncertainty {
     pub(super) fn of(vehicle: &Vehicle, mode: Option<&FaultMode>) -> Self {
         let mut ratio = Interval::ZERO;
         let mut stuck = Vec::new();
@@ -65,11 +65,11 @@ impl Doubts {
                 ratio = delta;
             }
             if let Some(share) = mode.and_then(|mode| mode.rotors[k].stuck_at()) {
-                let known = Known::of(rotor);
+                let known = RotorWrenches::of(rotor);
                 stuck.push(scaled(&difference(&known.middle, &known.full), share));
             }
         }
-        Doubts { ratio, stuck, mass: [vehicle.mass_spread.low, vehicle.mass_spread.high] }
+        Uncertainty { ratio, stuck, mass: [vehicle.mass_spread.low, vehicle.mass_spread.high] }
     }
 
     /// The row `n.w <= e` such that it holds for every value.

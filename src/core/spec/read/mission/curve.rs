@@ -1,13 +1,13 @@
 //! Turns a curve into waypoints, evenly spaced in its parameter.
 
-use super::{Manner, Route, Stop, manner_of};
+use super::{Route, Stop, WaypointDefaults, manner_of};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::curve as table;
 use crate::language::table::curve_head::POINTS;
 use crate::number::number;
 use crate::read::context::Context;
-use crate::read::due::Due;
+use crate::read::expected::Expected;
 use crate::read::fields::Fields;
 use crate::read::likely_unit::runs_through_turns;
 use crate::read::written::Written;
@@ -24,7 +24,7 @@ pub(super) struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    pub fn fly(&self, cx: &mut Context<'a>, manner: Manner, route: &mut Route) {
+    pub fn fly(&self, cx: &mut Context<'a>, manner: WaypointDefaults, route: &mut Route) {
         let owner = "`curve`".to_string();
         let head = self.parameter.span.to(self.range.span);
         let fields = Fields::of_block(cx, owner.clone(), head, self.body, Group::Curve);
@@ -112,10 +112,10 @@ impl<'a> Curve<'a> {
     ) -> (Option<[f64; 3]>, Written<f64>) {
         cx.parameter = Some((&self.parameter.value, value));
         let [x, y, z] = axes;
-        let x = x.and_then(|e| cx.number(Due::of(&table::X), e));
-        let y = y.and_then(|e| cx.number(Due::of(&table::Y), e));
-        let z = z.and_then(|e| cx.number(Due::of(&table::Z), e));
-        let yaw = yaw.map_or(Written::Absent, |e| Written::of(cx.number(Due::of(&table::YAW), e)));
+        let x = x.and_then(|e| cx.number(Expected::of(&table::X), e));
+        let y = y.and_then(|e| cx.number(Expected::of(&table::Y), e));
+        let z = z.and_then(|e| cx.number(Expected::of(&table::Z), e));
+        let yaw = yaw.map_or(Written::Absent, |e| Written::of(cx.number(Expected::of(&table::YAW), e)));
         cx.parameter = None;
         let position = match (x, y, z) {
             (Some(x), Some(y), Some(z)) => Some([x, y, z]),

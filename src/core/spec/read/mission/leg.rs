@@ -8,7 +8,7 @@ use crate::model::{Boundary, DistanceFrom};
 use crate::model::{Limit, LimitKind, OnLeg, Part, Waypoint};
 use crate::number::number;
 use crate::read::context::Context;
-use crate::read::due::Due;
+use crate::read::expected::Expected;
 use crate::read::fields::Fields;
 use crate::source::Span;
 use crate::syntax::ast::Clauses;
@@ -110,7 +110,7 @@ pub fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, fields: &Fields<'a>,
     }
     let from = match fields.get(table::ARRIVE.name) {
         None => Some(None),
-        Some(expr) => cx.triple(Due::of(&table::ARRIVE), expr).and_then(|from| {
+        Some(expr) => cx.triple(Expected::of(&table::ARRIVE), expr).and_then(|from| {
             let is_direction = from.iter().any(|part| *part != 0.0);
             if !is_direction {
                 let message = "`arrive from` needs a direction, but all its parts are zero";

@@ -7,7 +7,7 @@ use super::{CHOICE, MODE_NUMBERS};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::FaultMode;
 use crate::read::context::{Context, either};
-use crate::read::due::Due;
+use crate::read::expected::Expected;
 use crate::read::fault::Modes;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
@@ -80,7 +80,7 @@ fn filter<'a>(
         });
         return None;
     }
-    let bound = cx.number(Due::new(name, if name == "rate" { "1/h" } else { "1" }), value)?;
+    let bound = cx.number(Expected::new(name, if name == "rate" { "1/h" } else { "1" }), value)?;
     let number_of = |mode: &FaultMode| match name {
         "rpn" => mode.rpn().map(f64::from),
         "severity" => mode.severity.map(f64::from),

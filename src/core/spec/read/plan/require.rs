@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{FaultMode, PlannerKind};
 use crate::number::number;
 use crate::read::context::Context;
-use crate::read::due::Due;
+use crate::read::expected::Expected;
 use crate::source::Span;
 use crate::syntax::ast::Statement;
 
@@ -21,7 +21,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(O
             continue;
         }
         let bound = match name.value.as_str() {
-            "risk" => cx.number(Due::new("risk", "1"), at_most).and_then(|value| {
+            "risk" => cx.number(Expected::new("risk", "1"), at_most).and_then(|value| {
                 if (0.0..1.0).contains(&value) {
                     return Some(value);
                 }

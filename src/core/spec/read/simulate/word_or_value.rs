@@ -6,7 +6,7 @@ use crate::language::table::simulate as table;
 use crate::model::Detection;
 use crate::number::number;
 use crate::read::context::Context;
-use crate::read::due::Due;
+use crate::read::expected::Expected;
 use crate::syntax::ast::{Expr, ExprKind};
 use std::f64::consts::PI;
 
@@ -52,7 +52,7 @@ impl<'a> Reader<'a> {
                 None
             }
             None => {
-                let angle = cx.number(Due::of(&table::LOST_YAW), expr)?;
+                let angle = cx.number(Expected::of(&table::LOST_YAW), expr)?;
                 if angle > 0.0 && angle < PI {
                     return Some(Some(angle));
                 }

@@ -7,9 +7,9 @@ use crate::language::table::rotor as table;
 use crate::model::{Rotor, RotorSpread, Spin, Spread};
 use crate::number::number;
 use crate::read::context::Context;
-use crate::read::due::Due;
+use crate::read::expected::Expected;
 use crate::read::fields::Fields;
-use crate::read::sense::WrittenRotor;
+use crate::read::plausibility::WrittenRotor;
 use crate::read::written::Written;
 use crate::source::Span;
 use crate::syntax::ast::Expr;
@@ -22,12 +22,12 @@ pub(super) fn give_all<'a>(
     cx: &mut Context<'a>,
     places: Vec<Place<'a>>,
     shared: Option<&Fields<'a>>,
-    base: Option<Traits>,
+    base: Option<PartialRotor>,
 ) -> Option<Vec<Rotor>> {
     let mut rotors = Some(Vec::new());
     let mut reported = false;
     for place in &places {
-        let own = place.own.as_ref().map(|fields| Traits::read(cx, fields));
+        let own = place.own.as_ref().map(|fields| PartialRotor::read(cx, fields));
         let traits = match (&own, &base) {
             (Some(own), Some(base)) => own.over(base),
             (Some(own), None) => own.clone(),
@@ -94,7 +94,7 @@ impl Lowest {
 
 /// The properties written for a rotor.
 #[derive(Clone, Default)]
-pub(super) struct Traits {
+pub(super) struct PartialRotor {
     thrust_coefficient: Written<Known>,
     max_thrust: Written<Known>,
     drag_coefficient: Written<Known>,
@@ -105,16 +105,16 @@ pub(super) struct Traits {
     inertia: Written<f64>,
 }
 
-impl Traits {
+impl PartialRotor {
     pub fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Self {
         let mut take = |entry: &'static Entry, coefficient: bool| {
-            let due = Due { coefficient, ..Due::of(entry) };
+            let due = Expected { coefficient, ..Expected::of(entry) };
             meant(fields, entry.name, fields.written(entry.name, |expr| cx.interval(due, expr, POSITIVE)))
         };
         let quantity = |cx: &mut Context<'a>, entry: &'static Entry| {
             meant(fields, entry.name, fields.written(entry.name, |expr| cx.quantity(entry, expr, POSITIVE)))
         };
-        let traits = Traits {
+        let traits = PartialRotor {
             thrust_coefficient: take(&table::THRUST_COEFFICIENT, true),
             max_thrust: take(&table::MAX_THRUST, false),
             drag_coefficient: take(&table::DRAG_COEFFICIENT, true),
@@ -150,10 +150,10 @@ impl Traits {
     }
 
     /// These properties, completed by `base`; a thrust or torque in one form replaces the other form.
-    fn over(&self, base: &Traits) -> Traits {
+    fn over(&self, base: &PartialRotor) -> PartialRotor {
         let thrust = !self.thrust_coefficient.is_absent() || !self.max_thrust.is_absent();
         let torque = !self.drag_coefficient.is_absent() || !self.torque_per_thrust.is_absent();
-        Traits {
+        PartialRotor {
             thrust_coefficient: if thrust { self.thrust_coefficient } else { base.thrust_coefficient },
             max_thrust: if thrust { self.max_thrust } else { base.max_thrust },
             drag_coefficient: if torque { self.drag_coefficient } else { base.drag_coefficient },
@@ -251,11 +251,11 @@ fn meant<T>(fields: &Fields, name: &str, written: Written<T>) -> Written<T> {
 
 /// `-4 N` or `-60 %`; a number without a unit is a share, of which the range then says more.
 fn lowest_thrust<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Lowest> {
-    let due = Due::of(&table::MIN_THRUST);
+    let due = Expected::of(&table::MIN_THRUST);
     cx.expect_unit(due, expr);
     let found = cx.evaluate_quantity(expr)?;
     if found.dimension == Dimension::PLAIN {
-        return cx.lower(Due::new(table::MIN_THRUST.name, "1"), found, expr).map(Lowest::Share);
+        return cx.lower(Expected::new(table::MIN_THRUST.name, "1"), found, expr).map(Lowest::Share);
     }
     cx.lower(due, found, expr).map(Lowest::Thrust)
 }

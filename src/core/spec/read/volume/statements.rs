@@ -7,7 +7,7 @@ use crate::language::{Entry, Group};
 use crate::model::volume::{Side, Volume, split};
 use crate::number::number;
 use crate::read::context::{Context, duplicate};
-use crate::read::due::Due;
+use crate::read::expected::Expected;
 use crate::read::expression::Value;
 use crate::read::fields::Fields;
 use crate::read::mission::MAX_DISTANCE;
@@ -131,7 +131,7 @@ struct Reader<'f, 'a> {
 
 impl<'a> Reader<'_, 'a> {
     fn vector(&self, cx: &mut Context<'a>, entry: &'static Entry, example: &str) -> Option<[f64; 3]> {
-        self.fields.demand(cx, entry.name, example).and_then(|expr| cx.triple(Due::of(entry), expr))
+        self.fields.demand(cx, entry.name, example).and_then(|expr| cx.triple(Expected::of(entry), expr))
     }
 
     fn quantity(&self, cx: &mut Context<'a>, entry: &'static Entry, example: &str) -> Option<f64> {
@@ -142,7 +142,7 @@ impl<'a> Reader<'_, 'a> {
         let from = self.vector(cx, &table::FROM, "from = [-50, -50, 0] m");
         let to = self.vector(cx, &table::TO, "to = [50, 50, 30] m");
         let turn = match self.fields.get("turn") {
-            Some(expr) => cx.number(Due::of(&table::TURN), expr),
+            Some(expr) => cx.number(Expected::of(&table::TURN), expr),
             None => Some(table::TURN.value()),
         };
         let (from, to, turn) = (from?, to?, turn?);
@@ -229,7 +229,7 @@ impl<'a> Reader<'_, 'a> {
 
 /// `[[x, y], [x, y], ...] m`, m.
 fn corners<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<[f64; 2]>> {
-    let due = Due::new("corners", "m");
+    let due = Expected::new("corners", "m");
     let wrong = |cx: &mut Context<'a>, span: Span, here: &str| {
         let error = Diagnostic::error(CORNERS, span, "`corners` takes a list of points `[x, y]`").here(here);
         cx.report(error.help("write `[[0, 0], [4, 0], [4, 3]] m`, with at least three corners"));

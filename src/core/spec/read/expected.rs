@@ -13,7 +13,7 @@ use crate::unit::{Dimension, Quantity, parse_unit};
 
 /// What a field or clause expects: its name as the author writes it, and its usual unit.
 #[derive(Clone, Copy)]
-pub(super) struct Due<'t> {
+pub(super) struct Expected<'t> {
     pub what: &'t str,
     /// A unit text of the right dimension; `1` for a plain number.
     pub unit: &'static str,
@@ -23,15 +23,15 @@ pub(super) struct Due<'t> {
     pub row: Option<&'static Entry>,
 }
 
-impl<'t> Due<'t> {
+impl<'t> Expected<'t> {
     /// What is expected beside the fields of the table.
     pub fn new(what: &'t str, unit: &'static str) -> Self {
-        Due { what, unit, coefficient: false, row: None }
+        Expected { what, unit, coefficient: false, row: None }
     }
 
     /// What a field of the language table expects.
     pub fn of(entry: &'static Entry) -> Self {
-        Due { row: Some(entry), ..Due::new(entry.name, entry.unit().unwrap_or("1")) }
+        Expected { row: Some(entry), ..Expected::new(entry.name, entry.unit().unwrap_or("1")) }
     }
 
     pub fn dimension(&self) -> Dimension {
@@ -41,7 +41,7 @@ impl<'t> Due<'t> {
 
 impl<'a> Context<'a> {
     /// Remembers the unit that the number or list `expr` takes, in case its own is misspelt.
-    pub(super) fn expect_unit(&mut self, due: Due, expr: &Expr) {
+    pub(super) fn expect_unit(&mut self, due: Expected, expr: &Expr) {
         let unit = match &expr.kind {
             ExprKind::Number { unit, .. } | ExprKind::List { unit, .. } => unit.as_ref(),
             _ => None,
@@ -50,14 +50,14 @@ impl<'a> Context<'a> {
     }
 
     /// A single quantity of the expected dimension, in SI units.
-    pub fn number(&mut self, due: Due, expr: &'a Expr) -> Option<f64> {
+    pub fn number(&mut self, due: Expected, expr: &'a Expr) -> Option<f64> {
         self.expect_unit(due, expr);
         let q = self.evaluate_quantity(expr)?;
         self.lower(due, q, expr)
     }
 
     /// As [`Context::number`], above zero; `code` is the error code for any other value.
-    pub fn positive(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<f64> {
+    pub fn positive(&mut self, due: Expected, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(due, expr)?;
         if value > 0.0 {
             return Some(value);
@@ -66,7 +66,7 @@ impl<'a> Context<'a> {
     }
 
     /// As [`Context::number`], zero or above.
-    pub fn not_negative(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<f64> {
+    pub fn not_negative(&mut self, due: Expected, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(due, expr)?;
         if value >= 0.0 {
             return Some(value);
@@ -74,7 +74,7 @@ impl<'a> Context<'a> {
         self.wrong_sign(due, "cannot be negative", value, expr, code)
     }
 
-    fn wrong_sign<T>(&mut self, due: Due, rule: &str, value: f64, expr: &Expr, code: &'static str) -> Option<T> {
+    fn wrong_sign<T>(&mut self, due: Expected, rule: &str, value: f64, expr: &Expr, code: &'static str) -> Option<T> {
         let scale = parse_unit(due.unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
         let found = number(value / scale);
         let found = if due.unit == "1" { found } else { format!("{found} {}", due.unit) };
@@ -100,12 +100,12 @@ impl<'a> Context<'a> {
     pub fn quantity(&mut self, entry: &'static Entry, expr: &'a Expr, code: &'static str) -> Option<f64> {
         match entry.takes {
             Takes::Quantity(_, Range::Positive) | Takes::QuantityOr(_, Range::Positive, _) => {
-                self.positive(Due::of(entry), expr, code)
+                self.positive(Expected::of(entry), expr, code)
             }
             Takes::Quantity(_, Range::NotNegative) | Takes::QuantityOr(_, Range::NotNegative, _) => {
-                self.not_negative(Due::of(entry), expr, code)
+                self.not_negative(Expected::of(entry), expr, code)
             }
-            _ => self.number(Due::of(entry), expr),
+            _ => self.number(Expected::of(entry), expr),
         }
     }
 
@@ -117,7 +117,7 @@ impl<'a> Context<'a> {
 
     /// A share, `60 %` or `0.6`, as a number in 0..=1.
     pub fn share(&mut self, what: &str, expr: &'a Expr, code: &'static str) -> Option<f64> {
-        let value = self.number(Due::new(what, "1"), expr)?;
+        let value = self.number(Expected::new(what, "1"), expr)?;
         if (0.0..=1.0).contains(&value) {
             return Some(value);
         }
@@ -143,7 +143,7 @@ impl<'a> Context<'a> {
         range: std::ops::RangeInclusive<usize>,
         code: &'static str,
     ) -> Option<usize> {
-        let value = self.number(Due::new(what, "1"), expr)?;
+        let value = self.number(Expected::new(what, "1"), expr)?;
         self.whole_value(what, value, expr.span, range, code)
     }
 
@@ -172,7 +172,7 @@ impl<'a> Context<'a> {
 
     /// A drag along the axes x, y and z of the body, in SI units: `[0.35, 0.35, 0.2] N*s/m`, or one number for all of them.
     pub fn drag(&mut self, entry: &'static Entry, expr: &'a Expr, code: &'static str) -> Option<[f64; 3]> {
-        let due = Due::of(entry);
+        let due = Expected::of(entry);
         let written = self.let_behind(expr).map_or(expr, |(_, value)| value);
         if !matches!(written.kind, ExprKind::List { .. }) {
             return self.not_negative(due, expr, code).map(|drag| [drag; 3]);
@@ -188,7 +188,7 @@ impl<'a> Context<'a> {
     }
 
     /// `[x, y, z] m`: three quantities of the expected dimension, in SI units.
-    pub fn triple(&mut self, due: Due, expr: &'a Expr) -> Option<[f64; 3]> {
+    pub fn triple(&mut self, due: Expected, expr: &'a Expr) -> Option<[f64; 3]> {
         self.expect_unit(due, expr);
         let Some(value) = self.evaluate(expr) else {
             self.bare_beside_errors(due, expr);
@@ -251,7 +251,7 @@ impl<'a> Context<'a> {
     }
 
     /// Reports the plain numbers of a list in which another element has an error.
-    fn bare_beside_errors(&mut self, due: Due, expr: &Expr) {
+    fn bare_beside_errors(&mut self, due: Expected, expr: &Expr) {
         let ExprKind::List { elements, unit: None } = &expr.kind else { return };
         let mut bare = elements.iter().filter(|e| matches!(e.kind, ExprKind::Number { unit: None, .. }));
         if let Some(first) = bare.next() {
@@ -262,7 +262,7 @@ impl<'a> Context<'a> {
     }
 
     /// `a .. b` of the expected dimension, in SI units, in the order written.
-    pub fn range_of(&mut self, due: Due, expr: &'a Expr) -> Option<(f64, f64)> {
+    pub fn range_of(&mut self, due: Expected, expr: &'a Expr) -> Option<(f64, f64)> {
         let (a, b) = self.range_ends(expr, &format!("a range `a .. b` for `{}`", due.what))?;
         if a.dimension.is_plain() && !due.dimension().is_plain() {
             self.lacks_unit(due, a.value.abs().max(b.value.abs()), expr);
@@ -274,14 +274,14 @@ impl<'a> Context<'a> {
     }
 
     /// Checks that `q` has the expected dimension and notes what was read; the value in SI units.
-    pub fn lower(&mut self, due: Due, q: Quantity, expr: &Expr) -> Option<f64> {
+    pub fn lower(&mut self, due: Expected, q: Quantity, expr: &Expr) -> Option<f64> {
         let value = self.fit(due, q, expr)?;
         self.note(expr.span, &[value], due.unit);
         Some(value)
     }
 
     /// As [`Context::lower`], of a part of what is read.
-    fn fit(&mut self, due: Due, q: Quantity, expr: &Expr) -> Option<f64> {
+    fn fit(&mut self, due: Expected, q: Quantity, expr: &Expr) -> Option<f64> {
         let expected = due.dimension();
         if q.dimension == expected {
             return self.is_within_magnitude(due, q.value, expr.span).then_some(q.value);
@@ -314,7 +314,7 @@ impl<'a> Context<'a> {
 
     /// Reports a plain number of this size where a quantity is expected, unless the missing unit of its `let` has been
     /// reported already.
-    fn lacks_unit(&mut self, due: Due, size: f64, expr: &Expr) {
+    fn lacks_unit(&mut self, due: Expected, size: f64, expr: &Expr) {
         if self.is_blamed(expr) {
             return;
         }
@@ -323,7 +323,7 @@ impl<'a> Context<'a> {
         self.report(error);
     }
 
-    fn unit_missing(&self, due: Due, size: f64, expr: &Expr) -> Diagnostic {
+    fn unit_missing(&self, due: Expected, size: f64, expr: &Expr) -> Diagnostic {
         let kind = due.dimension().named().map_or("a quantity", |(name, _)| name);
         let message = format!("{} is {kind} and needs a unit", called(due.what));
         let error = Diagnostic::error("mavc::unit::missing", expr.span, message).here("missing unit");

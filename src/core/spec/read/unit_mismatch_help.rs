@@ -1,7 +1,7 @@
 //! A quantity of the wrong dimension: guesses what its author meant, and what to write instead.
 
 use super::context::Context;
-use super::due::{Due, called, joined_unit};
+use super::expected::{Expected, called, joined_unit};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Entry, Group};
 use crate::source::Span;
@@ -28,7 +28,7 @@ struct Remedy {
 
 impl<'a> Context<'a> {
     /// The error for `expr`, whose value `q` does not have the expected dimension.
-    pub(super) fn unit_differs(&self, due: Due, q: Quantity, expr: &Expr) -> Diagnostic {
+    pub(super) fn unit_differs(&self, due: Expected, q: Quantity, expr: &Expr) -> Diagnostic {
         let expected = due.dimension();
         let takes = if expected.is_plain() { "a plain number".into() } else { expected.describe() };
         let found = q.dimension.describe();
@@ -64,7 +64,7 @@ impl<'a> Context<'a> {
     }
 
     /// What to write for a value that is a number or a list followed by one unit.
-    fn remedy(&self, due: Due, q: Quantity, written: &Expr, action: Option<&str>) -> Option<Remedy> {
+    fn remedy(&self, due: Expected, q: Quantity, written: &Expr, action: Option<&str>) -> Option<Remedy> {
         let (value, unit) = self.value_and_unit(written)?;
         let (expected, found) = (due.dimension(), q.dimension);
         let of = |text: &str| parse_unit(text, self.gravity).map_or(Dimension::PLAIN, |unit| unit.dimension);
@@ -162,7 +162,7 @@ impl<'a> Context<'a> {
     }
 
     /// The reciprocal of a quantity, in the expected unit where that is a short number.
-    fn reciprocal(&self, due: Due, q: Quantity, value: &str, unit: &str) -> String {
+    fn reciprocal(&self, due: Expected, q: Quantity, value: &str, unit: &str) -> String {
         let scale = parse_unit(due.unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
         let number = (1.0 / q.value / scale).to_string();
         let inverse = match unit.strip_prefix("1/") {
@@ -196,7 +196,7 @@ impl<'a> Context<'a> {
     pub(super) fn likely_slip(&self, expected: Dimension, expr: &Expr) -> Option<String> {
         let mut units = Vec::new();
         collect_units(expr, &mut units);
-        let acceleration = Due::new("", "m/s^2").dimension();
+        let acceleration = Expected::new("", "m/s^2").dimension();
         if expected == acceleration && units.contains(&"g") {
             return Some("`g` is the gram: for gravity, write `2*g0`".into());
         }
@@ -213,9 +213,9 @@ impl<'a> Context<'a> {
 }
 
 /// The related field that takes a quantity of this dimension.
-fn sibling(due: Due, found: Dimension) -> Option<&'static str> {
+fn sibling(due: Expected, found: Dimension) -> Option<&'static str> {
     let family = due.row?.family?;
-    let takes = |entry: &&'static Entry| entry.family == Some(family) && Due::of(entry).dimension() == found;
+    let takes = |entry: &&'static Entry| entry.family == Some(family) && Expected::of(entry).dimension() == found;
     Group::ALL.into_iter().flat_map(Group::entries).copied().find(takes).map(|entry| entry.name)
 }
 
