@@ -1,5 +1,5 @@
-//! The JSON schemas in `docs/schema`, written from the types of the records. Only tests are compiled with this module, so
-//! that no build of a user knows `schemars`; `mavc` includes the same file, because a crate under test sees only itself.
+//! The JSON schemas in `docs/schema`, written from the types of the records. Only tests are compiled with this module,
+//! so no build of a user needs `schemars`. `mavc` includes the same file, because `cfg(test)` holds for one crate only.
 
 use schemars::Schema;
 use schemars::generate::SchemaSettings;
@@ -7,8 +7,8 @@ use schemars::transform::transform_subschemas;
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
-/// Compares `docs/schema/NAME.schema.json` with the schema of a record, `generate`d under this title. With `MAVC_UPDATE=1`
-/// it is written anew. Every member must have a description.
+/// Compares `docs/schema/NAME.schema.json` with the schema of a record. With `MAVC_UPDATE=1` the file is written anew.
+/// Every member must have a description.
 pub fn check<T: schemars::JsonSchema>(name: &str, title: &str) {
     let settings = SchemaSettings::draft2020_12().for_serialize();
     let mut schema = settings.with_transform(plain).into_generator().into_root_schema_for::<T>();
@@ -28,17 +28,21 @@ pub fn check<T: schemars::JsonSchema>(name: &str, title: &str) {
     }
 }
 
-/// Closes objects, joins the lines of a doc comment, makes a list of an enumeration's words, and drops the `format` of
-/// numbers, which names a type of Rust.
+/// Closes objects, whose omitted members are never null; joins the lines of a doc comment and drops its links; makes one
+/// list of an enumeration's words; drops the `format` of numbers, which names a type of Rust.
 fn plain(schema: &mut Schema) {
     transform_subschemas(&mut plain, schema);
     let Some(members) = schema.as_object_mut() else { return };
     members.shift_remove("format");
     if members.contains_key("properties") {
         members.insert("additionalProperties".into(), false.into());
+        let required = members.get("required").and_then(Value::as_array).cloned().unwrap_or_default();
+        let all = members["properties"].as_object_mut().into_iter().flatten();
+        all.filter(|(name, _)| !required.contains(&json!(name))).for_each(|(_, member)| never_null(member));
     }
     if let Some(Value::String(text)) = members.get_mut("description") {
-        *text = text.split("\n\n").map(|paragraph| paragraph.replace('\n', " ")).collect::<Vec<_>>().join("\n\n");
+        let paragraphs = text.split("\n\n").map(|paragraph| paragraph.replace('\n', " "));
+        *text = paragraphs.collect::<Vec<_>>().join("\n\n").replace("[`", "`").replace("`]", "`");
     }
     if let Some(words) = members.get("oneOf").and_then(Value::as_array).and_then(|all| words(all)) {
         let meanings = words.iter().filter_map(|(word, meaning)| Some(format!("{word}: {}", meaning.as_ref()?)));
@@ -46,6 +50,19 @@ fn plain(schema: &mut Schema) {
         let description = own.into_iter().chain(meanings).collect::<Vec<_>>().join(" ");
         let words: Vec<&str> = words.iter().map(|(word, _)| word.as_str()).collect();
         *members = Map::from_iter([("enum".to_string(), json!(words)), ("description".into(), description.into())]);
+    }
+}
+
+/// A member that is omitted where there is no value is never null.
+fn never_null(member: &mut Value) {
+    if let Some(types) = member.get_mut("type").filter(|types| types.is_array()) {
+        let value = types.as_array().and_then(|all| all.iter().find(|one| *one != "null")).cloned();
+        *types = value.unwrap_or_default();
+    }
+    let Some(members) = member.as_object_mut() else { return };
+    if let Some(Value::Array(alternatives)) = members.shift_remove("anyOf") {
+        let value = alternatives.into_iter().find(|one| *one != json!({"type": "null"}));
+        members.extend(value.and_then(|value| value.as_object().cloned()).into_iter().flatten());
     }
 }
 
@@ -68,11 +85,13 @@ fn undescribed(schema: &Value, at: &str) -> Vec<String> {
     let mut found = Vec::new();
     match schema {
         Value::Object(members) => {
-            for (name, value) in members.get("properties").and_then(Value::as_object).into_iter().flatten() {
+            let inner = members.get("properties").and_then(Value::as_object);
+            // The only member of a variant has the variant's description.
+            let untagged = |inner: &Map<String, Value>| inner.values().filter(|v| v.get("const").is_none()).count();
+            let is_variant = members.contains_key("description") && inner.is_some_and(|inner| untagged(inner) == 1);
+            for (name, value) in inner.into_iter().flatten().filter(|_| !is_variant) {
                 let is_told = ["description", "$ref", "const"].iter().any(|key| value.get(key).is_some());
-                // The only member of a variant has the variant's description.
-                let is_variant = members.contains_key("description") && at.ends_with("oneOf");
-                found.extend((!is_told && !is_variant).then(|| format!("{at}/{name}")));
+                found.extend((!is_told).then(|| format!("{at}/{name}")));
             }
             found.extend(members.iter().flat_map(|(name, value)| undescribed(value, &format!("{at}/{name}"))));
         }

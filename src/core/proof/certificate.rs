@@ -322,9 +322,3 @@ pub struct FacetRecord {
     /// The largest `normal . w` over the set, before the reserve.
     pub offset: f64,
 }
-
-#[cfg(test)]
-#[test]
-fn the_schema_is_current() {
-    crate::base::schemas::check::<Certificate>("certificate", "mavc plan --certificate");
-}

@@ -91,7 +91,12 @@ fn place(span: Span, sources: &SourceMap) -> Place<'_> {
 }
 
 #[cfg(test)]
-#[test]
-fn the_schema_is_current() {
-    crate::base::schemas::check::<Record>("check", "mavc check --format json");
+mod tests {
+    use super::*;
+    use crate::base::schemas::check;
+
+    #[test]
+    fn the_schema_is_current() {
+        check::<Record>("check", "mavc check --format json");
+    }
 }
