@@ -7,3 +7,7 @@
 pub mod exchange;
 pub mod import;
 pub mod report;
+
+#[cfg(test)]
+#[path = "core/base/schemas.rs"]
+pub mod schemas;

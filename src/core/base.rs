@@ -6,6 +6,8 @@ pub mod diagnostic;
 pub mod geodesy;
 pub mod input;
 pub mod number;
+#[cfg(test)]
+pub mod schemas;
 pub mod source;
 pub mod stages;
 pub mod text_table;

@@ -22,3 +22,12 @@ pub use base::{body, diagnostic, geodesy, input, number, source, stages, text_ta
 pub use language::{format, syntax};
 pub use proof::{certificate, verify};
 pub use spec::{model, read};
+
+#[cfg(test)]
+mod tests {
+    /// Not beside the records, which know of no other module.
+    #[test]
+    fn the_schema_of_certificates_is_current() {
+        crate::base::schemas::check::<crate::certificate::Certificate>("certificate", "mavc plan --certificate");
+    }
+}

@@ -7,6 +7,7 @@
 
 pub mod agreement;
 pub mod cases;
+pub mod columns;
 pub mod correlations;
 pub mod design;
 pub mod merge;

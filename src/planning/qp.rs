@@ -15,14 +15,16 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// A matrix in compressed sparse column format.
+/// A matrix in compressed sparse column format, indices from 0.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sparse {
     /// Number of rows.
     pub rows: usize,
     /// Number of columns.
     pub cols: usize,
     /// The entries of column c are those from `colptr[c]` up to `colptr[c + 1]`; length `cols + 1`.
+    #[cfg_attr(test, schemars(length(min = 1)))]
     pub colptr: Vec<usize>,
     /// The row of each entry, ascending within a column.
     pub rowval: Vec<usize>,
@@ -107,6 +109,7 @@ impl Sparse {
 
 /// A factor of the cone K, with its number of rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", tag = "cone", content = "rows")]
 pub enum Cone {
     /// s = 0
@@ -126,46 +129,91 @@ impl Cone {
     }
 }
 
-/// The statement of the spec, the fault mode and the node that a row comes from.
-///
-/// `node` and `interval` are indices of the time grid without holds, `axis` is one of [`X`](crate::motion::X), `Y`, `Z`
-/// and `YAW`, and `derivative` is the order of a time derivative.
+/// The statement of the spec, the fault mode and the node that a row comes from. Nodes and intervals are those of
+/// the time grid without holds, from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", tag = "row")]
 pub enum RowOrigin {
     /// The dynamics of one derivative of an axis over an interval.
-    Dynamics { interval: usize, axis: usize, derivative: usize },
+    Dynamics {
+        /// Interval.
+        interval: usize,
+        /// 0 x, 1 y, 2 z, 3 yaw.
+        #[cfg_attr(test, schemars(range(max = 3)))]
+        axis: usize,
+        /// Order of the derivative.
+        #[cfg_attr(test, schemars(range(max = 4)))]
+        derivative: usize,
+    },
     /// A derivative that is zero at rest (start, end, hold).
-    Rest { node: usize, axis: usize, derivative: usize },
+    Rest {
+        /// Node.
+        node: usize,
+        /// 0 x, 1 y, 2 z, 3 yaw.
+        #[cfg_attr(test, schemars(range(max = 3)))]
+        axis: usize,
+        /// Order of the derivative.
+        #[cfg_attr(test, schemars(range(max = 4)))]
+        derivative: usize,
+    },
     /// The continuity of a derivative at the fault from which a stop begins, or a derivative that is zero at the end of
     /// the stop.
+    #[cfg_attr(test, schemars(skip))]
     Stop { node: usize, axis: usize, derivative: usize },
-    /// Row `facet` of the planning set (`PlanningSet::rows`) at a node.
-    Facet { facet: usize, node: usize },
-    /// The same row for the commanded wrench of lagging rotors, with the slopes of the interval after or before the
-    /// node.
-    Lag { facet: usize, node: usize, after: bool },
-    /// `Mission::limits[limit]` at a node.
-    Limit { limit: usize, node: usize },
-    /// The position tolerance of `Mission::waypoints[waypoint]`.
-    Waypoint { waypoint: usize },
-    /// The yaw tolerance of `Mission::waypoints[waypoint]`.
-    WaypointYaw { waypoint: usize },
+    /// A row of the planning set at a node.
+    Facet {
+        /// Row of the set, from 0.
+        facet: usize,
+        /// Node.
+        node: usize,
+    },
+    /// The same row for the commanded wrench of lagging rotors.
+    Lag {
+        /// Row of the set, from 0.
+        facet: usize,
+        /// Node.
+        node: usize,
+        /// Whether the wrench changes as in the interval after the node, or as in the one before.
+        after: bool,
+    },
+    /// A limit of the mission at a node.
+    Limit {
+        /// Limit, in the order written, from 0.
+        limit: usize,
+        /// Node.
+        node: usize,
+    },
+    /// The position tolerance of a waypoint.
+    Waypoint {
+        /// Waypoint, from 0.
+        waypoint: usize,
+    },
+    /// The yaw tolerance of a waypoint.
+    WaypointYaw {
+        /// Waypoint, from 0.
+        waypoint: usize,
+    },
     /// (68), z'' + g >= 0.1 g at a node.
+    #[cfg_attr(test, schemars(skip))]
     Upright { node: usize },
     /// (74), m |a| <= T_max at a node.
+    #[cfg_attr(test, schemars(skip))]
     Thrust { node: usize },
     /// The bound on the change of the duration of leg `leg`.
+    #[cfg_attr(test, schemars(skip))]
     Duration { leg: usize },
-    /// The bound on the variable by which position tolerances are widened (`docs/method.md`, section 7, 3).
+    /// The bound on the variable by which position tolerances are widened (docs/method.md, section 7, 3).
     Overshoot,
     /// The lower bound on the violation sigma.
+    #[cfg_attr(test, schemars(skip))]
     Violation,
 }
 
 /// A convex quadratic program with n variables and m rows: minimise `1/2 x'P x + q'x + constant` subject to `A x + s =
 /// b`, s in K. All numbers must be finite.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct QuadraticProgram {
     /// P (n x n), upper triangle only.
     #[serde(rename = "P")]

@@ -1,11 +1,13 @@
 //! Campaigns: statistics against values worked by hand, cases, rows, and shards as schedulers run them.
 
+mod columns;
 mod losses;
 mod predictors;
 mod statistics;
 
 use mavc::campaign::cases::{Cases, Shard, fault_time, noise_seed};
-use mavc::campaign::rows::{COLUMNS, Row};
+use mavc::campaign::columns::COLUMNS;
+use mavc::campaign::rows::{Row, header};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -163,7 +165,7 @@ fn threads_never_change_the_rows() {
     assert!(desk.bytes("a.csv") == desk.bytes("b.csv"));
     assert!(desk.bytes("a.json") == desk.bytes("b.json"));
     let lines = desk.lines("a.csv");
-    assert_eq!(lines[0], COLUMNS.join(","));
+    assert_eq!(lines[0], header());
     assert_eq!(lines.len(), 1 + 3 * (1 + 2 * 5) * 2);
     // The same noise for every plan: without a fault RSP flies as RIP where it plans the same.
     let rows: Vec<Row> = lines[1..].iter().map(|l| Row::read(l).unwrap()).collect();

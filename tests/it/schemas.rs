@@ -1,4 +1,5 @@
-//! The machine-readable outputs against their schemas in docs/schema.
+//! The machine-readable outputs against their schemas in docs/schema, which are written from the types of the records
+//! (`src/core/base/schemas.rs`).
 
 use boon::{Compiler, SchemaIndex, Schemas};
 use serde_json::{Value, json};

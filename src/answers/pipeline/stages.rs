@@ -16,10 +16,16 @@ use serde::Serialize;
 use std::error::Error;
 use std::fmt;
 
-/// A convex program as exported: minimise 1/2 x'P x + q'x + constant subject to A x + s = b, s in the cones.
+/// A convex program as exported: minimise 1/2 x'P x + q'x + constant subject to A x + s = b, s in the product of the
+/// cones. Variables are scaled derivatives of x, y, z and yaw at the nodes.
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Program {
+    /// Version of this format.
+    #[cfg_attr(test, schemars(extend("const" = 1)))]
     schema: u32,
+    /// Mission time for which the program is laid out, s.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub time_s: f64,
     #[serde(flatten)]
     pub program: QuadraticProgram,
@@ -115,5 +121,16 @@ impl Task<'_> {
         let transcription = Transcription::new(problem, &layout.flown, planning.set(), &maps, layout.yaw.axes());
         let program = transcription.with_commands(commands.as_ref()).full_program(Purpose::Plan { slack: FEASIBLE });
         Some(Program { schema: 1, time_s, program })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::schemas::check;
+
+    #[test]
+    fn the_schema_is_current() {
+        check::<Program>("qp", "mavc emit qp --format json");
     }
 }

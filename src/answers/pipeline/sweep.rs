@@ -22,15 +22,23 @@ const TOO_HEAVY: &str = "mavc::vehicle::too_heavy";
 
 /// A verdict that changes at a value of the swept field.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Flip {
+    /// The mode's name.
     mode: String,
-    /// In the unit of the sweep.
+    /// Value of the swept field, in the unit of the sweep.
     at: f64,
+    /// The verdict below the flip.
     below: Verdict,
+    /// Where hover lies below the flip.
     below_hover: Place,
+    /// How the mode hovers with yaw given up below the flip.
     below_yaw_free: YawFree,
+    /// The verdict above the flip.
     above: Verdict,
+    /// Where hover lies above the flip.
     above_hover: Place,
+    /// How the mode hovers with yaw given up above the flip.
     above_yaw_free: YawFree,
 }
 
@@ -253,5 +261,17 @@ impl Sweep {
         }
         out.push_str(&format!("{} values were sampled; two changes within one step can be missed.\n", PARTS + 1));
         out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::schemas::check;
+    use crate::report::analysis_record::AnalysisRecord;
+
+    #[test]
+    fn the_schema_is_current() {
+        check::<AnalysisRecord<Flip>>("analyze", "mavc analyze --format json");
     }
 }

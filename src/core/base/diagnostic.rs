@@ -28,6 +28,8 @@ pub enum Severity {
 }
 
 impl Severity {
+    pub const ALL: [Severity; 3] = [Severity::Error, Severity::Warning, Severity::Advice];
+
     pub fn name(self) -> &'static str {
         match self {
             Severity::Error => "error",

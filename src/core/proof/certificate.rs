@@ -33,21 +33,29 @@ pub const SCHEMA: u32 = 2;
 
 /// A certificate of one spec.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, expecting = "a certificate")]
 pub struct Certificate {
+    /// Version of this format.
+    #[cfg_attr(test, schemars(extend("const" = SCHEMA)))]
     pub schema: u32,
     /// SHA-256 over all files of the spec and its overrides, as in reports.
+    #[cfg_attr(test, schemars(regex(pattern = "^[0-9a-f]{64}$")))]
     pub spec_sha256: String,
+    /// The equations that give the wrench of the motion.
     pub model: DynamicModel,
-    /// The height above the ground that `require capture_height` keeps, m. It comes from simulated flights, so the
-    /// checker takes it from here and calls it a claim.
+    /// With `require capture_height`: the height above the ground that the plan keeps, m. It comes from simulated
+    /// flights, so the checker cannot decide it and calls it a claim. Omitted without the statement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub capture_height_m: Option<f64>,
+    /// What is proved.
     pub claim: Claim,
 }
 
 /// The equations that give the wrench of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum DynamicModel {
     /// Linear about hover: (44), (45) and (19) to (22).
@@ -58,6 +66,7 @@ pub enum DynamicModel {
 
 /// The statement that a certificate proves.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Claim {
     /// The motion is a plan of the spec.
@@ -70,57 +79,73 @@ pub enum Claim {
 
 /// A motion that is a plan of the spec.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PlanClaim {
+    /// The plan.
     pub motion: MotionRecord,
     /// RSP: the plans from which it selects facets, the RIP plan first, then one per further round.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_SELECTIONS, _, _>")]
+    #[cfg_attr(test, schemars(length(max = MAX_SELECTIONS)))]
     pub selected_by: Vec<MotionRecord>,
     /// The modes for which the plan gives up yaw.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_FREED, _, _>")]
+    #[cfg_attr(test, schemars(length(max = MAX_FREED)))]
     pub without_yaw: Vec<SpinRecord>,
     /// Lower bound on the time of every motion that satisfies the spec's limits at every instant, s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub least_time_s: Option<f64>,
 }
 
-/// A mode for which the plan gives up yaw, and a range of rates of the body about its thrust, rad/s, that it cannot leave.
+/// A mode for which the plan gives up yaw.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SpinRecord {
+    /// Name of the fault mode.
     pub mode: String,
+    /// A range of rates of the body about its thrust, rad/s, that it cannot leave; it contains 0.
     pub spin_rad_s: [f64; 2],
-    /// The largest rate at which the direction of the thrust turns, rad/s. Needed where the moments of inertia about x
-    /// and y differ, because turning then accelerates the spin.
+    /// The largest rate at which the direction of the thrust turns, rad/s. Required where the moments of inertia
+    /// about x and y differ, because turning then accelerates the spin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub turning_rad_s: Option<f64>,
 }
 
 /// A waypoint is due before any motion that satisfies the spec's limits at every instant can reach it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TooEarlyClaim {
-    /// From 1.
+    /// Number of the waypoint, from 1.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub waypoint: usize,
-    /// Lower bound on the time at which a motion reaches it, s.
+    /// Lower bound on the time at which a motion that satisfies the limits reaches it, s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub soonest_s: f64,
 }
 
 /// Node times and derivatives at the nodes. Inputs (the highest derivative of each axis) are linear between nodes; a
 /// piece starts from the derivatives at its left node.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct MotionRecord {
+    /// Node times, increasing from 0, s.
     #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub times_s: Vec<f64>,
-    /// Up to the fourth derivative, SI.
+    /// x and its derivatives up to the fourth at each node, SI.
     #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub x: Vec<[f64; 5]>,
+    /// y and its derivatives up to the fourth at each node, SI.
     #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub y: Vec<[f64; 5]>,
+    /// z and its derivatives at each node, SI.
     #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub z: Vec<Vertical>,
-    /// Up to the second derivative.
+    /// Yaw and its derivatives up to the second at each node, rad, rad/s and rad/s^2.
     #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub yaw: Vec<[f64; 3]>,
     /// The node at which each waypoint is reached.
@@ -128,8 +153,9 @@ pub struct MotionRecord {
     pub waypoint_nodes: Vec<usize>,
 }
 
-/// z and its derivatives at a node, SI.
+/// z and its derivatives at a node, SI: up to the second in the hover model, up to the fourth in the exact one.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(untagged, expecting = "three derivatives of z in the hover model or five in the exact one")]
 pub enum Vertical {
     /// Up to the second derivative.
@@ -158,88 +184,123 @@ impl MotionRecord {
 /// No motion with inputs that are linear between the nodes of the spec's grid satisfies every row: with these multipliers
 /// the rows add up to a contradiction. The grid omits holds, because nothing changes in them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct InfeasibleClaim {
-    /// RSP: the plans from which it selects facets, as in [`PlanClaim`].
+    /// RSP: the plans from which it selects facets, the RIP plan first, then one per further round.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_SELECTIONS, _, _>")]
+    #[cfg_attr(test, schemars(length(max = MAX_SELECTIONS)))]
     pub selected_by: Vec<MotionRecord>,
+    /// The facets that rows and weights refer to by their index, from 0.
     #[serde(deserialize_with = "at_most::<MAX_FACETS, _, _>")]
     pub facets: Vec<FacetRecord>,
     /// In the exact model: facets whose weighted normals add up to the axis of T, so that their offsets bound the thrust.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_FACETS, _, _>")]
     pub thrust: Vec<FacetWeight>,
+    /// The rows and their multipliers.
     #[serde(deserialize_with = "at_most::<MAX_MULTIPLIERS, _, _>")]
     pub multipliers: Vec<Multiplier>,
 }
 
-/// A facet of `facets` and its weight, 0 or more; in widths of the healthy set along the facet's normal, N.
+/// A facet and its weight.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct FacetWeight {
+    /// Index into `facets`.
     pub facet: usize,
+    /// Its weight, in widths of the healthy set along the facet's normal, N.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub weight: f64,
 }
 
-/// A row and its multiplier in SI: one number, or one for each part of a second-order cone. The multipliers of the dynamics
-/// are not listed, because they follow from these.
+/// A row and its multiplier. The multipliers of the dynamics are not listed, because they follow from these.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Multiplier {
+    /// The row of the program.
     pub row: RowRecord,
+    /// SI; one number, or one for each part of a second-order cone.
     #[serde(deserialize_with = "numbers")]
+    #[cfg_attr(test, schemars(length(min = 1, max = 4)))]
     pub z: Vec<f64>,
 }
 
+/// A side of a bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Side {
     Upper,
     Lower,
 }
 
-/// A row of the program.
+/// A row of the program. Nodes, intervals, limits and waypoints are counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum RowRecord {
-    /// A derivative that is zero at rest; axes count x, y, z, yaw from 0.
+    /// A derivative that is zero at rest.
     Rest {
+        /// Node of the grid.
         node: usize,
+        /// 0 x, 1 y, 2 z, 3 yaw.
+        #[cfg_attr(test, schemars(range(max = 3)))]
         axis: usize,
+        /// Order of the derivative.
+        #[cfg_attr(test, schemars(range(min = 1, max = 4)))]
         derivative: usize,
     },
-    /// `facets[facet]` at a node.
+    /// A facet at a node.
     Facet {
+        /// Index into `facets`.
         facet: usize,
+        /// Node of the grid.
         node: usize,
     },
-    /// The same for the commanded wrench of lagging rotors; `interval`, adjacent to the node, selects the slopes of the
-    /// inputs.
+    /// The same for the commanded wrench of lagging rotors.
     Commands {
+        /// Index into `facets`.
         facet: usize,
+        /// Node of the grid.
         node: usize,
+        /// An interval adjacent to the node, which selects the slopes of the inputs.
         interval: usize,
     },
     /// A bound on one coordinate or rate.
     Limit {
+        /// Limit of the mission, in the order written.
         limit: usize,
+        /// Node of the grid.
         node: usize,
+        /// The upper or the lower bound.
         side: Side,
     },
-    /// A bound on a norm; for a jerk, `interval` selects which z''' is used.
+    /// A bound on a norm.
     LimitNorm {
+        /// Limit of the mission, in the order written.
         limit: usize,
+        /// Node of the grid.
         node: usize,
+        /// For a jerk: the interval, adjacent to the node, whose z''' is used.
         interval: usize,
     },
     /// m |(x'', y'', z'' + g)| is at most the largest thrust, which `thrust` proves.
     Thrust {
+        /// Node of the grid.
         node: usize,
     },
+    /// The position tolerance of a waypoint.
     Waypoint {
+        /// Waypoint of the mission.
         waypoint: usize,
     },
+    /// The yaw tolerance of a waypoint.
     WaypointYaw {
+        /// Waypoint of the mission.
         waypoint: usize,
+        /// The upper or the lower bound.
         side: Side,
     },
 }
@@ -247,13 +308,16 @@ pub enum RowRecord {
 /// A facet of a mode's set, named by rotors and by its side. If the spec has intervals, it is the row that is valid for all
 /// values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct FacetRecord {
+    /// `healthy`, or the name of a fault mode.
     pub mode: String,
     /// Three rotors, from 1, whose wrenches span it; with the pseudo-inverse the one rotor at a bound.
     #[serde(deserialize_with = "rotors")]
+    #[cfg_attr(test, schemars(length(min = 1, max = 3), inner(range(min = 1))))]
     pub rotors: Vec<usize>,
-    /// Of length 1 in N and N m.
+    /// T, tau_x, tau_y, tau_z; of length 1 in N and N m.
     pub normal: [f64; 4],
     /// The largest `normal . w` over the set, before the reserve.
     pub offset: f64,

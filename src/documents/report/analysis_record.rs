@@ -8,18 +8,29 @@ use serde::Serialize;
 /// Version of this record; raised when a field or the meaning of its values changes.
 const SCHEMA: u32 = 4;
 
-/// `F` is the record of one flip: the value of a swept field at which a verdict changes.
+/// Controllability and admissible set of each fault mode. `F` is the record of one flip: the value of a swept field
+/// at which a verdict changes.
 #[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct AnalysisRecord<'a, F> {
+    /// Version of this format.
+    #[cfg_attr(test, schemars(extend("const" = SCHEMA)))]
     schema: u32,
+    /// The vehicle's name.
     vehicle: &'a str,
+    /// Number of rotors.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     rotors: usize,
     /// The autopilot's numbers of their motors, in the order of the rotors, if the spec gives them.
     #[serde(skip_serializing_if = "Option::is_none")]
     motors: Option<Vec<u32>>,
+    /// The healthy vehicle first, then the declared modes in the order written.
+    #[cfg_attr(test, schemars(length(min = 1)))]
     modes: &'a [ModeAnalysis],
+    /// With `--sweep`: where verdicts change, ascending; omitted otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     flips: Option<&'a [F]>,
+    /// With `--capture`: the height lost after each fault in which yaw is given up, by simulation; omitted otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     captures: Option<&'a [Capture]>,
 }

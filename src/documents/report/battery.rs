@@ -8,8 +8,9 @@ use serde::Serialize;
 
 /// The energy that a plan takes from the battery.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct BatteryRecord {
-    /// Electrical energy of the plan, J.
+    /// Electrical energy of the plan, J, at the largest mass of the spec's interval.
     pub energy_j: f64,
     /// Estimated error of the quadrature, J.
     pub quadrature_error_j: f64,
@@ -19,7 +20,9 @@ pub struct BatteryRecord {
     pub left: f64,
     /// The `keep` of the spec.
     pub keep: f64,
+    /// Mean electrical power, W.
     pub mean_power_w: f64,
+    /// Largest electrical power, W.
     pub largest_power_w: f64,
     /// When the power is largest, s.
     pub largest_at_s: f64,

@@ -13,29 +13,43 @@ const LEAST: f64 = 1e-3;
 /// Statements listed on the line of one leg.
 const MOST_LISTED: usize = 3;
 
-/// The statements that limit one leg.
+/// The statements that limit the duration of one leg.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct BindingRecord {
     /// From 1; leg k arrives at waypoint k + 1.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub leg: usize,
-    /// Name of that waypoint.
+    /// Name of that waypoint; null if it has none.
     pub to: Option<String>,
+    /// Duration of the leg, s.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub duration_s: f64,
-    /// The largest saving first.
+    /// Active statements, the largest saving first; savings below 1 ms are omitted.
     pub statements: Vec<StatementRecord>,
 }
 
 /// One statement that is active on a leg.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "BindingStatement"))]
 pub struct StatementRecord {
+    /// A limit; a facet of a set, for the wrench or for the commanded wrench of lagging rotors; the upright thrust; a
+    /// tolerance; rest at a waypoint.
+    #[cfg_attr(test, schemars(extend(
+        "enum" = ["limit", "set", "commands", "upright", "within", "yaw_within", "rest"]
+    )))]
     pub kind: &'static str,
-    /// In the words of the spec.
+    /// The statement in the words of the spec.
     pub statement: String,
-    /// For a set: the fault mode; `None` for the healthy vehicle.
+    /// The fault mode of the set; null for the healthy vehicle and for other statements.
     pub mode: Option<String>,
-    /// By how much the statement is relaxed.
+    /// By how much the statement is relaxed: 1 % of a limit, of a tolerance or of the healthy set's width; 10 cm or 1
+    /// deg of a coordinate; 0.1 m/s at rest.
+    #[cfg_attr(test, schemars(extend("enum" = ["1 %", "10 cm", "1 deg", "0.1 m/s"])))]
     pub relaxed_by: &'static str,
-    /// By how much this shortens the mission, to first order.
+    /// By how much this shortens the mission, to first order, s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub time_saved_s: f64,
 }
 

@@ -22,127 +22,198 @@ use serde::Serialize;
 /// Version of this record; raised when a field or the meaning of its values changes.
 const SCHEMA: u32 = 4;
 
+/// Simulated flights with faults along the plans of several planners: survival, tracking errors, and whether the
+/// plans predict which flights are lost. SI units.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CampaignRecord {
+    /// Version of this format.
+    #[cfg_attr(test, schemars(extend("const" = SCHEMA)))]
     pub schema: u32,
+    /// SHA-256 over all files of the spec and all overrides.
+    #[cfg_attr(test, schemars(regex(pattern = "^[0-9a-f]{64}$")))]
     pub spec_sha256: String,
-    /// Identity, as in the rows; `None` if nothing was flown.
+    /// Identity of the campaign, as in its rows; null if nothing was flown.
+    #[cfg_attr(test, schemars(regex(pattern = "^[0-9a-f]{16}$")))]
     pub campaign: Option<String>,
-    /// 1-based; `None` for the whole campaign.
+    /// The part that was flown, counted from 1; null for the whole campaign.
     pub shard: Option<ShardRecord>,
-    /// T_d; `None` if nothing was flown.
+    /// Mission time of all plans, s; null if nothing was flown.
     pub mission_time_s: Option<f64>,
+    /// Number of instants of the fault.
     pub times: usize,
+    /// Number of seeds.
     pub seeds: usize,
+    /// The campaign's seed.
     pub seed: u64,
     /// Flights of the whole campaign.
     pub cases: usize,
     /// Flights in this report.
     pub flights: usize,
+    /// The controller.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::simulate::CONTROLLER.words())))]
     pub controller: &'static str,
+    /// How a wrench becomes rotor speeds.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::vehicle::ALLOCATION.words())))]
     pub allocation: &'static str,
-    /// `never`, `after` or `estimator`.
+    /// How the controller learns of faults.
+    #[cfg_attr(test, schemars(extend("enum" = ["never", "after", "estimator"])))]
     pub detection: &'static str,
+    /// Delay after which faults are known, s; null unless `detection` is `after`.
     pub detection_delay_s: Option<f64>,
+    /// The reaction to a detected fault.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::simulate::AFTER_FAULT.words())))]
     pub after_fault: &'static str,
+    /// The planners, with the flights of their plans.
     pub planners: Vec<PlannerRecord>,
-    /// Over all modes, then over the modes with hover inside their sets; empty if nothing was flown.
+    /// Whether the plans predict which flights are lost: over all modes, then over the modes with hover inside their
+    /// sets; empty if nothing was flown.
     pub agreement: Vec<AgreementRecord>,
-    /// Everything that predicts losses, over all modes; empty if nothing was flown.
+    /// Everything that predicts losses, over all modes and all distinct plans; empty if nothing was flown.
     pub predictors: Vec<PredictorRecord>,
 }
 
+/// A part of a campaign.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ShardRecord {
+    /// Its number, from 1.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub index: usize,
+    /// Number of parts.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub of: usize,
 }
 
+/// A planner and the flights of its plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PlannerRecord {
+    /// Its name.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::plan::PLANNER.words())))]
     pub name: &'static str,
-    /// About its plan at the common time.
+    /// Whether there is a plan at the common time; plans that are found are flown. not attempted: there is no mode to
+    /// plan against, no common time, or no RIP plan to select facets from.
+    #[cfg_attr(test, schemars(with = "String", extend("enum" = Verdict::ALL.map(Verdict::word))))]
     pub verdict: Verdict,
+    /// The modes it plans against; empty for rip.
     pub against: Vec<String>,
-    /// Flights without a fault; errors are those of the whole flight.
+    /// Flights without a fault, with the errors of the whole flight; null if no plan is flown.
     pub healthy: Option<GroupRecord>,
+    /// The flights with each mode; empty if no plan is flown.
     pub modes: Vec<ModeRecord>,
 }
 
+/// The flights of one plan with one fault mode.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ModeRecord {
+    /// The mode's name.
     pub name: String,
-    /// Verdict, place of hover and the word for yaw given up, as `mavc analyze` reports them.
+    /// The paper's verdict, as `mavc analyze` reports it.
     pub verdict: admissible::verdict::Verdict,
+    /// Where hover lies relative to the set of the verdict, as `mavc analyze` reports it: without yaw for a
+    /// stabilizable mode.
     pub hover: Place,
     /// The place of hover in the words of tables.
     #[serde(skip)]
     pub hover_words: String,
+    /// How the mode hovers with yaw given up, as `mavc analyze` reports it.
     pub yaw_free: YawFree,
-    /// Whether hover lies inside the mode's set of full wrenches.
+    /// Whether hover lies inside the mode's set of full wrenches, and not on its edge.
     pub hover_inside: bool,
     /// Whether yaw may be given up after this fault, once it is known.
     pub gives_up_yaw: bool,
-    /// The height that the fault costs if yaw is given up after it.
+    /// The height that the fault costs at two horizontal speeds, with the spec's detection; omitted if yaw is not
+    /// given up after it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub capture: Vec<CaptureHeight>,
-    /// How long the plan violates the mode's set.
+    /// How long the plan violates the mode's set, with the spec's reserve, s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub violation_duration_s: f64,
-    /// The last instant at which it does; `None` if there is none.
+    /// The last instant at which it does, s; null if there is none.
     pub last_violation_s: Option<f64>,
     /// The largest violation, in widths of the healthy set; negative inside, where it is the margin.
     pub worst_violation: f64,
+    /// All flights with this mode.
     pub flights: GroupRecord,
+    /// One entry per instant of the fault.
     pub times: Vec<CellRecord>,
 }
 
+/// The outcomes of a group of flights.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct GroupRecord {
+    /// Number of flights.
     pub flights: usize,
+    /// Flown to the end.
     pub flown: usize,
+    /// Landed after the fault.
     pub landed: usize,
+    /// Lost, for whatever cause.
     pub lost: usize,
+    /// Too far from the planned position.
     pub lost_by_position: usize,
+    /// Tilted by more than 90 degrees for too long.
     pub lost_upside_down: usize,
+    /// Fallen to the ground.
     pub lost_to_ground: usize,
+    /// Heading error too large for too long.
     pub lost_by_heading: usize,
-    /// Flights whose simulation diverged; they count neither as lost nor as survived.
+    /// The integration broke down; these flights count neither as lost nor as survived.
     pub diverged: usize,
+    /// Lost before the fault could strike; counted in `lost` too.
     pub lost_before_fault: usize,
-    /// With Wilson's 95 % interval; `None` without flights.
+    /// Share flown or landed; null without flights.
     pub survival: Option<Share>,
-    /// Since the fault, over the flights that survived.
+    /// Root mean square position error since the fault (without a fault: over the whole flight), over the flights
+    /// that survived, m.
     pub rms_error_m: Option<Summary>,
+    /// Largest position error over the whole flight, over the flights that survived, m.
     pub max_error_m: Option<Summary>,
-    /// Largest position error since the fault, over the flights that survived.
+    /// Largest position error since the fault (without a fault: over the whole flight), over the flights that
+    /// survived, m.
     pub max_error_after_m: Option<Summary>,
-    /// Largest heading error since the fault, over the flights that survived.
+    /// Largest heading error since the fault (without a fault: over the whole flight), over the flights that
+    /// survived, rad.
     pub max_heading_error_rad: Option<Summary>,
+    /// Seconds until the fault was detected, over the flights in which it was.
     pub detected_after_s: Option<Summary>,
+    /// Seconds until the fault was isolated, over the flights in which it was.
     pub isolated_after_s: Option<Summary>,
+    /// Alarms of sound rotors, of all flights together.
     pub false_alarms: usize,
+    /// Reconfigurations refused because the vehicle could not hover under them.
     pub refused_reconfigurations: usize,
+    /// What happened to the path.
     pub path: PathRecord,
 }
 
+/// The flights with one mode and one instant of the fault.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CellRecord {
+    /// The instant of the fault, s.
     pub fault_time_s: f64,
+    /// Number of flights.
     pub flights: usize,
     /// Flights still flying when the fault struck.
     pub struck: usize,
     /// Struck flights that were lost.
     pub lost: usize,
-    /// Flights whose simulation diverged.
+    /// Flights whose integration broke down; not among the struck ones.
     pub diverged: usize,
-    /// Mean over the struck flights, lost ones included, of the largest distance from the reference since the fault; `None`
-    /// without struck flights.
+    /// Mean over the struck flights, lost ones included, of the largest distance from the reference since the fault,
+    /// m; null without struck flights.
     pub mean_deviation_m: Option<f64>,
-    /// Of the struck flights together.
+    /// Waypoints that were due, of the struck flights together.
     pub waypoints_due: usize,
+    /// Those of them that were missed by more than their tolerance.
     pub waypoints_missed: usize,
-    /// Struck flights that broke a limit, or the heading.
+    /// Struck flights that broke a limit.
     pub limits_broken: usize,
+    /// Struck flights that broke the heading.
     pub heading_broken: usize,
 }
 
@@ -274,5 +345,16 @@ impl GroupRecord {
             refused_reconfigurations: group.refused,
             path: PathRecord::new(&group.path),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::schemas::check;
+
+    #[test]
+    fn the_schema_is_current() {
+        check::<CampaignRecord>("campaign", "mavc campaign --report");
     }
 }

@@ -10,22 +10,26 @@ use crate::number::{fixed, number, significant};
 use crate::text_table::Table;
 use serde::Serialize;
 
-/// The captures against which plans are measured.
+/// The height that a fault without control of yaw costs, by simulation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CaptureRecord {
     /// z of the ground, m.
     pub ground_m: f64,
-    /// Delay after which a fault is known.
+    /// Delay after which a fault is known, s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub delay_s: f64,
-    /// The height above the ground that the plan keeps outside `radius_m` of start and end; omitted without
-    /// `require capture_height`.
+    /// The height above the ground that the plan keeps, m; omitted without `require capture_height`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_m: Option<f64>,
+    /// The horizontal distance from start and end within which it is not required, m; omitted without `require
+    /// capture_height`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_m: Option<f64>,
     /// Modes that are concerned and were not simulated.
     pub modes_left_out: usize,
     /// For each mode, at each speed.
+    #[cfg_attr(test, schemars(length(min = 1)))]
     pub captures: Vec<Capture>,
 }
 
@@ -57,17 +61,21 @@ impl CaptureRecord {
     }
 }
 
-/// When a plan is lower than a mode's captures ask for.
+/// When a plan is lower than the captures of a mode ask for.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ExposedRecord {
+    /// The mode's name.
     pub mode: String,
-    /// Total duration.
+    /// How long the plan is lower than the captures of the mode ask for at its speed, s.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub seconds: f64,
-    /// Ascending.
+    /// When it is lower, s, ascending.
+    #[cfg_attr(test, schemars(length(min = 1)))]
     pub intervals_s: Vec<[f64; 2]>,
-    /// The largest height that is missing; `None` where no height is known to be enough.
+    /// The largest height that is missing, m; null where no height is known to be enough.
     pub short_m: Option<f64>,
-    /// When it is missing.
+    /// When it is missing, s.
     pub short_at_s: f64,
 }
 

@@ -13,34 +13,41 @@ use crate::planner::studies::MissionPlan;
 use crate::tolerance::{FAST_WITHOUT_AIR, MOST_PAST_LIMIT, USUAL_SPEED};
 use serde::Serialize;
 
+/// A caveat of a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Caveat {
+    /// What the caveat is about.
     pub kind: CaveatKind,
-    /// The exceeded limit, in words.
+    /// The exceeded limit, in words; null for other caveats.
     pub limit: Option<String>,
-    /// SI: by how much a limit is exceeded, the number of legs with fewer pieces, the speed, the tilt (rad), the thrust (N), the
-    /// share of the charge that is left, the seconds during which a plan is too low.
+    /// SI: by how much the limit is exceeded; the number of legs with fewer pieces; the highest speed, m/s; the
+    /// largest tilt, rad; the smallest thrust, N; the share of the charge that is left; the time during which the
+    /// plan is too low, s.
     pub value: f64,
     /// The worst instant, s since the start.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub at_s: f64,
     /// The caveat as a sentence.
     pub message: String,
 }
 
+/// What a caveat is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum CaveatKind {
     /// A limit holds at the nodes and is exceeded between them.
     LimitBetweenSamples,
     /// Some leg has fewer pieces than the spec's samples give.
     FewerPieces,
-    /// The speed is unusual for multirotors, and the mission does not limit it.
+    /// The speed is above 60 m/s, which is unusual for multirotors, and the mission does not limit it.
     Speed,
-    /// The plan is fast and the vehicle has no drag.
+    /// The plan is faster than 5 m/s and the vehicle has no `drag`.
     NoDrag,
-    /// The tilt is outside the range of the small-angle approximation.
+    /// The tilt is over 20 degrees, outside the range of the small-angle approximation.
     Tilt,
-    /// The thrust nearly vanishes or is negative.
+    /// The thrust is within 2 % of zero, or negative.
     Thrust,
     /// The plan leaves less charge than the battery's `keep`.
     Charge,

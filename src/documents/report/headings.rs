@@ -10,15 +10,17 @@ use serde::Serialize;
 
 /// A leg or a waypoint where the yaw follows a direction.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct HeadingRecord {
-    /// `yaw on the leg to waypoint 3`
+    /// The leg or the waypoint, in words: `yaw on the leg to waypoint 3`.
     pub name: String,
+    /// The largest error that the spec allows, rad.
     pub tolerance_rad: f64,
-    /// The largest error at the nodes, rad; `None` if nothing is required at any.
+    /// The largest error at the nodes, where it is bounded, rad; null if nothing is required at any.
     pub at_nodes_rad: Option<f64>,
-    /// The largest error at and between the nodes, rad,
+    /// The largest error at and between the nodes, rad; null if nothing is required at any.
     pub largest_rad: Option<f64>,
-    /// and when it is attained, s.
+    /// When it is attained, s.
     pub at_s: f64,
 }
 

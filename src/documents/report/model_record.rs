@@ -8,105 +8,167 @@ use serde::Serialize;
 /// Version of this record; raised when a field or the meaning of its values changes.
 const SCHEMA: u32 = 1;
 
-/// A model in SI units. Mission and plan are in the other outputs.
+/// The vehicle, its fault modes and how it is flown, with all digits. Frames and signs are those of docs/method.md;
+/// mission and plan are in the other outputs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ModelRecord<'a> {
+    /// Version of this format.
+    #[cfg_attr(test, schemars(extend("const" = SCHEMA)))]
     schema: u32,
+    /// Acceleration of gravity, m/s^2.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     gravity_m_per_s2: f64,
+    /// The vehicle.
     vehicle: VehicleRecord<'a>,
+    /// Fault modes in the order written.
     modes: Vec<ModeRecord<'a>>,
+    /// How it is flown.
     simulate: SimulateRecord<'a>,
 }
 
+/// A vehicle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 struct VehicleRecord<'a> {
+    /// Its name.
     name: &'a str,
+    /// Mass, kg.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     mass_kg: f64,
-    /// Diagonal of J.
+    /// Diagonal of J, kg m^2.
     inertia_kg_m2: [f64; 3],
-    /// `bounded` or `pseudo_inverse`.
+    /// How a wrench becomes rotor speeds.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::vehicle::ALLOCATION.words())))]
     allocation: &'static str,
-    /// Along the axes of the body, as plans and controllers know it.
+    /// Along the axes of the body, as plans and controllers know it, N s/m.
     drag_n_s_per_m: [f64; 3],
+    /// The drag about z; omitted if the spec gives none.
     #[serde(skip_serializing_if = "Option::is_none")]
     yaw_drag: Option<YawDragRecord>,
+    /// The rotors, in the order written.
     rotors: Vec<RotorRecord>,
 }
 
-/// The torque is -(linear r + quadratic r |r|).
+/// The torque is -(linear r + quadratic r |r|), with the yaw rate r in rad/s.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 struct YawDragRecord {
+    /// The linear coefficient, N m s/rad.
     linear_n_m_s_per_rad: f64,
+    /// The quadratic coefficient, N m s^2/rad^2.
     quadratic_n_m_s2_per_rad2: f64,
 }
 
+/// A rotor.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 struct RotorRecord {
-    /// The autopilot's number of its motor, if the spec gives it.
+    /// The autopilot's number of its motor; omitted if the spec does not give it.
     #[serde(skip_serializing_if = "Option::is_none")]
     motor: Option<u32>,
+    /// Its place relative to the centre of gravity, m.
     position_m: [f64; 3],
-    /// `P`: counter-clockwise seen from above, or `N`.
+    /// P: counter-clockwise seen from above; N: clockwise.
+    #[cfg_attr(test, schemars(extend("enum" = ["P", "N"])))]
     spin: &'static str,
-    /// b and d: thrust and drag torque over the squared speed.
+    /// b: thrust over squared speed, N s^2/rad^2.
     thrust_coefficient_n_s2_per_rad2: f64,
+    /// d: drag torque over squared speed, N m s^2/rad^2.
     drag_coefficient_n_m_s2_per_rad2: f64,
+    /// Lowest speed, rad/s.
     min_speed_rad_per_s: f64,
+    /// Highest speed, rad/s.
     max_speed_rad_per_s: f64,
-    /// With which speeds follow their commands in flights; the default if the spec gives none.
+    /// With which the speed follows its command in flights, s; the default if the spec gives none.
     time_constant_s: f64,
+    /// Moment of inertia about its axis, kg m^2.
     inertia_kg_m2: f64,
 }
 
+/// A fault mode.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 struct ModeRecord<'a> {
+    /// Its name.
     name: &'a str,
     /// theta of each rotor.
+    #[cfg_attr(test, schemars(inner(range(min = 0, max = 1))))]
     capacity: Vec<f64>,
-    /// Share of full thrust at which each rotor is stuck; `null` for one that is not.
+    /// Share of full thrust at which each rotor is stuck; null for one that is not.
     stuck: Vec<Option<f64>>,
-    /// `never`, `where_needed` or `always`.
+    /// Whether yaw is given up after it.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::plan::WITHOUT_YAW.words())))]
     without_yaw: &'static str,
 }
 
-/// The settings of flights that do not concern noise, gusts or the estimator.
+/// The settings of flights that do not concern noise, gusts or the estimator, with their defaults.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 struct SimulateRecord<'a> {
+    /// Duration of a flight, s; null: that of the plan.
     duration_s: Option<f64>,
+    /// Steps of the integrator, Hz.
     rate_hz: f64,
+    /// Steps of the controller, Hz.
     control_rate_hz: f64,
-    /// `geometric` or `pd`.
+    /// The controller.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::simulate::CONTROLLER.words())))]
     controller: &'static str,
-    /// Seconds until a fault is known; `null` with an estimator, and if it never is.
+    /// Seconds until a fault is known; null with an estimator, and if it never is.
     detection_s: Option<f64>,
-    /// `continue`, `hold` or `land`.
+    /// The reaction to a detected fault.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::simulate::AFTER_FAULT.words())))]
     after_fault: &'static str,
+    /// The gains of the controller.
     gains: GainsRecord,
+    /// The largest body rate that the gyroscope measures, rad/s.
     gyroscope_range_rad_per_s: f64,
+    /// Drag in flights along the axes of the body, N s/m.
     drag_n_s_per_m: [f64; 3],
+    /// Mean wind, m/s.
     wind_m_per_s: [f64; 3],
+    /// Distance from the reference beyond which the vehicle is lost, m.
     lost_beyond_m: f64,
+    /// How long it may be tilted by more than 90 degrees, s.
     upside_down_s: f64,
+    /// z of the ground, m.
     ground_m: f64,
+    /// The faults during a flight.
     faults: Vec<StrikeRecord<'a>>,
 }
 
+/// Gains of the controller.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 struct GainsRecord {
+    /// On the deviation in x and y, 1/s^2.
     position_per_s2: f64,
+    /// On the deviation of the horizontal velocity, 1/s.
     velocity_per_s: f64,
+    /// On the deviation in z, 1/s^2.
     altitude_per_s2: f64,
+    /// On the deviation of the vertical velocity, 1/s.
     climb_per_s: f64,
+    /// On the deviation in roll and pitch, 1/s^2.
     attitude_per_s2: f64,
+    /// On the deviation of the roll and pitch rates, 1/s.
     attitude_rate_per_s: f64,
+    /// On the deviation in yaw, 1/s^2.
     yaw_per_s2: f64,
+    /// On the deviation of the yaw rate, 1/s.
     yaw_rate_per_s: f64,
 }
 
+/// A fault during a flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 struct StrikeRecord<'a> {
+    /// The mode's name.
     mode: &'a str,
+    /// When it strikes, s.
     at_s: f64,
+    /// When the rotors recover, s; null if they do not.
     until_s: Option<f64>,
 }
 
@@ -196,5 +258,16 @@ fn gains(gains: &Gains) -> GainsRecord {
         attitude_rate_per_s: gains.attitude_rate,
         yaw_per_s2: gains.yaw,
         yaw_rate_per_s: gains.yaw_rate,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::schemas::check;
+
+    #[test]
+    fn the_schema_is_current() {
+        check::<ModelRecord>("model", "mavc emit model --format json");
     }
 }

@@ -28,41 +28,66 @@ const SCHEMA: u32 = 3;
 /// Why nothing was planned.
 const REFUSED: &str = "hover does not lie inside every set that the plan must stay in";
 
+/// Plans and their violations of each fault mode's admissible set. Equation numbers are those of Osmic, Tahirovic and
+/// Petrovic (2020).
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Record {
+    /// Version of this format.
+    #[cfg_attr(test, schemars(extend("const" = SCHEMA)))]
     pub schema: u32,
-    /// Over all files of the spec.
+    /// SHA-256 over all files of the spec.
+    #[cfg_attr(test, schemars(regex(pattern = "^[0-9a-f]{64}$")))]
     pub spec_sha256: String,
-    /// `hover` or `exact`: the model of the wrench along a trajectory.
+    /// Model of the wrench along a trajectory: linear about hover, or exact.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::plan::MODEL.words())))]
     pub model: &'static str,
+    /// Share of each set reserved for feedback.
+    #[cfg_attr(test, schemars(range(min = 0), extend("exclusiveMaximum" = 1)))]
     pub reserve: f64,
-    /// Time constant with which thrusts follow their commands in the plans; `None` if they follow at once.
+    /// With `rotors = lagging`: the time constant with which thrusts follow their commands, the largest over the
+    /// rotors, s; null if they follow at once.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub thrust_time_constant_s: Option<f64>,
+    /// One entry per planner and run.
+    #[cfg_attr(test, schemars(length(min = 1)))]
     pub planners: Vec<PlannerRecord>,
-    /// Mission times, s, at which `mavc plan` found a plan after it found none at the spec's time: the nearest on either
-    /// side.
+    /// Mission times, s, ascending, at which `mavc plan` found a plan after it found none at the spec's time: the
+    /// nearest of those tried on either side. Empty if none was searched for or found.
+    #[cfg_attr(test, schemars(length(max = 2)))]
     pub found_at_s: Vec<f64>,
-    /// Why `mavc plan` has no plan, if an explanation was found.
+    /// Why there is no plan; null if there is one, if no statement could be blamed, and in `mavc compare`.
     pub conflict: Option<ConflictRecord>,
-    /// Results for each number of rounds, with `mavc compare --rounds`.
+    /// Results for each number of selection rounds; null without `compare --rounds`.
     pub rounds: Option<Vec<RoundRecord>>,
-    /// The height that a fault without control of yaw costs, as simulated; omitted where nothing was simulated.
+    /// The height that a fault without control of yaw costs, by simulation; omitted without a `ground`, without a
+    /// plan, and if no mode is concerned.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub capture_height: Option<CaptureRecord>,
-    /// Under `require risk`: the plan without protection, then after each addition of the greedy choice.
+    /// With `require risk`, in `mavc plan`: the plan without protection, then after each addition of the greedy
+    /// choice; null otherwise.
+    #[cfg_attr(test, schemars(length(min = 1)))]
     pub trade_off: Option<Vec<AdditionRecord>>,
 }
 
 /// One step of the greedy choice.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct AdditionRecord {
-    /// `nothing`, `facets`, `mode` or `all`.
+    /// What is protected in addition: facets that the plan violated (all, or the one violated last), a mode's whole
+    /// set, or every mode's set.
+    #[cfg_attr(test, schemars(extend("enum" = ["nothing", "facets", "mode", "all"])))]
     pub added: &'static str,
-    /// The mode whose facets or set were added; `None` for `nothing` and `all`.
+    /// The mode whose facets or set are protected; null for `nothing` and `all`.
     pub mode: Option<String>,
-    /// Number of facets, if facets were added.
+    /// How many facets; null if none were added.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub facets: Option<usize>,
+    /// Mission time with all protection so far, s.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub time_s: f64,
+    /// Risk of that plan; modes are treated as independent.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub risk: f64,
 }
 
@@ -80,20 +105,27 @@ impl AdditionRecord {
 
 /// Results for one number of selection rounds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RoundRecord {
+    /// How often facets are selected: 0 is RIP, 1 the paper's RSP.
     pub rounds: usize,
-    /// Facets selected at T_d.
+    /// Facets of the modes' sets selected at T_d.
     pub selected: usize,
-    /// About the plan at T_d, as are the fields below.
+    /// Whether there is a plan at T_d, as for planners.
+    #[cfg_attr(test, schemars(with = "String", extend("enum" = Verdict::ALL.map(Verdict::word))))]
     pub verdict: Verdict,
+    /// At T_d; (48).
     pub objective: Option<f64>,
+    /// At T_d; (49), m.
     pub position_error_m: Option<f64>,
+    /// At T_d; (50), rad.
     pub yaw_error_rad: Option<f64>,
-    /// Over all modes, in widths of the healthy set.
+    /// At T_d, over all modes, in widths of the healthy set; negative if the plan leaves a set.
     pub smallest_margin: Option<f64>,
-    /// For each mode, in the order of `against`.
+    /// At T_d: how long the plan violates each mode's set, s, in the order of `against`; empty without a plan.
+    #[cfg_attr(test, schemars(inner(range(min = 0))))]
     pub violation_duration_s: Vec<f64>,
-    /// The shortest time found, with the selection repeated there.
+    /// The shortest time found at which there is a plan with this many rounds, with the selection repeated there, s.
     pub own_time_s: Option<f64>,
 }
 
@@ -121,74 +153,119 @@ pub fn rates(model: &Model) -> Vec<Option<f64>> {
     model.plan.against.iter().map(|&mode| model.modes[mode].rate).collect()
 }
 
+/// One run of a planner.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PlannerRecord {
+    /// risk-insensitive, risk-conservative, risk-sensitive
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::plan::PLANNER.words())))]
     pub name: &'static str,
+    /// The modes it plans against; empty for rip.
     pub against: Vec<String>,
-    /// `own`: at its shortest time; `common`: at T_d or the spec's time.
+    /// own: at the planner's shortest time. common: at T_d, the time at which planners are compared, or at the spec's
+    /// time.
+    #[cfg_attr(test, schemars(extend("enum" = ["own", "common"])))]
     pub run: &'static str,
+    /// Mission time, s; null without a plan.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub time_s: Option<f64>,
-    /// Lower bound on the mission time, s: no motion that satisfies the limits at every instant is faster. If the plan
-    /// exceeds limits between its nodes, the bound allows all motions to exceed them as far. `None` if nothing was planned.
+    /// Lower bound on the mission time, s: no motion that satisfies the limits at every instant is faster. If the
+    /// plan exceeds limits between its nodes, the bound allows all motions to exceed them as far. null if nothing was
+    /// planned.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub time_lower_bound_s: Option<f64>,
+    /// Whether there is a plan. proved infeasible: with these samples there is none at any of the times in
+    /// `proved_infeasible_s`. not found: none was found, and infeasibility was not proved. not attempted: none was
+    /// searched for.
+    #[cfg_attr(test, schemars(with = "String", extend("enum" = Verdict::ALL.map(Verdict::word))))]
     pub verdict: Verdict,
-    /// The verdict in words, with exactly what was shown.
+    /// The verdict as in the terminal, with exactly what was shown.
     pub statement: String,
-    /// Mission times, s, for each of which it was proved separately that there is no plan; nothing is claimed of others.
+    /// Mission times, s, for each of which it was proved separately that there is no plan; nothing is claimed about
+    /// other times.
+    #[cfg_attr(test, schemars(inner(range(min = 0))))]
     pub proved_infeasible_s: Vec<f64>,
     /// Value of (48).
     pub objective: Option<f64>,
-    /// (49) of the paper
+    /// (49): sum of the distances to the waypoints, m.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub position_error_m: Option<f64>,
-    /// (50) of the paper
+    /// (50): sum of the yaw errors at the waypoints, rad.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub yaw_error_rad: Option<f64>,
+    /// Largest distance to a waypoint, m.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub max_waypoint_error_m: Option<f64>,
-    /// The largest error of a waypoint as a share of its tolerance, in position or yaw.
+    /// The largest error of a waypoint as a share of its tolerance, in position or yaw; above 1 if a waypoint is
+    /// missed. null without a plan.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub max_waypoint_share: Option<f64>,
-    /// In the order of flight; empty without a plan.
+    /// Every waypoint in the order of flight; empty without a plan.
     pub waypoints: Vec<WaypointRecord>,
-    /// Facet rows imposed: the rows of the planning set times the nodes.
+    /// Inequalities imposed on the wrench: rows of the planning set times nodes.
     pub rows: usize,
+    /// Results for each mode that the plan must tolerate; empty without a plan.
     pub modes: Vec<ModeRecord>,
-    /// Over the modes that have a rate, treated as independent; `None` if no mode has one.
+    /// 1 - exp(-sum of rate x committed_s) over the modes that have a rate, treated as independent; null if none has
+    /// one, or without a plan.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub risk: Option<f64>,
-    /// Caveats of the plan.
+    /// Caveats of the plan; empty without a plan.
     pub warnings: Vec<Caveat>,
-    /// Result of the check of finished plans; `None` without a plan.
+    /// Result of the check that every trajectory must pass to be called a plan; null without a plan.
     pub check: Option<CheckRecord>,
-    /// The constraints that limit the time of each leg, if `mavc plan` searched for the time; empty otherwise.
+    /// Constraints that limit the time of each leg, in the order of flight, if `mavc plan` searched for the time;
+    /// empty otherwise.
     pub limited_by: Vec<BindingRecord>,
-    /// How near the plan comes to the boundaries of volumes; omitted without volumes.
+    /// How near the plan comes to the boundary of each volume; omitted without volumes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub volumes: Vec<VolumeRecord>,
-    /// The energy that the plan takes; omitted without a battery or a plan.
+    /// The energy that the plan takes from the battery; omitted without a battery or a plan.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub battery: Option<BatteryRecord>,
     /// How far the yaw is off the directions that it follows; omitted where it follows none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub headings: Vec<HeadingRecord>,
-    /// When the plan is lower than captures ask for; omitted where it never is.
+    /// When the plan is lower than `capture_height` asks for; omitted where it never is.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, schemars(length(min = 1)))]
     pub exposed: Vec<ExposedRecord>,
-    /// To what extent the plan's rows are shown to hold between nodes, if `mavc plan` wrote the report.
+    /// To what extent the plan's rows are shown to hold between nodes: rows on the wrench, then each limit, then rows
+    /// on the commanded wrench of lagging rotors; null in `mavc compare` and without a plan.
     pub between_nodes: Option<Vec<Between>>,
 }
 
+/// How a plan keeps to the set of one fault mode.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ModeRecord {
+    /// The mode's name.
     pub name: String,
+    /// Facets of the mode's set that are violated at some node (in the exact model: at some instant) by more than
+    /// 1e-4, see `max_violation`.
     pub violated_facets: usize,
-    /// Pairs of facet and node.
+    /// Pairs of facet and node violated.
     pub violated_rows: usize,
+    /// Nodes with a violated facet.
     pub violated_nodes: usize,
-    /// Share of the healthy set's width; negative if the plan stays inside.
+    /// Largest (n.w - e) over facets and instants, divided by the healthy set's width along n; negative if the plan
+    /// stays inside. If yaw changes, it can be positive only between nodes. For a mode without yaw the largest
+    /// violation of its core; null if the mode adds no rows.
+    #[cfg_attr(test, schemars(with = "Option<f64>"))]
     pub max_violation: f64,
+    /// How long the plan violates the mode's set, s, including between nodes.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub violation_duration_s: f64,
+    /// The last instant at which the plan violates the mode's set, s since the start; null if there is none.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub last_violation_s: Option<f64>,
-    /// `continue` or `hold`: what the mission does after this fault.
+    /// What the mission does after this fault, as assumed for its risk.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::plan::AFTER_FAULT.words())))]
     pub after_fault: &'static str,
-    /// With `continue`, the last violation; with `hold`, the last instant from which no stop inside the set was found, s; 0
-    /// if there is none.
+    /// Until when the mission is committed, s: if `after_fault` is `continue`, until the last violation, because an
+    /// earlier fault meets that violation; if it is `hold`, until the last instant from which no stop inside the
+    /// mode's set was found. 0 if there is none.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub committed_s: f64,
     /// How the plan provides for the mode if it gives up yaw; omitted if it does not.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -282,10 +359,12 @@ impl Record {
 
 /// Result of the check that every trajectory must pass to be called a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CheckRecord {
-    /// `checked` or `not_decided`.
+    /// What the check shows.
+    #[cfg_attr(test, schemars(extend("enum" = ["checked", "not_decided"])))]
     pub outcome: &'static str,
-    /// What could not be decided.
+    /// What could not be decided; null if everything was.
     pub undecided: Option<String>,
 }
 
@@ -362,4 +441,15 @@ fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Plann
         }
     }
     record
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::schemas::check;
+
+    #[test]
+    fn the_schema_is_current() {
+        check::<Record>("report", "mavc plan --report, mavc compare --report");
+    }
 }

@@ -8,20 +8,23 @@ use crate::planner::studies::MissionPlan;
 use crate::text_table::Table;
 use serde::Serialize;
 
-/// A volume and how near the plan comes to its boundary.
+/// A volume and how near the vehicle comes to its boundary.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct VolumeRecord {
+    /// Its name.
     pub name: String,
-    /// `keep_in` or `keep_out`.
+    /// On which side of it the vehicle stays.
+    #[cfg_attr(test, schemars(extend("enum" = ["keep_in", "keep_out"])))]
     pub side: &'static str,
-    /// Smallest distance between the boundary and the sphere of the vehicle's size about the centre of gravity, m; negative if
-    /// it crosses the boundary.
+    /// Smallest distance of the vehicle, a sphere of its size about the centre of gravity, from the boundary, m;
+    /// negative if it crosses it.
     pub distance_m: f64,
-    /// The `clearance` of the spec, m.
+    /// The clearance that the spec requires, m.
     pub required_m: f64,
-    /// When it is smallest, s,
+    /// When the distance is smallest, s.
     pub at_s: f64,
-    /// and where the centre of gravity is then, m.
+    /// The position of the centre of gravity then, m.
     pub position_m: [f64; 3],
 }
 

@@ -20,21 +20,38 @@ const ROUNDING: f64 = 1e-12;
 
 /// One waypoint of a plan: its errors, their tolerances, and each error as a share of its tolerance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct WaypointRecord {
     /// Place in the flight, from 1.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub number: usize,
+    /// Its name; null if it has none.
     pub name: Option<String>,
+    /// When it is passed, s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub at_s: f64,
+    /// Distance from the waypoint when it is passed, m.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub position_error_m: f64,
+    /// The largest distance that the spec allows, m.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub position_tolerance_m: f64,
+    /// The distance as a share of its tolerance.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub position_share: f64,
+    /// The yaw error then, rad.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub yaw_error_rad: f64,
+    /// The largest yaw error that the spec allows, rad.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub yaw_tolerance_rad: f64,
+    /// The yaw error as a share of its tolerance.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub yaw_share: f64,
     /// Whether the yaw is free.
     #[serde(skip)]
     pub yaw_is_free: bool,
-    /// Both errors are within their tolerances plus the [`MOST_MISS`] that `mavc verify` allows.
+    /// Whether no error is larger than its tolerance by more than the 1e-5 m or rad that `mavc verify` allows.
     pub met: bool,
 }
 

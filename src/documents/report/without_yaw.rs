@@ -10,12 +10,14 @@ use serde::Serialize;
 
 /// How a plan provides for a mode in which it gives up yaw.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct WithoutYawRecord {
-    /// `core`: the motion stays in the mode's core; `capture`: no rows, the vehicle is caught by its spin and landed.
+    /// core: the motion stays in the mode's core; capture: no rows, the vehicle is caught by its spin and landed.
+    #[cfg_attr(test, schemars(extend("enum" = ["core", "capture"])))]
     pub planned: &'static str,
-    /// The rates of the body about the thrust that it does not leave, rad/s; `None` with `capture`.
+    /// Rates of the body about the thrust that it does not leave, rad/s; null with `capture`.
     pub spin_rad_s: Option<[f64; 2]>,
-    /// The yaw torques that are used, N m.
+    /// Yaw torques that are used, N m; null with `capture`.
     pub yaw_torque_n_m: Option<[f64; 2]>,
 }
 

@@ -44,17 +44,22 @@ pub struct Scope {
     pub harm: Vec<Correlation>,
 }
 
-/// How strong an agreement is.
+/// The strength of an agreement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Strength {
     /// Predictions or observations are all the same.
     Undefined,
-    /// The opposite of the prediction happens more often than by chance.
+    /// From -0.1 down: the opposite of the prediction happens more often than by chance.
     Opposite,
+    /// Below 0.1.
     Chance,
+    /// Below 0.3.
     Weak,
+    /// Below 0.5.
     Moderate,
+    /// From 0.5 up.
     Strong,
 }
 

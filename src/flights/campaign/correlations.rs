@@ -8,6 +8,7 @@ use crate::motion::outside::Outside;
 
 /// How well a plan keeps to a mode's set; larger is worse.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Quality {
     /// How long the plan violates the set, s.
@@ -37,16 +38,20 @@ impl Quality {
 
 /// A rank correlation of a quality with a harm.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Correlation {
+    /// How well a plan keeps to a mode's set.
     pub quality: Quality,
+    /// How much the path suffers.
     pub harm: Harm,
     /// Pairs of plan and mode.
     pub pairs: usize,
-    /// Spearman's over all pairs; `None` if one of the two never varies.
+    /// Spearman's over all pairs; null if one of the two never varies.
     pub rank_correlation: Option<f64>,
-    /// Its 95 % interval, as if pairs were independent.
+    /// Its 95 % interval, as if pairs were independent (Bonett and Wright 2000); null below ten pairs.
     pub interval: Option<Interval>,
-    /// Over ranks within each mode: only plans are compared, not modes. `None` if no mode has two plans that differ in both.
+    /// Spearman's over ranks within each mode: only plans are compared, not modes. null if no mode has two plans that
+    /// differ in both.
     pub within_modes: Option<f64>,
     /// Modes that have two such plans.
     pub modes: usize,

@@ -92,7 +92,7 @@ pub struct Design<'a> {
 }
 
 /// A hash that identifies a campaign.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Identity(pub u64);
 
 impl fmt::Display for Identity {

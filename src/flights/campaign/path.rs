@@ -62,6 +62,7 @@ impl PathCell {
 
 /// How much a path suffers: each is a mean over the struck flights of a plan and a mode, lost flights included.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Harm {
     /// Share of the flights that were lost.

@@ -12,6 +12,7 @@ use crate::motion::{X, Y, Z};
 
 /// What predicts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Predictor {
     /// The plan: lost if the fault strikes before the plan's last violation of the mode's set.
@@ -105,10 +106,16 @@ fn of_capture(design: &Design, plan: usize, mode: usize, time: usize) -> Option<
 
 /// The flights of one class.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClassCount {
+    /// The class, in words.
     pub class: &'static str,
+    /// Whether its flights are predicted lost.
     pub predicted_lost: bool,
+    /// Its flights still flying when the fault struck.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub struck: usize,
+    /// Those of them that were lost.
     pub lost: usize,
     /// By mode: struck, lost.
     #[serde(skip)]

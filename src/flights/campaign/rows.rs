@@ -2,44 +2,12 @@
 
 use super::HEALTHY;
 use super::cases::Case;
+use super::columns::{COLUMNS, Cell, Column};
 use super::design::{Design, Identity};
 use crate::flight::{BrokenLimits, Cause, Damage, Flight, Outcome};
-use crate::number::shortest;
 use sha2::{Digest, Sha256};
+use std::fmt::Write;
 use std::io::{BufRead, ErrorKind, Read};
-
-/// Names of the columns.
-pub const COLUMNS: [&str; 29] = [
-    "campaign",
-    "cases",
-    "case",
-    "planner",
-    "mode",
-    "fault_time_s",
-    "seed",
-    "outcome",
-    "cause",
-    "end_s",
-    "rms_error_m",
-    "max_error_m",
-    "rms_error_after_m",
-    "max_error_after_m",
-    "max_drop_after_m",
-    "max_tilt_rad",
-    "rms_heading_error_rad",
-    "max_heading_error_rad",
-    "max_heading_error_after_rad",
-    "turns",
-    "heading_broken",
-    "waypoints_due",
-    "waypoints_missed",
-    "limits_broken",
-    "detected_after_s",
-    "isolated_after_s",
-    "false_alarms",
-    "refused",
-    "checksum",
-];
 
 /// Longest line, bytes: names of planners and modes are far shorter.
 const MOST_LINE: u64 = 1 << 16;
@@ -64,11 +32,17 @@ fn checksum(cells: &str) -> String {
 
 /// The first line, without its line end.
 pub fn header() -> String {
-    COLUMNS.join(",")
+    COLUMNS.each_ref().map(|column| column.name).join(",")
+}
+
+/// All columns but the last, the checksum of the others.
+fn checked() -> &'static [Column] {
+    const ALL: &[Column] = &COLUMNS;
+    &ALL[..ALL.len() - 1]
 }
 
 /// The result of one case.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Row {
     pub campaign: Identity,
     /// Number of cases of the whole campaign.
@@ -123,16 +97,60 @@ impl Path {
         let Damage { waypoints_due, waypoints_missed, limits, heading_broken, .. } = *damage;
         Path { heading_broken, due: waypoints_due, missed: waypoints_missed, limits }
     }
+
+    /// Reads four cells, of which the first is given; `None` if all are empty.
+    pub(super) fn read(first: Cell) -> Result<Option<Self>, String> {
+        let [heading_broken, due, missed, limits] = [0, 1, 2, 3].map(|k| first.next(k));
+        if [heading_broken, due, missed, limits].iter().all(|cell| cell.text().is_empty()) {
+            return Ok(None);
+        }
+        Ok(Some(Path {
+            heading_broken: heading_broken.parsed()?,
+            due: due.parsed()?,
+            missed: missed.parsed()?,
+            limits: BrokenLimits::read(limits.text()).ok_or_else(|| limits.wrong())?,
+        }))
+    }
 }
 
 /// How a flight ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FlightOutcome {
+    #[default]
     Flown,
     Landed,
     Lost(Cause),
     /// The integration broke down.
     Diverged,
+}
+
+impl FlightOutcome {
+    /// The word in rows.
+    pub fn word(self) -> &'static str {
+        match self {
+            FlightOutcome::Flown => "flown",
+            FlightOutcome::Landed => "landed",
+            FlightOutcome::Lost(_) => "lost",
+            FlightOutcome::Diverged => "diverged",
+        }
+    }
+
+    /// The cause of a loss.
+    pub fn cause(self) -> Option<Cause> {
+        if let FlightOutcome::Lost(cause) = self { Some(cause) } else { None }
+    }
+
+    /// Reads the word, and the cause from the cell after it.
+    pub(super) fn read(cell: Cell) -> Result<Self, String> {
+        let (word, cause) = (cell.text(), cell.next(1).text());
+        match (word, Cause::ALL.into_iter().find(|c| c.name() == cause)) {
+            ("flown", None) if cause.is_empty() => Ok(FlightOutcome::Flown),
+            ("landed", None) if cause.is_empty() => Ok(FlightOutcome::Landed),
+            ("lost", Some(cause)) => Ok(FlightOutcome::Lost(cause)),
+            ("diverged", None) if cause.is_empty() => Ok(FlightOutcome::Diverged),
+            _ => Err(format!("{word:?} with cause {cause:?} is not a valid outcome")),
+        }
+    }
 }
 
 impl Row {
@@ -209,41 +227,13 @@ impl Row {
 
     /// All cells except the checksum.
     fn cells(&self) -> String {
-        let optional = |v: Option<f64>| v.map(shortest).unwrap_or_default();
-        let (outcome, cause) = match self.outcome {
-            FlightOutcome::Flown => ("flown", ""),
-            FlightOutcome::Landed => ("landed", ""),
-            FlightOutcome::Lost(cause) => ("lost", cause.name()),
-            FlightOutcome::Diverged => ("diverged", ""),
-        };
-        let path = self.path.map_or(",,,".into(), |Path { heading_broken, due, missed, limits }| {
-            format!("{heading_broken},{due},{missed},{}", limits.text())
-        });
-        format!(
-            "{},{},{},{},{},{},{},{outcome},{cause},{},{},{},{},{},{},{},{},{},{},{},{path},{},{},{},{}",
-            self.campaign,
-            self.cases,
-            self.case,
-            self.planner,
-            self.mode,
-            optional(self.fault_time),
-            self.seed,
-            shortest(self.end),
-            shortest(self.rms_error),
-            shortest(self.max_error),
-            optional(self.rms_error_after),
-            optional(self.max_error_after),
-            optional(self.max_drop_after),
-            shortest(self.max_tilt),
-            shortest(self.rms_heading_error),
-            shortest(self.max_heading_error),
-            optional(self.max_heading_error_after),
-            self.turns,
-            optional(self.detected_after),
-            optional(self.isolated_after),
-            self.false_alarms,
-            self.refused
-        )
+        let mut cells = String::new();
+        for (at, column) in checked().iter().enumerate() {
+            let comma = if at == 0 { "" } else { "," };
+            let value = (column.value)(self).map_or(String::new(), |value| value.to_string());
+            let _ = write!(cells, "{comma}{value}");
+        }
+        cells
     }
 
     /// Reads a line without its line end, which must be exactly what [`Row::line`] writes.
@@ -266,52 +256,11 @@ impl Row {
 
     /// Reads all cells except the checksum; their number is correct.
     fn read_cells(cells: &[&str]) -> Result<Row, String> {
-        let wrong = |k: usize| format!("{:?} is not a valid {}", cells[k], COLUMNS[k]);
-        let count = |k: usize| cells[k].parse::<usize>().map_err(|_| wrong(k));
-        let float = |k: usize| cells[k].parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| wrong(k));
-        let optional = |k: usize| if cells[k].is_empty() { Ok(None) } else { float(k).map(Some) };
-        let outcome = match (cells[7], Cause::ALL.into_iter().find(|c| c.name() == cells[8])) {
-            ("flown", None) if cells[8].is_empty() => FlightOutcome::Flown,
-            ("landed", None) if cells[8].is_empty() => FlightOutcome::Landed,
-            ("lost", Some(cause)) => FlightOutcome::Lost(cause),
-            ("diverged", None) if cells[8].is_empty() => FlightOutcome::Diverged,
-            _ => return Err(format!("{:?} with cause {:?} is not a valid outcome", cells[7], cells[8])),
-        };
-        let path = match cells[20..24].iter().all(|cell| cell.is_empty()) {
-            true => None,
-            false => Some(Path {
-                heading_broken: cells[20].parse().map_err(|_| wrong(20))?,
-                due: count(21)?,
-                missed: count(22)?,
-                limits: BrokenLimits::read(cells[23]).ok_or_else(|| wrong(23))?,
-            }),
-        };
-        Ok(Row {
-            campaign: cells[0].parse().map_err(|()| wrong(0))?,
-            cases: count(1)?,
-            case: count(2)?,
-            planner: cells[3].into(),
-            mode: cells[4].into(),
-            fault_time: optional(5)?,
-            seed: count(6)?,
-            outcome,
-            end: float(9)?,
-            rms_error: float(10)?,
-            max_error: float(11)?,
-            rms_error_after: optional(12)?,
-            max_error_after: optional(13)?,
-            max_drop_after: optional(14)?,
-            max_tilt: float(15)?,
-            rms_heading_error: float(16)?,
-            max_heading_error: float(17)?,
-            max_heading_error_after: optional(18)?,
-            turns: count(19)?,
-            path,
-            detected_after: optional(24)?,
-            isolated_after: optional(25)?,
-            false_alarms: count(26)?,
-            refused: count(27)?,
-        })
+        let mut row = Row::default();
+        for (at, column) in checked().iter().enumerate() {
+            (column.read)(&mut row, Cell { line: cells, at })?;
+        }
+        Ok(row)
     }
 }
 

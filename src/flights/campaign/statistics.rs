@@ -5,11 +5,18 @@ use serde::Serialize;
 /// The standard normal distribution's 97.5 % point.
 const Z: f64 = 1.959_963_984_540_054;
 
-/// A share with its 95 % confidence interval, all from 0 to 1.
+/// A share with its 95 % confidence interval by Wilson.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Share {
+    /// The observed share.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub share: f64,
+    /// Lower end of the interval.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub low: f64,
+    /// Upper end of the interval.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub high: f64,
 }
 
@@ -62,23 +69,31 @@ impl Moments {
 
 /// A mean with its 95 % confidence interval (normal), and the largest value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Summary {
+    /// Number of flights.
     pub count: usize,
+    /// Mean over the flights.
     pub mean: f64,
+    /// Lower end of the interval.
     pub low: f64,
+    /// Upper end of the interval.
     pub high: f64,
+    /// The largest value.
     pub max: f64,
 }
 
 /// The contingency table of predictions and observations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Contingency {
-    /// Predicted and observed.
+    /// Predicted lost, and lost.
     pub hits: usize,
-    /// Observed, not predicted.
+    /// Lost, not predicted.
     pub misses: usize,
-    /// Predicted, not observed.
+    /// Predicted lost, and not lost.
     pub false_alarms: usize,
+    /// Neither predicted lost nor lost.
     pub correct_negatives: usize,
 }
 
@@ -123,8 +138,11 @@ pub fn spearman(pairs: &[(f64, f64)]) -> Option<f64> {
 
 /// A 95 % confidence interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Interval {
+    /// Lower end.
     pub low: f64,
+    /// Upper end.
     pub high: f64,
 }
 

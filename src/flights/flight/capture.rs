@@ -36,22 +36,26 @@ const HIGH: f64 = 1e4;
 
 /// The flights after one fault mode, at one speed, lag and delay.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Capture {
-    /// Name of the mode.
+    /// The mode's name.
     pub mode: String,
-    /// Mean time constant of the rotors.
+    /// Mean time constant of the rotors, s.
     pub lag_s: f64,
-    /// Horizontal speed at the fault.
+    /// Horizontal speed at the fault, m/s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub speed_m_per_s: f64,
-    /// Time until the fault is known.
+    /// Time until the fault is known, s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub delay_s: f64,
-    /// Number of flights.
+    /// Number of flights, with different noise and gusts.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub flights: usize,
     /// Flights that regained level flight.
     pub regained: usize,
-    /// Height lost by these, [least, median, largest]; `None` if there are none.
+    /// Height lost by these flights, m, [least, median, largest]; null if there are none.
     pub height_m: Option<[f64; 3]>,
-    /// Their largest horizontal distance from the reference, which stops on the spot; `None` if there are none.
+    /// Their largest horizontal distance from the reference, which stops on the spot, m; null if there are none.
     pub drift_m: Option<f64>,
 }
 
@@ -69,12 +73,17 @@ pub fn captures(model: &Model) -> Vec<Capture> {
 
 /// The height that a fault costs at a horizontal speed, with the detection of the spec.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CaptureHeight {
+    /// Horizontal speed at the fault, m/s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub speed_m_per_s: f64,
-    /// Number of flights, and of those that regained level flight.
+    /// Number of flights.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub flights: usize,
+    /// Flights that regained level flight.
     pub regained: usize,
-    /// Median of the heights that these lost; `None` if there are none.
+    /// Median of the heights that these lost, m; null if there are none.
     pub height_m: Option<f64>,
 }
 

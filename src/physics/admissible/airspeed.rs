@@ -12,15 +12,17 @@ use std::f64::consts::FRAC_PI_2;
 
 /// The largest steady airspeed of a mode in level flight.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Airspeed {
-    /// The airspeed, m/s; `None` if the mode cannot hover.
+    /// The airspeed, m/s; null if the mode cannot hover.
     pub largest_m_per_s: Option<f64>,
-    /// What prevents a larger one; `None` if the mode cannot hover.
+    /// What prevents a larger one; null if the mode cannot hover.
     pub limited_by: Option<LimitedBy>,
 }
 
 /// What limits the airspeed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum LimitedBy {
     /// The thrust that leaves the reserve.

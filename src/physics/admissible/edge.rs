@@ -14,6 +14,7 @@ pub fn width(hover: &Wrench) -> f64 {
 
 /// Where hover lies relative to a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub enum Place {
     /// Inside by more than the width of the edge.
     #[serde(rename = "inside")]

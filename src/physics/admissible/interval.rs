@@ -174,6 +174,7 @@ impl AdmissibleSet {
 
 /// Whether a mode hovers with all four axes controlled, over the values of the intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub enum Certainty {
     /// Hover at every mass of its interval satisfies (50).
     #[serde(rename = "robustly yes")]
@@ -197,16 +198,17 @@ impl Certainty {
     }
 }
 
-/// Verdict and margin of a mode over the values of the intervals.
+/// Hover over the values of the spec's intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Robust {
-    /// Whether the mode hovers.
+    /// Whether the mode hovers with all axes controlled, over the intervals.
     pub hover: Certainty,
-    /// Lower bound on the margin of hover over all values, N and N m; attained if [`guaranteed`] is exact. `None` if
-    /// the set is flat or hover is not in it.
+    /// Lower bound on the margin of hover over all values, N and N m; attained if [`guaranteed`] is exact. null if
+    /// the set is flat or hover may be out of reach for some value.
     pub acai_worst: Option<f64>,
-    /// Upper bound on the margin of hover over all values, N and N m; attained if [`possible`] is exact. `None` if the
-    /// set is flat or hover is not in it.
+    /// Upper bound on the margin of hover over all values, N and N m; attained if [`possible`] is exact. null if the
+    /// set is flat or hover is out of reach for every value.
     pub acai_best: Option<f64>,
 }
 

@@ -15,10 +15,13 @@ const AXES: [&str; 4] = ["thrust", "tau_x", "tau_y", "tau_z"];
 
 /// Two rows of the actuation matrix and the angle between them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Parallel {
-    /// Names of the two axes: `thrust`, `tau_x`, `tau_y` or `tau_z`.
+    /// The axes of the two rows.
+    #[cfg_attr(test, schemars(extend("items" = {"enum": AXES})))]
     pub axes: [&'static str; 2],
-    /// Angle between the rows as lines, rad, from 0 to pi/2.
+    /// Angle between the rows as lines, rad, at most a right angle; `analyze` and `check` warn below 0.2003.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub angle: f64,
 }
 

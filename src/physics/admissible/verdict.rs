@@ -18,6 +18,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// Whether hover can be reached, by the residual (31).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// Hover is in the set.
@@ -45,69 +46,82 @@ type BothWays = [f64; 2];
 /// Distances from hover to the boundary along each axis, with the other three axes held. Each is [down, up], at least
 /// 0.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Headroom {
     /// Along T, N.
+    #[cfg_attr(test, schemars(inner(range(min = 0))))]
     pub thrust: BothWays,
     /// Along tau_x, N m.
+    #[cfg_attr(test, schemars(inner(range(min = 0))))]
     pub tau_x: BothWays,
     /// Along tau_y, N m.
+    #[cfg_attr(test, schemars(inner(range(min = 0))))]
     pub tau_y: BothWays,
     /// Along tau_z, N m.
+    #[cfg_attr(test, schemars(inner(range(min = 0))))]
     pub tau_z: BothWays,
 }
 
-/// The analysis of one mode; the fields of `mavc analyze --format json`.
+/// The analysis of one mode.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ModeAnalysis {
-    /// The name of the mode, `healthy` without faults.
+    /// The name of the mode; the vehicle without faults is `healthy`.
     pub name: String,
     /// Rotors with capacity 0, counted from 1.
+    #[cfg_attr(test, schemars(inner(range(min = 1))))]
     pub lost: Vec<usize>,
-    /// The capacity theta_k of (32) of each rotor, 0 to 1.
+    /// The capacity theta_k of (32) of each rotor, in the spec's order; 1 for stuck rotors.
+    #[cfg_attr(test, schemars(inner(range(min = 0, max = 1))))]
     pub capacity: Vec<f64>,
-    /// The share of full thrust at which a rotor is stuck; `None` for a rotor that is not.
+    /// For each rotor the share of full thrust at which it is stuck; null for a rotor that is not.
+    #[cfg_attr(test, schemars(inner(range(min = 0, max = 1))))]
     pub stuck: Vec<Option<f64>>,
     /// Whether hover can be reached.
     pub verdict: Verdict,
     /// How the mode hovers with yaw given up.
     pub yaw_free: YawFree,
-    /// Where hover lies relative to the set of the verdict, which is the yaw-free set for a stabilizable mode.
+    /// Where hover lies relative to the set that the verdict is about: that of the full wrench, or of (T, tau_x,
+    /// tau_y) where the verdict is stabilizable.
     pub hover: Place,
     /// Whether hover lies inside that set.
     pub interior: bool,
-    /// Dimension of the set, at most 4.
+    /// Dimension of the set of wrenches.
+    #[cfg_attr(test, schemars(range(max = 4)))]
     pub rank: usize,
-    /// Number of facets of the minimal description; `None` if the set is flat.
+    /// Number of facets of the minimal description; null if the set is flat.
     pub facets: Option<usize>,
     /// The margin, which is the available control authority index of Du and Quan (2015): the smallest facet slack of
-    /// hover in the plain norm of N and N m. Inside it is the distance to the boundary; outside it is negative. `None`
-    /// if the set is flat.
+    /// hover in the plain norm of N and N m. Inside it is the distance to the boundary; outside it is minus the
+    /// largest violation of a facet. null if the set is flat.
     pub acai: Option<f64>,
-    /// The margin in (T, tau_x, tau_y), for the yaw-free set.
+    /// The margin in (T, tau_x, tau_y), for the yaw-free set, N and N m.
     pub acai_yaw_free: Option<f64>,
-    /// Heaviest mass that can hover, kg; `None` if no mass can.
+    /// Heaviest mass that can hover, kg; null if no mass can.
     pub critical_mass_kg: Option<f64>,
-    /// Heaviest mass that can hover if yaw is given up, kg; `None` if no mass can.
+    /// Heaviest mass that can hover if yaw is given up, kg; null if no mass can.
     pub critical_mass_yaw_free_kg: Option<f64>,
-    /// Lightest mass that can hover, kg; above 0 if rotors may not stop or are stuck.
+    /// Lightest mass that can hover, kg; above 0 if rotors may not stop or are stuck. null if no mass can.
     pub least_mass_kg: Option<f64>,
-    /// What the mode can do with yaw given up; `None` if it cannot hover without yaw.
+    /// What the mode can do with yaw given up; null if `yaw_free` is `none`.
     pub without_yaw: Option<WithoutYaw>,
     /// The residual e_p = A Omega_s - u_ref of (31), [N, N m, N m, N m]; zero if hover can be reached.
     pub residual4: [f64; 4],
     /// The residual of (31) without tau_z, [N, N m, N m].
     pub residual3: [f64; 3],
-    /// The largest steady airspeed in level flight; omitted for a vehicle without drag.
+    /// The largest steady airspeed in level flight with the plan's reserve; omitted for a vehicle without drag.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub airspeed: Option<Airspeed>,
-    /// `None` unless the mode is controllable.
+    /// From hover to the boundary along each axis; null if hover is outside the set.
     pub headroom: Option<Headroom>,
-    /// The share of the zonotope's volume that the pseudo-inverse does not reach without clipping, 0 to 1. `None` with
-    /// the bounded allocation, which reaches all of it, and if the set is flat.
+    /// The share of the zonotope's volume that the pseudo-inverse does not reach without clipping. null with the
+    /// bounded allocation, which reaches all of it, and if the set is flat.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub unreached_share: Option<f64>,
-    /// The two rows of the actuation matrix with the smallest angle between them.
+    /// The two rows of the actuation matrix with the smallest angle between them; null if fewer than two rows are
+    /// nonzero.
     pub nearest_rows: Option<Parallel>,
-    /// Verdict and margin over the spec's intervals; `None` if it has none.
+    /// Verdict and margin over the spec's intervals; null if it has none.
     pub robust: Option<Robust>,
 }
 

@@ -18,6 +18,7 @@ use serde::Serialize;
 
 /// How a mode hovers with yaw given up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub enum YawFree {
     /// Hover lies inside the projection of the set on (T, tau_x, tau_y): torques remain about every horizontal axis.
     #[serde(rename = "interior")]
@@ -48,17 +49,20 @@ impl YawFree {
 
 /// What a mode can do about hover with yaw given up. All but `relaxed_hover` is for a spin axis along z of the body.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct WithoutYaw {
-    /// Radius of the largest disc of roll and pitch torques about hover that the mode produces, N m ([`core::disc`]).
+    /// Radius of the largest disc of roll and pitch torques about hover that the mode produces, N m; 0 on the edge.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub disc_n_m: f64,
     /// The same as angular acceleration about the horizontal axis with the larger moment of inertia, rad/s^2.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub disc_rad_s2: f64,
-    /// The largest thrust (N) without roll and pitch torques.
+    /// The largest thrust without roll and pitch torques, N.
     pub level_thrust_n: f64,
-    /// The yaw torques (N m) that are possible in hover, [lowest, highest].
+    /// The yaw torques that are possible in hover, N m, [lowest, highest].
     pub yaw_torque_n_m: [f64; 2],
-    /// The rates (rad/s, counter-clockwise seen from above) at which the drag balances these torques, for all values of
-    /// `yaw_drag`; `None` if it is unknown.
+    /// The rates at which the drag balances these torques, for all values of `yaw_drag`, rad/s, counter-clockwise
+    /// seen from above; null if the spec gives no `yaw_drag`.
     pub spin_rad_s: Option<[f64; 2]>,
     /// Equilibria: the slowest spin about z, and where its disc vanishes the one with the largest disc, whose axis is tilted in
     /// the body. Empty if the spec gives no `yaw_drag`, and for an interval of it at its middle.

@@ -33,24 +33,31 @@ const WORK_EACH: u64 = 20;
 /// counts as satisfied.
 const PAST: [f64; 3] = [1e-6, 1e-5, MOST_PAST_LIMIT];
 
-/// The rows of one kind, and to what extent they are shown to hold.
+/// The rows of one kind, and to what extent they are shown to hold between nodes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Between {
-    /// `wrench`: the facets imposed on the wrench; `cores`: the rows of modes without yaw; `commands`: the same on the commanded wrench of lagging rotors; otherwise
-    /// the limited quantity, in words.
+    /// `wrench`: the facets imposed on the wrench; `cores`: the rows of modes without yaw; `commands`: the same on
+    /// the commanded wrench of lagging rotors; otherwise the limited quantity, in words.
     pub rows: String,
+    /// To what extent they are shown to hold.
     pub shown: Shown,
-    /// Points per interval, if a grid was checked.
+    /// Points of the grid per interval, if one was checked; null if all rows are proved.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub points: Option<usize>,
-    /// Number of rows: for the wrench and commands the planes imposed (facets in the same plane count once); 1 for a limit.
+    /// Number of rows: for the wrench and commands the planes imposed (facets in the same plane count once); 1 for a
+    /// limit.
     pub imposed: usize,
-    /// Number of rows that are proved.
+    /// Number of rows that are proved at every instant.
     pub proved: usize,
-    /// Bound on the violation of every row: a share of the healthy set's width for the wrench and commands, SI for limits.
+    /// Bound on the violation of every row: a share of the healthy set's width for the wrench and commands, SI for
+    /// limits, tilt as in certificates.
     pub violation: f64,
 }
 
+/// To what extent rows are shown to hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Shown {
     /// All rows at every instant.

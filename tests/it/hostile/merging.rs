@@ -2,7 +2,7 @@
 
 use mavc::campaign::cases::MAX_FLIGHTS;
 use mavc::campaign::merge::{MergeError, merge};
-use mavc::campaign::rows::{COLUMNS, Row, header};
+use mavc::campaign::rows::{Row, header};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use sha2::{Digest, Sha256};
@@ -65,7 +65,7 @@ fn numbers_in_another_spelling_are_refused_though_the_checksum_fits() {
         let line = signed(&good.replacen(from, to, 1));
         assert!(Row::read(line.trim_end()).is_err(), "{line}");
     }
-    assert_eq!(COLUMNS.last(), Some(&"checksum"));
+    assert!(header().ends_with(",checksum"));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Diagnostics while typing: those of `mavc check`, in all files, until the mistakes are fixed.
 
 use super::client::{Client, SPEC, uri_of};
+use lsp_server::Message;
 use mavc::admissible::diagnose::diagnose;
 use mavc::diagnostic::{Diagnostic, Severity, sort};
 use mavc::flight::indistinguishable;
@@ -160,6 +161,34 @@ fn warnings_and_their_places_are_reported_in_files_that_are_used() {
     client.note("textDocument/didClose", json!({ "textDocument": { "uri": root_uri } }));
     client.wait(&root_uri, None, <[Value]>::is_empty);
     client.wait(&library_uri, None, <[Value]>::is_empty);
+    client.stop();
+}
+
+/// An editor that can watch files is asked to watch specs, and reports those that change.
+#[test]
+fn files_that_change_on_disk_are_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path().canonicalize().unwrap();
+    let (library, root) = (folder.join("library.mav"), folder.join("root.mav"));
+    let (faults, rest) = SPEC.split_at(SPEC.find("/// As high").unwrap());
+    let rest = rest.replace("let top = 2 * 4 m\n", "");
+    std::fs::write(&library, format!("{faults}let top = 8 m\n")).unwrap();
+    let watching = json!({ "workspace": { "didChangeWatchedFiles": { "dynamicRegistration": true } } });
+    let mut client = Client::start_with(json!({ "capabilities": watching }));
+    let root_uri = uri_of(&root);
+    client.open(&root_uri, &format!("use \"library.mav\"\n{rest}"));
+    client.wait(&root_uri, Some(1), <[Value]>::is_empty);
+    let asked = client.others.iter().filter_map(|message| match message {
+        Message::Request(request) => Some((request.method.as_str(), &request.params["registrations"][0]["method"])),
+        _ => None,
+    });
+    let watch = json!("workspace/didChangeWatchedFiles");
+    assert_eq!(asked.collect::<Vec<_>>(), [("client/registerCapability", &watch)]);
+    std::fs::write(&library, faults).unwrap();
+    let changed = json!([{ "uri": uri_of(&library), "type": 2 }]);
+    client.note("workspace/didChangeWatchedFiles", json!({ "changes": changed }));
+    let told = client.wait(&root_uri, None, |told| !told.is_empty());
+    assert_eq!(told[0]["code"], "mavc::name::unknown");
     client.stop();
 }
 

@@ -1,5 +1,7 @@
 //! The machine-readable record of a flight, schema in `docs/schema/simulate.schema.json`.
 
+#[cfg(test)]
+use crate::flight::Cause;
 use crate::flight::{Flight, Outcome};
 use crate::model::{Detection, Model, Strike};
 use crate::planner::studies::MissionPlan;
@@ -24,47 +26,93 @@ pub struct Flown<'a> {
 /// Version of this record; raised when a field or the meaning of its values changes.
 const SCHEMA: u32 = 3;
 
+/// Result of one simulated flight along the spec's plan, with faults during the flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct FlightRecord {
+    /// Version of this format.
+    #[cfg_attr(test, schemars(extend("const" = SCHEMA)))]
     pub schema: u32,
-    /// Always `simulated`.
+    /// The verdict of every flight, whatever its outcome.
+    #[cfg_attr(test, schemars(extend("const" = SIMULATED)))]
     pub verdict: &'static str,
+    /// SHA-256 over all files of the spec.
+    #[cfg_attr(test, schemars(regex(pattern = "^[0-9a-f]{64}$")))]
     pub spec_sha256: String,
+    /// The planner of the plan that was flown.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::plan::PLANNER.words())))]
     pub planner: &'static str,
+    /// Mission time of the plan, s.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub plan_time_s: f64,
+    /// The controller.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::simulate::CONTROLLER.words())))]
     pub controller: &'static str,
+    /// How a wrench becomes rotor speeds.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::vehicle::ALLOCATION.words())))]
     pub allocation: &'static str,
-    /// `never`, `after` or `estimator`.
+    /// How the controller learns of faults.
+    #[cfg_attr(test, schemars(extend("enum" = ["never", "after", "estimator"])))]
     pub detection: &'static str,
+    /// Delay after which faults are known, s; null unless `detection` is `after`.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub detection_delay_s: Option<f64>,
+    /// The reaction to a detected fault.
+    #[cfg_attr(test, schemars(extend("enum" = crate::language::table::simulate::AFTER_FAULT.words())))]
     pub after_fault: &'static str,
+    /// Steps of the integrator per second.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
     pub rate_hz: f64,
+    /// Seed of noise and gusts.
     pub seed: u64,
+    /// How the flight ended.
     pub outcome: OutcomeRecord,
+    /// When the flight ended, s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub end_s: f64,
+    /// Position error, root mean square, m.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub rms_error_m: f64,
+    /// Largest position error, m.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub max_error_m: f64,
-    /// Since the first fault; `None` without one.
+    /// The root mean square since the first fault, m; null without a fault.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub rms_error_after_m: Option<f64>,
+    /// Largest angle between body z and the vertical, rad.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub max_tilt_rad: f64,
-    /// Between the flown and the planned heading, at most half a turn.
+    /// Angle between the flown and the planned heading, root mean square, rad; at most half a turn.
+    #[cfg_attr(test, schemars(range(min = 0, max = 3.15)))]
     pub rms_heading_error_rad: f64,
+    /// The largest such angle, rad.
+    #[cfg_attr(test, schemars(range(min = 0, max = 3.15)))]
     pub max_heading_error_rad: f64,
-    /// Since the first fault; `None` without one.
+    /// The largest since the first fault, rad; null without a fault.
+    #[cfg_attr(test, schemars(range(min = 0, max = 3.15)))]
     pub max_heading_error_after_rad: Option<f64>,
     /// Largest number of whole turns away from the planned heading.
     pub turns: usize,
-    /// When yaw was first given up on purpose; `None` if it never was.
+    /// When yaw was first given up on purpose, s since the start; omitted if it never was. The heading error loses no
+    /// vehicle while yaw is given up.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub gave_up_yaw_at_s: Option<f64>,
-    /// For how long some body rate was beyond the range of the gyroscope; `None` if never.
+    /// For how long some body rate was beyond the range of the gyroscope, s; omitted if it never was.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub gyroscope_saturated_s: Option<f64>,
+    /// In the order of their times.
     pub faults: Vec<FaultRecord>,
+    /// How often the estimate of a sound rotor was below 0.7 for longer than 0.1 s.
     pub false_alarms: usize,
+    /// How often an estimate was refused because the vehicle could not hover under it.
     pub refused_reconfigurations: usize,
+    /// The estimator's regressor along the flight; null if nothing is estimated.
     pub regressor: Option<RegressorRecord>,
-    /// Groups of modes that cannot be distinguished at the planned rotor speeds.
+    /// Groups of modes that cannot be distinguished at the planned rotor speeds; `healthy` is the vehicle without a
+    /// fault.
+    #[cfg_attr(test, schemars(inner(length(min = 2))))]
     pub indistinguishable_modes: Vec<Vec<String>>,
     /// How near the flight came to the boundary of each volume; omitted without volumes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -73,40 +121,75 @@ pub struct FlightRecord {
     pub warnings: Vec<Caveat>,
 }
 
+/// How a flight ended.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "status", rename_all = "snake_case")]
 pub enum OutcomeRecord {
+    /// Flown to the end.
     Flown,
+    /// It landed after a fault.
     Landed {
+        /// When it touched the ground, s.
+        #[cfg_attr(test, schemars(range(min = 0)))]
         at_s: f64,
     },
+    /// The vehicle was lost.
     Lost {
+        /// When it was lost, s.
+        #[cfg_attr(test, schemars(range(min = 0)))]
         at_s: f64,
+        /// Why it was lost.
+        #[cfg_attr(test, schemars(extend("enum" = Cause::ALL.map(Cause::name))))]
         cause: &'static str,
-        /// Too far tilted or turned at the end of the flight, for however short a time.
+        /// Whether the vehicle was too far tilted or turned at the end of the flight, for however short a time.
         at_end: bool,
     },
+    /// The integration broke down.
     Diverged {
+        /// When NaN, infinity or a rotation too fast for the steps first occurred, s.
+        #[cfg_attr(test, schemars(range(min = 0)))]
         at_s: f64,
     },
 }
 
+/// A fault during the flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct FaultRecord {
+    /// The mode's name.
     pub mode: String,
+    /// When it struck, s.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub at_s: f64,
+    /// When the rotors recovered, s; null if they did not.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub until_s: Option<f64>,
     /// False if the flight ended before the fault.
     pub struck: bool,
+    /// Seconds until some affected rotor was estimated to be weakened; null if never.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub detected_after_s: Option<f64>,
+    /// Seconds until every estimated capacity was within 0.2 of the true one; null if never.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub isolated_after_s: Option<f64>,
 }
 
+/// The estimator's regressor along a flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RegressorRecord {
+    /// Number of rotors.
+    #[cfg_attr(test, schemars(range(min = 4)))]
     pub rotors: usize,
+    /// Lowest rank along the flight.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub lowest_rank: usize,
+    /// Highest rank along the flight.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub highest_rank: usize,
+    /// Ratio of the largest to the smallest significant singular value, median over the flight.
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub median_condition: f64,
 }
 
@@ -181,4 +264,15 @@ fn faults(model: &Model, strikes: &[Strike], flight: &Flight) -> Vec<FaultRecord
         isolated_after_s: found(index).and_then(|f| f.isolated_after),
     };
     strikes.iter().enumerate().map(record).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::schemas::check;
+
+    #[test]
+    fn the_schema_is_current() {
+        check::<FlightRecord>("simulate", "mavc simulate --report");
+    }
 }

@@ -13,16 +13,20 @@ use serde::Serialize;
 
 /// One equilibrium.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RelaxedHover {
     /// Angular velocity in body axes, rad/s; the vertical is parallel to it.
     pub body_rates_rad_s: [f64; 3],
-    /// The angle between the z axis of the body and the vertical.
+    /// The angle between the z axis of the body and the vertical, deg.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub axis_tilt_deg: f64,
     /// Thrust of each rotor, N, with the smallest sum of squares.
     pub thrusts_n: Vec<f64>,
     /// Radius of the circle of the centre of gravity, m: `g tan(tilt) / |w|^2`.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub circle_radius_m: f64,
     /// Radius of the disc of roll and pitch torques about those of the equilibrium, N m.
+    #[cfg_attr(test, schemars(range(min = 0)))]
     pub disc_n_m: f64,
     /// Mechanical power of the rotors divided by that of healthy hover.
     pub power_ratio: f64,
