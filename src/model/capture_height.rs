@@ -111,7 +111,7 @@ impl Rule<'_> {
             lower,
             upper,
             span: self.span,
-            volume: Some(Arc::new(Boundary { name: NAME.into(), quantity, half_width })),
+            volume: Some(Arc::new(Boundary { name: NAME.into(), quantity, half_width, around: None })),
             leg: Some(Arc::new(on)),
         }
     }

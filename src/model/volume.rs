@@ -11,7 +11,7 @@ pub(super) use impose::{impose, only_in_the_exact_model, which};
 pub(super) use read::{is_one, read};
 
 use super::{Limit, LimitKind, Rotor, Vehicle};
-use crate::geometry::body::Body;
+use crate::geometry::body::{Body, BoundingBox};
 use crate::source::Span;
 use std::sync::Arc;
 
@@ -52,6 +52,8 @@ pub struct Boundary {
     pub quantity: Bounded,
     /// Half the width of a corridor, m; infinite for a volume.
     pub half_width: f64,
+    /// Of a quantity that is the distance from a body: the box about the body.
+    pub around: Option<BoundingBox>,
 }
 
 /// A quantity of the position p.
@@ -92,12 +94,16 @@ impl Volume {
 
     fn limit(&self, kind: LimitKind, (lower, upper): (Option<f64>, Option<f64>), quantity: Bounded) -> Limit {
         let name = format!("{} {}", self.side.keyword(), self.name);
+        let around = match &quantity {
+            Bounded::FromBody(body) => Some(BoundingBox::of(body)),
+            _ => None,
+        };
         Limit {
             kind,
             lower,
             upper,
             span: self.span,
-            volume: Some(Arc::new(Boundary { name, quantity, half_width: f64::INFINITY })),
+            volume: Some(Arc::new(Boundary { name, quantity, half_width: f64::INFINITY, around })),
             leg: None,
         }
     }
@@ -169,6 +175,13 @@ impl Limit {
         let value = self.value_at(p)?;
         let over = self.upper.map_or(f64::NEG_INFINITY, |upper| value - upper);
         Some(over.max(self.lower.map_or(f64::NEG_INFINITY, |lower| lower - value)))
+    }
+
+    /// Whether the position `p` (m) is so far from the body that the limit keeps away from that [`Self::violation_at`] is surely
+    /// below `violation` (m), by a quick test that need not find it out.
+    pub fn is_violated_by_less(&self, p: [f64; 3], violation: f64) -> bool {
+        let around = self.volume.as_deref().and_then(|volume| volume.around);
+        around.zip(self.lower).is_some_and(|(around, lower)| around.is_further(p, lower - violation))
     }
 
     /// As messages name it: the volume or corridor, or the limited quantity, and its leg if it holds on one.

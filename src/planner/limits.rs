@@ -105,6 +105,11 @@ pub(super) fn place(kind: LimitKind) -> bool {
     matches!(kind, X | Y | Z | Yaw | Face | Distance | Clearance)
 }
 
+/// Whether a limit bounds the yaw.
+pub(super) fn is_of_yaw(kind: LimitKind) -> bool {
+    matches!(kind, LimitKind::Yaw | LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading)
+}
+
 /// By how much bounds are widened in a program.
 pub(super) struct Widening {
     /// Each bound is wider by this share of itself, except bounds on positions.

@@ -150,7 +150,8 @@ pub fn limits(cx: &mut Context, legs: &[Written], waypoints: &[Waypoint], end_at
                         _ => format!("{} leg to {at}", shape.word()),
                     };
                     let bound = |kind, upper, quantity| {
-                        let volume = Some(Arc::new(Boundary { name: name.clone(), quantity, half_width: radius }));
+                        let volume =
+                            Some(Arc::new(Boundary { name: name.clone(), quantity, half_width: radius, around: None }));
                         Limit { kind, lower: None, upper: Some(upper), span, volume, leg: on(name.clone(), None) }
                     };
                     let ahead = |p: [f64; 3]| (0..3).map(|i| along[i] * p[i]).sum::<f64>();
