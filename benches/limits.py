@@ -134,7 +134,11 @@ def write(path, text):
 
 
 def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit("usage: python3 benches/limits.py MAVC [WORD]")
     mavc = os.path.abspath(sys.argv[1])
+    if not os.access(mavc, os.X_OK):
+        sys.exit(f"cannot run {sys.argv[1]}: build it with `cargo build --release`")
     word = sys.argv[2] if len(sys.argv) > 2 else ""
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)

@@ -4,7 +4,7 @@ use crate::cli::mavc;
 use mavc::admissible::AdmissibleSet;
 use mavc::model::{Limit, LimitKind, Problem};
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::hover::HoverPlanner;
+use mavc::planner::hover::{Decision, HoverPlanner};
 use mavc::planner::scp::{ScpPlanner, ScpSettings};
 use mavc::planner::selection::sets::PlanningSets;
 use mavc::verify::interval::Interval;
@@ -277,6 +277,68 @@ proptest! {
             }
         }
     }
+}
+
+/// A turn inside `count` polygons of 200 corners about [x, 0], each turned a little.
+fn inside_polygons(count: usize, x: f64, radius: f64) -> String {
+    let corner = |k: usize, i: usize| {
+        let angle = std::f64::consts::TAU * i as f64 / 200.0 + 0.001 * k as f64;
+        format!("[{:.5}, {:.5}]", x + radius * angle.cos(), radius * angle.sin())
+    };
+    let polygon = |k: usize| {
+        let corners: Vec<String> = (0..200).map(|i| corner(k, i)).collect();
+        let corners = corners.join(", ");
+        format!("keep_in p{k} {{ shape = polygon; corners = [{corners}] m; bottom = 0 m; top = 30 m }}\n")
+    };
+    let polygons: String = (0..count).map(polygon).collect();
+    format!(
+        "vehicle octo {{
+    layout = \"PPNNPPNN\"; arm = 0.211 m; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2; size = 0.3 m
+    rotor {{ max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }}
+}}
+mission turn {{
+    start at [0, 0, 10] m
+    waypoint at [4, 2, 10] m
+    waypoint at [4, -2, 10] m
+    {polygons}
+}}
+plan {{ planner = rip; time = 6 s; samples = 24 }}"
+    )
+}
+
+/// What a plan costs, and how many rows its last program has, with at most so many rows of volumes in every program.
+fn planned_with(spec: &str, max_rows_of_volumes: usize) -> (f64, usize) {
+    let spec = mavc::compile(spec).into_result().unwrap();
+    let (healthy, sets) = (AdmissibleSet::healthy(spec.model()), PlanningSets::of(spec.model()));
+    let mut settings = ScpSettings::DEFAULT;
+    settings.subproblem.max_rows_of_volumes = max_rows_of_volumes;
+    let mut hover = HoverPlanner::new(Problem::of(spec.model()).unwrap(), &healthy);
+    let mut planner = ScpPlanner::with_settings(&mut hover, WrenchModel::Exact, &sets.rip, settings);
+    match planner.decide(6.0, &[]) {
+        Decision::Feasible(planned) => (planned.objective, planned.rows),
+        _ => panic!("no plan"),
+    }
+}
+
+/// Where volumes have more rows than fit in memory at their bounds, programs have those near the plan.
+#[test]
+fn programs_do_not_hold_every_row_of_many_volumes() {
+    let spec = inside_polygons(21, 2.0, 20.0);
+    let sides = 21 * 200;
+    let (_, rows) = planned_with(&spec, ScpSettings::DEFAULT.subproblem.max_rows_of_volumes);
+    assert!(rows < sides, "{rows} rows of {sides} sides at 25 nodes");
+}
+
+/// Plans that touch their volumes cost the same whether programs have all rows of volumes or get those that are violated.
+#[test]
+fn rows_of_volumes_that_are_added_make_the_same_plan() {
+    // Its side is 0.1 m beyond the waypoints, between which the quickest turn goes further out.
+    let spec = inside_polygons(1, -20.0, 24.4);
+    let ((all, every), (added, some)) = (planned_with(&spec, 100_000), planned_with(&spec, 0));
+    let (free, _) = planned_with(&inside_polygons(1, 2.0, 20.0), 0);
+    assert!(all > 1.01 * free, "the volume does not matter: {all} {free}");
+    assert!((added - all).abs() < 1e-3 * all, "{added} {all}");
+    assert!(some < every / 2, "{some} rows of {every}");
 }
 
 /// Very long tests; see CONTRIBUTING.

@@ -80,6 +80,47 @@ impl Body {
     }
 }
 
+/// The box about a body, which is much quicker to measure from than a polygon of many corners.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoundingBox {
+    /// The lowest coordinates, m.
+    pub low: [f64; 3],
+    /// The highest coordinates, m.
+    pub high: [f64; 3],
+}
+
+impl BoundingBox {
+    /// The box about a body.
+    pub fn of(body: &Body) -> Self {
+        let (low, high) = body.extent();
+        BoundingBox { low, high }
+    }
+
+    /// Whether every point of the box is further than `distance` (m) from `p`, with room for rounding. The distance of `p` from
+    /// the body is then larger too.
+    pub fn is_further(&self, p: [f64; 3], distance: f64) -> bool {
+        let off = |i: usize| (self.low[i] - p[i]).max(p[i] - self.high[i]).max(0.0);
+        let square: f64 = (0..3).map(|i| off(i) * off(i)).sum();
+        square > ((distance + ROUNDING) * (1.0 + ROUNDING)).max(0.0).powi(2)
+    }
+}
+
+/// A body with the box about it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Obstacle {
+    pub body: Body,
+    pub around: BoundingBox,
+}
+
+impl Obstacle {
+    pub fn of(body: Body) -> Self {
+        Obstacle { around: BoundingBox::of(&body), body }
+    }
+}
+
+/// Room for rounding in [`BoundingBox::is_further`], m and as a share.
+const ROUNDING: f64 = 1e-6;
+
 fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
@@ -140,6 +181,26 @@ mod tests {
     fn lattice() -> impl Iterator<Item = [f64; 3]> {
         let steps = || (-16..=16).map(|i| 0.5 * f64::from(i));
         steps().flat_map(move |x| steps().flat_map(move |y| steps().map(move |z| [x, y, z])))
+    }
+
+    /// A box that is further than a distance shows that its body is, and shows it for almost all points that are much further.
+    #[test]
+    fn boxes_are_no_further_than_their_bodies() {
+        for body in bodies() {
+            let around = BoundingBox::of(&body);
+            let (mut further, mut shown) = (0, 0);
+            for p in lattice().step_by(7) {
+                let distance = body.separation(p).distance;
+                for least in [-1.0, 0.0, 0.3, 2.0] {
+                    let is_shown = around.is_further(p, least);
+                    assert!(distance > least || !is_shown, "{body:?} {p:?} {least}");
+                    let is_near = distance < least + 3.0;
+                    (further, shown) = (further + usize::from(!is_near), shown + usize::from(!is_near && is_shown));
+                }
+            }
+            let is_bounded = !matches!(body, Body::HalfSpace { .. });
+            assert!(!is_bounded || (further > 1_000 && 100 * shown > 90 * further), "{body:?}: {shown} of {further}");
+        }
     }
 
     /// No point of the body lies beyond the plane, and the distance of some point of the body is near the one claimed.

@@ -20,7 +20,7 @@ pub mod volume;
 mod without_yaw;
 mod yaw_drag;
 
-pub use crate::body::Body;
+pub use crate::body::{Body, Obstacle};
 pub use air::{Air, Environment, STANDARD_DENSITY};
 pub use battery::Battery;
 pub use flight_settings::{
@@ -397,7 +397,7 @@ pub enum LimitKind {
     /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one or of a corridor, m.
     Distance(DistanceFrom),
     /// The distance from a body of a `keep_out`, m: a lower bound, and the only limit that is not convex.
-    Clearance(Arc<Body>),
+    Clearance(Arc<Obstacle>),
     /// The angle between the velocity and this unit vector at the end of the leg, rad; without velocity there is none.
     Arrival([f64; 3]),
     /// The angle between the yaw and the direction of the target, rad, at nodes; where there is no such direction, nothing is

@@ -27,6 +27,8 @@ use crate::verify::{self, Settings};
 const YAW_FIRST: &str = "in the hover model a yaw that changes is planned first, so infeasibility is shown for that yaw \
                          alone; with `model = exact` it may be shown for every yaw";
 
+const TOO_MANY: &str = "it has more rows than a certificate may hold";
+
 const NO_TIME: &str = "fixed times and holds leave no time for some leg";
 
 /// Weight of the inputs' cost relative to the overshoot: large enough to make the solution unique, too small to matter.
@@ -75,7 +77,7 @@ pub fn certificate(
     };
     let every = multipliers(&overshoot, &z, mission).ok_or("a row of the program cannot be named")?;
     if facets.len() > MAX_FACETS || every.len() > MAX_MULTIPLIERS {
-        return Err("it has more rows than a certificate may hold".into());
+        return Err(TOO_MANY.into());
     }
     let size = |m: &Multiplier| m.z.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let largest = every.iter().map(size).fold(0.0, f64::max);
@@ -122,6 +124,9 @@ fn about_hover(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Resu
     let commands = layout.commands(model);
     let form = Transcription::new(planner.problem, &layout.flown, &run.set, &maps, layout.yaw.axes())
         .with_commands(commands.as_ref());
+    if form.each_row().take(MAX_MULTIPLIERS + 1).count() > MAX_MULTIPLIERS {
+        return Err(TOO_MANY.into());
+    }
     Ok(Overshoot {
         program: form.full_program(Purpose::Overshoot { epsilon: COST }),
         taus: form.taus(),

@@ -39,6 +39,11 @@ pub(super) fn place(kind: &LimitKind) -> bool {
     matches!(kind, X | Y | Z | Yaw | Face(_) | Distance(_) | Clearance(_))
 }
 
+/// Whether a limit bounds the yaw.
+pub(super) fn is_of_yaw(kind: &LimitKind) -> bool {
+    matches!(kind, LimitKind::Yaw | LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading(_))
+}
+
 /// By how much bounds are widened in a program.
 pub(super) struct Widening {
     /// Each bound is wider by this share of itself, except bounds on positions.
@@ -224,10 +229,10 @@ impl Transcription<'_> {
             }
             // The distance is at least that from the plane that separates the body from a position nearby. Without such a
             // position there is no row, and the program is a relaxation.
-            (_, LimitKind::Clearance(body), None) if self.plans(X) => {
+            (_, LimitKind::Clearance(obstacle), None) if self.plans(X) => {
                 let near = self.positions.and_then(|positions| positions.get(instant));
                 let (Some(&near), Some(lower)) = (near, lower) else { return };
-                let Separation { normal, support, .. } = body.separation(near);
+                let Separation { normal, support, .. } = obstacle.body.separation(near);
                 let mut row = along(normal, &parts(&[X, Y, Z], 0)).plus_constant(-support);
                 row.add(&widening.clearance(lower), -1.0);
                 builder.nonnegative(row, origin);
@@ -310,8 +315,8 @@ impl Transcription<'_> {
                 let error = target.error([position[0], position[1]], velocity, state[YAW][0]);
                 error.map_or(f64::NEG_INFINITY, |error| share(error.abs() - upper, HEADING_UNIT))
             }
-            (_, LimitKind::Clearance(body), None) if self.plans(X) => {
-                let short = limit.lower.map(|lower| lower - body.separation(position).distance);
+            (_, LimitKind::Clearance(obstacle), None) if self.plans(X) => {
+                let short = limit.lower.map(|lower| lower - obstacle.body.separation(position).distance);
                 short.map_or(f64::NEG_INFINITY, |short| share(short, CLEARANCE_UNIT))
             }
             _ => f64::NEG_INFINITY,

@@ -15,7 +15,7 @@ use crate::motion::hover_map::{ORDER, WrenchMap};
 use crate::motion::time_grid::TimeGrid;
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::commands::{CommandAt, CommandMaps, Slope};
-use crate::planner::limits::Widening;
+use crate::planner::limits::{Widening, is_of_yaw};
 use crate::planner::selection::PlanningSet;
 use crate::planner::spline::NodeSpline;
 use crate::planner::wrench_expression::WrenchExpression;
@@ -302,17 +302,25 @@ impl<'a> Transcription<'a> {
         self.axes.contains(&axis)
     }
 
-    /// Every row that row generation may leave out.
-    pub fn every_row(&self) -> Vec<RowAt> {
-        let facets = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality).map(Row::Facet);
-        let rows = facets.chain((0..self.mission.limits.len()).map(Row::Limit));
-        let rows = rows.flat_map(|row| (0..self.instants()).map(move |instant| RowAt { row, instant }));
-        let places = self.commands.into_iter().flat_map(BTreeMap::keys);
-        let commands = places.flat_map(|&(instant, slope)| {
-            let inequalities = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality);
-            inequalities.map(move |facet| RowAt { row: Row::Command { facet, slope }, instant })
+    /// Every row that row generation may leave out. There may be more than fit in memory.
+    pub(crate) fn each_row(&self) -> impl Iterator<Item = RowAt> {
+        let inequalities = || (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality);
+        let at_each = |row: Row| (0..self.instants()).map(move |instant| RowAt { row, instant });
+        // A program of yaw alone has no rows of the other limits, of which there may be thousands.
+        let limits = self.mission.limits.iter().enumerate().filter(|(_, l)| self.plans(X) || is_of_yaw(&l.kind));
+        let limits = limits.flat_map(move |(index, limit)| {
+            at_each(Row::Limit(index)).filter(move |row| self.covers(limit, row.instant))
         });
-        rows.chain(commands).collect()
+        let places = self.commands.into_iter().flat_map(BTreeMap::keys);
+        let commands = places.flat_map(move |&(instant, slope)| {
+            inequalities().map(move |facet| RowAt { row: Row::Command { facet, slope }, instant })
+        });
+        inequalities().map(Row::Facet).flat_map(at_each).chain(limits).chain(commands)
+    }
+
+    /// The rows of [`Self::each_row`].
+    pub fn every_row(&self) -> Vec<RowAt> {
+        self.each_row().collect()
     }
 
     /// The program with every row.

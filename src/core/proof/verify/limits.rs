@@ -6,7 +6,7 @@ use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
 use super::wrench::thrust_over_mass;
 use super::{heading, volumes};
-use crate::model::{Body, Environment, Limit, LimitKind};
+use crate::model::{Body, Environment, Limit, LimitKind, Obstacle};
 
 /// Value and rate of change.
 type Series = super::series::Series<2>;
@@ -42,7 +42,7 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(u
             LimitKind::Tilt => tilted(side),
             LimitKind::Face(normal) => beyond(volumes::along(normal, state), side),
             LimitKind::Distance(from) => beyond(volumes::away(from, state), side),
-            LimitKind::Clearance(body) => beyond(volumes::clear(body, state), side),
+            LimitKind::Clearance(obstacle) => beyond(volumes::clear(&obstacle.body, state), side),
             LimitKind::Arrival(direction) => arrival_violation(*direction, state, -side.1),
             LimitKind::Heading(target) => heading::violation(*target, state, -side.1),
         });
@@ -68,8 +68,8 @@ pub fn family<'l>(limit: &'l Limit, environment: &Environment, within: Option<(u
 /// The limit with a box about its polygon in place of the polygon, if that has more corners: what keeps out of the box
 /// keeps out of the polygon, and most of a motion is far from most volumes.
 pub fn about(limit: &Limit) -> Option<Limit> {
-    let LimitKind::Clearance(body) = &limit.kind else { return None };
-    let Body::Prism { corners, bottom, top } = body.as_ref() else { return None };
+    let LimitKind::Clearance(obstacle) = &limit.kind else { return None };
+    let Body::Prism { corners, bottom, top } = &obstacle.body else { return None };
     if corners.len() <= 4 || limit.upper.is_some() {
         return None;
     }
@@ -80,13 +80,13 @@ pub fn about(limit: &Limit) -> Option<Limit> {
     let ((left, right), (front, back)) = (ends(0), ends(1));
     let corners = vec![[left, front], [right, front], [right, back], [left, back]];
     let about = Body::Prism { corners, bottom: *bottom, top: *top };
-    Some(Limit { kind: LimitKind::Clearance(about.into()), ..limit.clone() })
+    Some(Limit { kind: LimitKind::Clearance(Obstacle::of(about).into()), ..limit.clone() })
 }
 
 /// The corners that are looked at for the distance from a body.
 fn corners(kind: &LimitKind) -> u64 {
     match kind {
-        LimitKind::Clearance(body) => match body.as_ref() {
+        LimitKind::Clearance(obstacle) => match &obstacle.body {
             Body::Prism { corners, .. } => corners.len() as u64,
             Body::Cylinder { .. } | Body::Ball { .. } | Body::HalfSpace { .. } => 0,
         },

@@ -6,7 +6,7 @@ pub mod reach;
 pub mod split;
 
 use super::{DistanceFrom, Limit, LimitKind, Rotor, Vehicle, Waypoint};
-use crate::body::Body;
+use crate::body::{Body, Obstacle};
 use crate::source::Span;
 use std::sync::Arc;
 
@@ -59,8 +59,9 @@ impl Volume {
         match self.side {
             Side::KeepIn => self.bodies.iter().flat_map(|body| self.inside(body, margin)).collect(),
             Side::KeepOut => {
-                let beyond =
-                    |body: &Body| self.limit(LimitKind::Clearance(Arc::new(body.clone())), (Some(margin), None));
+                let beyond = |body: &Body| {
+                    self.limit(LimitKind::Clearance(Arc::new(Obstacle::of(body.clone()))), (Some(margin), None))
+                };
                 self.bodies.iter().map(beyond).collect()
             }
         }
@@ -150,7 +151,7 @@ impl Limit {
             LimitKind::Z => p[2],
             LimitKind::Face(normal) => (0..3).map(|i| normal[i] * p[i]).sum(),
             LimitKind::Distance(from) => from.distance(p),
-            LimitKind::Clearance(body) => body.separation(p).distance,
+            LimitKind::Clearance(obstacle) => obstacle.body.separation(p).distance,
             LimitKind::Yaw
             | LimitKind::Speed
             | LimitKind::SpeedHorizontal
@@ -172,6 +173,15 @@ impl Limit {
         let value = self.value_at(p)?;
         let over = self.upper.map_or(f64::NEG_INFINITY, |upper| value - upper);
         Some(over.max(self.lower.map_or(f64::NEG_INFINITY, |lower| lower - value)))
+    }
+
+    /// Whether the position `p` (m) is so far from the body that the limit keeps away from that [`Self::violation_at`] is surely
+    /// below `violation` (m), by a quick test that need not find it out.
+    pub fn is_violated_by_less(&self, p: [f64; 3], violation: f64) -> bool {
+        match (&self.kind, self.lower) {
+            (LimitKind::Clearance(obstacle), Some(lower)) => obstacle.around.is_further(p, lower - violation),
+            _ => false,
+        }
     }
 
     /// As messages name it: the volume or corridor, or the limited quantity, and its leg if it holds on one.

@@ -138,7 +138,9 @@ impl HoverPlanner<'_> {
                 return Attempt { outcome, states, rows: chosen.len() };
             }
             round += 1;
-            if round == self.settings.max_rounds {
+            // More rows go on to be added as they are violated.
+            let most = self.settings.max_rows_at_once;
+            if round == self.settings.max_rounds && stages.each_row().take(most + 1).count() <= most {
                 working_set.rows = stages.every_row().into_iter().collect();
             }
         }

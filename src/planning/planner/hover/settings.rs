@@ -7,8 +7,11 @@ pub struct HoverSettings {
     /// Row generation: rows with more slack than this at a plan are not carried on to other mission times. Widths of the healthy
     /// set or shares of a limit; 0.05.
     pub kept_slack: f64,
-    /// Row generation: after this many rounds every row is imposed. 30.
+    /// Row generation: after this many rounds every row is imposed, 30, unless there are more than `max_rows_at_once`, 300,000: a
+    /// row takes some 800 bytes, most of them in the solver.
     pub max_rounds: usize,
+    /// See `max_rounds`.
+    pub max_rows_at_once: usize,
     /// Programs with more rows than this are solved in stage variables. 1,000, measured.
     pub max_rows_in_splines: usize,
     /// Programs whose `Transcription::stiffness` exceeds this are solved in stage variables. 1e9. Measured along the paper's
@@ -48,6 +51,7 @@ impl HoverSettings {
     pub const DEFAULT: HoverSettings = HoverSettings {
         kept_slack: 0.05,
         max_rounds: 30,
+        max_rows_at_once: 300_000,
         max_rows_in_splines: 1_000,
         max_stiffness: 1e9,
         cost_share_of_overshoot: 1e-3,

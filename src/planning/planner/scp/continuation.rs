@@ -53,7 +53,8 @@ impl ScpPlanner<'_, '_> {
             let commands_inside = |node: usize| self.command_violation_at(&slow, node * PARTS) <= 0.0;
             // A slower motion is as near to volumes, and arrives from the same directions.
             let violation = |node: usize, s: &NodeState| {
-                let all = self.violations_at(&form, s, node * PARTS).filter(|(place, _)| !self.is_of_path(*place));
+                let all = self.violations_at(&form, s, node * PARTS, || f64::INFINITY);
+                let all = all.filter(|(place, _)| !self.is_of_path(*place));
                 all.map(|(_, violation)| violation).fold(f64::NEG_INFINITY, f64::max)
             };
             slow.states.iter().enumerate().all(|(node, s)| violation(node, s) <= 0.0)

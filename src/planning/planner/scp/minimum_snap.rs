@@ -62,20 +62,19 @@ impl ScpPlanner<'_, '_> {
             places.extend(self.limits_at_nodes(grid, |limit| limit.kind.is_heading()));
         }
         // A coarse grid would cut the corners of a way around.
-        if positions.is_some() {
+        if positions.is_some() && !self.has_many_volumes(grid) {
             let volumes = self.hover.problem.mission().limits.iter().enumerate().filter(|(_, l)| l.kind.is_clearance());
             let instants = (0..=grid.intervals() * PARTS).step_by(self.settings.guidance.instants);
             let rows =
                 volumes.flat_map(|(i, _)| instants.clone().map(move |instant| RowAt { row: Row::Limit(i), instant }));
             places.extend(rows);
         }
-        let places: Vec<RowAt> = places.into_iter().collect();
-        let program = match form.free_ends().next().is_some() {
-            true => form.minimum_snap_program(&places),
-            false => form.relaxed_program(Purpose::Plan { slack: 0.0 }, &places, f64::INFINITY),
+        let program = |places: &[RowAt]| match form.free_ends().next().is_some() {
+            true => form.minimum_snap_program(places),
+            false => form.relaxed_program(Purpose::Plan { slack: 0.0 }, places, f64::INFINITY),
         };
-        let (outcome, effort) = solve_graded(&program);
-        self.hover.effort += effort;
+        let instants = if positions.is_some() { self.settings.guidance.instants } else { PARTS };
+        let (_, outcome) = self.solve_with_volumes(&form, places, instants, program);
         let (Outcome::Solved(Solution { x, .. }) | Outcome::Inconclusive { point: Some(x), .. }) = outcome else {
             return None;
         };

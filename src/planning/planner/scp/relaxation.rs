@@ -43,14 +43,13 @@ impl ScpPlanner<'_, '_> {
             return Verdict::Infeasible;
         }
         let form = self.transcription(grid, &[]);
-        let rows: Vec<RowAt> = self.limits_at_nodes(grid, |_| true).collect();
-        let program = form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust);
-        let (outcome, effort) = solve_graded(&program);
+        let rows: BTreeSet<RowAt> = self.limits_at_nodes(grid, |_| true).collect();
+        let program = |rows: &[RowAt]| form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, rows, thrust);
+        let (program, outcome) = self.solve_with_volumes(&form, rows, PARTS, program);
         let iterate = match outcome {
             // The proof is not extended to drag: its bounds on inputs assume that the thrust bounds the acceleration.
             Outcome::Infeasible { .. } if self.environment.has_drag() => None,
             Outcome::Infeasible { certificate } => {
-                self.hover.effort += effort;
                 self.hover.weights = program.weights(&certificate);
                 return Verdict::Infeasible;
             }
@@ -59,7 +58,6 @@ impl ScpPlanner<'_, '_> {
             }
             Outcome::Inconclusive { .. } => None,
         };
-        self.hover.effort += effort;
         Verdict::Feasible(iterate)
     }
 
@@ -68,8 +66,12 @@ impl ScpPlanner<'_, '_> {
     pub fn overshoot(&mut self, grid: &TimeGrid, epsilon: f64) -> Relaxed {
         let thrust = self.most_thrust();
         let form = self.transcription(grid, &[]);
-        let rows: Vec<RowAt> = self.limits_at_nodes(grid, |_| true).collect();
-        let program = form.relaxed_program(Purpose::Overshoot { epsilon }, &rows, thrust.newtons);
+        let rows: BTreeSet<RowAt> = self.limits_at_nodes(grid, |_| true).collect();
+        let program = |rows: &[RowAt]| form.relaxed_program(Purpose::Overshoot { epsilon }, rows, thrust.newtons);
+        let program = match self.has_many_volumes(grid) {
+            true => self.solve_with_volumes(&form, rows, PARTS, program).0,
+            false => program(&rows.into_iter().collect::<Vec<_>>()),
+        };
         Relaxed { program, taus: form.taus(), thrust }
     }
 

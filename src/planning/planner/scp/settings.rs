@@ -41,6 +41,9 @@ pub struct SubproblemSettings {
     /// Row generation: a row at a node with less slack than this is in the subproblem from the start, and a row of the
     /// working set with more is dropped after the feasibility phase. Widths of the healthy set or shares of a limit; 0.1.
     pub slack_of_working_set: f64,
+    /// Rows of volumes are in every program at every node, unless there are more than this: then programs start without them, and
+    /// get them like other rows. 100,000: a row takes some 800 bytes, most of them in the solver.
+    pub max_rows_of_volumes: usize,
     /// Subproblems are solved in spline coefficients while `Transcription::stiffness` is at most this many times the
     /// iterate's cost, else in stage variables. 1e10. Measured on five missions at 100 to 400 samples: 102 s in all
     /// instead of 110 s with 1e8, with the same times to 0.2 % or shorter ones.
@@ -373,6 +376,7 @@ impl ScpSettings {
     pub const DEFAULT: ScpSettings = ScpSettings {
         subproblem: SubproblemSettings {
             slack_of_working_set: 0.1,
+            max_rows_of_volumes: 100_000,
             max_stiffness: 1e10,
             negligible_multiplier: 1e-4,
             joined_within: 1e-5,

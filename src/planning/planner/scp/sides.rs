@@ -54,12 +54,13 @@ impl ScpPlanner<'_, '_> {
         if most == 0 || !mission.limits.iter().any(|limit| limit.kind.is_clearance()) {
             return Vec::new();
         }
+        let limits: Vec<&Limit> = mission.limits.iter().collect();
         let ends = mission.waypoints.windows(2).map(|pair| (pair[0].position, pair[1].position));
         let in_the_way: Vec<_> =
-            ends.enumerate().filter(|(_, (from, to))| obstructed(mission, *from, *to).is_some()).collect();
+            ends.enumerate().filter(|(_, (from, to))| obstructed(&limits, *from, *to).is_some()).collect();
         // Second ways of all legs before third ones.
         let numbered = (1..=most).flat_map(|nth| in_the_way.iter().map(move |leg| (nth, leg)));
-        let exists = |&(nth, (_, (from, to))): &(usize, &(usize, _))| nth_way(mission, *from, *to, nth).is_some();
+        let exists = |&(nth, (_, (from, to))): &(usize, &(usize, _))| nth_way(&limits, *from, *to, nth).is_some();
         numbered.take(2 * most).filter(exists).take(most).map(|(nth, (leg, _))| Sides::from([(*leg, nth)])).collect()
     }
 }

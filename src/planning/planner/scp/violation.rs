@@ -3,6 +3,8 @@
 use super::*;
 use crate::model::LimitKind;
 use crate::motion::winds::OverWinds;
+use crate::qp::QuadraticProgram;
+use std::cell::Cell;
 
 impl<'e, 'a> ScpPlanner<'e, 'a> {
     /// The wrench of a state in every possible wind, N and N m.
@@ -48,17 +50,20 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         if violation.is_nan() { f64::INFINITY } else { violation }
     }
 
-    /// The violation of every facet and then of every limit for one state, at which the limits that `holds` selects hold.
+    /// The violation of every facet and then of every limit for one state, at which the limits that `holds` selects hold. Where a
+    /// body is so far away that its violation is surely below `floor`, it is not computed and minus infinity.
     pub(super) fn violations<'s>(
         &'s self,
         form: &'s Transcription<'s>,
         state: &'s NodeState,
         holds: impl Fn(&Limit) -> bool + 's,
+        floor: impl Fn() -> f64 + 's,
     ) -> impl Iterator<Item = f64> + 's {
         let wrench = self.wrench_at(state);
         let facets = (0..self.set.rows.len()).map(move |facet| self.violation_of_row(facet, &wrench));
+        let position = [state[X][0], state[Y][0], state[Z][0]];
         // Limits on places have no width for a margin.
-        let of_limit = move |limit: &Limit| match holds(limit) {
+        let of_limit = move |limit: &Limit| match holds(limit) && !limit.is_violated_by_less(position, floor()) {
             true => form.violation_of(limit, state, 0.0) - if place(&limit.kind) { ACCEPTED } else { 0.0 },
             false => f64::NEG_INFINITY,
         };
@@ -73,6 +78,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         form: &'s Transcription<'s>,
         state: &'s NodeState,
         instant: usize,
+        floor: impl Fn() -> f64 + 's,
     ) -> impl Iterator<Item = (usize, f64)> + 's {
         let local_tightening = self.local_tightening.get(&instant);
         let at = move |place: usize| local_tightening.and_then(|b| b.get(&place)).copied().unwrap_or(0.0);
@@ -81,7 +87,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let of_volume = move |place: usize| 0.5 * self.limit_at(place).map_or(0.0, |limit| room_of(limit, room));
         let with_its_own = move |(place, violation)| (place, violation + at(place) + of_volume(place));
         let holds = move |limit: &Limit| form.covers(limit, instant);
-        self.violations(form, state, holds).enumerate().map(with_its_own)
+        // What is added to violations at most.
+        let most = local_tightening.into_iter().flat_map(BTreeMap::values).fold(0.5 * room, |sum, own| sum + own.abs());
+        self.violations(form, state, holds, move || floor() - most).enumerate().map(with_its_own)
     }
 
     /// Whether the row at a place is of a volume, a corridor, a direction of arrival or a yaw that follows from the motion, for which
@@ -98,7 +106,10 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// The largest violation of facets and limits at an instant.
     pub(super) fn violation_at(&self, form: &Transcription, state: &NodeState, instant: usize) -> f64 {
-        self.violations_at(form, state, instant).map(|e| e.1).fold(f64::NEG_INFINITY, f64::max)
+        let most = Cell::new(f64::NEG_INFINITY);
+        let all = self.violations_at(form, state, instant, || most.get());
+        all.for_each(|(_, violation)| most.set(most.get().max(violation)));
+        most.get()
     }
 
     /// The largest violation over all instants.
@@ -154,7 +165,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let mut found = BTreeSet::new();
         for (node, state) in iterate.states.iter().enumerate() {
             let instant = node * PARTS;
-            let over = self.violations_at(&form, state, instant).filter(|(_, e)| *e > threshold);
+            let over = self.violations_at(&form, state, instant, || threshold).filter(|(_, e)| *e > threshold);
             found.extend(over.map(|(i, _)| RowAt { row: self.row(i), instant }));
             found.extend(self.command_rows_at_node(iterate, node, threshold));
         }
@@ -171,7 +182,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             let mut worst: BTreeMap<usize, (f64, usize)> = BTreeMap::new();
             for instant in interval * PARTS + 1..(interval + 1) * PARTS {
                 let state = iterate.at(instant);
-                for (i, violation) in self.violations_at(&form, &state, instant).filter(|(_, e)| *e > 0.0) {
+                let over = self.violations_at(&form, &state, instant, || 0.0).filter(|(_, e)| *e > 0.0);
+                for (i, violation) in over {
                     let entry = worst.entry(i).or_insert((violation, instant));
                     if violation > entry.0 {
                         *entry = (violation, instant);
@@ -191,8 +203,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let mut worst: BTreeMap<(usize, usize), (f64, usize)> = BTreeMap::new();
         for instant in 0..form.instants() {
             let leg = form.leg_of(instant);
-            for (place, violation) in self.violations_at(&form, &iterate.at(instant), instant).filter(|(_, e)| *e > 0.0)
-            {
+            let state = iterate.at(instant);
+            let over = self.violations_at(&form, &state, instant, || 0.0).filter(|(_, e)| *e > 0.0);
+            for (place, violation) in over {
                 let entry = worst.entry((place, leg)).or_insert((violation, instant));
                 if violation > entry.0 {
                     *entry = (violation, instant);
@@ -205,19 +218,82 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         found
     }
 
-    /// The rows of some limits at every node where these hold.
+    /// The rows of some limits at every node where these hold; without those of volumes, if they are too many
+    /// ([`Self::has_many_volumes`]).
     pub(super) fn limits_at_nodes(
         &self,
         grid: &TimeGrid,
         wanted: impl Fn(&Limit) -> bool,
     ) -> impl Iterator<Item = RowAt> {
-        let nodes = 0..grid.nodes();
+        let nodes = grid.nodes();
         let waypoint_nodes = grid.waypoint_nodes.clone();
+        let many = self.has_many_volumes(grid);
+        let wanted = move |limit: &Limit| wanted(limit) && !(many && is_of_volume(limit));
         let limits = self.hover.mission().limits.iter().enumerate().filter(move |(_, limit)| wanted(limit));
         limits.flat_map(move |(index, limit)| {
-            let held: Vec<usize> = nodes.clone().filter(|node| covers(limit, &waypoint_nodes, 1, *node)).collect();
+            let span = match &limit.leg {
+                Some(on) => waypoint_nodes[on.leg]..waypoint_nodes[on.leg + 1] + 1,
+                None => 0..nodes,
+            };
+            let held: Vec<usize> = span.filter(|node| covers(limit, &waypoint_nodes, 1, *node)).collect();
             held.into_iter().map(move |node| RowAt { row: Row::Limit(index), instant: node * PARTS })
         })
+    }
+
+    /// Whether the volumes have so many rows over a time grid that programs start without them and get those that an iterate
+    /// violates or nearly violates.
+    pub(super) fn has_many_volumes(&self, grid: &TimeGrid) -> bool {
+        // The first motion around a volume keeps it between nodes too.
+        let between = PARTS / self.settings.guidance.instants;
+        let rows_at_node = |limit: &Limit| if limit.kind.is_clearance() { 1 + between } else { 1 };
+        let limits = self.hover.mission().limits.iter().filter(|limit| is_of_volume(limit));
+        limits.map(rows_at_node).sum::<usize>() * grid.nodes() > self.settings.subproblem.max_rows_of_volumes
+    }
+
+    /// Solves a program with rows of volumes added until its solution violates no other, if they are too many for one program:
+    /// at each of the `instants` the most violated row. With the rows of the last program.
+    pub(super) fn solve_with_volumes(
+        &mut self,
+        form: &Transcription,
+        mut rows: BTreeSet<RowAt>,
+        instants: usize,
+        program: impl Fn(&[RowAt]) -> QuadraticProgram,
+    ) -> (QuadraticProgram, Outcome) {
+        let is_bounded =
+            |limit: &Limit| is_of_volume(limit) && (!limit.kind.is_clearance() || form.positions.is_some());
+        loop {
+            let chosen: Vec<RowAt> = rows.iter().copied().collect();
+            let program = program(&chosen);
+            let (outcome, effort) = solve_graded(&program);
+            self.hover.effort += effort;
+            let (Outcome::Solved(Solution { x, .. }) | Outcome::Inconclusive { point: Some(x), .. }) = &outcome else {
+                return (program, outcome);
+            };
+            if self.has_many_volumes(form.grid) {
+                let iterate = Iterate { grid: form.grid.clone(), states: form.states(x), model: self.wrench };
+                let limits: Vec<(usize, &Limit)> =
+                    form.mission.limits.iter().enumerate().filter(|(_, limit)| is_bounded(limit)).collect();
+                for instant in (0..form.instants()).step_by(instants) {
+                    let state = iterate.at(instant);
+                    let position = [state[X][0], state[Y][0], state[Z][0]];
+                    let mut worst = (ACCEPTED, None);
+                    for (index, limit) in &limits {
+                        let row = RowAt { row: Row::Limit(*index), instant };
+                        if limit.is_violated_by_less(position, worst.0) || rows.contains(&row) {
+                            continue;
+                        }
+                        let violation = form.violation_of(limit, &state, 0.0);
+                        if violation > worst.0 {
+                            worst = (violation, Some(row));
+                        }
+                    }
+                    rows.extend(worst.1);
+                }
+            }
+            if rows.len() == chosen.len() {
+                return (program, outcome);
+            }
+        }
     }
 
     /// The rows of limits on x, y, z and yaw, at every node, and on directions of arrival: they do not depend on time.
@@ -232,4 +308,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             |kind: &LimitKind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading(_));
         self.limits_at_nodes(grid, |limit| place(&limit.kind) || is_yaw(&limit.kind)).collect()
     }
+}
+
+/// Whether a limit is of a volume: it holds on all legs, and a mission may have thousands.
+fn is_of_volume(limit: &Limit) -> bool {
+    limit.volume.is_some() && limit.is_general()
 }

@@ -6,6 +6,7 @@
 //! sides of the ways before are closed: `sides` chooses among them.
 
 use super::*;
+use crate::body::BoundingBox;
 use crate::model::{LimitKind, Mission};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -39,13 +40,12 @@ impl ScpPlanner<'_, '_> {
         let mut is_changed = false;
         for (leg, segment) in iterate.grid.segments.iter().enumerate() {
             let ends = segment.first_node * PARTS..=(segment.first_node + segment.intervals) * PARTS;
-            let of_leg = of_leg(mission, segment.from);
-            let mission = of_leg.as_ref().unwrap_or(mission);
-            if positions[ends.clone()].iter().all(|p| violation(mission, p) <= TOUCHING) {
+            let limits = limits_on(mission, segment.from);
+            if positions[ends.clone()].iter().all(|p| is_free(&limits, p)) {
                 continue;
             }
             let nth = self.sides.get(&leg).copied().unwrap_or(0);
-            let way = nth_way(mission, positions[*ends.start()], positions[*ends.end()], nth)?;
+            let way = nth_way(&limits, positions[*ends.start()], positions[*ends.end()], nth)?;
             let along = shares_of_length(&positions[ends.clone()]);
             for (p, share) in positions[ends].iter_mut().zip(along) {
                 *p = at_share(&way, share);
@@ -60,21 +60,21 @@ fn keeps_out(mission: &Mission) -> bool {
     mission.limits.iter().any(|limit| limit.kind.is_clearance())
 }
 
-/// The mission with the limits that hold on a leg alone; `None` if all do.
-fn of_leg(mission: &Mission, leg: usize) -> Option<Mission> {
-    let limits = mission.limits.iter().filter(|limit| limit.concerns(leg));
-    (!mission.limits.iter().all(Limit::is_general))
-        .then(|| Mission { limits: limits.cloned().collect(), ..mission.clone() })
+/// The limits that hold on a leg.
+fn limits_on(mission: &Mission, leg: usize) -> Vec<&Limit> {
+    mission.limits.iter().filter(|limit| limit.concerns(leg)).collect()
 }
 
 fn position(state: &NodeState) -> Point {
     [state[X][0], state[Y][0], state[Z][0]]
 }
 
-/// The largest violation of a bound on positions, m.
-fn violation(mission: &Mission, p: &Point) -> f64 {
-    let all = mission.limits.iter().filter_map(|limit| limit.violation_at(*p));
-    all.fold(f64::NEG_INFINITY, f64::max)
+/// Whether no bound on positions is violated.
+fn is_free(limits: &[&Limit], p: &Point) -> bool {
+    let is_kept = |limit: &&Limit| {
+        limit.is_violated_by_less(*p, TOUCHING) || limit.violation_at(*p).is_none_or(|violation| violation <= TOUCHING)
+    };
+    limits.iter().all(is_kept)
 }
 
 fn distance(a: &Point, b: &Point) -> f64 {
@@ -122,16 +122,16 @@ impl PartialOrd for Open {
 
 /// A short path from one point to another on which no bound on positions is violated, with its corners cut: the shortest, or the
 /// `nth` of several ways, counted from 0, each the shortest that does not pass on a side on which one before it passes.
-pub(super) fn nth_way(mission: &Mission, from: Point, to: Point, nth: usize) -> Option<Vec<Point>> {
-    let lattice = Lattice::around(mission, from, to);
+pub(super) fn nth_way(limits: &[&Limit], from: Point, to: Point, nth: usize) -> Option<Vec<Point>> {
+    let lattice = Lattice::around(limits, from, to);
     let mut taken: Vec<Side> = Vec::new();
     loop {
-        let is_free = |p: &Point| violation(mission, p) <= TOUCHING && !taken.iter().any(|side| side.contains(p));
+        let is_free = |p: &Point| is_free(limits, p) && !taken.iter().any(|side| side.contains(p));
         let way = shortened(&lattice.search(is_free, from, to)?, is_free, lattice.step);
         if taken.len() == nth {
             return Some(way);
         }
-        taken.push(Side::of(mission, &way, from, to)?);
+        taken.push(Side::of(limits, &way, from, to)?);
     }
 }
 
@@ -142,10 +142,10 @@ const HALF_ANGLE: f64 = 0.64;
 const POINTS: usize = 200;
 
 /// Where the straight leg violates bounds: the shares of its length at which that begins and ends; `None` if it never does.
-pub(super) fn obstructed(mission: &Mission, from: Point, to: Point) -> Option<(f64, f64)> {
+pub(super) fn obstructed(limits: &[&Limit], from: Point, to: Point) -> Option<(f64, f64)> {
     let point = |share: f64| std::array::from_fn(|i| from[i] + share * (to[i] - from[i]));
     let shares = (0..=POINTS).map(|k| k as f64 / POINTS as f64);
-    let blocked: Vec<f64> = shares.filter(|&share| violation(mission, &point(share)) > TOUCHING).collect();
+    let blocked: Vec<f64> = shares.filter(|&share| !is_free(limits, &point(share))).collect();
     Some((*blocked.first()?, *blocked.last()?))
 }
 
@@ -161,9 +161,9 @@ struct Side {
 }
 
 impl Side {
-    fn of(mission: &Mission, way: &[Point], from: Point, to: Point) -> Option<Self> {
+    fn of(limits: &[&Limit], way: &[Point], from: Point, to: Point) -> Option<Self> {
         let length = distance(&from, &to);
-        let (begin, end) = obstructed(mission, from, to)?;
+        let (begin, end) = obstructed(limits, from, to)?;
         let along = std::array::from_fn(|i| (to[i] - from[i]) / length);
         let mut side = Side { from, along, across: [0.0; 3], part: (begin * length, end * length) };
         let far = way.iter().map(|p| side.beside(p).1).max_by(|a, b| norm(a).total_cmp(&norm(b)))?;
@@ -199,14 +199,14 @@ struct Lattice {
 
 impl Lattice {
     /// A lattice over the leg and the volumes near it.
-    fn around(mission: &Mission, from: Point, to: Point) -> Self {
+    fn around(limits: &[&Limit], from: Point, to: Point) -> Self {
         let beyond = BEYOND * distance(&from, &to);
         let mut low: Point = std::array::from_fn(|i| from[i].min(to[i]) - beyond);
         let mut high: Point = std::array::from_fn(|i| from[i].max(to[i]) + beyond);
         // A way around a volume leads along its sides: the lattice contains those that it meets, as far as they are finite.
-        for limit in &mission.limits {
-            let LimitKind::Clearance(body) = &limit.kind else { continue };
-            let (bottom, top) = body.extent();
+        for limit in limits {
+            let LimitKind::Clearance(obstacle) = &limit.kind else { continue };
+            let BoundingBox { low: bottom, high: top } = obstacle.around;
             let margin = limit.lower.unwrap_or(0.0) + beyond;
             if (0..3).all(|i| bottom[i] - margin <= high[i] && low[i] <= top[i] + margin) {
                 for i in 0..3 {

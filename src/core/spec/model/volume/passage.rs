@@ -121,7 +121,7 @@ pub fn slack(limit: &Limit) -> f64 {
 
 fn body(limit: &Limit) -> Option<&Body> {
     match &limit.kind {
-        LimitKind::Clearance(body) => Some(body),
+        LimitKind::Clearance(obstacle) => Some(&obstacle.body),
         _ => None,
     }
 }

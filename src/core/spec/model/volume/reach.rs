@@ -1,6 +1,7 @@
 //! The box that has everything that a body and its margin forbid: beyond it nothing has to be computed from the body's
 //! corners.
 
+use crate::body::BoundingBox;
 use crate::model::{Limit, LimitKind};
 
 /// Lowest and highest coordinates, m.
@@ -13,9 +14,9 @@ pub struct Reach {
 impl Reach {
     /// Of a limit that keeps out of a body; `None` for any other.
     pub fn of(limit: &Limit) -> Option<Self> {
-        let LimitKind::Clearance(body) = &limit.kind else { return None };
+        let LimitKind::Clearance(obstacle) = &limit.kind else { return None };
         let margin = limit.lower?;
-        let (low, high) = body.extent();
+        let BoundingBox { low, high } = obstacle.around;
         Some(Reach { low: low.map(|x| x - margin), high: high.map(|x| x + margin) })
     }
 
@@ -45,6 +46,7 @@ impl Reach {
 mod tests {
     use super::*;
     use crate::body::Body;
+    use crate::body::BoundingBox;
     use crate::model::{Volume, VolumeSide};
     use crate::source::Span;
 
