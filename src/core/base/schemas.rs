@@ -28,8 +28,8 @@ pub fn check<T: schemars::JsonSchema>(name: &str, title: &str) {
     }
 }
 
-/// Closes objects, whose omitted members are never null; joins the lines of a doc comment and drops its links; makes one
-/// list of an enumeration's words; drops the `format` of numbers, which names a type of Rust.
+/// Closes objects, whose omitted members are never null; joins the lines of a doc comment and drops its links; makes
+/// one list of an enumeration's words; drops the `format` of numbers, which names a type of Rust.
 fn plain(schema: &mut Schema) {
     transform_subschemas(&mut plain, schema);
     let Some(members) = schema.as_object_mut() else { return };

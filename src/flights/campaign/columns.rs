@@ -1,5 +1,5 @@
-//! The columns of a campaign's rows, in one table. It gives the header and the lines of the CSV, how they are read back,
-//! the columns of Parquet, and the table in docs/campaigns.md.
+//! The columns of a campaign's rows, in one table. It gives the header and the lines of the CSV, how they are read
+//! back, the columns of Parquet, and the table in docs/campaigns.md.
 
 use super::rows::{FlightOutcome, Path, Row};
 use crate::number::shortest;
@@ -91,8 +91,8 @@ impl<'a> Cell<'a> {
     }
 }
 
-/// A column: its name, unit and meaning, and the field of the row that it shows (`count turns`), or its kind, whether it
-/// is optional, its value in a row and how it is read.
+/// A column: its name, unit and meaning, and the field of the row that it shows (`count turns`), or its kind, whether
+/// it is optional, its value in a row and how it is read.
 macro_rules! column {
     ($name:literal, $unit:literal, $meaning:literal, text $field:ident) => {
         column!($name, $unit, $meaning, Text, false, |row| Some(Value::Text(row.$field.to_string())), |row, cell| {
@@ -202,8 +202,8 @@ pub const COLUMNS: [Column; 29] = [
     column!(
         "max_drop_after_m",
         "m",
-        "largest height below the reference since the fault, 0 if it was never below; empty if no fault struck before the \
-         end",
+        "largest height below the reference since the fault, 0 if it was never below; empty if no fault struck before \
+         the end",
         optional max_drop_after
     ),
     column!("max_tilt_rad", "rad", "largest tilt", number max_tilt),
