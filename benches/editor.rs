@@ -1,5 +1,5 @@
-//! Response times of the language server on a spec of 2,000 lines: `cargo bench --bench editor`. Every request follows an
-//! edit, so each response includes compiling the whole text again.
+//! Response times of the language server on a spec of 2,000 lines: `cargo bench --bench editor`. Every request follows
+//! an edit, so each response includes compiling the whole text again.
 
 use lsp_server::{Connection, Message, Notification, Request, RequestId};
 use serde_json::{Value, json};

@@ -1,6 +1,6 @@
 //! Run times of the stages, and how they grow. `cargo bench` prints criterion's figures, then tables: sets by number of
-//! rotors, RIP plans by number of samples, RCP against many modes, flights, and plans of the exact model by samples and by
-//! modes. `cargo bench --bench speed -- exact` prints only the tables whose names contain the word.
+//! rotors, RIP plans by number of samples, RCP against many modes, flights, and plans of the exact model by samples and
+//! by modes. `cargo bench --bench speed -- exact` prints only the tables whose names contain the word.
 
 #[path = "../tests/it/vehicles.rs"]
 #[allow(dead_code)]
@@ -147,7 +147,8 @@ fn able(model: &Model) -> Vec<usize> {
     (0..model.modes.len()).filter(inside).collect()
 }
 
-/// RCP against the double losses of a sixteen-rotor vehicle with which it can hover, around a climbing square at 200 samples.
+/// RCP against the double losses of a sixteen-rotor vehicle with which it can hover, around a climbing square at 200
+/// samples.
 fn by_modes() {
     println!(
         "\nRCP around a square in the shortest time, 16 rotors, 200 samples\n  modes  rows at a node  sets s  plan s  solves  rows used"
@@ -188,7 +189,8 @@ fn by_flight() {
     let strike = Strike { mode: 0, at: 5.0, until: None, span: Default::default(), at_span: Default::default() };
     let row = |what: &str, change: fn(&mut Model)| {
         let mut model = model.clone();
-        // Some configurations cannot follow this plan. The limits are lifted so that every flight lasts its full duration.
+        // Some configurations cannot follow this plan. The limits are lifted so that every flight lasts its full
+        // duration.
         model.simulation.lost_beyond = 1e9;
         model.simulation.upside_down = 1e9;
         model.simulation.lost_yaw = None;

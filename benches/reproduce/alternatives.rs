@@ -7,7 +7,8 @@ use mavc::geometry::zonotope::Zonotope;
 use mavc::model::Model;
 use nalgebra::{DMatrix, DVector};
 
-/// e_p if the thrusts are those of the pseudo-inverse, clipped to the range of each rotor, as (42) would allocate hover.
+/// e_p if the thrusts are those of the pseudo-inverse, clipped to the range of each rotor, as (42) would allocate
+/// hover.
 pub fn clipped_pseudo_inverse(model: &Model, lost: &[usize]) -> Wrench {
     let actuation = Actuation::of(&model.vehicle);
     let left: Vec<Wrench> =

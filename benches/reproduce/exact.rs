@@ -40,7 +40,8 @@ pub struct Exactly {
     pub worst: f64,
     /// Seconds outside.
     pub outside: f64,
-    /// Seconds not upright: there a vanishing thrust would have to turn the vehicle over, and the wrench may not be finite.
+    /// Seconds not upright: there a vanishing thrust would have to turn the vehicle over, and the wrench may not be
+    /// finite.
     falling: f64,
 }
 

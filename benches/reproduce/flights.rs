@@ -1,4 +1,5 @@
-//! Figures 3 to 5 and 10 to 12: the octocopter tracks the curve when healthy, with rotor 3 lost, and with the loss detected.
+//! Figures 3 to 5 and 10 to 12: the octocopter tracks the curve when healthy, with rotor 3 lost, and with the loss
+//! detected.
 
 use super::judgement::{STATEMENTS, agrees_if, not_comparable, statement};
 use super::markdown::{fixed, paragraph, table};

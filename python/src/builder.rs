@@ -25,8 +25,8 @@ const GROUPS: [(&str, Group); 12] = [
     ("campaign", Group::Campaign),
 ];
 
-/// `unit(block, field)`: the SI unit of a field as written after a number, `""` for a plain number, `None` if the block has no
-/// such field or it takes no number.
+/// `unit(block, field)`: the SI unit of a field as written after a number, `""` for a plain number, `None` if the block
+/// has no such field or it takes no number.
 pub fn unit(arguments: Arguments) -> Value {
     let (block, field): (String, String) = arguments.extract()?;
     object(arguments.py(), entry(&block, &field).and_then(Entry::unit).and_then(si))
@@ -43,7 +43,8 @@ pub fn is_text(arguments: Arguments) -> Value {
     object(arguments.py(), entry(&block, &field).is_some_and(|entry| entry.takes == Takes::Text))
 }
 
-/// `dimension(unit)`: a unit in base units, `None` if it is not a unit of the language. Units of one dimension give one text.
+/// `dimension(unit)`: a unit in base units, `None` if it is not a unit of the language. Units of one dimension give one
+/// text.
 pub fn dimension(arguments: Arguments) -> Value {
     let (unit,): (String,) = arguments.extract()?;
     object(arguments.py(), si(&unit))
@@ -57,8 +58,8 @@ fn si(unit: &str) -> Option<String> {
     }
 }
 
-/// `build(calls)`: `(text, problems)` of calls `(method, arguments)` of `Builder`. A problem is `(field, code, message, label,
-/// help)`; without one the text is a spec.
+/// `build(calls)`: `(text, problems)` of calls `(method, arguments)` of `Builder`. A problem is
+/// `(field, code, message, label, help)`; without one the text is a spec.
 pub fn build(arguments: Arguments) -> Value {
     let (calls,): (Bound<PyList>,) = arguments.extract()?;
     let mut builder = Builder::new();

@@ -6,7 +6,8 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-/// `columns(csv)`: `[(name, bytes)]`, each with the numbers of one column as native `f64`. An empty cell is not a number.
+/// `columns(csv)`: `[(name, bytes)]`, each with the numbers of one column as native `f64`. An empty cell is not a
+/// number.
 pub fn columns(arguments: Arguments) -> Value {
     let (text,): (String,) = arguments.extract()?;
     let columns = detached(arguments.py(), move || parse(&text))?;

@@ -44,8 +44,8 @@ fn answer(py: Python, bytes: &[u8], remark: Option<String>) -> Value {
     object(py, (PyBytes::new(py, bytes), remark))
 }
 
-/// `export(plan, job, format, rate, frame, tolerance)`: `(bytes, remark)` of what `mavc plan -o --format` writes. `rate` is in
-/// Hz, `tolerance` in m.
+/// `export(plan, job, format, rate, frame, tolerance)`: `(bytes, remark)` of what `mavc plan -o --format` writes.
+/// `rate` is in Hz, `tolerance` in m.
 pub fn plan(arguments: Arguments) -> Value {
     let of = Planned::of(&arguments.get_item(0)?)?;
     let (format, frame): (String, Option<String>) =
@@ -74,8 +74,8 @@ pub fn bag_files(arguments: Arguments) -> Value {
     object(arguments.py(), trajectory::bag_files(&folder, bytes).into_iter().map(file).collect::<Vec<_>>())
 }
 
-/// `export_log(plan, job, format, rate)`: `(bytes, remark)` of what `mavc simulate -o --format` writes. The flight is simulated
-/// again.
+/// `export_log(plan, job, format, rate)`: `(bytes, remark)` of what `mavc simulate -o --format` writes. The flight is
+/// simulated again.
 pub fn log(arguments: Arguments) -> Value {
     let of = Planned::of(&arguments.get_item(0)?)?;
     let name: String = arguments.get_item(4)?.extract()?;

@@ -12,7 +12,8 @@ pub fn vehicle(arguments: Arguments) -> Value {
     answer(arguments, move || import::vehicle::import(&name, &bytes))
 }
 
-/// `import_mission(name, bytes, vehicle or None)`: as of a vehicle. `vehicle` is the path of a spec as the new one names it.
+/// `import_mission(name, bytes, vehicle or None)`: as of a vehicle. `vehicle` is the path of a spec as the new one
+/// names it.
 pub fn mission(arguments: Arguments) -> Value {
     let (name, bytes, vehicle): (String, Vec<u8>, Option<String>) = arguments.extract()?;
     answer(arguments, move || import::mission::import(&name, &bytes, vehicle.as_deref()))

@@ -1,7 +1,7 @@
 //! Long work: on threads of its own, without the interpreter's lock, with progress, and until Ctrl-C.
 //!
-//! The calling thread waits for messages of the work. It calls the callback for progress, so no other thread ever needs the
-//! interpreter, and looks for signals, as only Python's main thread may.
+//! The calling thread waits for messages of the work. It calls the callback for progress, so no other thread ever needs
+//! the interpreter, and looks for signals, as only Python's main thread may.
 
 use crate::held::Held;
 use crate::{Arguments, Value};
@@ -22,8 +22,8 @@ import_exception!(mavc.errors, InternalError);
 /// How often the calling thread looks for signals.
 const PERIOD: Duration = Duration::from_millis(50);
 
-/// How long a cancelled run is waited for. It ends within one iteration of the solver; if it takes longer, it is left alone
-/// and ends later.
+/// How long a cancelled run is waited for. It ends within one iteration of the solver; if it takes longer, it is left
+/// alone and ends later.
 const PATIENCE: Duration = Duration::from_millis(500);
 
 /// The stack of each thread of a run, bytes: that of a main thread on Linux.

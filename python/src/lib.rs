@@ -1,8 +1,8 @@
 //! The native part of the Python package `mavc`, module `mavc._mavc`. It passes texts, numbers and handles; what people
 //! use is written in Python, beside this folder.
 //!
-//! Without the macros of PyO3: their features of `syn` would make cargo compile `serde_derive` and everything that depends
-//! on it, mavc too, a second time (two minutes). So functions are closures, and handles are capsules.
+//! Without the macros of PyO3: their features of `syn` would make cargo compile `serde_derive` and everything that
+//! depends on it, mavc too, a second time (two minutes). So functions are closures, and handles are capsules.
 
 mod builder;
 mod campaign;

@@ -89,7 +89,8 @@ impl Planned {
     }
 }
 
-/// The errors for which nothing is planned and nothing is reported, as texts; with a mode that cannot hover there is a report.
+/// The errors for which nothing is planned and nothing is reported, as texts; with a mode that cannot hover there is a
+/// report.
 pub fn prepare(of: &Compiled) -> (Result<Task<'_>, bool>, Vec<Diagnostic>) {
     let task = Task::new(&of.spec);
     let mut found = of.diagnostics.clone();

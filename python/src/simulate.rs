@@ -32,8 +32,8 @@ struct Texts {
     page: Option<String>,
 }
 
-/// `simulate(plan, job, rate or None, page)`: `(outcome, json, text, csv, remark, page or None, shown)`, or `(None, shown)` if the
-/// `simulate` block does not fit the plan.
+/// `simulate(plan, job, rate or None, page)`: `(outcome, json, text, csv, remark, page or None, shown)`, or
+/// `(None, shown)` if the `simulate` block does not fit the plan.
 pub fn simulate(arguments: Arguments) -> Value {
     let py = arguments.py();
     let of = Planned::of(&arguments.get_item(0)?)?;

@@ -62,7 +62,8 @@ pub fn compare(arguments: Arguments) -> Value {
     object(arguments.py(), found)
 }
 
-/// `verify(spec, job, certificate)`: `((text, headline, weaker, undecided), None)`, or `(None, shown)` if it is rejected.
+/// `verify(spec, job, certificate)`: `((text, headline, weaker, undecided), None)`, or `(None, shown)` if it is
+/// rejected.
 pub fn verify(arguments: Arguments) -> Value {
     let of = Compiled::of(&arguments.get_item(0)?)?;
     let certificate: Vec<u8> = arguments.get_item(4)?.extract()?;

@@ -14,13 +14,13 @@ use std::io::ErrorKind;
 /// The name of a built text among the sources of its spec.
 const NAME: &str = "<builder>";
 
-/// Builds a [`Spec`] from values in SI units. Fields of the language are set by their names (docs/language.md); a field that is
-/// not set has the default of the language. [`Spec::set`] writes what has no Rust value, such as an interval
+/// Builds a [`Spec`] from values in SI units. Fields of the language are set by their names (docs/language.md); a field
+/// that is not set has the default of the language. [`Spec::set`] writes what has no Rust value, such as an interval
 /// (`spec.set("vehicle.mass = 1.8 kg +- 0.1 kg")`).
 ///
-/// The builder writes a text ([`Builder::text`]) and compiles it. So a built spec is checked like a written one, it can be
-/// saved, and certificates refer to this text. [`Builder::build`] reports all mistakes together, those of the calls before
-/// those that a text is checked for.
+/// The builder writes a text ([`Builder::text`]) and compiles it. So a built spec is checked like a written one, it can
+/// be saved, and certificates refer to this text. [`Builder::build`] reports all mistakes together, those of the calls
+/// before those that a text is checked for.
 ///
 /// ```
 /// use mavc::builder::Builder;
@@ -197,16 +197,16 @@ impl Builder {
         self
     }
 
-    /// Sets a field of the vehicle's battery: `capacity` (A s), `voltage` (V), `hover_power` (W), `keep` or `thrust_at_empty`
-    /// (shares, 0 to 1).
+    /// Sets a field of the vehicle's battery: `capacity` (A s), `voltage` (V), `hover_power` (W), `keep` or
+    /// `thrust_at_empty` (shares, 0 to 1).
     pub fn battery(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Battery, "vehicle.battery.", field, value.into(), " = ");
         self.battery.push(line);
         self
     }
 
-    /// Adds a rotor at a position (m from the centre of gravity), with spin `P` (counter-clockwise seen from above) or `N`.
-    /// `fields` are those that it does not share with the other rotors. Use this instead of a `layout`.
+    /// Adds a rotor at a position (m from the centre of gravity), with spin `P` (counter-clockwise seen from above) or
+    /// `N`. `fields` are those that it does not share with the other rotors. Use this instead of a `layout`.
     pub fn placed_rotor(mut self, position: [f64; 3], spin: &str, fields: &[(&str, f64)]) -> Self {
         let path = format!("vehicle.rotors[{}].", self.placed.len() + 1);
         let given = [("at", Value::from(position)), ("spin", Value::from(spin))];
@@ -216,7 +216,8 @@ impl Builder {
         self
     }
 
-    /// Adds a fault mode in which the given rotors, counted from 1, are lost. If the mode exists already, it loses these too.
+    /// Adds a fault mode in which the given rotors, counted from 1, are lost. If the mode exists already, it loses
+    /// these too.
     pub fn lost(self, mode: &str, rotors: &[usize]) -> Self {
         self.effect(mode, rotors, "lost".into(), &[])
     }
@@ -308,8 +309,8 @@ impl Builder {
         self
     }
 
-    /// The formatted text of the spec so far. Where a call has a problem, another word or number that is wrong too replaces
-    /// the value.
+    /// The formatted text of the spec so far. Where a call has a problem, another word or number that is wrong too
+    /// replaces the value.
     pub fn text(&self) -> String {
         let text: String = self.lines().into_iter().map(|line| line.text + "\n").collect();
         // Formatting keeps lines, so each line still belongs to the same call.
@@ -319,8 +320,8 @@ impl Builder {
     /// Builds the spec.
     ///
     /// # Errors
-    /// The error lists every mistake with the call that made it: a field that does not exist, a value that is not finite or of
-    /// the wrong kind, and everything that a text is checked for.
+    /// The error lists every mistake with the call that made it: a field that does not exist, a value that is not
+    /// finite or of the wrong kind, and everything that a text is checked for.
     pub fn build(self) -> Result<Spec, BuildError> {
         self.build_with_warnings().map(|(spec, _)| spec)
     }
@@ -488,7 +489,8 @@ impl Builder {
     }
 }
 
-/// A number that the compiler rejects as too large. It replaces a value with a [`Problem`], so that its field is not missing.
+/// A number that the compiler rejects as too large. It replaces a value with a [`Problem`], so that its field is not
+/// missing.
 const NOT_FINITE: &str = "1e999";
 
 /// A number with all its digits, so that reading it gives the same number.
@@ -575,7 +577,8 @@ impl BuildCode {
 /// One mistake in a built spec, or a warning about it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
-    /// The call that made it, such as `plan.samples` or `mission.waypoints[2]`; the block, if something is missing in it.
+    /// The call that made it, such as `plan.samples` or `mission.waypoints[2]`; the block, if something is missing in
+    /// it.
     pub field: String,
     /// The code of the mistake, for `mavc explain`.
     pub code: &'static str,

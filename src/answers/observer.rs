@@ -6,8 +6,8 @@ use std::time::Duration;
 
 pub use mavc_verify::stages::{Silent, Stages, timed};
 
-/// Receives the progress of a run, and by [`Stages::ended`] the time of each stage. Every method does nothing by default; threads
-/// may call them at the same time.
+/// Receives the progress of a run, and by [`Stages::ended`] the time of each stage. Every method does nothing by
+/// default; threads may call them at the same time.
 pub trait Observer: Stages {
     /// Work has started that `what` describes, for a line of progress.
     fn begins(&self, _what: &str) {}
@@ -21,8 +21,8 @@ pub trait Observer: Stages {
     /// A flight was simulated in `took`; `is_recorded` if a log or a page is made of it.
     fn flown(&self, _flight: &Flight, _took: Duration, _is_recorded: bool) {}
 
-    /// A search for an explanation has ended: the number of variants of the spec that were planned, if they were counted, and
-    /// what the solver did.
+    /// A search for an explanation has ended: the number of variants of the spec that were planned, if they were
+    /// counted, and what the solver did.
     fn asked(&self, _variants: Option<usize>, _effort: &Effort) {}
 }
 

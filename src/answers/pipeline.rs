@@ -34,7 +34,8 @@ use std::io::{Error, ErrorKind};
 /// Compiles the text of a spec (docs/language.md). Syntax, names, units, ranges and plausibility are checked, and all
 /// mistakes are reported together.
 ///
-/// Never fails: [`Compiled::into_result`] gives the error. The result holds the [`Spec`] if the text has no errors, and every diagnostic. All numbers of a spec are in SI units.
+/// Never fails: [`Compiled::into_result`] gives the error. The result holds the [`Spec`] if the text has no errors, and
+/// every diagnostic. All numbers of a spec are in SI units.
 ///
 /// The text may not name other files. A [`Compiler`] reads such files, compiles a file, and takes overrides.
 ///
@@ -49,8 +50,8 @@ pub fn compile(text: &str) -> Compiled {
     Compiler::new().reading(&no_files).text("<spec>", text.as_bytes())
 }
 
-/// Formats the text of a spec: indentation, spaces and columns (docs/formatting.md). The meaning, the order of statements,
-/// their line breaks and every comment are kept. Returns the formatted text.
+/// Formats the text of a spec: indentation, spaces and columns (docs/formatting.md). The meaning, the order of
+/// statements, their line breaks and every comment are kept. Returns the formatted text.
 ///
 /// # Errors
 /// The text has errors of syntax, or the formatted text would exceed 1 MiB. The diagnostics are returned.
@@ -64,8 +65,9 @@ pub fn format(text: &str) -> Result<String, Vec<Diagnostic>> {
     value.ok_or(diagnostics)
 }
 
-/// Analyses what the vehicle can still do in each fault mode: the verdict, the margins of hover (N, N m), the heaviest mass
-/// (kg) and the headroom (N, N m). [`ModeAnalysis`] lists the fields with their units. Never fails. The healthy vehicle comes first, then every declared mode in its order.
+/// Analyses what the vehicle can still do in each fault mode: the verdict, the margins of hover (N, N m), the heaviest
+/// mass (kg) and the headroom (N, N m). [`ModeAnalysis`] lists the fields with their units. Never fails. The healthy
+/// vehicle comes first, then every declared mode in its order.
 ///
 /// The verdicts are those of section 3 of the paper: the available control authority index (ACAI, equation 31) for
 /// controllability, the rank of the controllability matrix, and the residual of the nearest admissible wrench. See
@@ -82,9 +84,10 @@ pub fn analyze(spec: &Spec) -> Vec<ModeAnalysis> {
     analyze_each(spec.model())
 }
 
-/// Simulates, for each mode in which yaw is given up, the height (m) that the vehicle loses from the fault until it flies level
-/// again: over delays of 20 to 300 ms until the fault is known, at rest and at 5 m/s, with the rotors' time constant and twice that. Never
-/// fails; empty if yaw is given up in no mode. See docs/flight.md, section 2, "Without yaw"; nothing of this is proved.
+/// Simulates, for each mode in which yaw is given up, the height (m) that the vehicle loses from the fault until it
+/// flies level again: over delays of 20 to 300 ms until the fault is known, at rest and at 5 m/s, with the rotors' time
+/// constant and twice that. Never fails; empty if yaw is given up in no mode. See docs/flight.md, section 2, "Without
+/// yaw"; nothing of this is proved.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -97,12 +100,12 @@ pub fn capture(spec: &Spec) -> Vec<Capture> {
     captures(spec.model())
 }
 
-/// Checks a spec against the admissible sets and the estimator: fault modes that the plan must tolerate but cannot (errors),
-/// hover on the edge of a set, and modes that an estimator cannot distinguish (warnings); and what
+/// Checks a spec against the admissible sets and the estimator: fault modes that the plan must tolerate but cannot
+/// (errors), hover on the edge of a set, and modes that an estimator cannot distinguish (warnings); and what
 /// `require capture_height` comes to, which is simulated.
 ///
-/// Returns the diagnostics in the order of their places in the spec; it is empty if there is nothing to report. `mavc check`
-/// prints them together with those of [`compile`]. See docs/method.md, section 3, for the sets.
+/// Returns the diagnostics in the order of their places in the spec; it is empty if there is nothing to report.
+/// `mavc check` prints them together with those of [`compile`]. See docs/method.md, section 3, for the sets.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -119,8 +122,8 @@ pub fn check(spec: &Spec) -> Vec<Diagnostic> {
     diagnostics
 }
 
-/// Whether the diagnostics of [`check`] name a fault mode that the plan must tolerate but cannot. Sets that are too large to
-/// work with are errors of another kind: whether the plan tolerates the mode is then unknown.
+/// Whether the diagnostics of [`check`] name a fault mode that the plan must tolerate but cannot. Sets that are too
+/// large to work with are errors of another kind: whether the plan tolerates the mode is then unknown.
 pub fn is_intolerable(found: &[Diagnostic]) -> bool {
     let is_error = |d: &Diagnostic| d.severity == Severity::Error && !capture_height::is_about(d);
     found.iter().any(is_error) && !is_too_large(found)

@@ -1,5 +1,5 @@
-//! Texts with places, diagnostics, numbers, units and tolerances: what every other room uses and none of it knows what a
-//! vehicle or a mission is.
+//! Texts with places, diagnostics, numbers, units and tolerances: what every other room uses and none of it knows what
+//! a vehicle or a mission is.
 
 pub mod body;
 pub mod diagnostic;

@@ -1,5 +1,6 @@
-//! What mavc's checker is made of, and nothing of its planner: the language, the spec, the records of certificates and the
-//! code that decides them. The program `mavc-verify` ([`program`]) is this crate alone; `mavc` re-exports its modules.
+//! What mavc's checker is made of, and nothing of its planner: the language, the spec, the records of certificates and
+//! the code that decides them. The program `mavc-verify` ([`program`]) is this crate alone; `mavc` re-exports its
+//! modules.
 //!
 //! ```text
 //! Source --syntax::parse--> SpecFile --read::elaborate--> Model --verify::decide(certificate)--> Verdict

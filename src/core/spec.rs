@@ -19,8 +19,8 @@ use std::sync::Arc;
 
 /// A spec without errors: names resolved, units and ranges checked, every number finite and in SI units.
 ///
-/// Only a [`Compiler`] makes one (`mavc::compile` and `mavc::Builder` use it), so all functions that take a `Spec` rely on
-/// this.
+/// Only a [`Compiler`] makes one (`mavc::compile` and `mavc::Builder` use it), so all functions that take a `Spec` rely
+/// on this.
 #[derive(Debug, Clone)]
 pub struct Spec {
     model: Model,
@@ -56,8 +56,8 @@ impl Spec {
         &self.files
     }
 
-    /// SHA-256 of all texts that were read, including the overrides, each with its length, in the order in which they were named; 64 hexadecimal
-    /// digits. A certificate identifies its spec by it.
+    /// SHA-256 of all texts that were read, including the overrides, each with its length, in the order in which they
+    /// were named; 64 hexadecimal digits. A certificate identifies its spec by it.
     pub fn sha256(&self) -> &str {
         &self.sha256
     }
@@ -188,7 +188,8 @@ pub struct Parsed {
 }
 
 impl<'a> Compiler<'a> {
-    /// A compiler that reads named files from the disk, without overrides; mistakes in `simulate` and `campaign` are errors.
+    /// A compiler that reads named files from the disk, without overrides; mistakes in `simulate` and `campaign` are
+    /// errors.
     pub fn new() -> Self {
         Compiler::default()
     }
@@ -205,7 +206,8 @@ impl<'a> Compiler<'a> {
         self
     }
 
-    /// Reads the files that a spec names by `read`. A relative path is relative to the same folder as the spec's own name.
+    /// Reads the files that a spec names by `read`. A relative path is relative to the same folder as the spec's own
+    /// name.
     pub fn reading(mut self, read: Reader<'a>) -> Self {
         self.read = read;
         self
@@ -286,7 +288,8 @@ fn hex(hash: Sha256) -> String {
     hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
 }
 
-/// SHA-256 of the running program, because another build may give other numbers; of no bytes if the program cannot be read.
+/// SHA-256 of the running program, because another build may give other numbers; of no bytes if the program cannot be
+/// read.
 pub fn program_sha256() -> String {
     let mut hash = Sha256::new();
     if let Ok(mut file) = std::env::current_exe().and_then(File::open) {

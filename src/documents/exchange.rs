@@ -1,5 +1,5 @@
-//! Vehicles, plans and flights in the formats of other tools. What each format keeps, and what was measured when its own reader read it,
-//! is in `docs/exchange.md`.
+//! Vehicles, plans and flights in the formats of other tools. What each format keeps, and what was measured when its
+//! own reader read it, is in `docs/exchange.md`.
 
 pub mod bytes;
 pub mod cdr;

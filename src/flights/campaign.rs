@@ -1,5 +1,5 @@
-//! Campaigns: simulated flights with every declared fault mode at many instants, with many noise seeds, along the plan of
-//! every planner.
+//! Campaigns: simulated flights with every declared fault mode at many instants, with many noise seeds, along the plan
+//! of every planner.
 //!
 //! A case has a number, and its flight follows from the number alone, so that cases can be flown in any order, by any
 //! number of threads and machines. A flight is one row, and rows are streamed: memory grows with planners, modes and

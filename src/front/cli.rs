@@ -1,5 +1,5 @@
-//! The command line: arguments, files, exit codes. Everything about vehicles and missions is in `pipeline` and `report`;
-//! the file of a command has at most 80 lines, and what commands share has a module of its own.
+//! The command line: arguments, files, exit codes. Everything about vehicles and missions is in `pipeline` and
+//! `report`; the file of a command has at most 80 lines, and what commands share has a module of its own.
 
 mod analyze;
 mod arguments;

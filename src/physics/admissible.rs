@@ -125,13 +125,14 @@ impl AdmissibleSet {
     }
 }
 
-/// The hover wrench [m g, 0, 0, 0], N and N m; with drag that of hover in the middle of the possible winds ([`trimmed`]).
+/// The hover wrench [m g, 0, 0, 0], N and N m; with drag that of hover in the middle of the possible winds
+/// ([`trimmed`]).
 pub fn hover(model: &Model) -> Wrench {
     trimmed(model, &model.environment())
 }
 
-/// The wrench at rest in a wind, [m |g e_z - drag/m wind|, 0, 0, 0], N and N m: the thrust is tilted against the wind. With a drag
-/// for each axis of the body the thrust is that of (90c), at the yaw of the start where it depends on yaw.
+/// The wrench at rest in a wind, [m |g e_z - drag/m wind|, 0, 0, 0], N and N m: the thrust is tilted against the wind.
+/// With a drag for each axis of the body the thrust is that of (90c), at the yaw of the start where it depends on yaw.
 pub fn trimmed(model: &Model, environment: &Environment) -> Wrench {
     let [x, y, z] = environment.trim();
     let thrust = match environment.has_drag() {
@@ -142,8 +143,8 @@ pub fn trimmed(model: &Model, environment: &Environment) -> Wrench {
     Wrench::new(model.vehicle.mass * thrust, 0.0, 0.0, 0.0)
 }
 
-/// The mass (kg) that a thrust (N) holds at rest in the middle of the possible winds: the inverse of [`hover`]. `None` if the
-/// wind is too strong for any mass.
+/// The mass (kg) that a thrust (N) holds at rest in the middle of the possible winds: the inverse of [`hover`]. `None`
+/// if the wind is too strong for any mass.
 pub fn mass_at_rest(model: &Model, thrust: f64) -> Option<f64> {
     let environment = model.environment();
     let Environment { gravity, wind: [x, y, z], .. } = environment;
@@ -159,8 +160,8 @@ pub fn mass_at_rest(model: &Model, thrust: f64) -> Option<f64> {
     (mass > 0.0).then_some(mass)
 }
 
-/// [`mass_at_rest`] with a drag for each axis of the body, by bisection: between the mass whose weight a vertical wind carries and
-/// the one that this thrust cannot hold whatever the wind, the thrust at rest increases with the mass.
+/// [`mass_at_rest`] with a drag for each axis of the body, by bisection: between the mass whose weight a vertical wind
+/// carries and the one that this thrust cannot hold whatever the wind, the thrust at rest increases with the mass.
 fn heaviest_at_rest(model: &Model, environment: &Environment, thrust: f64) -> Option<f64> {
     let drag = model.vehicle.drag;
     let largest = drag.into_iter().fold(0.0, f64::max);
@@ -183,7 +184,8 @@ fn heaviest_at_rest(model: &Model, environment: &Environment, thrust: f64) -> Op
     Some(low)
 }
 
-/// Shares of an upper bound on the mass: the smallest mass that is tried, and by how much the largest exceeds the bound.
+/// Shares of an upper bound on the mass: the smallest mass that is tried, and by how much the largest exceeds the
+/// bound.
 const LEAST_MASS: f64 = 1e-6;
 
 /// Halvings of an interval of masses, down to rounding.

@@ -1,7 +1,7 @@
 //! Electrical power and energy of a motion (`docs/method.md`, section 16).
 //!
-//! A rotor at the speed w takes the mechanical power d w^3, its drag torque times its speed. The share of the electrical power
-//! that becomes mechanical is taken as constant; the power that was measured in hover gives it.
+//! A rotor at the speed w takes the mechanical power d w^3, its drag torque times its speed. The share of the
+//! electrical power that becomes mechanical is taken as constant; the power that was measured in hover gives it.
 
 use crate::actuation::Wrench;
 use crate::admissible::allocation::Allocator;
@@ -50,8 +50,8 @@ impl Power {
     pub fn of(model: &Model) -> Option<Self> {
         let battery = model.vehicle.battery.as_ref()?;
         let allocator = Allocator::new(&model.vehicle);
-        // Hover power is measured in still air of the standard density. In thinner air the speeds are higher: with b and d
-        // proportional to the density, d w^3 is proportional to its root's inverse.
+        // Hover power is measured in still air of the standard density. In thinner air the speeds are higher: with b
+        // and d proportional to the density, d w^3 is proportional to its root's inverse.
         let thinness = model.mission.as_ref().map_or(1.0, |mission| mission.air.density_ratio);
         let here = mechanical(&model.vehicle, &allocator.speeds(&level(&model.vehicle, model.gravity)));
         let in_hover = here * thinness.sqrt();
@@ -95,8 +95,8 @@ fn mechanical(vehicle: &Vehicle, speeds: &[f64]) -> f64 {
     vehicle.rotors.iter().zip(speeds).map(|(rotor, w)| rotor.drag_coefficient * w.abs().powi(3)).sum()
 }
 
-/// Nodes and weights on [0, 1] (the other half mirrors them) of the Kronrod rule with 15 points, and the weights of the Gauss
-/// rule with 7, which uses every second point: Piessens et al., QUADPACK (1983), `qk15`.
+/// Nodes and weights on [0, 1] (the other half mirrors them) of the Kronrod rule with 15 points, and the weights of the
+/// Gauss rule with 7, which uses every second point: Piessens et al., QUADPACK (1983), `qk15`.
 const KRONROD: [(f64, f64, f64); 8] = [
     (0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0),
     (0.949_107_912_342_758_5, 0.063_092_092_629_978_55, 0.129_484_966_168_869_7),
@@ -108,8 +108,8 @@ const KRONROD: [(f64, f64, f64); 8] = [
     (0.0, 0.209_482_141_084_727_82, 0.417_959_183_673_469_4),
 ];
 
-/// The integral of `f` from `a` to `b` and its estimated error: the difference of the two rules. The interval is bisected
-/// while the difference exceeds `rate` (the unit of `f`) times its length.
+/// The integral of `f` from `a` to `b` and its estimated error: the difference of the two rules. The interval is
+/// bisected while the difference exceeds `rate` (the unit of `f`) times its length.
 fn integral(f: &impl Fn(f64) -> f64, a: f64, b: f64, rate: f64, bisections: u32) -> (f64, f64) {
     let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
     let (mut fine, mut coarse) = (0.0, 0.0);

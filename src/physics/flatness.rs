@@ -44,8 +44,8 @@ pub fn wrench_and_jacobian(vehicle: &Vehicle, gravity: f64, state: &FlatState) -
     jacobian(|s| Intermediates::new(gravity, &s).wrench(vehicle), state)
 }
 
-/// T (N), `s x s''` and s' across the direction s of the thrust, in body axes, and the rate of the body about s: what a motion takes
-/// whatever the heading, since another heading turns both pairs alike.
+/// T (N), `s x s''` and s' across the direction s of the thrust, in body axes, and the rate of the body about s: what a
+/// motion takes whatever the heading, since another heading turns both pairs alike.
 ///
 /// ```text
 /// (99)  s' = (q, -p)     s x s'' = (p' - q r, q' + p r)

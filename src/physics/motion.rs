@@ -200,11 +200,11 @@ pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: Wrenc
     state
 }
 
-/// The state with its accelerations, jerks and snaps replaced by `c - g e_z`, `c'` and `c''`, where the thrust over mass is
-/// `c = a + g e_z + drag/m (v - wind)`: (90) of `docs/method.md`, section 15. Without drag the state itself.
+/// The state with its accelerations, jerks and snaps replaced by `c - g e_z`, `c'` and `c''`, where the thrust over
+/// mass is `c = a + g e_z + drag/m (v - wind)`: (90) of `docs/method.md`, section 15. Without drag the state itself.
 ///
-/// With a drag for each axis of the body, it is that of [`Environment::turning_rate`]: where it is the same along x and y, c has
-/// the direction of the thrust, but not its size.
+/// With a drag for each axis of the body, it is that of [`Environment::turning_rate`]: where it is the same along x and
+/// y, c has the direction of the thrust, but not its size.
 pub fn in_air<const N: usize>(state: &[[f64; N]; 4], environment: &Environment) -> [[f64; N]; 4] {
     if !environment.has_drag() {
         return *state;

@@ -1,5 +1,5 @@
-//! Writes certificates from results, and runs the check that every trajectory must pass to be called a plan. The records
-//! are those of `crate::certificate`; `crate::verify` decides them and accepts every certificate written here.
+//! Writes certificates from results, and runs the check that every trajectory must pass to be called a plan. The
+//! records are those of `crate::certificate`; `crate::verify` decides them and accepts every certificate written here.
 
 pub mod between;
 mod check;

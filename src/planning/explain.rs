@@ -70,8 +70,8 @@ pub struct Explanation {
 /// leaves it free), or finds none even when every statement is left out.
 ///
 /// Algorithm: the deletion filter of J. W. Chinneck, *Feasibility and Infeasibility in Optimization* (2008), over the
-/// statements of a spec: statements without rows first, the others by increasing weight in the multipliers that prove the
-/// remaining statements infeasible.
+/// statements of a spec: statements without rows first, the others by increasing weight in the multipliers that prove
+/// the remaining statements infeasible.
 pub fn explain(problem: Problem, oracle: &mut dyn Oracle) -> Option<Explanation> {
     let [most_questions, most_tries] = match problem.model().plan.model {
         PlanModel::Hover => [MOST_QUESTIONS, MOST_TRIES],

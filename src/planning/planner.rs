@@ -1,7 +1,8 @@
 //! Planning as in sections 5.2 and 5.3 of the paper: waypoint times, rows, selection of facets, shortest times.
 //!
-//! Two planners share one interface, [`Planner`]: [`hover::HoverPlanner`] for the linear model about hover, whose programs are
-//! convex, and [`scp::ExactPlanner`] for the exact model, whose sequential convex programming finds local optima.
+//! Two planners share one interface, [`Planner`]: [`hover::HoverPlanner`] for the linear model about hover, whose
+//! programs are convex, and [`scp::ExactPlanner`] for the exact model, whose sequential convex programming finds local
+//! optima.
 
 pub mod commands;
 mod cores;
@@ -36,16 +37,16 @@ use working_set::WorkingSet;
 #[derive(Debug)]
 pub struct Attempt {
     pub decision: Decision,
-    /// The weight of each row in the multipliers of the last program; after a proof, of those that prove it. Rows with a large
-    /// weight limit the mission even if nothing is decided.
+    /// The weight of each row in the multipliers of the last program; after a proof, of those that prove it. Rows with
+    /// a large weight limit the mission even if nothing is decided.
     pub weights: Vec<(RowOrigin, f64)>,
 }
 
 /// A planner of one mission in one model of the wrench.
 pub trait Planner {
-    /// Plans a mission time, s, against a set: a plan, a proof that there is none, or neither. `initial_guesses` are plans of any
-    /// set, which the hover planner does not need; `working_set` holds rows that bound in earlier programs and is updated, which the
-    /// exact planner does not need.
+    /// Plans a mission time, s, against a set: a plan, a proof that there is none, or neither. `initial_guesses` are
+    /// plans of any set, which the hover planner does not need; `working_set` holds rows that bound in earlier programs
+    /// and is updated, which the exact planner does not need.
     fn plan_at(
         &mut self,
         time: f64,
@@ -54,8 +55,8 @@ pub trait Planner {
         working_set: &mut WorkingSet,
     ) -> Decision;
 
-    /// A quick decision on a mission time, s, for callers that need dozens: [`Self::plan_at`], or in the exact model fewer initial
-    /// guesses and a cost phase that is short, or left out unless `minimised`.
+    /// A quick decision on a mission time, s, for callers that need dozens: [`Self::plan_at`], or in the exact model
+    /// fewer initial guesses and a cost phase that is short, or left out unless `minimised`.
     fn attempt_at(&mut self, time: f64, set: &PlanningSet, minimised: bool, working_set: &mut WorkingSet) -> Attempt;
 
     /// The shortest mission time for a set, with its plan.
@@ -86,8 +87,8 @@ pub fn planner<'a>(
     }
 }
 
-/// Whether the planner of a model finds local optima. Then plans of other sets are worth trying as initial guesses, another plan
-/// may be cheaper or shorter, and facets that one RIP plan selects need not be those of another.
+/// Whether the planner of a model finds local optima. Then plans of other sets are worth trying as initial guesses,
+/// another plan may be cheaper or shorter, and facets that one RIP plan selects need not be those of another.
 pub fn finds_local_optima(model: &Model) -> bool {
     model.plan.model == PlanModel::Exact
 }

@@ -134,7 +134,8 @@ fn axis(numbers: &mut Numbers) -> usize {
     [X, Y, Z, YAW][numbers.below(4)]
 }
 
-/// The honest motion with a spline that grows until `reached`; `None` where it never is, or something else is false first.
+/// The honest motion with a spline that grows until `reached`; `None` where it never is, or something else is false
+/// first.
 fn grown(
     spec: &Spec,
     numbers: &mut Numbers,

@@ -1,5 +1,6 @@
-//! A forger of certificates: false ones made on purpose, for specs whose truth is known without the checker, and whether
-//! `verify` accepts any. With each premise of the checker switched off some forgery has to pass, or it is not needed.
+//! A forger of certificates: false ones made on purpose, for specs whose truth is known without the checker, and
+//! whether `verify` accepts any. With each premise of the checker switched off some forgery has to pass, or it is not
+//! needed.
 //!
 //! `cargo test --test forge` makes a few hundred, `cargo test --release --test forge -- --count 100000 --seed 7` many;
 //! `--kind WORDS` only the kinds whose names contain these words. Nothing depends on anything but the seed.

@@ -240,8 +240,8 @@ fn lay(
     }
 }
 
-/// Adds a B-spline to an axis on the nodes from `first` on, so that the largest size of its derivative `peak` at a node is
-/// `size`: joints stay as they are. `None` where there are too few nodes.
+/// Adds a B-spline to an axis on the nodes from `first` on, so that the largest size of its derivative `peak` at a node
+/// is `size`: joints stay as they are. `None` where there are too few nodes.
 pub fn add_spline(motion: &mut Trajectory, axis: usize, first: usize, peak: usize, size: f64) -> Option<()> {
     let order = motion.model.orders()[axis];
     let knots: Vec<f64> = motion.times.get(first..first + order + 3)?.to_vec();

@@ -140,7 +140,8 @@ impl Spec {
         Certificate { capture_height_m: self.capture_height, ..made }
     }
 
-    /// Whether the spec leaves one grid of nodes only, on which multipliers may say something; the honest plan lies on it.
+    /// Whether the spec leaves one grid of nodes only, on which multipliers may say something; the honest plan lies on
+    /// it.
     pub fn has_one_grid(&self) -> bool {
         matches!(self.model().plan.time, MissionTime::Fixed(_)) && !self.model().plan.chooses_times
     }
@@ -222,8 +223,8 @@ fn reached(motion: &Trajectory, kind: LimitKind, share: f64, air: &Environment) 
     }
 }
 
-/// Plans that RSP selects by: the honest one with a turn or a jump within the healthy set that leaves some mode's set; each
-/// further one keeps what those before it are beyond.
+/// Plans that RSP selects by: the honest one with a turn or a jump within the healthy set that leaves some mode's set;
+/// each further one keeps what those before it are beyond.
 fn selecting(name: &str, truth: &Truth, honest: &Trajectory) -> Vec<Trajectory> {
     let mut numbers = Numbers::of(16, name.len() as u64);
     let mut found: Vec<Trajectory> = Vec::new();

@@ -1,13 +1,14 @@
-//! Whether a plan's certificate is false, decided without the checker: by the planner's sets, plain numbers and ten times
-//! the checker's tolerances.
+//! Whether a plan's certificate is false, decided without the checker: by the planner's sets, plain numbers and ten
+//! times the checker's tolerances.
 //!
 //! A motion is false where it is not one (numbers missing, not finite, times that do not rise), where it keeps another
-//! schedule, where pieces do not join, where it moves where it should rest, misses a waypoint or breaks a row; and under
-//! RSP where the plans it selects by are none, or facets that they violate are broken. Rows count at nodes, and between
-//! them where they are broken throughout for as long as the spec's own pieces last: no pieces as short as these could
-//! step over it. What is broken for a shorter time makes a claim weaker and not false, and so do fewer pieces whose rows
-//! hold, a mission of free time that takes longer than it must, and selected rows of sets that are flat, uncertain or the
-//! pseudo-inverse's, whose facets the checker says it cannot tell. None of these is made here as a forgery.
+//! schedule, where pieces do not join, where it moves where it should rest, misses a waypoint or breaks a row; and
+//! under RSP where the plans it selects by are none, or facets that they violate are broken. Rows count at nodes, and
+//! between them where they are broken throughout for as long as the spec's own pieces last: no pieces as short as these
+//! could step over it. What is broken for a shorter time makes a claim weaker and not false, and so do fewer pieces
+//! whose rows hold, a mission of free time that takes longer than it must, and selected rows of sets that are flat,
+//! uncertain or the pseudo-inverse's, whose facets the checker says it cannot tell. None of these is made here as a
+//! forgery.
 
 mod cores;
 mod outline;
@@ -392,8 +393,8 @@ impl Truth {
         (0..motion.intervals()).map(of).collect()
     }
 
-    /// Every kind of row with its largest excess in tolerances, `at` seconds into a piece; in an interval of winds in the worst of
-    /// its corners.
+    /// Every kind of row with its largest excess in tolerances, `at` seconds into a piece; in an interval of winds in
+    /// the worst of its corners.
     fn excesses(&self, motion: &Trajectory, k: usize, at: f64, imposed: &Imposed) -> Vec<(Falsehood, f64)> {
         let state = motion.within(k, at);
         let environment = self.model.environment();

@@ -250,7 +250,8 @@ fn certificates_and_flights_have_the_air_of_the_plan() {
     assert!(known < 0.15 && unknown > 4.0 * known, "{known} {unknown}");
 }
 
-/// ISO 2533, table 1: the density at 5000 m is 0.73612 kg/m^3, at -1000 m 1.3470 kg/m^3 (geopotential heights differ by 4 m).
+/// ISO 2533, table 1: the density at 5000 m is 0.73612 kg/m^3, at -1000 m 1.3470 kg/m^3 (geopotential heights differ by
+/// 4 m).
 #[test]
 fn altitude_gives_the_density_of_the_standard_atmosphere() {
     for (altitude, density) in [("5 km", 0.73643), ("-1 km", 1.3470), ("0 m", 1.225)] {

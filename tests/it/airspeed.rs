@@ -1,4 +1,5 @@
-//! The largest steady airspeed in level flight: closed forms, membership in the sets, and the wind in which plans hold position.
+//! The largest steady airspeed in level flight: closed forms, membership in the sets, and the wind in which plans hold
+//! position.
 
 use crate::cli::mavc_with;
 use crate::intervals::{at, uncertain};
@@ -37,8 +38,8 @@ fn the_healthy_octocopter_by_its_closed_form() {
     }
 }
 
-/// At the airspeed of each mode the wrench lies on the boundary of the planner's set, and, moved away from hover by the reserve,
-/// on that of the zonotope, whose nearest point is found without facets.
+/// At the airspeed of each mode the wrench lies on the boundary of the planner's set, and, moved away from hover by the
+/// reserve, on that of the zonotope, whose nearest point is found without facets.
 #[test]
 fn the_wrench_lies_on_the_boundary() {
     for reserve in [0.0, 0.1, 0.4] {
@@ -58,7 +59,8 @@ fn the_wrench_lies_on_the_boundary() {
     }
 }
 
-/// Over intervals the airspeed is that of the worst vehicle: one with the weakest rotors, and the lightest or the heaviest.
+/// Over intervals the airspeed is that of the worst vehicle: one with the weakest rotors, and the lightest or the
+/// heaviest.
 #[test]
 fn intervals_take_the_worst_vehicle() {
     for reserve in [0.1, 0.8] {
@@ -167,8 +169,9 @@ fn told(spec: &str) -> f64 {
     report["modes"].as_array().unwrap().last().unwrap()["airspeed"]["largest_m_per_s"].as_f64().unwrap()
 }
 
-/// In a constant wind the reserve is that of hover in this wind, and takes nothing from it: plans hold position up to the airspeed
-/// without a reserve. In an interval of winds about still air they hold it up to the airspeed with the reserve.
+/// In a constant wind the reserve is that of hover in this wind, and takes nothing from it: plans hold position up to
+/// the airspeed without a reserve. In an interval of winds about still air they hold it up to the airspeed with the
+/// reserve.
 fn hold_position_up_to_the_airspeed(planner: &str) {
     let [bare, kept] = [0.0, 0.1].map(|reserve| told(&hold("[0, 0, 0] m/s", reserve, planner)));
     assert!(kept < 0.97 * bare, "{kept} {bare}");

@@ -1,5 +1,5 @@
-//! Batteries: energy by closed forms and by the table of rotor speeds, the charge that plans leave, and full thrust at the
-//! lowest charge.
+//! Batteries: energy by closed forms and by the table of rotor speeds, the charge that plans leave, and full thrust at
+//! the lowest charge.
 
 use crate::cli::mavc;
 use crate::schemas::schema;
@@ -122,7 +122,8 @@ fn power_follows_momentum_theory() {
     assert!((twice / (220.0 * 2.0_f64.powf(1.5)) - 1.0).abs() < 1e-9, "{twice}");
 }
 
-/// The energy of a plan against the trapezoidal rule on the rotor speeds of its table, a hundred times finer than its nodes.
+/// The energy of a plan against the trapezoidal rule on the rotor speeds of its table, a hundred times finer than its
+/// nodes.
 #[test]
 fn the_energy_is_that_of_the_rotor_speeds_in_the_table() {
     for settings in ["time = 5 s; samples = 100", "time = 5 s; samples = 100; model = hover"] {
@@ -164,7 +165,8 @@ fn the_energy_is_that_of_the_largest_mass() {
     assert!((used.energy / (190.0 * 60.0 * 1.03_f64.powf(1.5)) - 1.0).abs() < 1e-9, "{used:?}");
 }
 
-/// A battery without `thrust_at_empty` changes no plan; the report of the same plan has a line more, and JSON an object.
+/// A battery without `thrust_at_empty` changes no plan; the report of the same plan has a line more, and JSON an
+/// object.
 #[test]
 fn a_battery_alone_changes_no_plan() {
     let settings = "time = 8 s; samples = 30";
@@ -178,7 +180,8 @@ fn a_battery_alone_changes_no_plan() {
     assert_eq!((record.keep, record.full_thrust), (0.2, 1.0));
 }
 
-/// Ten minutes of hold take a third of the battery. With half of it, less is left than `keep`; with a quarter, it is empty.
+/// Ten minutes of hold take a third of the battery. With half of it, less is left than `keep`; with a quarter, it is
+/// empty.
 #[test]
 fn a_plan_that_leaves_too_little_is_told() {
     let mission = "start at [0, 0, 2] m\nhold 600 s\nwaypoint at [1, 0, 2] m";

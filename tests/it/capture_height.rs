@@ -252,7 +252,8 @@ fn the_page_draws_heights_over_delays() {
         .map(|rest| rest.split_once('"').unwrap().0.split(' ').count())
         .collect();
     assert_eq!(lines, [5, 2, 2]);
-    // Heights of 30 m a second of delay up to 7.5 m at 0.25 s, on a scale to 10 m: 75 % of the way from 0 (y = 284) to 10 m (14).
+    // Heights of 30 m a second of delay up to 7.5 m at 0.25 s, on a scale to 10 m: 75 % of the way from 0 (y = 284) to
+    // 10 m (14).
     assert!(section.contains("546.0,81.5"), "{section}");
     assert!(section.contains("Simulated: the median of 5 flights") && section.contains("L</th>"));
     let without = page::plans(Kind::Plan, &subject, planning.comparison(), &record, &[]);

@@ -358,8 +358,8 @@ fn new_writes_a_spec_that_plans_and_never_overwrites() {
     assert_eq!(out(&mavc(&["new", "-"])).as_bytes(), before);
 }
 
-/// Every mission is written and checked. The inspection, whose plan takes least, is planned too; the very long tests of batteries
-/// plan all of them.
+/// Every mission is written and checked. The inspection, whose plan takes least, is planned too; the very long tests of
+/// batteries plan all of them.
 #[test]
 fn new_writes_whole_missions_that_check_and_plan() {
     let dir = folder();
@@ -382,8 +382,8 @@ fn new_writes_whole_missions_that_check_and_plan() {
     assert!(err(&unknown).contains("inspection, delivery, survey, room"), "{}", err(&unknown));
 }
 
-/// Outputs in the README and in docs/command.md are what the commands print: words alike, numbers to 2 %. A line `...` stands
-/// for any lines.
+/// Outputs in the README and in docs/command.md are what the commands print: words alike, numbers to 2 %. A line `...`
+/// stands for any lines.
 #[test]
 fn the_readme_and_the_page_of_the_command_show_true_outputs() {
     let readme = include_str!("../../README.md");

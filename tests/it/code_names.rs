@@ -1,4 +1,5 @@
-//! Functions that docs/method.md and its sisters name beside an equation or in an algorithm listing exist where they say.
+//! Functions that docs/method.md and its sisters name beside an equation or in an algorithm listing exist where they
+//! say.
 
 use std::path::{Path, PathBuf};
 

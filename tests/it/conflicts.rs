@@ -1,5 +1,6 @@
 //! Specs without a plan: `tests/specs/conflicts/*.mav`, each with the statements that cannot hold together in its first
-//! line (`LINE KIND`, or `FILE:LINE KIND` in another file). What is said of them is checked on edited texts, by planning.
+//! line (`LINE KIND`, or `FILE:LINE KIND` in another file). What is said of them is checked on edited texts, by
+//! planning.
 
 mod exact;
 mod filter;
@@ -303,8 +304,8 @@ fn as_many_statements_are_counted_as_labelled() {
     assert!(shared > 0, "no place says two things");
 }
 
-/// A tolerance that would make another mission is not offered: none beyond ten times the spec's, nor beyond a quarter of the
-/// way to the next waypoint.
+/// A tolerance that would make another mission is not offered: none beyond ten times the spec's, nor beyond a quarter
+/// of the way to the next waypoint.
 #[test]
 fn tolerances_offered_leave_the_mission_what_it_is() {
     for Case { text, model, explanation, .. } in CASES.iter() {
@@ -418,8 +419,8 @@ impl Text {
     }
 }
 
-/// What is sought is what is needed, where a closed form tells: the way over the largest speed, and the shortest time of
-/// a motion with bounded jerk from rest to rest, (32 d/j)^(1/3).
+/// What is sought is what is needed, where a closed form tells: the way over the largest speed, and the shortest time
+/// of a motion with bounded jerk from rest to rest, (32 d/j)^(1/3).
 #[test]
 fn times_offered_are_not_below_what_closed_forms_allow() {
     let time_of = |name: &str| {

@@ -272,8 +272,8 @@ fn rest_in_wind_depends_on_the_yaw_of_the_start() {
     }
 }
 
-/// With the same drag along x and y the thrust in level flight at the airspeed u is `(W^2 + dx dz u^2)/sqrt(W^2 + dx^2 u^2)`; with
-/// other drags the largest airspeed is the least over all headings.
+/// With the same drag along x and y the thrust in level flight at the airspeed u is
+/// `(W^2 + dx dz u^2)/sqrt(W^2 + dx^2 u^2)`; with other drags the largest airspeed is the least over all headings.
 #[test]
 fn airspeeds_are_those_of_the_worst_heading() {
     let of = |drag: [f64; 3]| {
@@ -324,7 +324,8 @@ fn three_equal_drags_give_the_plan_of_one() {
     assert!(shown(&compiled(&dash("[0.3, 0.5, 0.2]", ""))).contains("drag [0.3, 0.5, 0.2] N*s/m"));
 }
 
-/// The plan is inside its set by the equation of motion, the certificate is accepted, and flights follow the plan only in its air.
+/// The plan is inside its set by the equation of motion, the certificate is accepted, and flights follow the plan only
+/// in its air.
 #[test]
 fn certificates_and_flights_have_the_drag_of_each_axis() {
     let folder = tempfile::tempdir().unwrap();
@@ -376,7 +377,8 @@ fn density_scales_every_axis() {
     assert_eq!(spec.model().simulation.drag, spec.model().vehicle.drag);
 }
 
-/// With the same drag along x and y the rows hold in the extreme winds of an interval, and a limit on tilt in all of them.
+/// With the same drag along x and y the rows hold in the extreme winds of an interval, and a limit on tilt in all of
+/// them.
 #[test]
 fn limits_on_tilt_hold_with_equal_drags_across() {
     let text = dash("[0.35, 0.35, 0.2]", "").replace("[-6, 4, 0.5] m/s", "[6, 0, 0] m/s");
@@ -446,7 +448,8 @@ fn a_stop_keeps_attitude_and_body_rates() {
     assert!(found >= 2, "{found}");
 }
 
-/// Point masses that push as hard as they can along the mission, in every attitude of the drag, are not faster than the bound.
+/// Point masses that push as hard as they can along the mission, in every attitude of the drag, are not faster than the
+/// bound.
 #[test]
 fn no_motion_beats_the_least_time() {
     let spec = compiled(&dash("[0.3, 1.5, 0.2]", "").replace("[-6, 4, 0.5]", "[9, 2, 0]"));

@@ -99,8 +99,8 @@ fn an_octocopter_keeps_to_a_bound_on_the_risk() {
     assert!(report["planners"][0]["risk"].as_f64().unwrap() <= 1e-8);
 }
 
-/// Where the cost outweighs the penalty, the iterate leaves the set; the feasibility phase brings it back and the cost phase
-/// continues. A slow survey that keeps to four fault sets costs hardly more than one that keeps to none.
+/// Where the cost outweighs the penalty, the iterate leaves the set; the feasibility phase brings it back and the cost
+/// phase continues. A slow survey that keeps to four fault sets costs hardly more than one that keeps to none.
 #[test]
 fn protection_is_cheap_where_there_is_time() {
     let cost = |report: &Value| report["planners"][0]["objective"].as_f64().unwrap();
@@ -112,8 +112,8 @@ fn protection_is_cheap_where_there_is_time() {
 mod thorough {
     use super::*;
 
-    /// A mission of the size that people fly, planned as it is written: RSP's time is not far above a bound that holds for every
-    /// division of the time. The order of the planners' times is tested on coarser grids below.
+    /// A mission of the size that people fly, planned as it is written: RSP's time is not far above a bound that holds
+    /// for every division of the time. The order of the planners' times is tested on coarser grids below.
     #[test]
     #[ignore = "long"]
     fn times_of_real_missions_are_near_their_bounds() {
@@ -125,7 +125,8 @@ mod thorough {
         assert!(time <= 107.0 && least >= 98.0 && least < time, "{least} {time}");
     }
 
-    /// The same missions with legs that share the time by their lengths: times that were found before durations were the planner's.
+    /// The same missions with legs that share the time by their lengths: times that were found before durations were
+    /// the planner's.
     #[test]
     #[ignore = "long"]
     fn times_by_lengths_are_still_found() {
@@ -137,8 +138,9 @@ mod thorough {
         }
     }
 
-    /// Two specs with free durations that are shipped: in one comparison RIP's own time is at most RSP's, that at most the joint
-    /// RCP's, and RCP's of one mode lies between RIP's and the joint one; `plan` finds RSP's time within 0.5 %.
+    /// Two specs with free durations that are shipped: in one comparison RIP's own time is at most RSP's, that at most
+    /// the joint RCP's, and RCP's of one mode lies between RIP's and the joint one; `plan` finds RSP's time within 0.5
+    /// %.
     #[test]
     #[ignore = "long"]
     fn times_of_shipped_specs_are_in_order() {

@@ -1,5 +1,5 @@
-//! Plans and flights in the formats of other tools: frames, shapes and values against the trajectory. `benches/readers/run` has them read
-//! by the tools themselves.
+//! Plans and flights in the formats of other tools: frames, shapes and values against the trajectory.
+//! `benches/readers/run` has them read by the tools themselves.
 
 mod command;
 mod flights;

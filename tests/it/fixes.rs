@@ -1,5 +1,5 @@
-//! Every fix that a diagnostic offers removes this diagnostic and adds no other, and making one fix after another comes to
-//! an end.
+//! Every fix that a diagnostic offers removes this diagnostic and adds no other, and making one fix after another comes
+//! to an end.
 
 use super::errors::{STAGES, compile, specs};
 use mavc::diagnostic::{Diagnostic, Severity};

@@ -312,7 +312,8 @@ proptest! {
     }
 }
 
-/// Sets that are too large for planning take neither time nor memory: the error is reported as soon as the bound is exceeded.
+/// Sets that are too large for planning take neither time nor memory: the error is reported as soon as the bound is
+/// exceeded.
 #[test]
 fn plans_against_too_many_facets_are_refused() {
     let ring = "PN".repeat(16);

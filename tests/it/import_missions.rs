@@ -1,5 +1,5 @@
-//! Missions of ground stations: read as specs, checked at their own items, written, and read back. `benches/readers/missions.py` has
-//! the written ones read by the tools themselves.
+//! Missions of ground stations: read as specs, checked at their own items, written, and read back.
+//! `benches/readers/missions.py` has the written ones read by the tools themselves.
 
 mod checked;
 mod hostile;

@@ -15,8 +15,8 @@ fn about(share: f64) -> Spread {
     Spread { low: 1.0 - share, high: 1.0 + share }
 }
 
-/// The vehicle with mass, thrusts and torque ratios at places (-1 to 1) in their intervals: the mass, then of each rotor
-/// the thrust at full speed and the ratio. Nothing of it is uncertain.
+/// The vehicle with mass, thrusts and torque ratios at places (-1 to 1) in their intervals: the mass, then of each
+/// rotor the thrust at full speed and the ratio. Nothing of it is uncertain.
 pub fn at(model: &Model, mass: f64, places: &[(f64, f64)]) -> Model {
     let within = |s: Spread, place: f64| 0.5 * (s.low + s.high) + 0.5 * (s.high - s.low) * place;
     let mut model = model.clone();

@@ -239,8 +239,8 @@ mission m {{ start at [40, 40, 40] m; waypoint at [50, 40, 40] m; {volume} }}"
 }
 
 proptest! {
-    /// The checker's bounds on the distance hold over boxes of positions, and are sharp at points outside. The upper one is as near
-    /// as the box is small, so that a proof about a volume that is entered is given up soon.
+    /// The checker's bounds on the distance hold over boxes of positions, and are sharp at points outside. The upper
+    /// one is as near as the box is small, so that a proof about a volume that is entered is given up soon.
     #[test]
     fn the_checker_bounds_distances(p in prop::array::uniform3(-9.0..9.0f64), half in 0.0..0.5f64, at in prop::array::uniform3(-1.0..1.0f64)) {
         let cylinder = limit("keep_out c { shape = cylinder; centre = [1, -2, 0] m; radius = 1.5 m; height = 5 m }", LimitKind::is_clearance);
@@ -329,7 +329,8 @@ fn programs_do_not_hold_every_row_of_many_volumes() {
     assert!(rows < sides, "{rows} rows of {sides} sides at 25 nodes");
 }
 
-/// Plans that touch their volumes cost the same whether programs have all rows of volumes or get those that are violated.
+/// Plans that touch their volumes cost the same whether programs have all rows of volumes or get those that are
+/// violated.
 #[test]
 fn rows_of_volumes_that_are_added_make_the_same_plan() {
     // Its side is 0.1 m beyond the waypoints, between which the quickest turn goes further out.
@@ -388,7 +389,8 @@ mod thorough {
         assert!(around < 5.5 && aside > 6.0, "{around} s, {aside} m aside");
     }
 
-    /// A turn in a narrow room takes longer than one without walls, and that it takes longer is proved by the walls' own rows.
+    /// A turn in a narrow room takes longer than one without walls, and that it takes longer is proved by the walls'
+    /// own rows.
     #[test]
     #[ignore = "long"]
     fn rooms_make_missions_longer_and_proofs_use_their_walls() {

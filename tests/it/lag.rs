@@ -66,8 +66,8 @@ pub fn shortest(model: &Model) -> f64 {
     solved(&compared(model)).time
 }
 
-/// w and w + tau w' along a plan, with w' by differences of the planned wrench inside an interval: near both its ends and at
-/// `looks` instants between.
+/// w and w + tau w' along a plan, with w' by differences of the planned wrench inside an interval: near both its ends
+/// and at `looks` instants between.
 fn with_commands(model: &Model, plan: &Trajectory, tau: f64, looks: usize) -> Vec<(Wrench, Wrench)> {
     let mut all = Vec::new();
     for k in 0..plan.intervals() {

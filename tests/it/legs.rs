@@ -1,4 +1,5 @@
-//! Legs: shapes, limits of their own, stops and directions of arrival, by closed forms that share nothing with the code.
+//! Legs: shapes, limits of their own, stops and directions of arrival, by closed forms that share nothing with the
+//! code.
 
 use crate::cli::{mavc, mavc_with};
 use mavc::model::{Heading, Limit, LimitKind, Part};
@@ -62,8 +63,8 @@ fn norm(v: [f64; 3]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// The rows of the leg that arrives at a waypoint, counted from 1: between the rows that mark its ends, which may be up to half
-/// a step outside.
+/// The rows of the leg that arrives at a waypoint, counted from 1: between the rows that mark its ends, which may be up
+/// to half a step outside.
 fn leg(rows: &[Row], to: usize) -> &[Row] {
     let at = |waypoint: usize| rows.iter().position(|row| row.waypoint == waypoint).unwrap();
     &rows[at(to - 1) + 1..at(to)]
@@ -118,7 +119,8 @@ fn keeps_its_legs(csv: &Path) {
     assert!(rows.windows(2).all(|pair| pair[0].t < pair[1].t));
 }
 
-/// Plans the mission and checks it at 1 kHz and by its certificate; then a certificate for a slower leg is refused there.
+/// Plans the mission and checks it at 1 kHz and by its certificate; then a certificate for a slower leg is refused
+/// there.
 fn plan_and_check(plan: &str) {
     let folder = tempfile::tempdir().unwrap();
     let spec = write(folder.path(), MISSION, plan);
@@ -187,7 +189,8 @@ fn limits_of_a_leg_bound_its_time() {
         let spec = write(folder.path(), &mission("{ speed <= 1 m/s }"), &plan);
         let (code, text) = run(&["plan", spec.to_str().unwrap(), "--certificate", proof]);
         assert_eq!(code, Some(3), "{text}");
-        // 9.9 m at 1 m/s and twice at 8 m/s, less what the checker allows; each of the latter has an end at rest, which takes more.
+        // 9.9 m at 1 m/s and twice at 8 m/s, less what the checker allows; each of the latter has an end at rest, which
+        // takes more.
         let claim: Value = serde_json::from_slice(&std::fs::read(proof).unwrap()).unwrap();
         let soonest = claim["claim"]["too_early"]["soonest_s"].as_f64().unwrap_or_else(|| panic!("{claim}"));
         assert!((9.9 + 2.0 * 9.9 / 8.0 - 2e-3..13.0).contains(&soonest), "{soonest}");
@@ -458,7 +461,8 @@ proptest! {
 mod thorough {
     use super::*;
 
-    /// Proofs of infeasibility use the rows of a leg at the nodes of that leg: here a turn has too little time for its corridor.
+    /// Proofs of infeasibility use the rows of a leg at the nodes of that leg: here a turn has too little time for its
+    /// corridor.
     #[test]
     #[ignore = "long"]
     fn proofs_use_the_rows_of_legs() {

@@ -1,5 +1,5 @@
-//! Ten and more mistakes in one spec, of every kind, as its author would type them: none hides another. The first lines of
-//! each file of `tests/specs/many` name the line and the code of every mistake, `// 12 mavc::unit::missing`, or
+//! Ten and more mistakes in one spec, of every kind, as its author would type them: none hides another. The first lines
+//! of each file of `tests/specs/many` name the line and the code of every mistake, `// 12 mavc::unit::missing`, or
 //! `// parts/fleet.mav:7 mavc::unit::unknown` in a file that the spec uses. One run reports these errors and no others.
 //! Once every fix of that run is made, only those errors of that run remain that had no fix.
 

@@ -1,4 +1,5 @@
-//! The algorithm listings in section 12 of docs/method.md against the code: functions exist, and settings have the values given.
+//! The algorithm listings in section 12 of docs/method.md against the code: functions exist, and settings have the
+//! values given.
 
 use mavc::planner::scp::ScpSettings;
 use std::fs;

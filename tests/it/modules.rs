@@ -29,8 +29,8 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 /// A path in code, absolute in its crate: `["planning", "planner", "rows"]`.
 type Names = Vec<String>;
 
-/// The absolute paths in the code of one module. They begin with `crate`, `super` or `self`; a list in braces gives a path
-/// for each of its items. Comments are none, and macros are read like other code.
+/// The absolute paths in the code of one module. They begin with `crate`, `super` or `self`; a list in braces gives a
+/// path for each of its items. Comments are none, and macros are read like other code.
 fn paths(code: TokenStream, module: &[String], found: &mut Vec<Names>) {
     let tokens: Vec<TokenTree> = code.into_iter().collect();
     let name = |at: usize| match tokens.get(at) {
@@ -103,8 +103,8 @@ fn paths_of(text: &str, module: &[&str]) -> Vec<Names> {
     found
 }
 
-/// The room in which a name at the root of a crate is defined, from its `pub mod` and `pub use`; `None` for those of the
-/// other crate.
+/// The room in which a name at the root of a crate is defined, from its `pub mod` and `pub use`; `None` for those of
+/// the other crate.
 fn homes(root: &str, rooms: &[&str]) -> BTreeMap<String, String> {
     let mut homes: BTreeMap<String, String> = rooms.iter().map(|room| (room.to_string(), room.to_string())).collect();
     let uses: Vec<Names> = uses(root);
@@ -164,8 +164,8 @@ fn modules(folder: &str, rooms: &[&str]) -> BTreeMap<Module, BTreeSet<Module>> {
     modules
 }
 
-/// A circle of imports, if there is one: the modules that remain when those that import none of the others are taken away,
-/// again and again.
+/// A circle of imports, if there is one: the modules that remain when those that import none of the others are taken
+/// away, again and again.
 fn circle(mut modules: BTreeMap<Module, BTreeSet<Module>>) -> Vec<String> {
     loop {
         let done: Vec<Module> =
@@ -238,8 +238,8 @@ fn paths_are_resolved() {
     assert!(homes["model"] == "spec" && homes["Limit"] == "spec" && !homes.contains_key("Thing"), "{homes:?}");
 }
 
-/// A checker that shares code with what it checks would share its mistakes. The planner is in another crate; this is about
-/// the code of the spec, which the planner uses too.
+/// A checker that shares code with what it checks would share its mistakes. The planner is in another crate; this is
+/// about the code of the spec, which the planner uses too.
 #[test]
 fn the_checker_evaluates_by_itself() {
     let modules = modules(CRATES[0].0, CRATES[0].1);
@@ -266,6 +266,17 @@ fn the_checker_evaluates_by_itself() {
     assert!(names.len() > 5, "{names:?}");
     for forbidden in ["mavc", "clarabel", "rayon", "num_dual", "rand_distr"] {
         assert!(!names.iter().any(|name| name == forbidden), "{forbidden}");
+    }
+}
+
+/// Of `src`, which is what people read; specs in tests are texts of their own width.
+#[test]
+fn no_line_is_wider_than_120_columns() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    for file in [sources(&root), sources(&root.join("core"))].concat() {
+        let text = fs::read_to_string(&file).unwrap();
+        let wide = text.lines().position(|line| line.chars().count() > 120);
+        assert_eq!(wide.map(|line| line + 1), None, "{}", file.display());
     }
 }
 
@@ -303,8 +314,8 @@ const COMMANDS: [&str; 13] = [
     "watch",
 ];
 
-/// A command reads its arguments, calls the pipeline and writes the results. What grows beyond that belongs to the pipeline,
-/// to reports, or to a module of `cli` with a name of its own.
+/// A command reads its arguments, calls the pipeline and writes the results. What grows beyond that belongs to the
+/// pipeline, to reports, or to a module of `cli` with a name of its own.
 #[test]
 fn commands_have_at_most_eighty_lines() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/front/cli");

@@ -47,7 +47,8 @@ impl Number<'_> {
             return 1.01 * RESOLUTION;
         }
         if is_count {
-            // A facet counts as violated from a ten-thousandth of the set's width on, and some violations are close to that.
+            // A facet counts as violated from a ten-thousandth of the set's width on, and some violations are close to
+            // that.
             return (0.03 * value).ceil().max(2.0);
         }
         // Plans are the solver's to about 1e-4; the last digit may round either way.
@@ -178,8 +179,8 @@ fn a_changed_page_is_noticed() {
 mod thorough {
     use super::*;
 
-    /// Searches in the exact model take minutes. Cheaper: the hover model's cells, and that RIP has a plan a little later than
-    /// the page says, of which an evaluation of its own finds nothing outside.
+    /// Searches in the exact model take minutes. Cheaper: the hover model's cells, and that RIP has a plan a little
+    /// later than the page says, of which an evaluation of its own finds nothing outside.
     #[test]
     #[ignore = "long"]
     fn shortest_times_of_the_exact_model_are_reproduced() {

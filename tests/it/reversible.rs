@@ -1,4 +1,5 @@
-//! Rotors that may reverse: sets, speeds, plans with their certificates, flights, and what they cannot be combined with.
+//! Rotors that may reverse: sets, speeds, plans with their certificates, flights, and what they cannot be combined
+//! with.
 
 use crate::vehicles::{lost, ring_model};
 use mavc::actuation::Wrench;
@@ -28,8 +29,8 @@ fn the_set_is_scaled_and_shifted() {
     assert!((both.zonotope.offset + whole * 0.4).amax() < 1e-12);
 }
 
-/// Without any one rotor PNPNPN is on the edge; with reversible rotors it keeps control of all axes, and the margin is the smallest
-/// slack over all planes through three generators.
+/// Without any one rotor PNPNPN is on the edge; with reversible rotors it keeps control of all axes, and the margin is
+/// the smallest slack over all planes through three generators.
 #[test]
 fn a_hexacopter_keeps_yaw_without_any_rotor() {
     for k in 1..=6 {
@@ -146,7 +147,8 @@ fn some_things_are_not_possible_yet() {
     refused(text("min_speed = -500 rad/s", "").replace("1.54 kg", "1.54 kg +- 5 %"), "intervals");
 }
 
-/// In newtons, as a share and as a speed the same rotors; each form has its range, and two forms at once are a conflict.
+/// In newtons, as a share and as a speed the same rotors; each form has its range, and two forms at once are a
+/// conflict.
 #[test]
 fn the_lowest_thrust_is_another_way_to_write_the_lowest_speed() {
     let lowest = |rotor: &str| spec(&text(rotor, "")).model().vehicle.rotors[0].min_speed;

@@ -260,7 +260,8 @@ fn reports_show_what_the_mission_does_after_each_fault() {
     assert_eq!(json["planners"][0]["modes"][0]["after_fault"], "continue");
 }
 
-/// Under a changing yaw the hover model's wrench is not linear between nodes, where even RCP violates its rows slightly.
+/// Under a changing yaw the hover model's wrench is not linear between nodes, where even RCP violates its rows
+/// slightly.
 #[test]
 fn risk_says_where_it_counts_only_what_lies_between_samples() {
     let spec = r#"
@@ -316,7 +317,8 @@ fn slower(bound: f64) -> String {
 
 #[test]
 fn a_required_risk_counts_stops() {
-    // With more time the descent can be stopped from everywhere, though it ends outside: who holds need protect nothing.
+    // With more time the descent can be stopped from everywhere, though it ends outside: who holds need protect
+    // nothing.
     let bound = 7.0 * 1e-4 / 3600.0;
     let spec = slower(bound);
     let keep = |after: &str| {

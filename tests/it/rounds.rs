@@ -240,7 +240,8 @@ mod thorough {
         let PlanOutcome::Planned(rip) = &rip.outcome else { panic!("RIP has a plan") };
         let own = solved(&found[0].own).unwrap();
         assert!((own.time - rip.time).abs() < 0.05 + 1e-9, "{} {}", own.time, rip.time);
-        // At each own time this number of rounds, planned at that time, has a plan, and the time is not shorter than RIP's.
+        // At each own time this number of rounds, planned at that time, has a plan, and the time is not shorter than
+        // RIP's.
         for round in &found[1..] {
             let own = solved(&round.own).expect("a time at which such a plan exists");
             assert!(own.time >= rip.time - 0.05 && own.time <= 1.1 * at, "{}", own.time);

@@ -1,9 +1,10 @@
-//! Several mistakes in one file, all reported in one run, in order, and each once: every file of `tests/specs/several` names
-//! at its top the line and the code of every diagnostic that it gives.
+//! Several mistakes in one file, all reported in one run, in order, and each once: every file of `tests/specs/several`
+//! names at its top the line and the code of every diagnostic that it gives.
 
 use super::errors::{compile, specs};
 
-/// `// 12 mavc::unit::missing`, one for each comment line at the top of the file, after a byte order mark if there is one.
+/// `// 12 mavc::unit::missing`, one for each comment line at the top of the file, after a byte order mark if there is
+/// one.
 fn expected(text: &str) -> Vec<(usize, &str)> {
     let header = text.trim_start_matches('\u{feff}').lines().map_while(|line| line.strip_prefix("// "));
     let told = header.map_while(|line| line.split_once(' '));

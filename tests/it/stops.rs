@@ -118,8 +118,8 @@ fn a_descent_towards_a_volume_is_committed_as_above_a_floor() {
     is_committed_as_above_a_floor(PlanModel::Exact, &[(VolumeSide::KeepOut, below), room()], 40);
 }
 
-/// In the hover model chains of integrators are null controllable however small their bounds, so without limits every plan can
-/// be stopped from everywhere: the vehicle without a rotor only needs time.
+/// In the hover model chains of integrators are null controllable however small their bounds, so without limits every
+/// plan can be stopped from everywhere: the vehicle without a rotor only needs time.
 #[test]
 fn without_limits_the_hover_model_always_stops() {
     let mut model = held(paper_case(PlannerKind::Rip, &[0, 8]));
@@ -219,8 +219,8 @@ fn is_a_stop(model: &Model, sets: &PlanningSets, struck: &NodeState, slope: &Nod
     }
 }
 
-/// Flown round a corner with a turning nose, so that a plan for a healthy vehicle is outside the set of a fault: each stop
-/// found is one.
+/// Flown round a corner with a turning nose, so that a plan for a healthy vehicle is outside the set of a fault: each
+/// stop found is one.
 fn finds_stops(wrench: PlanModel, yaw: f64) {
     let mut model = octocopter("PPNNPPNN");
     model.modes = vec![lost(&model, &[1])];

@@ -1,4 +1,5 @@
-//! The pages of other tools: what mavc prints on the way into the tool. Commands of the tools themselves are run by `benches/readers/run`.
+//! The pages of other tools: what mavc prints on the way into the tool. Commands of the tools themselves are run by
+//! `benches/readers/run`.
 
 use crate::walk::Walk;
 

@@ -161,7 +161,8 @@ proptest! {
             }
         }
         let grain = 0.5 / DENSE as f64;
-        // Under a changing yaw the wrench is not linear; violations shorter than a sixteenth of an interval may be missed.
+        // Under a changing yaw the wrench is not linear; violations shorter than a sixteenth of an interval may be
+        // missed.
         let blind = if flight.model == WrenchModel::HoverFollowing { 0.5 / 16.0 } else { 0.0 };
         let slack = (grain + blind) * (crossings + 1) as f64;
         prop_assert!((found.seconds - seconds).abs() <= slack, "{} {seconds}", found.seconds);

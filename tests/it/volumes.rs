@@ -85,8 +85,8 @@ proptest! {
         prop_assert!((tiled - by_rows).abs() < 1e-9 * size.powi(4), "{tiled} {by_rows}");
     }
 
-    /// The nearest point lies inside some face: of all choices of rotors at their least, at their most and between, those between
-    /// by least squares, the nearest point that keeps the bounds.
+    /// The nearest point lies inside some face: of all choices of rotors at their least, at their most and between,
+    /// those between by least squares, the nearest point that keeps the bounds.
     #[test]
     fn nearest_points_are_those_of_all_faces(set in zonotope(), at in prop::array::uniform4(-9.0..9.0f64)) {
         let w = Wrench::from(at);
@@ -111,8 +111,8 @@ proptest! {
         let size: f64 = set.generators.iter().map(nalgebra::Matrix::norm).sum();
         prop_assert_eq!(by_rows.equalities.len(), by_generators.equalities.len());
         if by_rows.equalities.is_empty() {
-            // One set to 1e-9 of its size: each row supports it, and none of its facets is missing; nor is one too many, but
-            // where facets are that near to each other.
+            // One set to 1e-9 of its size: each row supports it, and none of its facets is missing; nor is one too
+            // many, but where facets are that near to each other.
             let shadow = without_yaw(&set);
             for f in &by_rows.facets {
                 let apart = shadow.support(&f.normal) - f.offset;

@@ -1,10 +1,12 @@
-//! Pages that a reader walks through: their commands do what the page says, in its order, in one folder, one line of shell after another.
+//! Pages that a reader walks through: their commands do what the page says, in its order, in one folder, one line of
+//! shell after another.
 //!
-//! - ` ```sh `: each line that is to be run here is run. It must end with 0, or with the code in its comment `# exit code N`.
-//! - ` ```diff NAME `: an edit of the spec of this name, or of the page's one spec. The text of the lines with ` ` and `-` must occur in it
-//!   exactly once.
-//! - ` ```text `: the output of the commands of the block before, unless none of them was run. A line `...` stands for any lines, and ` ...`
-//!   at the end of a line for any rest of it; everything else is compared letter by letter.
+//! - ` ```sh `: each line that is to be run here is run. It must end with 0, or with the code in its comment `# exit
+//!   code N`.
+//! - ` ```diff NAME `: an edit of the spec of this name, or of the page's one spec. The text of the lines with `
+//!   ` and `-` must occur in it exactly once.
+//! - ` ```text `: the output of the commands of the block before, unless none of them was run. A line `...` stands for
+//!   any lines, and ` ...` at the end of a line for any rest of it; everything else is compared letter by letter.
 //! - ` ```python NAME `: a file of the reader's, which is written.
 
 use std::path::Path;
@@ -21,8 +23,8 @@ pub struct Walk {
 }
 
 impl Walk {
-    /// Follows the page in a new folder; how many commands were run, and how many outputs compared. With `MAVC_UPDATE=1` quotes that
-    /// differ are written anew.
+    /// Follows the page in a new folder; how many commands were run, and how many outputs compared. With
+    /// `MAVC_UPDATE=1` quotes that differ are written anew.
     pub fn follow(&self) -> (usize, usize) {
         let before = std::fs::read_to_string(self.path).unwrap();
         let mut page = before.clone();

@@ -1,5 +1,5 @@
-//! Hover with yaw given up: the core of each mode, spins and equilibria, against figures computed by other code, published
-//! ones and brute force.
+//! Hover with yaw given up: the core of each mode, spins and equilibria, against figures computed by other code,
+//! published ones and brute force.
 
 mod plans;
 
@@ -41,8 +41,8 @@ fn near(value: f64, expected: f64, tolerance: f64) {
     assert!((value - expected).abs() <= tolerance, "{value} instead of {expected}");
 }
 
-/// Vehicle, layout, lost rotors, word; disc (N m), largest level thrust (N), yaw torques (N m), spins (rad/s): computed twice by
-/// independent code, given to the digits shown.
+/// Vehicle, layout, lost rotors, word; disc (N m), largest level thrust (N), yaw torques (N m), spins (rad/s): computed
+/// twice by independent code, given to the digits shown.
 type Row = (&'static str, &'static str, &'static [usize], YawFree, f64, f64, [f64; 2], [f64; 2]);
 const TABLE: [Row; 10] = [
     ("quad", "PNPN", &[], YawFree::Interior, 1.487, 28.19, [-0.2072, 0.2072], [-75.3, 75.3]),
@@ -75,7 +75,8 @@ fn the_figures_are_those_of_other_code() {
     near(neighbours.critical_mass_yaw_free_kg.unwrap() * 9.81, 13.06, 6e-3);
 }
 
-/// The equilibrium with the largest disc of a quadcopter that lost a rotor: 0.71 N m, axis tilted by 3.7 degrees, 32.8 rad/s.
+/// The equilibrium with the largest disc of a quadcopter that lost a rotor: 0.71 N m, axis tilted by 3.7 degrees, 32.8
+/// rad/s.
 #[test]
 fn a_quadcopter_keeps_the_largest_disc_with_a_tilted_axis() {
     let found = analysis(&without("quad", "PNPN", &[1])).without_yaw.unwrap();
@@ -95,7 +96,8 @@ fn a_quadcopter_keeps_the_largest_disc_with_a_tilted_axis() {
     near(tilted.power_ratio, power(&tilted.thrusts_n) / power(&[1.32 * 9.81 / 4.0; 4]), 1e-9);
 }
 
-/// A vehicle that is turned by 45 degrees about z has the same disc, and thrusts that mirror each other beside the lost rotor.
+/// A vehicle that is turned by 45 degrees about z has the same disc, and thrusts that mirror each other beside the lost
+/// rotor.
 #[test]
 fn the_largest_disc_does_not_depend_on_the_axes() {
     let mut model = without("quad", "PNPN", &[1]);
@@ -179,7 +181,8 @@ fn published_equilibria_are_found() {
     near(spin[0], spin[1], 1e-9);
 }
 
-/// The disc against wrenches: on its rim every heading of the body produces the torque, and a little outside one does not.
+/// The disc against wrenches: on its rim every heading of the body produces the torque, and a little outside one does
+/// not.
 #[test]
 fn the_core_is_what_every_heading_leaves() {
     for (kind, layout, rotors) in

@@ -1,5 +1,5 @@
-//! Words: a verdict, a flight and the edge of a set have one word each in the terminal, JSON and on the page, and no word says
-//! more than was shown.
+//! Words: a verdict, a flight and the edge of a set have one word each in the terminal, JSON and on the page, and no
+//! word says more than was shown.
 
 use crate::cli::mavc_with;
 use mavc::admissible::AdmissibleSet;
@@ -86,8 +86,8 @@ fn a_verdict_has_one_word_everywhere() {
     }
 }
 
-/// A time at which nothing was proved is not among those of a proof, and what is proved of many times is proved of each: each of
-/// them asked for alone has the same verdict.
+/// A time at which nothing was proved is not among those of a proof, and what is proved of many times is proved of
+/// each: each of them asked for alone has the same verdict.
 #[test]
 fn what_is_proved_of_many_times_is_proved_of_each() {
     let mut up = octocopter("PPNNPPNN");
@@ -146,7 +146,8 @@ fn rsp_without_a_common_time_is_not_attempted() {
     assert!(text.contains("not found: no plan was found") && !text.contains("proved infeasible"), "{text}");
 }
 
-/// Every command decides by one function and one tolerance whether hover lies inside a mode's set, on its edge or outside.
+/// Every command decides by one function and one tolerance whether hover lies inside a mode's set, on its edge or
+/// outside.
 #[test]
 fn the_edge_is_one_for_every_command() {
     let (mut edges, mut dust) = (0, 0);
@@ -199,7 +200,8 @@ fn on_the_edge_is_one_word() {
     assert!(page.contains("<td>on the edge</td>"), "{page}");
 }
 
-/// The plan of [`a_missed_waypoint_is_called_missed`], and the waypoint records of a mission that asks for other places.
+/// The plan of [`a_missed_waypoint_is_called_missed`], and the waypoint records of a mission that asks for other
+/// places.
 fn moved(by: f64, yaw_by: f64) -> Vec<WaypointRecord> {
     let mut model = octocopter("PPNNPPNN");
     model.mission = Some(mission(vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([1.0, 0.0, 2.0], 0.3)]));
@@ -242,7 +244,8 @@ fn a_missed_waypoint_is_called_missed() {
     assert!(told.contains(" deg of ") && told.contains(" of yaw allowed (100 %), at waypoint 2"), "{told}");
 }
 
-/// Of many waypoints those are listed that take most of their tolerances, in the order of flight; the others are counted.
+/// Of many waypoints those are listed that take most of their tolerances, in the order of flight; the others are
+/// counted.
 #[test]
 fn of_many_waypoints_the_worst_are_listed() {
     let one = moved(-0.04, -0.04).remove(1);
@@ -314,7 +317,8 @@ fn schemas_have_the_same_words() {
 mod thorough {
     use super::*;
 
-    /// A proof about RIP is one about RSP; without a proof and without a plan of RIP there is nothing to select RSP's facets by.
+    /// A proof about RIP is one about RSP; without a proof and without a plan of RIP there is nothing to select RSP's
+    /// facets by.
     #[test]
     #[ignore = "long"]
     fn rsp_without_a_plan_of_rip_is_not_attempted_but_where_that_is_proved() {

@@ -1,5 +1,5 @@
-//! Files of other tools, through `mavc import` and `mavc check MISSION --vehicle`: a spec that is laid out as `mavc fmt` does, or an
-//! error at a place of the file.
+//! Files of other tools, through `mavc import` and `mavc check MISSION --vehicle`: a spec that is laid out as
+//! `mavc fmt` does, or an error at a place of the file.
 
 use mavc::diagnostic::{render_human, render_short, to_json_line};
 use mavc::format::format;

@@ -70,8 +70,8 @@ impl Builder {
         self
     }
 
-    /// Adds a volume in which the whole vehicle stays, of a shape of the language (docs/language.md, *Volumes*); its fields are
-    /// set by [`Builder::volume`].
+    /// Adds a volume in which the whole vehicle stays, of a shape of the language (docs/language.md, *Volumes*); its
+    /// fields are set by [`Builder::volume`].
     pub fn keep_in(self, name: &str, shape: &str) -> Self {
         self.new_volume(VolumeSide::KeepIn, name, shape)
     }
@@ -117,7 +117,8 @@ impl Builder {
         self
     }
 
-    /// Sets a field of a volume that was added before, such as `radius` (m), or `corners`, a list of points `[x, y]` (m).
+    /// Sets a field of a volume that was added before, such as `radius` (m), or `corners`, a list of points `[x, y]`
+    /// (m).
     pub fn volume(mut self, volume: &str, field: &str, value: impl Into<Value>) -> Self {
         let path = format!("mission.volumes.{volume}.");
         let line = self.field(Group::Volume, &path, field, value.into(), " = ");

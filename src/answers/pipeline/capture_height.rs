@@ -1,4 +1,5 @@
-//! The height that a fault without control of yaw costs: what plans keep, and how long they fly lower. All of it is simulated.
+//! The height that a fault without control of yaw costs: what plans keep, and how long they fly lower. All of it is
+//! simulated.
 
 use super::tasks::{Planning, Task};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -31,8 +32,8 @@ pub(super) struct Kept {
     pub model: Arc<Model>,
 }
 
-/// Simulates the height that `require capture_height` asks for, and imposes it. `None` if the spec does not have the statement or
-/// no mode is concerned; in the latter case a warning says so.
+/// Simulates the height that `require capture_height` asks for, and imposes it. `None` if the spec does not have the
+/// statement or no mode is concerned; in the latter case a warning says so.
 ///
 /// # Errors
 /// No height is enough, or the waypoints are too low.
@@ -56,7 +57,8 @@ pub(super) fn keep(model: &Model) -> Result<(Option<Kept>, Option<Diagnostic>), 
     };
     if let Some(case) = needed.hopeless() {
         let message = format!(
-            "no height is enough after mode {}: with the fault known after {} ms at {} m/s, {} of {} simulated flights regain \
+            "no height is enough after mode {}: with the fault known after {} ms at {} m/s, {} of {} simulated \
+             flights regain \
              level flight",
             case.mode,
             number(1e3 * case.delay_s),
@@ -88,8 +90,8 @@ pub(super) fn is_about(diagnostic: &Diagnostic) -> bool {
     diagnostic.severity == Severity::Error && [LOW, HOPELESS].contains(&diagnostic.code)
 }
 
-/// The captures against which plans are measured, of a spec that gives the ground and does not require the height: at the plans'
-/// own speeds.
+/// The captures against which plans are measured, of a spec that gives the ground and does not require the height: at
+/// the plans' own speeds.
 pub(super) fn needed_for(model: &Model, plans: &[&Trajectory]) -> Option<Needed> {
     model.mission.as_ref()?.ground?;
     let delay = match model.simulation.detection {
@@ -102,13 +104,14 @@ pub(super) fn needed_for(model: &Model, plans: &[&Trajectory]) -> Option<Needed>
 }
 
 impl Task<'_> {
-    /// The captures against which an outcome's plan is measured; simulated once. `None` without a ground or a plan, or if no mode is
-    /// concerned.
+    /// The captures against which an outcome's plan is measured; simulated once. `None` without a ground or a plan, or
+    /// if no mode is concerned.
     pub(super) fn needed(&self, planning: &Planning) -> Option<Arc<Needed>> {
         planning.needed.get_or_init(|| self.needed_of(planning.comparison())).clone()
     }
 
-    /// The captures over delays of 20 to 300 ms that the page draws: at most two modes, at rest and at the largest speed.
+    /// The captures over delays of 20 to 300 ms that the page draws: at most two modes, at rest and at the largest
+    /// speed.
     pub fn capture_curves(&self, planning: &Planning) -> Vec<Capture> {
         self.needed(planning).map_or(Vec::new(), |needed| needed.curves(self.model()))
     }

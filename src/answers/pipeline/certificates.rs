@@ -12,13 +12,15 @@ use std::fmt;
 
 pub use crate::verify::{Rejected, verify_within};
 
-/// Makes the certificate of an outcome of [`plan`](super::plan): the trajectory of a plan, or the multipliers of a proof of
-/// infeasibility. All numbers are in SI units. The certificate is checked before it is returned, so [`verify`] accepts it.
+/// Makes the certificate of an outcome of [`plan`](super::plan): the trajectory of a plan, or the multipliers of a
+/// proof of infeasibility. All numbers are in SI units. The certificate is checked before it is returned, so [`verify`]
+/// accepts it.
 ///
 /// docs/certificates.md states what a certificate shows, as a theorem.
 ///
 /// # Errors
-/// The outcome is for another spec; it is neither a plan nor a proof; or the proof covers more mission times than one certificate can show.
+/// The outcome is for another spec; it is neither a plan nor a proof; or the proof covers more mission times than one
+/// certificate can show.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -56,17 +58,17 @@ impl fmt::Display for Uncertified {
 
 impl Error for Uncertified {}
 
-/// Decides whether a certificate (JSON) holds for a spec. The code works out from the spec what has to hold, and decides it
-/// from the certificate's trajectory or multipliers in interval and exact arithmetic. It uses neither the planner nor the
-/// solver (docs/certificates.md).
+/// Decides whether a certificate (JSON) holds for a spec. The code works out from the spec what has to hold, and
+/// decides it from the certificate's trajectory or multipliers in interval and exact arithmetic. It uses neither the
+/// planner nor the solver (docs/certificates.md).
 ///
 /// The default [`Budget`] is 10 s of one core and 500,000,000 bytes; [`verify_within`] takes another.
 ///
 /// The verdict lists what is shown, and in what the certificate proves less than the spec requires.
 ///
 /// # Errors
-/// The bytes are not a certificate; the certificate was written for another spec; it does not hold; or the check would exceed
-/// the default budget of time and memory.
+/// The bytes are not a certificate; the certificate was written for another spec; it does not hold; or the check would
+/// exceed the default budget of time and memory.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;

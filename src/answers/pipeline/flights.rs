@@ -18,13 +18,14 @@ use std::error::Error;
 use std::fmt;
 use std::time::Instant;
 
-/// Simulates a flight of the nonlinear vehicle along the plan of an outcome of [`plan`](super::plan), with the faults, air,
-/// sensors and controller of the spec's `simulate` block (docs/flight.md). The same spec gives the same flight.
+/// Simulates a flight of the nonlinear vehicle along the plan of an outcome of [`plan`](super::plan), with the faults,
+/// air, sensors and controller of the spec's `simulate` block (docs/flight.md). The same spec gives the same flight.
 ///
 /// Returns how the flight ended, with distances in m, times in s and angles in rad. A simulated flight proves nothing.
 ///
 /// # Errors
-/// The outcome is for another spec; there is no plan to fly; or the `simulate` block does not fit the plan: a fault after its end, or too many steps.
+/// The outcome is for another spec; there is no plan to fly; or the `simulate` block does not fit the plan: a fault
+/// after its end, or too many steps.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -65,15 +66,15 @@ pub fn indistinguishable<'s>(spec: &'s Spec, plan: &MissionPlan) -> Vec<Vec<&'s 
     groups.iter().map(|group| indistinguishable::names(spec.model(), group)).collect()
 }
 
-/// Simulates a campaign of flights: every planner's plan at the common time T_d, with every declared fault mode, at many
-/// instants and with many noise seeds (docs/campaigns.md). The `campaign` block of the spec sets their numbers.
+/// Simulates a campaign of flights: every planner's plan at the common time T_d, with every declared fault mode, at
+/// many instants and with many noise seeds (docs/campaigns.md). The `campaign` block of the spec sets their numbers.
 ///
-/// Returns the record of `mavc campaign --report`: shares (0 to 1) of flights that survived, and times in s. All flights are
-/// simulated in parallel before it returns.
+/// Returns the record of `mavc campaign --report`: shares (0 to 1) of flights that survived, and times in s. All
+/// flights are simulated in parallel before it returns.
 ///
 /// # Errors
-/// The mission cannot be planned, the campaign has too many flights, or the `simulate` block does not fit the plan. If no
-/// planner found a plan, the result is a record without flights that lists the reasons.
+/// The mission cannot be planned, the campaign has too many flights, or the `simulate` block does not fit the plan. If
+/// no planner found a plan, the result is a record without flights that lists the reasons.
 ///
 /// ```
 /// let text = mavc::TEMPLATE.to_string() + "campaign { times = 2; seeds = 1 }";
@@ -118,8 +119,8 @@ pub(crate) fn sized(spec: &Spec, times: usize, seeds: usize) -> Result<Spec, NoF
 }
 
 impl Task<'_> {
-    /// The campaign that `mavc campaign` flies along the plans at the common time. Its identity, by which rows of different
-    /// campaigns are kept apart, depends on the spec and on the running program.
+    /// The campaign that `mavc campaign` flies along the plans at the common time. Its identity, by which rows of
+    /// different campaigns are kept apart, depends on the spec and on the running program.
     ///
     /// # Errors
     /// No planner has a plan; the error lists the outcome of each.
@@ -129,16 +130,16 @@ impl Task<'_> {
     }
 }
 
-/// One verdict for the planners of a campaign that have no plan: `not found` if a search ended without a plan and without a
-/// proof, else `proved infeasible` if there is a proof, else `not attempted`.
+/// One verdict for the planners of a campaign that have no plan: `not found` if a search ended without a plan and
+/// without a proof, else `proved infeasible` if there is a proof, else `not attempted`.
 pub fn missing_verdict(missing: &[Missing]) -> Verdict {
     let verdicts: Vec<Verdict> = missing.iter().map(Missing::verdict).collect();
     let order = [Verdict::NotFound, Verdict::ProvedInfeasible];
     order.into_iter().find(|verdict| verdicts.contains(verdict)).unwrap_or(Verdict::NotAttempted)
 }
 
-/// The errors that prevent a simulated flight along a plan of `time` s, and warnings about it. They depend on the duration, so
-/// they are known only after planning.
+/// The errors that prevent a simulated flight along a plan of `time` s, and warnings about it. They depend on the
+/// duration, so they are known only after planning.
 pub fn departure(spec: &Spec, time: f64) -> Vec<Diagnostic> {
     let model = spec.model();
     let mut found = past_the_end(model, model.simulation.duration.unwrap_or(time));

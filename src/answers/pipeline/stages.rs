@@ -109,8 +109,8 @@ impl Planning {
 }
 
 impl Task<'_> {
-    /// The program of the hover model, with every row, at the mission time of an outcome. `None` if the mission has no time
-    /// grid over that time.
+    /// The program of the hover model, with every row, at the mission time of an outcome. `None` if the mission has no
+    /// time grid over that time.
     pub fn program(&self, planning: &Planning) -> Option<Program> {
         let (problem, model, time_s) = (self.problem(), self.model(), planning.time());
         let healthy = AdmissibleSet::healthy(model);

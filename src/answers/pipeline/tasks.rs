@@ -27,12 +27,12 @@ use std::time::Instant;
 /// The spec has no mission to plan.
 pub const NO_MISSION: &str = "mavc::plan::no_mission";
 
-/// Plans the spec's mission with the spec's planner ([RIP, RCP or RSP](crate::model::PlannerKind)), at the time that the spec
-/// fixes or at the shortest time found. The planners are those of sections 5.2 and 5.3 of the paper; see docs/method.md,
-/// sections 8 and 12, the latter for the exact model.
+/// Plans the spec's mission with the spec's planner ([RIP, RCP or RSP](crate::model::PlannerKind)), at the time that
+/// the spec fixes or at the shortest time found. The planners are those of sections 5.2 and 5.3 of the paper; see
+/// docs/method.md, sections 8 and 12, the latter for the exact model.
 ///
-/// The outcome is a plan that passed the check of finished plans, a proof of infeasibility, or neither. The plan's time is in
-/// s; its nodes hold derivatives as `[axis][order]` in SI units ([`NodeState`](crate::motion::NodeState)).
+/// The outcome is a plan that passed the check of finished plans, a proof of infeasibility, or neither. The plan's time
+/// is in s; its nodes hold derivatives as `[axis][order]` in SI units ([`NodeState`](crate::motion::NodeState)).
 ///
 /// # Errors
 /// The spec has no mission, its sets are too large, or a fault mode that the plan must tolerate cannot hover.
@@ -52,12 +52,12 @@ pub fn plan(spec: &Spec) -> Result<Planning, Refusal> {
     Ok(Task::new(spec)?.plan(&Silent))
 }
 
-/// Plans with RIP, RCP for each mode, RCP for all modes jointly, and RSP: each at its own shortest time, and all at the common
-/// time T_d (section 5.3 of the paper). All numbers are in SI units.
+/// Plans with RIP, RCP for each mode, RCP for all modes jointly, and RSP: each at its own shortest time, and all at the
+/// common time T_d (section 5.3 of the paper). All numbers are in SI units.
 ///
-/// [`Comparison::runs`] has a run of each planner at its own time, then one of each at T_d, both in the order RIP, RCP for each
-/// mode in the order of `against`, the joint RCP if there are several modes, RSP. If there is no T_d, RSP and the runs at T_d are
-/// missing.
+/// [`Comparison::runs`] has a run of each planner at its own time, then one of each at T_d, both in the order RIP, RCP
+/// for each mode in the order of `against`, the joint RCP if there are several modes, RSP. If there is no T_d, RSP and
+/// the runs at T_d are missing.
 ///
 /// # Errors
 /// As for [`plan`]; also if the spec has more than [`MAX_SAMPLES_OF_A_SEARCH`] samples.
@@ -75,8 +75,9 @@ pub fn compare(spec: &Spec) -> Result<Comparison, Refusal> {
     Ok(Task::to_compare(spec)?.compare(&Silent))
 }
 
-/// Explains why no plan was found: nearby times (s) at which there is one; or an irreducible set of statements of the spec for
-/// which together no plan was found or none exists, with changes of single statements that were tried and give a plan (docs/method.md, section 9).
+/// Explains why no plan was found: nearby times (s) at which there is one; or an irreducible set of statements of the
+/// spec for which together no plan was found or none exists, with changes of single statements that were tried and give
+/// a plan (docs/method.md, section 9).
 ///
 /// `planning` is the outcome of [`plan`] for this spec. If it is a plan, both parts of the result are empty.
 ///
@@ -252,8 +253,8 @@ pub struct Explained {
 }
 
 impl<'s> Task<'s> {
-    /// Checks that the spec's mission can be planned: the healthy vehicle can hover, and so can the vehicle in each mode that
-    /// the plan must tolerate.
+    /// Checks that the spec's mission can be planned: the healthy vehicle can hover, and so can the vehicle in each
+    /// mode that the plan must tolerate.
     ///
     /// # Errors
     /// The spec has no mission, its sets are too large, a mode cannot hover, or the mission cannot keep the height that
@@ -370,8 +371,8 @@ impl<'s> Task<'s> {
         planning.check_spec(self.spec)?;
         let nearby = self.nearby(planning, observer);
         let is_failed = matches!(planning.outcome(), PlanOutcome::NotFound(NotFound::Check { .. }));
-        // No statement of the spec is to blame if the planner has a plan at another time, found a trajectory that fails the
-        // check, or only misses the required risk.
+        // No statement of the spec is to blame if the planner has a plan at another time, found a trajectory that fails
+        // the check, or only misses the required risk.
         let needs_no_conflict = planning.plan().is_some()
             || is_failed
             || nearby.times().next().is_some()

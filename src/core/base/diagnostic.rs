@@ -1,4 +1,5 @@
-//! Diagnostics about a spec: a message that is complete by itself, a place, labels, and one action that fixes the problem.
+//! Diagnostics about a spec: a message that is complete by itself, a place, labels, and one action that fixes the
+//! problem.
 //!
 //! Stages up to the model return [`Checked`]: a value if one could be built, and all diagnostics.
 

@@ -1,7 +1,7 @@
 //! Places on the Earth and the local tangent plane: latitude, longitude and height against x east, y north, z up.
 //!
-//! The ellipsoid is that of WGS 84. Heights above mean sea level are taken as heights above the ellipsoid: the geoid is up to 107 m
-//! off it, and 107 m change a distance by 107 m / 6,357 km, 17 mm in a kilometre.
+//! The ellipsoid is that of WGS 84. Heights above mean sea level are taken as heights above the ellipsoid: the geoid is
+//! up to 107 m off it, and 107 m change a distance by 107 m / 6,357 km, 17 mm in a kilometre.
 
 /// Semi-major axis of the ellipsoid, m (NGA.STND.0036, World Geodetic System 1984, table 3.1).
 const A: f64 = 6_378_137.0;
@@ -34,9 +34,9 @@ impl Geodetic {
         Geodetic { latitude: latitude.to_radians(), longitude: longitude.to_radians(), height }
     }
 
-    /// Earth-centred and Earth-fixed, m. With the radius of curvature in the prime vertical N = a / sqrt(1 - e^2 sin^2 phi):
-    /// `X = (N + h) cos phi cos lambda`, `Y = (N + h) cos phi sin lambda`, `Z = (N (1 - e^2) + h) sin phi`
-    /// (B. Hofmann-Wellenhof et al., GNSS, 2008, eq. 8.1 and 8.2).
+    /// Earth-centred and Earth-fixed, m. With the radius of curvature in the prime vertical N = a / sqrt(1 - e^2 sin^2
+    /// phi): `X = (N + h) cos phi cos lambda`, `Y = (N + h) cos phi sin lambda`, `Z = (N (1 - e^2) + h) sin phi` (B.
+    /// Hofmann-Wellenhof et al., GNSS, 2008, eq. 8.1 and 8.2).
     fn earth_fixed(&self) -> [f64; 3] {
         let (s, c) = self.latitude.sin_cos();
         let (sl, cl) = self.longitude.sin_cos();
@@ -44,8 +44,9 @@ impl Geodetic {
         [(n + self.height) * c * cl, (n + self.height) * c * sl, (n * (1.0 - E2) + self.height) * s]
     }
 
-    /// The inverse of [`Self::earth_fixed`]: `tan phi = (Z + e^2 N sin phi) / p` by fixed-point iteration, whose error falls by e^2,
-    /// that is to 0.7 %, each time. The height is `p cos phi + Z sin phi - a sqrt(1 - e^2 sin^2 phi)`, which holds at the poles too.
+    /// The inverse of [`Self::earth_fixed`]: `tan phi = (Z + e^2 N sin phi) / p` by fixed-point iteration, whose error
+    /// falls by e^2, that is to 0.7 %, each time. The height is `p cos phi + Z sin phi - a sqrt(1 - e^2 sin^2 phi)`,
+    /// which holds at the poles too.
     fn of_earth_fixed([x, y, z]: [f64; 3]) -> Self {
         /// 0.0067^9 is below the rounding of doubles.
         const STEPS: usize = 9;

@@ -90,7 +90,8 @@ impl From<Refused> for Error {
 ///
 /// # Errors
 /// [`Refused`] for any other extension, a link to another kind of file, and anything but a regular file;
-/// [`ErrorKind::FileTooLarge`] for a file larger than [`Kind::most`], which is not read; other errors of the file system.
+/// [`ErrorKind::FileTooLarge`] for a file larger than [`Kind::most`], which is not read; other errors of the file
+/// system.
 pub fn read_named(path: &Path) -> Result<Vec<u8>> {
     let real = path.canonicalize()?;
     if real.is_dir() {
@@ -125,8 +126,8 @@ pub fn at_most(input: impl Read, most: usize) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Opens a regular file, without following links. The type of the file is checked before opening, because opening a device
-/// may have effects, and afterwards, because the file may have been replaced in between.
+/// Opens a regular file, without following links. The type of the file is checked before opening, because opening a
+/// device may have effects, and afterwards, because the file may have been replaced in between.
 ///
 /// # Errors
 /// [`Refused::NotRegular`] for anything else, including links; other errors of the file system.
@@ -160,9 +161,9 @@ pub fn without_waiting(options: &mut OpenOptions) {
     let _ = options;
 }
 
-/// The bytes of a spec or a certificate, at most one more than `most`; `-` is standard input. A name that ends in `.mav` is
-/// read by the rules of `use`, because somebody else may have put a link or a pipe there. Any other name is read as it is:
-/// the user means that stream or file, such as `/dev/fd/63`.
+/// The bytes of a spec or a certificate, at most one more than `most`; `-` is standard input. A name that ends in
+/// `.mav` is read by the rules of `use`, because somebody else may have put a link or a pipe there. Any other name is
+/// read as it is: the user means that stream or file, such as `/dev/fd/63`.
 ///
 /// # Errors
 /// The file cannot be read.

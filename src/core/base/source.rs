@@ -131,8 +131,8 @@ impl Source {
         (line as u32, units as u32)
     }
 
-    /// The byte offset of a 0-based line and UTF-16 column. A column beyond the line gives the end of the line, a line beyond
-    /// the last gives the end of the text, and a column inside a character gives the start of the character.
+    /// The byte offset of a 0-based line and UTF-16 column. A column beyond the line gives the end of the line, a line
+    /// beyond the last gives the end of the text, and a column inside a character gives the start of the character.
     pub fn offset_utf16(&self, line: u32, column: u32) -> usize {
         if line as usize >= self.line_starts.len() {
             return self.text.len();

@@ -18,6 +18,6 @@ pub const MOST_OUTSIDE: f64 = 1e-4;
 /// (docs/diagnostics/sense.md).
 pub const USUAL_SPEED: f64 = 60.0;
 
-/// Speed, m/s, from which a plan without `drag` has a caveat. With a drag of 0.35 N s/m the paper's octocopter has to tilt by
-/// 5.7 degrees to hold this speed.
+/// Speed, m/s, from which a plan without `drag` has a caveat. With a drag of 0.35 N s/m the paper's octocopter has to
+/// tilt by 5.7 degrees to hold this speed.
 pub const FAST_WITHOUT_AIR: f64 = 5.0;

@@ -1,8 +1,8 @@
 //! The layout of a spec.
 //!
 //! The author decides the order of statements, where lines break, which statements share a line, and every comment. The
-//! formatter decides indentation, blanks inside a line, columns and blank lines; `docs/formatting.md` describes how. The layout
-//! depends only on words, comments and line breaks, so formatting twice changes nothing.
+//! formatter decides indentation, blanks inside a line, columns and blank lines; `docs/formatting.md` describes how.
+//! The layout depends only on words, comments and line breaks, so formatting twice changes nothing.
 //!
 //! # Steps
 //! 1. `role` takes from the tree what words alone do not show: where a unit ends, which minus is a sign.
@@ -19,8 +19,8 @@ use crate::input::MAX_FILE_BYTES;
 use crate::source::{FileId, Source, Span};
 use crate::syntax::{parse, too_large};
 
-/// The text of a spec in its layout; the meaning does not change. Lines end like the first one, in `\n` or `\r\n`; a byte order
-/// mark is removed.
+/// The text of a spec in its layout; the meaning does not change. Lines end like the first one, in `\n` or `\r\n`; a
+/// byte order mark is removed.
 ///
 /// Errors in names and units do not matter. There is no value for a text with syntax errors, with the diagnostics of
 /// [`parse`], nor where the result would exceed the size that a file may have.

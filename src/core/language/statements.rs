@@ -1,4 +1,5 @@
-//! Which statements belong in which block: blocks, the words that begin statements, and a line of documentation for each.
+//! Which statements belong in which block: blocks, the words that begin statements, and a line of documentation for
+//! each.
 
 use super::place::{Kind, Place};
 use crate::diagnostic::nearest;
@@ -137,7 +138,8 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
             statement(
                 "waypoint",
                 "waypoint [NAME] at POSITION ...",
-                "a point to fly through; its clauses may be in any order, and limits of the [leg](#legs) that arrives may follow \
+                "a point to fly through; its clauses may be in any order, and limits of the [leg](#legs) that arrives \
+                 may follow \
                  in braces",
             ),
             statement(
@@ -261,8 +263,8 @@ impl Place {
         OPENERS.iter().any(|o| o.1.contains(&word))
     }
 
-    /// Whether `word` begins a statement without braces and is not a misspelling of a block that is allowed here: `fault {`
-    /// at the top level is a misspelt `faults {`.
+    /// Whether `word` begins a statement without braces and is not a misspelling of a block that is allowed here:
+    /// `fault {` at the top level is a misspelt `faults {`.
     pub fn has_braceless(self, word: &str) -> bool {
         let is_slip = || {
             self.meant(word).is_some_and(|meant| Place::of_block(meant).is_some() && self.openers().contains(&meant))

@@ -38,8 +38,8 @@ pub const MAX_EXPRESSION_DEPTH: usize = 256;
 /// Errors shown for one file.
 pub const MAX_ERRORS: usize = 200;
 
-/// Reads one file. The tree holds every statement that can be read, some of them as the fixes of their errors would have
-/// them. There is no tree only where the text exceeds a limit.
+/// Reads one file. The tree holds every statement that can be read, some of them as the fixes of their errors would
+/// have them. There is no tree only where the text exceeds a limit.
 pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
     let bytes = source.text.len();
     if bytes > MAX_FILE_BYTES {

@@ -1,8 +1,8 @@
 //! Records of certificates, with which a plan or its absence can be checked without the planner. The JSON schema is
 //! `docs/schema/certificate.schema.json`; `crate::certify` writes certificates, `crate::verify` decides them.
 //!
-//! A certificate contains only a witness: a motion or multipliers. The conditions that the witness must satisfy follow from
-//! the spec, and the checker derives them itself.
+//! A certificate contains only a witness: a motion or multipliers. The conditions that the witness must satisfy follow
+//! from the spec, and the checker derives them itself.
 
 mod bounded;
 
@@ -181,8 +181,8 @@ impl MotionRecord {
     }
 }
 
-/// No motion with inputs that are linear between the nodes of the spec's grid satisfies every row: with these multipliers
-/// the rows add up to a contradiction. The grid omits holds, because nothing changes in them.
+/// No motion with inputs that are linear between the nodes of the spec's grid satisfies every row: with these
+/// multipliers the rows add up to a contradiction. The grid omits holds, because nothing changes in them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -194,7 +194,8 @@ pub struct InfeasibleClaim {
     /// The facets that rows and weights refer to by their index, from 0.
     #[serde(deserialize_with = "at_most::<MAX_FACETS, _, _>")]
     pub facets: Vec<FacetRecord>,
-    /// In the exact model: facets whose weighted normals add up to the axis of T, so that their offsets bound the thrust.
+    /// In the exact model: facets whose weighted normals add up to the axis of T, so that their offsets bound the
+    /// thrust.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_FACETS, _, _>")]
     pub thrust: Vec<FacetWeight>,
     /// The rows and their multipliers.
@@ -305,8 +306,8 @@ pub enum RowRecord {
     },
 }
 
-/// A facet of a mode's set, named by rotors and by its side. If the spec has intervals, it is the row that is valid for all
-/// values.
+/// A facet of a mode's set, named by rotors and by its side. If the spec has intervals, it is the row that is valid for
+/// all values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]

@@ -1,7 +1,7 @@
-//! The independent checker of certificates. It uses only the spec's [`Model`] and the certificate's witness, in interval
-//! and exact arithmetic, and none of the code of the planner, the sets or the solver, so that it does not inherit their
-//! errors. The conditions to check follow from the spec; docs/certificates.md states them as a theorem, whose premises are
-//! those of [`Premise`].
+//! The independent checker of certificates. It uses only the spec's [`Model`] and the certificate's witness, in
+//! interval and exact arithmetic, and none of the code of the planner, the sets or the solver, so that it does not
+//! inherit their errors. The conditions to check follow from the spec; docs/certificates.md states them as a theorem,
+//! whose premises are those of [`Premise`].
 
 mod capture_height;
 pub mod core;
@@ -234,8 +234,8 @@ fn mode_named<'a>(model: &'a Model, name: &str) -> Option<&'a FaultMode> {
     model.modes.iter().find(|m| m.name == name)
 }
 
-/// The modes in whose sets every plan of the spec's planner stays: under RCP the fault modes, and the healthy one if their
-/// sets need not lie inside its set.
+/// The modes in whose sets every plan of the spec's planner stays: under RCP the fault modes, and the healthy one if
+/// their sets need not lie inside its set.
 fn required(model: &Model) -> Vec<String> {
     let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i)).map(|m| m.name.clone());
     match model.plan.planner {
@@ -246,8 +246,8 @@ fn required(model: &Model) -> Vec<String> {
     }
 }
 
-/// The modes of [`required`] in whose whole sets every plan stays: those in which plans may give up yaw are left out, and then the
-/// healthy vehicle's is one of them.
+/// The modes of [`required`] in whose whole sets every plan stays: those in which plans may give up yaw are left out,
+/// and then the healthy vehicle's is one of them.
 fn required_whole(sets: &sets::Sets) -> Vec<String> {
     let mut modes = required(sets.model());
     let kept = |name: &String| sets.mode(name).is_none_or(|mode| !core::may_be_freed(sets, mode));
@@ -259,8 +259,8 @@ fn required_whole(sets: &sets::Sets) -> Vec<String> {
     modes
 }
 
-/// Whether a fault mode's set may extend beyond the healthy set: a lost rotor gives less than the idle thrust of a rotor that
-/// cannot stop, and the pseudo-inverse distributes wrenches differently after a fault.
+/// Whether a fault mode's set may extend beyond the healthy set: a lost rotor gives less than the idle thrust of a
+/// rotor that cannot stop, and the pseudo-inverse distributes wrenches differently after a fault.
 fn faults_may_add(model: &Model) -> bool {
     let vehicle = &model.vehicle;
     vehicle.allocation == Allocation::PseudoInverse || vehicle.rotors.iter().any(|r| r.min_speed > 0.0)

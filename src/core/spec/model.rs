@@ -98,8 +98,8 @@ pub struct Vehicle {
     pub mass_spread: Spread,
     /// Diagonal of the inertia matrix J: Ixx, Iyy, Izz, kg m^2.
     pub inertia: [f64; 3],
-    /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity through the
-    /// air along it. 0 if the spec gives none.
+    /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity
+    /// through the air along it. 0 if the spec gives none.
     pub drag: [f64; 3],
     /// The place of `drag`, if the spec gives it.
     pub drag_span: Option<Span>,
@@ -107,7 +107,8 @@ pub struct Vehicle {
     pub yaw_drag: Option<YawDrag>,
     /// Radius of a propeller, m, if the spec gives it.
     pub propeller_radius: Option<f64>,
-    /// Radius about the centre of gravity within which the vehicle stays, m, if the spec gives it; see [`Vehicle::radius`].
+    /// Radius about the centre of gravity within which the vehicle stays, m, if the spec gives it; see
+    /// [`Vehicle::radius`].
     pub size: Option<f64>,
     /// In the order of the spec: rotor k of the language is `rotors[k - 1]`.
     pub rotors: Vec<Rotor>,
@@ -203,8 +204,8 @@ impl RotorState {
         }
     }
 
-    /// The capacity theta of (32), with which the rotor gives theta b w^2 at a speed w; 1 for a stuck rotor, whose speed is
-    /// what the fault determines.
+    /// The capacity theta of (32), with which the rotor gives theta b w^2 at a speed w; 1 for a stuck rotor, whose
+    /// speed is what the fault determines.
     pub fn capacity(self) -> f64 {
         match self {
             RotorState::Sound | RotorState::Stuck(_) => 1.0,
@@ -297,8 +298,9 @@ pub struct Mission {
 }
 
 impl Mission {
-    /// The number of intervals that leg `leg` needs for a nearly optimal motion. A rest at one end fixes four derivatives
-    /// there; with fewer than five intervals a leg from rest to rest has no freedom left, or no motion at all.
+    /// The number of intervals that leg `leg` needs for a nearly optimal motion. A rest at one end fixes four
+    /// derivatives there; with fewer than five intervals a leg from rest to rest has no freedom left, or no motion at
+    /// all.
     ///
     /// # Panics
     /// If there is no such leg.
@@ -320,7 +322,8 @@ impl Mission {
         hold > 0.0 || stop || waypoint == 0 && self.start_at_rest || waypoint == last && self.end_at_rest
     }
 
-    /// Whether some waypoint between start and end has no fixed time, so that legs can divide the time in more than one way.
+    /// Whether some waypoint between start and end has no fixed time, so that legs can divide the time in more than one
+    /// way.
     pub fn leaves_times_free(&self) -> bool {
         let between = self.waypoints.split_last().map_or(&[][..], |(_, others)| others);
         between.iter().skip(1).any(|w| w.time.is_none())
@@ -344,8 +347,8 @@ pub struct Waypoint {
     pub name: Option<String>,
     /// Position in the world frame, m: x east, y north, z up.
     pub position: [f64; 3],
-    /// Yaw psi, rad, unwrapped along the mission (turns take the shorter way). If it follows from the motion, that at the waypoint
-    /// itself, as far as the waypoints tell it.
+    /// Yaw psi, rad, unwrapped along the mission (turns take the shorter way). If it follows from the motion, that at
+    /// the waypoint itself, as far as the waypoints tell it.
     pub yaw: f64,
     /// Position tolerance (Euclidean), m; positive.
     pub within: f64,
@@ -394,14 +397,15 @@ pub enum LimitKind {
     Tilt,
     /// The position along a unit vector: the normal of a face of a `keep_in`, or the axis of a corridor, m.
     Face([f64; 3]),
-    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one or of a corridor, m.
+    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one or of a corridor,
+    /// m.
     Distance(DistanceFrom),
     /// The distance from a body of a `keep_out`, m: a lower bound, and the only limit that is not convex.
     Clearance(Arc<Obstacle>),
     /// The angle between the velocity and this unit vector at the end of the leg, rad; without velocity there is none.
     Arrival([f64; 3]),
-    /// The angle between the yaw and the direction of the target, rad, at nodes; where there is no such direction, nothing is
-    /// bounded.
+    /// The angle between the yaw and the direction of the target, rad, at nodes; where there is no such direction,
+    /// nothing is bounded.
     Heading(Target),
 }
 
@@ -437,8 +441,8 @@ pub struct OnLeg {
     pub name: String,
 }
 
-/// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only an
-/// `upper` bound. So do `Climb` and `Descent`, which bound the upward and the downward speed by a value that is not
+/// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only
+/// an `upper` bound. So do `Climb` and `Descent`, which bound the upward and the downward speed by a value that is not
 /// negative. A single `<=` on `YawRate` or `YawAcceleration` bounds both directions (lower = -upper).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
@@ -453,8 +457,8 @@ pub struct Limit {
 }
 
 impl Limit {
-    /// The scale of a violation, in the SI unit of the limit: the larger bound in magnitude, but at least 1; 1 m for a volume,
-    /// whose distance from the origin says nothing about how well it is kept.
+    /// The scale of a violation, in the SI unit of the limit: the larger bound in magnitude, but at least 1; 1 m for a
+    /// volume, whose distance from the origin says nothing about how well it is kept.
     pub fn size(&self) -> f64 {
         if self.volume.is_some() {
             return 1.0;

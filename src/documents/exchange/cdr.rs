@@ -1,4 +1,5 @@
-//! Messages of ROS 2 in the encoding CDR: little-endian, each number aligned to its own size after the four bytes of the head.
+//! Messages of ROS 2 in the encoding CDR: little-endian, each number aligned to its own size after the four bytes of
+//! the head.
 
 use super::bytes::Bytes;
 

@@ -1,7 +1,7 @@
 //! The two pairs of frames in which the field writes trajectories, and the map between them.
 //!
-//! mavc's world is x east, y north, z up (ENU) and its body x forward, y left, z up (FLU). PX4 and ArduPilot have a world north,
-//! east, down (NED) and a body forward, right, down (FRD). With
+//! mavc's world is x east, y north, z up (ENU) and its body x forward, y left, z up (FLU). PX4 and ArduPilot have a
+//! world north, east, down (NED) and a body forward, right, down (FRD). With
 //!
 //! ```text
 //!     | 0 1  0 |            | 1  0  0 |
@@ -9,8 +9,9 @@
 //!     | 0 0 -1 |            | 0  0 -1 |
 //! ```
 //!
-//! which are their own inverses, vectors of the world turn into `M v`, vectors of the body into `B w`, and the attitude R from body
-//! to world into `M R B`. A yaw psi, counter-clockwise from east, turns into `pi/2 - psi`, clockwise from north.
+//! which are their own inverses, vectors of the world turn into `M v`, vectors of the body into `B w`, and the attitude
+//! R from body to world into `M R B`. A yaw psi, counter-clockwise from east, turns into `pi/2 - psi`, clockwise from
+//! north.
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,5 +1,6 @@
-//! MCAP, the container of logs that Foxglove, PlotJuggler and ROS 2 read: records of one byte of kind, a length and a content. Messages
-//! are in chunks without compression, which an index at the end finds by time. <https://mcap.dev/spec>
+//! MCAP, the container of logs that Foxglove, PlotJuggler and ROS 2 read: records of one byte of kind, a length and a
+//! content. Messages are in chunks without compression, which an index at the end finds by time.
+//! <https://mcap.dev/spec>
 
 use super::bytes::Bytes;
 

@@ -37,7 +37,8 @@ pub fn origin<'a>(model: &'a Model, format: &str) -> Result<(&'a Mission, Origin
     let mission = model.mission.as_ref().ok_or("the spec has no mission")?;
     mission.origin.map(|origin| (mission, origin)).ok_or_else(|| {
         format!(
-            "--format {format} has places on the Earth, and mission `{}` does not say where it is: give its `origin_latitude`, \
+            "--format {format} has places on the Earth, and mission `{}` does not say where it is: give its \
+             `origin_latitude`, \
              `origin_longitude` and `origin_altitude`",
             mission.name
         )
@@ -112,7 +113,8 @@ pub fn wpl(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Re
 
 fn said(text: String, items: &Items, fences: String) -> Written {
     let remark = format!(
-        "{} items; straight lines between them are within {} m of the plan; the times of the plan are lost: the autopilot chooses \
+        "{} items; straight lines between them are within {} m of the plan; the times of the plan are lost: the \
+         autopilot chooses \
          its own{}{fences}",
         items.all.len(),
         significant(items.deviation, 3),

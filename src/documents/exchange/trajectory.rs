@@ -167,7 +167,8 @@ impl Choices {
         }
         if self.tolerance.is_some() && self.format != Format::Crazyflie && !self.format.is_of_places() {
             return Err(format!(
-                "--format {name} does not refit the trajectory: leave --tolerance out, which is for crazyflie, qgc-plan, wpl, \
+                "--format {name} does not refit the trajectory: leave --tolerance out, which is for crazyflie, \
+                 qgc-plan, wpl, \
                  kml and geojson"
             ));
         }
@@ -194,8 +195,8 @@ impl Choices {
 /// Writes a trajectory of a model's mission.
 ///
 /// # Errors
-/// The choices do not go together, the result would be too large, the attitude is not defined at some instant, or the trajectory
-/// does not fit the format.
+/// The choices do not go together, the result would be too large, the attitude is not defined at some instant, or the
+/// trajectory does not fit the format.
 pub fn write(trajectory: &Trajectory, model: &Model, choices: &Choices) -> Result<Written, String> {
     choices.check()?;
     let plan = Plan { trajectory, model };

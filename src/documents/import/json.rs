@@ -73,8 +73,8 @@ impl Json {
 /// Reads a text.
 ///
 /// # Errors
-/// The first place that JSON does not allow, a key that an object has twice, a number that no double holds, or a text that is too
-/// deep or too long.
+/// The first place that JSON does not allow, a key that an object has twice, a number that no double holds, or a text
+/// that is too deep or too long.
 pub fn parse(text: &str) -> Result<Json, Box<Diagnostic>> {
     let mut reader = Reader { text, bytes: text.as_bytes(), at: 0, values: 0 };
     let value = reader.value(0)?;

@@ -1,8 +1,9 @@
-//! Missions of ground stations: plans of QGroundControl, MAVLink's plain text (`QGC WPL 110`), and tables of waypoints. The format
-//! follows from the file's content, not its name.
+//! Missions of ground stations: plans of QGroundControl, MAVLink's plain text (`QGC WPL 110`), and tables of waypoints.
+//! The format follows from the file's content, not its name.
 //!
 //! # Steps
-//! 1. `qgc_plan`, `wpl` or `table` reads the file; places on the Earth become x east, y north, z up about the planned home.
+//! 1. `qgc_plan`, `wpl` or `table` reads the file; places on the Earth become x east, y north, z up about the planned
+//!    home.
 //! 2. `items` follows MAVLink's commands and makes the waypoints of a draft, `fence` its volumes.
 //! 3. `write` makes the text of the spec, and keeps for each of its lines the item that it came from.
 //! 4. `join` compiles this text with a vehicle, and reports each mistake at the item.
@@ -39,7 +40,8 @@ pub fn is_one(text: &str) -> bool {
     start.starts_with('{') || start.starts_with("QGC WPL") || table::is_one(text)
 }
 
-/// Reads the file of a mission. The spec begins with `use` of `vehicle`, the path of a spec as the new one names it, if it is given.
+/// Reads the file of a mission. The spec begins with `use` of `vehicle`, the path of a spec as the new one names it, if
+/// it is given.
 pub fn import(name: &str, bytes: &[u8], vehicle: Option<&str>) -> Imported {
     super::import(name, bytes, |source, found| {
         let draft = read(source, found)?;
@@ -76,6 +78,7 @@ fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Result<Draft, Box<Diagn
     }
     let error = Diagnostic::error(FORMAT, at(first), "this is no mission that can be read").here("the first line");
     Err(Box::new(error.help(
-        "name a plan of QGroundControl (`.plan`), MAVLink's plain text (`QGC WPL 110`) or a table of waypoints (`x,y,z`)",
+        "name a plan of QGroundControl (`.plan`), MAVLink's plain text (`QGC WPL 110`) or a table of waypoints \
+         (`x,y,z`)",
     )))
 }

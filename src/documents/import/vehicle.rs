@@ -11,8 +11,8 @@ use super::{FORMAT, Imported, Outcome, at};
 use crate::diagnostic::Diagnostic;
 use crate::source::Source;
 
-/// Reads the file of a vehicle: parameters of PX4 (`CA_ROTORi_*`, of an airframe script or as QGroundControl saves them) or of ArduPilot
-/// (`FRAME_CLASS`, `FRAME_TYPE`); URDF, SDF or MJCF with rotors.
+/// Reads the file of a vehicle: parameters of PX4 (`CA_ROTORi_*`, of an airframe script or as QGroundControl saves
+/// them) or of ArduPilot (`FRAME_CLASS`, `FRAME_TYPE`); URDF, SDF or MJCF with rotors.
 pub fn import(name: &str, bytes: &[u8]) -> Imported {
     super::import(name, bytes, read)
 }
@@ -42,7 +42,8 @@ fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
     }
     Err(Box::new(px4::without_geometry(source, parameters.first()).unwrap_or_else(|| {
         Diagnostic::error(FORMAT, at(0..0), "no vehicle was found in the file").help(
-            "name parameters of PX4 (with `CA_ROTOR0_PX`) or ArduPilot (with `FRAME_CLASS`), an airframe script, URDF, SDF or MJCF",
+            "name parameters of PX4 (with `CA_ROTOR0_PX`) or ArduPilot (with `FRAME_CLASS`), an airframe script, \
+             URDF, SDF or MJCF",
         )
     })))
 }

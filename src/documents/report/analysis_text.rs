@@ -97,12 +97,16 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     }
     if is_restricted {
         out.push_str(
-            "\nHere and in plans, each set is restricted to what the pseudo-inverse gives without clipping. The last column\n\
+            "\nHere and in plans, each set is restricted to what the pseudo-inverse gives without clipping. The last \
+             column\n\
              is the share of the set's volume that it does not reach.\n",
         );
     }
     if modes.iter().any(|m| m.robust.is_some()) {
-        out.push_str("\nOver the spec's intervals: does the mode hover with all axes controlled, and bounds on its margin\n(- if hover may be out of reach or the set is flat)\n");
+        out.push_str(
+            "\nOver the spec's intervals: does the mode hover with all axes controlled, and bounds on its \
+            margin\n(- if hover may be out of reach or the set is flat)\n",
+        );
         let mut table = Table::new(&["mode", "hovers", "worst", "best"]);
         for (m, r) in modes.iter().filter_map(|m| Some((m, m.robust?))) {
             let shown = |bound: Option<f64>| bound.map_or("-".into(), |margin| significant(margin, 4));
@@ -122,7 +126,10 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             let angle = format!("{} degrees", significant(rows.angle.to_degrees(), 3));
             table.row(vec![m.name.clone(), rows.axes.join(", "), angle]);
         }
-        out.push_str("\nWarning: nearly parallel rows of the actuation matrix: the rotors can hardly control these axes separately\n");
+        out.push_str(
+            "\nWarning: nearly parallel rows of the actuation matrix: the rotors can hardly control these \
+            axes separately\n",
+        );
         out.push_str(&table.render(0));
     }
     out.push_str(&without_yaw::table(modes));

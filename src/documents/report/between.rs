@@ -11,8 +11,8 @@ use crate::planner::studies::MissionPlan;
 use crate::tolerance::MOST_PAST_LIMIT;
 
 /// Constraints that are proved at every instant, and constraints that are only checked on a grid. `found` holds the
-/// results for the wrench, for each limit in the mission's order, and for the commanded wrench of lagging rotors. Limits
-/// that the plan exceeds are omitted: the caveats report by how much and when.
+/// results for the wrench, for each limit in the mission's order, and for the commanded wrench of lagging rotors.
+/// Limits that the plan exceeds are omitted: the caveats report by how much and when.
 pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String {
     let (facets, limits): (Vec<&Between>, Vec<&Between>) =
         found.iter().partition(|b| [WRENCH, CORES, COMMANDS].contains(&b.rows.as_str()));

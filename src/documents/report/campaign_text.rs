@@ -71,7 +71,8 @@ fn beyond_the_limit(design: &Design) -> String {
     let names: Vec<&str> = beyond.iter().map(|m| design.model.modes[*m].name.as_str()).collect();
     let height = beyond.iter().map(most).fold(0.0, f64::max);
     filled(&format!(
-        "Caught by its spin after {}, the vehicle falls by up to {} m, more than the {} m of `lost_beyond`: flights that go on \
+        "Caught by its spin after {}, the vehicle falls by up to {} m, more than the {} m of `lost_beyond`: flights \
+         that go on \
          count as lost.",
         listed(&names),
         significant(height, 3),
@@ -160,7 +161,8 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
     }
     out.push_str(&table.render(2));
     out.push_str(
-        "  errors and headings are those of the flights that survived, since the fault; violations are the plan's, in % of its time\n",
+        "  errors and headings are those of the flights that survived, since the fault; violations are the plan's, in \
+         % of its time\n",
     );
     out.push_str(&path::table(design, tally, p, &modes));
     if let lost @ 1.. = healthy.all_lost() {
@@ -181,7 +183,8 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
     if diverged > 0 {
         let flights = counted(diverged, "flight");
         out.push_str(&filled(&format!(
-            "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). What \
+            "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). \
+             What \
              happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as survived."
         )));
     }

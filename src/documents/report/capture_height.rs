@@ -117,8 +117,8 @@ impl ExposedRecord {
     }
 }
 
-/// The caveat of a plan that flies lower than its captures ask for although its spec does not require the height: that of the mode to
-/// which it is exposed longest.
+/// The caveat of a plan that flies lower than its captures ask for although its spec does not require the height: that
+/// of the mode to which it is exposed longest.
 pub fn caveat(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<Caveat> {
     if record.height_m.is_some() {
         return None;
@@ -130,7 +130,8 @@ pub fn caveat(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<Cavea
         n => format!(" It is too low for {n} more modes."),
     };
     let message = format!(
-        "If mode {} strikes {}, the plan is too low to regain level flight above the ground, {}; simulated, not proved.{others} Add \
+        "If mode {} strikes {}, the plan is too low to regain level flight above the ground, {}; simulated, not \
+         proved.{others} Add \
          `require capture_height {{ }}` to `plan`, or fly higher.",
         worst.mode,
         worst.when(),
@@ -152,7 +153,8 @@ pub fn worst(case: &Capture) -> String {
 pub fn text(record: &CaptureRecord, exposed: &[ExposedRecord]) -> String {
     let flights = record.captures.first().map_or(0, |case| case.flights);
     let head = format!(
-        "Height [m] that a fault costs until level flight is regained, {}. The most of {flights} flights each: simulated, not proved",
+        "Height [m] that a fault costs until level flight is regained, {}. The most of {flights} flights each: \
+         simulated, not proved",
         record.headline()
     );
     let wrap = |text: &str| {

@@ -32,7 +32,8 @@ pub fn captures(model: &Model, all: &[Capture]) -> String {
     }
     out.push_str(&table.render(0));
     out.push_str(
-        "`-`: no flight regains level flight; `3 of 5`: only so many do. The vehicle stops on the spot. Another controller may\n\
+        "`-`: no flight regains level flight; `3 of 5`: only so many do. The vehicle stops on the spot. Another \
+         controller may\n\
          lose less; the gains and sensors are those of `simulate`.\n",
     );
     out

@@ -96,7 +96,8 @@ fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     }
     let speed = peak(&solved.trajectory, speed);
     let message = format!(
-        "The plan reaches {} m/s at {} s; multirotors usually stay below {} m/s, and the mission does not limit the speed. \
+        "The plan reaches {} m/s at {} s; multirotors usually stay below {} m/s, and the mission does not limit the \
+         speed. \
          Add `limits {{ speed <= ... }}`.",
         significant(speed.value, 3),
         fixed(speed.at, 2),
@@ -114,8 +115,8 @@ fn charge(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     Some(Caveat { kind: CaveatKind::Charge, limit: None, value: battery.left, at_s, message })
 }
 
-/// The caveat of a plan that is fast enough for drag to matter, of a vehicle without `drag`. `drag = 0 N*s/m` says that it was
-/// not forgotten.
+/// The caveat of a plan that is fast enough for drag to matter, of a vehicle without `drag`. `drag = 0 N*s/m` says that
+/// it was not forgotten.
 fn without_air(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     if model.vehicle.drag_span.is_some() {
         return None;
@@ -187,7 +188,8 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             value: s.least_thrust.value,
             at_s: s.least_thrust.at,
             message: format!(
-                "Outside the linear model's range: thrust falls {falls} at {} s, and a vehicle without thrust cannot be \
+                "Outside the linear model's range: thrust falls {falls} at {} s, and a vehicle without thrust cannot \
+                 be \
                  steered by tilting it; limit the descent or the vertical acceleration.",
                 fixed(s.least_thrust.at, 2)
             ),

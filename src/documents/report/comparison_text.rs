@@ -154,11 +154,13 @@ fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
             "  risk 0: these plans are never committed to a mode that is planned against and has a rate.\n"
         }
         (true, false) => {
-            "  risk: the probability that some mode with a rate strikes before its last violation, if the mission continues;\n  \
+            "  risk: the probability that some mode with a rate strikes before its last violation, if the mission \
+             continues;\n  \
              modes are treated as independent.\n"
         }
         (true, true) => {
-            "  risk: the probability that some mode with a rate strikes before its last violation or, if the mission holds,\n  \
+            "  risk: the probability that some mode with a rate strikes before its last violation or, if the mission \
+             holds,\n  \
              before the last node from which no stop was found; modes are treated as independent.\n"
         }
     }
@@ -188,8 +190,8 @@ fn own_note(problem: Problem, comparison: &Comparison) -> String {
     format!("{}\n", textwrap::fill(&text.join(" "), options))
 }
 
-/// The plan at T_d whose cost exceeds that of a more constrained plan by the largest factor. Searches are local, so that
-/// this can happen.
+/// The plan at T_d whose cost exceeds that of a more constrained plan by the largest factor. Searches are local, so
+/// that this can happen.
 fn local_optima(comparison: &Comparison) -> String {
     let all = comparison.modes.len();
     let solved: Vec<(&PlannerRun, f64)> = comparison
@@ -212,7 +214,8 @@ fn local_optima(comparison: &Comparison) -> String {
         return String::new();
     };
     let text = format!(
-        "At T_d, {} ({}) costs more than {} ({}), although its set admits that plan too. Each plan is the cheapest that its \
+        "At T_d, {} ({}) costs more than {} ({}), although its set admits that plan too. Each plan is the cheapest \
+         that its \
          own search found; none is proved to be the cheapest.",
         name_of(outer),
         number(*dear),
@@ -350,7 +353,8 @@ pub fn rounds(problem: Problem, comparison: &Comparison, rounds: &[Round]) -> St
     }
     out.push_str(&table.render(2));
     out.push_str(
-        "  margin: the smallest over all modes, in shares of the healthy set's width; violated: the longest over all modes.\n",
+        "  margin: the smallest over all modes, in shares of the healthy set's width; violated: the longest over all \
+         modes.\n",
     );
     out.push_str(match is_free {
         true => {

@@ -13,8 +13,8 @@ const COLUMNS: usize = 64;
 /// Most modes that are shown.
 const MOST_MODES: usize = 24;
 
-/// Classes of margin: upper end as a share of the healthy set's width, character, and background (one of the 256 terminal
-/// colours).
+/// Classes of margin: upper end as a share of the healthy set's width, character, and background (one of the 256
+/// terminal colours).
 const CLASSES: [(f64, char, u8); 5] =
     [(-VIOLATED, '#', 160), (0.02, '+', 208), (0.05, '-', 220), (0.10, '.', 150), (f64::INFINITY, ' ', 71)];
 
@@ -30,8 +30,8 @@ fn painted(character: char, background: u8) -> String {
     format!("\x1b[48;5;{background}m{character}\x1b[0m")
 }
 
-/// One line per mode in the order of the comparison (of many modes, those with the smallest margins), then the time axis.
-/// Empty without modes. [`legend`] explains it.
+/// One line per mode in the order of the comparison (of many modes, those with the smallest margins), then the time
+/// axis. Empty without modes. [`legend`] explains it.
 pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, color: bool) -> String {
     let margins = comparison
         .sets

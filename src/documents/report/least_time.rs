@@ -10,8 +10,8 @@ use crate::planner::timing::kinematics::{LeastTime, least_time, least_time_withi
 /// Significant digits of the bound, which is rounded down.
 const DIGITS: usize = 4;
 
-/// The lower bound for a run, over all motions that satisfy the limits at every instant. If the run's plan exceeds limits
-/// between its nodes, the bound allows all motions to exceed them as far.
+/// The lower bound for a run, over all motions that satisfy the limits at every instant. If the run's plan exceeds
+/// limits between its nodes, the bound allows all motions to exceed them as far.
 pub fn bound_for(problem: Problem, run: &PlannerRun) -> LeastTime {
     let (model, mission) = (problem.model(), problem.mission());
     let mut past = vec![0.0; mission.limits.len()];

@@ -1,6 +1,7 @@
 //! The vehicle, its fault modes and how it is flown, for programs: `mavc emit model --format json`.
 //!
-//! Unlike the text of `mavc emit model`, numbers have all their digits: another simulator computes with what mavc computes with.
+//! Unlike the text of `mavc emit model`, numbers have all their digits: another simulator computes with what mavc
+//! computes with.
 
 use crate::model::{Detection, FaultMode, Gains, Model, Rotor, Simulation, Spin, Vehicle};
 use serde::Serialize;

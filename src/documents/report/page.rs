@@ -60,8 +60,8 @@ pub enum Kind {
     Compare,
 }
 
-/// The page of `mavc plan` or `mavc compare`; `record` is the JSON report, and `captures` are those that are drawn over delays.
-/// Complete HTML, the same for the same input.
+/// The page of `mavc plan` or `mavc compare`; `record` is the JSON report, and `captures` are those that are drawn over
+/// delays. Complete HTML, the same for the same input.
 pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Record, captures: &[Capture]) -> String {
     let problem = subject.problem;
     let (model, mission) = (problem.model(), problem.mission());
@@ -90,8 +90,8 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
     Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
 }
 
-/// The charts of the plan (or of every planner's plan at the common time) and the sections of the sets, as names and texts
-/// of SVG files.
+/// The charts of the plan (or of every planner's plan at the common time) and the sections of the sets, as names and
+/// texts of SVG files.
 ///
 /// # Errors
 /// The drawing library's message if it cannot draw.

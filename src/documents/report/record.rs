@@ -347,7 +347,8 @@ impl Record {
 }
 
 impl Record {
-    /// Adds the captures, and to each planner with a plan how long that is lower; `exposed` is in the order of the planners.
+    /// Adds the captures, and to each planner with a plan how long that is lower; `exposed` is in the order of the
+    /// planners.
     pub fn measured(mut self, captures: Option<CaptureRecord>, exposed: Vec<Vec<ExposedRecord>>) -> Self {
         for (planner, exposed) in self.planners.iter_mut().zip(exposed) {
             planner.warnings.extend(captures.as_ref().and_then(|captures| capture_height::caveat(captures, &exposed)));

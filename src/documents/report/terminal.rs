@@ -116,7 +116,8 @@ pub fn plan(problem: Problem, comparison: &Comparison, color: bool) -> String {
             ),
             1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s violates\n", number(time)),
             n if model.plan.rounds > 1 => format!(
-                "RSP guards {n} facets of the fault sets{planes}: those violated at {} s by the RIP plan or a plan of up to {} \
+                "RSP guards {n} facets of the fault sets{planes}: those violated at {} s by the RIP plan or a plan of \
+                 up to {} \
                  further rounds\n",
                 number(time),
                 model.plan.rounds - 1
@@ -235,7 +236,8 @@ fn unguarded(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> St
     let most = left.iter().map(|&i| solved.outside[i].max_violation).fold(0.0, f64::max);
     let sets = without_yaw::sets_of(comparison, &left);
     let text = format!(
-        "RSP guards the selected facets, not whole sets: this plan leaves {sets}, by up to {}. A larger `rounds` selects more \
+        "RSP guards the selected facets, not whole sets: this plan leaves {sets}, by up to {}. A larger `rounds` \
+         selects more \
          facets; RCP stays in every set.",
         percent(most)
     );
@@ -268,13 +270,17 @@ fn risk_lines(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> S
         (true, _) if rates.contains(&Some(0.0)) => "the plan never violates the set of a mode with a rate above zero.",
         (true, _) => "the plan never violates the set of a mode with a rate.",
         (false, false) => {
-            "the probability that some mode strikes before its last violation, so that the mission meets the violation if \
+            "the probability that some mode strikes before its last violation, so that the mission meets the \
+             violation if \
              it continues. Modes are treated as independent."
         }
         (false, true) => {
-            "the probability that some mode strikes while the mission is committed to it: if the mission continues, before \
-             the mode's last violation; if it holds, before the last instant from which no stop inside the mode's set was \
-             found. Stops are searched for at the nodes; a stop that was not found may exist, but is not counted. Modes \
+            "the probability that some mode strikes while the mission is committed to it: if the mission continues, \
+             before \
+             the mode's last violation; if it holds, before the last instant from which no stop inside the mode's set \
+             was \
+             found. Stops are searched for at the nodes; a stop that was not found may exist, but is not counted. \
+             Modes \
              are treated as independent."
         }
     };
@@ -326,8 +332,8 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
     )
 }
 
-/// The number of facets of a mode that the plan violates, as RSP counts them: in the exact model at any instant, otherwise
-/// at nodes.
+/// The number of facets of a mode that the plan violates, as RSP counts them: in the exact model at any instant,
+/// otherwise at nodes.
 pub(super) fn counted(solved: &MissionPlan, out: &Outside) -> usize {
     if solved.trajectory.model == WrenchModel::Exact { out.violated.len() } else { out.facets.len() }
 }

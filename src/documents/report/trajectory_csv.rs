@@ -21,8 +21,8 @@ pub struct Row {
     pub waypoint: usize,
 }
 
-/// The rows of the table: one per node or, with a `rate` in Hz, one at each k/rate up to the first instant at or after the
-/// end. Each waypoint marks its node or, with a rate, the nearest row.
+/// The rows of the table: one per node or, with a `rate` in Hz, one at each k/rate up to the first instant at or after
+/// the end. Each waypoint marks its node or, with a rate, the nearest row.
 pub fn rows(trajectory: &Trajectory, rate: Option<f64>) -> Vec<Row> {
     let times: Vec<f64> = match rate {
         None => trajectory.times.clone(),
@@ -54,7 +54,8 @@ pub fn few_enough(name: &str, rows: u64, header: &str) -> Result<(), String> {
     match rows <= most {
         true => Ok(()),
         false => Err(format!(
-            "the {name} would have {rows} rows of {columns} numbers; at most {most} rows are allowed: use a lower --rate"
+            "the {name} would have {rows} rows of {columns} numbers; at most {most} rows are allowed: use a lower \
+             --rate"
         )),
     }
 }
@@ -84,8 +85,8 @@ pub fn count(trajectory: &Trajectory, rate: Option<f64>) -> u64 {
     rate.map_or(trajectory.times.len() as u64, |rate| last_row(trajectory.duration(), rate) + 1)
 }
 
-/// The table as CSV text: one line per row, shortest round-trip numbers, `\n` line ends. A row after the end of the flight
-/// repeats the last state.
+/// The table as CSV text: one line per row, shortest round-trip numbers, `\n` line ends. A row after the end of the
+/// flight repeats the last state.
 pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> String {
     let allocator = Allocator::new(&model.vehicle);
     let environment = model.environment();

@@ -73,11 +73,13 @@ pub fn elsewhere(model: &Model, found_at: &[f64]) -> Option<String> {
     let required = number(required);
     match (shorter.copied().map(number), longer.copied().map(number)) {
         (Some(shorter), Some(longer)) => Some(format!(
-            "Plans were found at {shorter} s and at {longer} s. At {required} s none was found, and nothing in the spec was \
+            "Plans were found at {shorter} s and at {longer} s. At {required} s none was found, and nothing in the \
+             spec was \
              shown to rule one out: the planner may have missed it. Try one of these times."
         )),
         (None, Some(longer)) => Some(format!(
-            "A plan was found at {longer} s. At {required} s none was found; whether one exists is open. Try {longer} s, or \
+            "A plan was found at {longer} s. At {required} s none was found; whether one exists is open. Try {longer} \
+             s, or \
              `time = minimum`."
         )),
         _ => None,
@@ -116,8 +118,8 @@ fn times(proved: &[f64]) -> String {
     }
 }
 
-/// The conditions under which a proof holds, beyond the spec: the grid, waypoint times and a yaw that were chosen before
-/// the rest, and the selected facets.
+/// The conditions under which a proof holds, beyond the spec: the grid, waypoint times and a yaw that were chosen
+/// before the rest, and the selected facets.
 fn conditions(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> String {
     let (model, mission) = (problem.model(), problem.mission());
     let mut conditions = vec![format!("with {} samples", model.plan.samples)];

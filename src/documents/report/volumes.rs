@@ -130,7 +130,8 @@ pub fn table(records: &[VolumeRecord], model: &Model, of: &str) -> String {
         ]);
     }
     format!(
-        "\n  Smallest distance{of} of the vehicle ({} m about its centre of gravity) from the boundary of each volume\n{}",
+        "\n  Smallest distance{of} of the vehicle ({} m about its centre of gravity) from the boundary of each \
+         volume\n{}",
         significant(model.vehicle.radius(), 3),
         table.render(2)
     )

@@ -82,7 +82,8 @@ impl WaypointRecord {
         if self.position_share.total_cmp(&self.yaw_share).is_ge() { self.position_share } else { self.yaw_share }
     }
 
-    /// Met before missed, then by share. Shares are compared as printed, so that the solver's last digits decide nothing.
+    /// Met before missed, then by share. Shares are compared as printed, so that the solver's last digits decide
+    /// nothing.
     fn by_share(&self, other: &Self) -> Ordering {
         let rounded = |w: &Self| format!("{:.*e}", DIGITS - 1, w.share()).parse().unwrap_or(f64::NAN);
         (!self.met).cmp(&!other.met).then(rounded(self).total_cmp(&rounded(other)))
@@ -108,8 +109,8 @@ impl WaypointRecord {
     }
 }
 
-/// The yaw error at a waypoint, rad: off the yaw that is given, or off the direction that it follows. Zero where nothing is
-/// required.
+/// The yaw error at a waypoint, rad: off the yaw that is given, or off the direction that it follows. Zero where
+/// nothing is required.
 pub fn yaw_error(index: usize, mission: &Mission, state: &NodeState) -> f64 {
     let waypoint = &mission.waypoints[index];
     if waypoint.heading == Heading::Given {
@@ -151,8 +152,8 @@ pub fn headline(waypoints: &[WaypointRecord]) -> String {
     format!("{}{}", counted(waypoints), worst(waypoints).map_or(String::new(), largest))
 }
 
-/// The waypoints that a table lists, in the order of flight: all, or of many the `WORST`; and for the others their number
-/// and largest share.
+/// The waypoints that a table lists, in the order of flight: all, or of many the `WORST`; and for the others their
+/// number and largest share.
 pub fn listed(waypoints: &[WaypointRecord]) -> (Vec<&WaypointRecord>, Option<(usize, f64)>) {
     if waypoints.len() <= MOST_LISTED {
         return (waypoints.iter().collect(), None);

@@ -34,7 +34,8 @@ pub fn record(provision: &Provision) -> Option<WithoutYawRecord> {
     }
 }
 
-/// What plans are measured by against the modes: the admissible set of a mode, its core where yaw is given up, or some by each.
+/// What plans are measured by against the modes: the admissible set of a mode, its core where yaw is given up, or some
+/// by each.
 pub fn measured_by(comparison: &Comparison) -> &'static str {
     let has = |wanted: fn(&Provision) -> bool| comparison.provisions.iter().any(wanted);
     match (has(|p| matches!(p, Provision::WithYaw)), has(|p| matches!(p, Provision::WithoutYaw(_)))) {
@@ -44,8 +45,8 @@ pub fn measured_by(comparison: &Comparison) -> &'static str {
     }
 }
 
-/// `the set of L1`, `the sets of L1 and L2`, `the set of L1 and the cores of L4 and L5`: what plans are measured by against some modes,
-/// given by their indices in the comparison.
+/// `the set of L1`, `the sets of L1 and L2`, `the set of L1 and the cores of L4 and L5`: what plans are measured by
+/// against some modes, given by their indices in the comparison.
 pub fn sets_of(comparison: &Comparison, modes: &[usize]) -> String {
     let is_core = |i: &usize| matches!(comparison.provisions[*i], Provision::WithoutYaw(_));
     let (cores, sets): (Vec<usize>, Vec<usize>) = modes.iter().partition(|i| is_core(i));
@@ -99,7 +100,8 @@ pub fn head(comparison: &Comparison) -> Vec<String> {
     sentences
 }
 
-/// What a proof of infeasibility at some times (s) does not say, where the plan gives up yaw; nothing where the limits alone prove it.
+/// What a proof of infeasibility at some times (s) does not say, where the plan gives up yaw; nothing where the limits
+/// alone prove it.
 pub fn of_proof(problem: Problem, comparison: &Comparison, proof: &Proof) -> Option<&'static str> {
     if least_time_within(problem).is_above(proof.at) {
         return None;

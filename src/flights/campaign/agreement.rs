@@ -1,10 +1,11 @@
 //! Whether the plans predict which flights are lost: losses compared with violations of the fault modes' sets.
 //!
-//! The prediction: a vehicle is lost if the fault strikes before the plan's last violation of the mode's set. Only flights
-//! that were still flying when the fault struck are counted.
+//! The prediction: a vehicle is lost if the fault strikes before the plan's last violation of the mode's set. Only
+//! flights that were still flying when the fault struck are counted.
 //!
-//! A mode without full control violates its set at all times, whatever is planned. A prediction that only separates such
-//! modes from the others is of little value, so the modes with hover inside their sets are also counted separately.
+//! A mode without full control violates its set at all times, whatever is planned. A prediction that only separates
+//! such modes from the others is of little value, so the modes with hover inside their sets are also counted
+//! separately.
 
 use super::correlations::{Correlation, correlations};
 use super::design::Design;

@@ -79,8 +79,8 @@ pub fn fault_time(mission_time: f64, times: usize, index: usize) -> f64 {
     mission_time * (2 * index + 1) as f64 / (2 * times) as f64
 }
 
-/// The seed of a flight's noise. It depends only on the index of the seed: all planners, modes and instants have the same
-/// noise and gusts, so that they can be compared in pairs. One step of SplitMix64 (Steele, Lea, Flood 2014).
+/// The seed of a flight's noise. It depends only on the index of the seed: all planners, modes and instants have the
+/// same noise and gusts, so that they can be compared in pairs. One step of SplitMix64 (Steele, Lea, Flood 2014).
 pub fn noise_seed(campaign_seed: u64, seed: usize) -> u64 {
     let mix = |z: u64| {
         let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -35,7 +35,8 @@ pub struct Standing {
     pub verdict: admissible::verdict::Verdict,
     /// Where hover lies relative to the set of the verdict, as `mavc analyze` reports it.
     pub hover: Place,
-    /// Where it lies relative to the set of full wrenches. A plan can keep a reserve only against modes with hover inside.
+    /// Where it lies relative to the set of full wrenches. A plan can keep a reserve only against modes with hover
+    /// inside.
     pub hover_all_axes: Place,
     /// The same in the words of all reports, such as `on the edge, yaw free`.
     pub words: String,
@@ -55,7 +56,8 @@ impl Standing {
         self.hover_all_axes == Place::Inside
     }
 
-    /// Whether a plan can keep a reserve against the mode: hover lies inside its set, or inside the core by which it is measured.
+    /// Whether a plan can keep a reserve against the mode: hover lies inside its set, or inside the core by which it is
+    /// measured.
     pub fn can_keep_reserve(&self) -> bool {
         self.is_inside() || self.has_core
     }
@@ -112,8 +114,8 @@ impl FromStr for Identity {
 }
 
 impl<'a> Design<'a> {
-    /// The design with the plans at the common time ([`crate::planner::studies::Scope::Common`]). `origin` identifies all
-    /// files and overrides, and the program, by their hashes.
+    /// The design with the plans at the common time ([`crate::planner::studies::Scope::Common`]). `origin` identifies
+    /// all files and overrides, and the program, by their hashes.
     ///
     /// # Errors
     /// No planner has a plan.
@@ -181,9 +183,9 @@ impl<'a> Design<'a> {
     }
 }
 
-/// The standing of each declared mode ([`crate::admissible::edge`]), and the violations of each plan. Sets with hover inside are
-/// shrunk by the reserve; the others cannot be shrunk about hover. Only one set is in memory at a time: those of all modes may
-/// not fit.
+/// The standing of each declared mode ([`crate::admissible::edge`]), and the violations of each plan. Sets with hover
+/// inside are shrunk by the reserve; the others cannot be shrunk about hover. Only one set is in memory at a time:
+/// those of all modes may not fit.
 fn judge(model: &Model, plans: &mut [Plan]) -> Vec<Standing> {
     let healthy = AdmissibleSet::healthy(model);
     let mut modes = Vec::new();

@@ -4,12 +4,13 @@ use super::rows::{FlightOutcome, Row};
 use super::statistics::Moments;
 use crate::flight::BrokenLimits;
 
-/// Sums over the flights that were struck, lost ones included, or over all flights without a fault. Flights that diverged
-/// are left out.
+/// Sums over the flights that were struck, lost ones included, or over all flights without a fault. Flights that
+/// diverged are left out.
 #[derive(Debug, Clone, Default)]
 pub struct PathSums {
     pub flights: usize,
-    /// Largest distance from the reference, m, since the fault or over the whole flight. A flight that is lost is followed until then.
+    /// Largest distance from the reference, m, since the fault or over the whole flight. A flight that is lost is
+    /// followed until then.
     pub deviation: Moments,
     /// Largest height below the reference since the fault, m; without a fault there is none.
     pub drop: Moments,
@@ -69,8 +70,8 @@ pub enum Harm {
     Lost,
     /// Mean of the largest distances from the reference since the fault, m.
     Deviation,
-    /// Share of the due waypoints that were missed, less the share that flights without a fault miss: a plan that uses up the
-    /// tolerance of a waypoint misses it by any tracking error.
+    /// Share of the due waypoints that were missed, less the share that flights without a fault miss: a plan that uses
+    /// up the tolerance of a waypoint misses it by any tracking error.
     WaypointsMissed,
     /// Share of the flights that broke a limit.
     LimitsBroken,
@@ -93,8 +94,8 @@ impl Harm {
         }
     }
 
-    /// Its value for the flights of `path`, of which `lost` were lost, along a plan whose flights without a fault are `healthy`;
-    /// `None` without flights, or without a waypoint that was due.
+    /// Its value for the flights of `path`, of which `lost` were lost, along a plan whose flights without a fault are
+    /// `healthy`; `None` without flights, or without a waypoint that was due.
     pub fn of(self, path: &PathSums, lost: usize, healthy: &PathSums) -> Option<f64> {
         let share = |count: usize, of: usize| (of > 0).then(|| count as f64 / of as f64);
         match self {

@@ -19,11 +19,12 @@ pub enum Predictor {
     LastViolation,
     /// The paper's verdict of the mode: lost if it is unstable, or stabilizable and yaw is not given up.
     Verdict,
-    /// What is left with yaw given up: lost if hover is on the edge or outside of it; if yaw is kept, the same of the set of full
-    /// wrenches.
+    /// What is left with yaw given up: lost if hover is on the edge or outside of it; if yaw is kept, the same of the
+    /// set of full wrenches.
     Core,
-    /// The height of capture, of modes in which yaw is given up: lost if the vehicle is lower over the ground than that when the
-    /// fault strikes, if it is farther below the reference than `lost_beyond`, or if level flight was not regained.
+    /// The height of capture, of modes in which yaw is given up: lost if the vehicle is lower over the ground than that
+    /// when the fault strikes, if it is farther below the reference than `lost_beyond`, or if level flight was not
+    /// regained.
     Capture,
 }
 
@@ -48,7 +49,8 @@ impl Predictor {
         }
     }
 
-    /// The class of the flights of a plan in which a mode strikes at an instant; `None` if the predictor does not apply.
+    /// The class of the flights of a plan in which a mode strikes at an instant; `None` if the predictor does not
+    /// apply.
     fn class(self, design: &Design, plan: usize, mode: usize, time: usize) -> Option<Class> {
         let standing = &design.modes[mode];
         match self {
@@ -198,8 +200,8 @@ impl ClassCount {
         whole
     }
 
-    /// For each mode of the class: the probability of loss from the flights of the other modes, (lost + 1)/(struck + 2), Laplace's
-    /// rule of succession; and how many of the mode's flights were lost, of how many.
+    /// For each mode of the class: the probability of loss from the flights of the other modes, (lost + 1)/(struck +
+    /// 2), Laplace's rule of succession; and how many of the mode's flights were lost, of how many.
     fn held_out(&self) -> impl Iterator<Item = (f64, usize, usize)> + '_ {
         self.by_mode.iter().filter(|(struck, _)| *struck > 0).map(|&(struck, lost)| {
             let probability = (self.lost - lost + 1) as f64 / (self.struck - struck + 2) as f64;

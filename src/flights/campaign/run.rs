@@ -8,12 +8,12 @@ use crate::model::Strike;
 use crate::source::Span;
 use rayon::prelude::*;
 
-/// Flights in a chunk for each thread: enough to balance flights that end early, and few enough that an interrupted campaign
-/// loses little.
+/// Flights in a chunk for each thread: enough to balance flights that end early, and few enough that an interrupted
+/// campaign loses little.
 const CHUNK: usize = 16;
 
-/// A flight continues for at least this long after the fault, s, in hover after the end of the mission: a vehicle that is
-/// falling when the mission ends has not survived.
+/// A flight continues for at least this long after the fault, s, in hover after the end of the mission: a vehicle that
+/// is falling when the mission ends has not survived.
 pub const AFTERMATH: f64 = 3.0;
 
 /// Simulates one case.

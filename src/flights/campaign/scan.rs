@@ -1,4 +1,5 @@
-//! Scans rows that are already on disk: how far they go, and whether they are the rows of this campaign and shard, in order.
+//! Scans rows that are already on disk: how far they go, and whether they are the rows of this campaign and shard, in
+//! order.
 
 use super::cases::{Case, Shard};
 use super::design::Design;

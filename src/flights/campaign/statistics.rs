@@ -146,8 +146,8 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// The interval of a rank correlation over `n` independent pairs, by Fisher's transform with the variance of Bonett and Wright
-/// (2000), (1 + r^2/2)/(n - 3); `None` for fewer than [`FEWEST`] pairs and for a perfect correlation.
+/// The interval of a rank correlation over `n` independent pairs, by Fisher's transform with the variance of Bonett and
+/// Wright (2000), (1 + r^2/2)/(n - 3); `None` for fewer than [`FEWEST`] pairs and for a perfect correlation.
 pub fn rank_interval(correlation: f64, n: usize) -> Option<Interval> {
     if n < FEWEST || correlation.abs() >= 1.0 {
         return None;
@@ -160,8 +160,9 @@ pub fn rank_interval(correlation: f64, n: usize) -> Option<Interval> {
 /// Fewest pairs for which an interval of a rank correlation is given.
 pub const FEWEST: usize = 10;
 
-/// Spearman's rank correlation with ranks taken within each group, about the group's mean rank: it compares the members of a
-/// group with each other, not the groups. Also the number of groups in which both sides vary; `None` if there are none.
+/// Spearman's rank correlation with ranks taken within each group, about the group's mean rank: it compares the members
+/// of a group with each other, not the groups. Also the number of groups in which both sides vary; `None` if there are
+/// none.
 pub fn spearman_within(groups: &[Vec<(f64, f64)>]) -> (Option<f64>, usize) {
     let (mut products, mut x_squares, mut y_squares, mut varied) = (0.0, 0.0, 0.0, 0);
     for group in groups {
@@ -178,8 +179,9 @@ pub fn spearman_within(groups: &[Vec<(f64, f64)>]) -> (Option<f64>, usize) {
     ((varied > 0).then(|| products / (x_squares * y_squares).sqrt()), varied)
 }
 
-/// The Brier score (1950) of predicted probabilities: the mean of (probability - outcome)^2, with outcome 1 for a loss. Each entry
-/// has a probability, and how many of the flights that have it were lost, of how many. `None` without flights.
+/// The Brier score (1950) of predicted probabilities: the mean of (probability - outcome)^2, with outcome 1 for a loss.
+/// Each entry has a probability, and how many of the flights that have it were lost, of how many. `None` without
+/// flights.
 pub fn brier(predicted: &[(f64, usize, usize)]) -> Option<f64> {
     let flights: usize = predicted.iter().map(|p| p.2).sum();
     let squares = predicted.iter().map(|&(probability, lost, of)| {

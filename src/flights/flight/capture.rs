@@ -28,7 +28,8 @@ pub const SEEDS: u64 = 5;
 /// When the fault strikes, and when the flight ends, s.
 const STRIKES: f64 = 1.0;
 const ENDS: f64 = 20.0;
-/// Level flight is regained if the lowest point is at least this long before the end (s), with a speed below this (m/s) at the end.
+/// Level flight is regained if the lowest point is at least this long before the end (s), with a speed below this (m/s)
+/// at the end.
 const SETTLED: f64 = 2.0;
 const SLOW: f64 = 1.5;
 /// Height of the flight above a ground that is out of reach, m.
@@ -59,8 +60,8 @@ pub struct Capture {
     pub drift_m: Option<f64>,
 }
 
-/// The captures of every mode in which yaw is given up and hover is possible, in the order of the modes, then by lag, speed and
-/// delay. Flights use the spec's controller, gains, sensors and air.
+/// The captures of every mode in which yaw is given up and hover is possible, in the order of the modes, then by lag,
+/// speed and delay. Flights use the spec's controller, gains, sensors and air.
 pub fn captures(model: &Model) -> Vec<Capture> {
     let modes = (0..model.modes.len()).filter(|&mode| is_captured(model, mode));
     let cases: Vec<(usize, f64, f64, f64)> = modes
@@ -87,8 +88,8 @@ pub struct CaptureHeight {
     pub height_m: Option<f64>,
 }
 
-/// The heights that a fault costs at each of [`SPEEDS`], in flights as in [`captures`], but with the rotors' own time constant
-/// and the spec's detection. Empty if yaw is not given up after it, or hover is not possible then.
+/// The heights that a fault costs at each of [`SPEEDS`], in flights as in [`captures`], but with the rotors' own time
+/// constant and the spec's detection. Empty if yaw is not given up after it, or hover is not possible then.
 pub fn heights(model: &Model, mode: usize) -> Vec<CaptureHeight> {
     if !is_captured(model, mode) {
         return Vec::new();
@@ -141,8 +142,8 @@ fn capture(model: &Model, mode: usize, lag: f64, speed: f64, delay: f64) -> Capt
     }
 }
 
-/// The height lost and the largest horizontal distance from the reference (m) of a flight in which `mode` strikes at a horizontal
-/// speed; `None` if it does not regain level flight.
+/// The height lost and the largest horizontal distance from the reference (m) of a flight in which `mode` strikes at a
+/// horizontal speed; `None` if it does not regain level flight.
 fn flight(model: &Model, mode: usize, speed: f64, detection: Detection, seed: u64) -> Option<(f64, f64)> {
     let simulation = Simulation {
         detection,

@@ -64,11 +64,11 @@ fn pd(frame: &Frame, gains: &Gains, measured: &Body, reference: &Reference) -> W
     Wrench::new(thrust, torque.x, torque.y, torque.z)
 }
 
-/// The force over mass (m/s^2, world frame) that the geometric controllers demand, with its first two time derivatives: F/m of
-/// [`geometric`].
+/// The force over mass (m/s^2, world frame) that the geometric controllers demand, with its first two time derivatives:
+/// F/m of [`geometric`].
 ///
-/// The derivatives use the errors of acceleration and jerk, which follow from the present thrust over mass `force` (m/s^2) and
-/// the measured rates. Feedback on position and velocity is limited to half of g.
+/// The derivatives use the errors of acceleration and jerk, which follow from the present thrust over mass `force`
+/// (m/s^2) and the measured rates. Feedback on position and velocity is limited to half of g.
 pub(super) fn demanded_force(
     frame: &Frame,
     gains: &Gains,

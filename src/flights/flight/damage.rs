@@ -10,12 +10,13 @@ use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use crate::tolerance::MOST_MISS;
 use nalgebra::Vector3;
 
-/// The heading is broken beyond this error, rad (30 degrees): a third of the default of `lost_yaw`, and several times the largest
-/// heading error that healthy flights of the paper's octocopter have.
+/// The heading is broken beyond this error, rad (30 degrees): a third of the default of `lost_yaw`, and several times
+/// the largest heading error that healthy flights of the paper's octocopter have.
 pub const HEADING_BROKEN: f64 = std::f64::consts::FRAC_PI_6;
 
-/// A limit is broken where it is exceeded by more than this share of its size ([`Limit::size`]); of places (coordinates and
-/// volumes) by more than this, m. Plans use their limits up, so that every flight exceeds some by its tracking error.
+/// A limit is broken where it is exceeded by more than this share of its size ([`Limit::size`]); of places (coordinates
+/// and volumes) by more than this, m. Plans use their limits up, so that every flight exceeds some by its tracking
+/// error.
 pub const LIMIT_BROKEN: f64 = 0.1;
 
 /// The limits that are judged, in the words of the language; `volume` stands for those of volumes and corridors.
@@ -34,8 +35,8 @@ const WORDS: [&str; 12] = [
     "volume",
 ];
 
-/// The place in [`WORDS`] of a limit; `None` for those that are not judged: limits on yaw, which the heading error judges,
-/// directions of arrival, and derivatives that a vehicle with noisy motors has no smooth values of.
+/// The place in [`WORDS`] of a limit; `None` for those that are not judged: limits on yaw, which the heading error
+/// judges, directions of arrival, and derivatives that a vehicle with noisy motors has no smooth values of.
 fn class(limit: &Limit) -> Option<usize> {
     if limit.volume.is_some() {
         return Some(WORDS.len() - 1);
@@ -119,7 +120,8 @@ pub struct Damage {
     pub heading_broken: bool,
 }
 
-/// A waypoint: passed where the vehicle comes within its tolerance between the middles, in time, of the legs before and after it.
+/// A waypoint: passed where the vehicle comes within its tolerance between the middles, in time, of the legs before and
+/// after it.
 #[derive(Debug, Clone, Copy)]
 struct Gate {
     /// When the plan reaches it, and until when the vehicle may, s.
@@ -256,7 +258,8 @@ impl<'a> Collector<'a> {
         self.nearest = f64::INFINITY;
     }
 
-    /// The damage of a flight that ended at `end` s. A vehicle that was lost misses the waypoints that were still to come.
+    /// The damage of a flight that ended at `end` s. A vehicle that was lost misses the waypoints that were still to
+    /// come.
     pub(super) fn finish(&mut self, end: f64, is_lost: bool) -> Damage {
         while let Some(gate) = self.gates.get(self.next).copied().filter(|gate| is_lost || gate.time <= end) {
             self.pass(gate);

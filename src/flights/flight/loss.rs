@@ -144,8 +144,8 @@ impl<'a> Watch<'a> {
         self.damage.stop(t);
     }
 
-    /// Processes a sample at time `t` (s); `after` is whether a fault has struck, and `acceleration` gives that of the body,
-    /// m/s^2. Returns the outcome if the flight ends here.
+    /// Processes a sample at time `t` (s); `after` is whether a fault has struck, and `acceleration` gives that of the
+    /// body, m/s^2. Returns the outcome if the flight ends here.
     pub(super) fn look(
         &mut self,
         t: f64,

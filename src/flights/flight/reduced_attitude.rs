@@ -1,8 +1,8 @@
-//! Control with yaw given up: the direction of the thrust alone is controlled, while the body turns as the rotors that are left
-//! make it turn (`docs/flight.md`, section 2, "Without yaw").
+//! Control with yaw given up: the direction of the thrust alone is controlled, while the body turns as the rotors that
+//! are left make it turn (`docs/flight.md`, section 2, "Without yaw").
 //!
-//! Relaxing the attitude of a vehicle with lost rotors in this way is due to M. W. Mueller and R. D'Andrea (ICRA 2014, doi
-//! 10.1109/ICRA.2014.6906588); their patent US 9,856,016 covers such flight controllers.
+//! Relaxing the attitude of a vehicle with lost rotors in this way is due to M. W. Mueller and R. D'Andrea (ICRA 2014,
+//! doi 10.1109/ICRA.2014.6906588); their patent US 9,856,016 covers such flight controllers.
 
 use super::allocate::{Allocator, Belief};
 use super::body::{Body, Frame};
@@ -20,12 +20,13 @@ const KEPT: f64 = 0.01;
 /// At most this share of a wrench may be missing.
 const REACHED: f64 = 1e-3;
 
-/// The largest tangent of the angle between the primary axis and z. A larger one leaves less of the thrust upright, a smaller one
-/// takes longer to free torques in both directions.
+/// The largest tangent of the angle between the primary axis and z. A larger one leaves less of the thrust upright, a
+/// smaller one takes longer to free torques in both directions.
 const MOST_TILT: f64 = 0.35;
 
-/// By these factors feedback on the place is slower where torques about hover point to one side until the body spins, and where they
-/// are about one axis alone. With larger ones a quadcopter at 5 m/s with rotors of 40 ms is not always caught, or its place drifts.
+/// By these factors feedback on the place is slower where torques about hover point to one side until the body spins,
+/// and where they are about one axis alone. With larger ones a quadcopter at 5 m/s with rotors of 40 ms is not always
+/// caught, or its place drifts.
 const SLOWER_ONE_SIDED: f64 = 0.45;
 const SLOWER_WITH_ONE_AXIS: f64 = 0.3;
 
@@ -41,8 +42,8 @@ const SLOW: f64 = 0.5;
 /// A body that gives up yaw, and the torques that its spin shall take.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WithoutYaw {
-    /// Roll and pitch torques (N m) that the rotors give about the equilibrium, in the middle of those that are possible at the
-    /// thrust of hover; 0 if torques are possible in every direction about 0.
+    /// Roll and pitch torques (N m) that the rotors give about the equilibrium, in the middle of those that are
+    /// possible at the thrust of hover; 0 if torques are possible in every direction about 0.
     bias: Vector2<f64>,
     /// Where torques about one axis alone are left.
     single_axis: Option<SingleAxis>,
@@ -64,8 +65,8 @@ impl WithoutYaw {
         })
     }
 
-    /// Whether yaw is given up: with [`GiveUpYaw::WhereNeeded`], if the vehicle does not keep control of all axes about hover under
-    /// these beliefs. `hover` is in N and N m.
+    /// Whether yaw is given up: with [`GiveUpYaw::WhereNeeded`], if the vehicle does not keep control of all axes about
+    /// hover under these beliefs. `hover` is in N and N m.
     pub fn is_given_up(gives_up: GiveUpYaw, allocator: &Allocator, hover: &Wrench, belief: &Belief) -> bool {
         let is_missing = |axis: usize, share: f64| {
             let mut wrench = *hover;
@@ -95,10 +96,10 @@ impl WithoutYaw {
     /// tau    = J w' + w x (J w + h e_z)         T = m F.s/n_z
     /// ```
     ///
-    /// A torque that is fixed in space turns at -r in the body, faster than lagging rotors follow. So the difference u of tau to
-    /// that of the equilibrium is commanded ahead by the rotors' time constant `lag` (s): `u + lag (r u_y, -r u_x)`. The yaw torque
-    /// slows the spin as far as rotors are left for it. `momentum` is that of the rotors about z (h, N m s), and `force` the present
-    /// thrust over mass, m/s^2.
+    /// A torque that is fixed in space turns at -r in the body, faster than lagging rotors follow. So the difference u
+    /// of tau to that of the equilibrium is commanded ahead by the rotors' time constant `lag` (s):
+    /// `u + lag (r u_y, -r u_x)`. The yaw torque slows the spin as far as rotors are left for it. `momentum` is that of
+    /// the rotors about z (h, N m s), and `force` the present thrust over mass, m/s^2.
     pub fn control(
         &self,
         frame: &Frame,
@@ -173,8 +174,8 @@ fn single_axis(projection: &Polytope<3, ()>, thrust: f64, frame: &Frame, gains: 
     (reach > 0.0).then(|| SingleAxis::new(axis, reach, &frame.inertia, gains.attitude))
 }
 
-/// The middle of the roll and pitch torques that are possible at a thrust (N), if those about 0 end in some direction; N m.
-/// `reach` bounds their size (N m).
+/// The middle of the roll and pitch torques that are possible at a thrust (N), if those about 0 end in some direction;
+/// N m. `reach` bounds their size (N m).
 fn bias(projection: &Polytope<3, ()>, thrust: f64, reach: f64) -> Vector2<f64> {
     if !projection.equalities.is_empty() {
         return Vector2::zeros();
@@ -208,8 +209,8 @@ impl Torques {
         self.edges.iter().map(|(normal, offset)| offset - normal.dot(&torque)).fold(f64::INFINITY, f64::min)
     }
 
-    /// The centre of the largest disc, N m. Between two parallel edges many discs are the largest: their centres fill a segment, and
-    /// this is its middle. So rotors that are placed symmetrically have a symmetric middle.
+    /// The centre of the largest disc, N m. Between two parallel edges many discs are the largest: their centres fill a
+    /// segment, and this is its middle. So rotors that are placed symmetrically have a symmetric middle.
     fn middle(&self) -> Vector2<f64> {
         let over_y = |x: f64| move |y: f64| self.radius(Vector2::new(x, y));
         let x = self.middle_of_highest(|x| over_y(x)(self.highest(over_y(x))));

@@ -46,8 +46,8 @@ pub enum Course<'a> {
 
 impl Reference {
     /// The reference with acceleration, jerk and snap replaced by those of the thrust over mass less gravity, like
-    /// [`crate::motion::in_air`]: what a controller demands that knows this air. In free fall, where the attitude of a drag for each
-    /// axis of the body is not defined, the drag is taken to be isotropic.
+    /// [`crate::motion::in_air`]: what a controller demands that knows this air. In free fall, where the attitude of a
+    /// drag for each axis of the body is not defined, the drag is taken to be isotropic.
     pub fn in_air(&self, environment: &Environment) -> Reference {
         if !environment.has_drag() {
             return *self;

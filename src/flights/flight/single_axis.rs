@@ -1,9 +1,9 @@
-//! Control of the thrust's direction of a vehicle that produces torques about one axis of its body only, and spins: a quadcopter that
-//! has lost two opposite rotors.
+//! Control of the thrust's direction of a vehicle that produces torques about one axis of its body only, and spins: a
+//! quadcopter that has lost two opposite rotors.
 //!
-//! A torque that is missing about the other axis cannot be demanded, so the law for torques in every direction does not hold here. As in M. W.
-//! Mueller, R. D'Andrea (ICRA 2014), the motion is linearised about the spin, where it does not depend on time in body axes, and controlled
-//! by a linear-quadratic regulator.
+//! A torque that is missing about the other axis cannot be demanded, so the law for torques in every direction does not
+//! hold here. As in M. W. Mueller, R. D'Andrea (ICRA 2014), the motion is linearised about the spin, where it does not
+//! depend on time in body axes, and controlled by a linear-quadratic regulator.
 
 use nalgebra::{Matrix4, Matrix5, RowVector4, Vector2, Vector3, Vector4};
 
@@ -30,7 +30,8 @@ pub struct SingleAxis {
 }
 
 impl SingleAxis {
-    /// The regulator for torques up to `reach` (N m) about `axis`. `attitude` is the gain on deviations in roll and pitch, 1/s^2.
+    /// The regulator for torques up to `reach` (N m) about `axis`. `attitude` is the gain on deviations in roll and
+    /// pitch, 1/s^2.
     pub fn new(axis: Vector2<f64>, reach: f64, inertia: &Vector3<f64>, attitude: f64) -> Self {
         let effort = (4.0 * inertia.xy().min() * attitude).powi(-2);
         let at = |k: usize| {
@@ -40,8 +41,8 @@ impl SingleAxis {
         SingleAxis { axis, reach, gains: (0..=2 * RATES).map(at).collect() }
     }
 
-    /// The roll and pitch torque (N m) for the direction d of the thrust, given in body axes, at body rates w (rad/s) and the momentum h of
-    /// the rotors about z (N m s). With x = (p, q, d_x, d_y):
+    /// The roll and pitch torque (N m) for the direction d of the thrust, given in body axes, at body rates w (rad/s)
+    /// and the momentum h of the rotors about z (N m s). With x = (p, q, d_x, d_y):
     ///
     /// ```text
     /// x' = A x + B u     p' = ((Jy - Jz) r - h) q / Jx + b_x u / Jx     d_x' = -q + r d_y
@@ -49,8 +50,8 @@ impl SingleAxis {
     /// u = -K x           K minimises the integral of d_x^2 + d_y^2 + (u / (4 J k_R))^2
     /// ```
     ///
-    /// with the smaller moment of inertia J and the gain k_R on the attitude, for h = 0; and `u + lag u'` is commanded, because rotors
-    /// follow with a lag (s).
+    /// with the smaller moment of inertia J and the gain k_R on the attitude, for h = 0; and `u + lag u'` is commanded,
+    /// because rotors follow with a lag (s).
     pub fn torque(
         &self,
         inertia: &Vector3<f64>,
@@ -90,9 +91,9 @@ fn linearised(axis: &Vector2<f64>, inertia: &Vector3<f64>, momentum: f64, r: f64
     (a, Vector4::new(axis.x / inertia.x, axis.y / inertia.y, 0.0, 0.0))
 }
 
-/// The gain K of the regulator with the weights (0, 0, 1, 1) on x and `effort` on u^2, over a horizon of 2^[`DOUBLINGS`] steps, by the
-/// doubling algorithm for the discrete Riccati equation (B. D. O. Anderson, *Second-order convergent algorithms for the steady-state Riccati
-/// equation*, International Journal of Control 28:2, 1978).
+/// The gain K of the regulator with the weights (0, 0, 1, 1) on x and `effort` on u^2, over a horizon of
+/// 2^[`DOUBLINGS`] steps, by the doubling algorithm for the discrete Riccati equation (B. D. O. Anderson, *Second-order
+/// convergent algorithms for the steady-state Riccati equation*, International Journal of Control 28:2, 1978).
 fn regulator(a: &Matrix4<f64>, b: &Vector4<f64>, effort: f64) -> RowVector4<f64> {
     let mut held = Matrix5::zeros();
     held.fixed_view_mut::<4, 4>(0, 0).copy_from(a);
@@ -118,8 +119,8 @@ fn regulator(a: &Matrix4<f64>, b: &Vector4<f64>, effort: f64) -> RowVector4<f64>
 mod tests {
     use super::*;
 
-    /// The closed loop decays at every spin from 10 rad/s on, also between the rates of the table, and with the lag that the command
-    /// undoes.
+    /// The closed loop decays at every spin from 10 rad/s on, also between the rates of the table, and with the lag
+    /// that the command undoes.
     #[test]
     fn a_spinning_body_is_stable_with_one_axis() {
         let inertia = Vector3::new(0.0128, 0.0128, 0.0239);

@@ -28,7 +28,8 @@ SPEC may be `-` for standard input.";
     name = "mavc",
     version,
     long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
-    about = "Checks a one-page spec of a multirotor mission, analyses which rotor faults the vehicle tolerates, and plans the mission",
+    about = "Checks a one-page spec of a multirotor mission, analyses which rotor faults the vehicle tolerates, and \
+        plans the mission",
     after_help = EXIT_CODES
 )]
 pub(super) struct Cli {
@@ -69,7 +70,8 @@ pub(super) enum Command {
     New {
         /// The file to write, which must not exist yet, or `-` for standard output
         file: PathBuf,
-        /// Start from a whole mission, with volumes and a battery; `room` is one of a Crazyflie, the others have legs and wind
+        /// Start from a whole mission, with volumes and a battery; `room` is one of a Crazyflie, the others have legs
+        /// and wind
         #[arg(long, value_name = "KIND", value_parser = MISSION_TEMPLATES.map(|(kind, _)| kind))]
         mission: Option<String>,
     },
@@ -109,7 +111,8 @@ pub(super) struct CheckArgs {
     /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input
     #[arg(required = true, value_name = "SPEC")]
     pub specs: Vec<String>,
-    /// Check missions of ground stations (`mavc import mission`) with the vehicle of this spec, whose own mission is not looked at
+    /// Check missions of ground stations (`mavc import mission`) with the vehicle of this spec, whose own mission is
+    /// not looked at
     #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
     pub vehicle: Option<String>,
     /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
@@ -157,7 +160,8 @@ pub(super) struct AnalyzeArgs {
     /// Vary a field of the vehicle, gravity or a `let`, and print where verdicts change: mass=1.5..2.5kg
     #[arg(long, value_name = "FIELD=LOW..HIGH", value_hint = clap::ValueHint::Other)]
     pub sweep: Option<String>,
-    /// Simulate what faults after which yaw is given up cost: the height lost until the vehicle flies level again, by delay
+    /// Simulate what faults after which yaw is given up cost: the height lost until the vehicle flies level again, by
+    /// delay
     #[arg(long, conflicts_with = "sweep")]
     pub capture: bool,
 }
@@ -172,19 +176,20 @@ pub(super) struct PlanArgs {
     /// Write the trajectory of -o for another tool (docs/exchange.md); without this mavc's table, csv
     #[arg(long, value_name = "FORMAT", requires = "output", value_parser = trajectory::FORMATS.map(|(_, name)| name))]
     pub format: Option<String>,
-    /// Write csv or rows in these frames of world and body: east, north, up and forward, left, up, the default, or north, east,
-    /// down and forward, right, down
+    /// Write csv or rows in these frames of world and body: east, north, up and forward, left, up, the default, or
+    /// north, east, down and forward, right, down
     #[arg(long, value_name = "FRAME", requires = "output", value_parser = FRAMES)]
     pub frame: Option<String>,
-    /// Refit the trajectory of the format crazyflie within this error of position (as radians, of yaw), such as 5mm, 1cm without
-    /// this; or keep straight lines within it of the plan: 50cm for qgc-plan and wpl, 10cm for kml and geojson
+    /// Refit the trajectory of the format crazyflie within this error of position (as radians, of yaw), such as 5mm,
+    /// 1cm without this; or keep straight lines within it of the plan: 50cm for qgc-plan and wpl, 10cm for kml and
+    /// geojson
     #[arg(long, value_name = "LENGTH", requires = "output", value_hint = clap::ValueHint::Other)]
     pub tolerance: Option<String>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
     #[arg(long, value_name = "REPORT.JSON")]
     pub report: Option<PathBuf>,
-    /// Write rows at a fixed rate, such as 100Hz, instead of one for each node. The last row is at the end of the plan or just
-    /// after it, with the last state; each waypoint is marked in the row nearest to it
+    /// Write rows at a fixed rate, such as 100Hz, instead of one for each node. The last row is at the end of the plan
+    /// or just after it, with the last state; each waypoint is marked in the row nearest to it
     #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
     pub rate: Option<String>,
     /// Write a certificate (JSON) for `mavc verify` to this file
@@ -235,7 +240,8 @@ pub(super) struct SimulateArgs {
     /// Write the flight log to this file; `-` for standard output
     #[arg(short, long, value_name = "FLIGHT.CSV")]
     pub output: Option<PathBuf>,
-    /// Write the log of -o for another tool (docs/exchange.md): mcap for Foxglove, ulog for PlotJuggler; without this as csv
+    /// Write the log of -o for another tool (docs/exchange.md): mcap for Foxglove, ulog for PlotJuggler; without this
+    /// as csv
     #[arg(long, value_name = "FORMAT", requires = "output", value_parser = flight::FORMATS.map(|(_, name)| name))]
     pub format: Option<String>,
     /// Write a layout that shows the log in that tool: JSON for Foxglove, XML for PlotJuggler
@@ -269,8 +275,8 @@ pub(super) struct EmitArgs {
     pub stage: Stage,
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// The format of `qp`: text, json (P, q, A, b, cones, origins of rows) or free MPS, which has no cones. `model` has json too,
-    /// with all digits
+    /// The format of `qp`: text, json (P, q, A, b, cones, origins of rows) or free MPS, which has no cones. `model` has
+    /// json too, with all digits
     #[arg(long, value_enum, default_value_t = EmitFormat::Text)]
     pub format: EmitFormat,
 }

@@ -31,8 +31,8 @@ pub fn print_painted(text: &str) -> Result<(), Problem> {
     print_as_it_is(&painted(text))
 }
 
-/// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes, and bytes that are
-/// no text are refused.
+/// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes, and
+/// bytes that are no text are refused.
 pub fn print_result(bytes: &[u8]) -> Result<(), Problem> {
     if std::io::stdout().is_terminal() {
         return match std::str::from_utf8(bytes) {
@@ -60,7 +60,8 @@ pub fn unless_gone(outcome: std::io::Result<()>) -> std::io::Result<()> {
     outcome.or_else(|e| if e.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(e) })
 }
 
-/// Prints to standard error, disguised characters as escapes. Failures are ignored: there is no other place to report them.
+/// Prints to standard error, disguised characters as escapes. Failures are ignored: there is no other place to report
+/// them.
 pub fn eprint(text: &str) {
     eprint_as_it_is(&visible::text(text));
 }

@@ -7,9 +7,9 @@ use std::path::Path;
 /// The environment variable with the address of the documentation's folder; empty for no links.
 const VARIABLE: &str = "MAVC_DOCS_URL";
 
-/// The address of the documentation's folder, if codes printed on `stream` shall link there: the value of [`VARIABLE`], or
-/// else the checkout that this mavc was built from, if it is still on this machine and the reader is at it. `None` if the
-/// stream is not a terminal, whatever the environment says.
+/// The address of the documentation's folder, if codes printed on `stream` shall link there: the value of [`VARIABLE`],
+/// or else the checkout that this mavc was built from, if it is still on this machine and the reader is at it. `None`
+/// if the stream is not a terminal, whatever the environment says.
 pub fn docs(stream: &impl IsTerminal) -> Option<String> {
     // Without colour all escapes are removed, and links are escapes.
     if !colored(stream) || !supports_hyperlinks::supports_hyperlinks() {

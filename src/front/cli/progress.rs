@@ -1,5 +1,5 @@
-//! Progress: the planner and mission time being tried, or the number of flights and the time left. On a terminal it is one
-//! line that changes; elsewhere plain lines on standard error, at most one every ten seconds.
+//! Progress: the planner and mission time being tried, or the number of flights and the time left. On a terminal it is
+//! one line that changes; elsewhere plain lines on standard error, at most one every ten seconds.
 
 mod lines;
 
@@ -172,8 +172,8 @@ impl Flights {
     }
 }
 
-/// `, 130 a second, 12 s left`, from the flights of this run alone: an earlier run flew `before` of the `done`. Empty until
-/// this run has flown one.
+/// `, 130 a second, 12 s left`, from the flights of this run alone: an earlier run flew `before` of the `done`. Empty
+/// until this run has flown one.
 fn pace(before: usize, done: usize, all: usize, elapsed: Duration) -> String {
     let (flown, seconds) = (done.saturating_sub(before), elapsed.as_secs_f64());
     if flown == 0 || seconds <= 0.0 {

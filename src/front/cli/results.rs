@@ -1,5 +1,5 @@
-//! The results of a run. Each goes to a place of its own; standard output takes one of them or the text for people; files
-//! appear together.
+//! The results of a run. Each goes to a place of its own; standard output takes one of them or the text for people;
+//! files appear together.
 
 use super::spec::{Findings, colored};
 use super::target::{Target, cannot_write, write};
@@ -147,8 +147,8 @@ impl<'p> Results<'p> {
         self.folder("a chart", "--svg", folder, files, subject.sources)
     }
 
-    /// Takes files for a folder, which is created if it is missing. Such a file, `called` so in messages, replaces neither one that is
-    /// read nor another result.
+    /// Takes files for a folder, which is created if it is missing. Such a file, `called` so in messages, replaces
+    /// neither one that is read nor another result.
     pub fn folder(
         &mut self,
         called: &str,

@@ -38,7 +38,8 @@ fn codes_for_fish() -> String {
     format!("complete -c mavc -n \"__fish_mavc_using_subcommand explain\" -f -a \"{}\"\n", codes.join(" "))
 }
 
-/// `mavc man`: prints the page of mavc, or writes it and a page for each command into a folder, which is created if missing.
+/// `mavc man`: prints the page of mavc, or writes it and a page for each command into a folder, which is created if
+/// missing.
 pub fn man(folder: Option<&Path>) -> Result<u8, Problem> {
     let mut command = Cli::command().disable_help_subcommand(true);
     command.build();

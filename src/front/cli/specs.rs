@@ -28,8 +28,9 @@ impl Found {
     }
 }
 
-/// Finds every spec that the names lead to. Hidden files and folders within a folder are skipped, and so are entries that
-/// cannot be read. A name without a file is kept: reading it reports the error, and under `--watch` the file may yet appear.
+/// Finds every spec that the names lead to. Hidden files and folders within a folder are skipped, and so are entries
+/// that cannot be read. A name without a file is kept: reading it reports the error, and under `--watch` the file may
+/// yet appear.
 pub fn find(names: &[String]) -> Found {
     let mut found = Found::default();
     for name in names {
@@ -81,7 +82,8 @@ fn is_spec(path: &Path) -> bool {
     Kind::of(path) == Some(Kind::Spec)
 }
 
-/// The message for an entry that cannot be read. Hidden entries have none, nor have dangling links without a spec's name.
+/// The message for an entry that cannot be read. Hidden entries have none, nor have dangling links without a spec's
+/// name.
 fn bad_entry(folder: &str, error: &walkdir::Error) -> Option<Problem> {
     let path = error.path().unwrap_or(Path::new(folder));
     let name = path.file_name().unwrap_or_default();
@@ -102,7 +104,8 @@ fn bad_entry(folder: &str, error: &walkdir::Error) -> Option<Problem> {
     Some(format!("cannot read {}: {why}", path.display()))
 }
 
-/// The worst exit code of several specs: files that cannot be read come first, then errors, then modes that cannot hover.
+/// The worst exit code of several specs: files that cannot be read come first, then errors, then modes that cannot
+/// hover.
 pub fn worst(codes: impl IntoIterator<Item = u8>) -> u8 {
     let badness = |code: &u8| match *code {
         super::USAGE => u8::MAX,

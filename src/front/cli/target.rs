@@ -40,8 +40,8 @@ impl Target {
         matches!(self.place, Place::Stdout)
     }
 
-    /// The place of a file that mavc names, in a folder that the user names. A link of that name is not followed: the file
-    /// replaces it.
+    /// The place of a file that mavc names, in a folder that the user names. A link of that name is not followed: the
+    /// file replaces it.
     pub fn within(folder: &Path, name: &str) -> Result<Target, Problem> {
         let path = folder.join(name);
         let cannot = |e: Error| cannot_write(&path, &e);

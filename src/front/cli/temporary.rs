@@ -1,8 +1,8 @@
-//! Temporary files: one beside each result that is being written. A run that ends leaves none behind, even if a signal ends
-//! it. The files that a killed run leaves are removed by the next run that writes the same result.
+//! Temporary files: one beside each result that is being written. A run that ends leaves none behind, even if a signal
+//! ends it. The files that a killed run leaves are removed by the next run that writes the same result.
 //!
-//! A run locks its temporary files as long as it lives, so a file without a lock has no owner. The name of a temporary file
-//! tells which result it belongs to.
+//! A run locks its temporary files as long as it lives, so a file without a lock has no owner. The name of a temporary
+//! file tells which result it belongs to.
 
 use sha2::{Digest, Sha256};
 use std::fs::{File, TryLockError};

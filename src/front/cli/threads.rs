@@ -1,5 +1,5 @@
-//! The number of threads. Results do not depend on it. More than a few threads for each core only cost time and memory, so
-//! the number is capped whatever the user requests.
+//! The number of threads. Results do not depend on it. More than a few threads for each core only cost time and memory,
+//! so the number is capped whatever the user requests.
 
 use std::num::NonZero;
 
@@ -13,8 +13,8 @@ fn most() -> usize {
     EACH_CORE * std::thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// Sets the number of threads to that of `--threads`, or else of the environment, up to the cap. Without either, rayon uses
-/// as many as there are cores. Must be called before the first parallel work.
+/// Sets the number of threads to that of `--threads`, or else of the environment, up to the cap. Without either, rayon
+/// uses as many as there are cores. Must be called before the first parallel work.
 pub fn limit(asked: Option<u64>) {
     let environment = VARIABLES.iter().find_map(|name| std::env::var(name).ok()?.parse().ok()).filter(|n: &u64| *n > 0);
     let Some(threads) = capped(asked, environment, most()) else { return };

@@ -44,8 +44,8 @@ fn fix(workspace: &Workspace, spec: &Spec, reported: &Diagnostic, edit: &Edit) -
         title: title(reported, &fix.text, spec.snippet(fix.span)),
         kind: Some(CodeActionKind::QuickFix),
         diagnostics: Some(vec![diagnostic(workspace, spec, reported)]),
-        // The value of a field that is missing is only an example, and a missing unit one of several: to be looked at before
-        // they are taken.
+        // The value of a field that is missing is only an example, and a missing unit one of several: to be looked at
+        // before they are taken.
         is_preferred: Some(!matches!(reported.code, "mavc::name::missing_field" | "mavc::unit::missing")),
         edit: Some(edit(changes)),
         ..CodeAction::default()

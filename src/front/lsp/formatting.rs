@@ -5,8 +5,8 @@ use crate::format::format;
 use crate::source::{FileId, Source};
 use gen_lsp_types::TextEdit;
 
-/// What is to be put in place of the lines that change; nothing where the text has its layout already, and `None` where it
-/// has errors of syntax, and so no layout.
+/// What is to be put in place of the lines that change; nothing where the text has its layout already, and `None` where
+/// it has errors of syntax, and so no layout.
 pub fn layout(source: &Source) -> Option<Vec<TextEdit>> {
     let new = format(FileId(0), source).value?;
     let old = source.text.as_str();

@@ -44,7 +44,8 @@ fn check_name(kind: Kind, new: &str) -> Result<(), String> {
     let is_word = new.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     if new.is_empty() || !is_word || new.starts_with(|c: char| c.is_ascii_digit()) {
         return Err(format!(
-            "`{new}` is not a name: a name consists of the letters a to z, digits and `_`, and does not begin with a digit"
+            "`{new}` is not a name: a name consists of the letters a to z, digits and `_`, and does not begin with a \
+             digit"
         ));
     }
     let reserved = match kind {

@@ -217,7 +217,8 @@ impl<'c> Server<'c> {
     fn notification(&mut self, note: Notification) {
         match note.method.as_str() {
             "initialized" if self.watches_files => {
-                let watchers = json!([{ "globPattern": "**/*.mav" }, { "globPattern": "**/*.csv" }, { "globPattern": "**/*.txt" }]);
+                let patterns = ["**/*.mav", "**/*.csv", "**/*.txt"];
+                let watchers = json!(patterns.map(|pattern| json!({ "globPattern": pattern })));
                 let registration = json!({
                     "id": "files",
                     "method": "workspace/didChangeWatchedFiles",

@@ -1,5 +1,5 @@
-//! Messages over standard input and output. Input that is not a message is reported to the editor and skipped; lengths beyond
-//! the limit of texts are rejected.
+//! Messages over standard input and output. Input that is not a message is reported to the editor and skipped; lengths
+//! beyond the limit of texts are rejected.
 
 use crate::source::visible;
 use crossbeam_channel::{Sender, bounded};

@@ -1,6 +1,7 @@
 //! The verdicts of the fault sets, computed on a thread of their own.
 //!
-//! The thread analyses modes, one after the other. It keeps its results as long as the vehicle stays the same, and stops with a spec as soon as a newer one is requested.
+//! The thread analyses modes, one after the other. It keeps its results as long as the vehicle stays the same, and
+//! stops with a spec as soon as a newer one is requested.
 
 use crate::admissible::AdmissibleSet;
 use crate::admissible::diagnose::diagnose_by;
@@ -62,8 +63,8 @@ impl Verdicts {
         let _ = self.asked.send(Asked::Answers { round, root: root.to_string(), model: model.clone() });
     }
 
-    /// Asks about modes, by their index. Setting the flag that is returned withdraws the question; without one there will be
-    /// no answer.
+    /// Asks about modes, by their index. Setting the flag that is returned withdraws the question; without one there
+    /// will be no answer.
     pub fn ask_modes(&self, ticket: u64, model: &Arc<Model>, modes: Vec<usize>) -> Option<Arc<AtomicBool>> {
         let dropped = Arc::new(AtomicBool::new(false));
         let asked = Asked::Verdicts { ticket, model: model.clone(), modes, dropped: dropped.clone() };

@@ -135,7 +135,8 @@ impl Workspace {
         self.specs.get(name).cloned().or_else(|| specs.into_iter().find(|spec| spec.reads(name)))
     }
 
-    /// Whether the text is part of another open one's spec. Where each uses the other, the one opened first is the root.
+    /// Whether the text is part of another open one's spec. Where each uses the other, the one opened first is the
+    /// root.
     fn is_covered(&self, name: &str) -> bool {
         let order = |name: &str| self.documents.get(name).map(|d| d.order);
         self.specs.values().any(|other| {

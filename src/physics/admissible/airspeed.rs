@@ -35,12 +35,13 @@ impl Airspeed {
     /// The airspeed of a mode with the plan's reserve; `None` for a vehicle without drag.
     ///
     /// At a constant horizontal velocity u through the air, without a vertical one, the thrust is
-    /// `sqrt((m g)^2 + (drag u)^2)` and the torques vanish. This wrench must lie in the mode's set, shrunk by the reserve about
-    /// hover in still air; in still air this is the set of [`AdmissibleSet::with_reserve`]. Where the vehicle has intervals, the
-    /// airspeed is possible for every value of them.
+    /// `sqrt((m g)^2 + (drag u)^2)` and the torques vanish. This wrench must lie in the mode's set, shrunk by the
+    /// reserve about hover in still air; in still air this is the set of [`AdmissibleSet::with_reserve`]. Where the
+    /// vehicle has intervals, the airspeed is possible for every value of them.
     ///
-    /// With a drag for each axis of the body it is the largest one up to which the thrust (90c) is in the set whatever the angle
-    /// between nose and motion, by `in_the_worst_heading`. Drag along z alone does not act in level flight: `None`.
+    /// With a drag for each axis of the body it is the largest one up to which the thrust (90c) is in the set whatever
+    /// the angle between nose and motion, by `in_the_worst_heading`. Drag along z alone does not act in level flight:
+    /// `None`.
     ///
     /// # Panics
     /// If the set is not of this model.
@@ -54,7 +55,8 @@ impl Airspeed {
             true => guaranteed(model, set).and_then(|rows| lift(&rows, set.zonotope.scale()[0])),
             false => lift(&set.polytope, set.zonotope.scale()[0]),
         };
-        // Thrust decides by a concave function of the mass, tilt by a monotone one: the least is at an end of the interval.
+        // Thrust decides by a concave function of the mass, tilt by a monotone one: the least is at an end of the
+        // interval.
         let spread = model.vehicle.mass_spread;
         let ends = [spread.low, spread.high].map(|share| {
             let weight = share * model.vehicle.mass * model.gravity;
@@ -76,8 +78,8 @@ impl Airspeed {
     }
 }
 
-/// The smallest and the largest thrust (N) between the `[low, high]` of the set (N) that leave the reserve about a weight (N);
-/// `None` if the weight is not between these.
+/// The smallest and the largest thrust (N) between the `[low, high]` of the set (N) that leave the reserve about a
+/// weight (N); `None` if the weight is not between these.
 fn thrusts(weight: f64, (low, high): (f64, f64), reserve: f64) -> Option<(f64, f64)> {
     let edge = edge::width(&Wrench::new(weight, 0.0, 0.0, 0.0));
     if weight < low - edge || weight > high + edge {
@@ -87,14 +89,15 @@ fn thrusts(weight: f64, (low, high): (f64, f64), reserve: f64) -> Option<(f64, f
     Some((weight - kept(weight - low), weight + kept(high - weight)))
 }
 
-/// The largest horizontal component (N) of a thrust whose vertical one holds a weight (N) and whose length leaves the reserve;
-/// see [`thrusts`].
+/// The largest horizontal component (N) of a thrust whose vertical one holds a weight (N) and whose length leaves the
+/// reserve; see [`thrusts`].
 fn thrust_across(weight: f64, range: (f64, f64), reserve: f64) -> Option<f64> {
     let (_, most) = thrusts(weight, range, reserve)?;
     Some((most * most - weight * weight).sqrt())
 }
 
-/// Headings relative to the motion at which the airspeed is computed, in a quarter turn: the drag is the same in all four.
+/// Headings relative to the motion at which the airspeed is computed, in a quarter turn: the drag is the same in all
+/// four.
 const HEADINGS: usize = 18;
 
 /// The speeds at which the search begins and ends, m/s, and the ratio of one speed to the one before.
@@ -103,8 +106,9 @@ const SPEEDS: (f64, f64, f64) = (0.01, 1000.0, 1.05);
 /// Halvings of the interval between two such speeds, down to rounding.
 const HALVINGS: usize = 50;
 
-/// The largest speed (m/s) of steady level flight up to which the thrust is between `least` and `most` (N) whatever the angle
-/// between nose and motion, sampled at [`HEADINGS`]; the last of [`SPEEDS`] if the thrust never leaves this range.
+/// The largest speed (m/s) of steady level flight up to which the thrust is between `least` and `most` (N) whatever the
+/// angle between nose and motion, sampled at [`HEADINGS`]; the last of [`SPEEDS`] if the thrust never leaves this
+/// range.
 fn in_the_worst_heading(model: &Model, (least, most): (f64, f64)) -> f64 {
     let still = Environment { wind: [0.0; 3], ..model.environment() };
     let edge = edge::width(&Wrench::new(most, 0.0, 0.0, 0.0));

@@ -55,7 +55,8 @@ impl Allocator {
         self.columns.iter().enumerate().map(|(k, b)| bounds.clip(k, b.dot(&lambda)) * self.strongest).collect()
     }
 
-    /// The rotor speeds `w_k = sqrt(F_k / b_k)`, rad/s, below 0 for a negative thrust, for the thrusts of [`Allocator::thrusts`].
+    /// The rotor speeds `w_k = sqrt(F_k / b_k)`, rad/s, below 0 for a negative thrust, for the thrusts of
+    /// [`Allocator::thrusts`].
     pub fn speeds(&self, wrench: &Wrench) -> Vec<f64> {
         self.thrusts(wrench).iter().zip(&self.coefficient).map(|(f, b)| signed_root(f / b)).collect()
     }

@@ -31,8 +31,8 @@ impl SetRow {
         if self.equality { v.abs() } else { v }
     }
 
-    /// What a core adds to the violation by the thrust; 0 for other rows. Without a `turning` the bound on the thrust alone is
-    /// left, which is weaker.
+    /// What a core adds to the violation by the thrust; 0 for other rows. Without a `turning` the bound on the thrust
+    /// alone is left, which is weaker.
     pub fn of_core(&self, turning: Option<&Turning>) -> f64 {
         self.core.zip(turning).map_or(0.0, |(core, turning)| core.share(turning))
     }

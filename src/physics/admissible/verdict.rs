@@ -136,7 +136,8 @@ impl ModeAnalysis {
         if self.verdict == Verdict::Controllable { self.hover } else { Place::Outside }
     }
 
-    /// Where hover lies, in the words of all reports: for example `inside`, `on the edge, yaw free` or `spinning, yaw free`.
+    /// Where hover lies, in the words of all reports: for example `inside`, `on the edge, yaw free` or
+    /// `spinning, yaw free`.
     pub(crate) fn hover_words(&self) -> String {
         let free = if self.verdict == Verdict::Stabilizable { ", yaw free" } else { "" };
         format!("{}{free}", self.edge_words().unwrap_or(self.hover.word()))

@@ -1,5 +1,5 @@
-//! What is left of a mode when yaw is given up: roll, pitch and thrust, while the body turns about the thrust as it may.
-//! See `docs/method.md`, section 17.
+//! What is left of a mode when yaw is given up: roll, pitch and thrust, while the body turns about the thrust as it
+//! may. See `docs/method.md`, section 17.
 
 mod controllability;
 pub mod core;
@@ -23,8 +23,8 @@ pub enum YawFree {
     /// Hover lies inside the projection of the set on (T, tau_x, tau_y): torques remain about every horizontal axis.
     #[serde(rename = "interior")]
     Interior,
-    /// Hover lies on the boundary of the projection: in some direction no disturbance can be countered, or not as far as is
-    /// known without `yaw_drag`.
+    /// Hover lies on the boundary of the projection: in some direction no disturbance can be countered, or not as far
+    /// as is known without `yaw_drag`.
     #[serde(rename = "on the edge")]
     OnEdge,
     /// Hover lies on the boundary, but the body spins, and the direction of the thrust is controllable because of it.
@@ -64,8 +64,8 @@ pub struct WithoutYaw {
     /// The rates at which the drag balances these torques, for all values of `yaw_drag`, rad/s, counter-clockwise
     /// seen from above; null if the spec gives no `yaw_drag`.
     pub spin_rad_s: Option<[f64; 2]>,
-    /// Equilibria: the slowest spin about z, and where its disc vanishes the one with the largest disc, whose axis is tilted in
-    /// the body. Empty if the spec gives no `yaw_drag`, and for an interval of it at its middle.
+    /// Equilibria: the slowest spin about z, and where its disc vanishes the one with the largest disc, whose axis is
+    /// tilted in the body. Empty if the spec gives no `yaw_drag`, and for an interval of it at its middle.
     pub relaxed_hover: Vec<RelaxedHover>,
 }
 

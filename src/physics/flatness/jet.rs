@@ -3,8 +3,8 @@
 use num_dual::DualNum;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// `sum of c_n t^n` for n < N. The derivative of a series has one coefficient fewer: its last one is NaN, so that a result that
-/// depends on an unknown coefficient is NaN too.
+/// `sum of c_n t^n` for n < N. The derivative of a series has one coefficient fewer: its last one is NaN, so that a
+/// result that depends on an unknown coefficient is NaN too.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Jet<D, const N: usize>(pub(super) [D; N]);
 

@@ -1,8 +1,9 @@
-//! The exact wrench of a motion with a drag for each axis of the body: (90a) to (90d) of `docs/method.md`, section 15, after
-//! M. Faessler, A. Franchi, D. Scaramuzza, *Differential flatness of quadrotor dynamics subject to rotor drag for accurate
-//! tracking of high-speed trajectories*, IEEE RA-L 3:2 (2018), arXiv 1712.02402.
+//! The exact wrench of a motion with a drag for each axis of the body: (90a) to (90d) of `docs/method.md`, section 15,
+//! after M. Faessler, A. Franchi, D. Scaramuzza, *Differential flatness of quadrotor dynamics subject to rotor drag for
+//! accurate tracking of high-speed trajectories*, IEEE RA-L 3:2 (2018), arXiv 1712.02402.
 //!
-//! With the drag rates k_x, k_y, k_z along the axes of the body and the velocity u = p' - w through the air, the vectors
+//! With the drag rates k_x, k_y, k_z along the axes of the body and the velocity u = p' - w through the air, the
+//! vectors
 //!
 //! ```text
 //! alpha = p'' + g e_z + k_x u     beta = p'' + g e_z + k_y u     gamma = p'' + g e_z + k_z u
@@ -99,8 +100,8 @@ pub struct Attitude {
     pub product: f64,
 }
 
-/// The thrust over mass as a vector of the world, c b_3, and its first two time derivatives (m/s^2 and per second), for the
-/// derivatives of orders 1 to 4 of the position and 0 to 2 of yaw.
+/// The thrust over mass as a vector of the world, c b_3, and its first two time derivatives (m/s^2 and per second), for
+/// the derivatives of orders 1 to 4 of the position and 0 to 2 of yaw.
 pub fn thrust_vector(environment: &Environment, motion: [[f64; 3]; 4], yaw: [f64; 3]) -> [[f64; 3]; 3] {
     let of_axis = std::array::from_fn(|axis| motion.map(|order| order[axis]));
     let psi = Jet::of_derivatives(yaw);
@@ -113,8 +114,8 @@ pub fn thrust_vector(environment: &Environment, motion: [[f64; 3]; 4], yaw: [f64
     [derivative(0), derivative(1), derivative(2)]
 }
 
-/// The attitude R, whose columns are the axes of the body, and its rate of change for a velocity (m/s), an acceleration (m/s^2), a
-/// jerk (m/s^3), a yaw (rad) and a yaw rate (rad/s).
+/// The attitude R, whose columns are the axes of the body, and its rate of change for a velocity (m/s), an acceleration
+/// (m/s^2), a jerk (m/s^3), a yaw (rad) and a yaw rate (rad/s).
 pub fn rotation(environment: &Environment, motion: [[f64; 3]; 3], yaw: [f64; 2]) -> [Matrix3<f64>; 2] {
     let of_axis = std::array::from_fn(|axis| motion.map(|order| order[axis]));
     let psi = Jet::of_derivatives(yaw);
@@ -194,8 +195,8 @@ impl<D: DualNum<Primitive = f64> + Copy, const N: usize> Angles<D, N> {
     }
 }
 
-/// The wrench as a series, of which N - 2 coefficients are known. `motion` holds for each of x, y, z the derivatives of orders 1
-/// to N + 1; psi has N.
+/// The wrench as a series, of which N - 2 coefficients are known. `motion` holds for each of x, y, z the derivatives of
+/// orders 1 to N + 1; psi has N.
 fn series<D: DualNum<Primitive = f64> + Copy, const N: usize, const M: usize>(
     vehicle: &Vehicle,
     environment: &Environment,

@@ -105,8 +105,8 @@ fn outside_cone(aside: f64, ahead: f64, angle: f64) -> f64 {
     }
 }
 
-/// Like [`violation`], but as the checker of plans measures it. Angles differ: their violation is the distance from a cone,
-/// of the acceleration (divided by gravity), of the velocity, or of the direction that the yaw follows.
+/// Like [`violation`], but as the checker of plans measures it. Angles differ: their violation is the distance from a
+/// cone, of the acceleration (divided by gravity), of the velocity, or of the direction that the yaw follows.
 pub(crate) fn violation_as_checked(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     match (&limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {

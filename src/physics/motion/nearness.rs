@@ -7,8 +7,8 @@ use crate::admissible::row::SetRow;
 use crate::model::{Environment, Vehicle};
 
 /// The smallest margin in each of `columns` equal parts of the trajectory's duration, in widths of the healthy set;
-/// negative outside, in the worst of the possible winds. The wrench is evaluated at the nodes, at [`PARTS`] points an interval, and at the ends of the
-/// parts.
+/// negative outside, in the worst of the possible winds. The wrench is evaluated at the nodes, at [`PARTS`] points an
+/// interval, and at the ends of the parts.
 pub fn nearness(
     trajectory: &Trajectory,
     vehicle: &Vehicle,

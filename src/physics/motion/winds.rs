@@ -1,5 +1,5 @@
-//! The wrench of a motion over an interval of winds, to second order in the wind's deviation from its middle, and a bound on
-//! its violation of a facet in every wind: `docs/method.md`, section 15, (91) to (93).
+//! The wrench of a motion over an interval of winds, to second order in the wind's deviation from its middle, and a
+//! bound on its violation of a facet in every wind: `docs/method.md`, section 15, (91) to (93).
 
 use super::wrench_model::{WrenchModel, command_flat, flat};
 use super::{CommandState, NodeState, X, Y, YAW, Z, in_air};
@@ -20,8 +20,8 @@ pub struct OverWinds {
     turning: Option<Turning>,
 }
 
-/// The wrench `w + sum over i of l_i d_i + sum over i <= j of q_ij d_i d_j` (91), N and N m, in a box of winds, for every
-/// deviation d in [-1, 1]^3 from its middle, in units of the largest.
+/// The wrench `w + sum over i of l_i d_i + sum over i <= j of q_ij d_i d_j` (91), N and N m, in a box of winds, for
+/// every deviation d in [-1, 1]^3 from its middle, in units of the largest.
 #[derive(Debug, Clone, PartialEq)]
 struct Part {
     middle: Wrench,
@@ -118,7 +118,8 @@ fn boxes(model: WrenchModel, environment: &Environment) -> Vec<Environment> {
 }
 
 impl Part {
-    /// From derivatives with respect to the acceleration, which a deviation d of the wind changes by `-drag/m spread d`.
+    /// From derivatives with respect to the acceleration, which a deviation d of the wind changes by
+    /// `-drag/m spread d`.
     fn new(
         middle: Wrench,
         ByAcceleration { slopes, curvatures }: ByAcceleration,
@@ -152,13 +153,13 @@ impl Part {
     }
 }
 
-/// Factors of the bound (93) for the thrust and each torque, chosen to cover what the checker of certificates leaves to its own
-/// rest at random states (`tests/it/certificates/winds.rs`).
+/// Factors of the bound (93) for the thrust and each torque, chosen to cover what the checker of certificates leaves to
+/// its own rest at random states (`tests/it/certificates/winds.rs`).
 const FACTORS: [f64; 4] = [1.0, 14.0, 14.0, 22.0];
 
-/// The bound (93) on the terms of third and higher order, for the commanded wrench of rotors with a lag of time constant `lag`
-/// (s), 0 for the wrench. `felt` is a state [`in_air`]. With c the thrust over mass and k its part in the plane of forward and up,
-/// the wind changes c by at most the share rho of k.
+/// The bound (93) on the terms of third and higher order, for the commanded wrench of rotors with a lag of time
+/// constant `lag` (s), 0 for the wrench. `felt` is a state [`in_air`]. With c the thrust over mass and k its part in
+/// the plane of forward and up, the wind changes c by at most the share rho of k.
 fn rest<const N: usize>(vehicle: &Vehicle, winds: &Environment, felt: &[[f64; N]; 4], lag: f64) -> Wrench {
     let derivative = |axis: usize, order: usize| felt[axis].get(order).copied().unwrap_or(0.0);
     let norm = |order: usize| [X, Y, Z].map(|axis| derivative(axis, order).powi(2)).iter().sum::<f64>().sqrt();

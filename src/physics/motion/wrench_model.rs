@@ -128,15 +128,16 @@ impl WrenchModel {
         }
     }
 
-    /// The convex part of the curvature of n.w at a state s, as a sum of squares: `sum over factors of (factor.(s~ -
-    /// s))^2 / 2`. The entries of a factor are in the order of [`DIRECTIONS`]; s and s~ are states [`in_air`]. Empty for the models about hover, which
-    /// are linear.
+    /// The convex part of the curvature of n.w at a state s, as a sum of squares:
+    /// `sum over factors of (factor.(s~ - s))^2 / 2`. The entries of a factor are in the order of [`DIRECTIONS`]; s and
+    /// s~ are states [`in_air`]. Empty for the models about hover, which are linear.
     ///
     /// Eigenvectors of the Hessian are taken with accelerations in units of g and time in units of `tau` (s);
     /// eigenvalues at or below 1e-3 of the largest are dropped (`docs/method.md`, (73)).
     ///
-    /// If the drag is not isotropic, the curvature is that of the wrench in the isotropic drag of [`Environment::turning_rate`]: it
-    /// only shapes the subproblem's objective, whose steps are accepted by the exact wrench.
+    /// If the drag is not isotropic, the curvature is that of the wrench in the isotropic drag of
+    /// [`Environment::turning_rate`]: it only shapes the subproblem's objective, whose steps are accepted by the exact
+    /// wrench.
     pub fn curvature(
         self,
         vehicle: &Vehicle,
@@ -225,7 +226,8 @@ impl WrenchModel {
     }
 }
 
-/// Eigenvalues below this share of the largest are left out: they add directions to the program and hardly any curvature.
+/// Eigenvalues below this share of the largest are left out: they add directions to the program and hardly any
+/// curvature.
 const NEGLIGIBLE_CURVATURE: f64 = 1e-3;
 
 /// The positive part of a Hessian as factors: eigenvectors times the square roots of their eigenvalues. `inputs` gives

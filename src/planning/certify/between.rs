@@ -1,5 +1,5 @@
-//! To what extent a plan's rows hold between its nodes: proved at every instant by the checker's intervals, or checked on
-//! a grid.
+//! To what extent a plan's rows hold between its nodes: proved at every instant by the checker's intervals, or checked
+//! on a grid.
 
 use super::witness::{model_of, motion};
 use crate::admissible::row::SetRow;
@@ -19,8 +19,8 @@ use crate::verify::sets::Plane;
 use crate::verify::wrench::{Dynamics, Held};
 use serde::Serialize;
 
-/// Points per interval, including one of its ends, that are checked where nothing is proved: those that the cost phase of
-/// the exact model uses.
+/// Points per interval, including one of its ends, that are checked where nothing is proved: those that the cost phase
+/// of the exact model uses.
 pub const GRID: usize = POINTS_OF_A_GRID + 1;
 
 /// Most work for one proof, in the checker's units: a small part of the planning time.
@@ -29,8 +29,8 @@ const WORK: u64 = 3_000_000;
 /// Most work for each row and piece, if that is more.
 const WORK_EACH: u64 = 20;
 
-/// Bounds on the violation of a limit that are tried in turn, as shares of the limit's size. Up to the last one the limit
-/// counts as satisfied.
+/// Bounds on the violation of a limit that are tried in turn, as shares of the limit's size. Up to the last one the
+/// limit counts as satisfied.
 const PAST: [f64; 3] = [1e-6, 1e-5, MOST_PAST_LIMIT];
 
 /// The rows of one kind, and to what extent they are shown to hold between nodes.
@@ -75,9 +75,10 @@ pub const CORES: &str = "cores";
 /// The name of the rows on the commanded wrench of lagging rotors.
 pub const COMMANDS: &str = "commands";
 
-/// Results for the wrench, then cores if there are any, then each limit in the spec's order, then the commands of lagging rotors. Rows that are linear
-/// over each piece (hover model with one yaw) are decided at the nodes; all others are proved in interval arithmetic or
-/// checked on a grid. The tolerances are those of `mavc verify`, so that both report the same.
+/// Results for the wrench, then cores if there are any, then each limit in the spec's order, then the commands of
+/// lagging rotors. Rows that are linear over each piece (hover model with one yaw) are decided at the nodes; all others
+/// are proved in interval arithmetic or checked on a grid. The tolerances are those of `mavc verify`, so that both
+/// report the same.
 pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<Between> {
     let (model, mission) = (problem.model(), problem.mission());
     let trajectory = &solved.trajectory;

@@ -1,6 +1,6 @@
-//! Certificates that there is no plan: multipliers of the program that minimises by how much waypoint tolerances must be
-//! exceeded (in the exact model: of its relaxation). The multipliers of the dynamics are omitted; the checker computes
-//! them.
+//! Certificates that there is no plan: multipliers of the program that minimises by how much waypoint tolerances must
+//! be exceeded (in the exact model: of its relaxation). The multipliers of the dynamics are omitted; the checker
+//! computes them.
 
 use super::facet::facet_of;
 use super::witness::motion;
@@ -24,7 +24,8 @@ use crate::solve::{Outcome, solve_graded};
 use crate::verify::{self, Settings};
 
 /// Why there is no certificate for a mission in which yaw changes.
-const YAW_FIRST: &str = "in the hover model a yaw that changes is planned first, so infeasibility is shown for that yaw \
+const YAW_FIRST: &str = "in the hover model a yaw that changes is planned first, so infeasibility is shown for that \
+    yaw \
                          alone; with `model = exact` it may be shown for every yaw";
 
 const TOO_MANY: &str = "it has more rows than a certificate may hold";
@@ -51,8 +52,8 @@ struct Overshoot {
 /// The certificate that `run` has no plan at `total` seconds.
 ///
 /// # Errors
-/// The mission does not begin or end as the checker requires, yaw changes in the hover model, some facet cannot be named by
-/// rotors, or the multipliers found do not prove the claim.
+/// The mission does not begin or end as the checker requires, yaw changes in the hover model, some facet cannot be
+/// named by rotors, or the multipliers found do not prove the claim.
 pub fn certificate(
     problem: Problem,
     run: &PlannerRun,
@@ -225,7 +226,8 @@ fn multipliers(overshoot: &Overshoot, z: &[f64], mission: &Mission) -> Option<Ve
                         mission.limits[limit].upper.map(|_| Side::Upper),
                         mission.limits[limit].lower.map(|_| Side::Lower),
                     ];
-                    // A jerk limit has a cone for each interval adjacent to its node, from the left; one of a leg none before it.
+                    // A jerk limit has a cone for each interval adjacent to its node, from the left; one of a leg none
+                    // before it.
                     let begins_here =
                         mission.limits[limit].leg.as_ref().is_some_and(|on| waypoint_nodes[on.leg] == node);
                     let first = if begins_here { node } else { node.saturating_sub(1) };

@@ -13,8 +13,8 @@ use crate::verdict::Verdict;
 /// Code of the error for statements that are not satisfied together.
 pub const CONFLICT: &str = "mavc::plan::conflict";
 
-/// The conflict as an error, with a label at each of its statements and the changes that give a plan. Statements at the same
-/// place count as one, so that the headline's number is that of the labels.
+/// The conflict as an error, with a label at each of its statements and the changes that give a plan. Statements at the
+/// same place count as one, so that the headline's number is that of the labels.
 pub fn diagnose(explanation: &Explanation, problem: Problem, sources: &SourceMap) -> Diagnostic {
     let (model, mission) = (problem.model(), problem.mission());
     let conflict = &explanation.conflict;
@@ -61,8 +61,8 @@ fn required_time(problem: Problem) -> Option<f64> {
     })
 }
 
-/// The headline; `places` is the number of labels. A proof is for the spec's samples unless distances and limits suffice,
-/// and under RSP for the selected facets.
+/// The headline; `places` is the number of labels. A proof is for the spec's samples unless distances and limits
+/// suffice, and under RSP for the selected facets.
 fn headline(explanation: &Explanation, places: usize, problem: Problem) -> String {
     let model = problem.model();
     let required_time = required_time(problem);
@@ -96,7 +96,8 @@ fn headline(explanation: &Explanation, places: usize, problem: Problem) -> Strin
         }
         (false, n) => {
             format!(
-                "{verdict}: a plan that satisfies these {n} statements together{time}; a guess at the cause, not a proof"
+                "{verdict}: a plan that satisfies these {n} statements together{time}; a guess at the cause, not a \
+                 proof"
             )
         }
     }

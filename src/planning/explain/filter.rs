@@ -26,8 +26,8 @@ struct Filter<'q, 'a> {
     weights: BTreeMap<Part, f64>,
 }
 
-/// An irreducible subset of `statements` without a plan; `None` if all of them together have one, or if there is none even
-/// without any of them.
+/// An irreducible subset of `statements` without a plan; `None` if all of them together have one, or if there is none
+/// even without any of them.
 pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Option<Conflict> {
     let (proved, only_for_selection, only_for_samples, weights) = match questions.without(&BTreeSet::new())? {
         Answer::Feasible => return None,
@@ -39,8 +39,8 @@ pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Opt
     let weights = summed(weights);
     let mut filter =
         Filter { questions, left_out: BTreeSet::new(), proved, only_for_selection, only_for_samples, weights };
-    // Statements without rows come first: they have no multipliers, and a conflict that does not depend on time should not
-    // name the time.
+    // Statements without rows come first: they have no multipliers, and a conflict that does not depend on time should
+    // not name the time.
     let of = |wanted: fn(&Statement) -> bool| -> Vec<Statement> { statements.iter().copied().filter(wanted).collect() };
     filter.halve(&of(|s| matches!(s, Statement::Time)));
     filter.halve(&of(|s| matches!(s, Statement::Reserve)));
@@ -94,8 +94,8 @@ impl Filter<'_, '_> {
         statement.parts().iter().filter_map(|part| self.weights.get(part)).sum()
     }
 
-    /// Tries to leave out the statements with rows, by increasing weight, with weights updated after each success; of many
-    /// statements the lightest are tried together.
+    /// Tries to leave out the statements with rows, by increasing weight, with weights updated after each success; of
+    /// many statements the lightest are tried together.
     fn weigh_down(&mut self, statements: &[Statement]) {
         let mut waiting: Vec<Statement> = statements.iter().copied().filter(|s| s.has_rows()).collect();
         // Halved if that many could not be left out together.
@@ -120,7 +120,8 @@ impl Filter<'_, '_> {
     }
 
     /// Tries each remaining statement once more, and returns whether each is needed. Feasibility need not be monotone
-    /// (waypoint times depend on the statements, a selection on the plan it is made from), so one may have become redundant.
+    /// (waypoint times depend on the statements, a selection on the plan it is made from), so one may have become
+    /// redundant.
     fn check(&mut self, statements: &[Statement]) -> bool {
         let mut kept: Vec<Statement> = statements.iter().copied().filter(|s| !self.left_out.contains(s)).collect();
         let mut needed = true;

@@ -20,7 +20,8 @@ fn above(x: f64) -> i64 {
     k
 }
 
-/// The numbers of two digits between `from` (excluded) and `to` (included), starting at the nearest to `from`; both > 0.
+/// The numbers of two digits between `from` (excluded) and `to` (included), starting at the nearest to `from`; both >
+/// 0.
 pub(super) fn between(from: f64, to: f64) -> Vec<f64> {
     let up = to > from;
     let mut found = Vec::new();

@@ -1,5 +1,5 @@
-//! Mission times close to the required one at which the planner finds a plan after it found none at that time. If there is
-//! one, no statement of the spec is blamed.
+//! Mission times close to the required one at which the planner finds a plan after it found none at that time. If there
+//! is one, no statement of the spec is blamed.
 
 use crate::certify;
 use crate::model::{MissionTime, Problem};
@@ -8,8 +8,8 @@ use crate::planner::scp::NOT_FOUND;
 use crate::planner::studies::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, Scope, compare};
 use crate::solve::Effort;
 
-/// Multiples of the required time that are tried, the nearest first, if the shortest time found is not longer than that or if
-/// none was found.
+/// Multiples of the required time that are tried, the nearest first, if the shortest time found is not longer than that
+/// or if none was found.
 const LONGER: [f64; 5] = [1.02, 1.05, 1.1, 1.3, 2.0];
 
 /// Mission times, s, at which the spec's planner has a plan that passes the check of plans.
@@ -39,7 +39,8 @@ fn required_time(problem: Problem, comparison: &Comparison) -> Option<f64> {
     (is_open && determined(mission).is_none() && model.plan.require_risk.is_none()).then_some(time)
 }
 
-/// Searches for plans at times near the spec's, if the planner found none there. `on_progress` is called with each time, s.
+/// Searches for plans at times near the spec's, if the planner found none there. `on_progress` is called with each
+/// time, s.
 pub fn nearby(problem: Problem, comparison: &Comparison, on_progress: &dyn Fn(f64)) -> (Nearby, Effort) {
     let mut effort = Effort::default();
     let Some(required) = required_time(problem, comparison) else { return (Nearby::default(), effort) };

@@ -2,7 +2,8 @@
 
 use crate::model::Problem;
 
-/// A part of a program to which multipliers can be assigned. Indices are those in [`crate::model::Model`] and [`crate::model::Mission`].
+/// A part of a program to which multipliers can be assigned. Indices are those in [`crate::model::Model`] and
+/// [`crate::model::Mission`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Part {
     /// `Mission::waypoints[i]`, its position and yaw.
@@ -22,8 +23,8 @@ pub enum Answer {
     Feasible,
     /// It proved that there is none.
     Infeasible {
-        /// The weight of each part in the multipliers of the proof (>= 0; a part may occur more than once). Empty if there are
-        /// no multipliers.
+        /// The weight of each part in the multipliers of the proof (>= 0; a part may occur more than once). Empty if
+        /// there are no multipliers.
         weights: Vec<(Part, f64)>,
         /// Proved only for the facets that the RIP plan selects. (If RIP itself has no plan, nothing is selected.)
         only_for_selection: bool,
@@ -36,8 +37,8 @@ pub enum Answer {
 
 /// A planner as an oracle.
 pub trait Oracle {
-    /// Whether the problem's mission has a plan that takes `time` seconds, including holds, with the planner, the modes, the
-    /// reserve and the samples of its `plan`, whose `time` is ignored.
+    /// Whether the problem's mission has a plan that takes `time` seconds, including holds, with the planner, the
+    /// modes, the reserve and the samples of its `plan`, whose `time` is ignored.
     ///
     /// A limit without bounds is no constraint, and neither is a waypoint whose tolerances are
     /// [`crate::planner::transcription::UNBOUNDED`] and whose weight is zero.

@@ -16,8 +16,8 @@ use crate::planner::{Attempt, finds_local_optima, planner};
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 
-/// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that exceeds a limit by far between its
-/// nodes does not count as a plan.
+/// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that exceeds a limit by far between
+/// its nodes does not count as a plan.
 #[derive(Default)]
 pub struct Planners<'p> {
     /// Sets of the last query: most queries differ only in the mission.
@@ -137,14 +137,15 @@ fn not_for_all(decision: Decision) -> Decision {
     }
 }
 
-/// The verdict on RSP from one on the facets that one RIP plan selects. In the hover model that plan is the only one of least cost,
-/// so they are RSP's facets; in the exact model another RIP plan may select others, and a proof for these is not one for RSP.
+/// The verdict on RSP from one on the facets that one RIP plan selects. In the hover model that plan is the only one of
+/// least cost, so they are RSP's facets; in the exact model another RIP plan may select others, and a proof for these
+/// is not one for RSP.
 fn about_all_selections(decision: Decision, model: &Model) -> Decision {
     if finds_local_optima(model) { not_for_all(decision) } else { decision }
 }
 
-/// Limits hold at the nodes. A plan that exceeds one between them by more than this share of it (of 1 m or 1 rad if it bounds
-/// a coordinate) only shows that the grid is too coarse at this mission time.
+/// Limits hold at the nodes. A plan that exceeds one between them by more than this share of it (of 1 m or 1 rad if it
+/// bounds a coordinate) only shows that the grid is too coarse at this mission time.
 const COARSE: f64 = 0.05;
 
 /// Whether a plan exceeds some limit by more than [`COARSE`].

@@ -6,8 +6,8 @@ use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKin
 use crate::motion::time_grid::{determined, earliest};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A time is long for a mission if the legs after the last fixed time have this many times the time given by [`unhurried`].
-/// (Not many more: otherwise few samples would remain for the other legs.)
+/// A time is long for a mission if the legs after the last fixed time have this many times the time given by
+/// [`unhurried`]. (Not many more: otherwise few samples would remain for the other legs.)
 const LONG: f64 = 4.0;
 
 /// And this many times the time that the spec gives them.
@@ -39,8 +39,9 @@ impl<'a> Questions<'a> {
         self.most = self.asked + more;
     }
 
-    /// A mission time that is long for a variant of the mission, s. It depends on the variant's fixed times and holds and on
-    /// all limits of the spec, so that variants with the same times and holds are queried at the same mission time.
+    /// A mission time that is long for a variant of the mission, s. It depends on the variant's fixed times and holds
+    /// and on all limits of the spec, so that variants with the same times and holds are queried at the same mission
+    /// time.
     fn long_for(&self, variant: &Mission) -> f64 {
         let fixed = match self.problem.model().plan.time {
             MissionTime::Fixed(time) => time,
@@ -91,10 +92,10 @@ impl<'a> Questions<'a> {
         Some(answer)
     }
 
-    /// The answer implied by earlier answers: a plan remains one if statements are left out, and infeasibility remains if
-    /// statements are added. This holds only between variants with the same waypoint times: leaving out a fixed time or a
-    /// hold moves waypoints. Nothing is implied if other things move too: facets that follow from a plan (RSP), and yaw that
-    /// is planned before the rest.
+    /// The answer implied by earlier answers: a plan remains one if statements are left out, and infeasibility remains
+    /// if statements are added. This holds only between variants with the same waypoint times: leaving out a fixed time
+    /// or a hold moves waypoints. Nothing is implied if other things move too: facets that follow from a plan (RSP),
+    /// and yaw that is planned before the rest.
     fn implied(&self, left_out: &BTreeSet<Statement>) -> Option<Answer> {
         let moves = self.problem.model().plan.model == PlanModel::Hover && !self.problem.mission().has_one_yaw();
         if moves || self.problem.model().plan.planner == PlannerKind::Rsp {
@@ -127,8 +128,8 @@ impl<'a> Questions<'a> {
             return Some(self.oracle.ask(problem, time));
         }
         match self.ask_of(PlannerKind::Rcp, problem, time)? {
-            // RCP's sets are smaller, so this proves nothing about RSP; but RIP's sets are larger, so a proof for RIP is a
-            // proof for RSP.
+            // RCP's sets are smaller, so this proves nothing about RSP; but RIP's sets are larger, so a proof for RIP
+            // is a proof for RSP.
             Answer::Infeasible { weights, .. } => {
                 self.asked += 1;
                 match self.ask_of(PlannerKind::Rip, problem, time)? {
@@ -148,8 +149,8 @@ impl<'a> Questions<'a> {
     }
 }
 
-/// A measure of a long flight time, s: the sum, over the legs from a waypoint on, of the time from rest to rest at half of g
-/// and of the times under each limit alone.
+/// A measure of a long flight time, s: the sum, over the legs from a waypoint on, of the time from rest to rest at half
+/// of g and of the times under each limit alone.
 fn unhurried(mission: &Mission, from: usize, gravity: f64) -> f64 {
     let leg = |pair: &[crate::model::Waypoint]| {
         let apart: [f64; 3] = std::array::from_fn(|i| (pair[1].position[i] - pair[0].position[i]).abs());

@@ -55,8 +55,8 @@ const LIGHTEST: f64 = 0.5;
 /// Largest tilt limit that is tried, degrees.
 const MOST_TILT: f64 = 89.0;
 
-/// Changes that give the whole spec a plan, cheapest first: changes that cost time, then accuracy, then limits and reserve,
-/// then removed statements, then a different vehicle.
+/// Changes that give the whole spec a plan, cheapest first: changes that cost time, then accuracy, then limits and
+/// reserve, then removed statements, then a different vehicle.
 pub(super) fn fixes(questions: &mut Questions, conflict: &Conflict) -> Vec<Fix> {
     let model = questions.problem.model();
     let mut found = Vec::new();
@@ -160,8 +160,8 @@ fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
 /// feasibility is not monotone in the change, the result still gives a plan but need not be the first.
 fn seek(questions: &mut Questions, values: &[f64], change: impl Fn(f64) -> Change) -> Option<Fix> {
     let end = values.len().checked_sub(1)?;
-    // If the largest change does not help, none does; except for a waypoint's time, which must leave time for the legs after
-    // it.
+    // If the largest change does not help, none does; except for a waypoint's time, which must leave time for the legs
+    // after it.
     let is_arrival = matches!(change(values[0]), Change::Arrival { .. });
     let furthest = attempt(questions, change(values[end]));
     if furthest.is_none() && !is_arrival {

@@ -1,7 +1,7 @@
 //! Rotors that lag behind their commands: rows on the commanded wrench.
 //!
-//! If every thrust follows its command with f_c = f + tau f', a wrench w(t) can be flown exactly where its commanded wrench
-//! c = w + tau w' is admissible as w is (docs/method.md, section 14). So each facet is imposed on c too.
+//! If every thrust follows its command with f_c = f + tau f', a wrench w(t) can be flown exactly where its commanded
+//! wrench c = w + tau w' is admissible as w is (docs/method.md, section 14). So each facet is imposed on c too.
 
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
@@ -39,7 +39,8 @@ pub(super) fn interval_of((instant, slope): CommandAt, parts: usize, intervals: 
 pub type CommandMaps = BTreeMap<CommandAt, WrenchMap>;
 
 impl YawPlan {
-    /// The commanded wrench of the hover model at both ends of every interval. `tau` is the time constant of the rotors, s.
+    /// The commanded wrench of the hover model at both ends of every interval. `tau` is the time constant of the
+    /// rotors, s.
     pub fn commands(&self, vehicle: &Vehicle, gravity: f64, grid: &TimeGrid, tau: f64) -> CommandMaps {
         let map = |node: usize, jerk: f64| match self {
             YawPlan::Free { psi } => WrenchMap::commanded_with_free_yaw(vehicle, gravity, *psi, tau),
@@ -57,8 +58,9 @@ impl YawPlan {
 }
 
 impl Transcription<'_> {
-    /// A derivative, or the slope of an input, at the place of a commanded wrench; `jump` gives the difference of the derivative
-    /// (node, axis, order) between the later and the earlier side of a node. `None` if there is no such interval.
+    /// A derivative, or the slope of an input, at the place of a commanded wrench; `jump` gives the difference of the
+    /// derivative (node, axis, order) between the later and the earlier side of a node. `None` if there is no such
+    /// interval.
     pub(super) fn command_derivative(
         &self,
         at: CommandAt,
@@ -82,8 +84,8 @@ impl Transcription<'_> {
         Some(rise.times(1.0 / h))
     }
 
-    /// The commanded wrench of states at a node, by the maps of [`Self::commands`]; `None` without them or without such an
-    /// interval.
+    /// The commanded wrench of states at a node, by the maps of [`Self::commands`]; `None` without them or without such
+    /// an interval.
     pub(super) fn command_wrench(&self, states: &[NodeState], at: CommandAt) -> Option<Wrench> {
         let map = self.commands?.get(&at)?;
         let interval = interval_of(at, self.parts, self.grid.intervals())?;

@@ -32,8 +32,8 @@ impl Transcription<'_> {
         between(&states[interval], &states[interval + 1], step, share * step, self.turning_model())
     }
 
-    /// Whether rows at nodes have to hold between them too: about hover the turning is a quadratic polynomial of time on each interval,
-    /// in the hull of its values at both ends and of a third point.
+    /// Whether rows at nodes have to hold between them too: about hover the turning is a quadratic polynomial of time
+    /// on each interval, in the hull of its values at both ends and of a third point.
     fn spans_intervals(&self) -> bool {
         self.orders[Z] == 2 && self.parts == 1
     }
@@ -59,8 +59,8 @@ impl Transcription<'_> {
         self.turnings(states, node).iter().map(of).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The derivative at an instant, or at the third point of the interval after a node: for the derivatives of orders r and r - 1 the
-    /// coefficients in Bernstein's basis of degree 2, with r the order of the axis's input.
+    /// The derivative at an instant, or at the third point of the interval after a node: for the derivatives of orders
+    /// r and r - 1 the coefficients in Bernstein's basis of degree 2, with r the order of the axis's input.
     fn derivative_in(&self, instant: usize, third: bool, axis: usize, order: usize) -> Affine {
         let mut at = self.derivative(instant, axis, order);
         if third && order < self.orders[axis] {
@@ -73,8 +73,8 @@ impl Transcription<'_> {
         at
     }
 
-    /// Adds a row of a core, wider by `free`; `change` is the relative change of the duration (69), in which the row is multiplied by
-    /// `(1 + delta)^order`, order being the highest of the derivatives.
+    /// Adds a row of a core, wider by `free`; `change` is the relative change of the duration (69), in which the row is
+    /// multiplied by `(1 + delta)^order`, order being the highest of the derivatives.
     pub(super) fn core(
         &self,
         builder: &mut Builder,
@@ -115,7 +115,8 @@ impl Transcription<'_> {
             sum
         };
         let mut cone = vec![room.times(1.0 / core.torque)];
-        // |x| + delta |y| <= |(sqrt(1 + kappa) x, sqrt(1 + 1/kappa) delta y)| for every kappa > 0; equal where delta |y| = kappa |x|.
+        // |x| + delta |y| <= |(sqrt(1 + kappa) x, sqrt(1 + 1/kappa) delta y)| for every kappa > 0; equal where
+        // delta |y| = kappa |x|.
         let delta = core.unevenness.abs();
         let kappa = if delta > 0.0 { delta / core.inertia } else { 0.0 };
         let even = (1.0 + kappa).sqrt();

@@ -79,9 +79,9 @@ impl Transcription<'_> {
 
     /// Adds a weight on squared accelerations to (48) if an end is free, for the minimum-snap initial guess.
     ///
-    /// There (48) alone has many minimisers: cubics of time cost nothing in x and y, and many of them meet a few waypoints. The term
-    /// is `w_s / tau^4` times the integral of `x''^2 + y''^2`, tau the mean duration of a leg, which weighs an acceleration like
-    /// the snap that builds it up within such a time, and prefers one of them.
+    /// There (48) alone has many minimisers: cubics of time cost nothing in x and y, and many of them meet a few
+    /// waypoints. The term is `w_s / tau^4` times the integral of `x''^2 + y''^2`, tau the mean duration of a leg,
+    /// which weighs an acceleration like the snap that builds it up within such a time, and prefers one of them.
     pub(super) fn gentleness(&self, builder: &mut Builder) {
         if self.free_ends().next().is_none() {
             return;

@@ -1,7 +1,7 @@
 //! The hover planner: one convex program at one mission time, with row generation.
 //!
-//! Few rows ever bind. A program that lacks rows is a relaxation: if it is infeasible, so is the full one; if its solution
-//! violates no row, it solves the full one.
+//! Few rows ever bind. A program that lacks rows is a relaxation: if it is infeasible, so is the full one; if its
+//! solution violates no row, it solves the full one.
 
 mod layout;
 mod reach;
@@ -33,8 +33,8 @@ use crate::solve::{Effort, Outcome, Solution};
 /// A plan counts as feasible if no waypoint's tolerance is exceeded by more than this, m (yaw in proportion).
 pub const FEASIBLE: f64 = 1e-6;
 
-/// Rows are added until no other is violated by more than this, in widths of the healthy set or shares of a limit. (Those of the
-/// program itself hold to the solver's tolerance.)
+/// Rows are added until no other is violated by more than this, in widths of the healthy set or shares of a limit.
+/// (Those of the program itself hold to the solver's tolerance.)
 pub const ACCEPTED: f64 = 1e-7;
 
 /// Why a program without a solution proves nothing.
@@ -159,7 +159,8 @@ impl<'a> HoverPlanner<'a> {
         self.decide_with(total, samples, set, working_set, false)
     }
 
-    /// The same on the coarse grid, where a verdict is only a hint: without the second program of [`Self::decide_by_overshoot`].
+    /// The same on the coarse grid, where a verdict is only a hint: without the second program of
+    /// [`Self::decide_by_overshoot`].
     pub(super) fn decide_roughly(&mut self, total: f64, set: &PlanningSet, working_set: &mut WorkingSet) -> Decision {
         self.decide_with(total, self.coarse_samples(), set, working_set, true)
     }
@@ -209,8 +210,9 @@ impl<'a> HoverPlanner<'a> {
         }
     }
 
-    /// The smallest violation at a mission time, to within `tolerance`. It grows smoothly as the time decreases, while a verdict
-    /// is only yes or no; it guides the search and proves nothing. `None` if waypoints, rest and positions alone cannot be met.
+    /// The smallest violation at a mission time, to within `tolerance`. It grows smoothly as the time decreases, while
+    /// a verdict is only yes or no; it guides the search and proves nothing. `None` if waypoints, rest and positions
+    /// alone cannot be met.
     pub(super) fn violation(
         &mut self,
         total: f64,
@@ -242,8 +244,8 @@ impl<'a> HoverPlanner<'a> {
         inside.fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether a plan flown `factor` times slower still keeps every row and limit, so that the longer mission time needs no
-    /// program. Always false for missions with fixed times, holds or changing yaw.
+    /// Whether a plan flown `factor` times slower still keeps every row and limit, so that the longer mission time
+    /// needs no program. Always false for missions with fixed times, holds or changing yaw.
     pub(super) fn is_plan_when_slowed(&self, planned: &Planned, set: &PlanningSet, factor: f64) -> bool {
         let WrenchModel::HoverAt(_) = planned.model else { return false };
         let own_times = self.mission().waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some());
@@ -268,8 +270,8 @@ impl<'a> HoverPlanner<'a> {
         wrenches.iter().all(keeps) && self.model().thrust_lag().is_none_or(commands)
     }
 
-    /// If the plan's program has no verdict: minimises sigma + epsilon J, which always has a solution. With J at most J_max on
-    /// feasible plans, a lower bound above FEASIBLE + epsilon J_max proves that there is none.
+    /// If the plan's program has no verdict: minimises sigma + epsilon J, which always has a solution. With J at most
+    /// J_max on feasible plans, a lower bound above FEASIBLE + epsilon J_max proves that there is none.
     fn decide_by_overshoot(
         &mut self,
         layout: &Layout,

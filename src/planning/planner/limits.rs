@@ -7,8 +7,8 @@ use crate::planner::transcription::Transcription;
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 
-/// Whether a limit holds at an instant, with `parts` of them in each interval between nodes. A limit of one leg holds at both
-/// its waypoints too, and one on a yaw that follows from the motion at nodes only.
+/// Whether a limit holds at an instant, with `parts` of them in each interval between nodes. A limit of one leg holds
+/// at both its waypoints too, and one on a yaw that follows from the motion at nodes only.
 pub(super) fn covers(limit: &Limit, waypoint_nodes: &[usize], parts: usize, instant: usize) -> bool {
     let Some(on) = &limit.leg else { return true };
     let (first, last) = (waypoint_nodes[on.leg] * parts, waypoint_nodes[on.leg + 1] * parts);
@@ -27,8 +27,8 @@ pub(super) fn covers_interval(limit: &Limit, waypoint_nodes: &[usize], interval:
     on.part == Part::Whole && !limit.kind.is_heading() && leg.contains(&interval)
 }
 
-/// By how much more a step keeps the volume or corridor of a limit, m, given the `room` that volumes get: in a corridor at most a
-/// quarter of its half width, and none where there is neither.
+/// By how much more a step keeps the volume or corridor of a limit, m, given the `room` that volumes get: in a corridor
+/// at most a quarter of its half width, and none where there is neither.
 pub(super) fn room_of(limit: &Limit, room: f64) -> f64 {
     limit.volume.as_ref().map_or(0.0, |volume| volume.half_width.map_or(room, |half| room.min(0.25 * half)))
 }
@@ -48,8 +48,8 @@ pub(super) fn is_of_yaw(kind: &LimitKind) -> bool {
 pub(super) struct Widening {
     /// Each bound is wider by this share of itself, except bounds on positions.
     share: Affine,
-    /// The relative change delta of the duration: derivatives of order m then shrink by (1 + delta)^m, so that bounds on them, in
-    /// the old time, grow by at least m delta.
+    /// The relative change delta of the duration: derivatives of order m then shrink by (1 + delta)^m, so that bounds
+    /// on them, in the old time, grow by at least m delta.
     duration_change: Affine,
     /// How much further inside the bounds of volumes the position stays, m; see [`Transcription::room`].
     room: f64,
@@ -79,7 +79,8 @@ impl Widening {
         wider
     }
 
-    /// A lower bound on the distance from a body, m. It is not convex, so the share applies to it: [`CLEARANCE_UNIT`] a unit.
+    /// A lower bound on the distance from a body, m. It is not convex, so the share applies to it: [`CLEARANCE_UNIT`] a
+    /// unit.
     fn clearance(&self, lower: f64) -> Affine {
         let mut wider = Affine::constant(lower);
         wider.add(&self.share, -CLEARANCE_UNIT);
@@ -152,8 +153,8 @@ impl Transcription<'_> {
                 }
             }
             (_, LimitKind::Tilt, Some(upper)) if self.plans(X) => {
-                // The cone is convex, so that it contains the thrust in every wind if it does so in the extreme ones; of those
-                // that differ in their vertical part alone, the one that lifts most is the hardest.
+                // The cone is convex, so that it contains the thrust in every wind if it does so in the extreme ones;
+                // of those that differ in their vertical part alone, the one that lifts most is the hardest.
                 let lifts_most = self.winds.iter().map(|wind| wind.wind[Z]).fold(f64::NEG_INFINITY, f64::max);
                 for wind in self.winds.iter().filter(|wind| wind.wind[Z] == lifts_most) {
                     let [x, y, z] = self.thrust(instant, wind);
@@ -201,8 +202,8 @@ impl Transcription<'_> {
                 reach.add(&widening.share, ARRIVAL_UNIT);
                 cone(reach, across(direction, &velocity));
             }
-            // Linear in yaw, position and velocity about the states nearby; without these there is no row, and the program is a
-            // relaxation.
+            // Linear in yaw, position and velocity about the states nearby; without these there is no row, and the
+            // program is a relaxation.
             (_, LimitKind::Heading(target), Some(upper)) if self.plans(YAW) => {
                 let near = self.states.filter(|_| instant.is_multiple_of(self.parts));
                 let Some(near) = near.and_then(|states| states.get(instant / self.parts)) else { return };
@@ -210,7 +211,8 @@ impl Transcription<'_> {
                 let Some([x, y]) = target.direction(position, velocity) else { return };
                 let Some(off) = target.error(position, velocity, near[YAW][0]) else { return };
                 let mut error = self.derivative(instant, YAW, 0).plus_constant(off - near[YAW][0]);
-                // The direction of (x, y) turns by (x dy - y dx) / (x^2 + y^2); towards a point, (x, y) is that minus the position.
+                // The direction of (x, y) turns by (x dy - y dx) / (x^2 + y^2); towards a point, (x, y) is that minus
+                // the position.
                 let (order, from, sign) = match target {
                     Target::Towards { .. } => (0, position, 1.0),
                     Target::AlongPath => (1, velocity, -1.0),
@@ -227,8 +229,8 @@ impl Transcription<'_> {
                     builder.nonnegative(row, origin);
                 }
             }
-            // The distance is at least that from the plane that separates the body from a position nearby. Without such a
-            // position there is no row, and the program is a relaxation.
+            // The distance is at least that from the plane that separates the body from a position nearby. Without such
+            // a position there is no row, and the program is a relaxation.
             (_, LimitKind::Clearance(obstacle), None) if self.plans(X) => {
                 let near = self.positions.and_then(|positions| positions.get(instant));
                 let (Some(&near), Some(lower)) = (near, lower) else { return };
@@ -251,8 +253,8 @@ impl Transcription<'_> {
         covers_interval(limit, &self.grid.waypoint_nodes, interval)
     }
 
-    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion with an acceleration g may move away
-    /// from the line through two neighbouring instants, `g delta^2 / 8` with delta the time between them.
+    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion with an acceleration g
+    /// may move away from the line through two neighbouring instants, `g delta^2 / 8` with delta the time between them.
     pub(super) fn room(&self, instant: usize) -> f64 {
         let interval = (instant / self.parts).min(self.grid.intervals() - 1);
         let times = &self.grid.node_times;
@@ -265,8 +267,8 @@ impl Transcription<'_> {
         self.orders[Z] <= 2
     }
 
-    /// The violation of a limit widened by `sigma` by the states at a node, as a share of the limit (m or rad for positions and
-    /// yaw); negative inside.
+    /// The violation of a limit widened by `sigma` by the states at a node, as a share of the limit (m or rad for
+    /// positions and yaw); negative inside.
     pub(super) fn limit_violation(&self, limit: &Limit, states: &[NodeState], node: usize, sigma: f64) -> f64 {
         if !self.covers(limit, node) {
             return f64::NEG_INFINITY;

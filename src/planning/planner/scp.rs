@@ -1,10 +1,11 @@
 //! Plans under a wrench that is not linear in the motion, by sequential convex programming.
 //!
-//! Each step solves a convex subproblem (`subproblem`) with the wrench linear about the last iterate and the convex part of the
-//! Lagrangian's Hessian by the last multipliers (Nocedal and Wright, *Numerical Optimization*, chapter 18; for trajectories Mao,
-//! Szmuk and Acikmese, CDC 2016). At one mission time a feasibility phase is followed by a cost phase and constraint tightening; shorter
-//! times are reached by `continuation` and by steps with the durations of legs as variables
-//! (`durations`, `fixed_times`). Section 12 of `docs/method.md` lists these algorithms; [`settings`] holds their parameters.
+//! Each step solves a convex subproblem (`subproblem`) with the wrench linear about the last iterate and the convex
+//! part of the Lagrangian's Hessian by the last multipliers (Nocedal and Wright, *Numerical Optimization*, chapter 18;
+//! for trajectories Mao, Szmuk and Acikmese, CDC 2016). At one mission time a feasibility phase is followed by a cost
+//! phase and constraint tightening; shorter times are reached by `continuation` and by steps with the durations of legs
+//! as variables (`durations`, `fixed_times`). Section 12 of `docs/method.md` lists these algorithms; [`settings`] holds
+//! their parameters.
 
 mod commands;
 mod continuation;
@@ -62,8 +63,8 @@ pub use crate::motion::outside::PARTS;
 
 const ALL_AXES: [usize; 4] = [X, Y, Z, YAW];
 
-/// The weight of the proximal term, which keeps a step where the linear model holds; see [`Step::proximal_weight`]. It adapts
-/// to the ratio of actual to predicted gain, as the radius of a trust region does.
+/// The weight of the proximal term, which keeps a step where the linear model holds; see [`Step::proximal_weight`]. It
+/// adapts to the ratio of actual to predicted gain, as the radius of a trust region does.
 #[derive(Debug, Clone, Copy)]
 struct ProximalWeight {
     weight: f64,
@@ -219,7 +220,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         form.with_orders(self.wrench.orders(), PARTS).stopping_from(self.hover.struck)
     }
 
-    /// The wrench linearised about an iterate (70), at the instants of `working_set` and, where the set is flat, at the nodes.
+    /// The wrench linearised about an iterate (70), at the instants of `working_set` and, where the set is flat, at the
+    /// nodes.
     fn linearise(&self, iterate: &Iterate, working_set: &BTreeSet<RowAt>) -> Linearisation {
         let instants = iterate.grid.intervals() * PARTS + 1;
         let mut linear = Linearisation {
@@ -278,9 +280,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         self.lag.iter_mut().for_each(|lag| lag.multipliers.clear());
     }
 
-    /// Solves one subproblem about an iterate. Rows that its solution violates are found afterwards and are in the next one:
-    /// solving the same linearisation again with them takes more programs in all (measured). `None` if the solver reaches no
-    /// point in which the rows hold.
+    /// Solves one subproblem about an iterate. Rows that its solution violates are found afterwards and are in the next
+    /// one: solving the same linearisation again with them takes more programs in all (measured). `None` if the solver
+    /// reaches no point in which the rows hold.
     fn step(
         &mut self,
         iterate: &Iterate,
@@ -292,7 +294,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let settings = self.settings;
         working_set.extend(self.rows_at_nodes(iterate, -settings.subproblem.slack_of_working_set));
         working_set.extend(self.rows_everywhere(&iterate.grid));
-        // Splines cannot have the jumps (72) that legs with different changes need, and stiff ones leave the solver no digits.
+        // Splines cannot have the jumps (72) that legs with different changes need, and stiff ones leave the solver no
+        // digits.
         let together = legs.iter().all(|leg| *leg == legs[0]);
         let known = together.then(|| self.splines(&iterate.grid));
         let linear = self.linearise(iterate, working_set);
@@ -328,7 +331,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let (stages, splines) = (form(), known.map(|known| form().in_these(known)));
         let most = settings.subproblem.max_stiffness * self.cost(iterate);
         let splines = splines.filter(|form| form.stiffness() <= most);
-        // Tried in turn until one is solved: splines with the solver's scaling, stage variables without it and then with it.
+        // Tried in turn until one is solved: splines with the solver's scaling, stage variables without it and then
+        // with it.
         let of_splines = splines.iter().map(|form| (form, true));
         let ways = of_splines.chain([(&stages, false), (&stages, true)]);
         let mut found = None;

@@ -61,8 +61,8 @@ impl PlanningSet {
     }
 }
 
-/// One row per line, in widths of the healthy set: coefficients of [T, tau_x, tau_y, tau_z], the bound, and the facets that it
-/// comes from as `mode.facet` (mode 0 is healthy, the others in the order declared).
+/// One row per line, in widths of the healthy set: coefficients of [T, tau_x, tau_y, tau_z], the bound, and the facets
+/// that it comes from as `mode.facet` (mode 0 is healthy, the others in the order declared).
 impl fmt::Display for PlanningSet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let n = self.rows.len();

@@ -37,8 +37,8 @@ impl NodeSpline {
         self.coefficients
     }
 
-    /// The largest weight of a coefficient in the input at any node; it is proportional to the shortest step to the power minus
-    /// `order`.
+    /// The largest weight of a coefficient in the input at any node; it is proportional to the shortest step to the
+    /// power minus `order`.
     pub fn steepest(&self) -> f64 {
         let inputs = self.weights.iter().filter_map(|orders| orders.last()).flatten();
         inputs.fold(0.0, |m: f64, (_, w)| m.max(w.abs()))

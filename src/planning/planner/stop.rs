@@ -1,9 +1,10 @@
-//! Stops after a fault: motions from a plan's state to rest, inside the admissible set of the fault mode and within the mission's
-//! limits.
+//! Stops after a fault: motions from a plan's state to rest, inside the admissible set of the fault mode and within the
+//! mission's limits.
 //!
-//! When a fault strikes, position, velocity, attitude, body rates, yaw and its rate do not change; thrust and torques may jump.
-//! A stop ends level, without velocity and body rates, at any place: from there the vehicle hovers. Its duration is free, so
-//! several are tried. A stop that is found is checked by plain evaluation; if none is found, one may still exist.
+//! When a fault strikes, position, velocity, attitude, body rates, yaw and its rate do not change; thrust and torques
+//! may jump. A stop ends level, without velocity and body rates, at any place: from there the vehicle hovers. Its
+//! duration is free, so several are tried. A stop that is found is checked by plain evaluation; if none is found, one
+//! may still exist.
 
 mod ends;
 
@@ -21,16 +22,16 @@ use crate::planner::selection::PlanningSet;
 use crate::planner::transcription::UNBOUNDED;
 use crate::solve::Effort;
 
-/// Ratio of consecutive durations tried. With [`TRIES`] and [`MIDDLE`] a constant, whose powers the compiler may compute: those of
-/// a setting can differ from them in the last bit.
+/// Ratio of consecutive durations tried. With [`TRIES`] and [`MIDDLE`] a constant, whose powers the compiler may
+/// compute: those of a setting can differ from them in the last bit.
 const LONGER: f64 = 1.6;
 /// How many durations are tried.
 const TRIES: i32 = 9;
 /// The index of the duration tried first, while no stop is known.
 const MIDDLE: i32 = 3;
 
-/// Limits are widened by this share of themselves, places by this much (m or rad): a plan holds them to tolerances only, and a fault
-/// may strike at a limit.
+/// Limits are widened by this share of themselves, places by this much (m or rad): a plan holds them to tolerances
+/// only, and a fault may strike at a limit.
 const LEEWAY: f64 = 1e-4;
 
 /// Looks for stops along one plan, after one fault.
@@ -53,7 +54,8 @@ impl<'a> Stops<'a> {
         Stops { problem, healthy, set, wrench, last: None, effort: Effort::default() }
     }
 
-    /// A stop from the state of a plan in which the fault strikes; `None` if none is found at any of the durations tried.
+    /// A stop from the state of a plan in which the fault strikes; `None` if none is found at any of the durations
+    /// tried.
     pub fn find(&mut self, struck: &NodeState) -> Option<Iterate> {
         let settings = ScpSettings::DEFAULT;
         let model = self.problem.with_mission(stop_mission(self.problem.mission(), struck, &settings.stops));
@@ -89,8 +91,8 @@ fn grid(mission: &Mission, duration: f64, settings: &StopSettings) -> TimeGrid {
     TimeGrid::with_legs(mission, &legs, duration)
 }
 
-/// A stop as a mission, whose waypoints only divide its duration and constrain nothing. The limits of single legs do not hold for
-/// it, because a stop may leave its leg.
+/// A stop as a mission, whose waypoints only divide its duration and constrain nothing. The limits of single legs do
+/// not hold for it, because a stop may leave its leg.
 fn stop_mission(flown: &Mission, struck: &NodeState, settings: &StopSettings) -> Mission {
     let waypoint = Waypoint {
         name: None,

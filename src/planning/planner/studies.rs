@@ -1,4 +1,5 @@
-//! Steps (a) to (f) of section 5.3 of the paper: which planners are run at which time, and how far each plan leaves each mode's set.
+//! Steps (a) to (f) of section 5.3 of the paper: which planners are run at which time, and how far each plan leaves
+//! each mode's set.
 
 mod candidates;
 mod committed;

@@ -1,9 +1,9 @@
 //! From a mission, a time grid and a planning set to a quadratic program.
 //!
-//! Two forms of one program. With stage variables each node holds every derivative of every axis up to the input
-//! (4 for x and y, 2 for z and yaw), and rows join the nodes; inputs are piecewise linear between nodes, so a step is
-//! exact. A derivative of order i is multiplied by tau^i, tau four of the steps beside its node, which brings all variables
-//! and the entries of the rows that join them to like size. With splines the states are eliminated: fewer variables and no
+//! Two forms of one program. With stage variables each node holds every derivative of every axis up to the input (4 for
+//! x and y, 2 for z and yaw), and rows join the nodes; inputs are piecewise linear between nodes, so a step is exact. A
+//! derivative of order i is multiplied by tau^i, tau four of the steps beside its node, which brings all variables and
+//! the entries of the rows that join them to like size. With splines the states are eliminated: fewer variables and no
 //! joining rows, but each row couples more of them.
 
 mod mission;
@@ -59,8 +59,8 @@ pub enum Row {
     Command { facet: usize, slope: Slope },
 }
 
-/// In the exact model the vertical part of the thrust is at least this share of the weight (68). Closer to free fall, and upside
-/// down, ZYX angles jump, and the direction of a vanishing thrust is undefined.
+/// In the exact model the vertical part of the thrust is at least this share of the weight (68). Closer to free fall,
+/// and upside down, ZYX angles jump, and the direction of a vanishing thrust is undefined.
 pub const UPRIGHT: f64 = 0.1;
 
 /// (90e): where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this times g^2.
@@ -179,8 +179,8 @@ impl<'a> Transcription<'a> {
         Transcription { form: Form::Splines(splines), ..self }
     }
 
-    /// An estimate of the largest entry of the cost's matrix in spline coefficients: the contributions of coefficients a few steps
-    /// apart cancel, so the solver loses digits where this is large. Zero with stage variables.
+    /// An estimate of the largest entry of the cost's matrix in spline coefficients: the contributions of coefficients
+    /// a few steps apart cancel, so the solver loses digits where this is large. Zero with stage variables.
     pub(super) fn stiffness(&self) -> f64 {
         let Form::Splines(splines) = &self.form else { return 0.0 };
         let [quadruple, _] = &**splines;
@@ -269,8 +269,8 @@ impl<'a> Transcription<'a> {
         })
     }
 
-    /// A derivative of the thrust over mass, without its constants: see [`crate::motion::in_air`]. `derivative` gives those of
-    /// the motion on the same axis.
+    /// A derivative of the thrust over mass, without its constants: see [`crate::motion::in_air`]. `derivative` gives
+    /// those of the motion on the same axis.
     pub(super) fn in_air(
         &self,
         environment: &Environment,
@@ -435,6 +435,6 @@ impl<'a> Transcription<'a> {
     }
 }
 
-/// A tolerance this wide constrains nothing and gets no row, m or rad: the widest that a spec may have, a thousand times further
-/// than a waypoint may lie from the origin.
+/// A tolerance this wide constrains nothing and gets no row, m or rad: the widest that a spec may have, a thousand
+/// times further than a waypoint may lie from the origin.
 pub const UNBOUNDED: f64 = 1e9;

@@ -5,8 +5,8 @@ use crate::planner::selection::PlanningSet;
 use crate::planner::transcription::{Row, RowAt};
 use std::collections::BTreeSet;
 
-/// Rows of one planning set and of the mission's limits that were active so far. They carry over to other mission times and grids, and
-/// to sets that start with the same rows.
+/// Rows of one planning set and of the mission's limits that were active so far. They carry over to other mission times
+/// and grids, and to sets that start with the same rows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct WorkingSet {
     pub(super) rows: BTreeSet<RowAt>,

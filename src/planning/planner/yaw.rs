@@ -1,4 +1,5 @@
-//! The yaw of the hover model, planned first if it changes: minimises the terms of (48) in psi within the yaw tolerances.
+//! The yaw of the hover model, planned first if it changes: minimises the terms of (48) in psi within the yaw
+//! tolerances.
 
 use crate::model::{Model, Problem};
 use crate::motion::hover_map::{WrenchMap, YawState};

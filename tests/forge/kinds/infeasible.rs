@@ -38,8 +38,8 @@ fn carried_over(spec: &Spec, how: Harder) -> Option<Certificate> {
     Some(claiming(spec, of_harder(spec, how)?))
 }
 
-/// Rows of facets count widths of the healthy set, of which the weaker vehicle's is smaller: its multipliers are weighed
-/// anew.
+/// Rows of facets count widths of the healthy set, of which the weaker vehicle's is smaller: its multipliers are
+/// weighed anew.
 fn weaker_vehicle(spec: &Spec, _: &mut Numbers) -> Option<Certificate> {
     let mut claim = of_harder(spec, Harder::WeakerVehicle)?;
     widen(&mut claim, WEAKER.powi(-2));

@@ -33,8 +33,8 @@ fn one_gap(spec: &Spec, numbers: &mut Numbers, derivative: usize) -> Option<Cert
     Some(spec.claiming(&motion))
 }
 
-/// Gaps below the tolerance of one joint, with signs under which they cancel in the end (Prouhet, Thue, Morse), on pieces
-/// of one duration.
+/// Gaps below the tolerance of one joint, with signs under which they cancel in the end (Prouhet, Thue, Morse), on
+/// pieces of one duration.
 fn many_gaps(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let mut motion = spec.honest.clone();
     let axis = super::axis(numbers);
@@ -79,8 +79,8 @@ fn carried(drift: &[f64; 5], h: f64, highest: usize) -> [f64; 5] {
     next
 }
 
-/// A motion that neither starts nor ends at rest, with a tiny piece at each end over which it stops: its gaps times powers
-/// of the piece's duration are nothing.
+/// A motion that neither starts nor ends at rest, with a tiny piece at each end over which it stops: its gaps times
+/// powers of the piece's duration are nothing.
 fn tiny_ends(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let mission = spec.truth.mission();
     if !mission.start_at_rest || !mission.end_at_rest {

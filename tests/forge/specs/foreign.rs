@@ -1,4 +1,5 @@
-//! Certificates that harder specs have no plan, made by the planner: multipliers that show nothing about the spec itself.
+//! Certificates that harder specs have no plan, made by the planner: multipliers that show nothing about the spec
+//! itself.
 
 use super::Harder;
 use mavc::certificate::{Certificate, Claim};

@@ -2,7 +2,8 @@
 
 use super::*;
 
-/// Counts, scores and the path again, from the rows alone: without yaw to give up, `gone` is predicted lost by its verdict.
+/// Counts, scores and the path again, from the rows alone: without yaw to give up, `gone` is predicted lost by its
+/// verdict.
 pub(super) fn are_those_of_the_rows(desk: &Desk, record: &Value) {
     desk.run(&["hop.mav", "--times", "3", "--seeds", "2", "-o", "rows.csv", "--quiet"], 0);
     let rows: Vec<Row> = desk.lines("rows.csv")[1..].iter().map(|line| Row::read(line).unwrap()).collect();
@@ -21,8 +22,8 @@ pub(super) fn are_those_of_the_rows(desk: &Desk, record: &Value) {
         assert_eq!(table, [count(true, true), count(false, true), count(true, false), count(false, false)], "{found}");
         let wrong = (table[1] + table[2]) as f64 / struck.len() as f64;
         assert!((found["brier"].as_f64().unwrap() - wrong).abs() < 1e-12);
-        // Each class has one mode, so that its other modes have no flights and the probability is 1/2; of all flights the other
-        // mode's share is known.
+        // Each class has one mode, so that its other modes have no flights and the probability is 1/2; of all flights
+        // the other mode's share is known.
         assert!((found["brier_by_class"].as_f64().unwrap() - 0.25).abs() < 1e-12, "{found}");
         let squares = |mode: &str| {
             let own: Vec<&&Row> = struck.iter().filter(|r| r.mode == mode).collect();
@@ -52,8 +53,8 @@ pub(super) fn are_those_of_the_rows(desk: &Desk, record: &Value) {
     }
 }
 
-/// At a constant height one comparison predicts every flight of a mode: the height of capture against that over the ground, and
-/// against how far below its reference the vehicle may be.
+/// At a constant height one comparison predicts every flight of a mode: the height of capture against that over the
+/// ground, and against how far below its reference the vehicle may be.
 #[test]
 fn capture_predicts_by_the_height_over_the_ground() {
     let desk = Desk::new();

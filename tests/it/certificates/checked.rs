@@ -99,8 +99,8 @@ fn forgeries_are_refused_by_the_command() {
     }
 }
 
-/// A proof for one choice of waypoint times, or for one yaw, is none for a spec that leaves them open, and no exit code, report or
-/// conflict says so.
+/// A proof for one choice of waypoint times, or for one yaw, is none for a spec that leaves them open, and no exit
+/// code, report or conflict says so.
 #[test]
 fn proofs_of_less_than_the_spec_are_none() {
     for (spec, time, confined) in [
@@ -114,7 +114,8 @@ fn proofs_of_less_than_the_spec_are_none() {
         assert_eq!(report["planners"][0]["verdict"], "not found", "{spec}");
         assert_eq!(report["conflict"]["verdict"], "not found", "{spec}: {:#}", report["conflict"]);
     }
-    // With more rounds other plans select too, and here what they select is infeasible where the RIP plan's facets are not.
+    // With more rounds other plans select too, and here what they select is infeasible where the RIP plan's facets are
+    // not.
     let rounds = finding("more_rounds.mav");
     let Planned { code, report, .. } = planned(&rounds, &["--set", "plan.rounds=6"]);
     let told = report["planners"][0]["statement"].as_str().unwrap();
@@ -137,8 +138,8 @@ fn proofs_of_less_than_the_spec_are_none() {
     assert_eq!(planned(held.to_str().unwrap(), &stays).code, 0);
 }
 
-/// Without rounds RSP selects nothing, so that no mode can be in its way; and missions that once ended in a panic, or at rest but
-/// for rounding, have plans.
+/// Without rounds RSP selects nothing, so that no mode can be in its way; and missions that once ended in a panic, or
+/// at rest but for rounding, have plans.
 #[test]
 fn missions_that_were_missed_or_blamed_on_others() {
     let Planned { code, report, .. } = planned(&finding("no_rounds.mav"), &[]);
@@ -151,7 +152,8 @@ fn missions_that_were_missed_or_blamed_on_others() {
     }
 }
 
-/// A conflict is shown at one mission time, and nothing is said of the one that the spec asks for: there these statements hold.
+/// A conflict is shown at one mission time, and nothing is said of the one that the spec asks for: there these
+/// statements hold.
 #[test]
 fn a_conflict_is_about_the_time_at_which_it_was_tried() {
     let ran = mavc(&["plan", &finding("long_last_leg.mav")]);

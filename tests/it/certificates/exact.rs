@@ -124,8 +124,8 @@ fn changed(certificate: &Certificate, change: impl Fn(&mut PlanClaim)) -> Certif
     changed
 }
 
-/// Limits just above what differences of the attitude show are proved for every instant; just below they are exceeded, by as
-/// much as was sampled. So is the set, whose reserve takes the place of a limit.
+/// Limits just above what differences of the attitude show are proved for every instant; just below they are exceeded,
+/// by as much as was sampled. So is the set, whose reserve takes the place of a limit.
 #[test]
 fn exact_motions_are_decided_at_every_instant() {
     let mut model = model();

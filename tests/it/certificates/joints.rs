@@ -29,8 +29,8 @@ fn each_derivative_has_its_tolerance() {
     decide(&changed(&certificate, |motion| motion.x[8][0] += 1e-7), &model).unwrap();
 }
 
-/// Each gap is within its tolerance, and together they carry the motion away: by closed form, n gaps g in velocity move the
-/// end by g times the time that is left after each.
+/// Each gap is within its tolerance, and together they carry the motion away: by closed form, n gaps g in velocity move
+/// the end by g times the time that is left after each.
 #[test]
 fn many_small_gaps_are_too_many() {
     let mut model = hop(PlannerKind::Rip, 12.0);
@@ -38,8 +38,8 @@ fn many_small_gaps_are_too_many() {
     let certificate = certified(&model).unwrap();
     let Claim::Plan(claim) = &certificate.claim else { panic!("no plan") };
     let times = claim.motion.times_s.clone();
-    // Every other node is off, except at rest: the piece before misses it in velocity, and the piece after begins with a
-    // velocity that takes its end away in position and velocity.
+    // Every other node is off, except at rest: the piece before misses it in velocity, and the piece after begins with
+    // a velocity that takes its end away in position and velocity.
     let moving = |n: usize| claim.motion.x[n][1] != 0.0 && claim.motion.x[n + 1][1] != 0.0;
     let nodes: Vec<usize> = (2..times.len() - 2).step_by(2).filter(|&n| moving(n)).collect();
     let end = times[times.len() - 1];

@@ -129,8 +129,8 @@ fn intervals_enclose_the_commanded_wrenches() {
     }
 }
 
-/// Plans of every planner in both models, of the pseudo-inverse and of intervals; each with the scope to which most of the
-/// rows on commands are shown.
+/// Plans of every planner in both models, of the pseudo-inverse and of intervals; each with the scope to which most of
+/// the rows on commands are shown.
 #[test]
 fn lagging_plans_are_certified() {
     let exact = |planner, time| {
@@ -208,7 +208,8 @@ fn infeasible(certificate: &mut Certificate) -> &mut InfeasibleClaim {
     }
 }
 
-/// A mission that only the lag makes infeasible is proved so by rows on commands; such rows are rejected for rotors without lag.
+/// A mission that only the lag makes infeasible is proved so by rows on commands; such rows are rejected for rotors
+/// without lag.
 #[test]
 fn a_time_too_short_for_lagging_rotors_is_certified() {
     let instant = planning(shuttle(), PlanModel::Hover, MissionTime::Minimum);

@@ -132,8 +132,8 @@ fn no_multipliers_refute_an_exact_plan() {
     }
 }
 
-/// The largest thrust is shown, not believed: other weights and other facets show nothing, nor does the proof hold for a
-/// vehicle that is stronger by enough.
+/// The largest thrust is shown, not believed: other weights and other facets show nothing, nor does the proof hold for
+/// a vehicle that is stronger by enough.
 #[test]
 fn the_largest_thrust_is_part_of_the_proof() {
     let (model, _) = impossible().swap_remove(2);
@@ -163,7 +163,8 @@ fn moving(to: [f64; 3], limits: &[(LimitKind, f64)], time: f64) -> Model {
     model
 }
 
-/// Missions that end in motion, where a limit on speed or jerk bounds the last input; closed forms show them to be impossible.
+/// Missions that end in motion, where a limit on speed or jerk bounds the last input; closed forms show them to be
+/// impossible.
 #[test]
 fn what_ends_in_motion_is_certified_within_limits() {
     let models = [

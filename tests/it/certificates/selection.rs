@@ -79,7 +79,8 @@ fn rounds_carry_a_plan_each() {
     }
 }
 
-/// A plan to select by that stays inside every set selects nothing; a motion that leaves one is then guarded by nothing.
+/// A plan to select by that stays inside every set selects nothing; a motion that leaves one is then guarded by
+/// nothing.
 #[test]
 fn a_tame_plan_to_select_by_guards_nothing() {
     let model = quick(PlannerKind::Rsp, 1);

@@ -1,6 +1,6 @@
-//! A thousand motions of certificates changed at random. Whether a change makes a motion no plan is decided in plain `f64`
-//! by the planner's rows and wrench maps, at ten times the checker's tolerances, none of which the checker uses; every
-//! motion found to be none has to be rejected.
+//! A thousand motions of certificates changed at random. Whether a change makes a motion no plan is decided in plain
+//! `f64` by the planner's rows and wrench maps, at ten times the checker's tolerances, none of which the checker uses;
+//! every motion found to be none has to be rejected.
 
 use super::{Numbers, SHA, hop, planned, verify};
 use crate::lag::lagging;
@@ -13,7 +13,8 @@ use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use serde_json::{Value, json};
 
-/// Ten times what the checker lets be: of the times, of each derivative at a joint, of a waypoint, of a limit and a set.
+/// Ten times what the checker lets be: of the times, of each derivative at a joint, of a waypoint, of a limit and a
+/// set.
 const TIME: f64 = 1e-7;
 const GAPS: [f64; 4] = [1e-5, 1e-4, 1e-3, 1e-2];
 const MISS: f64 = 1e-4;

@@ -1,5 +1,5 @@
-//! The checker's Taylor models in the wind, its bounds in every wind of an interval, and the planner's bounds, against winds
-//! inside.
+//! The checker's Taylor models in the wind, its bounds in every wind of an interval, and the planner's bounds, against
+//! winds inside.
 
 use super::Numbers;
 use crate::vehicles::octocopter;
@@ -26,8 +26,8 @@ struct Known {
     at: Box<dyn Fn([f64; 3]) -> f64>,
 }
 
-/// A polynomial of second order with a constant of about `constant`, whose coefficients are somewhere in intervals, and a
-/// wave within the rest.
+/// A polynomial of second order with a constant of about `constant`, whose coefficients are somewhere in intervals, and
+/// a wave within the rest.
 fn known(numbers: &mut Numbers, constant: f64) -> Known {
     let mut coefficient = |size: f64| {
         let value = size * numbers.unit();

@@ -1,5 +1,6 @@
-//! Specs without a plan in the exact model: `tests/specs/conflicts/exact/*.mav`. The first line names the statements that
-//! are not met together, as in `tests/specs/conflicts`, the second whether that is `proved` or a plan was only `not found`.
+//! Specs without a plan in the exact model: `tests/specs/conflicts/exact/*.mav`. The first line names the statements
+//! that are not met together, as in `tests/specs/conflicts`, the second whether that is `proved` or a plan was only
+//! `not found`.
 
 use super::{Text, explained, named};
 use mavc::explain::diagnose::diagnose;
@@ -19,7 +20,8 @@ struct Case {
     explanation: Explanation,
 }
 
-/// Specs that take a third of the time to explain, though others have such conflicts too: they are left to the long tests.
+/// Specs that take a third of the time to explain, though others have such conflicts too: they are left to the long
+/// tests.
 const SLOW: [&str; 2] = ["early_waypoint.mav", "last_waypoint.mav"];
 
 static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| cases(false));
@@ -132,7 +134,8 @@ mod thorough {
         assert!(offered >= CASES.len(), "{offered}");
     }
 
-    /// A plan answers every question that requires a part of the statements it satisfies; the planner is not called for it again.
+    /// A plan answers every question that requires a part of the statements it satisfies; the planner is not called for
+    /// it again.
     #[test]
     #[ignore = "long"]
     fn nothing_is_asked_that_is_known() {

@@ -1,5 +1,5 @@
-//! Every command finds one plan: times in the order of the sets, the same from `plan`, `compare` and a campaign, and plans at
-//! longer times than the shortest.
+//! Every command finds one plan: times in the order of the sets, the same from `plan`, `compare` and a campaign, and
+//! plans at longer times than the shortest.
 
 use super::{last, planning, solved};
 use crate::vehicles::{limit, mission, waypoint};

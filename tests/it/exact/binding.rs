@@ -13,7 +13,8 @@ fn planned(mission: Mission, chooses_times: bool) -> MissionPlan {
     solved(last(&compare(Problem::of(&model).unwrap(), Scope::Plan, None))).clone()
 }
 
-/// Up 40 m at no more than 2 m/s: d/v and what starting and stopping take, of which 1 % more speed gives back 1 % of d/v.
+/// Up 40 m at no more than 2 m/s: d/v and what starting and stopping take, of which 1 % more speed gives back 1 % of
+/// d/v.
 #[test]
 fn a_long_climb_is_limited_by_its_rate() {
     let mut up = mission(vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([0.0, 0.0, 42.0], 0.0)]);
@@ -26,8 +27,8 @@ fn a_long_climb_is_limited_by_its_rate() {
     assert!((leg.duration - plan.time).abs() < 1e-9);
 }
 
-/// A leg that ends at a fixed time lasts as long as the spec says, however tight that is; after it 1 % more speed gives back 1 %
-/// of d/v.
+/// A leg that ends at a fixed time lasts as long as the spec says, however tight that is; after it 1 % more speed gives
+/// back 1 % of d/v.
 #[test]
 fn nothing_before_a_fixed_time_gives_time_back() {
     let stops = [[0.0, 0.0, 2.0], [0.0, 0.0, 22.0], [0.0, 0.0, 62.0]];
@@ -47,8 +48,8 @@ fn nothing_before_a_fixed_time_gives_time_back() {
 mod thorough {
     use super::*;
 
-    /// Legs that one limit governs, against the plan with that limit relaxed by ten units: within a fifth of the difference, and the
-    /// 0.02 s to which times are rounded.
+    /// Legs that one limit governs, against the plan with that limit relaxed by ten units: within a fifth of the
+    /// difference, and the 0.02 s to which times are rounded.
     #[test]
     #[ignore = "long"]
     fn figures_are_what_relaxed_specs_give_back() {

@@ -120,7 +120,8 @@ fn plans_cost_the_same_wherever_steps_begin() {
 mod thorough {
     use super::*;
 
-    /// Few waypoints and many samples make stiff splines: a fine grid must still give what a coarse one gives, or better.
+    /// Few waypoints and many samples make stiff splines: a fine grid must still give what a coarse one gives, or
+    /// better.
     #[test]
     #[ignore = "long"]
     fn fine_grids_are_no_dearer_than_coarse_ones() {

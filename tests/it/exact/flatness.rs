@@ -37,8 +37,8 @@ fn angles(r: &Matrix3<f64>) -> Vector3<f64> {
     Vector3::new(r[(2, 1)].atan2(r[(2, 2)]), (-r[(2, 0)]).asin(), r[(1, 0)].atan2(r[(0, 0)]))
 }
 
-/// How far two rigid bodies end from a motion that begins with body rates `w`, flown open loop by its wrench: the simulator's
-/// and [`rigid::step`].
+/// How far two rigid bodies end from a motion that begins with body rates `w`, flown open loop by its wrench: the
+/// simulator's and [`rigid::step`].
 fn misses(vehicle: &Vehicle, motion: &Motion, w: Vector3<f64>) -> [f64; 2] {
     let begin = (motion.at)(motion.pieces[0].0);
     let r = attitude(&begin);

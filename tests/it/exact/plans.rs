@@ -12,8 +12,8 @@ use mavc::planner::studies::Comparison;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::transcription::UPRIGHT;
 
-/// The violation of rows that is allowed between the [`PARTS`] instants of an interval, as a share. Rows hold at the instants;
-/// the deviation of wrenches and norms from straight lines in between decreases with the square of the step.
+/// The violation of rows that is allowed between the [`PARTS`] instants of an interval, as a share. Rows hold at the
+/// instants; the deviation of wrenches and norms from straight lines in between decreases with the square of the step.
 const BETWEEN: f64 = 1e-4;
 
 /// What rows of a program may be missed by, as everywhere.
@@ -41,8 +41,8 @@ fn past(kind: LimitKind, upper: f64, state: &NodeState, gravity: f64) -> f64 {
     }
 }
 
-/// The largest violation of facets, limits and the upright rule: at the nodes, and at nine instants in each interval, with the
-/// row that is violated most there.
+/// The largest violation of facets, limits and the upright rule: at the nodes, and at nine instants in each interval,
+/// with the row that is violated most there.
 fn passed(model: &Model, plan: &Trajectory, rows: &[SetRow]) -> (f64, f64, String) {
     let limits = &model.mission.as_ref().unwrap().limits;
     let (mut nodes, mut between, mut what) = (f64::NEG_INFINITY, f64::NEG_INFINITY, String::new());

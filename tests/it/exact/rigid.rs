@@ -1,5 +1,5 @@
-//! The rigid body once more, as the paper writes it: (3), (5) to (9) in Euler angles and body velocities. And the attitude
-//! and wrench of a motion from its geometry, with derivatives by differences.
+//! The rigid body once more, as the paper writes it: (3), (5) to (9) in Euler angles and body velocities. And the
+//! attitude and wrench of a motion from its geometry, with derivatives by differences.
 
 use mavc::actuation::Wrench;
 use mavc::model::Vehicle;
@@ -39,7 +39,8 @@ fn derivative(vehicle: &Vehicle, gravity: f64, state: &Rigid, wrench: &Wrench) -
     out
 }
 
-/// One step of Kutta's 3/8 rule: of fourth order, and another one than the simulator's. The wrench at a time within the step.
+/// One step of Kutta's 3/8 rule: of fourth order, and another one than the simulator's. The wrench at a time within the
+/// step.
 pub fn step(vehicle: &Vehicle, gravity: f64, state: &Rigid, h: f64, wrench: &dyn Fn(f64) -> Wrench) -> Rigid {
     let slope = |s: Rigid, t: f64| derivative(vehicle, gravity, &s, &wrench(t));
     let k1 = slope(*state, 0.0);

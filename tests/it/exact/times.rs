@@ -58,8 +58,8 @@ fn fixed_times_and_holds_are_kept() {
     planned(&model);
 }
 
-/// A short way, up at 1 m/s, and along at 4 m/s to a waypoint with a fixed time: what lengths and limits ask for by themselves leaves
-/// no plan, other divisions of that time do, whether the mission's time is free or given.
+/// A short way, up at 1 m/s, and along at 4 m/s to a waypoint with a fixed time: what lengths and limits ask for by
+/// themselves leaves no plan, other divisions of that time do, whether the mission's time is free or given.
 #[test]
 #[ignore = "long"]
 fn legs_between_fixed_times_divide_their_time_anew() {

@@ -28,7 +28,8 @@ fn told(model: &Model) -> (PlanOutcome, String) {
     (last(&comparison).outcome.clone(), text)
 }
 
-/// Speed, jerk, tilt and full thrust bound what any attitude and any torque can do: closed forms say that the way is too far.
+/// Speed, jerk, tilt and full thrust bound what any attitude and any torque can do: closed forms say that the way is
+/// too far.
 #[test]
 fn what_no_attitude_could_do_is_proved() {
     let far = |d: f64| [d, 0.0, 2.0];
@@ -53,8 +54,8 @@ fn what_no_attitude_could_do_is_proved() {
     }
 }
 
-/// Each leg alone is flown from rest to rest in its 7 s (a turn of 170 degrees at 30 degrees a second takes 5.7 s), so that both
-/// together have a plan, and so has all that leaves more time.
+/// Each leg alone is flown from rest to rest in its 7 s (a turn of 170 degrees at 30 degrees a second takes 5.7 s), so
+/// that both together have a plan, and so has all that leaves more time.
 #[test]
 fn what_its_parts_have_a_mission_has() {
     for (held, time) in [(0.0, 14.0), (0.0, 16.0), (1.0, 15.0), (1.0, 18.0)] {
@@ -70,8 +71,8 @@ fn what_its_parts_have_a_mission_has() {
     }
 }
 
-/// Where every time tried is proved to have no plan that is said, whether or not some waypoint has a time of its own; and a
-/// mission that has plans at long times only has them.
+/// Where every time tried is proved to have no plan that is said, whether or not some waypoint has a time of its own;
+/// and a mission that has plans at long times only has them.
 #[test]
 fn no_plan_at_any_time_tried_is_proved() {
     let mut up = hop([3.0, 0.0, 5.0], 0.0, &[(LimitKind::Climb, 0.0)], 0.0);
@@ -106,11 +107,12 @@ fn the_last_waypoints_time_is_the_plans() {
     assert_eq!(one.trajectory, other.trajectory);
 }
 
-/// Torques are not in the relaxation: a turn that takes more than the largest tau_z is not found, and no proof is claimed.
+/// Torques are not in the relaxation: a turn that takes more than the largest tau_z is not found, and no proof is
+/// claimed.
 #[test]
 fn what_only_torques_forbid_is_not_found() {
-    // Nearly level a turn from rest to rest takes tau = 4 Izz psi / t^2 at the least; four rotors of full thrust give less.
-    // (Without a limit on tilt there is a plan: it pitches up by 83 degrees and turns there with tau_x.)
+    // Nearly level a turn from rest to rest takes tau = 4 Izz psi / t^2 at the least; four rotors of full thrust give
+    // less. (Without a limit on tilt there is a plan: it pitches up by 83 degrees and turns there with tau_x.)
     let model = hop([0.0, 0.0, 2.2], 2.6, &[(LimitKind::Tilt, 10f64.to_radians())], 1.0);
     let [psi, t] = [2.6 - 2.0 * 0.05, 1.0];
     let largest = 4.0 * 1.3678e-7 * 874.0 * 874.0;
@@ -170,8 +172,8 @@ fn exit_codes_tell_proved_from_not_found() {
     assert!(text.contains("not found at 1 s") && !text.contains("proved infeasible"), "{text}");
 }
 
-/// A waypoint that is due before any motion can be there rules out every mission time, whatever planner is asked and however
-/// legs share the time.
+/// A waypoint that is due before any motion can be there rules out every mission time, whatever planner is asked and
+/// however legs share the time.
 #[test]
 fn a_waypoint_due_too_early_is_proved_infeasible_at_any_mission_time() {
     let mission = "start at [0, 0, 2] m\n waypoint a at [10, 0, 6] m\n waypoint b at [20, 10, 6] m time 3 s
@@ -235,8 +237,8 @@ mission dash {
 plan { planner = rcp; timing = proportional; against = [M1, M2]; time = 7.01 s; samples = 60 }
 "#;
 
-/// With a fixed waypoint time, another set's plan with the same times serves as an initial guess too: the set of one mode contains
-/// that of two.
+/// With a fixed waypoint time, another set's plan with the same times serves as an initial guess too: the set of one
+/// mode contains that of two.
 #[test]
 fn with_fixed_times_one_mode_has_the_plan_of_two() {
     let model = mavc::compile(DASH).into_result().unwrap().model().clone();

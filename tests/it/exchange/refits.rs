@@ -92,7 +92,8 @@ fn what_does_not_fit_is_refused_with_a_tolerance_that_does() {
     assert!(position.max(yaw) > 1e-5);
 }
 
-/// Loaders fail on one piece; one interval is cut in two. A tolerance below what float32 takes is refused, not sought for ever.
+/// Loaders fail on one piece; one interval is cut in two. A tolerance below what float32 takes is refused, not sought
+/// for ever.
 #[test]
 fn the_smallest_and_the_finest() {
     let planned = turn();

@@ -11,8 +11,8 @@ use nalgebra::{DMatrix, DVector, Matrix4};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 
-/// The minimiser of (1/2)|x|^2 + (1/2) sum_i weight_i (w - B x)_i^2 with x from `least` to 1: every rotor at one of them or free,
-/// the free ones by least squares, and the active set whose multipliers have the right signs.
+/// The minimiser of (1/2)|x|^2 + (1/2) sum_i weight_i (w - B x)_i^2 with x from `least` to 1: every rotor at one of
+/// them or free, the free ones by least squares, and the active set whose multipliers have the right signs.
 fn by_active_sets(columns: &[Wrench], least: &[f64], w: &Wrench, weights: &Wrench) -> DVector<f64> {
     let n = columns.len();
     let b = DMatrix::from_fn(4, n, |i, k| columns[k][i]);

@@ -123,8 +123,8 @@ fn flights_begin_on_the_reference() {
     }
 }
 
-/// Without motors: the body receives the wrench that the controller demands. Deviation in place (m) and attitude (rad) at each
-/// instant, from 0.5 m and 20 degrees off the reference.
+/// Without motors: the body receives the wrench that the controller demands. Deviation in place (m) and attitude (rad)
+/// at each instant, from 0.5 m and 20 degrees off the reference.
 fn closed_loop(controller: Controller, gains: &Gains, follow: impl Fn(f64) -> Reference, n: usize) -> Vec<[f64; 2]> {
     let frame = frame();
     let h = 1e-3;

@@ -31,8 +31,8 @@ fn planned(name: &'static str, settings: &[&str]) -> (&'static str, Model, Traje
     }
 }
 
-/// Samples of a stop that begins at `begin`, until it is at rest or well below the ground: time, height over the ground,
-/// vertical speed and acceleration.
+/// Samples of a stop that begins at `begin`, until it is at rest or well below the ground: time, height over the
+/// ground, vertical speed and acceleration.
 fn way(plan: &Trajectory, begin: f64, lands: bool, ground: f64) -> Vec<[f64; 4]> {
     let stop = Stop::from(&Course::Plan(plan).at(begin), begin, lands, ground);
     let end = stop.at_rest() + if lands { stop.place_of_rest().z - ground + 3.0 } else { 1.0 };

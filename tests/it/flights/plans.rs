@@ -53,8 +53,8 @@ fn an_undetected_loss_is_felt_and_an_estimated_one_is_not() {
     assert!(seeing.found[0].isolated_after.is_some_and(|t| t < 0.5), "{seeing:?}");
 }
 
-/// Where speeds change fast between the estimator's samples, its regressor must be their mean: a sum of one end's values
-/// made this flight lose sound rotors.
+/// Where speeds change fast between the estimator's samples, its regressor must be their mean: a sum of one end's
+/// values made this flight lose sound rotors.
 #[test]
 fn a_plan_that_tilts_raises_no_false_alarm() {
     let (model, plan) = planned("campaign", |model| model.plan.planner = PlannerKind::Rcp);

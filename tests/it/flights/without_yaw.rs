@@ -23,8 +23,8 @@ fn without(layout: &str, rotors: &[usize], delay: f64) -> Model {
     model
 }
 
-/// Hovers for `duration` s at 40 m and loses rotors after 1 s. Also gives the height lost, the last distance from the place (m) and
-/// the last rates (rad/s).
+/// Hovers for `duration` s at 40 m and loses rotors after 1 s. Also gives the height lost, the last distance from the
+/// place (m) and the last rates (rad/s).
 fn hover(model: &Model, duration: f64) -> (Flight, f64, f64, Vector3<f64>) {
     let place = Vector3::new(0.0, 0.0, 40.0);
     let trajectory = staying(place.into(), 0.0, duration);
@@ -48,8 +48,8 @@ fn hexacopters_stay_where_they_are() {
     }
 }
 
-/// The table of docs/flight.md: the height that a quadcopter loses until it climbs again, by delay. Other code, with another controller,
-/// lost 1.2, 4.5, 7.8, 9.9 and 11.7 m.
+/// The table of docs/flight.md: the height that a quadcopter loses until it climbs again, by delay. Other code, with
+/// another controller, lost 1.2, 4.5, 7.8, 9.9 and 11.7 m.
 #[test]
 fn a_quadcopter_is_captured_at_the_cost_of_height() {
     for (delay, expected, other) in
@@ -64,8 +64,8 @@ fn a_quadcopter_is_captured_at_the_cost_of_height() {
     }
 }
 
-/// Rotors of one vehicle that are alike up to a turn or a reflection cost the same height. The X frame has two parallel edges among
-/// its possible torques, between which many discs are the largest.
+/// Rotors of one vehicle that are alike up to a turn or a reflection cost the same height. The X frame has two parallel
+/// edges among its possible torques, between which many discs are the largest.
 #[test]
 fn rotors_that_are_alike_cost_the_same_height() {
     let spec = mavc::compile(include_str!("../../../examples/parcel_quad.mav")).into_result().unwrap();
@@ -107,7 +107,8 @@ fn without_two_opposite_rotors_the_vehicle_stays() {
     }
 }
 
-/// The shipped quadcopter survives the loss of a rotor above the height that `mavc analyze --capture` names, and is lost below it.
+/// The shipped quadcopter survives the loss of a rotor above the height that `mavc analyze --capture` names, and is
+/// lost below it.
 #[test]
 fn the_height_named_decides() {
     let spec = mavc::compile(include_str!("../../../examples/parcel_quad.mav")).into_result().unwrap();
@@ -163,8 +164,8 @@ fn the_body_slows_down_by_its_yaw_drag() {
     assert!((body.rates - Vector3::new(0.1 * angle.cos(), 0.1 * angle.sin(), 0.0)).amax() < 1e-9, "{}", body.rates);
 }
 
-/// Rotors that react to new commands: the motion must not depend on the steps of the integration, of which one or eight share a
-/// command.
+/// Rotors that react to new commands: the motion must not depend on the steps of the integration, of which one or eight
+/// share a command.
 #[test]
 fn the_reaction_to_a_command_begins_with_it() {
     let last = |rate: f64| {

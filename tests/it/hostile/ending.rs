@@ -29,8 +29,8 @@ fn kill(child: &Child, signal: &str) {
     assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
 }
 
-/// The signals that end a program, with their numbers, except those that this process was started to ignore (`nohup`, a job in
-/// the background of a script): programs that it starts ignore them too.
+/// The signals that end a program, with their numbers, except those that this process was started to ignore (`nohup`, a
+/// job in the background of a script): programs that it starts ignore them too.
 fn deadly() -> Vec<(&'static str, i32)> {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

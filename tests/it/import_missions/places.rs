@@ -5,8 +5,8 @@ use mavc::geodesy::{Geodetic, TangentPlane, heading_of_yaw};
 const A: f64 = 6378137.0;
 const B: f64 = 6356752.314245179;
 
-/// Earth-fixed, by the reduced latitude `tan beta = (b/a) tan phi`: a point of the ellipsoid is `(a cos beta, b sin beta)`, and the
-/// height is along `(cos phi, sin phi)`.
+/// Earth-fixed, by the reduced latitude `tan beta = (b/a) tan phi`: a point of the ellipsoid is
+/// `(a cos beta, b sin beta)`, and the height is along `(cos phi, sin phi)`.
 fn earth_fixed([latitude, longitude, height]: [f64; 3]) -> [f64; 3] {
     let (phi, lambda) = (latitude.to_radians(), longitude.to_radians());
     let beta = (B * phi.sin()).atan2(A * phi.cos());

@@ -32,7 +32,8 @@ mission loop {
 plan { model = hover; planner = rip; time = 50 s; samples = 60 }
 "#;
 
-/// A spec and its plan. Volumes to stay out of, which the model of this plan does not know, are added to the spec afterwards.
+/// A spec and its plan. Volumes to stay out of, which the model of this plan does not know, are added to the spec
+/// afterwards.
 fn planned() -> &'static (Spec, Trajectory) {
     static PLANNED: OnceLock<(Spec, Trajectory)> = OnceLock::new();
     PLANNED.get_or_init(|| {

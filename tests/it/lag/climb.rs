@@ -7,8 +7,8 @@ use mavc::model::{MissionTime, Model, PlanModel};
 const HEIGHT: f64 = 12.0;
 const WITHIN: f64 = 5e-3;
 
-/// The shortest time in which z'' = u, u + tau u' = v with v from -`down` to `up` m/s^2 leads from rest (u = 0 too) to rest
-/// `height` m above. Such a system of third order with real modes is fastest with v at its bounds and two switches
+/// The shortest time in which z'' = u, u + tau u' = v with v from -`down` to `up` m/s^2 leads from rest (u = 0 too) to
+/// rest `height` m above. Such a system of third order with real modes is fastest with v at its bounds and two switches
 /// (Pontryagin): `up` for t1, -`down` for t2, `up` for t3. Integrated, with T = t1 + t2 + t3:
 ///
 /// u(T) = 0, integral of v = 0, integral of (T - t) v = height.

@@ -12,14 +12,14 @@ use proptest::prelude::*;
 /// Commands are given this often, s.
 const STEP: f64 = 2e-4;
 
-/// The largest lag of a motor behind a thrust that follows with twice its constant, as a share of full thrust, (83): that of a
-/// rotor that is told to go from standstill to full speed, the largest of (1 - y) - (1 - y^2)^2.
+/// The largest lag of a motor behind a thrust that follows with twice its constant, as a share of full thrust, (83):
+/// that of a rotor that is told to go from standstill to full speed, the largest of (1 - y) - (1 - y^2)^2.
 fn most_behind() -> f64 {
     (0..=100_000).map(|i| f64::from(i) * 1e-5).map(|y| 1.0 - y - (1.0 - y * y).powi(2)).fold(0.0, f64::max)
 }
 
-/// What the motors make of thrusts that are wanted at the end of each step: they are told what gets them there, as far as
-/// they can turn.
+/// What the motors make of thrusts that are wanted at the end of each step: they are told what gets them there, as far
+/// as they can turn.
 struct Motors {
     rotors: Rotors,
     fades: Vec<f64>,
@@ -56,7 +56,8 @@ impl Motors {
 struct Followed {
     /// How far the motors' thrusts are from the wanted ones at most.
     behind: f64,
-    /// How far the wrench of the wanted thrusts is from the planned one at most, in shares of what hover and full thrust give.
+    /// How far the wrench of the wanted thrusts is from the planned one at most, in shares of what hover and full
+    /// thrust give.
     missed: f64,
     slowest: f64,
     clipped: bool,
@@ -120,8 +121,8 @@ fn motors_follow_a_plan_that_keeps_rotors_turning() {
     }
 }
 
-/// At the shortest time and without a reserve rotors stop; then motors lag by no more than (88), and much more where the plan
-/// takes them to follow at once.
+/// At the shortest time and without a reserve rotors stop; then motors lag by no more than (88), and much more where
+/// the plan takes them to follow at once.
 #[test]
 fn motors_stay_near_the_quickest_plan() {
     let instant = planning(shuttle(), PlanModel::Hover, MissionTime::Minimum);
@@ -141,7 +142,8 @@ fn motors_stay_near_the_quickest_plan() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// (87) and (88) for commands of any kind: where thrusts stay above a ninth motors give them, elsewhere they lag by little.
+    /// (87) and (88) for commands of any kind: where thrusts stay above a ninth motors give them, elsewhere they lag by
+    /// little.
     #[test]
     fn motors_follow_lagging_thrusts(
         commands in prop::collection::vec((prop_oneof![Just(0.0), Just(1.0), 0.0..1.0f64], 1usize..400), 1..12),

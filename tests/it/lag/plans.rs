@@ -71,8 +71,8 @@ fn rows_hold_at_every_instant_in_the_hover_model() {
     }
 }
 
-/// Under a frozen yaw the wrench bends between nodes. At both ends of every interval rows hold; a fine grid leaves little
-/// between.
+/// Under a frozen yaw the wrench bends between nodes. At both ends of every interval rows hold; a fine grid leaves
+/// little between.
 #[test]
 fn rows_hold_at_the_nodes_under_a_changing_yaw() {
     let model = planning(turning(), PlanModel::Hover, MissionTime::Minimum);

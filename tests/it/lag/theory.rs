@@ -1,5 +1,5 @@
-//! A wrench path can be flown by commands within the rotors' bounds if and only if its commanded wrench w + tau w' stays
-//! admissible: (81) of `docs/method.md`.
+//! A wrench path can be flown by commands within the rotors' bounds if and only if its commanded wrench w + tau w'
+//! stays admissible: (81) of `docs/method.md`.
 
 use super::lagging;
 use crate::vehicles::octocopter;
@@ -51,8 +51,8 @@ const STEP: f64 = 2e-3;
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The commanded wrench moves on straight lines between admissible points, so it is admissible. It is allocated at each
-    /// instant, and each rotor filters its own command.
+    /// The commanded wrench moves on straight lines between admissible points, so it is admissible. It is allocated at
+    /// each instant, and each rotor filters its own command.
     #[test]
     fn paths_with_admissible_commanded_wrenches_can_be_flown(
         start in prop::collection::vec(0.0..1.0f64, 8),
@@ -83,8 +83,8 @@ proptest! {
         }
     }
 
-    /// Rotors with different time constants: if f and f + tau f' are within bounds for the largest tau, every rotor has a
-    /// command within its bounds.
+    /// Rotors with different time constants: if f and f + tau f' are within bounds for the largest tau, every rotor has
+    /// a command within its bounds.
     #[test]
     fn the_largest_constant_is_enough(f in 0.0..1.0f64, command in 0.0..1.0f64, tau in 0.01..0.2f64, part in 0.05..1.0f64) {
         let rate = (command - f) / tau;

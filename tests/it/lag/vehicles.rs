@@ -55,8 +55,8 @@ fn the_pseudo_inverse_is_commanded_nothing_that_it_clips() {
     assert!(without > 0.05, "a plan for rotors that follow at once is clipped by {without}");
 }
 
-/// Down, where thrust is least: the commands of rotors that may not stop stay above their lowest speed, by the thrusts that
-/// allocation finds for them.
+/// Down, where thrust is least: the commands of rotors that may not stop stay above their lowest speed, by the thrusts
+/// that allocation finds for them.
 #[test]
 fn rotors_that_may_not_stop_are_not_commanded_to() {
     let mut model = tolerating_a_loss();

@@ -1,5 +1,5 @@
-//! Plans against modes without yaw: rows of cores against brute force over headings and spins, the turning of a motion against
-//! differences, plans in both models with their certificates, and changed certificates.
+//! Plans against modes without yaw: rows of cores against brute force over headings and spins, the turning of a motion
+//! against differences, plans in both models with their certificates, and changed certificates.
 
 use super::without;
 use mavc::admissible::AdmissibleSet;
@@ -28,8 +28,8 @@ fn turning(thrust: f64, swing: f64) -> Turning {
     Turning::from([thrust, swing, 0.0, 0.0, 0.0, 0.0])
 }
 
-/// Just inside every row there is, for every heading, a yaw torque in the core's range with which the wrench is in the set; just
-/// outside of some row there is a heading without one.
+/// Just inside every row there is, for every heading, a yaw torque in the core's range with which the wrench is in the
+/// set; just outside of some row there is a heading without one.
 #[test]
 fn rows_are_what_every_heading_leaves() {
     for (kind, layout, rotors) in [
@@ -100,8 +100,8 @@ fn thrust(state: &NodeState, t: f64) -> Vector3<f64> {
     Vector3::new(at(X), at(Y), at(Z) + 9.81)
 }
 
-/// The torque of a body that turns at the rate r about its thrust: differences of its rotation matrix, and Euler's equation. Its
-/// norm across the thrust is the row's rho, whatever the heading.
+/// The torque of a body that turns at the rate r about its thrust: differences of its rotation matrix, and Euler's
+/// equation. Its norm across the thrust is the row's rho, whatever the heading.
 #[test]
 fn the_torque_of_a_spinning_body_is_the_rows() {
     let mut random = Pcg64Mcg::seed_from_u64(5);
@@ -201,7 +201,8 @@ fn changed(certificate: &Certificate, change: impl Fn(&mut PlanClaim)) -> Vec<u8
     serde_json::to_vec(&changed).unwrap()
 }
 
-/// Plans in both models are found and accepted, with the cores proved at every instant, and no changed record of a spin passes.
+/// Plans in both models are found and accepted, with the cores proved at every instant, and no changed record of a spin
+/// passes.
 #[test]
 fn plans_are_certified() {
     for (model, time) in [("hover", "4.6 s"), ("exact", "4.6 s")] {

@@ -42,8 +42,8 @@ impl CodePage {
         self.code.rsplit("::").next().unwrap_or(self.code)
     }
 
-    /// The address of the page; `docs` is the address of the documentation's folder, without a trailing slash. Anchors drop
-    /// punctuation from headings, as GitHub does.
+    /// The address of the page; `docs` is the address of the documentation's folder, without a trailing slash. Anchors
+    /// drop punctuation from headings, as GitHub does.
     pub fn url(&self, docs: &str) -> String {
         format!("{docs}/diagnostics/{}.md#{}", self.book, self.code.replace(':', ""))
     }

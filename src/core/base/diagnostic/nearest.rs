@@ -1,7 +1,8 @@
 //! "Did you mean": the known word most similar to an unknown one.
 
-/// The candidate with the fewest single-letter edits from `word` (a swap of neighbours counts as one), if these are at most
-/// a third of the letters, at least one and at most three. Ties go to the first in alphabetical order. Case is ignored.
+/// The candidate with the fewest single-letter edits from `word` (a swap of neighbours counts as one), if these are at
+/// most a third of the letters, at least one and at most three. Ties go to the first in alphabetical order. Case is
+/// ignored.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if word.len() > 64 {
         return None;
@@ -23,9 +24,10 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 /// Synonyms of words in names.
 const SAME: [(&str, &str); 2] = [("rpm", "speed"), ("velocity", "speed")];
 
-/// The candidate whose words all occur in `word`, in any order: `arm` for `arm_length`, `max_speed` for `rpm_max`. A word of
-/// `word` may be an abbreviation of at least four letters: `acceleration` for `accel`. Returns the candidate with the most
-/// words; `None` if two have equally many, or if `word` has `min` and the candidate does not begin with it.
+/// The candidate whose words all occur in `word`, in any order: `arm` for `arm_length`, `max_speed` for `rpm_max`. A
+/// word of `word` may be an abbreviation of at least four letters: `acceleration` for `accel`. Returns the candidate
+/// with the most words; `None` if two have equally many, or if `word` has `min` and the candidate does not begin with
+/// it.
 pub fn nearest_by_words<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
     let parts: Vec<&str> =

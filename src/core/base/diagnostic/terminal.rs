@@ -11,7 +11,8 @@ pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usiz
     render_linked(diagnostics, sources, width, color, None)
 }
 
-/// As [`render_human`], with each code linked (OSC 8) to its page under `docs`, the address of the documentation's folder.
+/// As [`render_human`], with each code linked (OSC 8) to its page under `docs`, the address of the documentation's
+/// folder.
 pub fn render_linked(
     diagnostics: &[Diagnostic],
     sources: &SourceMap,
@@ -44,7 +45,8 @@ pub fn render_linked(
     text
 }
 
-/// A diagnostic in the form that miette renders. Labels in other files, or far away in a long line, become separate reports.
+/// A diagnostic in the form that miette renders. Labels in other files, or far away in a long line, become separate
+/// reports.
 struct Report<'a> {
     diagnostic: &'a Diagnostic,
     /// The page of its code.

@@ -4,8 +4,9 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// Whether a character must not reach a terminal or a page unescaped: a control character, one that changes the direction
-/// of writing or deprecated shaping (U+206A to U+206F), or a separator that some programs treat as the end of a line.
+/// Whether a character must not reach a terminal or a page unescaped: a control character, one that changes the
+/// direction of writing or deprecated shaping (U+206A to U+206F), or a separator that some programs treat as the end of
+/// a line.
 pub fn is_disguise(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{206f}')
@@ -33,8 +34,8 @@ pub fn json(text: String) -> String {
     }
 }
 
-/// Replaces every character of [`is_disguise`] by as many question marks as it has bytes: for texts so large that escapes
-/// would take many times their memory. Line feeds, tabs and carriage returns are kept.
+/// Replaces every character of [`is_disguise`] by as many question marks as it has bytes: for texts so large that
+/// escapes would take many times their memory. Line feeds, tabs and carriage returns are kept.
 pub fn blanked(text: &str) -> Cow<'_, str> {
     let is_bad = |c: char| is_disguise(c) && !matches!(c, '\n' | '\t' | '\r');
     if !text.chars().any(is_bad) {

@@ -6,14 +6,15 @@ use super::{Base, Dimension};
 /// A comparison of an expected and a found dimension.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mismatch {
-    /// Aligned lines: the two dimensions and, if they have a base dimension in common, the missing and the surplus factors.
+    /// Aligned lines: the two dimensions and, if they have a base dimension in common, the missing and the surplus
+    /// factors.
     pub table: String,
     /// One action, such as `multiply by a length (m)`, if the two have a base dimension in common.
     pub action: Option<String>,
 }
 
-/// Compares an expected and a found dimension factor by factor. The table has one column for each base dimension, so that
-/// corresponding factors are aligned:
+/// Compares an expected and a found dimension factor by factor. The table has one column for each base dimension, so
+/// that corresponding factors are aligned:
 /// ```text
 /// expected  kg  m^2
 ///    found  kg  m

@@ -138,8 +138,8 @@ pub fn unit_names() -> impl Iterator<Item = &'static str> {
 /// reciprocal. `/` divides by the one factor after it. `gravity` (m/s^2) scales `kgf`, `gf`, `lbf`.
 ///
 /// # Errors
-/// [`UnitError::Unknown`] with the first word that is not a unit, or [`UnitError::Malformed`] if the text is not a product
-/// of powers.
+/// [`UnitError::Unknown`] with the first word that is not a unit, or [`UnitError::Malformed`] if the text is not a
+/// product of powers.
 pub fn parse_unit(text: &str, gravity: f64) -> Result<Unit, UnitError> {
     let mut unit = Unit { numerator: 1.0, denominator: 1.0, dimension: Dimension::PLAIN };
     let mut rest = text;

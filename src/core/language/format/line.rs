@@ -1,5 +1,5 @@
-//! Tokens to lines. Lines break where the author broke them; a block that is not on one line has a line for its head, and
-//! one for its closing brace.
+//! Tokens to lines. Lines break where the author broke them; a block that is not on one line has a line for its head,
+//! and one for its closing brace.
 
 use super::role::{Kind, Role, Roles};
 use super::token::{Sort, Token};

@@ -20,8 +20,8 @@ pub enum Item {
     /// A top-level assignment such as `gravity = 9.80665 m/s^2`.
     Field(Field),
     Block(Block),
-    /// A statement whose error has been reported, and which has no fix. What it was meant to declare is unknown, so that a
-    /// declaration may be missing elsewhere without an error.
+    /// A statement whose error has been reported, and which has no fix. What it was meant to declare is unknown, so
+    /// that a declaration may be missing elsewhere without an error.
     Broken(Span),
 }
 
@@ -54,9 +54,9 @@ pub enum Relation {
     Equal,
 }
 
-/// `keyword name "title" { statements }`: every braced block has this shape. Keywords: `vehicle`, `faults`,
-/// `mission`, `plan`, `simulate`, `campaign` at the top level; `rotor`, `rotors` in a vehicle; `limits` in a mission; `require` in a plan;
-/// others where a statement below carries one.
+/// `keyword name "title" { statements }`: every braced block has this shape. Keywords: `vehicle`, `faults`, `mission`,
+/// `plan`, `simulate`, `campaign` at the top level; `rotor`, `rotors` in a vehicle; `limits` in a mission; `require` in
+/// a plan; others where a statement below carries one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
     pub keyword: Name,
@@ -189,7 +189,8 @@ impl Clauses {
     }
 }
 
-/// `at [0, 0, 2] m`, `yaw 90 deg`, `until 9 s`, `spin P` (where the value is the name `P`), `straight` (without a value).
+/// `at [0, 0, 2] m`, `yaw 90 deg`, `until 9 s`, `spin P` (where the value is the name `P`), `straight` (without a
+/// value).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clause {
     pub word: Name,

@@ -241,7 +241,8 @@ impl Builder<'_> {
         let mut statements = self.body(body, around);
         fits?;
         if let Some(diagnostic) = wrong_head {
-            // The statements of the block are checked all the same. A misspelt keyword and a missing name are one error.
+            // The statements of the block are checked all the same. A misspelt keyword and a missing name are one
+            // error.
             let is_one = |d: &&mut Diagnostic| d.span == diagnostic.span;
             match self.diagnostics.iter_mut().find(is_one) {
                 Some(misspelt) => {

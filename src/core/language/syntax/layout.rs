@@ -1,10 +1,10 @@
 //! What is decided before the grammar: comments, line joining, and whether brackets and braces match.
 //!
-//! [`lay_out`] returns a text of the same length in which every remaining byte keeps its offset. Comments become blanks,
-//! and so do newlines inside `( )` and `[ ]`. A bracket left open ends where the next line can only begin a statement; a
-//! block left open ends where the next top-level block begins, marked by [`CUT`]. Both errors are reported here, because
-//! only here the whole text is known. There is one pass, and another one for each guess (`guess`) about a brace that is
-//! left over.
+//! [`lay_out`] returns a text of the same length in which every remaining byte keeps its offset. Comments become
+//! blanks, and so do newlines inside `( )` and `[ ]`. A bracket left open ends where the next line can only begin a
+//! statement; a block left open ends where the next top-level block begins, marked by [`CUT`]. Both errors are reported
+//! here, because only here the whole text is known. There is one pass, and another one for each guess (`guess`) about a
+//! brace that is left over.
 
 mod block;
 mod bracket;
@@ -309,8 +309,8 @@ impl Scanner<'_> {
         self.at = end;
     }
 
-    /// Where a text that starts at `start` and is never closed probably ends: before a comment, a `;`, or the `{` after the
-    /// title of a mode.
+    /// Where a text that starts at `start` and is never closed probably ends: before a comment, a `;`, or the `{` after
+    /// the title of a mode.
     fn text_end(&self, start: usize) -> usize {
         let line = &self.text[start..self.line_end(start)];
         let is_title = self.statement.is_some_and(|head| self.name_at(head).0 == "mode");

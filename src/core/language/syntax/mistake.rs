@@ -1,8 +1,8 @@
 //! What is wrong with a statement that cannot be read, in its author's terms.
 //!
-//! [`explain`] first looks for mistakes that people often make (`habit`: marks of other languages, blanks in units, misspelt
-//! words; `wording`: words of speech and of other formats). Any other mistake is explained by what was expected and what was
-//! found.
+//! [`explain`] first looks for mistakes that people often make (`habit`: marks of other languages, blanks in units,
+//! misspelt words; `wording`: words of speech and of other formats). Any other mistake is explained by what was
+//! expected and what was found.
 
 mod block;
 mod clause;

@@ -1,6 +1,7 @@
 //! Tree to text: one canonical spelling, which parses to the same tree again (places aside).
 //!
-//! For trees without their text (`mavc emit ast`); a text with its comments and line breaks is laid out by [`mod@crate::format`].
+//! For trees without their text (`mavc emit ast`); a text with its comments and line breaks is laid out by
+//! [`mod@crate::format`].
 //!
 //! Brackets are part of the tree, so none are added. Operators have blanks around them, because a unit continues over
 //! `*`, `/` and `^` that follow it directly.

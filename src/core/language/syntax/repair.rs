@@ -1,7 +1,7 @@
 //! Recovery: a text with errors is read again with their fixes made.
 //!
-//! So one run finds the other errors of such a statement too, and does not report errors that only follow from another one.
-//! All spans are places in the author's text.
+//! So one run finds the other errors of such a statement too, and does not report errors that only follow from another
+//! one. All spans are places in the author's text.
 
 use super::ast::SpecFile;
 use super::spans::each_span;
@@ -18,8 +18,9 @@ const LONGEST_COMPARED: usize = 200;
 /// The tree of a text, and its errors.
 pub(super) type Reading = (Option<SpecFile>, Vec<Diagnostic>);
 
-/// Reads a text, and reads it again with its fixes made until a reading offers no other fix. The tree is that of the last
-/// reading. An error with a fix comes from the reading in which its fix was made, any other error from the last reading.
+/// Reads a text, and reads it again with its fixes made until a reading offers no other fix. The tree is that of the
+/// last reading. An error with a fix comes from the reading in which its fix was made, any other error from the last
+/// reading.
 pub(super) fn read(text: &str, most_errors: usize, read_once: impl Fn(&str) -> Reading) -> Reading {
     let mut draft = Draft::new(text);
     let (mut tree, mut found) = read_once(text);
@@ -159,7 +160,8 @@ impl Draft {
     }
 }
 
-/// For each byte of `new` the byte of `old` that it repeats, in order: the longest common subsequence of their characters.
+/// For each byte of `new` the byte of `old` that it repeats, in order: the longest common subsequence of their
+/// characters.
 fn in_common(old: &str, new: &str) -> Vec<Option<usize>> {
     let characters = |text: &str| text.char_indices().collect::<Vec<_>>();
     let (a, b) = (characters(old), characters(new));

@@ -1,7 +1,7 @@
 //! The scanner: splits a text into words, numbers, texts, comments and marks, whatever errors it has.
 //!
-//! The layout before the grammar, the formatter and the language server all use it. It knows single lexemes only: its callers
-//! decide where a statement ends, and where a text without a closing quote was meant to end.
+//! The layout before the grammar, the formatter and the language server all use it. It knows single lexemes only: its
+//! callers decide where a statement ends, and where a text without a closing quote was meant to end.
 
 /// What a run of characters is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,5 +1,5 @@
-//! Lists of bounded length: a certificate that is too large for the checker is refused while it is read, before memory is
-//! spent on it.
+//! Lists of bounded length: a certificate that is too large for the checker is refused while it is read, before memory
+//! is spent on it.
 
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 use std::fmt;

@@ -1,5 +1,5 @@
-//! The core of a mode in which yaw is given up: the thrusts and roll and pitch torques that rotors give in every heading while the
-//! body's rate stays in a range that it cannot leave. docs/method.md, section 17, "Plans".
+//! The core of a mode in which yaw is given up: the thrusts and roll and pitch torques that rotors give in every
+//! heading while the body's rate stays in a range that it cannot leave. docs/method.md, section 17, "Plans".
 
 mod elimination;
 mod envelope;
@@ -354,8 +354,8 @@ impl Member {
     }
 }
 
-/// The violations of rows along a motion; with a range of rates (rad/s) also by how much the motion's own rate leaves it at either
-/// end, rad/s.
+/// The violations of rows along a motion; with a range of rates (rad/s) also by how much the motion's own rate leaves
+/// it at either end, rad/s.
 pub fn family<'a>(dynamics: &Dynamics<'a>, rows: Vec<Member>, spin: Option<[f64; 2]>) -> Family<'a> {
     let dynamics = dynamics.clone();
     let members = rows.len() + if spin.is_some() { 2 } else { 0 };
@@ -409,7 +409,8 @@ fn length(parts: &Vector<2>) -> Series<2> {
     Series::of_derivatives(&[value, (along / value).meet(steepest)])
 }
 
-/// The largest torque, in size, up to which every drag of the interval keeps a body from turning faster than `rate`, rad/s; N m.
+/// The largest torque, in size, up to which every drag of the interval keeps a body from turning faster than `rate`,
+/// rad/s; N m.
 fn balanced(drag: &YawDrag, rate: f64) -> Interval {
     let [linear, share, quadratic, rate] = [drag.linear, drag.spread.low, drag.quadratic, rate].map(Interval::point);
     linear * share * rate + quadratic * rate * rate.abs()

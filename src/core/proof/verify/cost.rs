@@ -1,8 +1,8 @@
 //! The cost of deciding a certificate, bounded from its size before any work begins, and the budget.
 //!
 //! Work is counted in units and not in time, so that the same certificate has the same verdict on every machine. The
-//! weights below are chosen so that the bound is not too low: for four shipped specs it was 2 to 40 times the time of the
-//! check at the nodes (docs/certificates.md, *Cost*).
+//! weights below are chosen so that the bound is not too low: for four shipped specs it was 2 to 40 times the time of
+//! the check at the nodes (docs/certificates.md, *Cost*).
 
 use super::interval::exceeds;
 use std::str::FromStr;

@@ -9,15 +9,16 @@ use std::borrow::Cow;
 use std::error::Error;
 use std::fmt;
 
-/// In larger certificates, control characters are replaced by question marks, byte by byte: escapes would take many times the
-/// memory.
+/// In larger certificates, control characters are replaced by question marks, byte by byte: escapes would take many
+/// times the memory.
 const MOST_ESCAPED: usize = 1 << 20;
 
-/// Decides a certificate (JSON) for a spec within a budget of time (s) and memory (bytes). `name` is the name of the certificate
-/// in messages.
+/// Decides a certificate (JSON) for a spec within a budget of time (s) and memory (bytes). `name` is the name of the
+/// certificate in messages.
 ///
 /// # Errors
-/// The bytes are not a certificate; it was written for another spec; it does not hold; or deciding it would exceed the budget.
+/// The bytes are not a certificate; it was written for another spec; it does not hold; or deciding it would exceed the
+/// budget.
 pub fn verify_within(budget: Budget, name: &str, certificate: &[u8], spec: &Spec) -> Result<Verdict, Rejected> {
     let mut sources = spec.sources().clone();
     let mut text = Source::from_bytes(name, certificate).unwrap_or_else(|broken| broken.source);

@@ -41,8 +41,8 @@ fn direction(target: Target, state: &State) -> ([Interval; 2], f64) {
     }
 }
 
-/// The largest error on `points` between the nodes of a part of the motion and at them, rad, and its instant, s; `None` if
-/// nothing is required there. It is evaluated at points, not bounded between them.
+/// The largest error on `points` between the nodes of a part of the motion and at them, rad, and its instant, s; `None`
+/// if nothing is required there. It is evaluated at points, not bounded between them.
 pub fn largest(target: Target, motion: &Motion, (first, last): (usize, usize), points: usize) -> Option<(f64, f64)> {
     let error = |state: &State| {
         let (d, least) = direction(target, state);

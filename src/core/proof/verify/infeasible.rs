@@ -1,15 +1,15 @@
 //! Decides a claim that there is no plan.
 //!
-//! A motion is determined by its start and its inputs at the nodes. Each row states that an expression in the derivatives at
-//! a node is not negative (a cone: that its parts have a non-negative product with every vector of the dual cone; rest: that
-//! the expression is zero). Hence `sum of z_j expression_j >= 0` for every plan and all multipliers z in the dual cone.
-//! Substituting the dynamics backwards turns the sum into `constant + a_0 . start + sum over nodes of c_k . u_k`. The start
-//! is known up to the first waypoint's tolerance, and the inputs are bounded. If the largest value over all starts and
-//! inputs is negative, there is no plan.
+//! A motion is determined by its start and its inputs at the nodes. Each row states that an expression in the
+//! derivatives at a node is not negative (a cone: that its parts have a non-negative product with every vector of the
+//! dual cone; rest: that the expression is zero). Hence `sum of z_j expression_j >= 0` for every plan and all
+//! multipliers z in the dual cone. Substituting the dynamics backwards turns the sum into
+//! `constant + a_0 . start + sum over nodes of c_k . u_k`. The start is known up to the first waypoint's tolerance, and
+//! the inputs are bounded. If the largest value over all starts and inputs is negative, there is no plan.
 //!
-//! In the hover model (one yaw) rows are facets (also of commands if rotors lag), limits and waypoints. In the exact model
-//! facets are not linear in the motion. They are replaced by a bound on the thrust m |(x'', y'', z'' + g)|, which is at most
-//! the largest thrust in the set.
+//! In the hover model (one yaw) rows are facets (also of commands if rotors lag), limits and waypoints. In the exact
+//! model facets are not linear in the motion. They are replaced by a bound on the thrust m |(x'', y'', z'' + g)|, which
+//! is at most the largest thrust in the set.
 
 mod inputs;
 mod rows;
@@ -101,7 +101,8 @@ pub(super) fn decide(
     let kept = model.plan.require_capture.and_then(|required| required.height);
     let kept = kept.map_or(String::new(), |height| format!(", if {} m above the ground are required", number(height)));
     let headline = format!(
-        "proved infeasible on one grid: mission {} has no {planner} plan of {} s whose inputs are linear between the nodes of \
+        "proved infeasible on one grid: mission {} has no {planner} plan of {} s whose inputs are linear between the \
+         nodes of \
          the spec's {pieces} pieces in flight{selected}{kept}",
         mission.name,
         number(total),

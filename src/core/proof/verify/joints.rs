@@ -15,8 +15,8 @@ use crate::number::number;
 /// Largest gap of each derivative at one joint: m, m/s, m/s^2, m/s^3; yaw in rad.
 pub const MOST_GAP: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
 
-/// Largest combined effect of all gaps on position, velocity, acceleration and jerk: m, m/s, m/s^2, m/s^3; on yaw and its
-/// rate in rad.
+/// Largest combined effect of all gaps on position, velocity, acceleration and jerk: m, m/s, m/s^2, m/s^3; on yaw and
+/// its rate in rad.
 pub const MOST_MOVED: [f64; 4] = [1e-3, 1e-3, 1e-2, 1e-1];
 
 const ORDINALS: [&str; 4] = ["position", "velocity", "acceleration", "jerk"];

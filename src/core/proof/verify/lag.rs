@@ -11,8 +11,8 @@ pub fn constant(model: &Model) -> Option<Interval> {
     }
 }
 
-/// `tau_m (1 + s)/(2 s)`, where s is the ratio of idle to full speed, but at least a third. Thrusts that are known to within
-/// intervals are taken at the ends that make s small.
+/// `tau_m (1 + s)/(2 s)`, where s is the ratio of idle to full speed, but at least a third. Thrusts that are known to
+/// within intervals are taken at the ends that make s small.
 fn of_rotor(rotor: &Rotor) -> Interval {
     let [idle, full, low, high] =
         [rotor.min_speed, rotor.max_speed, rotor.spread.idle_thrust.low, rotor.spread.full_thrust.high]

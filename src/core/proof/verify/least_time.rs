@@ -140,8 +140,8 @@ fn sideways(model: &Model, of_leg: &[&Limit], force: Interval) -> f64 {
     let tilt = most(of_leg, LimitKind::Tilt, Sense::Upwards);
     let let_pass =
         Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
-    // A drag along the body's z axis of its own changes the size of the thrust, but not its direction: the limit on tilt, which is
-    // checked up to an acceleration, then does not bound the thrust.
+    // A drag along the body's z axis of its own changes the size of the thrust, but not its direction: the limit on
+    // tilt, which is checked up to an acceleration, then does not bound the thrust.
     let tilt = if model.environment().is_isotropic() { tilt } else { FRAC_PI_2 };
     let is_tied = tilt < FRAC_PI_2;
     let (sine, cosine) = Interval::point(tilt.min(FRAC_PI_2)).sin_cos();
@@ -153,13 +153,13 @@ fn sideways(model: &Model, of_leg: &[&Limit], force: Interval) -> f64 {
     }
 }
 
-/// Bounds on rate and acceleration along some axes (m/s, m/s^2), for bounds on these without drag. With k = drag/m and the
-/// velocity w of the air, the rate u of a motion obeys `u' <= a + k |w| - k u`, where a is at most `most` at all times. So from
-/// rest u stays below most/k + |w|, and its rate of change below a + k (|w| + u).
+/// Bounds on rate and acceleration along some axes (m/s, m/s^2), for bounds on these without drag. With k = drag/m and
+/// the velocity w of the air, the rate u of a motion obeys `u' <= a + k |w| - k u`, where a is at most `most` at all
+/// times. So from rest u stays below most/k + |w|, and its rate of change below a + k (|w| + u).
 ///
-/// With a drag for each axis of the body, k is a symmetric matrix with eigenvalues from k0 to k1, the smallest and the largest
-/// rate: the speed obeys `u' <= a + k1 |w| - k0 u` and `|u'| <= a + k1 (|w| + u)`. As the matrix couples the axes of the world, this
-/// holds for all three axes alone.
+/// With a drag for each axis of the body, k is a symmetric matrix with eigenvalues from k0 to k1, the smallest and the
+/// largest rate: the speed obeys `u' <= a + k1 |w| - k0 u` and `|u'| <= a + k1 (|w| + u)`. As the matrix couples the
+/// axes of the world, this holds for all three axes alone.
 fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), most: Interval, axes: &[usize]) -> (f64, f64) {
     let environment = problem.model().environment();
     if !environment.has_drag() {
@@ -376,7 +376,8 @@ pub(super) fn too_early(problem: Problem, claim: &TooEarlyClaim) -> Result<Strin
         return Err(Rejection::new(name, why));
     }
     Ok(format!(
-        "mission {} has no plan: waypoint {} is due at {} s, but motions within the limits take at least {} s to reach it, \
+        "mission {} has no plan: waypoint {} is due at {} s, but motions within the limits take at least {} s to \
+         reach it, \
          however the time is divided",
         mission.name,
         claim.waypoint,

@@ -159,7 +159,8 @@ fn arrival_violation(direction: [f64; 3], state: &State, angle: f64) -> Series {
     outside_cone(at_an_instant(aside), at_an_instant(ahead), angle)
 }
 
-/// The drag along z does not change the direction of the thrust. Where that of x and y differ, a spec has no limit on tilt.
+/// The drag along z does not change the direction of the thrust. Where that of x and y differ, a spec has no limit on
+/// tilt.
 fn tilt_violation(state: &State, limit: f64, environment: &Environment) -> Series {
     let g = Interval::point(environment.gravity);
     let [x, y, lift] = thrust_over_mass::<2>(state, environment, environment.drag_rates[0]);

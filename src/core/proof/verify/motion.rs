@@ -149,8 +149,8 @@ impl Motion {
         })
     }
 
-    /// Enclosures of all derivatives over a part `at` of a piece, s since the piece began, by Taylor's formula about the
-    /// middle of the part: d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
+    /// Enclosures of all derivatives over a part `at` of a piece, s since the piece began, by Taylor's formula about
+    /// the middle of the part: d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
     pub fn over(&self, piece: usize, at: Interval) -> State {
         let left = self.node_in(piece, piece);
         let middle = Interval::point(at.middle());

@@ -1,5 +1,5 @@
-//! Decides whether a motion is a plan of the spec. The conditions are derived from the spec; from the certificate only the
-//! motion is used, and for RSP the motions from which it selects facets.
+//! Decides whether a motion is a plan of the spec. The conditions are derived from the spec; from the certificate only
+//! the motion is used, and for RSP the motions from which it selects facets.
 
 mod along;
 mod cores;
@@ -30,7 +30,8 @@ pub use along::{POINTS_OF_A_GRID, wrench_family};
 /// In the exact model the vertical part of the thrust is at least this share of the weight.
 pub const UPRIGHT: f64 = 0.1;
 
-/// Where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this share of g^2: docs/method.md, (90e).
+/// Where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this share of g^2:
+/// docs/method.md, (90e).
 pub const LEAST_PRODUCT: f64 = 0.5 * UPRIGHT * UPRIGHT;
 
 /// A motion that passed all checks at the nodes, with the rows to check between them.
@@ -403,7 +404,8 @@ impl<'a> Setting<'a> {
         self.sets.mode(mode).map(|m| m.span)
     }
 
-    /// Checks rest at both ends (unless `moving`), at stops and in holds: derivatives are zero, in holds the inputs too.
+    /// Checks rest at both ends (unless `moving`), at stops and in holds: derivatives are zero, in holds the inputs
+    /// too.
     fn rest(&self, motion: &Motion) -> Result<(), Rejection> {
         let last = motion.times.len() - 1;
         let ends = [(0, self.mission().start_at_rest), (last, self.mission().end_at_rest)];

@@ -1,5 +1,5 @@
-//! The premises of the theorem in docs/certificates.md, each checked in one place. Only a test disables them, one by one, to
-//! show that a forgery is accepted without the premise.
+//! The premises of the theorem in docs/certificates.md, each checked in one place. Only a test disables them, one by
+//! one, to show that a forgery is accepted without the premise.
 
 /// A condition that every accepted certificate was checked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

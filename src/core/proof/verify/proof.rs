@@ -24,8 +24,8 @@ pub struct Family<'a> {
     pub linear: bool,
     /// They may jump where two pieces meet, so each node is checked from both sides.
     pub jumps: bool,
-    /// The first and the last node of the part of the motion on which they are bounded, which may be one node; `None` for the
-    /// whole motion.
+    /// The first and the last node of the part of the motion on which they are bounded, which may be one node; `None`
+    /// for the whole motion.
     pub within: Option<(usize, usize)>,
     /// They are bounded at nodes only, not at points that stand for those of finer pieces.
     pub at_nodes_only: bool,
@@ -107,7 +107,8 @@ impl Family<'_> {
     }
 }
 
-/// The largest value of any member at the nodes and the extra points given by the spec's samples, if it is above `most`.
+/// The largest value of any member at the nodes and the extra points given by the spec's samples, if it is above
+/// `most`.
 pub fn above_at_nodes(family: &Family, motion: &Motion, most: f64) -> Option<Failure> {
     let members = family.everything();
     let mut worst: Option<Failure> = None;
@@ -204,8 +205,8 @@ fn above(family: &Family, members: &[usize], state: &State, at: f64, most: f64) 
     worst
 }
 
-/// For each member whether it is proved to stay at or below `most` at every instant. A member for which the remaining work
-/// does not suffice is not proved.
+/// For each member whether it is proved to stay at or below `most` at every instant. A member for which the remaining
+/// work does not suffice is not proved.
 pub fn throughout(family: &Family, motion: &Motion, most: f64, purse: &mut WorkLeft) -> Vec<bool> {
     let mut proof = Proof { family, motion, most, proved: vec![true; family.members], purse };
     if let Some((node, piece)) = family.only_node() {

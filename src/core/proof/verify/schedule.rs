@@ -1,5 +1,5 @@
-//! Times that follow from the spec alone: the nodes of a proof that there is no plan, and the conditions on a plan's node
-//! times.
+//! Times that follow from the spec alone: the nodes of a proof that there is no plan, and the conditions on a plan's
+//! node times.
 
 use super::Rejection;
 use super::interval::exceeds;
@@ -186,8 +186,8 @@ fn dense(problem: Problem, motion: &mut Motion) -> Coarser {
         legs.push((first, motion.waypoint_nodes[leg + 1]));
     }
     let durations: Vec<f64> = legs.iter().map(|&(a, b)| motion.times[b] - motion.times[a]).collect();
-    // If the spec fixes the times, its own durations count: pieces are distributed in whole numbers, and a difference in the
-    // last digit can assign a piece to another leg.
+    // If the spec fixes the times, its own durations count: pieces are distributed in whole numbers, and a difference
+    // in the last digit can assign a piece to another leg.
     let end = motion.times[motion.times.len() - 1];
     let fixed = leg_durations(mission, end).filter(|_| !model.plan.chooses_times);
     let due = fixed.as_ref().unwrap_or(&durations);

@@ -1,5 +1,5 @@
-//! Truncated Taylor series in time: enclosures of a quantity and its first derivatives without explicit formulas for these
-//! (Moore, Kearfott, Cloud, chapter 9). The coefficients are intervals, or Taylor models in the wind.
+//! Truncated Taylor series in time: enclosures of a quantity and its first derivatives without explicit formulas for
+//! these (Moore, Kearfott, Cloud, chapter 9). The coefficients are intervals, or Taylor models in the wind.
 
 use super::interval::Interval;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -38,8 +38,8 @@ impl Scalar for Interval {
     }
 }
 
-/// `sum of c_n s^n` for n < N. A quantity and its rate of change need two coefficients, plus one for each derivative taken
-/// in between.
+/// `sum of c_n s^n` for n < N. A quantity and its rate of change need two coefficients, plus one for each derivative
+/// taken in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Series<const N: usize, S = Interval>(pub [S; N]);
 

@@ -3,8 +3,8 @@
 //!
 //! The set is `{ c + sum of t_k g_k : 0 <= t_k <= 1 }`. In four dimensions it is the intersection of the half-spaces
 //! `n.w <= n.c + sum of max(0, n.g_k)` over all n orthogonal to three independent generators, and their negatives. All
-//! triples are used and none are merged, so no tolerance is involved: a triple that is independent only because of rounding
-//! still gives a plane that touches the set.
+//! triples are used and none are merged, so no tolerance is involved: a triple that is independent only because of
+//! rounding still gives a plane that touches the set.
 
 pub mod doubt;
 pub mod inverse;
@@ -24,7 +24,8 @@ pub use once::Sets;
 pub const HEALTHY: &str = "healthy";
 
 /// Three generators count as independent, and their plane as one that contains a facet, if the volume that they span is
-/// more than this, each scaled to length 1 in units of the set's extent along each axis. A smaller volume may be rounding.
+/// more than this, each scaled to length 1 in units of the set's extent along each axis. A smaller volume may be
+/// rounding.
 const INDEPENDENT: f64 = 1e-6;
 
 /// A set counts as thin if its width along some plane's normal is below this share of the healthy set's extents along
@@ -55,8 +56,8 @@ pub struct Plane {
     pub offset: Interval,
     /// How far hover lies inside the plane before the reserve is taken; below zero outside.
     pub room: Interval,
-    /// The rotors that span it, from 1; fewer than three in a flat set. With the pseudo-inverse, the one at a bound; none for
-    /// the row T >= 0.
+    /// The rotors that span it, from 1; fewer than three in a flat set. With the pseudo-inverse, the one at a bound;
+    /// none for the row T >= 0.
     pub rotors: Vec<usize>,
     /// Whether the plane is known to contain a facet of the set; others may only touch it.
     pub is_facet: bool,
@@ -128,8 +129,8 @@ pub struct Generators {
     inverse: Option<Inverse>,
 }
 
-/// b w |w| (1, y, -x, -/+ d/b): thrust and torques about the centre of gravity of a rotor at a speed (rad/s); the drag of P
-/// rotors is clockwise. `thrust` and `ratio` are factors on b w^2 and on d/b.
+/// b w |w| (1, y, -x, -/+ d/b): thrust and torques about the centre of gravity of a rotor at a speed (rad/s); the drag
+/// of P rotors is clockwise. `thrust` and `ratio` are factors on b w^2 and on d/b.
 fn wrench_at(rotor: &Rotor, speed: f64, thrust: &Dyadic, ratio: &Dyadic) -> Exact {
     let [x, y, b, d, speed] =
         [rotor.position[0], rotor.position[1], rotor.thrust_coefficient, rotor.drag_coefficient, speed].map(Dyadic::of);
@@ -166,8 +167,8 @@ fn is_zero(v: &Exact) -> bool {
     v.iter().all(Dyadic::is_zero)
 }
 
-/// The thrust over mass at rest with a drag for each axis of the body, at the yaw of the start, rounded: the reserve is taken
-/// about this number. As in [`super::wrench::Dynamics`].
+/// The thrust over mass at rest with a drag for each axis of the body, at the yaw of the start, rounded: the reserve is
+/// taken about this number. As in [`super::wrench::Dynamics`].
 fn thrust_at_rest(environment: &Environment) -> f64 {
     let cross =
         |a: [f64; 3], b: [f64; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];

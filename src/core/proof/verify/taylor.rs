@@ -1,6 +1,6 @@
-//! Taylor models of second order in the deviation of the wind from its middle: a polynomial with interval coefficients, and
-//! a bound on everything else (K. Makino, M. Berz, *Taylor models and other validated functional inclusion methods*,
-//! International Journal of Pure and Applied Mathematics 4:4, 2003).
+//! Taylor models of second order in the deviation of the wind from its middle: a polynomial with interval coefficients,
+//! and a bound on everything else (K. Makino, M. Berz, *Taylor models and other validated functional inclusion
+//! methods*, International Journal of Pure and Applied Mathematics 4:4, 2003).
 //!
 //! With d in [-1, 1]^3, the deviation along each axis in units of its largest, a model encloses a function f of d by
 //!
@@ -8,8 +8,8 @@
 //! |f(d) - (c + sum over i of l_i d_i + sum over i <= j of q_ij d_i d_j)| <= rest
 //! ```
 //!
-//! for some numbers in the intervals c, l_i and q_ij. The rest takes in the products of third and higher order, so that an
-//! interval of winds is not taken for independent winds at each place where the wind occurs.
+//! for some numbers in the intervals c, l_i and q_ij. The rest takes in the products of third and higher order, so that
+//! an interval of winds is not taken for independent winds at each place where the wind occurs.
 
 use super::interval::Interval;
 use super::series::Scalar;
@@ -114,8 +114,8 @@ impl Taylor {
         self.quadratic.iter().zip(PAIRS).fold(linear, with_quadratic) + Interval::around_zero(self.rest)
     }
 
-    /// `f(c + v) = f(c) + f'(c) v + f''(c)/2 v^2 + f'''(x)/6 v^3` with some x between c and c + v, for the varying part v.
-    /// `derivatives` are f, f' and f''/2 at c; `third` bounds |f'''/6| over all values.
+    /// `f(c + v) = f(c) + f'(c) v + f''(c)/2 v^2 + f'''(x)/6 v^3` with some x between c and c + v, for the varying part
+    /// v. `derivatives` are f, f' and f''/2 at c; `third` bounds |f'''/6| over all values.
     fn applied(&self, derivatives: [Interval; 3], third: f64) -> Self {
         let varying = Taylor { constant: Interval::ZERO, ..*self };
         let [linear, quadratic] = self.sizes();

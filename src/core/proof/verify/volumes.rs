@@ -1,8 +1,8 @@
 //! Bounds on positions that volumes impose, decided in interval arithmetic.
 //!
-//! The distance of p from a convex body K is the largest of `(n.p - h(n)) / |n|` over all n, with h the support function of K:
-//! any n gives a lower bound. A direction from the body to the middle of the interval of positions gives a nearly sharp one.
-//! As a function of time the distance changes at a rate of at most |p'|.
+//! The distance of p from a convex body K is the largest of `(n.p - h(n)) / |n|` over all n, with h the support
+//! function of K: any n gives a lower bound. A direction from the body to the middle of the interval of positions gives
+//! a nearly sharp one. As a function of time the distance changes at a rate of at most |p'|.
 
 use super::interval::Interval;
 use super::motion::{State, X, Y, Z, series};
@@ -41,8 +41,8 @@ pub fn clear(body: &Body, state: &State) -> Series {
     Series::of_derivatives(&[distance(body, axes), rate])
 }
 
-/// `a - (a . along) along`: the distance from a line through a point is the length of this for the way from the point, and changes
-/// at a rate of at most its length for the velocity.
+/// `a - (a . along) along`: the distance from a line through a point is the length of this for the way from the point,
+/// and changes at a rate of at most its length for the velocity.
 fn rejected(a: [Interval; 3], along: [Interval; 3]) -> [Interval; 3] {
     let ahead = (0..3).fold(Interval::ZERO, |sum, i| sum + a[i] * along[i]);
     std::array::from_fn(|i| a[i] - ahead * along[i])
@@ -62,8 +62,8 @@ fn speed(state: &State, count: usize) -> Interval {
     [X, Y, Z][..count].iter().fold(Interval::ZERO, |sum, &axis| sum + state[axis][1].square()).sqrt()
 }
 
-/// Bounds on the distance of every p from the body; inside the body it is not positive. The lower one decides whether a volume
-/// is kept, the upper one only whether to give up a proof.
+/// Bounds on the distance of every p from the body; inside the body it is not positive. The lower one decides whether a
+/// volume is kept, the upper one only whether to give up a proof.
 fn distance(body: &Body, p: [Interval; 3]) -> Interval {
     let middle = p.map(Interval::middle);
     let direction = direction(body, middle);
@@ -116,8 +116,8 @@ fn support(body: &Body, n: [Interval; 3]) -> Interval {
     }
 }
 
-/// The direction in which the body lies farthest from `p`, not of unit length. Any direction is safe, a good one sharp; that
-/// of a half space is its normal.
+/// The direction in which the body lies farthest from `p`, not of unit length. Any direction is safe, a good one sharp;
+/// that of a half space is its normal.
 fn direction(body: &Body, p: [f64; 3]) -> [f64; 3] {
     let from_box = |x: f64, y: f64, inside: (f64, [f64; 2]), bottom: f64, top: f64| {
         let vertical = if p[2] > top { p[2] - top } else { (p[2] - bottom).min(0.0) };
@@ -151,7 +151,8 @@ fn direction(body: &Body, p: [f64; 3]) -> [f64; 3] {
     }
 }
 
-/// From the nearest point of a polygon to p, zero inside; and the depth of p with the outward normal of the nearest edge.
+/// From the nearest point of a polygon to p, zero inside; and the depth of p with the outward normal of the nearest
+/// edge.
 fn from_polygon(corners: &[[f64; 2]], p: [f64; 2]) -> ([f64; 2], (f64, [f64; 2])) {
     let mut nearest = ([0.0, 0.0], f64::INFINITY);
     let mut inside = (f64::INFINITY, [1.0, 0.0]);

@@ -1,8 +1,8 @@
 //! Planes in an interval of winds: a bound on their violation in every wind of the box.
 //!
-//! The wrench is a Taylor model in the wind's deviation from its middle, and so is the violation of a plane. What is proved to
-//! be small is the upper bound of this model, a function of time like the violation in one wind. A wide interval is divided
-//! into boxes, so that the terms that the models bound coarsely are small.
+//! The wrench is a Taylor model in the wind's deviation from its middle, and so is the violation of a plane. What is
+//! proved to be small is the upper bound of this model, a function of time like the violation in one wind. A wide
+//! interval is divided into boxes, so that the terms that the models bound coarsely are small.
 
 use super::interval::Interval;
 use super::motion::State;
@@ -25,7 +25,8 @@ const WIDEST: f64 = 0.1;
 /// Most boxes. With wider ones the bounds are wide, and prove less.
 const MOST_BOXES: usize = 64;
 
-/// Halves may differ from exact ones by rounding; each is taken wider by this share, so that together they cover the whole.
+/// Halves may differ from exact ones by rounding; each is taken wider by this share, so that together they cover the
+/// whole.
 const OVERLAP: f64 = 1e-9;
 
 /// The equations in each of some boxes that together cover the interval of winds.
@@ -60,8 +61,8 @@ pub fn cost_of_a_plane(dynamics: &Dynamics) -> u64 {
     COST_PER_PLANE_IN_BOX.saturating_mul(boxes(dynamics).len() as u64)
 }
 
-/// An upper bound of each plane's violation over all winds of the `boxes`, and bounds on the violation's rate of change in
-/// each of these winds.
+/// An upper bound of each plane's violation over all winds of the `boxes`, and bounds on the violation's rate of change
+/// in each of these winds.
 pub fn violations(boxes: &[Dynamics], held: Held, state: &State, planes: &[&Plane]) -> Vec<Rated> {
     let wrenches: Vec<_> = boxes.iter().map(|winds| winds.held_by_wind(held, state)).collect();
     let of_plane = |plane: &&Plane| {

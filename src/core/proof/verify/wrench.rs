@@ -23,8 +23,8 @@ pub struct Wrench<S = Interval> {
     pub rate: [S; 4],
 }
 
-/// What a motion takes whatever the heading: the thrust T, N, `s x s''` and s' with s the direction of the thrust, and the rate about
-/// s of a body with the motion's yaw, rad/s. Value and rate of change.
+/// What a motion takes whatever the heading: the thrust T, N, `s x s''` and s' with s the direction of the thrust, and
+/// the rate about s of a body with the motion's yaw, rad/s. Value and rate of change.
 #[derive(Debug, Clone, Copy)]
 pub struct Turned {
     pub thrust: Series<2>,
@@ -85,8 +85,8 @@ impl Dynamics<'_> {
         }
     }
 
-    /// The thrust over mass as a function of the wind's deviation, which changes its value and none of its derivatives, m/s^2. An
-    /// interval of winds has the same drag along all axes.
+    /// The thrust over mass as a function of the wind's deviation, which changes its value and none of its derivatives,
+    /// m/s^2. An interval of winds has the same drag along all axes.
     fn thrust_by_wind<const N: usize>(&self, state: &State) -> Vector<N, Taylor> {
         let wind_spread = self.environment.wind_spread;
         let drag_rate = self.environment.turning_rate();
@@ -164,12 +164,13 @@ impl Dynamics<'_> {
         [thrust, roll.times(ixx), pitch.times(iyy), series(&state[YAW], 2).times(izz)]
     }
 
-    /// The thrust carries m (p'' + g e_z) and the drag along b_3; of ZYX angles the heading is that of b_1, which is therefore
-    /// orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p = -b_2.b_3',
-    /// q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
+    /// The thrust carries m (p'' + g e_z) and the drag along b_3; of ZYX angles the heading is that of b_1, which is
+    /// therefore orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p =
+    /// -b_2.b_3', q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
     ///
-    /// With a drag for each axis of the body, alpha, beta and gamma are the thrust over mass of the isotropic drags along x, y and z:
-    /// b_1 is orthogonal to y_C and alpha, b_2 to b_1 and beta, and the thrust is m b_3.gamma (docs/method.md, (90a) to (90c)).
+    /// With a drag for each axis of the body, alpha, beta and gamma are the thrust over mass of the isotropic drags
+    /// along x, y and z: b_1 is orthogonal to y_C and alpha, b_2 to b_1 and beta, and the thrust is m b_3.gamma
+    /// (docs/method.md, (90a) to (90c)).
     fn exact<const N: usize, S: Scalar>(&self, state: &State, thrusts: &[Vector<N, S>; 3]) -> [Series<N, S>; 4] {
         let environment = &self.environment;
         let [a, beta, gamma] = thrusts;
@@ -203,7 +204,8 @@ impl Dynamics<'_> {
     }
 }
 
-/// The thrust over mass with the same drag along all axes, `p'' + g e_z + rate (p' - wind)`, over all possible winds, m/s^2.
+/// The thrust over mass with the same drag along all axes, `p'' + g e_z + rate (p' - wind)`, over all possible winds,
+/// m/s^2.
 pub fn thrust_over_mass<const N: usize>(state: &State, environment: &Environment, rate: f64) -> Vector<N> {
     let mut thrust = [X, Y, Z].map(|axis| series(&state[axis], 2));
     thrust[Z] = thrust[Z] + Series::constant(Interval::point(environment.gravity));

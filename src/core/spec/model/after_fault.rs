@@ -3,8 +3,8 @@
 use super::{AfterFault, Model};
 
 impl Model {
-    /// The reaction to a fault of the mode with index `mode` in [`Model::modes`]: the mode's own, or else the plan's. Never
-    /// [`AfterFault::Land`].
+    /// The reaction to a fault of the mode with index `mode` in [`Model::modes`]: the mode's own, or else the plan's.
+    /// Never [`AfterFault::Land`].
     ///
     /// # Panics
     /// If there is no such mode.

@@ -3,8 +3,8 @@
 use super::Model;
 use crate::source::Span;
 
-/// Density for which the coefficients of rotors and drag are given: that of the standard atmosphere at sea level, kg/m^3
-/// (ISO 2533).
+/// Density for which the coefficients of rotors and drag are given: that of the standard atmosphere at sea level,
+/// kg/m^3 (ISO 2533).
 pub const STANDARD_DENSITY: f64 = 1.225;
 
 /// The air of a mission.
@@ -23,8 +23,8 @@ pub struct Air {
 }
 
 /// What acts on the vehicle besides its rotors, by the equation of motion
-/// `m c b_3 = m (a + g e_z) + R D R^T (v - wind)`, where c is the thrust over mass, b_3 the third axis of the body, R its
-/// attitude and D the diagonal matrix of the drag.
+/// `m c b_3 = m (a + g e_z) + R D R^T (v - wind)`, where c is the thrust over mass, b_3 the third axis of the body, R
+/// its attitude and D the diagonal matrix of the drag.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Environment {
     /// Acceleration of gravity g, m/s^2.
@@ -55,14 +55,14 @@ impl Environment {
         self.drag_rates.iter().all(|rate| *rate == self.drag_rates[0])
     }
 
-    /// Whether the drag is the same along x and y, so that the attitude follows from the motion as with the drag of x along all
-    /// axes: the drag along z only adds to the thrust.
+    /// Whether the drag is the same along x and y, so that the attitude follows from the motion as with the drag of x
+    /// along all axes: the drag along z only adds to the thrust.
     pub fn turns_alike(&self) -> bool {
         self.drag_rates[0] == self.drag_rates[1]
     }
 
-    /// The rate of an isotropic drag with the same attitude, 1/s: that of x and y. Where these differ their mean, with which the
-    /// attitude is approximate.
+    /// The rate of an isotropic drag with the same attitude, 1/s: that of x and y. Where these differ their mean, with
+    /// which the attitude is approximate.
     pub fn turning_rate(&self) -> f64 {
         match self.turns_alike() {
             true => self.drag_rates[0],
@@ -95,7 +95,8 @@ impl Environment {
         all
     }
 
-    /// The thrust over mass at rest with isotropic drag, `g e_z - drag/m wind`, m/s^2: what the rotors give to stay in place.
+    /// The thrust over mass at rest with isotropic drag, `g e_z - drag/m wind`, m/s^2: what the rotors give to stay in
+    /// place.
     pub fn trim(&self) -> [f64; 3] {
         let [x, y, z] = self.wind.map(|w| -self.drag_rates[0] * w);
         [x, y, z + self.gravity]

@@ -30,8 +30,8 @@ impl Battery {
         self.thrust_at_empty + (1.0 - self.thrust_at_empty) * charge
     }
 
-    /// The lowest full thrust of a plan that leaves [`Battery::keep`], as a share of that with a full battery. The rotors of a
-    /// [`super::Vehicle`] have this full thrust, so sets, plans and flights use it.
+    /// The lowest full thrust of a plan that leaves [`Battery::keep`], as a share of that with a full battery. The
+    /// rotors of a [`super::Vehicle`] have this full thrust, so sets, plans and flights use it.
     pub fn lowest_full_thrust(&self) -> f64 {
         self.full_thrust(self.keep)
     }

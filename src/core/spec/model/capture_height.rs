@@ -1,9 +1,9 @@
 //! The limits by which a plan keeps a height above the ground: `require capture_height`.
 //!
-//! The height is required outside a radius about start and end. The waypoints tell where the way up ends: at the first one that is
-//! high enough. Up to it the plan stays within the radius about the start, from it on at the height, and from the last one that is
-//! high enough within the radius about the end. Each of these limits is convex, and together they leave no instant that is outside
-//! the radius and too low.
+//! The height is required outside a radius about start and end. The waypoints tell where the way up ends: at the first
+//! one that is high enough. Up to it the plan stays within the radius about the start, from it on at the height, and
+//! from the last one that is high enough within the radius about the end. Each of these limits is convex, and together
+//! they leave no instant that is outside the radius and too low.
 
 use super::volume::{Boundary, which};
 use super::{DistanceFrom, Limit, LimitKind, Mission, Model, OnLeg, Part, Waypoint};
@@ -30,8 +30,8 @@ impl Mission {
 }
 
 impl Model {
-    /// The same spec with the limits of its `require capture_height`, for a simulated height above the ground, m. Without the
-    /// statement, a mission or its ground it is the spec itself.
+    /// The same spec with the limits of its `require capture_height`, for a simulated height above the ground, m.
+    /// Without the statement, a mission or its ground it is the spec itself.
     ///
     /// # Errors
     /// A waypoint is too low, or none shows where the way up or down ends.

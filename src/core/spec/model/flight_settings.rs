@@ -146,8 +146,8 @@ pub struct Simulation {
     pub gyroscope_range: f64,
     /// Standard deviation of a sample of the position, m on each axis.
     pub position_noise: f64,
-    /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity through the
-    /// air along it.
+    /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity
+    /// through the air along it.
     pub drag: [f64; 3],
     /// Mean velocity of the air in the world frame, m/s.
     pub wind: [f64; 3],
@@ -163,8 +163,8 @@ pub struct Simulation {
     pub lost_beyond: f64,
     /// The vehicle is lost when it tilts past 90 degrees for longer than this, s.
     pub upside_down: f64,
-    /// The vehicle is lost when its heading error exceeds this, rad, for longer than `lost_yaw_after`; `None` for no such
-    /// limit.
+    /// The vehicle is lost when its heading error exceeds this, rad, for longer than `lost_yaw_after`; `None` for no
+    /// such limit.
     pub lost_yaw: Option<f64>,
     /// How long the heading error may exceed `lost_yaw`, s.
     pub lost_yaw_after: f64,

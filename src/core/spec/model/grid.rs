@@ -1,5 +1,6 @@
-//! The time grid of a mission: how long each leg takes and into how many pieces it is divided. Planner and checker share
-//! this module, because the grid is part of the meaning of a spec (docs/language.md, *Samples* and *Waypoint times*).
+//! The time grid of a mission: how long each leg takes and into how many pieces it is divided. Planner and checker
+//! share this module, because the grid is part of the meaning of a spec (docs/language.md, *Samples* and *Waypoint
+//! times*).
 
 use super::Mission;
 
@@ -8,8 +9,8 @@ use super::Mission;
 pub enum Spacing {
     /// All pieces have the same duration: the paper's grid.
     Even,
-    /// Pieces are short near both ends of a leg, where a vehicle starts, turns or stops, and long in between: at t s from
-    /// the nearer end their duration is proportional to `1 + t/`[`TRANSIENT`].
+    /// Pieces are short near both ends of a leg, where a vehicle starts, turns or stops, and long in between: at t s
+    /// from the nearer end their duration is proportional to `1 + t/`[`TRANSIENT`].
     Graded,
 }
 
@@ -18,7 +19,8 @@ pub enum Spacing {
 pub const TRANSIENT: f64 = 0.5;
 
 impl Spacing {
-    /// The weight of a leg when pieces are distributed, s: the integral over the leg of a node density that is 1 at its ends.
+    /// The weight of a leg when pieces are distributed, s: the integral over the leg of a node density that is 1 at its
+    /// ends.
     fn measure(self, duration: f64) -> f64 {
         match self {
             Spacing::Even => duration,
@@ -26,7 +28,8 @@ impl Spacing {
         }
     }
 
-    /// The start of piece `nth` of the `count` pieces of a leg that takes `duration` s, in s after the start of the leg.
+    /// The start of piece `nth` of the `count` pieces of a leg that takes `duration` s, in s after the start of the
+    /// leg.
     pub fn start_of(self, duration: f64, nth: usize, count: usize) -> f64 {
         match self {
             Spacing::Even => duration * nth as f64 / count as f64,
@@ -34,8 +37,8 @@ impl Spacing {
         }
     }
 
-    /// The instant at which the first `share` (0 to 1) of the pieces of a leg that takes `duration` s end, as a fraction of
-    /// its duration.
+    /// The instant at which the first `share` (0 to 1) of the pieces of a leg that takes `duration` s end, as a
+    /// fraction of its duration.
     fn instant(self, duration: f64, share: f64) -> f64 {
         match self {
             Spacing::Even => share,
@@ -58,8 +61,9 @@ impl Spacing {
 /// Added before a quotient is rounded down to a number of pieces, so that rounding errors do not lose one.
 const ROUNDING: f64 = 1e-9;
 
-/// The duration of each leg, s, in flight order, for a mission that takes `total` s: between fixed arrival times, the time
-/// left by holds is shared among the legs in proportion to [`super::Leg::share`]. `None` where some leg would get no time.
+/// The duration of each leg, s, in flight order, for a mission that takes `total` s: between fixed arrival times, the
+/// time left by holds is shared among the legs in proportion to [`super::Leg::share`]. `None` where some leg would get
+/// no time.
 pub fn leg_durations(mission: &Mission, total: f64) -> Option<Vec<f64>> {
     let points = &mission.waypoints;
     let last = points.len().checked_sub(1)?;
@@ -85,27 +89,27 @@ pub fn leg_durations(mission: &Mission, total: f64) -> Option<Vec<f64>> {
     Some(durations)
 }
 
-/// The number of pieces of each leg, for leg durations in s. Each hold takes one of the `samples`, because nothing changes
-/// during a hold; the legs share the others, with at least [`Mission::least_intervals`] each where there are enough, and
-/// one otherwise.
+/// The number of pieces of each leg, for leg durations in s. Each hold takes one of the `samples`, because nothing
+/// changes during a hold; the legs share the others, with at least [`Mission::least_intervals`] each where there are
+/// enough, and one otherwise.
 pub fn pieces(mission: &Mission, durations: &[f64], samples: usize) -> Vec<usize> {
     Shares::of(mission, durations, samples).rounded()
 }
 
-/// The least number of pieces of each leg with which a grid has the resolution that `samples` requires: its share rounded
-/// down. A small change of durations moves the rounding of [`pieces`] from one leg to another, which must not count as a
-/// coarser grid.
+/// The least number of pieces of each leg with which a grid has the resolution that `samples` requires: its share
+/// rounded down. A small change of durations moves the rounding of [`pieces`] from one leg to another, which must not
+/// count as a coarser grid.
 pub fn fewest_pieces(mission: &Mission, durations: &[f64], samples: usize) -> Vec<usize> {
     Shares::of(mission, durations, samples).whole_parts()
 }
 
-/// Up to these factors a piece does not count as longer than the spec's. The factor for even grids allows for rounding; that
-/// for graded ones for small changes of the duration, on which the shares depend, after the nodes were placed.
+/// Up to these factors a piece does not count as longer than the spec's. The factor for even grids allows for rounding;
+/// that for graded ones for small changes of the duration, on which the shares depend, after the nodes were placed.
 const MOST_LONGER_EVEN: f64 = 1.0 + 1e-6;
 const MOST_LONGER_GRADED: f64 = 1.1;
 
-/// Whether a leg has pieces that are longer than those of a grid with `fewest` pieces ([`fewest_pieces`]); `nodes` are the
-/// instants of its nodes, s, from start to end. NaN counts as longer.
+/// Whether a leg has pieces that are longer than those of a grid with `fewest` pieces ([`fewest_pieces`]); `nodes` are
+/// the instants of its nodes, s, from start to end. NaN counts as longer.
 pub fn is_coarser(mission: &Mission, nodes: &[f64], fewest: usize) -> bool {
     let (Some(start), Some(end)) = (nodes.first(), nodes.last()) else { return false };
     let duration = end - start;
@@ -118,8 +122,8 @@ pub fn is_coarser(mission: &Mission, nodes: &[f64], fewest: usize) -> bool {
     nodes.windows(2).any(|piece| pieces(piece).partial_cmp(&most).is_none_or(std::cmp::Ordering::is_gt))
 }
 
-/// The pieces of each leg in proportion to its duration, but not fewer than the leg needs, or than one where there are too
-/// few for that.
+/// The pieces of each leg in proportion to its duration, but not fewer than the leg needs, or than one where there are
+/// too few for that.
 struct Shares {
     /// The pieces that a leg needs, where that is more than its share.
     needed: Vec<Option<usize>>,

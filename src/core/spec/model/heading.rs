@@ -26,7 +26,8 @@ pub enum Target {
 }
 
 impl Target {
-    /// The vector (x, y) whose direction is followed, for a position (m) and a velocity (m/s); `None` where none is required.
+    /// The vector (x, y) whose direction is followed, for a position (m) and a velocity (m/s); `None` where none is
+    /// required.
     pub fn direction(&self, position: [f64; 2], velocity: [f64; 2]) -> Option<[f64; 2]> {
         let (vector, least) = match self {
             Target::Towards { point, nearest } => ([point[0] - position[0], point[1] - position[1]], *nearest),

@@ -28,10 +28,10 @@ pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The share of each leg; the shares sum to 1. Under [`Timing::Proportional`] an explicit leg counts by its effort, and the
-/// legs of a curve share the curve's length evenly, so that both kinds are measured in metres and may be mixed. The effort
-/// of a leg is its length; for a leg shorter than 10 cm it is at least one metre per radian of turn. No leg gets less than
-/// 1 % of the mean.
+/// The share of each leg; the shares sum to 1. Under [`Timing::Proportional`] an explicit leg counts by its effort, and
+/// the legs of a curve share the curve's length evenly, so that both kinds are measured in metres and may be mixed. The
+/// effort of a leg is its length; for a leg shorter than 10 cm it is at least one metre per radian of turn. No leg gets
+/// less than 1 % of the mean.
 pub fn shares(waypoints: &[Waypoint], curves: &[Option<usize>], timing: Timing) -> Vec<Leg> {
     let mut effort: Vec<f64> = waypoints.windows(2).map(|pair| leg_effort(&pair[0], &pair[1])).collect();
     match timing {
@@ -69,8 +69,8 @@ fn leg_effort(from: &Waypoint, to: &Waypoint) -> f64 {
     if length < SHORT { length.max(turn) } else { length }
 }
 
-/// Sets each waypoint's yaw, rad: a waypoint without one keeps the previous yaw (0 at the start), and each turn goes the
-/// shorter way, counter-clockwise where both are equally long.
+/// Sets each waypoint's yaw, rad: a waypoint without one keeps the previous yaw (0 at the start), and each turn goes
+/// the shorter way, counter-clockwise where both are equally long.
 pub fn unwrap_yaw(waypoints: &mut [Waypoint], given: &[Option<f64>]) {
     let mut last: Option<f64> = None;
     for (waypoint, yaw) in waypoints.iter_mut().zip(given) {

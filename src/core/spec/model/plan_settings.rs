@@ -10,8 +10,8 @@ pub const MAX_ROUNDS: usize = table::ROUNDS.whole().1 as usize;
 /// The most intervals of one plan, so that planning takes less than 500 MB (docs/performance.md has the figures).
 pub const MAX_SAMPLES: usize = table::SAMPLES.whole().1 as usize;
 
-/// The most intervals where many plans are computed, to search for times or to compare planners, so that this takes minutes:
-/// a search that plans a hundred times with 3,000 intervals had not finished after 500 s.
+/// The most intervals where many plans are computed, to search for times or to compare planners, so that this takes
+/// minutes: a search that plans a hundred times with 3,000 intervals had not finished after 500 s.
 pub const MAX_SAMPLES_OF_A_SEARCH: usize = 1_000;
 
 /// The most waypoints that one mission may have.
@@ -86,7 +86,8 @@ pub enum MissionTime {
     Fixed(f64),
 }
 
-/// `require capture_height`: a height above the mission's ground that a plan keeps outside a radius about start and end.
+/// `require capture_height`: a height above the mission's ground that a plan keeps outside a radius about start and
+/// end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CaptureHeight {
     /// Horizontal distance from start and end within which the height is not required, m; positive.
@@ -131,8 +132,8 @@ pub struct Plan {
     /// The largest risk that the plan may have, a probability; the planner then chooses what to protect.
     pub require_risk: Option<f64>,
     pub require_capture: Option<CaptureHeight>,
-    /// The reaction to a fault that the risk assumes: [`AfterFault::Continue`] or [`AfterFault::Hold`]. A mode may have its
-    /// own: see [`super::Model::after_fault`].
+    /// The reaction to a fault that the risk assumes: [`AfterFault::Continue`] or [`AfterFault::Hold`]. A mode may have
+    /// its own: see [`super::Model::after_fault`].
     pub after_fault: AfterFault,
     /// Whether flights give up yaw once a fault is known. A mode may have its own: see [`super::Model::gives_up_yaw`].
     pub without_yaw: GiveUpYaw,

@@ -29,8 +29,8 @@ impl GiveUpYaw {
 }
 
 impl Model {
-    /// Whether yaw is given up after a fault of the mode with index `mode` in [`Model::modes`]: the mode's own word, or else the
-    /// plan's.
+    /// Whether yaw is given up after a fault of the mode with index `mode` in [`Model::modes`]: the mode's own word, or
+    /// else the plan's.
     ///
     /// # Panics
     /// If there is no such mode.

@@ -86,8 +86,8 @@ fn wind<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<([f64; 3], [f64; 3])
 const LOWEST: f64 = -2000.0;
 const HIGHEST: f64 = 11_000.0;
 
-/// The density of the standard atmosphere at a height above sea level (m), divided by that at sea level; `None` outside the
-/// troposphere. ISO 2533: with the temperature T = T0 - L h the density is `rho0 (T/T0)^(g/(R L) - 1)`.
+/// The density of the standard atmosphere at a height above sea level (m), divided by that at sea level; `None` outside
+/// the troposphere. ISO 2533: with the temperature T = T0 - L h the density is `rho0 (T/T0)^(g/(R L) - 1)`.
 fn standard_ratio(altitude: f64) -> Option<f64> {
     const T0: f64 = 288.15; // K
     const LAPSE: f64 = 0.0065; // K/m
@@ -99,8 +99,8 @@ fn standard_ratio(altitude: f64) -> Option<f64> {
     (LOWEST..=HIGHEST).contains(&altitude).then(|| (1.0 - LAPSE * h / T0).powf(G / (R * LAPSE) - 1.0))
 }
 
-/// Scales the coefficients of rotors and drag, which are proportional to the density, from the standard density to that of
-/// the mission.
+/// Scales the coefficients of rotors and drag, which are proportional to the density, from the standard density to that
+/// of the mission.
 pub(super) fn impose(vehicle: &mut Vehicle, air: &Air) {
     let ratio = air.density_ratio;
     if ratio == 1.0 {
@@ -163,8 +163,8 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, mission: Option<&Mission>, ve
     !limits_tilt(cx, drag, mission, vehicle) && !differs
 }
 
-/// Reports limits on tilt with a drag that differs along x and y, with which the attitude depends on the yaw; whether there is
-/// one.
+/// Reports limits on tilt with a drag that differs along x and y, with which the attitude depends on the yaw; whether
+/// there is one.
 fn limits_tilt(cx: &mut Context, drag: Span, mission: &Mission, vehicle: &Vehicle) -> bool {
     if vehicle.drag[0] == vehicle.drag[1] {
         return false;

@@ -13,8 +13,8 @@ const UNKNOWN: &str = "mavc::allow::unknown";
 const NOT_A_WARNING: &str = "mavc::allow::not_a_warning";
 const IDLE: &str = "mavc::allow::idle";
 
-/// The warnings that `allow` can suppress: those about what is written. The results of an analysis (`mavc::analysis`) and
-/// errors cannot be suppressed.
+/// The warnings that `allow` can suppress: those about what is written. The results of an analysis (`mavc::analysis`)
+/// and errors cannot be suppressed.
 const WARNINGS: [&str; 36] = [
     "mavc::sense::thrust_to_weight",
     "mavc::sense::inertia",

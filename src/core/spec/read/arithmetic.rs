@@ -49,7 +49,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Reports a unit after an operator that should directly follow its number, as in `2e-5 / h`; whether there was one.
+    /// Reports a unit after an operator that should directly follow its number, as in `2e-5 / h`; whether there was
+    /// one.
     fn stands_apart(&mut self, operator: &Spanned<Operator>, left: &Expr, right: &Expr) -> bool {
         let may_be_unit = |name: &str| !(self.in_scope(name) || CONSTANTS.contains(&name) || self.may_exist(name));
         let Some((value, unit)) = joined_unit(operator.value, left, right, &may_be_unit) else {

@@ -44,8 +44,8 @@ impl<'a> Context<'a> {
         names.last().copied().zip(value)
     }
 
-    /// Reports `error` at `expr`. Where `expr` names a `let`, the declaration gets a label with the `fact` that differs from
-    /// what is `due`, and later uses with the same error become labels of the first.
+    /// Reports `error` at `expr`. Where `expr` names a `let`, the declaration gets a label with the `fact` that differs
+    /// from what is `due`, and later uses with the same error become labels of the first.
     pub(super) fn report_of_let(&mut self, expr: &Expr, due: &str, fact: &str, error: Diagnostic) {
         let Some((name, value)) = self.let_behind(expr) else {
             return self.report(error);
@@ -66,8 +66,8 @@ impl<'a> Context<'a> {
         self.report(error.also(value.span, format!("`{name}` is {fact}")));
     }
 
-    /// Records the help for `expr`, whose dimension error is about to be reported, in case it names a `let` that turns out to
-    /// be right for other uses.
+    /// Records the help for `expr`, whose dimension error is about to be reported, in case it names a `let` that turns
+    /// out to be right for other uses.
     pub(super) fn suspect_use(&mut self, due: Expected, q: Quantity, expr: &Expr) {
         let Some((name, _)) = self.let_behind(expr) else { return };
         let expected = due.dimension();
@@ -113,8 +113,8 @@ impl<'a> Context<'a> {
         self.report_of_let(side.0, &due, &fact, error);
     }
 
-    /// Where `expr` lacks a unit because a `let` does, reports that at the `let`, once for all its uses. `units` are the
-    /// candidates: the help lists all of them, and a single one becomes a fix.
+    /// Where `expr` lacks a unit because a `let` does, reports that at the `let`, once for all its uses. `units` are
+    /// the candidates: the help lists all of them, and a single one becomes a fix.
     pub(super) fn blame(&mut self, expr: &Expr, units: &[&str], error: Diagnostic) -> Diagnostic {
         let (chain, found) = self.chain(expr);
         let (Some(value), Some(&last)) = (found.filter(|e| trailing_unit(e).is_none()), chain.last()) else {

@@ -98,8 +98,8 @@ fn no_second(cx: &mut Context, what: &str, blocks: &[&Block]) {
     }
 }
 
-/// Reports a second block of a kind of which a spec may have only one. A block with a misspelt keyword does not count: the
-/// misspelling is reported, and another kind may have been meant.
+/// Reports a second block of a kind of which a spec may have only one. A block with a misspelt keyword does not count:
+/// the misspelling is reported, and another kind may have been meant.
 fn only_one(cx: &mut Context, blocks: &[&Block]) {
     let well_spelt = |block: &Block| cx.sources.snippet(block.keyword.span) == block.keyword.value;
     let spelt: Vec<&Block> = blocks.iter().copied().filter(|block| well_spelt(block)).collect();

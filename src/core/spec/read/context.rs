@@ -279,8 +279,8 @@ pub(super) fn listed(words: &[&str]) -> String {
     joined(&words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>())
 }
 
-/// As [`listed`], but a run of names that differ only in their numbers is given by its first and last, and a long list is
-/// cut short.
+/// As [`listed`], but a run of names that differ only in their numbers is given by its first and last, and a long list
+/// is cut short.
 fn in_runs(names: &[&str]) -> String {
     const SHOWN: usize = 12;
     let runs = names.chunk_by(|a, b| without_digits(a) == without_digits(b));

@@ -3,8 +3,8 @@
 use crate::source::{Source, Span};
 use crate::syntax::ast::{Block, Statement};
 
-/// Where to insert the statement `text` in a block, and with which separators: after `last`, the last statement of its body,
-/// or after the brace that follows `head`. `None` where the block has another shape.
+/// Where to insert the statement `text` in a block, and with which separators: after `last`, the last statement of its
+/// body, or after the brace that follows `head`. `None` where the block has another shape.
 pub(super) fn insertion(source: &Source, head: Span, last: Option<Span>, text: &str) -> Option<(Span, String)> {
     let whole = source.text.as_str();
     let line_of = |at: u32| source.line(source.place(at as usize).line);
@@ -33,7 +33,8 @@ fn indent(source: &Source, at: u32) -> &str {
     &line[..line.len() - line.trim_start_matches([' ', '\t']).len()]
 }
 
-/// The span to delete for the statement at `span`: its line if it is alone there, otherwise the statement and one separator.
+/// The span to delete for the statement at `span`: its line if it is alone there, otherwise the statement and one
+/// separator.
 pub(super) fn removal(source: &Source, span: Span) -> Span {
     let (start, end) = (span.start as usize, span.end as usize);
     let first = source.line(source.place(start).line).start;

@@ -185,8 +185,8 @@ fn whole<'a>(
     if mission.is_some() && flown.is_none() {
         return None;
     }
-    // A campaign uses every mode, `require capture_height` those that give up yaw, and which modes a block with errors uses is
-    // unknown.
+    // A campaign uses every mode, `require capture_height` those that give up yaw, and which modes a block with errors
+    // uses is unknown.
     if names_modes && !campaign.written && plan.require_capture.is_none() && !cx.softened {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
@@ -230,8 +230,8 @@ fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: 
     }
 }
 
-/// The index of the vehicle or mission to use: the one that `plan` names, the only one, or the only mission of the spec itself, which
-/// goes before those of files that it uses for their vehicles.
+/// The index of the vehicle or mission to use: the one that `plan` names, the only one, or the only mission of the spec
+/// itself, which goes before those of files that it uses for their vehicles.
 fn choose<'a>(
     cx: &mut Context<'a>,
     draft: &Draft<'a>,

@@ -170,7 +170,8 @@ impl<'a> Context<'a> {
         None
     }
 
-    /// A drag along the axes x, y and z of the body, in SI units: `[0.35, 0.35, 0.2] N*s/m`, or one number for all of them.
+    /// A drag along the axes x, y and z of the body, in SI units: `[0.35, 0.35, 0.2] N*s/m`, or one number for all of
+    /// them.
     pub fn drag(&mut self, entry: &'static Entry, expr: &'a Expr, code: &'static str) -> Option<[f64; 3]> {
         let due = Expected::of(entry);
         let written = self.let_behind(expr).map_or(expr, |(_, value)| value);
@@ -386,8 +387,8 @@ fn one_of(error: Diagnostic, span: Span, corrected: Vec<String>) -> Diagnostic {
     }
 }
 
-/// A value and names joined to it as if they were its unit, `2e-5 / h` or `[1, 2, 3] kg * m ^ 2`: the value and that unit.
-/// `may_be_unit` must hold for every name.
+/// A value and names joined to it as if they were its unit, `2e-5 / h` or `[1, 2, 3] kg * m ^ 2`: the value and that
+/// unit. `may_be_unit` must hold for every name.
 pub(super) fn joined_unit<'e>(
     operator: Operator,
     left: &'e Expr,

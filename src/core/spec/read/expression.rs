@@ -29,8 +29,8 @@ impl Value {
     }
 }
 
-/// Evaluation moves to a new stack of `STACK_MORE` bytes once fewer than `STACK_LEFT` are left. This is checked once every
-/// `STACK_ASKED` levels, because the check costs more than most evaluations.
+/// Evaluation moves to a new stack of `STACK_MORE` bytes once fewer than `STACK_LEFT` are left. This is checked once
+/// every `STACK_ASKED` levels, because the check costs more than most evaluations.
 const STACK_LEFT: usize = 256 << 10;
 const STACK_MORE: usize = 1 << 20;
 const STACK_ASKED: u32 = 8;

@@ -141,9 +141,10 @@ impl<'a> Fields<'a> {
             self.unknown(cx, name, known);
         } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
             // `at` with a position and a second `at` with a time: the second one means `time`.
-            let is_time = value.is_some_and(
-                |value| matches!(&value.kind, ExprKind::Number { unit: Some(unit), .. } if TIMES.contains(&unit.value.trim())),
-            );
+            let is_time = value.is_some_and(|value| match &value.kind {
+                ExprKind::Number { unit: Some(unit), .. } => TIMES.contains(&unit.value.trim()),
+                _ => false,
+            });
             if name.value == "at" && is_time && known.has("time") {
                 let message = format!("{} takes a position after `at`, not a time", self.owner);
                 let error = Diagnostic::error("mavc::name::duplicate", name.span, message).here("followed by a time");

@@ -42,7 +42,8 @@ pub(super) fn read<'a>(
 }
 
 impl<'a> Context<'a> {
-    /// Reads a block that only flights need, with its keyword at `block`. If flights are not used, its errors become warnings.
+    /// Reads a block that only flights need, with its keyword at `block`. If flights are not used, its errors become
+    /// warnings.
     pub(super) fn of_flights<T>(
         &mut self,
         flights: FlightBlocks,

@@ -51,9 +51,9 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Written<Rul
     })
 }
 
-/// Gives each waypoint its rule, which continues until another one is written; the yaws (rad) that the rules give at the
-/// waypoints where `yaws` has none, as far as these know it; and whether all goals are known. `is_whole` tells whether these are all
-/// waypoints of the mission.
+/// Gives each waypoint its rule, which continues until another one is written; the yaws (rad) that the rules give at
+/// the waypoints where `yaws` has none, as far as these know it; and whether all goals are known. `is_whole` tells
+/// whether these are all waypoints of the mission.
 pub(super) fn settle(
     cx: &mut Context,
     waypoints: &mut [Waypoint],

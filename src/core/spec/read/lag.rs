@@ -20,8 +20,8 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, vehicle: &Vehicle) -> bool {
     false
 }
 
-/// Whether the plan takes no lag into account or no rotor may reverse; reports an error otherwise: the time constant of (87) is
-/// that of speeds above zero.
+/// Whether the plan takes no lag into account or no rotor may reverse; reports an error otherwise: the time constant of
+/// (87) is that of speeds above zero.
 pub(super) fn none_reverses(cx: &mut Context, plan: &Plan, vehicle: &Vehicle) -> bool {
     if plan.rotors == PlanRotors::Instant || !vehicle.rotors.iter().any(Rotor::is_reversible) {
         return true;

@@ -27,8 +27,8 @@ pub(super) fn likely_units(due: Expected, size: f64) -> Vec<&'static str> {
 }
 
 impl Context<'_> {
-    /// As [`likely_units`], for the value of `expr`, whose form may show that it is in radians: `pi/2`, or the parameter of a
-    /// curve that runs through full turns.
+    /// As [`likely_units`], for the value of `expr`, whose form may show that it is in radians: `pi/2`, or the
+    /// parameter of a curve that runs through full turns.
     pub(super) fn likely_units_of(&self, due: Expected, size: f64, expr: &Expr) -> Vec<&'static str> {
         let written = self.let_behind(expr).map_or(expr, |(_, value)| value);
         let radians = RADIANS.iter().find(|(degrees, _)| *degrees == due.unit).map(|(_, radians)| *radians);
@@ -49,8 +49,8 @@ impl Context<'_> {
     }
 }
 
-/// Whether the curve parameter `parameter` is an angle in radians: its range is written with `pi`, or one of the expressions
-/// takes its sine, cosine or tangent.
+/// Whether the curve parameter `parameter` is an angle in radians: its range is written with `pi`, or one of the
+/// expressions takes its sine, cosine or tangent.
 pub(super) fn runs_through_turns(parameter: &str, range: &Expr, expressions: &[Option<&Expr>]) -> bool {
     let named = |wanted: &'static str| move |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if name == wanted);
     let is_parameter = |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if name == parameter);

@@ -57,8 +57,8 @@ impl FileSet {
     }
 }
 
-/// Parses the root file and everything it uses, each file once. Paths given to `read` are relative to the same folder as
-/// `root_name`.
+/// Parses the root file and everything it uses, each file once. Paths given to `read` are relative to the same folder
+/// as `root_name`.
 ///
 /// Errors (missing files, cycles, limits, syntax) are returned as diagnostics together with what could be read.
 pub fn load(
@@ -69,8 +69,8 @@ pub fn load(
     load_among(root_name, root_bytes, read, &|_| Vec::new())
 }
 
-/// As [`load`]; `list` gives the contents of a folder ([`super::near_files::entries`]), so that the error for a missing file
-/// can suggest a similar name.
+/// As [`load`]; `list` gives the contents of a folder ([`super::near_files::entries`]), so that the error for a missing
+/// file can suggest a similar name.
 pub fn load_among(
     root_name: &str,
     root_bytes: &[u8],

@@ -1,5 +1,5 @@
-//! The range of magnitudes that mavc computes with. It is far wider than any multirotor needs and narrow enough that sums
-//! and products of any two values keep their digits. A value outside the range is an error.
+//! The range of magnitudes that mavc computes with. It is far wider than any multirotor needs and narrow enough that
+//! sums and products of any two values keep their digits. A value outside the range is an error.
 
 use super::context::Context;
 use super::expected::{Expected, called};

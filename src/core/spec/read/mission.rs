@@ -30,8 +30,8 @@ use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, Statement};
 use crate::unit::Quantity;
 
-/// How far a coordinate may lie from the origin, m: farther than any multirotor flies, and near enough that tolerances of
-/// centimetres survive rounding.
+/// How far a coordinate may lie from the origin, m: farther than any multirotor flies, and near enough that tolerances
+/// of centimetres survive rounding.
 pub(super) const MAX_DISTANCE: f64 = 1e6;
 
 /// What applies to a waypoint that does not give these values itself.

@@ -35,8 +35,8 @@ pub fn is_unfit(c: char) -> bool {
     c == '"' || visible::is_disguise(c)
 }
 
-/// A path to an existing file that resembles `path`, as written in the file `from`: a similar name in the same folder, or
-/// the same name in the folder of `from`, a subfolder or the parent folder.
+/// A path to an existing file that resembles `path`, as written in the file `from`: a similar name in the same folder,
+/// or the same name in the folder of `from`, a subfolder or the parent folder.
 pub(super) fn near_file(from: &str, path: &str, list: &List) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').map_or(("", path), |(folder, name)| (&path[..folder.len() + 1], name));
     if name.is_empty() {

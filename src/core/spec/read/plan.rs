@@ -115,8 +115,8 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// The values that apply to waypoints without their own, and whether they have no errors; a default replaces a value with
-    /// an error.
+    /// The values that apply to waypoints without their own, and whether they have no errors; a default replaces a
+    /// value with an error.
     pub fn manner(&mut self, cx: &mut Context<'a>) -> (WaypointDefaults, bool) {
         const TOLERANCE: &str = "mavc::mission::tolerance";
         let mut fine = true;
@@ -159,8 +159,8 @@ impl<'a> Draft<'a> {
         self.fields.as_ref().map_or(Written::Absent, |fields| fields.word(cx, CHOICE, entry))
     }
 
-    /// Checks the block against modes and mission: the plan, `None` where it has errors; its time with its place, if that is
-    /// fixed; and the defaults used.
+    /// Checks the block against modes and mission: the plan, `None` where it has errors; its time with its place, if
+    /// that is fixed; and the defaults used.
     pub fn finish(
         mut self,
         cx: &mut Context<'a>,

@@ -1,6 +1,6 @@
-//! Sense checks: values that are possible but not plausible for a multirotor, such as a mass of 6 g under 126 N of thrust.
-//! Each is a warning with the computed value, the usual range and the likely slip; `allow` suppresses it. The sources of the
-//! ranges are in `docs/diagnostics/sense.md`.
+//! Sense checks: values that are possible but not plausible for a multirotor, such as a mass of 6 g under 126 N of
+//! thrust. Each is a warning with the computed value, the usual range and the likely slip; `allow` suppresses it. The
+//! sources of the ranges are in `docs/diagnostics/sense.md`.
 
 mod air;
 mod battery;

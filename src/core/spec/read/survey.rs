@@ -1,8 +1,8 @@
 //! `waypoints from "survey.csv"`: a table with one waypoint per row.
 //!
-//! The header names the columns and their units: `x_m,y_m,z_m`, and optionally `yaw_deg`, `within_cm`, `yaw_within_deg`,
-//! `weight`, `time_s`, `name`. Any unit of the right dimension is accepted. An empty cell of an optional column counts as
-//! not given. Lines that begin with `#` are comments.
+//! The header names the columns and their units: `x_m,y_m,z_m`, and optionally `yaw_deg`, `within_cm`,
+//! `yaw_within_deg`, `weight`, `time_s`, `name`. Any unit of the right dimension is accepted. An empty cell of an
+//! optional column counts as not given. Lines that begin with `#` are comments.
 
 use super::context::{Context, duplicate, listed};
 use super::expected::Expected;
@@ -18,8 +18,8 @@ const CODE: &str = "mavc::file::table";
 /// How many errors are reported for one table.
 const MAX_ERRORS: usize = 20;
 
-/// Name, usual unit (empty for text), and whether every row must give it. Where one name begins another, the longer comes
-/// first.
+/// Name, usual unit (empty for text), and whether every row must give it. Where one name begins another, the longer
+/// comes first.
 const COLUMNS: [(&str, &str, bool); 9] = [
     ("x", "m", true),
     ("y", "m", true),

@@ -8,8 +8,8 @@ use crate::syntax::too_large;
 use std::io::{Error, ErrorKind};
 use std::path::Path;
 
-/// The error for a name with the wrong ending, whose file is not opened: that it is a folder, does not exist, or has the wrong
-/// ending. `None` where the ending fits.
+/// The error for a name with the wrong ending, whose file is not opened: that it is a folder, does not exist, or has
+/// the wrong ending. `None` where the ending fits.
 pub(super) fn refused_by_name(
     kind: Kind,
     target: &Path,

@@ -9,8 +9,8 @@ pub fn fields(place: Place) -> Vec<&'static str> {
     Group::of_block(place).names().collect()
 }
 
-/// The clauses of a statement that begins with `opener`, in a block: `rotor at` in `rotors`, `start` and `waypoint` in a
-/// mission, `fault` in `simulate`.
+/// The clauses of a statement that begins with `opener`, in a block: `rotor at` in `rotors`, `start` and `waypoint` in
+/// a mission, `fault` in `simulate`.
 pub fn clauses(place: Place, opener: &str) -> Vec<&'static str> {
     Group::of_statement(place, opener).names().collect()
 }

@@ -33,7 +33,8 @@ fn plots(rotors: usize) -> Vec<(&'static str, Vec<String>, Vec<String>)> {
 /// A tab with one plot below the other for each pair.
 pub(super) fn plotjuggler(rotors: usize) -> String {
     let mut out = String::from(
-        "<?xml version='1.0' encoding='UTF-8'?>\n<root>\n <tabbed_widget parent=\"main_window\" name=\"Main Window\">\n",
+        "<?xml version='1.0' encoding='UTF-8'?>\n<root>\n <tabbed_widget parent=\"main_window\" name=\"Main \
+         Window\">\n",
     );
     for pair in plots(rotors).chunks(2) {
         let title: Vec<&str> = pair.iter().map(|(title, ..)| *title).collect();
@@ -42,7 +43,8 @@ pub(super) fn plotjuggler(rotors: usize) -> String {
         for (title, curves, _) in pair {
             let _ = writeln!(
                 out,
-                "     <DockArea name=\"{title}\">\n      <plot mode=\"TimeSeries\" style=\"Lines\" flip_x=\"false\" flip_y=\"false\">"
+                "     <DockArea name=\"{title}\">\n      <plot mode=\"TimeSeries\" style=\"Lines\" flip_x=\"false\" \
+                 flip_y=\"false\">"
             );
             for (curve, colour) in curves.iter().zip(COLOURS.iter().cycle()) {
                 let _ = writeln!(out, "       <curve name=\"{curve}\" color=\"{colour}\"/>");

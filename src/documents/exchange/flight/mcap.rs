@@ -1,5 +1,5 @@
-//! A flight as MCAP with messages in JSON, for Foxglove: the vehicle and its reference as frames (`/tf`), the reference's path
-//! (`/path`), and every number of the log (`/flight`).
+//! A flight as MCAP with messages in JSON, for Foxglove: the vehicle and its reference as frames (`/tf`), the
+//! reference's path (`/path`), and every number of the log (`/flight`).
 
 use super::Row;
 use crate::exchange::mcap::Writer;

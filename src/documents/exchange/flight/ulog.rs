@@ -1,6 +1,6 @@
 //! A flight as ULog, the format of PX4's logs. Topics have the names, fields and frames of PX4's where these exist
-//! (`vehicle_local_position`, `vehicle_attitude`, `vehicle_angular_velocity`, `trajectory_setpoint`); topics of mavc begin with
-//! `mavc_`. <https://docs.px4.io/main/en/dev_log/ulog_file_format.html>
+//! (`vehicle_local_position`, `vehicle_attitude`, `vehicle_angular_velocity`, `trajectory_setpoint`); topics of mavc
+//! begin with `mavc_`. <https://docs.px4.io/main/en/dev_log/ulog_file_format.html>
 
 use super::Row;
 use crate::exchange::bytes::Bytes;
@@ -44,7 +44,8 @@ fn topics(rotors: usize) -> Vec<Topic> {
         }),
         topic(
             "mavc_wrench",
-            "float thrust;float tau_x;float tau_y;float tau_z;float thrust_cmd;float tau_x_cmd;float tau_y_cmd;float tau_z_cmd;",
+            "float thrust;float tau_x;float tau_y;float tau_z;float thrust_cmd;float tau_x_cmd;float tau_y_cmd;float \
+             tau_z_cmd;",
             |row| {
                 let turned = |[thrust, x, y, z]: [f64; 4]| {
                     let torque = Frame::NedFrd.body([x, y, z]);

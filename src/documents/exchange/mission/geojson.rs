@@ -1,4 +1,5 @@
-//! GeoJSON (RFC 7946): the path and its ground projection as lines, waypoints as points, volumes as polygons with heights.
+//! GeoJSON (RFC 7946): the path and its ground projection as lines, waypoints as points, volumes as polygons with
+//! heights.
 
 use super::{Placed, outline};
 use crate::geodesy::heading_of_yaw;

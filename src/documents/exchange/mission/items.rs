@@ -15,7 +15,8 @@ pub const CHANGE_SPEED: u16 = 178;
 const LANDED: f64 = 0.5;
 /// The lowest take-off that is one, m.
 const LOWEST: f64 = 0.1;
-/// A leg of the mission that is slower than this share of the speed in force, or faster at all, gets a speed of its own.
+/// A leg of the mission that is slower than this share of the speed in force, or faster at all, gets a speed of its
+/// own.
 const SLOWER: f64 = 0.8;
 /// Speeds are rounded up to a tenth; slower legs are vertical or turns.
 const STEP: f64 = 0.1;
@@ -94,8 +95,8 @@ fn hold(placed: &Placed, corner: &Corner) -> f64 {
     corner.waypoint.map_or(0.0, |k| super::rounded(placed.mission.waypoints[k].hold, 1e3))
 }
 
-/// Without corners at which the vehicle still is where the one before is: the ends of holds, and the turns on the spot without a
-/// waypoint.
+/// Without corners at which the vehicle still is where the one before is: the ends of holds, and the turns on the spot
+/// without a waypoint.
 fn without_rests(placed: &Placed, corners: &[Corner]) -> Vec<Corner> {
     const SAME_PLACE: f64 = 1e-3;
     let mut kept: Vec<Corner> = Vec::new();
@@ -110,8 +111,8 @@ fn without_rests(placed: &Placed, corners: &[Corner]) -> Vec<Corner> {
     kept
 }
 
-/// The corner at which a climb from the start, straight up to within the tolerance, ends, at the latest at a waypoint of the mission;
-/// and the largest distance of the plan from the lines if the corners on the way are left out, m.
+/// The corner at which a climb from the start, straight up to within the tolerance, ends, at the latest at a waypoint
+/// of the mission; and the largest distance of the plan from the lines if the corners on the way are left out, m.
 fn climbed(placed: &Placed, corners: &[Corner], deviation: f64) -> (usize, f64) {
     let start = corners[0].position;
     let mut found = (0, deviation);
@@ -129,7 +130,8 @@ fn climbed(placed: &Placed, corners: &[Corner], deviation: f64) -> (usize, f64) 
     found
 }
 
-/// Whether the mission ends at rest on the ground, which is that of the mission or the height of its origin, below where it was.
+/// Whether the mission ends at rest on the ground, which is that of the mission or the height of its origin, below
+/// where it was.
 fn lands(placed: &Placed, corners: &[Corner]) -> bool {
     let [.., before, end] = corners else { return false };
     let ground = placed.mission.ground.unwrap_or(0.0);

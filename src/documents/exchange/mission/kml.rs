@@ -1,4 +1,5 @@
-//! KML 2.2 (OGC 07-147r2): the path and its ground projection as lines, waypoints as points, volumes as their top, bottom and sides.
+//! KML 2.2 (OGC 07-147r2): the path and its ground projection as lines, waypoints as points, volumes as their top,
+//! bottom and sides.
 
 use super::{Placed, outline};
 use crate::geodesy::heading_of_yaw;
@@ -61,7 +62,8 @@ fn lines(out: &mut String, name: &str, description: &str, mode: &str, coordinate
     let _ = writeln!(
         out,
         "<Placemark><name>{name}</name><description>{description}</description><styleUrl>#{name}</styleUrl><LineString>\
-         <tessellate>1</tessellate><altitudeMode>{mode}</altitudeMode><coordinates>{coordinates}</coordinates></LineString></Placemark>"
+         <tessellate>1</tessellate><altitudeMode>{mode}</altitudeMode><coordinates>{coordinates}</coordinates>\
+         </LineString></Placemark>"
     );
 }
 
@@ -99,8 +101,8 @@ fn face(out: &mut String, placed: &Placed, corners: &[[f64; 3]]) {
     let closed: Vec<[f64; 3]> = corners.iter().chain(corners.first()).copied().collect();
     let _ = write!(
         out,
-        "<Polygon><altitudeMode>absolute</altitudeMode><outerBoundaryIs><LinearRing><coordinates>{}</coordinates></LinearRing>\
-         </outerBoundaryIs></Polygon>",
+        "<Polygon><altitudeMode>absolute</altitudeMode><outerBoundaryIs><LinearRing><coordinates>{}</coordinates>\
+         </LinearRing></outerBoundaryIs></Polygon>",
         coordinates(placed, &closed, true)
     );
 }

@@ -28,8 +28,8 @@ pub struct Line {
     pub deviation: f64,
 }
 
-/// The line through the waypoints of the mission, with corners between them so that the plan is within the tolerance of it (Ramer
-/// 1972, Douglas and Peucker 1973).
+/// The line through the waypoints of the mission, with corners between them so that the plan is within the tolerance of
+/// it (Ramer 1972, Douglas and Peucker 1973).
 pub fn through(placed: &Placed) -> Result<Line, String> {
     let mut share = FIRST_SHARE;
     for _ in 0..ROUNDS {
@@ -82,8 +82,8 @@ fn corners(placed: &Placed, tolerance: f64) -> Vec<Corner> {
     kept.into_iter().map(corner).collect()
 }
 
-/// Keeps the sample between two that is farthest from the segment through them, if it is too far, and so on on both sides; in the
-/// order of time, without recursion.
+/// Keeps the sample between two that is farthest from the segment through them, if it is too far, and so on on both
+/// sides; in the order of time, without recursion.
 fn split(positions: &[[f64; 3]], from: usize, to: usize, tolerance: f64, kept: &mut Vec<(usize, Option<usize>)>) {
     let mut open = vec![(from, to)];
     while let Some((from, to)) = open.pop() {

@@ -6,8 +6,9 @@ use super::{Placed, Spot};
 use crate::model::{Body, VolumeSide};
 use serde_json::{Value, json};
 
-/// `MAV_AUTOPILOT_PX4`, `MAV_TYPE_QUADROTOR` (of which QGroundControl means any multirotor), `MAV_FRAME_GLOBAL_RELATIVE_ALT` and
-/// `MAV_FRAME_MISSION`; QGroundControl's altitude mode for heights relative to home.
+/// `MAV_AUTOPILOT_PX4`, `MAV_TYPE_QUADROTOR` (of which QGroundControl means any multirotor),
+/// `MAV_FRAME_GLOBAL_RELATIVE_ALT` and `MAV_FRAME_MISSION`; QGroundControl's altitude mode for heights relative to
+/// home.
 const PX4: u8 = 12;
 const MULTIROTOR: u8 = 2;
 pub const RELATIVE: u8 = 3;
@@ -70,8 +71,9 @@ fn one(item: &Item, number: usize, home: Spot) -> Value {
     }
 }
 
-/// Polygons and circles of the geofence, and the names of volumes that would be another thing without their heights: those over or
-/// under which the plan flies, spheres to stay in, half spaces, and more than one volume to stay in, of which PX4 takes any.
+/// Polygons and circles of the geofence, and the names of volumes that would be another thing without their heights:
+/// those over or under which the plan flies, spheres to stay in, half spaces, and more than one volume to stay in, of
+/// which PX4 takes any.
 fn fences<'a>(placed: &Placed<'a>) -> (Vec<Value>, Vec<Value>, Vec<&'a str>) {
     let (mut polygons, mut circles, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     let inclusions = placed.mission.volumes.iter().filter(|v| v.side == VolumeSide::KeepIn).count();
@@ -107,7 +109,8 @@ fn fences<'a>(placed: &Placed<'a>) -> (Vec<Value>, Vec<Value>, Vec<&'a str>) {
 }
 
 fn circle(centre: Value, radius: f64, is_inside: bool) -> Value {
-    json!({ "circle": { "center": centre, "radius": super::rounded(radius, 1e3) }, "inclusion": is_inside, "version": 1 })
+    let circle = json!({ "center": centre, "radius": super::rounded(radius, 1e3) });
+    json!({ "circle": circle, "inclusion": is_inside, "version": 1 })
 }
 
 /// Whether the plan stays beside a body, neither over nor under it.

@@ -33,7 +33,8 @@ pub(super) fn written(plan: &Plan, choices: &Choices) -> Result<Written, String>
     }
     let Errors { position, at, velocity, yaw } = fit.errors;
     let remark = format!(
-        "refitted by {} of degree 7 with continuous acceleration: position within {} mm (at {} s), velocity within {} mm/s, yaw within {} rad",
+        "refitted by {} of degree 7 with continuous acceleration: position within {} mm (at {} s), velocity within {} \
+         mm/s, yaw within {} rad",
         plural(fit.pieces.len(), "piece"),
         up(1e3 * position, 3),
         number(at),
@@ -47,8 +48,10 @@ fn refused(best: &Fit, tolerance: f64) -> String {
     let Errors { position, at, yaw, .. } = best.errors;
     let [tolerance, position, enough] = [1e3 * tolerance, 1e3 * position, 1e3 * position.max(yaw)];
     format!(
-        "the trajectory does not fit the {MOST_PIECES} pieces of a Crazyflie within {} mm (and {} mrad of yaw): with so many the \
-         position is up to {} mm off, at {} s, and the yaw up to {} mrad; use --tolerance {}mm, or plan a shorter mission",
+        "the trajectory does not fit the {MOST_PIECES} pieces of a Crazyflie within {} mm (and {} mrad of yaw): with \
+         so many the \
+         position is up to {} mm off, at {} s, and the yaw up to {} mrad; use --tolerance {}mm, or plan a shorter \
+         mission",
         number(tolerance),
         number(tolerance),
         down(position, 3),

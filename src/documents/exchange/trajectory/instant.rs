@@ -8,8 +8,9 @@ use crate::number::number;
 use crate::report::trajectory_csv::{Row, rows};
 use nalgebra::{Matrix3, Vector3};
 
-/// The state of a vehicle that follows the trajectory exactly, with thrust and attitude by differential flatness, whatever model
-/// planned it (`docs/method.md`, section 12). World x east, y north, z up; body x forward, y left, z up; SI units.
+/// The state of a vehicle that follows the trajectory exactly, with thrust and attitude by differential flatness,
+/// whatever model planned it (`docs/method.md`, section 12). World x east, y north, z up; body x forward, y left, z up;
+/// SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instant {
     /// s since the start.
@@ -54,7 +55,8 @@ impl Instant {
         if !attitude.iter().chain(&rates).chain(&turning).chain(wrench.iter()).all(|x| x.is_finite()) {
             let time = number(row.time);
             return Err(format!(
-                "the attitude is not defined at {time} s, where the plan needs no thrust or a roll of 90 degrees: --format csv has \
+                "the attitude is not defined at {time} s, where the plan needs no thrust or a roll of 90 degrees: \
+                 --format csv has \
                  the motion alone"
             ));
         }

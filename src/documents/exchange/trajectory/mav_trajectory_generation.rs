@@ -1,5 +1,5 @@
-//! YAML of mav_trajectory_generation (`segmentsFromFile`): segments of x, y, z and yaw, with the time in nanoseconds and
-//! coefficients in ascending powers.
+//! YAML of mav_trajectory_generation (`segmentsFromFile`): segments of x, y, z and yaw, with the time in nanoseconds
+//! and coefficients in ascending powers.
 
 use super::pieces::COEFFICIENTS;
 use super::{Plan, list};

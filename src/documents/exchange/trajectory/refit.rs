@@ -1,9 +1,9 @@
 //! A trajectory refitted by fewer polynomials of degree 7.
 //!
-//! A piece meets position, velocity and acceleration of the trajectory at both ends, so that the pieces join with continuous
-//! acceleration (C2); its two free coefficients are those of least squares. Pieces that met the jerk as well would have none: on long
-//! missions their errors were seven to nine times as large. Pieces end at nodes. As few are taken as the tolerance needs; with that
-//! many the largest error is then made smallest.
+//! A piece meets position, velocity and acceleration of the trajectory at both ends, so that the pieces join with
+//! continuous acceleration (C2); its two free coefficients are those of least squares. Pieces that met the jerk as well
+//! would have none: on long missions their errors were seven to nine times as large. Pieces end at nodes. As few are
+//! taken as the tolerance needs; with that many the largest error is then made smallest.
 
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use nalgebra::{Matrix2, Vector2};
@@ -96,8 +96,8 @@ fn best(trajectory: &Trajectory, count: usize, reached: f64) -> Fit {
     Fit { pieces, errors }
 }
 
-/// The nodes at which pieces end, the first and the last node with them: each piece as long as the tolerance permits. `None` if
-/// there are more than `most`.
+/// The nodes at which pieces end, the first and the last node with them: each piece as long as the tolerance permits.
+/// `None` if there are more than `most`.
 fn nodes_within(trajectory: &Trajectory, most: usize, tolerance: f64) -> Option<Vec<usize>> {
     let last = trajectory.intervals();
     let mut nodes = vec![0];
@@ -191,7 +191,8 @@ impl Errors {
     }
 }
 
-/// Coefficients in powers of u = t/h of the quintic with value, slope and second derivative of `left` at u = 0 and of `right` at u = 1.
+/// Coefficients in powers of u = t/h of the quintic with value, slope and second derivative of `left` at u = 0 and of
+/// `right` at u = 1.
 fn hermite(left: &[f64; 5], right: &[f64; 5], h: f64) -> [f64; COEFFICIENTS] {
     let [p0, v0, a0] = [left[0], left[1] * h, left[2] * h * h];
     let [p1, v1, a1] = [right[0], right[1] * h, right[2] * h * h];
@@ -216,8 +217,8 @@ fn instant(k: usize) -> f64 {
     (k + 1) as f64 / (FITTED + 1) as f64
 }
 
-/// Adds `(a + b u) u^3 (1 - u)^3`, which leaves the first two derivatives at both ends, with a and b such that the polynomial is nearest
-/// to `exact` in least squares.
+/// Adds `(a + b u) u^3 (1 - u)^3`, which leaves the first two derivatives at both ends, with a and b such that the
+/// polynomial is nearest to `exact` in least squares.
 fn least_squares(c: &mut [f64; COEFFICIENTS], exact: &[f64; FITTED]) {
     let (mut normal, mut right) = (Matrix2::zeros(), Vector2::zeros());
     for (k, value) in exact.iter().enumerate() {

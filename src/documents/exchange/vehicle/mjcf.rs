@@ -1,8 +1,8 @@
 //! The vehicle and the mission as a model of MuJoCo (MJCF, XML): `mavc emit mjcf`.
 //!
-//! The frames are mavc's: world x east, y north, z up, body x forward, y left, z up. Each rotor is an actuator whose control is its
-//! thrust in newtons; its torque about z follows from the gear. Drag, yaw drag, the lag of rotors and faults are not part of the
-//! model: who simulates applies them.
+//! The frames are mavc's: world x east, y north, z up, body x forward, y left, z up. Each rotor is an actuator whose
+//! control is its thrust in newtons; its torque about z follows from the gear. Drag, yaw drag, the lag of rotors and
+//! faults are not part of the model: who simulates applies them.
 
 use crate::model::{Model, Spin};
 use crate::number::shortest;
@@ -19,9 +19,11 @@ const LINE: f64 = 0.01;
 pub fn text(model: &Model) -> String {
     let vehicle = &model.vehicle;
     let mut out = format!(
-        "<mujoco model=\"{}\">\n  <!-- Controls are thrusts in newtons. Drag, yaw drag, the lag of rotors and faults are left to the \
+        "<mujoco model=\"{}\">\n  <!-- Controls are thrusts in newtons. Drag, yaw drag, the lag of rotors and faults \
+         are left to the \
          simulation. The path is drawn as straight legs between the waypoints. -->\n  <compiler angle=\"radian\" \
-         inertiafromgeom=\"false\"/>\n  <option timestep=\"{}\" gravity=\"0 0 {}\" integrator=\"RK4\"/>\n  <worldbody>\n    \
+         inertiafromgeom=\"false\"/>\n  <option timestep=\"{}\" gravity=\"0 0 {}\" integrator=\"RK4\"/>\n  \
+         <worldbody>\n    \
          <light pos=\"0 0 100\" directional=\"true\"/>\n",
         escaped(&vehicle.name),
         shortest(1.0 / model.simulation.rate),
@@ -35,7 +37,8 @@ pub fn text(model: &Model) -> String {
         let torque = if rotor.spin == Spin::P { -ratio } else { ratio };
         let _ = writeln!(
             out,
-            "    <motor name=\"rotor_{0}\" site=\"rotor_{0}\" gear=\"0 0 1 0 0 {1}\" ctrllimited=\"true\" ctrlrange=\"{2}\"/>",
+            "    <motor name=\"rotor_{0}\" site=\"rotor_{0}\" gear=\"0 0 1 0 0 {1}\" ctrllimited=\"true\" \
+             ctrlrange=\"{2}\"/>",
             k + 1,
             shortest(torque),
             list(&[rotor.idle_thrust(), rotor.max_thrust()])
@@ -76,7 +79,8 @@ fn body(model: &Model, (place, yaw): ([f64; 3], f64), out: &mut String) {
     let (sin, cos) = (0.5 * yaw).sin_cos();
     let _ = write!(
         out,
-        "    <body name=\"vehicle\" pos=\"{}\" quat=\"{}\">\n      <freejoint name=\"vehicle\"/>\n      <inertial pos=\"0 0 0\" mass=\"{}\" \
+        "    <body name=\"vehicle\" pos=\"{}\" quat=\"{}\">\n      <freejoint name=\"vehicle\"/>\n      <inertial \
+         pos=\"0 0 0\" mass=\"{}\" \
          diaginertia=\"{}\"/>\n",
         list(&place),
         list(&[cos, 0.0, 0.0, sin]),

@@ -1,10 +1,11 @@
-//! A vehicle as parameters of PX4's control allocation, in the form that QGroundControl loads: vehicle, component, name, value and type
-//! (6: 32-bit integer, 9: 32-bit float), separated by tabs. PX4's frame is forward, right, down; see `crate::import::vehicle`.
+//! A vehicle as parameters of PX4's control allocation, in the form that QGroundControl loads: vehicle, component,
+//! name, value and type (6: 32-bit integer, 9: 32-bit float), separated by tabs. PX4's frame is forward, right, down;
+//! see `crate::import::vehicle`.
 
 use crate::model::{Spin, Vehicle};
 
-/// The parameters of a vehicle. Motors follow each other by their numbers of the spec, or else as the rotors do. Values are the nearest 32-bit
-/// floats in their shortest form.
+/// The parameters of a vehicle. Motors follow each other by their numbers of the spec, or else as the rotors do. Values
+/// are the nearest 32-bit floats in their shortest form.
 pub fn text(vehicle: &Vehicle) -> String {
     let mut out = format!(
         "# Vehicle {}, for PX4's control allocation\n#\n# Vehicle-Id Component-Id Name Value Type\n",

@@ -1,7 +1,7 @@
 //! What is known of MAVLink's commands that a spec has no word for (`MAV_CMD`, common.xml).
 
-/// Whether leaving a command out would change the flight: `MAV_CMD_NAV_*` below the marker 95 without the region of interest 80,
-/// fences and rally points, jumps, modes, a new home, and those that stop or redirect a mission.
+/// Whether leaving a command out would change the flight: `MAV_CMD_NAV_*` below the marker 95 without the region of
+/// interest 80, fences and rally points, jumps, modes, a new home, and those that stop or redirect a mission.
 pub fn is_flight(command: u32) -> bool {
     command <= 94 && command != 80
         || matches!(command, 176 | 177 | 179 | 185 | 192 | 193 | 213 | 252 | 300 | 3000 | 3001 | 4501 | 5000..=5004)

@@ -84,8 +84,8 @@ fn one(fence: &Json, number: usize, plane: &TangentPlane, draft: &mut Draft) -> 
     Ok(())
 }
 
-/// The convex outline to stay inside of, and the bays between it and the polygon to stay out of: the same region, since a spec's
-/// `keep_in` must be convex.
+/// The convex outline to stay inside of, and the bays between it and the polygon to stay out of: the same region, since
+/// a spec's `keep_in` must be convex.
 fn include(points: Vec<[f64; 2]>, mark: &Mark, name: &str, draft: &mut Draft) {
     let outline = outline(&points);
     let (n, m) = (points.len(), outline.len());

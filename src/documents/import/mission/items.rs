@@ -341,7 +341,8 @@ impl Follow<'_> {
         Ok(())
     }
 
-    /// Parameter 1 the kind of speed (0 air, 1 ground, 2 climb, 3 descent), 2 the speed, m/s; -1 no change, -2 the default.
+    /// Parameter 1 the kind of speed (0 air, 1 ground, 2 climb, 3 descent), 2 the speed, m/s; -1 no change, -2 the
+    /// default.
     fn speed(&mut self, item: &Item) -> Step {
         let kind = match item.params[0].unwrap_or(0.0) {
             0.0 | 1.0 => &mut self.speeds.horizontal,

@@ -1,4 +1,5 @@
-//! A mission checked with a vehicle: the spec is compiled in memory, and what is wrong is reported at the item of the file.
+//! A mission checked with a vehicle: the spec is compiled in memory, and what is wrong is reported at the item of the
+//! file.
 
 use super::write::{self, Written};
 use super::{flyable, read};
@@ -19,8 +20,8 @@ pub struct Joined {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads a mission and compiles it together with the spec at the path `vehicle`. Further diagnostics on the spec, such as those of
-/// [`crate::check`], come from `more`.
+/// Reads a mission and compiles it together with the spec at the path `vehicle`. Further diagnostics on the spec, such
+/// as those of [`crate::check`], come from `more`.
 pub fn join(
     name: &str,
     bytes: &[u8],
@@ -75,7 +76,8 @@ fn with_first(first: Source, sources: &SourceMap) -> SourceMap {
     all
 }
 
-/// The diagnostic at the item that its line came from. Edits of the spec that was compiled would not fit the file, and are dropped.
+/// The diagnostic at the item that its line came from. Edits of the spec that was compiled would not fit the file, and
+/// are dropped.
 fn placed(mut diagnostic: Diagnostic, compiled: &Source, written: &Written) -> Diagnostic {
     if diagnostic.span.file == FileId(0) {
         let (span, name) = origin(diagnostic.span, compiled, written);

@@ -13,8 +13,8 @@ type Read<T> = Result<T, Box<Diagnostic>>;
 
 /// `MAV_AUTOPILOT_ARDUPILOTMEGA`
 const ARDUPILOT: f64 = 3.0;
-/// Values of `MAV_TYPE` that are multirotors, and 0, a generic vehicle: quadrotor, helicopter, hexa-, octo-, tricopter, dodeca- and
-/// decarotor.
+/// Values of `MAV_TYPE` that are multirotors, and 0, a generic vehicle: quadrotor, helicopter, hexa-, octo-, tricopter,
+/// dodeca- and decarotor.
 const MULTIROTORS: [f64; 8] = [0.0, 2.0, 4.0, 13.0, 14.0, 15.0, 29.0, 35.0];
 
 pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {

@@ -1,5 +1,5 @@
-//! Tables of waypoints, as uav_trajectories reads them: `x,y,z` in metres on each line, or a header that names `x,y,z` and, if it has
-//! them, `heading` (degrees clockwise from +y, the compass heading if y is north) and `t` (seconds).
+//! Tables of waypoints, as uav_trajectories reads them: `x,y,z` in metres on each line, or a header that names `x,y,z`
+//! and, if it has them, `heading` (degrees clockwise from +y, the compass heading if y is north) and `t` (seconds).
 
 use super::draft::{Draft, Mark, Speeds, Stop, Way, Yaw};
 use super::items::refuse;

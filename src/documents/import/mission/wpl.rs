@@ -1,5 +1,5 @@
-//! MAVLink's plain text of missions, `QGC WPL 110`: a line for each item with twelve columns between tabs or blanks, the first of which
-//! is the planned home.
+//! MAVLink's plain text of missions, `QGC WPL 110`: a line for each item with twelve columns between tabs or blanks,
+//! the first of which is the planned home.
 
 use super::draft::{Draft, Home, Mark, Speeds};
 use super::items::{Item, Setting, follow, place, refuse};

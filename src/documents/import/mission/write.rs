@@ -11,7 +11,8 @@ use std::fmt::Write;
 const MILLIMETRES: usize = 3;
 /// Digits of latitudes and longitudes in degrees: 0.1 mm.
 const OF_DEGREES: usize = 9;
-/// How far below the lowest and above the highest waypoint a fence reaches, m: a fence of a ground station has no heights.
+/// How far below the lowest and above the highest waypoint a fence reaches, m: a fence of a ground station has no
+/// heights.
 const BEYOND: f64 = 1000.0;
 /// Waypoints nearer than this to each other are at one place, m.
 const SHORTEST: f64 = 0.01;
@@ -96,7 +97,8 @@ fn short(x: f64, digits: usize) -> String {
     if text == "-0" { "0".into() } else { text.to_string() }
 }
 
-/// The speeds of all legs if they are the same and only one of them is given, so that one `limits` of the mission says it.
+/// The speeds of all legs if they are the same and only one of them is given, so that one `limits` of the mission says
+/// it.
 fn common_speeds(stops: &[Stop]) -> Option<Speeds> {
     let second = &stops.get(1)?.speeds;
     let is_one = second.limits().count() == 1;

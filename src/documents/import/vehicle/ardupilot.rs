@@ -1,4 +1,5 @@
-//! Multirotors of ArduPilot: the frame by `FRAME_CLASS` and `FRAME_TYPE`; its parameters give neither arms nor masses nor thrusts.
+//! Multirotors of ArduPilot: the frame by `FRAME_CLASS` and `FRAME_TYPE`; its parameters give neither arms nor masses
+//! nor thrusts.
 
 use super::draft::{Draft, Field, Figure, Rotor, name_from_file};
 use super::frames::{FRAMES, Frame, Motors, OTHER_CLASSES};

@@ -1,6 +1,6 @@
-//! The motor tables of ArduPilot's frames, by `FRAME_CLASS` and `FRAME_TYPE`: where each motor is and how its propeller turns, in the order
-//! of the motors' numbers. Source: ArduPilot's documentation, "Connect ESCs and Motors", and `AP_Motors_test.json` of its library
-//! test, against which `benches/readers/vehicles.py` checks every row.
+//! The motor tables of ArduPilot's frames, by `FRAME_CLASS` and `FRAME_TYPE`: where each motor is and how its propeller
+//! turns, in the order of the motors' numbers. Source: ArduPilot's documentation, "Connect ESCs and Motors", and
+//! `AP_Motors_test.json` of its library test, against which `benches/readers/vehicles.py` checks every row.
 
 /// A frame.
 pub struct Frame {

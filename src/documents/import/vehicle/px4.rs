@@ -1,6 +1,7 @@
-//! Multirotors of PX4's control allocation: `CA_ROTORi_PX`, `_PY`, `_PZ` (m; forward, right, down from the centre of gravity),
-//! `_AX`, `_AY`, `_AZ` (axis), `_CT` (thrust at full command, N) and `_KM` (torque per thrust, m, above zero for a rotor that turns
-//! counter-clockwise seen from above). Source: PX4 user guide, "Control Allocation", and its parameter reference.
+//! Multirotors of PX4's control allocation: `CA_ROTORi_PX`, `_PY`, `_PZ` (m; forward, right, down from the centre of
+//! gravity), `_AX`, `_AY`, `_AZ` (axis), `_CT` (thrust at full command, N) and `_KM` (torque per thrust, m, above zero
+//! for a rotor that turns counter-clockwise seen from above). Source: PX4 user guide, "Control Allocation", and its
+//! parameter reference.
 
 pub mod script;
 
@@ -177,7 +178,8 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// A saved file has every parameter of every rotor, and motors with another torque than PX4's default were measured.
+    /// A saved file has every parameter of every rotor, and motors with another torque than PX4's default were
+    /// measured.
     fn warn_of_rotors_unlike_the_others(&self, rotors: &[Px4Rotor], found: &mut Vec<Diagnostic>) {
         let mut warn = |span: Span, message: String, here: &str, help: String| {
             found.push(Diagnostic::warning(ASSUMED, span, message).here(here).help(help));

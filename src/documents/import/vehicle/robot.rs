@@ -1,5 +1,5 @@
-//! Vehicles of simulators: URDF, SDF and MJCF. Masses and inertias are those of all parts together, places those from their common
-//! centre of gravity.
+//! Vehicles of simulators: URDF, SDF and MJCF. Masses and inertias are those of all parts together, places those from
+//! their common centre of gravity.
 
 mod mjcf;
 mod sdf;
@@ -116,7 +116,8 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
         };
         let error = Diagnostic::error(UNSUPPORTED, root, message).here(format!("this {} file", robot.format));
         return Err(Box::new(error.help(
-            "rotors are plugins of a motor model (SDF, URDF), links `prop0_link` beside `properties` (URDF), or motors at sites (MJCF)",
+            "rotors are plugins of a motor model (SDF, URDF), links `prop0_link` beside `properties` (URDF), or \
+             motors at sites (MJCF)",
         )));
     }
     let whole = Part::whole(&robot.parts);

@@ -8,7 +8,8 @@ use crate::text_table::Table;
 
 /// Meaning of the columns.
 const LEGEND: &str = "\
-hover     interior: inside the set of thrust, roll and pitch; on the edge: on its boundary; spinning: on its boundary, but
+hover     interior: inside the set of thrust, roll and pitch; on the edge: on its boundary; spinning: on its \
+boundary, but
           the spin makes the direction of the thrust controllable; none: outside
 disc      the largest roll and pitch torque in every direction [N m], and as angular acceleration
 level     the largest thrust without roll and pitch torques
@@ -39,7 +40,10 @@ pub fn table(modes: &[ModeAnalysis]) -> String {
     }
     let equilibria = equilibria.render(0);
     if equilibria.lines().count() > 1 {
-        out.push_str("\nThe equilibrium with the largest disc, with an axis that is tilted in the body, of modes without a disc\n");
+        out.push_str(
+            "\nThe equilibrium with the largest disc, with an axis that is tilted in the body, of modes \
+            without a disc\n",
+        );
         out.push_str(&equilibria);
     }
     out

@@ -11,7 +11,8 @@ use crate::text_table::Table;
 pub(super) fn agreement(agreement: &Agreement) -> String {
     let mut out = String::from("\nDo the plans predict which flights are lost?\n");
     out.push_str(&filled(
-        "Predicted lost: the fault strikes before the plan's last violation of the mode's set, or of its core where yaw is given up. Only flights that were \
+        "Predicted lost: the fault strikes before the plan's last violation of the mode's set, or of its core where \
+         yaw is given up. Only flights that were \
          still flying when the fault struck are counted. A plan that several planners share is counted once.",
     ));
     let Agreement { all, inside, forecasts } = agreement;
@@ -176,9 +177,12 @@ fn harm(all: &[Correlation], inside: &[Correlation]) -> String {
     }
     out.push_str(&table.render(2));
     out.push_str(&filled(&format!(
-        "Each pair has the mean over its struck flights, lost ones included. Within modes: over ranks within each mode with \
-         hover inside its set or core, so that plans are compared and not modes; modes: those in which both vary. Pairs are not \
-         independent, since plans and modes resemble each other, and fewer than {FEWEST} pairs have no interval: a small \
+        "Each pair has the mean over its struck flights, lost ones included. Within modes: over ranks within each \
+         mode with \
+         hover inside its set or core, so that plans are compared and not modes; modes: those in which both vary. \
+         Pairs are not \
+         independent, since plans and modes resemble each other, and fewer than {FEWEST} pairs have no interval: a \
+         small \
          correlation of few pairs means nothing."
     )));
     out

@@ -23,7 +23,8 @@ pub(super) fn table(design: &Design, tally: &Tally, p: usize, modes: &[usize]) -
         table.row(cells(&design.model.modes[m].name, &design.modes[m].words, &tally.mode(p, m).path));
     }
     let note = format!(
-        "  the path since the fault, of all struck flights: mean and largest of the largest distances from the reference, largest\n  \
+        "  the path since the fault, of all struck flights: mean and largest of the largest distances from the \
+         reference, largest\n  \
          height below it; heading broken: more than {} degrees off, before yaw is given up\n",
         number(HEADING_BROKEN.to_degrees())
     );
@@ -59,7 +60,8 @@ fn limits(path: &PathSums) -> String {
     if words.is_empty() { "-".into() } else { words.join(", ") }
 }
 
-/// The map of the share of struck flights that were lost, and where waypoints were missed the map of the share of these.
+/// The map of the share of struck flights that were lost, and where waypoints were missed the map of the share of
+/// these.
 pub(super) fn maps(design: &Design, tally: &Tally, p: usize, modes: &[usize]) -> String {
     let mut out = map(design, tally, p, modes, "Share lost", |c| (c.lost, c.struck));
     let any_missed = modes.iter().any(|&m| tally.mode(p, m).path.missed > 0);

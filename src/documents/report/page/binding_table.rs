@@ -18,7 +18,8 @@ pub fn section(mission: &Mission, planner: &PlannerRecord) -> Option<Section> {
     let most = limited.iter().flat_map(|leg| leg.statements.iter().map(move |statement| (leg, statement)));
     let (leg, first) = most.max_by(|a, b| a.1.time_saved_s.total_cmp(&b.1.time_saved_s))?;
     let body = html! {
-        h2 { (unbroken(&format!("Leg {}: relaxing {} by {} would save the most, {} s", leg.label(), first.statement, first.relaxed_by, significant(first.time_saved_s, 2)))) }
+        h2 { (unbroken(&format!("Leg {}: relaxing {} by {} would save the most, {} \
+            s", leg.label(), first.statement, first.relaxed_by, significant(first.time_saved_s, 2)))) }
         div.scroll tabindex="0" role="region" aria-label="Table of what limits the time" {
             table {
                 caption { span { (unbroken(HEADLINE)) } }

@@ -1,4 +1,5 @@
-//! The height that a fault without control of yaw costs: a chart over delays, and the table against which the plan was measured.
+//! The height that a fault without control of yaw costs: a chart over delays, and the table against which the plan was
+//! measured.
 
 use super::document::Section;
 use super::prose::unbroken;
@@ -16,15 +17,16 @@ const MARGINS: [f64; 4] = [46.0, 14.0, 14.0, 46.0];
 const COLORS: [&str; 2] = ["#2a7fc4", "#d55e00"];
 const DASHES: [&str; 2] = ["none", "7 4"];
 
-/// The section of a plan that was measured; `curves` are captures over delays, at rest and at the largest speed, in the order of the
-/// modes, then by speed and delay.
+/// The section of a plan that was measured; `curves` are captures over delays, at rest and at the largest speed, in the
+/// order of the modes, then by speed and delay.
 pub fn section(record: &Record, curves: &[Capture]) -> Option<Section> {
     let captures = record.capture_height.as_ref()?;
     let exposed = record.planners.last().map_or(&[][..], |planner| &planner.exposed);
     let body = html! {
         h2 { (unbroken(&headline(captures, exposed))) }
         p.note {
-            "After such a fault the vehicle gives up yaw and falls until it flies level again. The heights are simulated, not proved: "
+            "After such a fault the vehicle gives up yaw and falls until it flies level again. The heights are \
+             simulated, not proved: "
             "another controller, or another course of events, may lose more or less."
         }
         div.pair {
@@ -114,15 +116,18 @@ fn figure(captures: &CaptureRecord, drawn: &[Capture]) -> Markup {
     html! {
         figure {
             div.legend { @for curve in &curves { (curve.entry()) } }
-            svg viewBox={ "0 0 " (SIZE[0]) " " (SIZE[1]) } width="100%" role="img" aria-label="Height lost against the delay until the fault is known, simulated" {
+            svg viewBox={ "0 0 " (SIZE[0]) " " (SIZE[1]) } width="100%" role="img" aria-label="Height lost against \
+                the delay until the fault is known, simulated" {
                 (scale.axes())
                 @if captures.delay_s <= scale.longest { (scale.upright(captures.delay_s, "var(--soft)", "2 3")) }
                 @for curve in &curves { (curve.draw(&scale)) }
             }
             figcaption.note {
-                "Simulated: the median of " (flights) " flights with different noise and gusts, and their range as a band. A line ends where not "
+                "Simulated: the median of " (flights) " flights with different noise and gusts, and their range as a \
+                 band. A line ends where not "
                 "every flight regains level flight. The dotted line is the delay of the table."
-                @if captures.captures.iter().any(|case| !modes.contains(&case.mode.as_str())) { " Modes that cost less are not drawn." }
+                @if captures.captures.iter().any(|case| !modes.contains(&case.mode.as_str())) { " Modes that cost \
+                    less are not drawn." }
             }
         }
     }
@@ -132,7 +137,8 @@ impl Scale {
     /// A vertical line at a delay.
     fn upright(&self, delay: f64, stroke: &str, dash: &str) -> Markup {
         let x = fixed(self.x(delay), 1);
-        html! { line x1=(x) x2=(x) y1=(self.y(self.highest)) y2=(self.y(0.0)) stroke=(stroke) stroke-dasharray=(dash) { } }
+        let (top, bottom) = (self.y(self.highest), self.y(0.0));
+        html! { line x1=(x) x2=(x) y1=(top) y2=(bottom) stroke=(stroke) stroke-dasharray=(dash) { } }
     }
 
     /// Grid, numbers and names of both axes.
@@ -142,7 +148,8 @@ impl Scale {
         let heights = (0..=(self.highest / self.step).round() as usize).map(|k| k as f64 * self.step);
         let delays = (0..=6).map(|k| self.longest * f64::from(k) / 6.0);
         let words = |x: f64, y: f64, anchor: &str, text: &str| {
-            html! { text x=(fixed(x, 1)) y=(fixed(y, 1)) text-anchor=(anchor) font-size="12" fill="var(--soft)" { (text) } }
+            let [x, y] = [x, y].map(|place| fixed(place, 1));
+            html! { text x=(x) y=(y) text-anchor=(anchor) font-size="12" fill="var(--soft)" { (text) } }
         };
         let turned = format!("rotate(-90) translate({} 12)", fixed(-0.5 * (top + bottom), 1));
         html! {
@@ -168,7 +175,8 @@ impl Curve<'_> {
         html! {
             span.entry {
                 svg width="26" height="10" aria-hidden="true" {
-                    line x1="0" y1="5" x2="26" y2="5" stroke=(self.color) stroke-width="2.5" stroke-dasharray=(self.dash) { }
+                    line x1="0" y1="5" x2="26" y2="5" stroke=(self.color) stroke-width="2.5"
+                        stroke-dasharray=(self.dash) { }
                 }
                 (mode) " at " (unbroken(&format!("{} m/s", significant(*speed_m_per_s, 3))))
             }
@@ -184,7 +192,8 @@ impl Curve<'_> {
             @for part in parts(self.cases) {
                 @let spread: Vec<(f64, f64)> = of(&part, 0).into_iter().chain(of(&part, 2).into_iter().rev()).collect();
                 polygon points=(scale.points(&spread)) fill=(self.color) fill-opacity="0.22" stroke="none" { }
-                polyline points=(scale.points(&of(&part, 1))) fill="none" stroke=(self.color) stroke-width="2.2" stroke-dasharray=(self.dash) { }
+                polyline points=(scale.points(&of(&part, 1))) fill="none" stroke=(self.color) stroke-width="2.2"
+                    stroke-dasharray=(self.dash) { }
                 @for (delay, height) in of(&part, 1) {
                     circle cx=(fixed(scale.x(delay), 1)) cy=(fixed(scale.y(height), 1)) r="2.6" fill=(self.color) { }
                 }
@@ -214,7 +223,8 @@ fn table(captures: &CaptureRecord, exposed: &[ExposedRecord]) -> Markup {
                     tr {
                         th scope="col" { "Mode" }
                         @for case in modes.first().map_or(&[][..], |of| of) {
-                            th.n scope="col" { "At" br; span.unit { (unbroken(&format!("{} m/s", significant(case.speed_m_per_s, 3)))) } }
+                            th.n scope="col" { "At" br; span.unit { (unbroken(&format!("{} \
+                                m/s", significant(case.speed_m_per_s, 3)))) } }
                         }
                         th.n scope="col" { "Too low" br; span.unit { "s" } }
                         th.n scope="col" { "By up to" br; span.unit { "m" } }

@@ -213,7 +213,8 @@ fn planner_name(run: &PlannerRun) -> String {
     }
 }
 
-/// Of several plans, only those at the common time are drawn, because they can be compared; all if there is no such time.
+/// Of several plans, only those at the common time are drawn, because they can be compared; all if there is no such
+/// time.
 fn figures_of(run: &PlannerRun, among: &[(usize, &PlannerRun, &MissionPlan)]) -> Option<String> {
     let is_common = |run: &PlannerRun| run.run == Run::Common;
     match among {

@@ -71,7 +71,8 @@ impl Document<'_> {
                     @if moves || !self.content.sets.is_empty() {
                         noscript {
                             p.warning {
-                                "This browser does not run scripts, so the path, the sets and the charts are not drawn. Text, tables and "
+                                "This browser does not run scripts, so the path, the sets and the charts are not \
+                                 drawn. Text, tables and "
                                 "the spec follow below."
                             }
                         }
@@ -83,7 +84,8 @@ impl Document<'_> {
                     @if moves { (player()) }
                     footer {
                         p {
-                            "Written by mavc " (env!("CARGO_PKG_VERSION")) ". Lengths in m, times in s, SI units except angles in degrees. "
+                            "Written by mavc " (env!("CARGO_PKG_VERSION")) ". Lengths in m, times in s, SI units \
+                             except angles in degrees. "
                             "Charts by uPlot and three.js (MIT); the source of this page contains their licences."
                         }
                     }
@@ -150,7 +152,8 @@ pub fn drawn(has_modes: bool) -> Vec<Section> {
                 button type="button" data-view="side" { "Side" }
             }
         }
-        div #space .canvas tabindex="0" role="application" aria-label="Path in space; arrow keys turn it, plus and minus zoom" { }
+        div #space .canvas tabindex="0" role="application" aria-label="Path in space; arrow keys turn it, plus and \
+            minus zoom" { }
         div #space-legend .legend { }
         p #space-readout .readout { }
     };
@@ -162,7 +165,8 @@ pub fn drawn(has_modes: bool) -> Vec<Section> {
     let charts = html! {
         h2 { "The trajectory and its limits over time" }
         p.note {
-            "Dashed lines are limits. Shaded bands in the charts of thrust and torques: the range of that component in the set of the mode "
+            "Dashed lines are limits. Shaded bands in the charts of thrust and torques: the range of that component \
+             in the set of the mode "
             "selected above, with the other three components fixed at their values at that instant."
         }
         div #charts { }
@@ -192,7 +196,8 @@ pub fn sets() -> Section {
         div.pair {
         figure #solid {
             figcaption { h3 { "The set without torque about z" } }
-            div .canvas tabindex="0" role="application" aria-label="The admissible set as a body; arrow keys turn it, plus and minus zoom" { }
+            div .canvas tabindex="0" role="application" aria-label="The admissible set as a body; arrow keys turn it, \
+                plus and minus zoom" { }
             p.note.none hidden { "Hover does not lie inside this mode's set, so no body is drawn." }
         }
         div #room .room tabindex="0" role="region" aria-label="Range of each component" { }

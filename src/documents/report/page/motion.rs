@@ -16,7 +16,8 @@ use crate::planner::studies::MissionPlan;
 use crate::report::battery;
 use crate::report::record::errors;
 
-/// Fewest instants of a curve: if there are fewer nodes, instants between them are added so that curves have their shape.
+/// Fewest instants of a curve: if there are fewer nodes, instants between them are added so that curves have their
+/// shape.
 const FEWEST: usize = 400;
 
 /// Limits on norms of derivatives: kind, column, axes, order of the derivative.

@@ -1,8 +1,8 @@
 //! Volumes as flat views show them: from above (x, y) and from the side (x, z).
 //!
-//! A view shows the silhouette of a body. The sum of a body and a ball has as its silhouette that of the body and a disc, so the
-//! boundary that the centre of gravity keeps is drawn exactly too. An oblique half space would cover a whole view: it is cut
-//! by the plane of the view through a given point.
+//! A view shows the silhouette of a body. The sum of a body and a ball has as its silhouette that of the body and a
+//! disc, so the boundary that the centre of gravity keeps is drawn exactly too. An oblique half space would cover a
+//! whole view: it is cut by the plane of the view through a given point.
 
 use super::chart::rounded;
 use crate::body::Body;
@@ -75,7 +75,8 @@ pub fn outline(volume: &Volume, margin: f64, view: View, cut: [f64; 3]) -> Outli
     Outline { edge: points(lines(&areas)), kept: points(lines(&kept)), areas: points(areas) }
 }
 
-/// The parts of a polygon as one prism with the same silhouette from the side: they have the same heights, and are joined.
+/// The parts of a polygon as one prism with the same silhouette from the side: they have the same heights, and are
+/// joined.
 fn whole_in_height(bodies: &[Body]) -> Option<Body> {
     let [Body::Prism { bottom, top, .. }, _, ..] = bodies else { return None };
     let all = || {
@@ -89,8 +90,8 @@ fn whole_in_height(bodies: &[Body]) -> Option<Body> {
     Some(Body::Prism { corners, bottom: *bottom, top: *top })
 }
 
-/// The silhouette of a body grown by `margin` m, or shrunk if it is negative; counter-clockwise. `None` if nothing is left, or if
-/// it covers the view.
+/// The silhouette of a body grown by `margin` m, or shrunk if it is negative; counter-clockwise. `None` if nothing is
+/// left, or if it covers the view.
 fn silhouette(body: &Body, margin: f64, view: View, cut: [f64; 3]) -> Option<Vec<Point>> {
     let circle = |centre: Point, radius: f64| {
         let at = |i: usize| TAU * i as f64 / CORNERS as f64;
@@ -127,7 +128,8 @@ fn silhouette(body: &Body, margin: f64, view: View, cut: [f64; 3]) -> Option<Vec
     }
 }
 
-/// A rectangle, grown by a positive margin on all sides; a negative one, which the sides have already, moves bottom and top.
+/// A rectangle, grown by a positive margin on all sides; a negative one, which the sides have already, moves bottom and
+/// top.
 fn upright(left: f64, right: f64, bottom: f64, top: f64, margin: f64) -> Option<Vec<Point>> {
     let (bottom, top) = if margin < 0.0 { (bottom - margin, top + margin) } else { (bottom, top) };
     let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];

@@ -16,12 +16,15 @@ pub fn tables(record: &CampaignRecord) -> Markup {
     html! {
         h2 { "The path after the fault" }
         p.note {
-            "Over all struck flights, lost ones included. Deviation: largest distance from the reference since the fault, mean and "
-            "largest. A limit is broken if it is exceeded by more than the tolerance of campaigns, the heading if it is more than "
+            "Over all struck flights, lost ones included. Deviation: largest distance from the reference since the \
+             fault, mean and "
+            "largest. A limit is broken if it is exceeded by more than the tolerance of campaigns, the heading if it \
+             is more than "
             (number(HEADING_BROKEN.to_degrees())) " deg off before yaw is given up."
         }
         @for planner in flown() { (table(planner)) }
-        p.note { "Maps: mean deviation in m; colour: share of the due waypoints missed; columns: instant of the fault in s." }
+        p.note { "Maps: mean deviation in m; colour: share of the due waypoints missed; columns: instant of the fault \
+            in s." }
         div.legend {
             @for (k, (name, _)) in CLASSES.iter().enumerate() {
                 span.entry { span.swatch.{ "lost" (k) } aria-hidden="true" { } (name) }

@@ -20,9 +20,11 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
         (Run::Common, Some(t)) => format!("All planners at T_d = {} s", number(t)),
         (Run::Common, None) => "All planners at one time".to_string(),
     };
+    let found = record.planners.iter().filter(|planner| planner.time_s.is_some());
+    let bound = { found }.find_map(|planner| planner.time_lower_bound_s);
     html! {
         h2 { (headline(comparison)) }
-        @if let Some(bound) = record.planners.iter().filter(|planner| planner.time_s.is_some()).find_map(|planner| planner.time_lower_bound_s) {
+        @if let Some(bound) = bound {
             p.note { "No motion within the limits and at the fixed times takes less than " (down(bound, 4)) " s." }
         }
         @for which in [Run::Common, Run::Own] {

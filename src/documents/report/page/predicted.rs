@@ -11,8 +11,10 @@ pub fn predictors(record: &CampaignRecord) -> Markup {
     html! {
         h3 { "Predicted against flown" }
         p.note {
-            "Over all modes and all distinct plans. Brier: mean squared error of the predicted probability of loss, 0 is best: of the "
-            "prediction as 0 or 1; of the share lost in the same class with the other modes; and of the share lost with the other "
+            "Over all modes and all distinct plans. Brier: mean squared error of the predicted probability of loss, 0 \
+             is best: of the "
+            "prediction as 0 or 1; of the share lost in the same class with the other modes; and of the share lost \
+             with the other "
             "modes, which a predictor has to beat."
         }
         div.scroll tabindex="0" role="region" aria-label="Predictors" {
@@ -67,8 +69,10 @@ pub fn harm(record: &CampaignRecord) -> Markup {
     html! {
         h3 { "Do worse plans do more harm?" }
         p.note {
-            "Spearman's rank correlation over pairs of plan and mode, with its 95 % interval as if pairs were independent, which they "
-            "are not. Within modes: over ranks within each mode with hover inside its set, so that plans are compared and not modes."
+            "Spearman's rank correlation over pairs of plan and mode, with its 95 % interval as if pairs were \
+             independent, which they "
+            "are not. Within modes: over ranks within each mode with hover inside its set, so that plans are compared \
+             and not modes."
         }
         div.scroll tabindex="0" role="region" aria-label="Quality of plans and harm to the path" {
             table {
@@ -90,7 +94,8 @@ pub fn harm(record: &CampaignRecord) -> Markup {
                             td.n { (value(a.rank_correlation)) }
                             td.n {
                                 @match a.interval {
-                                    Some(range) => { (true_minus(&fixed(range.low, 2))) " to " (true_minus(&fixed(range.high, 2))) }
+                                    Some(range) => { (true_minus(&fixed(range.low, 2))) " \
+                                        to " (true_minus(&fixed(range.high, 2))) }
                                     None => { "\u{2013}" }
                                 }
                             }

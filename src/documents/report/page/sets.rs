@@ -34,7 +34,8 @@ impl ShownSet {
         &self.core.as_ref().unwrap_or(&self.set).rows
     }
 
-    /// The smallest margin of a wrench, or to a core of how a motion turns, in widths of the healthy set; negative outside.
+    /// The smallest margin of a wrench, or to a core of how a motion turns, in widths of the healthy set; negative
+    /// outside.
     pub fn margin(&self, w: &Wrench, turning: &Turning) -> f64 {
         let of = |row: &SetRow| -row.violation(w) - row.of_core(Some(turning));
         self.measure().iter().map(of).fold(f64::INFINITY, f64::min)
@@ -46,7 +47,8 @@ impl ShownSet {
 pub struct SetContent {
     pub name: String,
     pub title: Option<String>,
-    /// Where hover lies relative to the mode's whole set of full wrenches, as `mavc analyze` reports it; `None` if unknown.
+    /// Where hover lies relative to the mode's whole set of full wrenches, as `mavc analyze` reports it; `None` if
+    /// unknown.
     pub hover: Option<Place>,
     /// Whether plans are measured against it, so that it has a column of margins.
     pub planned: bool,
@@ -54,8 +56,8 @@ pub struct SetContent {
     pub rows: Vec<[f64; 5]>,
     /// The same with `=`.
     pub equalities: Vec<[f64; 5]>,
-    /// The core by which plans are measured where they give up yaw: `[a, b, e]`, thrusts T and torques of size rho about x and y
-    /// with `a T + b rho <= e`. Empty where yaw is kept.
+    /// The core by which plans are measured where they give up yaw: `[a, b, e]`, thrusts T and torques of size rho
+    /// about x and y with `a T + b rho <= e`. Empty where yaw is kept.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub core: Vec<[f64; 3]>,
 }
@@ -84,8 +86,8 @@ fn core_rows(core: &PlanningSet) -> Vec<[f64; 3]> {
     rows
 }
 
-/// The healthy set first, then those of the modes planned against, in the comparison's order (of many modes, those with the
-/// smallest margins), then other declared modes as far as they fit.
+/// The healthy set first, then those of the modes planned against, in the comparison's order (of many modes, those with
+/// the smallest margins), then other declared modes as far as they fit.
 pub fn shown(model: &Model, comparison: &Comparison) -> Vec<ShownSet> {
     let nearest = |against: &usize| {
         let margins = comparison.runs.iter().filter_map(|run| match &run.outcome {

@@ -142,7 +142,10 @@ fn overrides(set: &[(FileId, &Source)], remarks: &[Remark]) -> Markup {
         div.source tabindex="0" role="region" aria-label="Fields set on the command line" {
             @for (id, source) in set {
                 @let here: Vec<&Remark> = remarks.iter().filter(|r| r.span.file == *id).collect();
-                div.line { span.no aria-hidden="true" { } code { (OVERRIDE) " " (text(source, source.line(1), &here)) } }
+                div.line {
+                    span.no aria-hidden="true" { }
+                    code { (OVERRIDE) " " (text(source, source.line(1), &here)) }
+                }
                 @for r in &here { (remark(r, source)) }
             }
         }

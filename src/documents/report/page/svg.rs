@@ -63,8 +63,9 @@ type Failure = DrawingAreaErrorKind<std::io::Error>;
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Context<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// File names and texts. For every plan there are its charts, the section of each set at hover with the path of the wrench, and,
-/// if the mission has volumes, the flight path from above and from the side. Without a plan there are only the sections.
+/// File names and texts. For every plan there are its charts, the section of each set at hover with the path of the
+/// wrench, and, if the mission has volumes, the flight path from above and from the side. Without a plan there are only
+/// the sections.
 ///
 /// # Errors
 /// The drawing library's message if it cannot draw.
@@ -417,8 +418,8 @@ fn section(content: &Content, set: &SetContent, run: Option<&RunContent>) -> Dra
     })
 }
 
-/// The section of a set through hover along the torques about x and y, by clipping a square with every row (Sutherland and
-/// Hodgman).
+/// The section of a set through hover along the torques about x and y, by clipping a square with every row (Sutherland
+/// and Hodgman).
 fn corners(set: &SetContent, hover: &[f64; 4], reach: f64) -> Vec<(f64, f64)> {
     let square = vec![(-reach, -reach), (reach, -reach), (reach, reach), (-reach, reach)];
     set.rows.iter().fold(square, |polygon, row| {

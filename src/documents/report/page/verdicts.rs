@@ -67,8 +67,8 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     let others = (1..analyses.len()).filter(|i| !model.plan.against.contains(&(i - 1)));
     let order: Vec<usize> = std::iter::once(0).chain(model.plan.against.iter().map(|i| i + 1)).chain(others).collect();
     let rows: Vec<Row> = order.iter().take(MOST_ROWS).filter_map(|&i| row(i)).collect();
-    // Columns of dashes are omitted, and so is a column that repeats another: a mission that continues is committed to a
-    // mode until its last violation.
+    // Columns of dashes are omitted, and so is a column that repeats another: a mission that continues is committed to
+    // a mode until its last violation.
     let columns = Columns {
         without_yaw: analyses.iter().any(|a| a.verdict == Verdict::Stabilizable),
         airspeed: analyses.iter().any(|a| a.airspeed.is_some()),
@@ -112,7 +112,8 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
                 tbody { @for row in &rows { (cells(model, row, columns)) } }
             }
         }
-        @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are omitted here; " code { "mavc analyze" } " lists all." } }
+        @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are omitted \
+            here; " code { "mavc analyze" } " lists all." } }
         (terms("modes-terms", meanings(columns, analyses)))
     }
 }
@@ -133,9 +134,15 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
         found.push((
             "Airspeed",
             match columns.heading {
-                false => "the largest steady airspeed in level flight with the plan's reserve, by thrust or by the mission's limit on tilt.",
-                true => "the largest steady airspeed in level flight with the plan's reserve and the nose in the worst direction, by \
-                         thrust or by the mission's limit on tilt.",
+                false => {
+                    "the largest steady airspeed in level flight with the plan's reserve, by thrust or by the \
+                    mission's limit on tilt."
+                }
+                true => {
+                    "the largest steady airspeed in level flight with the plan's reserve and the nose in the \
+                    worst direction, by \
+                         thrust or by the mission's limit on tilt."
+                }
             },
         ));
     }
@@ -150,11 +157,13 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
         found.extend([
             (
                 "After the fault",
-                "what the plan assumes: the mission continues as planned (`continue`), or the vehicle stops and stays (`hold`).",
+                "what the plan assumes: the mission continues as planned (`continue`), or the vehicle stops and stays \
+                 (`hold`).",
             ),
             (
                 "Committed until",
-                "a fault before this instant may cost the mission. With `continue` it is the plan's last violation; with \
+                "a fault before this instant may cost the mission. With `continue` it is the plan's last violation; \
+                 with \
                  `hold` the last instant from which no stop inside the set was found.",
             ),
         ]);
@@ -162,7 +171,8 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
     if analyses.iter().any(|a| a.verdict == Verdict::Stabilizable) {
         found.push((
             "Stabilizable without yaw",
-            "the vehicle stays up and level while it turns about z. With yaw controlled too, as in the sets drawn here, \
+            "the vehicle stays up and level while it turns about z. With yaw controlled too, as in the sets drawn \
+             here, \
              hover may be far outside.",
         ));
     }

@@ -15,6 +15,10 @@ use crate::report::volumes::{self, VolumeRecord};
 use maud::html;
 use serde::Serialize;
 
+/// The columns of numbers, each with its unit.
+const COLUMNS: [(&str, &str); 6] =
+    [("Distance", "m"), ("Required", "m"), ("At", "s"), ("x", "m"), ("y", "m"), ("z", "m")];
+
 /// Rows of the table at most; the JSON report has all.
 const MOST_ROWS: usize = 200;
 
@@ -173,7 +177,7 @@ pub fn section(problem: Problem, planner: &PlannerRecord) -> Option<Section> {
                 thead {
                     tr {
                         th scope="col" { "Volume" }
-                        @for (name, unit) in [("Distance", "m"), ("Required", "m"), ("At", "s"), ("x", "m"), ("y", "m"), ("z", "m")] {
+                        @for (name, unit) in COLUMNS {
                             th.n scope="col" { (name) br; span.unit { (unit) } }
                         }
                     }
@@ -214,7 +218,8 @@ fn name(record: &VolumeRecord) -> String {
     format!("{} {}", record.side, record.name)
 }
 
-/// The distances of the vehicle from the volumes that come nearest over the states of a plan, each with its column's name, m.
+/// The distances of the vehicle from the volumes that come nearest over the states of a plan, each with its column's
+/// name, m.
 pub fn distances<'s>(
     problem: Problem,
     solved: &MissionPlan,

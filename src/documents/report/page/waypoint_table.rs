@@ -23,13 +23,16 @@ pub fn section(planner: &PlannerRecord) -> Option<Section> {
                     tr {
                         th scope="col" { "Waypoint" }
                         th.n scope="col" { "At" br; span.unit { "s" } }
-                        @for name in ["Error", "Allowed", "Share", "Yaw error", "Allowed", "Share"] { th.n scope="col" { (name) } }
+                        @for name in ["Error", "Allowed", "Share", "Yaw error", "Allowed", "Share"] {
+                            th.n scope="col" { (name) }
+                        }
                     }
                 }
                 tbody { @for w in waypoints.iter().take(MOST_ROWS) { (row(w)) } }
             }
         }
-        @if left_out > 0 { p.note { (left_out) " more waypoints are omitted here; " code { "--report" } " lists all." } }
+        @if left_out > 0 { p.note { (left_out) " more waypoints are omitted here; " code { "--report" } " lists \
+            all." } }
     };
     (!waypoints.is_empty()).then(|| Section::new("waypoints", "Waypoints", body))
 }

@@ -55,7 +55,8 @@ pub fn text(flown: &Flown) -> String {
         }
         if matches!(record.outcome, OutcomeRecord::Lost { cause: "position", at_s, .. } if at_s > at) {
             out.push_str(&format!(
-                "  a vehicle falls before it is caught by its spin (`mavc analyze --capture`): with a `lost_beyond` above that\n  \
+                "  a vehicle falls before it is caught by its spin (`mavc analyze --capture`): with a `lost_beyond` \
+                 above that\n  \
                  height, here {} m, it does not count as lost for it\n",
                 number(model.simulation.lost_beyond)
             ));
@@ -89,7 +90,8 @@ pub fn text(flown: &Flown) -> String {
             n => format!("; {n} estimates refused, under which the vehicle could not hover"),
         };
         out.push_str(&format!(
-            "\nEstimator: {alarms}{refused}\n  rank of the regressor between {} and {} of {}; median condition number {}\n",
+            "\nEstimator: {alarms}{refused}\n  rank of the regressor between {} and {} of {}; median condition number \
+             {}\n",
             r.lowest_rank,
             r.highest_rank,
             r.rotors,
@@ -109,7 +111,8 @@ pub fn text(flown: &Flown) -> String {
             };
             let of_groups: Vec<String> = groups.iter().map(of_group).collect();
             out.push_str(&fill(&format!(
-                "Throughout the plan {}: by less than the estimator's threshold for one sample, so it may take long to tell them apart.",
+                "Throughout the plan {}: by less than the estimator's threshold for one sample, so it may take long \
+                 to tell them apart.",
                 of_groups.join("; ")
             )));
         }
@@ -212,8 +215,8 @@ pub fn to_its_end(model: &Model, record: &FlightRecord) -> String {
 pub const DIVERGED: &str = "the integration broke down (NaN, infinity, or more than half a turn in one step); \
                             what happened to the vehicle is unknown";
 
-/// Why the vehicle counts as lost; `cause` is a name of [`crate::flight::Cause`], `at_end` whether it applied only at the
-/// end of the flight.
+/// Why the vehicle counts as lost; `cause` is a name of [`crate::flight::Cause`], `at_end` whether it applied only at
+/// the end of the flight.
 pub fn loss(model: &Model, cause: &str, at_end: bool) -> String {
     let s = &model.simulation;
     let when = |after: f64| {

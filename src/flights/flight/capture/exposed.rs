@@ -5,7 +5,8 @@ use super::needed::Needed;
 use crate::motion::{NodeState, Trajectory, X, Y, Z};
 use crate::tolerance::MOST_PAST_LIMIT;
 
-/// Each interval between nodes is divided into this many parts, within each of which the plan passes the height at most once.
+/// Each interval between nodes is divided into this many parts, within each of which the plan passes the height at most
+/// once.
 const PARTS: usize = 16;
 /// Bisections of a part in which it does.
 const BISECTIONS: usize = 40;

@@ -1,5 +1,5 @@
-//! The height that a plan should have above the ground, mode by mode and speed by speed: captures at one delay, with the rotors'
-//! own lag.
+//! The height that a plan should have above the ground, mode by mode and speed by speed: captures at one delay, with
+//! the rotors' own lag.
 
 use super::{Capture, DELAYS, capture, is_captured};
 use crate::model::Model;
@@ -27,8 +27,9 @@ pub struct Needed {
 }
 
 impl Needed {
-    /// Simulates the captures of at most `most` modes of those that are concerned: every mode after which yaw is given up and the
-    /// vehicle can still hover. Speeds reach from rest to `top_speed` (m/s) in even steps. `None` if no mode is concerned.
+    /// Simulates the captures of at most `most` modes of those that are concerned: every mode after which yaw is given
+    /// up and the vehicle can still hover. Speeds reach from rest to `top_speed` (m/s) in even steps. `None` if no mode
+    /// is concerned.
     pub fn simulate(model: &Model, delay: f64, top_speed: f64, most: usize) -> Option<Self> {
         let concerned: Vec<usize> = (0..model.modes.len()).filter(|&mode| is_captured(model, mode)).collect();
         if concerned.is_empty() {
@@ -43,8 +44,8 @@ impl Needed {
         Some(Needed { delay, speeds, cases, left_out: concerned.len() - taken.len() })
     }
 
-    /// Captures over all delays of [`DELAYS`], at the lowest and at the highest speed, of at most two modes: those that cost the
-    /// most, in the order of the modes, then by speed and delay.
+    /// Captures over all delays of [`DELAYS`], at the lowest and at the highest speed, of at most two modes: those that
+    /// cost the most, in the order of the modes, then by speed and delay.
     pub fn curves(&self, model: &Model) -> Vec<Capture> {
         let mut costly: Vec<(usize, f64)> =
             self.modes().enumerate().map(|(k, of_mode)| (k, of_mode.iter().map(worst).fold(0.0, f64::max))).collect();
@@ -78,8 +79,8 @@ impl Needed {
         self.cases.iter().map(worst).fold(0.0, f64::max)
     }
 
-    /// The height that a mode asks for at a horizontal speed (m/s), m: the larger one of the two simulated speeds around it, because
-    /// nothing is known in between. Beyond the last speed it is that of the last.
+    /// The height that a mode asks for at a horizontal speed (m/s), m: the larger one of the two simulated speeds
+    /// around it, because nothing is known in between. Beyond the last speed it is that of the last.
     pub fn height(&self, of_mode: &[Capture], speed: f64) -> f64 {
         let above = self.speeds.partition_point(|s| *s < speed).min(self.speeds.len() - 1);
         of_mode[above.saturating_sub(1)..=above].iter().map(worst).fold(0.0, f64::max)

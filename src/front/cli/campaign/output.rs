@@ -65,7 +65,8 @@ impl<'a> Output<'a> {
         }
         if holds_rows(path) {
             return Err(format!(
-                "{} holds rows of another campaign or shard, or not all of this one: delete it, or choose another name with -o",
+                "{} holds rows of another campaign or shard, or not all of this one: delete it, or choose another \
+                 name with -o",
                 path.display()
             ));
         }
@@ -192,7 +193,8 @@ fn unfit(path: &Path, error: &ScanError, design: &Design) -> Problem {
         ScanError::Read(e) => format!("cannot read {name}: {}", reason(e)),
         ScanError::Damaged { line, what } => format!("{name}, line {line}: {what}"),
         ScanError::Foreign => format!(
-            "{name} holds rows of another campaign (this one is {}; it depends on the spec, --set, --times, --seeds and \
+            "{name} holds rows of another campaign (this one is {}; it depends on the spec, --set, --times, --seeds \
+             and \
              the version)",
             design.id
         ),

@@ -45,8 +45,8 @@ impl<'a> Places<'a> {
         target.as_ref().is_some_and(Target::is_stdout)
     }
 
-    /// Prints the text for people: to standard error if standard output takes rows or a page, not at all if it takes the
-    /// report.
+    /// Prints the text for people: to standard error if standard output takes rows or a page, not at all if it takes
+    /// the report.
     pub fn print(&self, text: &str) -> Result<(), Problem> {
         match (Self::is_stdout(&self.report), Self::is_stdout(&self.page) || Self::is_stdout(&self.rows)) {
             (true, _) => Ok(()),

@@ -94,8 +94,8 @@ impl Tally {
 }
 
 impl Findings {
-    /// Prints the diagnostics for people and, unless quiet, a line that counts them; `repeated` of `count` were printed for an
-    /// earlier spec.
+    /// Prints the diagnostics for people and, unless quiet, a line that counts them; `repeated` of `count` were printed
+    /// for an earlier spec.
     pub fn print_human(&self, name: &str, count: Count, repeated: usize, options: &Options) -> Result<(), Problem> {
         files::print_as_it_is(&self.human(&std::io::stdout()))?;
         if options.quiet {

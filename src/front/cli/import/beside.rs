@@ -4,8 +4,8 @@ use crate::cli::Problem;
 use crate::cli::files::cannot_read;
 use std::path::{Component, Path, PathBuf};
 
-/// The path of the spec `used` as a spec at `output` names it: relative to the folder of `output`, or to the present one without
-/// an output.
+/// The path of the spec `used` as a spec at `output` names it: relative to the folder of `output`, or to the present
+/// one without an output.
 pub fn relative(used: &Path, output: Option<&Path>) -> Result<String, Problem> {
     let whole = used.canonicalize().map_err(|e| cannot_read(used, &e))?;
     let folder = match output.filter(|path| path.as_os_str() != "-").and_then(Path::parent) {

@@ -39,8 +39,8 @@ impl Lines {
     }
 }
 
-/// Prints the latest message and the time since the start: first after `first`, then once in each `every`, until the channel
-/// is closed.
+/// Prints the latest message and the time since the start: first after `first`, then once in each `every`, until the
+/// channel is closed.
 fn follow(messages: &Receiver<String>, first: Duration, every: Duration, mut print: impl FnMut(Duration, &str)) {
     let begin = Instant::now();
     let (mut due, mut last) = (first, String::new());

@@ -26,8 +26,8 @@ impl Watched {
         Ok(Watched { watcher, changes, folders: HashSet::new(), files: HashSet::new() })
     }
 
-    /// Watches folders at any depth, and for a file its folder: editors replace the old file by a new one, and the file may
-    /// not exist yet. Nothing is ever unwatched, since a file that went away may come back.
+    /// Watches folders at any depth, and for a file its folder: editors replace the old file by a new one, and the file
+    /// may not exist yet. Nothing is ever unwatched, since a file that went away may come back.
     pub fn add(&mut self, names: &[String]) -> Result<(), Problem> {
         for name in names {
             let path = std::path::absolute(name).map_err(|e| format!("cannot watch {name}: {}", files::reason(&e)))?;
@@ -61,8 +61,8 @@ impl Watched {
         }
     }
 
-    /// Whether a change may alter the result of a check: one to a spec, a table, or a folder that came, went or holds something
-    /// watched. Reading a file, as this process does, is not such a change.
+    /// Whether a change may alter the result of a check: one to a spec, a table, or a folder that came, went or holds
+    /// something watched. Reading a file, as this process does, is not such a change.
     fn matters(&self, change: &notify::Result<Event>) -> bool {
         let Ok(event) = change else { return true };
         let comes = matches!(event.kind, EventKind::Create(_) | EventKind::Modify(ModifyKind::Name(_)));

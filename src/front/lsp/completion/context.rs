@@ -1,5 +1,5 @@
-//! The context of the cursor: the block, the statement, what precedes it. By words and marks alone, because a statement that is
-//! being typed has no tree.
+//! The context of the cursor: the block, the statement, what precedes it. By words and marks alone, because a statement
+//! that is being typed has no tree.
 
 use crate::language::{Group, Takes};
 use crate::read::vocabulary::mode_numbers;
@@ -252,8 +252,8 @@ fn range_from(text: &str, statement: &[Lexeme]) -> Option<String> {
     }
 }
 
-/// The start of the unit that ends at `offset` in a mark that continues it, or in the word after one: the `m/` of `3 m/`,
-/// the `N*s` of `2 N*s`. A unit follows a number, a `)` or a `]`, as one run without blanks.
+/// The start of the unit that ends at `offset` in a mark that continues it, or in the word after one: the `m/` of
+/// `3 m/`, the `N*s` of `2 N*s`. A unit follows a number, a `)` or a `]`, as one run without blanks.
 fn unit_before(text: &str, all: &[Lexeme], offset: usize) -> Option<usize> {
     let end = all.partition_point(|l| l.start < offset);
     let joins = |l: &Lexeme| l.is('/') || l.is('*') || l.is('^');

@@ -83,7 +83,8 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Found {
     }
 }
 
-/// What would let a plan give up yaw for a mode, as an addition to the help of its finding; `None` if nothing in the spec prevents it.
+/// What would let a plan give up yaw for a mode, as an addition to the help of its finding; `None` if nothing in the
+/// spec prevents it.
 pub(super) fn could_be_planned(model: &Model, mode: &ModeAnalysis, index: usize) -> Option<&'static str> {
     let allowed = model.gives_up_yaw(index) != GiveUpYaw::Never;
     let obstacle =

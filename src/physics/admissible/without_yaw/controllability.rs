@@ -6,17 +6,18 @@ use nalgebra::{Matrix4, Matrix4xX, Vector2, Vector4};
 /// Directions shorter than this share of a unit vector count as none.
 const SMALL: f64 = 1e-9;
 
-/// Whether the states (p, q, n_x, n_y) of a body that turns at `rate` (rad/s) about its z axis can be brought to zero with
-/// torques in the given directions; n is the vertical in body axes, and the thrust is held. Linearised about the spin,
+/// Whether the states (p, q, n_x, n_y) of a body that turns at `rate` (rad/s) about its z axis can be brought to zero
+/// with torques in the given directions; n is the vertical in body axes, and the thrust is held. Linearised about the
+/// spin,
 ///
 /// ```text
 /// (97)  p' = (Jy - Jz) r q / Jx + tau_x / Jx      n_x' = -q + r n_y
 ///       q' = (Jz - Jx) r p / Jy + tau_y / Jy      n_y' =  p - r n_x
 /// ```
 ///
-/// Torques from a cone suffice exactly if the pair of matrices is controllable and no real eigenvector of the transposed
-/// first one has a product of one sign with all of them (R. F. Brammer, *Controllability in linear autonomous systems with positive
-/// controllers*, SIAM J. Control 10:2 (1972)). `inertia` is in kg m^2.
+/// Torques from a cone suffice exactly if the pair of matrices is controllable and no real eigenvector of the
+/// transposed first one has a product of one sign with all of them (R. F. Brammer, *Controllability in linear
+/// autonomous systems with positive controllers*, SIAM J. Control 10:2 (1972)). `inertia` is in kg m^2.
 pub fn is_controllable(inertia: [f64; 3], rate: f64, directions: &Directions) -> bool {
     let [jx, jy, jz] = inertia;
     if rate.abs() < SMALL {
@@ -109,8 +110,8 @@ mod tests {
         assert!(!is_controllable(FLAT_BODY, 30.0, &nothing));
     }
 
-    /// About its middle axis of inertia a body does not spin stably: there are real eigenvalues, along whose eigenvectors a single
-    /// ray pushes one way. A half plane contains both directions of a line, which is enough.
+    /// About its middle axis of inertia a body does not spin stably: there are real eigenvalues, along whose
+    /// eigenvectors a single ray pushes one way. A half plane contains both directions of a line, which is enough.
     #[test]
     fn about_the_middle_axis_a_ray_is_not_enough() {
         let body = [0.01, 0.03, 0.02];

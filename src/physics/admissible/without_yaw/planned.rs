@@ -11,11 +11,13 @@ use crate::model::{GiveUpYaw, LimitKind, Model, Spin, YawDrag};
 use crate::tolerance::MOST_OUTSIDE;
 use nalgebra::{SVector, Vector2, Vector4};
 
-/// What a row of a core depends on, whatever the heading of the body: T (N), the two components of `s x s''` (1/s^2), those of s'
-/// (1/s), both in one frame that stands across s, and the rate of the body about s (rad/s). s is the direction of the thrust.
+/// What a row of a core depends on, whatever the heading of the body: T (N), the two components of `s x s''` (1/s^2),
+/// those of s' (1/s), both in one frame that stands across s, and the rate of the body about s (rad/s). s is the
+/// direction of the thrust.
 pub type Turning = SVector<f64, 6>;
 
-/// What a row of a core adds to the bound `a T <= e` on the thrust; both are divided by the healthy set's width along the row:
+/// What a row of a core adds to the bound `a T <= e` on the thrust; both are divided by the healthy set's width along
+/// the row:
 ///
 /// ```text
 /// (98)  a T + b rho <= e,   rho = |J s x s'' + H s'| + |delta| |s x s'' + 2 r s'|
@@ -58,8 +60,8 @@ impl CoreRow {
 pub struct PlannedCore {
     /// Index into `Model::modes`.
     pub mode: usize,
-    /// The rates of the body about the thrust (rad/s) that it never leaves after the fault, given yaw torques in `yaw_torque_n_m`;
-    /// they contain the rates at which the plan turns, with a factor of two.
+    /// The rates of the body about the thrust (rad/s) that it never leaves after the fault, given yaw torques in
+    /// `yaw_torque_n_m`; they contain the rates at which the plan turns, with a factor of two.
     pub spin_rad_s: [f64; 2],
     /// The yaw torques (N m) that are used: the smallest interval about zero with which the disc at hover is whole.
     pub yaw_torque_n_m: [f64; 2],
@@ -77,8 +79,8 @@ pub enum Provision {
     WithYaw,
     /// Yaw is given up after the fault, and the motion stays in the core.
     WithoutYaw(PlannedCore),
-    /// Yaw is given up, and the mode has no core, but its spin controls the thrust's direction: no rows. The vehicle is caught and
-    /// landed, which flights judge.
+    /// Yaw is given up, and the mode has no core, but its spin controls the thrust's direction: no rows. The vehicle is
+    /// caught and landed, which flights judge.
     Capture,
 }
 
@@ -110,8 +112,8 @@ impl Obstacle {
 }
 
 impl Provision {
-    /// How a plan provides for the mode of a set. With yaw where the spec has an [`Obstacle`], or where the mode can neither be
-    /// planned nor caught without yaw.
+    /// How a plan provides for the mode of a set. With yaw where the spec has an [`Obstacle`], or where the mode can
+    /// neither be planned nor caught without yaw.
     pub fn of(model: &Model, set: &AdmissibleSet, healthy: &AdmissibleSet) -> Self {
         if !gives_up_yaw(model, set) || Obstacle::of(model).is_some() {
             return Provision::WithYaw;
@@ -172,8 +174,8 @@ pub fn yaw_rate(model: &Model) -> f64 {
 }
 
 impl PlannedCore {
-    /// The core of a mode, for every value of the spec's intervals and shrunk by the plan's reserve; `None` if hover is not
-    /// inside it, or if `yaw_drag` is unknown. `set` is the mode's whole set.
+    /// The core of a mode, for every value of the spec's intervals and shrunk by the plan's reserve; `None` if hover is
+    /// not inside it, or if `yaw_drag` is unknown. `set` is the mode's whole set.
     pub fn of(model: &Model, set: &AdmissibleSet, healthy: &AdmissibleSet) -> Option<Self> {
         let mode = set.mode.checked_sub(1)?;
         let [slow_drag, _] = model.vehicle.yaw_drag?.ends();
@@ -304,8 +306,8 @@ impl<O: Clone> Slice<'_, O> {
         disc(&self.projection(torques), self.hover[0], [0.0; 2], tolerance).unwrap_or(0.0)
     }
 
-    /// The smallest interval of yaw torques about zero, of those of hover scaled alike, with which the disc at hover is as large as
-    /// with all of them; `None` if there is no disc.
+    /// The smallest interval of yaw torques about zero, of those of hover scaled alike, with which the disc at hover is
+    /// as large as with all of them; `None` if there is no disc.
     fn least_torques(&self) -> Option<[f64; 2]> {
         let yaw = Wrench::new(0.0, 0.0, 0.0, 1.0);
         let (low, high) = self.polytope.chord(&self.hover, &yaw, edge::width(&self.hover))?;

@@ -1,6 +1,6 @@
-//! Equilibria of a vehicle that has given up yaw: the body turns at a constant rate about the vertical, which is fixed in the
-//! body, and the centre of gravity goes around a small circle. M. W. Mueller, R. D'Andrea, *Relaxed hover solutions for
-//! multicopters*, Int. J. of Robotics Research 35:8 (2016), doi 10.1177/0278364915596233.
+//! Equilibria of a vehicle that has given up yaw: the body turns at a constant rate about the vertical, which is fixed
+//! in the body, and the centre of gravity goes around a small circle. M. W. Mueller, R. D'Andrea, *Relaxed hover
+//! solutions for multicopters*, Int. J. of Robotics Research 35:8 (2016), doi 10.1177/0278364915596233.
 
 use super::core::disc;
 use crate::actuation::{Actuation, Wrench, signed_root};
@@ -121,12 +121,12 @@ impl<'a> System<'a> {
         })
     }
 
-    /// The equilibria about a direction of the body (unit vector, z above zero) that a flat set of dimension 3 leaves: its equality
-    /// is a quadratic equation in the rate.
+    /// The equilibria about a direction of the body (unit vector, z above zero) that a flat set of dimension 3 leaves:
+    /// its equality is a quadratic equation in the rate.
     pub fn about(&self, axis: &Vector3<f64>) -> Vec<RelaxedHover> {
         let [equality] = &self.set.polytope.equalities[..] else { return Vec::new() };
-        // Secant steps on the equality as a function of the rate take the momentum of the rotors and a drag of second order
-        // along; they start from a scan for changes of sign.
+        // Secant steps on the equality as a function of the rate take the momentum of the rotors and a drag of second
+        // order along; they start from a scan for changes of sign.
         let off = |rate: f64| {
             let wrench = self.wrench(&(axis * rate), self.momentum_near(&(axis * rate)));
             equality.normal.dot(&wrench) - equality.offset
@@ -159,7 +159,8 @@ impl<'a> System<'a> {
         2.0 * least_drag.spin(most)
     }
 
-    /// The equilibrium with the largest disc, of a flat set of dimension 3; `None` for another set, or if none has a disc.
+    /// The equilibrium with the largest disc, of a flat set of dimension 3; `None` for another set, or if none has a
+    /// disc.
     pub fn widest(&self) -> Option<RelaxedHover> {
         let best = |at: Vector2<f64>| {
             let axis = Vector3::new(at.x, at.y, (1.0 - at.norm_squared()).max(0.0).sqrt());
@@ -209,7 +210,8 @@ fn bisect(of: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Torque times speed of the rotors at these thrusts (N), W; a weak rotor gives the share `capacity` of the thrust of its speed.
+/// Torque times speed of the rotors at these thrusts (N), W; a weak rotor gives the share `capacity` of the thrust of
+/// its speed.
 fn power(vehicle: &Vehicle, thrusts: &[f64], capacity: &[f64]) -> f64 {
     let of = |((rotor, thrust), capacity): ((&crate::model::Rotor, &f64), &f64)| match *capacity > 0.0 {
         true => rotor.drag_coefficient * (thrust / capacity / rotor.thrust_coefficient).abs().sqrt().powi(3),
@@ -255,7 +257,8 @@ impl Allocation {
         }
     }
 
-    /// Thrusts (N) with the smallest sum of squares of the shares of their ranges that give the wrench, or come nearest to it.
+    /// Thrusts (N) with the smallest sum of squares of the shares of their ranges that give the wrench, or come nearest
+    /// to it.
     fn thrusts(&self, wrench: &Wrench) -> Vec<f64> {
         let (none, all) = (vec![0.0; self.columns.len()], vec![1.0; self.columns.len()]);
         let bounds = Bounds { least: &none, most: &all };

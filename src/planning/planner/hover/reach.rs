@@ -12,8 +12,8 @@ pub(in crate::planning::planner) const LEEWAY: f64 = 1.001;
 const DIRECTIONS: usize = 64;
 
 impl HoverPlanner<'_> {
-    /// An upper bound on (48) over all feasible plans: the largest inputs that the healthy set allows, waypoints at the edge
-    /// of their tolerance. `None` if yaw was planned first, because rows then depend on states too.
+    /// An upper bound on (48) over all feasible plans: the largest inputs that the healthy set allows, waypoints at the
+    /// edge of their tolerance. `None` if yaw was planned first, because rows then depend on states too.
     pub(super) fn largest_cost(&self, layout: &Layout) -> Option<f64> {
         let bounded = self.mission().waypoints.iter().all(|w| w.within < UNBOUNDED || w.weight == 0.0);
         (bounded && matches!(layout.yaw, YawPlan::Free { .. })).then(|| self.cost_scale(layout))

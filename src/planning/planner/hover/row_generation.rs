@@ -9,12 +9,13 @@ use crate::planner::transcription::{Purpose, Row, RowAt, Transcription};
 use crate::planner::working_set::WorkingSet;
 use crate::solve::{Outcome, Solution, solve};
 
-/// Where the violation is minimised: after this many rounds, a violation within 1 % of its lower bound ends row generation, because
-/// the estimate does not use such a value.
+/// Where the violation is minimised: after this many rounds, a violation within 1 % of its lower bound ends row
+/// generation, because the estimate does not use such a value.
 const FIRST_ROUNDS: usize = 2;
 /// See [`FIRST_ROUNDS`]: the share of the (negative) lower bound.
 const NEAR_LEAST: f64 = 0.99;
-/// Where the violation is minimised, rows violated by less than this share of it are not added: the result is an estimate.
+/// Where the violation is minimised, rows violated by less than this share of it are not added: the result is an
+/// estimate.
 const ACCEPTED_SHARE: f64 = 0.2;
 
 /// The outcome of one program with row generation.
@@ -27,7 +28,8 @@ pub(super) struct Attempt {
 }
 
 impl HoverPlanner<'_> {
-    /// Drops the rows that have more slack than [`super::HoverSettings::kept_slack`] at these states, for rows widened by `sigma`.
+    /// Drops the rows that have more slack than [`super::HoverSettings::kept_slack`] at these states, for rows widened
+    /// by `sigma`.
     pub(super) fn drop_slack_rows(
         &self,
         layout: &Layout,
@@ -68,8 +70,8 @@ impl HoverPlanner<'_> {
         self.generate_within(layout, set, purpose, working_set, ACCEPTED)
     }
 
-    /// The same with another accepted violation. [`Purpose::Violation`] is minimised no further than its `least`, and no closer
-    /// than to a fifth of itself: far from zero it need not be known well.
+    /// The same with another accepted violation. [`Purpose::Violation`] is minimised no further than its `least`, and
+    /// no closer than to a fifth of itself: far from zero it need not be known well.
     pub(super) fn generate_within(
         &mut self,
         layout: &Layout,
@@ -147,13 +149,14 @@ impl HoverPlanner<'_> {
     }
 }
 
-/// At each node the facet with the largest violation and every limit with a violation, above `accepted`, there and at the
-/// neighbouring nodes; where rotors lag, also the facet that the commanded wrench violates most, on each side of the node. All
-/// rows are widened by `sigma`.
+/// At each node the facet with the largest violation and every limit with a violation, above `accepted`, there and at
+/// the neighbouring nodes; where rotors lag, also the facet that the commanded wrench violates most, on each side of
+/// the node. All rows are widened by `sigma`.
 fn violated_rows(form: &Transcription, states: &[NodeState], sigma: f64, accepted: f64) -> Vec<RowAt> {
     let (rows, last) = (&form.set.rows, states.len() - 1);
     let mut found = Vec::new();
-    // The facet with the largest violation stands for its neighbours; those follow in a later round if they are still violated.
+    // The facet with the largest violation stands for its neighbours; those follow in a later round if they are still
+    // violated.
     let most_violated = |wrench: &Wrench| {
         let inequalities = (0..rows.len()).filter(|&f| !rows[f].equality && rows[f].core.is_none());
         let violations = inequalities.map(|f| (f, rows[f].violation(wrench) - sigma));

@@ -1,22 +1,23 @@
-//! The parameters of the hover planner. What its proofs rest on ([`super::FEASIBLE`], [`super::ACCEPTED`] and the bounds of
-//! `reach`) are constants, and so are the rules of `row_generation` and `timing::search` that have names there.
+//! The parameters of the hover planner. What its proofs rest on ([`super::FEASIBLE`], [`super::ACCEPTED`] and the
+//! bounds of `reach`) are constants, and so are the rules of `row_generation` and `timing::search` that have names
+//! there.
 
 /// Parameters of [`super::HoverPlanner`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HoverSettings {
-    /// Row generation: rows with more slack than this at a plan are not carried on to other mission times. Widths of the healthy
-    /// set or shares of a limit; 0.05.
+    /// Row generation: rows with more slack than this at a plan are not carried on to other mission times. Widths of
+    /// the healthy set or shares of a limit; 0.05.
     pub kept_slack: f64,
-    /// Row generation: after this many rounds every row is imposed, 30, unless there are more than `max_rows_at_once`, 300,000: a
-    /// row takes some 800 bytes, most of them in the solver.
+    /// Row generation: after this many rounds every row is imposed, 30, unless there are more than `max_rows_at_once`,
+    /// 300,000: a row takes some 800 bytes, most of them in the solver.
     pub max_rounds: usize,
     /// See `max_rounds`.
     pub max_rows_at_once: usize,
     /// Programs with more rows than this are solved in stage variables. 1,000, measured.
     pub max_rows_in_splines: usize,
-    /// Programs whose `Transcription::stiffness` exceeds this are solved in stage variables. 1e9. Measured along the paper's
-    /// curve: 200 samples in 16 s (2e8) are fine in spline coefficients; 500 samples (1e11), or 200 in 7 s (4e10), often end
-    /// without a verdict.
+    /// Programs whose `Transcription::stiffness` exceeds this are solved in stage variables. 1e9. Measured along the
+    /// paper's curve: 200 samples in 16 s (2e8) are fine in spline coefficients; 500 samples (1e11), or 200 in 7 s
+    /// (4e10), often end without a verdict.
     pub max_stiffness: f64,
     /// The share of the overshoot's objective that the inputs' cost may take at most, m. 1e-3.
     pub cost_share_of_overshoot: f64,
@@ -35,8 +36,8 @@ pub struct HoverSettings {
 pub struct HoverSearchSettings {
     /// Relative precision of the estimate on the coarse grid. 0.005.
     pub precision: f64,
-    /// With k intervals a leg shortest times are longer by about this share of 1/k^2. 0.85, measured on Viviani's curve; used
-    /// for the estimate only.
+    /// With k intervals a leg shortest times are longer by about this share of 1/k^2. 0.85, measured on Viviani's
+    /// curve; used for the estimate only.
     pub grid_error: f64,
     /// The estimate ends after this many times tried. 60.
     pub max_steps: usize,

@@ -1,6 +1,6 @@
-//! Rotors that lag, in the subproblems: the planning set's facets for the commanded wrench c = w + tau w'. The commanded wrench
-//! jumps where the slope of the inputs does, so a node has rows for both its sides. Equalities of a flat set are not repeated:
-//! where w stays in a plane, w' does too.
+//! Rotors that lag, in the subproblems: the planning set's facets for the commanded wrench c = w + tau w'. The
+//! commanded wrench jumps where the slope of the inputs does, so a node has rows for both its sides. Equalities of a
+//! flat set are not repeated: where w stays in a plane, w' does too.
 
 use super::*;
 use crate::flatness::CommandFlatState;
@@ -77,7 +77,8 @@ impl ScpPlanner<'_, '_> {
         })
     }
 
-    /// The largest violation by the commanded wrench at an instant, on both its sides; minus infinity where no rotor lags.
+    /// The largest violation by the commanded wrench at an instant, on both its sides; minus infinity where no rotor
+    /// lags.
     pub(super) fn command_violation_at(&self, iterate: &Iterate, instant: usize) -> f64 {
         let Some(lag) = &self.lag else { return f64::NEG_INFINITY };
         let sides = [Slope::Before, Slope::After].into_iter();

@@ -1,4 +1,5 @@
-//! Continuation in time: feasible iterates at another mission time than the one required, by slowing down and by shortening.
+//! Continuation in time: feasible iterates at another mission time than the one required, by slowing down and by
+//! shortening.
 
 use super::*;
 use crate::motion::time_grid::has_fixed_times;
@@ -11,15 +12,18 @@ const ROUNDING: f64 = 1e-12;
 /// How far a step shortens the duration.
 #[derive(Debug, Clone, Copy)]
 enum Shorter {
-    /// By as much as the linear model allows, at most by the first share of the duration; less than the second share is a failure.
+    /// By as much as the linear model allows, at most by the first share of the duration; less than the second share is
+    /// a failure.
     UpTo(f64, f64),
-    /// By this share of the duration, even if the linear model predicts a violation: the feasibility phase may still remove it.
+    /// By this share of the duration, even if the linear model predicts a violation: the feasibility phase may still
+    /// remove it.
     By(f64),
 }
 
 impl ScpPlanner<'_, '_> {
-    /// Shortens all durations alike: one subproblem about the iterate as it is, because the same iterate flown faster can be far
-    /// outside the set, where the linear model predicts nothing; then the feasibility phase. `None` if either fails.
+    /// Shortens all durations alike: one subproblem about the iterate as it is, because the same iterate flown faster
+    /// can be far outside the set, where the linear model predicts nothing; then the feasibility phase. `None` if
+    /// either fails.
     fn shorten_alike(
         &mut self,
         iterate: &Iterate,
@@ -44,8 +48,8 @@ impl ScpPlanner<'_, '_> {
         self.restore_feasibility(iterate.stepped(&stepped.states, &stepped.changes), working_set)
     }
 
-    /// The same path with the same shares of time, about as short as is feasible at the nodes. `None` if no duration up to
-    /// [`MAX_MISSION_TIME`] is.
+    /// The same path with the same shares of time, about as short as is feasible at the nodes. `None` if no duration up
+    /// to [`MAX_MISSION_TIME`] is.
     pub(super) fn slowed_until_inside(&self, iterate: &Iterate) -> Option<Iterate> {
         let form = self.transcription(&iterate.grid, &[]);
         let inside = |factor: f64| {
@@ -81,8 +85,8 @@ impl ScpPlanner<'_, '_> {
         Some(iterate.slower(high))
     }
 
-    /// The iterate slowed down by the first of [`settings::DescentSettings::slowdowns`] with which it can be restored, after a
-    /// short cost phase.
+    /// The iterate slowed down by the first of [`settings::DescentSettings::slowdowns`] with which it can be restored,
+    /// after a short cost phase.
     pub(super) fn restore_feasibility_slower(
         &mut self,
         iterate: &Iterate,
@@ -105,7 +109,8 @@ impl ScpPlanner<'_, '_> {
         Some(self.minimise_cost(restored, self.settings.cost.rough, working_set))
     }
 
-    /// A warm start: a feasible iterate from other plans, the first that can be restored with the smallest slowing down.
+    /// A warm start: a feasible iterate from other plans, the first that can be restored with the smallest slowing
+    /// down.
     pub(super) fn warm_start(
         &mut self,
         initial_guesses: &[&Planned],
@@ -119,9 +124,10 @@ impl ScpPlanner<'_, '_> {
         })
     }
 
-    /// Continuation in time: a feasible iterate is shortened step by step down to `target` s of flight, with a short cost phase after
-    /// each step, because smooth motions stay away from the attitudes at which the wrench is most curved. Steps are first as long as
-    /// the linear model allows; after one closer cost phase they are given, even if the linear model predicts a violation.
+    /// Continuation in time: a feasible iterate is shortened step by step down to `target` s of flight, with a short
+    /// cost phase after each step, because smooth motions stay away from the attitudes at which the wrench is most
+    /// curved. Steps are first as long as the linear model allows; after one closer cost phase they are given, even if
+    /// the linear model predicts a violation.
     pub(super) fn descend(
         &mut self,
         mut iterate: Iterate,
@@ -149,8 +155,8 @@ impl ScpPlanner<'_, '_> {
                 }
                 None => {
                     step *= settings.shrink;
-                    // The nearer an iterate is to the least cost, the further it can be shortened, and the feasibility phase may
-                    // reach what the linear model does not predict: tried once.
+                    // The nearer an iterate is to the least cost, the further it can be shortened, and the feasibility
+                    // phase may reach what the linear model does not predict: tried once.
                     if step < steps.min && !minimised {
                         iterate = self.minimise_cost(iterate, self.settings.cost.medium, working_set);
                         minimised = true;
@@ -162,8 +168,9 @@ impl ScpPlanner<'_, '_> {
         iterate
     }
 
-    /// A plan at a mission time by continuation from iterates that are feasible at another: other plans slowed down, or a first
-    /// feasible iterate. `None` where waypoints have fixed times, because no motion can then be slowed down as a whole.
+    /// A plan at a mission time by continuation from iterates that are feasible at another: other plans slowed down, or
+    /// a first feasible iterate. `None` where waypoints have fixed times, because no motion can then be slowed down as
+    /// a whole.
     pub(super) fn by_continuation(&mut self, total: f64, initial_guesses: &[&Planned]) -> Option<Planned> {
         if has_fixed_times(self.hover.mission()) {
             return None;
@@ -173,8 +180,8 @@ impl ScpPlanner<'_, '_> {
         from_plans.or_else(|| self.first_feasible(total - self.held()).and_then(|first| self.brought_to(first, total)))
     }
 
-    /// The plan of least cost at a mission time, from an iterate that is feasible at another: with all legs changed alike, and if
-    /// that fails and the planner chooses durations, with each leg shortened by itself.
+    /// The plan of least cost at a mission time, from an iterate that is feasible at another: with all legs changed
+    /// alike, and if that fails and the planner chooses durations, with each leg shortened by itself.
     fn brought_to(&mut self, first: Iterate, total: f64) -> Option<Planned> {
         let flown = total - self.held();
         let alike = self.brought_alike(first.clone(), total);

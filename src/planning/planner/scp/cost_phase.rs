@@ -1,4 +1,5 @@
-//! The cost phase at fixed durations: steps that minimise the cost (48), judged by a merit function with an exact penalty.
+//! The cost phase at fixed durations: steps that minimise the cost (48), judged by a merit function with an exact
+//! penalty.
 
 use super::*;
 use settings::StoppingRule;
@@ -12,8 +13,8 @@ struct CostPhase {
 }
 
 impl ScpPlanner<'_, '_> {
-    /// The cost phase. The iterate given and the one returned are feasible at every instant; iterates in between are judged by the
-    /// merit function: the relative cost, with a penalty on the violation.
+    /// The cost phase. The iterate given and the one returned are feasible at every instant; iterates in between are
+    /// judged by the merit function: the relative cost, with a penalty on the violation.
     pub(super) fn minimise_cost(
         &mut self,
         iterate: Iterate,
@@ -50,8 +51,8 @@ impl ScpPlanner<'_, '_> {
         }
     }
 
-    /// The steps of [`Self::minimise_cost`] from `best`, which is feasible and is replaced by the cheapest feasible iterate on the
-    /// way. Returns the last iterate if it is infeasible and cheaper.
+    /// The steps of [`Self::minimise_cost`] from `best`, which is feasible and is replaced by the cheapest feasible
+    /// iterate on the way. Returns the last iterate if it is infeasible and cheaper.
     fn lower_merit(
         &mut self,
         best: &mut (f64, Iterate),

@@ -9,10 +9,10 @@ impl ScpPlanner<'_, '_> {
         self.hover.model().plan.chooses_times && self.hover.mission().leaves_times_free()
     }
 
-    /// Shortens a feasible iterate by steps in which each leg has its own change of duration. Each step is restored with the new
-    /// durations and kept if the mission has become shorter; only a change of grid can lengthen it, by at most the largest of
-    /// [`settings::GridSettings::slowdowns`]. The steps end at `target` s of flight.
-    /// `cost_weights` are the relative weights of the cost, one after the other ([`settings::DurationSettings`]).
+    /// Shortens a feasible iterate by steps in which each leg has its own change of duration. Each step is restored
+    /// with the new durations and kept if the mission has become shorter; only a change of grid can lengthen it, by at
+    /// most the largest of [`settings::GridSettings::slowdowns`]. The steps end at `target` s of flight. `cost_weights`
+    /// are the relative weights of the cost, one after the other ([`settings::DurationSettings`]).
     pub(super) fn optimise_durations(
         &mut self,
         mut iterate: Iterate,
@@ -40,8 +40,8 @@ impl ScpPlanner<'_, '_> {
         iterate
     }
 
-    /// The iterate on the grid of its own durations if some leg has longer pieces than that grid ([`is_coarser`]); unchanged if it
-    /// cannot be restored there.
+    /// The iterate on the grid of its own durations if some leg has longer pieces than that grid ([`is_coarser`]);
+    /// unchanged if it cannot be restored there.
     pub(super) fn on_its_own_grid(&mut self, iterate: Iterate, working_set: &mut BTreeSet<RowAt>) -> Iterate {
         let mission = self.hover.mission();
         let segments = &iterate.grid.segments;

@@ -45,7 +45,8 @@ impl Planner for ExactPlanner<'_> {
         let mut decision = near.against(set).attempt(time, minimised);
         self.hover.effort += near.hover.effort;
         self.hover.weights = near.hover.weights;
-        // A result with waypoints kept near is one for the mission itself only if it is a plan, or if there are no such waypoints.
+        // A result with waypoints kept near is one for the mission itself only if it is a plan, or if there are no such
+        // waypoints.
         if guided_problem.mission() != problem.mission() && !matches!(decision, Decision::Feasible(_)) {
             decision = self.against(set).attempt(time, minimised);
         }
@@ -66,8 +67,9 @@ impl Planner for ExactPlanner<'_> {
     }
 }
 
-/// The mission with waypoints that require nothing kept near, within a wide tolerance. Without this, steps of the exact model drift
-/// along directions that nothing bounds, such as the speed where one waypoint is left, and the solver does not converge.
+/// The mission with waypoints that require nothing kept near, within a wide tolerance. Without this, steps of the exact
+/// model drift along directions that nothing bounds, such as the speed where one waypoint is left, and the solver does
+/// not converge.
 fn guided(mission: &Mission, settings: &GuidanceSettings) -> Mission {
     let mut guided = mission.clone();
     let apart = |i: usize| {

@@ -1,10 +1,11 @@
-//! The feasibility phase (restoration) at fixed durations: steps that minimise the violation until the iterate is feasible.
+//! The feasibility phase (restoration) at fixed durations: steps that minimise the violation until the iterate is
+//! feasible.
 
 use super::*;
 
 impl ScpPlanner<'_, '_> {
-    /// The feasibility phase: steps that minimise the violation, until the iterate is feasible at every instant. `None` if it does
-    /// not converge, which proves nothing.
+    /// The feasibility phase: steps that minimise the violation, until the iterate is feasible at every instant. `None`
+    /// if it does not converge, which proves nothing.
     pub(super) fn restore_feasibility(
         &mut self,
         iterate: Iterate,
@@ -49,13 +50,15 @@ impl ScpPlanner<'_, '_> {
                 if weights.input_weight == 0.0 {
                     return None;
                 }
-                // Where most inputs are small any change is a large share of them: this planner goes on without the weight.
+                // Where most inputs are small any change is a large share of them: this planner goes on without the
+                // weight.
                 (self.input_weight, weights.input_weight) = (0.0, 0.0);
                 predicted.clear();
                 history.clear();
                 continue;
             }
-            // If only a share of this step is taken, the next subproblem still needs the rows that the full step violates.
+            // If only a share of this step is taken, the next subproblem still needs the rows that the full step
+            // violates.
             let whole = iterate.with_states(stepped.states.clone());
             working_set.extend(self.rows_violated_most(&whole));
             violation = self.violation_by(&iterate, working_set);

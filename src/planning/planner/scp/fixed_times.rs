@@ -1,5 +1,5 @@
-//! Fixed times of waypoints among free ones. The legs between two fixed times form a span: they can divide its time in another way,
-//! but only the legs after the last fixed time can take longer in all.
+//! Fixed times of waypoints among free ones. The legs between two fixed times form a span: they can divide its time in
+//! another way, but only the legs after the last fixed time can take longer in all.
 
 use super::*;
 use crate::model::Problem;
@@ -49,8 +49,9 @@ impl ScpPlanner<'_, '_> {
         (0..self.hover.mission().legs.len()).map(|leg| if alone(leg) { None } else { own.next() }).collect()
     }
 
-    /// An iterate of `flown` s in all: slower or faster on all legs alike, or where times are fixed on those after the last fixed
-    /// time, whose pieces then join at waypoints to first order only. Unchanged where there are no such legs.
+    /// An iterate of `flown` s in all: slower or faster on all legs alike, or where times are fixed on those after the
+    /// last fixed time, whose pieces then join at waypoints to first order only. Unchanged where there are no such
+    /// legs.
     pub(super) fn lasting(&self, iterate: &Iterate, flown: f64) -> Iterate {
         let from = self.spans().last().map_or(0, |span| span.end);
         if from == 0 {
@@ -66,7 +67,8 @@ impl ScpPlanner<'_, '_> {
         iterate.stepped(&iterate.states, &changes)
     }
 
-    /// An iterate whose legs have changed by different shares, joined at its waypoints by one step that minimises the violation.
+    /// An iterate whose legs have changed by different shares, joined at its waypoints by one step that minimises the
+    /// violation.
     pub(super) fn joined(&mut self, iterate: &Iterate, working_set: &mut BTreeSet<RowAt>) -> Option<Iterate> {
         let settings = self.settings;
         let proximal = ProximalWeight { weight: settings.feasibility.proximal_weight };
@@ -79,8 +81,9 @@ impl ScpPlanner<'_, '_> {
         })
     }
 
-    /// A plan at a mission time with another division of the time between fixed times than the rules give: the division of a short
-    /// motion without fixed times; then, from it and from `divisions`, the divisions that steps towards the least violation find.
+    /// A plan at a mission time with another division of the time between fixed times than the rules give: the division
+    /// of a short motion without fixed times; then, from it and from `divisions`, the divisions that steps towards the
+    /// least violation find.
     pub(super) fn divided_anew(&mut self, total: f64, divisions: &[TimeGrid]) -> Option<Planned> {
         let samples = self.hover.model().plan.samples;
         let fastest = self.durations_without_fixed_times().and_then(|legs| self.lay_out(Some(&legs), total, samples));
@@ -110,8 +113,8 @@ impl ScpPlanner<'_, '_> {
         iterate.map(|iterate| iterate.grid.segments.iter().map(|s| s.duration).collect())
     }
 
-    /// Steps towards the least violation in which the legs of each span change their division of its time, until the iterate can be
-    /// restored with its durations.
+    /// Steps towards the least violation in which the legs of each span change their division of its time, until the
+    /// iterate can be restored with its durations.
     fn restore_feasibility_dividing_anew(
         &mut self,
         mut iterate: Iterate,

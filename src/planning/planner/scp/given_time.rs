@@ -12,8 +12,8 @@ use settings::StoppingRule;
 pub const NOT_FOUND: &str = "no plan found";
 
 impl ScpPlanner<'_, '_> {
-    /// The mission's time grid over `total` s with `samples` intervals. Legs take these shares of the time, or the mission's own;
-    /// `None` if some leg has no time.
+    /// The mission's time grid over `total` s with `samples` intervals. Legs take these shares of the time, or the
+    /// mission's own; `None` if some leg has no time.
     pub(super) fn lay_out(&self, shares: Option<&[f64]>, total: f64, samples: usize) -> Option<TimeGrid> {
         match shares {
             None => time_grid(self.hover.mission(), total, samples),
@@ -24,8 +24,8 @@ impl ScpPlanner<'_, '_> {
         }
     }
 
-    /// The time grid of the first division tried at a mission time: the spec's, or where the planner chooses durations, shares as
-    /// the limits of each leg need them.
+    /// The time grid of the first division tried at a mission time: the spec's, or where the planner chooses durations,
+    /// shares as the limits of each leg need them.
     fn first_division(&self, total: f64, samples: usize) -> Option<TimeGrid> {
         let initial = self.chooses_times().then(|| kinematics::initial(self.hover.problem));
         self.lay_out(initial.as_deref(), total, samples)
@@ -42,8 +42,8 @@ impl ScpPlanner<'_, '_> {
         Iterate { states: planned.grid.without_holds(&planned.states), grid, model: self.wrench }
     }
 
-    /// The divisions of a mission time that are tried unchanged: [`Self::first_division`] and, where the planner chooses durations,
-    /// the one by lengths. Empty if some leg has no time.
+    /// The divisions of a mission time that are tried unchanged: [`Self::first_division`] and, where the planner
+    /// chooses durations, the one by lengths. Empty if some leg has no time.
     fn divisions(&self, total: f64) -> Vec<TimeGrid> {
         let samples = self.hover.model().plan.samples;
         let by_length = self.chooses_times().then(|| self.lay_out(None, total, samples)).flatten();
@@ -64,9 +64,9 @@ impl ScpPlanner<'_, '_> {
         self.on_one_of(&divisions, initial_guesses)
     }
 
-    /// Decides a mission time, s: the first plan found from the minimum-snap motion, from `initial_guesses` (plans of any set),
-    /// from the relaxation's solution or by continuation from slower motions; a proof by the relaxation (74) or the kinematic bound
-    /// that there is none; or neither, which is `Inconclusive(NOT_FOUND)`.
+    /// Decides a mission time, s: the first plan found from the minimum-snap motion, from `initial_guesses` (plans of
+    /// any set), from the relaxation's solution or by continuation from slower motions; a proof by the relaxation (74)
+    /// or the kinematic bound that there is none; or neither, which is `Inconclusive(NOT_FOUND)`.
     pub fn decide(&mut self, total: f64, initial_guesses: &[&Planned]) -> Decision {
         if self.hover.is_too_short(total) {
             return Decision::Infeasible;
@@ -76,8 +76,8 @@ impl ScpPlanner<'_, '_> {
         if let Some(planned) = self.on_one_of(&divisions, initial_guesses) {
             return Decision::Feasible(Box::new(planned));
         }
-        // A proof for one division of the time is not one for all. A proof costs less than continuation from a slower motion, and
-        // without one the relaxation's own solution, which keeps every limit, is an initial guess.
+        // A proof for one division of the time is not one for all. A proof costs less than continuation from a slower
+        // motion, and without one the relaxation's own solution, which keeps every limit, is an initial guess.
         match self.relaxed(&full.flown()) {
             Verdict::Infeasible if !self.chooses_times() => return Decision::Infeasible,
             Verdict::Feasible(Some(iterate)) => {
@@ -97,9 +97,9 @@ impl ScpPlanner<'_, '_> {
         }
     }
 
-    /// A quick decision at a mission time, for callers that need dozens. A proof by the relaxation is returned as it is; otherwise
-    /// the feasibility phase runs with two initial guesses, the relaxation's solution, which keeps every limit, and the
-    /// minimum-snap motion. If `minimised`, or with the second guess, a short cost phase follows.
+    /// A quick decision at a mission time, for callers that need dozens. A proof by the relaxation is returned as it
+    /// is; otherwise the feasibility phase runs with two initial guesses, the relaxation's solution, which keeps every
+    /// limit, and the minimum-snap motion. If `minimised`, or with the second guess, a short cost phase follows.
     pub fn attempt(&mut self, total: f64, minimised: bool) -> Decision {
         if self.hover.is_too_short(total) {
             return Decision::Infeasible;
@@ -128,8 +128,9 @@ impl ScpPlanner<'_, '_> {
         }
     }
 
-    /// A plan on a time grid, from the minimum-snap motion or from another plan flown in the same time: the first that is found,
-    /// or a cheaper one from a plan that costs less and is feasible as it is, so that plans of smaller sets are seldom cheaper.
+    /// A plan on a time grid, from the minimum-snap motion or from another plan flown in the same time: the first that
+    /// is found, or a cheaper one from a plan that costs less and is feasible as it is, so that plans of smaller sets
+    /// are seldom cheaper.
     pub(super) fn on_grid(&mut self, full: &TimeGrid, initial_guesses: &[&Planned]) -> Option<Planned> {
         let flown = full.total - self.held();
         let fixed = has_fixed_times(self.hover.mission());
@@ -137,8 +138,8 @@ impl ScpPlanner<'_, '_> {
         let close = self.settings.cost.close;
         let smooth = self.minimum_snap(&full.flown());
         let mut found = smooth.and_then(|iterate| self.restored_plan(iterate, full.total, close, &mut working_set));
-        // Where waypoints have fixed times another plan serves only if it has the same durations, or the same mission time where
-        // the planner chooses the division.
+        // Where waypoints have fixed times another plan serves only if it has the same durations, or the same mission
+        // time where the planner chooses the division.
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-9 * full.total;
         let divides = self.chooses_times();
         let as_long = |other: &Iterate| {
@@ -163,7 +164,8 @@ impl ScpPlanner<'_, '_> {
         found.or_else(|| self.on_grid_by_other_sides(full))
     }
 
-    /// A plan on a time grid from the minimum-snap motion on other sides of the volumes in its way; the first that is found.
+    /// A plan on a time grid from the minimum-snap motion on other sides of the volumes in its way; the first that is
+    /// found.
     fn on_grid_by_other_sides(&mut self, full: &TimeGrid) -> Option<Planned> {
         let others = self.other_sides();
         others.into_iter().take(self.settings.guidance.quicker_sides).find_map(|sides| {
@@ -178,7 +180,8 @@ impl ScpPlanner<'_, '_> {
         })
     }
 
-    /// A plan from the relaxation's solution: of least cost, or without a cost phase if its result is not feasible between instants.
+    /// A plan from the relaxation's solution: of least cost, or without a cost phase if its result is not feasible
+    /// between instants.
     fn plan_from_relaxation(&mut self, iterate: Iterate, total: f64) -> Option<Planned> {
         let mut working_set = BTreeSet::new();
         let inside = self.restore_feasibility(iterate, &mut working_set)?;
@@ -199,7 +202,8 @@ impl ScpPlanner<'_, '_> {
         self.finished_plan(inside, total, rule, working_set)
     }
 
-    /// The plan of least cost from a feasible iterate, with holds: the cost phase and the tightening. `None` if the tightening fails.
+    /// The plan of least cost from a feasible iterate, with holds: the cost phase and the tightening. `None` if the
+    /// tightening fails.
     pub(super) fn finished_plan(
         &mut self,
         iterate: Iterate,

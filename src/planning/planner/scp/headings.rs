@@ -8,8 +8,8 @@ use std::f64::consts::TAU;
 const ROUNDS: usize = 2;
 
 impl ScpPlanner<'_, '_> {
-    /// An initial guess whose yaw follows from its own path where the mission requires it; unchanged if it requires none or if
-    /// no such guess was found.
+    /// An initial guess whose yaw follows from its own path where the mission requires it; unchanged if it requires
+    /// none or if no such guess was found.
     pub(super) fn headed(&mut self, grid: &TimeGrid, mut iterate: Iterate) -> Iterate {
         if !self.hover.mission().limits.iter().any(|limit| limit.kind.is_heading()) {
             return iterate;

@@ -4,11 +4,12 @@ use super::*;
 use crate::planner::timing::kinematics;
 
 impl ScpPlanner<'_, '_> {
-    /// A feasible iterate on the full grid, of about `near` s of flight or as short as the coarse grids make it; `None` if the
-    /// feasibility phases find none.
+    /// A feasible iterate on the full grid, of about `near` s of flight or as short as the coarse grids make it; `None`
+    /// if the feasibility phases find none.
     pub(super) fn first_feasible(&mut self, near: f64) -> Option<Iterate> {
-        // Where the planner chooses the durations, the initial one of each leg comes from its own limits. (A second start with
-        // shares by length took up to twice the solves and found times at most 0.5 % shorter: docs/performance.md.)
+        // Where the planner chooses the durations, the initial one of each leg comes from its own limits. (A second
+        // start with shares by length took up to twice the solves and found times at most 0.5 % shorter:
+        // docs/performance.md.)
         let initial = self.chooses_times().then(|| kinematics::initial(self.hover.problem));
         let coarse = self.coarse_on_all_sides(initial.as_deref(), near);
         let kept = std::mem::take(&mut self.sides);
@@ -33,7 +34,8 @@ impl ScpPlanner<'_, '_> {
         self.refined(iterate, samples)
     }
 
-    /// The number of intervals of a grid between the coarse and the full one on which times are chosen first, where there is one.
+    /// The number of intervals of a grid between the coarse and the full one on which times are chosen first, where
+    /// there is one.
     pub(super) fn medium_grid(&self) -> Option<usize> {
         let settings = &self.settings.grids;
         let medium = settings.medium.max(self.hover.coarse_samples());
@@ -55,8 +57,8 @@ impl ScpPlanner<'_, '_> {
         if let Some(restored) = self.restore_feasibility_slower(&same, &mut BTreeSet::new()) {
             return Some(restored);
         }
-        // Slowing down an iterate near its limits need not reduce its violation; that of a smooth one with the same shares of
-        // time falls.
+        // Slowing down an iterate near its limits need not reduce its violation; that of a smooth one with the same
+        // shares of time falls.
         let smooth = self.minimum_snap(&fine)?;
         let timed = self.slowed_until_inside(&smooth)?;
         self.restore_feasibility_slower(&timed, &mut BTreeSet::new())
@@ -77,8 +79,8 @@ impl ScpPlanner<'_, '_> {
         self.slowed_until_inside(&smooth)
     }
 
-    /// A feasible iterate on the coarse grid, of about `near` s of flight or as short as the steps make it. The legs start with these
-    /// shares of the time, or with shares by length.
+    /// A feasible iterate on the coarse grid, of about `near` s of flight or as short as the steps make it. The legs
+    /// start with these shares of the time, or with shares by length.
     pub(super) fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Iterate> {
         self.hover.effort.starts += 1;
         let mut iterate = self.first_motion(shares, near)?;

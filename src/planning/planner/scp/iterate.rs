@@ -57,8 +57,8 @@ impl Iterate {
         }
     }
 
-    /// The iterate that a step leads to: `states` belong to the old durations, and each leg's duration changes by its relative
-    /// change. Where legs change by different shares the pieces join at waypoints to first order only (72).
+    /// The iterate that a step leads to: `states` belong to the old durations, and each leg's duration changes by its
+    /// relative change. Where legs change by different shares the pieces join at waypoints to first order only (72).
     pub fn stepped(&self, states: &[NodeState], changes: &[f64]) -> Iterate {
         let mut changed = states.to_vec();
         for s in &self.grid.segments {
@@ -71,8 +71,9 @@ impl Iterate {
         Iterate { grid: self.grid.with_durations_times(|leg| 1.0 + changes[leg]), states: changed, model: self.model }
     }
 
-    /// Whether each interval ends with the derivatives below the input's at which the next begins, to `within` of their largest
-    /// size (of 1 in SI units where that is more). Not so after [`Self::stepped`] with legs that changed by different shares.
+    /// Whether each interval ends with the derivatives below the input's at which the next begins, to `within` of their
+    /// largest size (of 1 in SI units where that is more). Not so after [`Self::stepped`] with legs that changed by
+    /// different shares.
     pub fn is_joined(&self, within: f64) -> bool {
         let times = &self.grid.node_times;
         let largest =

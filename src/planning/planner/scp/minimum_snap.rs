@@ -26,11 +26,11 @@ impl Transcription<'_> {
 }
 
 impl ScpPlanner<'_, '_> {
-    /// The minimum-snap motion through the waypoints: the least cost with positions in their limits, without the set. Where an
-    /// end is free, [`Transcription::gentleness`] is added to the cost. `None` if the solver gives no point.
+    /// The minimum-snap motion through the waypoints: the least cost with positions in their limits, without the set.
+    /// Where an end is free, [`Transcription::gentleness`] is added to the cost. `None` if the solver gives no point.
     ///
-    /// If it enters a volume that it must keep out of, it is led around all of them: their distances are linearised about a
-    /// way around, and then about the motion that follows.
+    /// If it enters a volume that it must keep out of, it is led around all of them: their distances are linearised
+    /// about a way around, and then about the motion that follows.
     pub(super) fn minimum_snap(&mut self, grid: &TimeGrid) -> Option<Iterate> {
         let direct = self.minimum_snap_about(grid, None, None)?;
         let Some(way) = self.way_around(&direct) else { return Some(self.headed(grid, direct)) };
@@ -45,14 +45,16 @@ impl ScpPlanner<'_, '_> {
         Some(self.headed(grid, around))
     }
 
-    /// With distances from bodies linearised about `positions`, and a yaw that follows from the motion about an iterate.
+    /// With distances from bodies linearised about `positions`, and a yaw that follows from the motion about an
+    /// iterate.
     pub(super) fn minimum_snap_about(
         &mut self,
         grid: &TimeGrid,
         positions: Option<&[[f64; 3]]>,
         headed: Option<&Iterate>,
     ) -> Option<Iterate> {
-        // On long legs snap is so small that the solver's tolerance leaves noise in it: the legs are scaled to a mean of 1 s.
+        // On long legs snap is so small that the solver's tolerance leaves noise in it: the legs are scaled to a mean
+        // of 1 s.
         let slower = (grid.total / grid.segments.len() as f64).max(1.0);
         let quick = grid.with_durations_times(|_| 1.0 / slower);
         let headed = headed.map(|iterate| iterate.slower(1.0 / slower).states);

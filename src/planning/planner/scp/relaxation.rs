@@ -1,7 +1,7 @@
 //! A convex relaxation (74), whose infeasibility proves that there is no plan.
 //!
-//! The motion keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within the
-//! largest thrust of the set. Torques are left free.
+//! The motion keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within
+//! the largest thrust of the set. Torques are left free.
 
 use super::*;
 use crate::planner::hover::{FEASIBLE, LEEWAY};
@@ -14,7 +14,8 @@ use crate::qp::{QuadraticProgram, RowOrigin};
 pub struct MostThrust {
     /// N
     pub newtons: f64,
-    /// One per row of the set, N: `T <= sum of weight x offset`, because the normals with these weights add up to the axis of T.
+    /// One per row of the set, N: `T <= sum of weight x offset`, because the normals with these weights add up to the
+    /// axis of T.
     pub weights: Vec<f64>,
 }
 
@@ -28,7 +29,8 @@ pub struct Relaxed {
 
 /// The outcome of the relaxation over a time grid.
 pub(super) enum Verdict {
-    /// Proved infeasible by multipliers that are checked in plain arithmetic; they are left in [`HoverPlanner::weights`] by row.
+    /// Proved infeasible by multipliers that are checked in plain arithmetic; they are left in
+    /// [`HoverPlanner::weights`] by row.
     Infeasible,
     /// The solution of least cost, which keeps every limit at the nodes; `None` where none was found.
     Feasible(Option<Iterate>),
@@ -61,8 +63,8 @@ impl ScpPlanner<'_, '_> {
         Verdict::Feasible(iterate)
     }
 
-    /// The relaxation over a time grid (without holds) that minimises by how much waypoints are overshot, m, plus `epsilon` times
-    /// the inputs' cost.
+    /// The relaxation over a time grid (without holds) that minimises by how much waypoints are overshot, m, plus
+    /// `epsilon` times the inputs' cost.
     pub fn overshoot(&mut self, grid: &TimeGrid, epsilon: f64) -> Relaxed {
         let thrust = self.most_thrust();
         let form = self.transcription(grid, &[]);
@@ -75,8 +77,8 @@ impl ScpPlanner<'_, '_> {
         Relaxed { program, taus: form.taus(), thrust }
     }
 
-    /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the vehicle
-    /// from rest in time. Such short times are beyond the solver, whose numbers then span too many decades.
+    /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the
+    /// vehicle from rest in time. Such short times are beyond the solver, whose numbers then span too many decades.
     fn out_of_reach(&self, grid: &TimeGrid, thrust: f64) -> bool {
         let (model, mission) = (self.hover.model(), self.hover.mission());
         let most = LEEWAY * (thrust / model.vehicle.mass + model.gravity);

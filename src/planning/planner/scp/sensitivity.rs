@@ -1,15 +1,16 @@
 //! What limits the time of a plan: the first-order sensitivity of the shortest time to each statement of the spec.
 //!
-//! One subproblem about the plan minimises the relative time. Its multipliers z give the decrease of the optimum when a row is
-//! relaxed: with slacks s(x) = b - A x in the cone, d(optimum) = -z' ds (Boyd and Vandenberghe, *Convex Optimization*, section
-//! 5.6). The change ds comes from the same program built for a spec that is relaxed by a unit throughout, so that no scaling of
-//! rows enters here.
+//! One subproblem about the plan minimises the relative time. Its multipliers z give the decrease of the optimum when a
+//! row is relaxed: with slacks s(x) = b - A x in the cone, d(optimum) = -z' ds (Boyd and Vandenberghe, *Convex
+//! Optimization*, section 5.6). The change ds comes from the same program built for a spec that is relaxed by a unit
+//! throughout, so that no scaling of rows enters here.
 
 use super::*;
 use crate::model::{LimitKind, Mission};
 use crate::qp::RowOrigin;
 
-/// The unit by which limits and tolerances are relaxed, as a share of themselves, and sets, as a share of the healthy set's width.
+/// The unit by which limits and tolerances are relaxed, as a share of themselves, and sets, as a share of the healthy
+/// set's width.
 pub const SHARE: f64 = 0.01;
 
 /// The unit by which limits on x, y and z, and volumes, are relaxed, m.
@@ -43,8 +44,8 @@ pub enum Statement {
 pub struct LegBinding {
     /// s
     pub duration: f64,
-    /// Statements with the seconds that the mission would be shorter, to first order, if on this leg they were relaxed by a unit
-    /// ([`SHARE`], [`PLACE`], [`YAW_PLACE`], [`SPEED`]); largest first. None up to the last fixed time.
+    /// Statements with the seconds that the mission would be shorter, to first order, if on this leg they were relaxed
+    /// by a unit ([`SHARE`], [`PLACE`], [`YAW_PLACE`], [`SPEED`]); largest first. None up to the last fixed time.
     pub statements: Vec<(Statement, f64)>,
 }
 
@@ -132,7 +133,8 @@ impl ScpPlanner<'_, '_> {
             let Some(waypoint) = nodes.iter().position(|&n| n == node) else { continue };
             found.insert((waypoint.saturating_sub(1), Statement::Rest(waypoint)), square.sqrt());
         }
-        // Up to the last fixed time the mission lasts as long as the spec says; relaxed rows there lower the cost, not the time.
+        // Up to the last fixed time the mission lasts as long as the spec says; relaxed rows there lower the cost, not
+        // the time.
         let fixed = self.spans().last().map_or(0, |span| span.end);
         found.retain(|(leg, _), _| *leg >= fixed);
         let total = iterate.grid.total;
@@ -146,8 +148,8 @@ impl ScpPlanner<'_, '_> {
         Some(segments.iter().map(|s| LegBinding { duration: s.duration, statements: of_leg(s.from) }).collect())
     }
 
-    /// The index of each leg's duration among the variables: none up to the last fixed time; after it one for each leg, or where the
-    /// legs' shares are given one for all.
+    /// The index of each leg's duration among the variables: none up to the last fixed time; after it one for each leg,
+    /// or where the legs' shares are given one for all.
     fn free_legs(&self) -> Vec<Option<usize>> {
         let fixed = self.spans().last().map_or(0, |span| span.end);
         let own = |leg: usize| if self.chooses_times() { leg - fixed } else { 0 };

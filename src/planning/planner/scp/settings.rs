@@ -1,7 +1,7 @@
-//! The parameters of the SCP planner, in one struct. Section 12 of `docs/method.md` lists the algorithms that use them. Constants
-//! beside the code are what proofs and checks rest on (`FEASIBLE`, `ACCEPTED`, `PARTS`, `UPRIGHT`), the resolution of times,
-//! the scaling of programs (`TAU_STEPS`, `EVEN`), the solver's tolerances, rounding, and the rules that both planners share
-//! (`timing::kinematics`, `timing::search`).
+//! The parameters of the SCP planner, in one struct. Section 12 of `docs/method.md` lists the algorithms that use them.
+//! Constants beside the code are what proofs and checks rest on (`FEASIBLE`, `ACCEPTED`, `PARTS`, `UPRIGHT`), the
+//! resolution of times, the scaling of programs (`TAU_STEPS`, `EVEN`), the solver's tolerances, rounding, and the rules
+//! that both planners share (`timing::kinematics`, `timing::search`).
 //!
 //! "Violation" is in widths of the healthy set for facets and a share of the bound for limits. Where a field names a
 //! measurement, this is what its value was chosen by; the other values have only their role.
@@ -39,10 +39,11 @@ pub struct ScpSettings {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SubproblemSettings {
     /// Row generation: a row at a node with less slack than this is in the subproblem from the start, and a row of the
-    /// working set with more is dropped after the feasibility phase. Widths of the healthy set or shares of a limit; 0.1.
+    /// working set with more is dropped after the feasibility phase. Widths of the healthy set or shares of a limit;
+    /// 0.1.
     pub slack_of_working_set: f64,
-    /// Rows of volumes are in every program at every node, unless there are more than this: then programs start without them, and
-    /// get them like other rows. 100,000: a row takes some 800 bytes, most of them in the solver.
+    /// Rows of volumes are in every program at every node, unless there are more than this: then programs start without
+    /// them, and get them like other rows. 100,000: a row takes some 800 bytes, most of them in the solver.
     pub max_rows_of_volumes: usize,
     /// Subproblems are solved in spline coefficients while `Transcription::stiffness` is at most this many times the
     /// iterate's cost, else in stage variables. 1e10. Measured on five missions at 100 to 400 samples: 102 s in all
@@ -169,11 +170,11 @@ pub struct TighteningSettings {
     pub max_violation: f64,
     /// Parts of each interval between instants at which it is measured. 4.
     pub parts: usize,
-    /// Rows are tightened by this many times the violation, at the instants on both sides; those on the commanded wrench at all
-    /// instants. 1.5.
+    /// Rows are tightened by this many times the violation, at the instants on both sides; those on the commanded
+    /// wrench at all instants. 1.5.
     pub factor: f64,
-    /// Most rounds of evaluation, tightening and restoration. The result of the last restoration is not evaluated, so at most
-    /// seven restorations can lead to a plan. 8.
+    /// Most rounds of evaluation, tightening and restoration. The result of the last restoration is not evaluated, so
+    /// at most seven restorations can lead to a plan. 8.
     pub max_rounds: usize,
 }
 
@@ -232,7 +233,8 @@ impl DurationSettings {
 pub struct TimeSteps {
     /// The first and largest step.
     pub first: f64,
-    /// The descent ends below this step; on the full grid also the relative resolution of the bisection after fixed times.
+    /// The descent ends below this step; on the full grid also the relative resolution of the bisection after fixed
+    /// times.
     pub min: f64,
 }
 
@@ -301,9 +303,9 @@ pub struct SearchSettings {
 pub struct GridSettings {
     /// Intervals of the medium grid, or those of the coarse grid where that has more. 100.
     pub medium: usize,
-    /// Durations are optimised on the medium grid first where the full grid has more than this many times its intervals.
-    /// 1.6. Restoration often fails between grids that differ more, and steps on a fine grid are expensive. Measured: from 60
-    /// to 300 intervals at once, `ferry_octo` took three times as long as by a grid of 150.
+    /// Durations are optimised on the medium grid first where the full grid has more than this many times its
+    /// intervals. 1.6. Restoration often fails between grids that differ more, and steps on a fine grid are expensive.
+    /// Measured: from 60 to 300 intervals at once, `ferry_octo` took three times as long as by a grid of 150.
     pub refinement: f64,
     /// On a new grid of the same size an iterate is slowed down by these factors in turn until it can be restored.
     /// 1, 1.002, 1.005, 1.01.
@@ -313,8 +315,8 @@ pub struct GridSettings {
 /// The program that minimises the time about a plan, for its multipliers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensitivitySettings {
-    /// Relative weight of the cost. 0.05. Measured against plans of relaxed specs (tests/it/exact/binding.rs): with 0.002
-    /// the cost, which rises steeply near the shortest time, takes part of the multipliers.
+    /// Relative weight of the cost. 0.05. Measured against plans of relaxed specs (tests/it/exact/binding.rs): with
+    /// 0.002 the cost, which rises steeply near the shortest time, takes part of the multipliers.
     pub cost_weight: f64,
     /// Penalty weight of the violation. 100.
     pub penalty: f64,
@@ -341,12 +343,13 @@ pub struct StopSettings {
     pub sufficient_decrease: f64,
     /// Line search: no share below this is tried. 0.1.
     pub min_share: f64,
-    /// A stop is divided into parts of these shares of its duration. Body rates are stopped at its beginning and the vehicle is
-    /// levelled at its end, which needs shorter steps than braking in between. 1, 2, 3, 2, 1.
+    /// A stop is divided into parts of these shares of its duration. Body rates are stopped at its beginning and the
+    /// vehicle is levelled at its end, which needs shorter steps than braking in between. 1, 2, 3, 2, 1.
     pub shares: [f64; 5],
     /// Intervals in each part. 5.
     pub intervals_per_part: usize,
-    /// The shortest duration tried, s, unless braking with 2 g takes longer; `stop` tries longer ones in a fixed ratio. 0.4.
+    /// The shortest duration tried, s, unless braking with 2 g takes longer; `stop` tries longer ones in a fixed ratio.
+    /// 0.4.
     pub min_duration: f64,
 }
 

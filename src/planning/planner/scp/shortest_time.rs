@@ -18,9 +18,9 @@ fn not_found(at: f64) -> NoTime {
 }
 
 impl ScpPlanner<'_, '_> {
-    /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there. `initial_guesses` are plans of
-    /// other sets, for a warm start. Shorter times are sought until one is nearly as short as `larger`, the time (s) found for a
-    /// larger set; the cost is then minimised less closely.
+    /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there. `initial_guesses`
+    /// are plans of other sets, for a warm start. Shorter times are sought until one is nearly as short as `larger`,
+    /// the time (s) found for a larger set; the cost is then minimised less closely.
     ///
     /// # Errors
     /// [`NoTime`], if each time tried is proved infeasible or if no plan is found.
@@ -66,7 +66,8 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// The plan of least cost from a feasible iterate, at its time rounded up to [`GRID`], or later by the first of
-    /// [`settings::SearchSettings::late`] at which there is one: a plan flown a little slower is nearly always still one.
+    /// [`settings::SearchSettings::late`] at which there is one: a plan flown a little slower is nearly always still
+    /// one.
     fn rounded_up(
         &mut self,
         iterate: &Iterate,
@@ -86,8 +87,8 @@ impl ScpPlanner<'_, '_> {
         Err(not_found(iterate.grid.total + self.held()))
     }
 
-    /// Where some waypoints have fixed times and the planner chooses the others': starts from the plan of another set, or from one
-    /// with ample time after the last fixed time, and shortens the durations.
+    /// Where some waypoints have fixed times and the planner chooses the others': starts from the plan of another set,
+    /// or from one with ample time after the last fixed time, and shortens the durations.
     fn shortest_about_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
         let mission = self.hover.mission();
         let after = self.spans().last().map_or(0, |span| span.end);
@@ -122,8 +123,8 @@ impl ScpPlanner<'_, '_> {
         }
     }
 
-    /// The verdict where no plan was found from a first guess of the time, nor at slower ones: proved infeasible, if the relaxation
-    /// proves it from a quarter of that flight on, at times each twice the last; else not found.
+    /// The verdict where no plan was found from a first guess of the time, nor at slower ones: proved infeasible, if
+    /// the relaxation proves it from a quarter of that flight on, at times each twice the last; else not found.
     fn none_at_all(&mut self, time: f64) -> NoTime {
         let samples = self.hover.model().plan.samples;
         let mut at = time - self.settings.search.first_proof * (time - earliest(self.hover.mission()));
@@ -142,8 +143,8 @@ impl ScpPlanner<'_, '_> {
         not_found(time)
     }
 
-    /// Where only the legs after the last fixed time are free: bisection, from the time of another set's plan or from the first of
-    /// ever longer times with a plan.
+    /// Where only the legs after the last fixed time are free: bisection, from the time of another set's plan or from
+    /// the first of ever longer times with a plan.
     fn shortest_after_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
         let floor = earliest(self.hover.mission());
         let settings = self.settings.search;

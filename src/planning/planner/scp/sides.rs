@@ -7,9 +7,9 @@ use super::*;
 type Sides = BTreeMap<usize, usize>;
 
 impl ScpPlanner<'_, '_> {
-    /// Coarse iterates as [`Self::coarse`] makes them, the best first: one on the shortest ways around volumes, and one on each of
-    /// the other sides whose first motion, slowed down until it is inside, is quicker. Without a leg in whose way a volume lies
-    /// there is at most one.
+    /// Coarse iterates as [`Self::coarse`] makes them, the best first: one on the shortest ways around volumes, and one
+    /// on each of the other sides whose first motion, slowed down until it is inside, is quicker. Without a leg in
+    /// whose way a volume lies there is at most one.
     pub(super) fn coarse_on_all_sides(&mut self, shares: Option<&[f64]>, near: f64) -> Vec<(Iterate, Sides)> {
         let first = self.coarse(shares, near);
         let mut found: Vec<(Iterate, Sides)> = first.map(|iterate| (iterate, self.sides.clone())).into_iter().collect();
@@ -28,7 +28,8 @@ impl ScpPlanner<'_, '_> {
         found
     }
 
-    /// The sides among [`Self::other_sides`] whose first motions are quicker than that on the shortest ways, the quickest first.
+    /// The sides among [`Self::other_sides`] whose first motions are quicker than that on the shortest ways, the
+    /// quickest first.
     fn quicker_sides(&mut self, shares: Option<&[f64]>, near: f64) -> Vec<Sides> {
         let others = self.other_sides();
         if others.is_empty() {
@@ -47,7 +48,8 @@ impl ScpPlanner<'_, '_> {
         timed.into_iter().take(self.settings.guidance.quicker_sides).map(|(_, sides)| sides).collect()
     }
 
-    /// Sides other than those of the shortest ways: for one leg at a time, at most [`settings::GuidanceSettings::sides`] in all.
+    /// Sides other than those of the shortest ways: for one leg at a time, at most
+    /// [`settings::GuidanceSettings::sides`] in all.
     pub(super) fn other_sides(&self) -> Vec<Sides> {
         let mission = self.hover.problem.mission();
         let most = self.settings.guidance.sides;

@@ -18,9 +18,9 @@ impl ScpPlanner<'_, '_> {
         self.stop_by_steps(other, f64::INFINITY)
     }
 
-    /// With an infinite `violation` the iterate is not one of this mission, and the first step is taken whole. So is one from an
-    /// iterate that violates nothing but begins in another state: minimum-snap motions over long legs do, because they are solved in
-    /// another time.
+    /// With an infinite `violation` the iterate is not one of this mission, and the first step is taken whole. So is
+    /// one from an iterate that violates nothing but begins in another state: minimum-snap motions over long legs do,
+    /// because they are solved in another time.
     fn stop_by_steps(&mut self, mut iterate: Iterate, mut violation: f64) -> Option<Iterate> {
         let (settings, margin) = (self.settings.stops, self.settings.tightening.margin);
         let proximal_settings = self.settings.proximal;

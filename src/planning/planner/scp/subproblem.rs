@@ -1,10 +1,10 @@
 //! The convex subproblem (73) of one step: the wrench linear about the last iterate, durations free or fixed.
 //!
-//! Variables are the derivatives at the nodes as if no duration changed, the violation sigma, and epsilon for each leg whose
-//! duration may change. With its relative change delta, (1 + delta)^4 = 1 + 4 epsilon (69), so delta = epsilon to first order.
-//! A derivative of order m in the new time is D (1 + delta)^-m, so the wrench along the leg changes by -m dw/dD D epsilon to
-//! first order (70). Rows are multiplied by 1 + 4 epsilon (71); by this factor the snap, whose torques bind first, enters
-//! without linearisation error.
+//! Variables are the derivatives at the nodes as if no duration changed, the violation sigma, and epsilon for each leg
+//! whose duration may change. With its relative change delta, (1 + delta)^4 = 1 + 4 epsilon (69), so delta = epsilon to
+//! first order. A derivative of order m in the new time is D (1 + delta)^-m, so the wrench along the leg changes by -m
+//! dw/dD D epsilon to first order (70). Rows are multiplied by 1 + 4 epsilon (71); by this factor the snap, whose
+//! torques bind first, enters without linearisation error.
 
 use super::settings::ScpSettings;
 use crate::actuation::Wrench;
@@ -104,8 +104,8 @@ impl Transcription<'_> {
         step.legs[leg].map_or(Affine::default(), |i| Affine::term(self.variables() + 1 + i, 1.0))
     }
 
-    /// The subproblem with the rows `chosen` and, at all nodes, the set's equality rows. Also, for each facet in `chosen`, the
-    /// index of its row in the program, on the wrench or the commanded wrench.
+    /// The subproblem with the rows `chosen` and, at all nodes, the set's equality rows. Also, for each facet in
+    /// `chosen`, the index of its row in the program, on the wrench or the commanded wrench.
     pub(super) fn step_program(&self, step: &Step, chosen: &[RowAt]) -> (QuadraticProgram, Vec<Option<usize>>) {
         let sigma = self.variables();
         let violation = Affine::term(sigma, 1.0);
@@ -208,8 +208,8 @@ impl Transcription<'_> {
         jump
     }
 
-    /// Durations change within the step's range, those of each span keep their sum, and where the objective is the time each
-    /// counts by its share.
+    /// Durations change within the step's range, those of each span keep their sum, and where the objective is the time
+    /// each counts by its share.
     fn durations(&self, builder: &mut Builder, step: &Step) {
         for segment in self.grid.segments.iter() {
             let leg = segment.from;
@@ -289,8 +289,8 @@ impl Transcription<'_> {
         }
     }
 
-    /// The proximal terms and the curvature of the Lagrangian, the last three lines of (73). The first is in accelerations and psi,
-    /// because the wrench is most curved in these.
+    /// The proximal terms and the curvature of the Lagrangian, the last three lines of (73). The first is in
+    /// accelerations and psi, because the wrench is most curved in these.
     fn add_proximal_term(&self, builder: &mut Builder, step: &Step) {
         let (g, settings) = (self.model.gravity, &step.settings.proximal);
         let mut steps: Vec<f64> = self.grid.steps().collect();

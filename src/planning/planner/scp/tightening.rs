@@ -5,8 +5,8 @@ use settings::StoppingRule;
 
 impl ScpPlanner<'_, '_> {
     /// The cost phase, then constraint tightening until no row is violated between the instants by more than
-    /// [`settings::TighteningSettings::max_violation`]. `None` if this does not converge. The local tightening belongs to this
-    /// iterate: other durations and grids have other instants.
+    /// [`settings::TighteningSettings::max_violation`]. `None` if this does not converge. The local tightening belongs
+    /// to this iterate: other durations and grids have other instants.
     pub(super) fn minimise_cost_between_instants(
         &mut self,
         iterate: Iterate,
@@ -19,8 +19,9 @@ impl ScpPlanner<'_, '_> {
         kept
     }
 
-    /// Rows that are violated between the instants are tightened at the instants on both sides (those on the commanded wrench at all
-    /// instants), and the feasibility phase is repeated. The iterate restored in the last round is not evaluated.
+    /// Rows that are violated between the instants are tightened at the instants on both sides (those on the commanded
+    /// wrench at all instants), and the feasibility phase is repeated. The iterate restored in the last round is not
+    /// evaluated.
     fn tighten_until_inside(
         &mut self,
         iterate: Iterate,
@@ -54,8 +55,8 @@ impl ScpPlanner<'_, '_> {
         None
     }
 
-    /// The rows violated by more than the tightening accepts on the finer grid, each at the instant before, with its largest
-    /// violation until the next instant.
+    /// The rows violated by more than the tightening accepts on the finer grid, each at the instant before, with its
+    /// largest violation until the next instant.
     fn between_instants(&self, iterate: &Iterate) -> Vec<(RowAt, f64)> {
         let form = self.transcription(&iterate.grid, &[]);
         let mut over: BTreeMap<RowAt, f64> = BTreeMap::new();

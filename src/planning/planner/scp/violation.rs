@@ -17,7 +17,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         }
     }
 
-    /// The same at an instant of an iterate; `known` holds those computed before, as several rows may be at one instant.
+    /// The same at an instant of an iterate; `known` holds those computed before, as several rows may be at one
+    /// instant.
     pub(super) fn wrench_at_instant<'k>(
         &self,
         iterate: &Iterate,
@@ -27,8 +28,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         known.entry(instant).or_insert_with(|| self.wrench_at(&iterate.at(instant)))
     }
 
-    /// By how much more each row may be violated in the worst of the possible winds than in their middle, at an iterate. Steps
-    /// impose facets on the wrench in the middle, tightened by this much.
+    /// By how much more each row may be violated in the worst of the possible winds than in their middle, at an
+    /// iterate. Steps impose facets on the wrench in the middle, tightened by this much.
     pub(super) fn tightening_by_wind(&self, iterate: &Iterate, rows: &[RowAt]) -> Vec<f64> {
         let mut known = BTreeMap::new();
         let of_row = |&RowAt { row, instant }: &RowAt| match row {
@@ -40,8 +41,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         rows.iter().map(of_row).collect()
     }
 
-    /// The largest violation of a row in all winds, in widths of the healthy set; a flat set's equalities hold to within the margin on
-    /// both sides.
+    /// The largest violation of a row in all winds, in widths of the healthy set; a flat set's equalities hold to
+    /// within the margin on both sides.
     pub(super) fn violation_of_row(&self, facet: usize, wrench: &OverWinds) -> f64 {
         let row = &self.set.rows[facet];
         let violation =
@@ -50,8 +51,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         if violation.is_nan() { f64::INFINITY } else { violation }
     }
 
-    /// The violation of every facet and then of every limit for one state, at which the limits that `holds` selects hold. Where a
-    /// body is so far away that its violation is surely below `floor`, it is not computed and minus infinity.
+    /// The violation of every facet and then of every limit for one state, at which the limits that `holds` selects
+    /// hold. Where a body is so far away that its violation is surely below `floor`, it is not computed and minus
+    /// infinity.
     pub(super) fn violations<'s>(
         &'s self,
         form: &'s Transcription<'s>,
@@ -92,8 +94,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         self.violations(form, state, holds, move || floor() - most).enumerate().map(with_its_own)
     }
 
-    /// Whether the row at a place is of a volume, a corridor, a direction of arrival or a yaw that follows from the motion, for which
-    /// the path alone counts.
+    /// Whether the row at a place is of a volume, a corridor, a direction of arrival or a yaw that follows from the
+    /// motion, for which the path alone counts.
     pub(super) fn is_of_path(&self, place: usize) -> bool {
         self.limit_at(place)
             .is_some_and(|limit| limit.volume.is_some() || limit.kind.is_arrival() || limit.kind.is_heading())
@@ -173,8 +175,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         found
     }
 
-    /// Between nodes each violated row, in each interval at the instant of its largest violation. (With only the worst facet of
-    /// each interval programs are smaller, but fewer iterates are restored: shortest times came out up to a fifth longer.)
+    /// Between nodes each violated row, in each interval at the instant of its largest violation. (With only the worst
+    /// facet of each interval programs are smaller, but fewer iterates are restored: shortest times came out up to a
+    /// fifth longer.)
     pub(super) fn rows_between(&self, iterate: &Iterate) -> BTreeSet<RowAt> {
         let form = self.transcription(&iterate.grid, &[]);
         let mut found = BTreeSet::new();
@@ -240,8 +243,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         })
     }
 
-    /// Whether the volumes have so many rows over a time grid that programs start without them and get those that an iterate
-    /// violates or nearly violates.
+    /// Whether the volumes have so many rows over a time grid that programs start without them and get those that an
+    /// iterate violates or nearly violates.
     pub(super) fn has_many_volumes(&self, grid: &TimeGrid) -> bool {
         // The first motion around a volume keeps it between nodes too.
         let between = PARTS / self.settings.guidance.instants;
@@ -250,8 +253,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         limits.map(rows_at_node).sum::<usize>() * grid.nodes() > self.settings.subproblem.max_rows_of_volumes
     }
 
-    /// Solves a program with rows of volumes added until its solution violates no other, if they are too many for one program:
-    /// at each of the `instants` the most violated row. With the rows of the last program.
+    /// Solves a program with rows of volumes added until its solution violates no other, if they are too many for one
+    /// program: at each of the `instants` the most violated row. With the rows of the last program.
     pub(super) fn solve_with_volumes(
         &mut self,
         form: &Transcription,
@@ -301,8 +304,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         self.limits_at_nodes(grid, |limit| place(&limit.kind) || limit.kind.is_arrival()).collect()
     }
 
-    /// The rows that each subproblem has at every node: limits on x, y, z and yaw, which do not depend on time, and on yaw rate,
-    /// yaw acceleration and a yaw that follows from the motion. Yaw costs little, and its acceleration would oscillate beyond its bounds wherever no row limits it.
+    /// The rows that each subproblem has at every node: limits on x, y, z and yaw, which do not depend on time, and on
+    /// yaw rate, yaw acceleration and a yaw that follows from the motion. Yaw costs little, and its acceleration would
+    /// oscillate beyond its bounds wherever no row limits it.
     pub(super) fn rows_everywhere(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
         let is_yaw =
             |kind: &LimitKind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading(_));

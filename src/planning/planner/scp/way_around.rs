@@ -1,9 +1,9 @@
 //! Ways around the volumes that a mission keeps out of: a coarse search, about which the first motion is linearised.
 //!
 //! On each leg that enters a volume, the shortest path on a lattice of positions that keep every bound on positions is
-//! searched for (A*: Hart, Nilsson and Raphael, 1968). It chooses on which sides the motion passes the volumes; the steps that
-//! follow take the separating planes anew and keep these sides as far as that pays. Other ways are the shortest ones on which the
-//! sides of the ways before are closed: `sides` chooses among them.
+//! searched for (A*: Hart, Nilsson and Raphael, 1968). It chooses on which sides the motion passes the volumes; the
+//! steps that follow take the separating planes anew and keep these sides as far as that pays. Other ways are the
+//! shortest ones on which the sides of the ways before are closed: `sides` chooses among them.
 
 use super::*;
 use crate::body::BoundingBox;
@@ -32,8 +32,8 @@ impl ScpPlanner<'_, '_> {
         })
     }
 
-    /// A position for each instant that keeps out of the volumes, near those of an iterate that enters one; `None` if it enters
-    /// none or if no way around was found.
+    /// A position for each instant that keeps out of the volumes, near those of an iterate that enters one; `None` if
+    /// it enters none or if no way around was found.
     pub(super) fn way_around(&self, iterate: &Iterate) -> Option<Vec<Point>> {
         let mission = self.hover.problem.mission();
         let mut positions = self.positions(iterate)?;
@@ -120,8 +120,9 @@ impl PartialOrd for Open {
     }
 }
 
-/// A short path from one point to another on which no bound on positions is violated, with its corners cut: the shortest, or the
-/// `nth` of several ways, counted from 0, each the shortest that does not pass on a side on which one before it passes.
+/// A short path from one point to another on which no bound on positions is violated, with its corners cut: the
+/// shortest, or the `nth` of several ways, counted from 0, each the shortest that does not pass on a side on which one
+/// before it passes.
 pub(super) fn nth_way(limits: &[&Limit], from: Point, to: Point, nth: usize) -> Option<Vec<Point>> {
     let lattice = Lattice::around(limits, from, to);
     let mut taken: Vec<Side> = Vec::new();
@@ -141,7 +142,8 @@ const HALF_ANGLE: f64 = 0.64;
 /// Points of a straight leg at which it is looked for obstacles.
 const POINTS: usize = 200;
 
-/// Where the straight leg violates bounds: the shares of its length at which that begins and ends; `None` if it never does.
+/// Where the straight leg violates bounds: the shares of its length at which that begins and ends; `None` if it never
+/// does.
 pub(super) fn obstructed(limits: &[&Limit], from: Point, to: Point) -> Option<(f64, f64)> {
     let point = |share: f64| std::array::from_fn(|i| from[i] + share * (to[i] - from[i]));
     let shares = (0..=POINTS).map(|k| k as f64 / POINTS as f64);
@@ -149,8 +151,8 @@ pub(super) fn obstructed(limits: &[&Limit], from: Point, to: Point) -> Option<(f
     Some((*blocked.first()?, *blocked.last()?))
 }
 
-/// The side of the obstacles of a leg on which a way passes them: positions beside the obstructed part of the straight leg in
-/// about the direction in which the way is farthest from it.
+/// The side of the obstacles of a leg on which a way passes them: positions beside the obstructed part of the straight
+/// leg in about the direction in which the way is farthest from it.
 struct Side {
     from: Point,
     /// Unit vector along the leg, and across it towards this side.
@@ -203,7 +205,8 @@ impl Lattice {
         let beyond = BEYOND * distance(&from, &to);
         let mut low: Point = std::array::from_fn(|i| from[i].min(to[i]) - beyond);
         let mut high: Point = std::array::from_fn(|i| from[i].max(to[i]) + beyond);
-        // A way around a volume leads along its sides: the lattice contains those that it meets, as far as they are finite.
+        // A way around a volume leads along its sides: the lattice contains those that it meets, as far as they are
+        // finite.
         for limit in limits {
             let LimitKind::Clearance(obstacle) = &limit.kind else { continue };
             let BoundingBox { low: bottom, high: top } = obstacle.around;

@@ -16,13 +16,13 @@ pub struct PlanningSets {
     pub healthy: AdmissibleSet,
     /// RIP's set: the healthy one as planned against.
     pub rip: PlanningSet,
-    /// RCP's set for each mode of `against` alone: the mode's, and the healthy one too if the mode's need not lie inside it, because
-    /// until a fault strikes the vehicle is healthy.
+    /// RCP's set for each mode of `against` alone: the mode's, and the healthy one too if the mode's need not lie
+    /// inside it, because until a fault strikes the vehicle is healthy.
     pub singles: Vec<PlanningSet>,
     /// RCP's set for all modes of `against`, in the same way.
     pub joint: PlanningSet,
-    /// Each mode's set alone, or its core, by which violations of plans are measured; without rows where the mode is caught and
-    /// landed.
+    /// Each mode's set alone, or its core, by which violations of plans are measured; without rows where the mode is
+    /// caught and landed.
     pub modes: Vec<PlanningSet>,
     /// Names of the modes, in their order.
     pub names: Vec<String>,
@@ -65,8 +65,8 @@ impl PlanningSets {
         }
     }
 
-    /// Step (e) of section 5.3 of the paper: the facets of the modes' sets that a plan violates at some node, in the exact model at
-    /// some instant, because its rows are imposed at instants too.
+    /// Step (e) of section 5.3 of the paper: the facets of the modes' sets that a plan violates at some node, in the
+    /// exact model at some instant, because its rows are imposed at instants too.
     pub fn violated(&self, model: &Model, planned: &Planned) -> Vec<SetRow> {
         let trajectory = planned.trajectory();
         let of = |set: &PlanningSet| {

@@ -9,8 +9,9 @@ use crate::qp::build::{Affine, Builder};
 use nalgebra::{Matrix3, Vector3};
 
 impl Transcription<'_> {
-    /// The rows from the state in which a fault strikes to rest. In the hover model z'' is the thrust, and the derivatives of x and y
-    /// up to the third are attitude and body rates. In the exact model these are the direction of `a + g` and its rate of change.
+    /// The rows from the state in which a fault strikes to rest. In the hover model z'' is the thrust, and the
+    /// derivatives of x and y up to the third are attitude and body rates. In the exact model these are the direction
+    /// of `a + g` and its rate of change.
     pub(in crate::planning::planner) fn stopping(&self, builder: &mut Builder, struck: &NodeState) {
         for axis in [X, Y, Z, YAW] {
             for order in 0..=1 {
@@ -40,9 +41,9 @@ impl Transcription<'_> {
         builder.zero(row.times(self.tau_at(0).powi(order as i32)), origin);
     }
 
-    /// The rows that keep attitude and body rates. Let A, J be the acceleration with gravity and the jerk of the plan, a, j those of
-    /// the stop, and e any direction normal to A. The thrust's direction n = A/|A| is kept if `e.a = 0`, and its rate
-    /// `e.n' = e.J/|A| = e.j/|a|` if `e.j = (n.a/|A|) e.J`. Two such directions suffice.
+    /// The rows that keep attitude and body rates. Let A, J be the acceleration with gravity and the jerk of the plan,
+    /// a, j those of the stop, and e any direction normal to A. The thrust's direction n = A/|A| is kept if `e.a = 0`,
+    /// and its rate `e.n' = e.J/|A| = e.j/|a|` if `e.j = (n.a/|A|) e.J`. Two such directions suffice.
     fn direction_remains(&self, builder: &mut Builder, struck: &NodeState) {
         // In the middle of the possible winds, whose direction the attitude follows.
         let environment = self.model.environment();
@@ -76,10 +77,11 @@ impl Transcription<'_> {
         }
     }
 
-    /// The same where the drag differs along x and y. Attitude R and velocity are those of the plan, and so is the force of the
-    /// drag: with K = R diag(k) R^T and the velocity u through the air, the thrust over mass of the stop is `c b_3 = a + g e_z + K u`.
-    /// Its direction is kept if `e.(a + K u + g e_z) = 0` for every e normal to b_3, and that of its rate of change
-    /// `c' b_3 + c b_3' = j + K a + K' u` if `e.(j + K a + K' u) = c e.b_3'` with `c = b_3.(a + K u + g e_z)`.
+    /// The same where the drag differs along x and y. Attitude R and velocity are those of the plan, and so is the
+    /// force of the drag: with K = R diag(k) R^T and the velocity u through the air, the thrust over mass of the stop
+    /// is `c b_3 = a + g e_z + K u`. Its direction is kept if `e.(a + K u + g e_z) = 0` for every e normal to b_3, and
+    /// that of its rate of change `c' b_3 + c b_3' = j + K a + K' u` if `e.(j + K a + K' u) = c e.b_3'` with
+    /// `c = b_3.(a + K u + g e_z)`.
     fn attitude_remains(&self, builder: &mut Builder, struck: &NodeState, environment: &Environment) {
         let orders = [1, 2, 3].map(|order| [X, Y, Z].map(|axis| struck[axis][order]));
         let [r, turning] = rotor_drag::rotation(environment, orders, [struck[YAW][0], struck[YAW][1]]);

@@ -1,5 +1,5 @@
-//! Which plans serve as initial guesses of a search. Every command uses the same ones, so that `plan`, `compare` and a campaign
-//! find the same plan for a planner at a time.
+//! Which plans serve as initial guesses of a search. Every command uses the same ones, so that `plan`, `compare` and a
+//! campaign find the same plan for a planner at a time.
 
 use super::Setting;
 use super::found::Found;
@@ -10,9 +10,9 @@ use crate::planner::working_set::WorkingSet;
 use crate::solve::Effort;
 
 impl Setting<'_> {
-    /// RIP's plan at one mission time, s. The initial guess is `rcp`, if given. Where candidates are shared, the joint RCP's plan at
-    /// that time, whose set lies inside RIP's, is the next if it costs less than RIP's or RIP has none; if still no plan is found,
-    /// the plan at RIP's shortest time (`own`, or a new search) if that is no longer.
+    /// RIP's plan at one mission time, s. The initial guess is `rcp`, if given. Where candidates are shared, the joint
+    /// RCP's plan at that time, whose set lies inside RIP's, is the next if it costs less than RIP's or RIP has none;
+    /// if still no plan is found, the plan at RIP's shortest time (`own`, or a new search) if that is no longer.
     pub(super) fn rip_at(
         &self,
         name: &str,
@@ -62,14 +62,15 @@ impl Setting<'_> {
         rcp.filter(|_| self.fixed_time().is_none())
     }
 
-    /// Whether plans of smaller sets are initial guesses for larger ones. Not in the hover model, whose search proves that nothing
-    /// shorter exists on its grid, and not where legs share the time by the paper's rule, which the plans then reproduce.
+    /// Whether plans of smaller sets are initial guesses for larger ones. Not in the hover model, whose search proves
+    /// that nothing shorter exists on its grid, and not where legs share the time by the paper's rule, which the plans
+    /// then reproduce.
     fn shares_candidates(&self) -> bool {
         self.finds_local_optima() && (self.model().plan.chooses_times || !self.mission().leaves_times_free())
     }
 
-    /// RIP's shortest time. A search for waypoint times proves nothing and may end longer than RCP's, which RIP never needs to be:
-    /// the joint RCP is searched for in parallel.
+    /// RIP's shortest time. A search for waypoint times proves nothing and may end longer than RCP's, which RIP never
+    /// needs to be: the joint RCP is searched for in parallel.
     pub(super) fn rip_own(&self) -> Found {
         let rip = || self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
         if !self.shares_candidates() {
@@ -91,8 +92,8 @@ impl Setting<'_> {
         allowed.iter().fold(found, Found::or_shorter)
     }
 
-    /// RSP's plan at one mission time, s, from `initial_guesses`, and if that finds none from the joint RCP's plan at that time, which
-    /// RSP's set allows: `rcp`, or a new one.
+    /// RSP's plan at one mission time, s, from `initial_guesses`, and if that finds none from the joint RCP's plan at
+    /// that time, which RSP's set allows: `rcp`, or a new one.
     pub(super) fn rsp_at(
         &self,
         name: &str,
@@ -116,8 +117,8 @@ impl Setting<'_> {
         (again, effort)
     }
 
-    /// RIP's search, or a further one warm-started from `shortest` if that is shorter: every set lies inside the healthy one, so
-    /// its plan is one of RIP's.
+    /// RIP's search, or a further one warm-started from `shortest` if that is shorter: every set lies inside the
+    /// healthy one, so its plan is one of RIP's.
     pub(super) fn at_most(&self, rip: Found, shortest: Option<&Planned>) -> Found {
         let is_shorter = |plan: &&Planned| rip.time().is_none_or(|t| plan.grid.total < t);
         let Some(better) = shortest.filter(is_shorter) else { return rip };
@@ -134,8 +135,8 @@ impl Setting<'_> {
     }
 }
 
-/// RSP's shortest time if nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one would be RIP's
-/// alone, which nothing protects against faults.
+/// RSP's shortest time if nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one
+/// would be RIP's alone, which nothing protects against faults.
 pub(super) fn nothing_selected_at(rip: &Planned) -> Found {
     let shortest =
         Shortest { time: rip.grid.total, planned: rip.clone(), infeasible_at: None, infeasible_above: Vec::new() };

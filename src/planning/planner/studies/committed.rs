@@ -11,9 +11,9 @@ use rayon::prelude::*;
 use std::sync::PoisonError;
 
 impl Setting<'_> {
-    /// The last time, s, at which a fault of each mode would still meet a violation: if the mission goes on after the fault, the last
-    /// instant outside the mode's set; if it holds, the last one from which no stop inside the set was found; if it is caught and landed, all of the mission. In the order of
-    /// `against`.
+    /// The last time, s, at which a fault of each mode would still meet a violation: if the mission goes on after the
+    /// fault, the last instant outside the mode's set; if it holds, the last one from which no stop inside the set was
+    /// found; if it is caught and landed, all of the mission. In the order of `against`.
     pub(super) fn committed(&self, trajectory: &Trajectory, outside: &[Outside]) -> Vec<f64> {
         let against = self.model().plan.against.par_iter().zip(&self.sets.modes).zip(outside);
         against
@@ -29,8 +29,8 @@ impl Setting<'_> {
 
     /// The last instant from which no stop was found, s; 0 where there is none.
     ///
-    /// Searched from the end backwards, to the first node without a stop. While the plan stays inside the set, it can be flown on
-    /// until a stop begins, so stops are sought only at nodes after which the plan leaves the set.
+    /// Searched from the end backwards, to the first node without a stop. While the plan stays inside the set, it can
+    /// be flown on until a stop begins, so stops are sought only at nodes after which the plan leaves the set.
     fn without_stop(&self, trajectory: &Trajectory, set: &PlanningSet) -> f64 {
         let model = self.model();
         let mut stops = Stops::new(self.problem, &self.sets.healthy, set, trajectory.model);

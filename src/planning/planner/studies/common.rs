@@ -53,8 +53,9 @@ impl Setting<'_> {
         out
     }
 
-    /// Steps (b) and (c): T_d if the spec does not fix it, which is the joint RCP's shortest time or else the largest single-mode
-    /// one; it stays `None` if no mode has a plan at any time. Returns the joint RCP's search, if there was one.
+    /// Steps (b) and (c): T_d if the spec does not fix it, which is the joint RCP's shortest time or else the largest
+    /// single-mode one; it stays `None` if no mode has a plan at any time. Returns the joint RCP's search, if there was
+    /// one.
     pub(super) fn seek_common_time(&self, out: &mut Comparison) -> Option<Found> {
         if out.common_time.is_some() {
             return None;
@@ -75,8 +76,8 @@ impl Setting<'_> {
         Some(joint)
     }
 
-    /// RSP's outcome if RIP has no plan at T_d = `time`: every plan of RSP is one of RIP, so a proof for RIP is one for RSP; without
-    /// a proof there is nothing to select facets by, and RSP is not attempted.
+    /// RSP's outcome if RIP has no plan at T_d = `time`: every plan of RSP is one of RIP, so a proof for RIP is one for
+    /// RSP; without a proof there is nothing to select facets by, and RSP is not attempted.
     pub(super) fn without_rip(&self, time: f64, rip: &Decision) -> PlanOutcome {
         match rip {
             Decision::Infeasible => PlanOutcome::proved_infeasible(&[time]),

@@ -136,9 +136,10 @@ impl Setting<'_> {
         out
     }
 
-    /// RSP at its own shortest time and at T_d, in this order. The own time is not below RIP's, and not above T_d if there is a plan
-    /// at T_d. `rip_at` is RIP's decision at T_d, and RSP's too if it is given as `nothing_selected`; `rcp` is the joint RCP's plan at
-    /// its own time, which RSP's set allows. Without a plan of RIP there is nothing to select by, and no own time is searched for.
+    /// RSP at its own shortest time and at T_d, in this order. The own time is not below RIP's, and not above T_d if
+    /// there is a plan at T_d. `rip_at` is RIP's decision at T_d, and RSP's too if it is given as `nothing_selected`;
+    /// `rcp` is the joint RCP's plan at its own time, which RSP's set allows. Without a plan of RIP there is nothing to
+    /// select by, and no own time is searched for.
     fn rsp_own_and_common(
         &self,
         set: &PlanningSet,

@@ -1,5 +1,5 @@
-//! The order of times: a plan inside a smaller set is one inside a larger set, so that RIP takes no longer than RSP, RSP no
-//! longer than the joint RCP, and RCP against one mode no longer than against all.
+//! The order of times: a plan inside a smaller set is one inside a larger set, so that RIP takes no longer than RSP,
+//! RSP no longer than the joint RCP, and RCP against one mode no longer than against all.
 
 use super::found::Found;
 use super::{MissionPlan, NotFound, PlanOutcome, PlannerRun, Run};
@@ -8,8 +8,8 @@ use crate::planner::hover::Planned;
 use crate::planner::timing::search::Shortest;
 
 impl Found {
-    /// The same, or the plan of a smaller set if that is shorter: a search that proves nothing can end with a longer plan for the
-    /// larger set.
+    /// The same, or the plan of a smaller set if that is shorter: a search that proves nothing can end with a longer
+    /// plan for the larger set.
     pub(super) fn or_shorter(mut self, other: &Planned) -> Found {
         let (own, proved) = match &self.result {
             Ok(s) => (s.time, s.infeasible_at),
@@ -24,8 +24,9 @@ impl Found {
     }
 }
 
-/// Puts own times in order. A planner's plan at T_d may be shorter than the one that its own search found, and replaces it; then,
-/// from the smallest set to the largest (joint RCP, single modes, RSP, RIP), a shorter plan of an inner set replaces a longer one.
+/// Puts own times in order. A planner's plan at T_d may be shorter than the one that its own search found, and replaces
+/// it; then, from the smallest set to the largest (joint RCP, single modes, RSP, RIP), a shorter plan of an inner set
+/// replaces a longer one.
 pub(super) fn put_in_order(runs: &mut [PlannerRun], modes: usize) {
     let common: Vec<PlannerRun> = runs.iter().filter(|run| run.run == Run::Common).cloned().collect();
     for own in runs.iter_mut().filter(|run| run.run == Run::Own) {

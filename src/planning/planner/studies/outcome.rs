@@ -90,7 +90,8 @@ impl PlanOutcome {
         }
     }
 
-    /// Withdraws a proof that is confined to a part of the spec's freedom, unless its longest time is hopeless in any case.
+    /// Withdraws a proof that is confined to a part of the spec's freedom, unless its longest time is hopeless in any
+    /// case.
     pub(super) fn weaken(&mut self, about: &'static str, is_hopeless: impl Fn(f64) -> bool) {
         if let PlanOutcome::Planned(solved) = self
             && about == THESE_TIMES
@@ -196,21 +197,22 @@ pub struct Comparison {
     pub sets: Vec<PlanningSet>,
     /// How plans provide for each mode, in the order of `modes`.
     pub provisions: Vec<Provision>,
-    /// Facets (of `against` modes) that RSP selects at T_d, as rows: those the RIP plan violates, and with more rounds those
-    /// that the plans of the rounds before violate.
+    /// Facets (of `against` modes) that RSP selects at T_d, as rows: those the RIP plan violates, and with more rounds
+    /// those that the plans of the rounds before violate.
     pub selected: Vec<SetRow>,
     /// The plans at T_d that RSP selects them by: the RIP plan, then one for each further round.
     pub selected_by: Vec<Trajectory>,
     /// If the spec requires a risk: the plan without protection, then the result of each addition.
     pub trade_off: Vec<Addition>,
-    /// The plans of RIP and of the tightest RCP at their own shortest times, if they were sought: initial guesses of further plans.
+    /// The plans of RIP and of the tightest RCP at their own shortest times, if they were sought: initial guesses of
+    /// further plans.
     pub known: Vec<Planned>,
     pub effort: Effort,
 }
 
 impl Comparison {
-    /// Whether there is a plan at the spec's mission time, or at any planner's own time if the spec gives none. A run that found
-    /// nothing leaves the question open, whatever the others found.
+    /// Whether there is a plan at the spec's mission time, or at any planner's own time if the spec gives none. A run
+    /// that found nothing leaves the question open, whatever the others found.
     pub fn verdict(&self, problem: Problem) -> Verdict {
         let (model, mission) = (problem.model(), problem.mission());
         let is_fixed = determined(mission).is_some() || matches!(model.plan.time, MissionTime::Fixed(_));

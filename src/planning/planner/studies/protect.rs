@@ -1,8 +1,8 @@
 //! `require risk <= bound`: which facets to impose, chosen greedily.
 //!
-//! Starting with the healthy set alone, each step tries, for the modes with the largest risk, the facet violated last, all
-//! facets that the plan violates, and the mode's whole set, and adds the one that removes most risk per second of mission time.
-//! Another order or choice may need less time: the result is not claimed to be the shortest.
+//! Starting with the healthy set alone, each step tries, for the modes with the largest risk, the facet violated last,
+//! all facets that the plan violates, and the mode's whole set, and adds the one that removes most risk per second of
+//! mission time. Another order or choice may need less time: the result is not claimed to be the shortest.
 
 use super::{Comparison, MissionPlan, NotFound, PlanOutcome, Run, Setting};
 use crate::admissible::row::SetRow;
@@ -81,8 +81,8 @@ impl Setting<'_> {
         rates.zip(solved.committed.iter().copied()).collect()
     }
 
-    /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before. `what` names the
-    /// attempt in progress reports.
+    /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before. `what`
+    /// names the attempt in progress reports.
     fn plan_of(
         &self,
         what: &str,
@@ -152,8 +152,8 @@ impl Setting<'_> {
         all
     }
 
-    /// The facet of a mode's set that commits the mission longest: the one violated last, up to the last instant from which the
-    /// mission is committed. Imposing any other facet does not change that instant.
+    /// The facet of a mode's set that commits the mission longest: the one violated last, up to the last instant from
+    /// which the mission is committed. Imposing any other facet does not change that instant.
     fn violated_last(&self, solved: &MissionPlan, mode: usize) -> Option<usize> {
         let (trajectory, until) = (&solved.trajectory, solved.committed[mode]);
         let rows = &self.sets.modes[mode].rows;

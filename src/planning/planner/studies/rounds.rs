@@ -1,8 +1,8 @@
 //! Rounds of selection: step (e) of section 5.3 of the paper, repeated at one mission time.
 //!
-//! RIP is zero rounds, RSP one. Facets violated at any node, in the exact model at any instant, are selected and imposed at all
-//! of them. In the hover model, at a time at which RCP has a plan, rounds end at RCP's plan: each program is a relaxation of
-//! RCP's, and a plan that violates no facet solves it.
+//! RIP is zero rounds, RSP one. Facets violated at any node, in the exact model at any instant, are selected and
+//! imposed at all of them. In the hover model, at a time at which RCP has a plan, rounds end at RCP's plan: each
+//! program is a relaxation of RCP's, and a plan that violates no facet solves it.
 
 use super::{Comparison, NotFound, PlanOutcome, Progress, Setting};
 use crate::admissible::row::SetRow;
@@ -35,12 +35,13 @@ pub struct Round {
     pub own_selected_by: Vec<Trajectory>,
 }
 
-/// The decisions of rounds 0, 1, ... at one time, each with the facets selected for it. The last holds for all further rounds: it
-/// violates nothing new, or it is not a plan.
+/// The decisions of rounds 0, 1, ... at one time, each with the facets selected for it. The last holds for all further
+/// rounds: it violates nothing new, or it is not a plan.
 type Chain = Vec<(Vec<SetRow>, Decision)>;
 
 /// Rounds `first..=last` at T_d, and each at its own shortest time with the selection redone there. `common_time` is
-/// T_d; no rounds if no mode has a plan at any time. `progress` receives the round and each mission time, s, before it is tried.
+/// T_d; no rounds if no mode has a plan at any time. `progress` receives the round and each mission time, s, before it
+/// is tried.
 pub fn rounds(
     problem: Problem,
     comparison: &mut Comparison,
@@ -104,8 +105,9 @@ impl Search<'_, '_> {
         chain[rounds.min(chain.len() - 1)].1.planned()
     }
 
-    /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, because each time
-    /// has its own selection: the time found is one at which a plan was found, and none was [`RESOLUTION`] below it.
+    /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, because
+    /// each time has its own selection: the time found is one at which a plan was found, and none was [`RESOLUTION`]
+    /// below it.
     fn shortest(&mut self, rounds: usize, common: f64) -> (PlanOutcome, Vec<Trajectory>) {
         let mut high = (common / RESOLUTION - 1e-6).ceil() as i64;
         let mut tried = 0;
@@ -154,8 +156,8 @@ fn seconds(ticks: i64) -> f64 {
 }
 
 impl Setting<'_> {
-    /// Step (e) for the spec's number of rounds, from the RIP plan at T_d: RSP's set. The selected facets go to `out`. `rcp` is a plan
-    /// of the joint set, if one is known.
+    /// Step (e) for the spec's number of rounds, from the RIP plan at T_d: RSP's set. The selected facets go to `out`.
+    /// `rcp` is a plan of the joint set, if one is known.
     pub(super) fn select(&self, time: f64, rip: &Planned, rcp: Option<&Planned>, out: &mut Comparison) -> PlanningSet {
         let mut planned = rip.clone();
         for round in 1..=self.model().plan.rounds {

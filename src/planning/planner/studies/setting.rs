@@ -106,8 +106,8 @@ impl<'a> Setting<'a> {
         self.with_planner(what, |p| p.plan_at(time, set, initial_guesses, &mut working_set))
     }
 
-    /// The decision on a mission time, s, taken from the own search if that ended at the same time; `other` is a plan of another
-    /// set.
+    /// The decision on a mission time, s, taken from the own search if that ended at the same time; `other` is a plan
+    /// of another set.
     pub fn at_or_own(
         &self,
         what: &str,

@@ -13,8 +13,8 @@ use rayon::prelude::*;
 impl Setting<'_> {
     /// Each mode's own shortest time, in parallel; results in the order of the modes.
     ///
-    /// No set imposed here is wider than the healthy one, so no time is shorter than RIP's; a mode in whose set RIP's plan stays has
-    /// that plan.
+    /// No set imposed here is wider than the healthy one, so no time is shorter than RIP's; a mode in whose set RIP's
+    /// plan stays has that plan.
     pub(super) fn singles_own(&self, rip: &Found, hint: Hint) -> Vec<Found> {
         let work = |(name, set): (&String, &PlanningSet)| {
             if rip.planned().is_some_and(|plan| self.is_inside(plan, set)) {
@@ -35,13 +35,15 @@ impl Setting<'_> {
         self.sets.names.par_iter().zip(self.sets.singles.par_iter()).map(work).collect()
     }
 
-    /// Whether a plan of RIP stays inside a smaller set too. False with rotors that lag, whose commands would have to as well.
+    /// Whether a plan of RIP stays inside a smaller set too. False with rotors that lag, whose commands would have to
+    /// as well.
     pub(super) fn is_inside(&self, plan: &Planned, set: &PlanningSet) -> bool {
         let found = || outside(&plan.trajectory(), &self.model().vehicle, &self.model().environment(), &set.rows);
         self.model().thrust_lag().is_none() && found().max_violation <= ACCEPTED
     }
 
-    /// A plan against one mode that also stays inside another mode's set, and is shorter than its own, becomes that mode's too.
+    /// A plan against one mode that also stays inside another mode's set, and is shorter than its own, becomes that
+    /// mode's too.
     pub(super) fn share(&self, singles: &mut [Found]) {
         // With rotors that lag it is not enough that the wrench stays inside.
         if self.model().thrust_lag().is_some() {

@@ -55,7 +55,8 @@ impl Setting<'_> {
                 (Run::Own, self.own_with_binding(&found, &set), found.effort)
             }
             None => {
-                // The SCP planner starts from RCP's plan, which RSP's set allows; the hover planner's search uses the verdict on T_d.
+                // The SCP planner starts from RCP's plan, which RSP's set allows; the hover planner's search uses the
+                // verdict on T_d.
                 let rcp = initial_guesses.get(1).filter(|_| self.finds_local_optima());
                 let hint = match (out.common_time, rcp) {
                     (None, _) => Hint::default(),
@@ -80,8 +81,8 @@ impl Setting<'_> {
         out
     }
 
-    /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with the facets that it violates; also the initial
-    /// guesses of RSP's plan, RIP's and then RCP's.
+    /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with the facets that it violates;
+    /// also the initial guesses of RSP's plan, RIP's and then RCP's.
     fn rsp_set(&self, out: &mut Comparison) -> Result<(PlanningSet, Vec<Planned>), PlanOutcome> {
         let joint = self.seek_common_time(out);
         let rcp = joint.as_ref().and_then(Found::planned);
@@ -89,7 +90,8 @@ impl Setting<'_> {
             let found = self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
             out.effort += found.effort;
             return Err(match self.own(&found) {
-                // Nothing is proved about RSP itself: the modes' sets are smaller than RSP's, and may not be proved infeasible either.
+                // Nothing is proved about RSP itself: the modes' sets are smaller than RSP's, and may not be proved
+                // infeasible either.
                 PlanOutcome::Planned(s) => PlanOutcome::NotAttempted { at: s.time, why: NO_COMMON_TIME.into() },
                 PlanOutcome::NotFound(NotFound::Search { at, .. }) => {
                     PlanOutcome::NotAttempted { at, why: NOTHING_TO_SELECT_BY.into() }

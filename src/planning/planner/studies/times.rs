@@ -1,5 +1,5 @@
-//! Waypoint times chosen before any planner runs: those of the hover model, whose own search keeps the legs' shares, and that of the
-//! last waypoint, which is the mission's time.
+//! Waypoint times chosen before any planner runs: those of the hover model, whose own search keeps the legs' shares,
+//! and that of the last waypoint, which is the mission's time.
 
 use super::{Comparison, Progress, Scope, with_times};
 use crate::model::{Leg, Mission, MissionTime, Model, PlannerKind, Problem};
@@ -11,8 +11,9 @@ use crate::planner::scp::ScpPlanner;
 use crate::planner::selection::sets::PlanningSets;
 use crate::planner::timing::kinematics::initial;
 
-/// In the hover model waypoint times are chosen first, by sequential convex programming with the hover model's wrench, for the set
-/// that the planner imposes; the legs then keep these shares of any mission time. `None` if no plan is found.
+/// In the hover model waypoint times are chosen first, by sequential convex programming with the hover model's wrench,
+/// for the set that the planner imposes; the legs then keep these shares of any mission time. `None` if no plan is
+/// found.
 fn with_better_times(problem: Problem, progress: Progress) -> Option<Model> {
     let (model, mission) = (problem.model(), problem.mission());
     let sets = PlanningSets::of(model);
@@ -88,8 +89,8 @@ pub(super) fn with_times_before(problem: Problem, scope: Scope, progress: Progre
     better(first, with_times(problem, scope, progress))
 }
 
-/// With fixed times, three divisions of the time in turn until one has a plan: by the limits of each leg, by the lengths of the legs,
-/// and as [`with_better_times`] chooses.
+/// With fixed times, three divisions of the time in turn until one has a plan: by the limits of each leg, by the
+/// lengths of the legs, and as [`with_better_times`] chooses.
 fn about_fixed_times(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
     let first = with_times_by_limits(problem, scope, progress);
     if is_solved(&first) {

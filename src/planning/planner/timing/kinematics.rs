@@ -1,5 +1,6 @@
-//! Lower bounds on the duration of each leg, from distances, limits and thrust alone. They hold for motions that keep the spec's
-//! limits at every instant, whatever the division of the time. The planner's initial durations come from them.
+//! Lower bounds on the duration of each leg, from distances, limits and thrust alone. They hold for motions that keep
+//! the spec's limits at every instant, whatever the division of the time. The planner's initial durations come from
+//! them.
 //!
 //! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at
 //! most v, a leg of length d takes at least d/v. With s the sum of `1/a` over those of its ends where the vehicle
@@ -68,13 +69,14 @@ impl Drag {
         Drag { rates, wind, starts_at_rest: problem.mission().start_at_rest }
     }
 
-    /// Bounds on rate and acceleration along some axes, where thrust and gravity accelerate by at most `acceleration` and
-    /// limits allow the rate `rate`. With k = drag/m the rate u obeys `u' <= most + k |wind| - k u`, where `most` bounds what thrust
-    /// and gravity give on any leg: from rest it stays below `most/k + |wind|`, and `|u'| <= acceleration + k (|wind| + u)`.
+    /// Bounds on rate and acceleration along some axes, where thrust and gravity accelerate by at most `acceleration`
+    /// and limits allow the rate `rate`. With k = drag/m the rate u obeys `u' <= most + k |wind| - k u`, where `most`
+    /// bounds what thrust and gravity give on any leg: from rest it stays below `most/k + |wind|`, and
+    /// `|u'| <= acceleration + k (|wind| + u)`.
     ///
-    /// A drag for each axis of the body has the matrix K = R diag(k) R^T, whose eigenvalues lie between the smallest rate k0 and the
-    /// largest k1: along all three axes `u' <= most + k1 |wind| - k0 u` and `|u'| <= acceleration + k1 (|wind| + u)`. It couples
-    /// the axes, so that only `axes` of all three give a bound.
+    /// A drag for each axis of the body has the matrix K = R diag(k) R^T, whose eigenvalues lie between the smallest
+    /// rate k0 and the largest k1: along all three axes `u' <= most + k1 |wind| - k0 u` and
+    /// `|u'| <= acceleration + k1 (|wind| + u)`. It couples the axes, so that only `axes` of all three give a bound.
     fn paced(&self, (rate, acceleration): (f64, f64), most: f64, axes: &[usize]) -> (f64, f64) {
         let [least, largest] = self.rates;
         if largest == 0.0 {
@@ -114,8 +116,9 @@ enum Sense {
 }
 
 impl LegRateBounds {
-    /// The bounds that hold throughout some legs of a mission under its vehicle's full thrust, with intervals at the ends that allow
-    /// most. Each limit is widened by `past`, in its SI unit, and by the tolerance of the check of plans ([`tolerance`]).
+    /// The bounds that hold throughout some legs of a mission under its vehicle's full thrust, with intervals at the
+    /// ends that allow most. Each limit is widened by `past`, in its SI unit, and by the tolerance of the check of
+    /// plans ([`tolerance`]).
     fn of(problem: Problem, past: &[f64], legs: Range<usize>) -> Self {
         let (model, mission) = (problem.model(), problem.mission());
         let turning = |kind: LimitKind, sense: Sense| {
@@ -147,9 +150,11 @@ impl LegRateBounds {
         // Tilt is kept up to an acceleration: `|(x'', y'')| cos L - (z'' + g) sin L` is at most this share of g.
         let out = tolerance::MOST_PAST_LIMIT * FRAC_PI_2 * g;
         let tilt = most(LimitKind::Tilt);
-        // Exactly |(x'', y'')| is a part of the force; about hover only a limit on tilt ties it to the thrust m (z'' + g).
+        // Exactly |(x'', y'')| is a part of the force; about hover only a limit on tilt ties it to the thrust m (z'' +
+        // g).
         let air = Drag::of(problem);
-        // Drag along the body's z axis changes the size of the thrust, not its direction: then tilt does not bound the force.
+        // Drag along the body's z axis changes the size of the thrust, not its direction: then tilt does not bound the
+        // force.
         let tilt = if air.is_isotropic() { tilt } else { FRAC_PI_2 };
         let (sideways, any) = match model.plan.model {
             PlanModel::Exact => (force * tilt.min(FRAC_PI_2).sin() + out, force + g),
@@ -264,8 +269,8 @@ pub const ROUNDING: f64 = 1e-10;
 /// Two times are equal within this share of them.
 const SAME_TIME: f64 = 1e-9;
 
-/// A lower bound on the time of every motion that meets the mission's waypoints, fixed times and holds and keeps its limits at
-/// every instant, for every division of the time among the legs. `past` widens each limit, in its SI unit.
+/// A lower bound on the time of every motion that meets the mission's waypoints, fixed times and holds and keeps its
+/// limits at every instant, for every division of the time among the legs. `past` widens each limit, in its SI unit.
 pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
     let mission = problem.mission();
     let points = &mission.waypoints;

@@ -1,7 +1,7 @@
 //! The smallest mission time at which the hover planner's program is feasible, and what proves it.
 //!
-//! The violation on a coarse grid gives an estimate, the full program decides. Times are tried on multiples of [`RESOLUTION`],
-//! and on the finer [`GRID`] only where the solver gives no verdict at one of those.
+//! The violation on a coarse grid gives an estimate, the full program decides. Times are tried on multiples of
+//! [`RESOLUTION`], and on the finer [`GRID`] only where the solver gives no verdict at one of those.
 
 use crate::motion::time_grid::{determined, earliest};
 use crate::planner::hover::{Decision, HoverPlanner, Planned};
@@ -21,8 +21,8 @@ pub struct Shortest {
     /// s
     pub time: f64,
     pub planned: Planned,
-    /// A time shorter by at most [`RESOLUTION`] that was proved infeasible, s; `None` where fixed times and holds leave no
-    /// shorter one, and in the exact model.
+    /// A time shorter by at most [`RESOLUTION`] that was proved infeasible, s; `None` where fixed times and holds leave
+    /// no shorter one, and in the exact model.
     pub infeasible_at: Option<f64>,
     /// Longer times that were tried and proved infeasible, s: feasibility is not monotone here.
     pub infeasible_above: Vec<f64>,
@@ -57,7 +57,8 @@ pub struct Hint {
 /// Mission times in ticks of [`GRID`].
 type Ticks = i64;
 
-/// Estimate: the slack of hover counts as at least this (widths of the healthy set), because precision is relative to it.
+/// Estimate: the slack of hover counts as at least this (widths of the healthy set), because precision is relative to
+/// it.
 const MIN_HOVER_MARGIN: f64 = 1e-3;
 /// Estimate: a violation within 1 % of its (negative) lower bound was not minimised further, and is not interpolated.
 const NEAR_LEAST: f64 = 0.99;
@@ -158,7 +159,8 @@ impl Search<'_, '_> {
         self.planner.decide(seconds(t), samples, self.set, self.working_set)
     }
 
-    /// An estimate of the shortest time, s, from the coarse grid, corrected for the error of that grid. It proves nothing.
+    /// An estimate of the shortest time, s, from the coarse grid, corrected for the error of that grid. It proves
+    /// nothing.
     fn estimate(&mut self, guess: Option<f64>, samples: usize) -> f64 {
         let coarse = self.planner.coarse_samples();
         let floor = seconds(self.floor);
@@ -171,8 +173,8 @@ impl Search<'_, '_> {
         floor + (found - floor) * late(samples) / late(coarse)
     }
 
-    /// The time at which the violation vanishes, by interpolation in 1/T^2: accelerations are proportional to 1/T^2, and the
-    /// wrench to accelerations where torques are small.
+    /// The time at which the violation vanishes, by interpolation in 1/T^2: accelerations are proportional to 1/T^2,
+    /// and the wrench to accelerations where torques are small.
     fn root(&mut self, guess: f64, samples: usize) -> f64 {
         let settings = self.planner.settings.search;
         let floor = seconds(self.floor);
@@ -217,7 +219,8 @@ impl Search<'_, '_> {
         matches!(self.planner.decide_roughly(seconds(t), self.set, self.working_set), Decision::Feasible(_))
     }
 
-    /// Brackets and bisects on the full grid, from an estimate of the shortest time; without one if both ends are known.
+    /// Brackets and bisects on the full grid, from an estimate of the shortest time; without one if both ends are
+    /// known.
     fn bisect(&mut self, start: Option<Ticks>, known: Known, samples: usize) -> Result<Shortest, NoTime> {
         let mut high: Option<(Ticks, Planned)> = known.high.and_then(|h| Some((h, *known.planned?)));
         let mut low = known.low;
@@ -271,8 +274,8 @@ impl Search<'_, '_> {
         Ok(Shortest { time: seconds(time), planned, infeasible_at, infeasible_above: Vec::new() })
     }
 
-    /// Longer times proved infeasible. A time at which the plan found is still one when flown slower is not tried; at the others
-    /// the coarse grid is tried first and, if it finds no plan, the full one.
+    /// Longer times proved infeasible. A time at which the plan found is still one when flown slower is not tried; at
+    /// the others the coarse grid is tried first and, if it finds no plan, the full one.
     fn scan_above(&mut self, found: &Shortest, samples: usize) -> Vec<f64> {
         let first = (found.time / GRID).round();
         let longer = self.planner.settings.search.longer.map(|f| steps(first * f));

@@ -10,8 +10,8 @@ impl Transcription<'_> {
     /// Exact steps under first-order hold: with m = r - i,
     /// `d_i(k+1) = sum_{j=i}^{r-1} h^(j-i)/(j-i)! d_j + h^m [(1/m! - 1/(m+1)!) u_k + u_{k+1}/(m+1)!]`.
     ///
-    /// If the leg that begins at a node may change its duration by another share than the one that ends there, the derivatives `d_j`
-    /// on its side differ by `jump` of (node, axis, j), in SI units (72).
+    /// If the leg that begins at a node may change its duration by another share than the one that ends there, the
+    /// derivatives `d_j` on its side differ by `jump` of (node, axis, j), in SI units (72).
     pub(in crate::planning::planner) fn dynamics(
         &self,
         builder: &mut Builder,
@@ -47,8 +47,8 @@ impl Transcription<'_> {
         }
     }
 
-    /// Derivatives that vanish, as (node, axis, order): velocity, acceleration and (x, y) jerk at rest; where the vehicle
-    /// holds, inputs too.
+    /// Derivatives that vanish, as (node, axis, order): velocity, acceleration and (x, y) jerk at rest; where the
+    /// vehicle holds, inputs too.
     pub(in crate::planning::planner) fn at_rest(&self) -> Vec<(usize, usize, usize)> {
         let last = self.nodes() - 1;
         let mut zero = Vec::new();

@@ -5,8 +5,8 @@ use crate::motion::time_grid::TimeGrid;
 /// Steps per unit of scaled time.
 const TAU_STEPS: f64 = 4.0;
 
-/// Steps that differ by no more than this factor have one unit of time (on the paper's missions the solver takes up to 1.3 times
-/// the iterations with one at each node).
+/// Steps that differ by no more than this factor have one unit of time (on the paper's missions the solver takes up to
+/// 1.3 times the iterations with one at each node).
 const EVEN: f64 = 2.0;
 
 /// Unit of time for a grid as a whole, s: [`TAU_STEPS`] mean steps.
@@ -14,8 +14,8 @@ pub(super) fn mean_unit(grid: &TimeGrid) -> f64 {
     TAU_STEPS * grid.total / grid.intervals() as f64
 }
 
-/// Unit of time at each node, s: [`mean_unit`], or [`TAU_STEPS`] times the mean of the adjacent steps where steps differ by
-/// more than [`EVEN`].
+/// Unit of time at each node, s: [`mean_unit`], or [`TAU_STEPS`] times the mean of the adjacent steps where steps
+/// differ by more than [`EVEN`].
 pub(super) fn units_of_time(grid: &TimeGrid) -> Vec<f64> {
     let times = &grid.node_times;
     let (shortest, longest) = grid.steps().fold((f64::INFINITY, 0.0), |(s, l), step| (step.min(s), step.max(l)));

@@ -164,8 +164,8 @@ impl Scanner<'_> {
         self.span(above.filter(|_| is_alone).map_or(at, str::len), at + 1)
     }
 
-    /// A statement that starts at `start`, outside all blocks: one that belongs in a block shows that the brace before it came
-    /// too early.
+    /// A statement that starts at `start`, outside all blocks: one that belongs in a block shows that the brace before
+    /// it came too early.
     pub(super) fn note_outside(&mut self, start: usize) {
         let (word, _) = self.name_at(start);
         self.too_early = match word {

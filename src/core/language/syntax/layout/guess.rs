@@ -1,5 +1,5 @@
-//! A `}` that closes nothing is one too many, or belongs to a `{` that is missing above. Where such a guess makes the braces
-//! match, the text is laid out again under this assumption, and only its one error is reported.
+//! A `}` that closes nothing is one too many, or belongs to a `{` that is missing above. Where such a guess makes the
+//! braces match, the text is laid out again under this assumption, and only its one error is reported.
 
 use super::{Scanner, is_blank, is_name};
 use crate::diagnostic::Diagnostic;
@@ -70,8 +70,8 @@ impl Scanner<'_> {
         }
     }
 
-    /// Whether the `}` at `at` closes a block that was never opened. If so, reports the head and puts a `{` into the blank
-    /// after it.
+    /// Whether the `}` at `at` closes a block that was never opened. If so, reports the head and puts a `{` into the
+    /// blank after it.
     pub(super) fn closes_unopened(&mut self, at: usize) -> bool {
         let Some(unopened) = self.unopened.filter(|u| u.depth == self.blocks.len()) else {
             return false;

@@ -204,7 +204,8 @@ pub(super) fn openers(place: Place) -> String {
     let words: Vec<String> = place.openers().iter().map(|w| format!("`{w}`")).collect();
     match words.split_last() {
         _ if place == Place::Rotors => {
-            "only `rotor at [..] m  spin P` is allowed here; what all rotors share goes into a `rotor { .. }` block beside it"
+            "only `rotor at [..] m  spin P` is allowed here; what all rotors share goes into a `rotor { .. }` block \
+             beside it"
                 .to_string()
         }
         _ if place == Place::Limits => "a limit is written like `speed <= 8 m/s`".to_string(),

@@ -108,7 +108,8 @@ pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagn
     );
     let help = match found {
         "speed" | "velocity" | "altitude" | "tilt" => {
-            "limits of the leg that arrives go between braces at the end, as in `{ speed <= 3 m/s }`; those of the whole mission \
+            "limits of the leg that arrives go between braces at the end, as in `{ speed <= 3 m/s }`; those of the \
+             whole mission \
              into `limits { .. }`"
                 .to_string()
         }

@@ -65,13 +65,12 @@ pub(super) fn choice(statement: &Broken, failure: &Failure) -> Option<Diagnostic
 /// The error for a word that would restrict which rotors an `every` covers.
 pub fn no_choice(span: Span, word: &str) -> Diagnostic {
     let word = cut(word);
-    Diagnostic::error(
-        "mavc::syntax::unexpected",
-        span,
-        format!("`every` cannot select rotors by `{word}`"),
-    )
-    .here("expected `rotors`")
-    .help("`every 2 rotors` covers every pair; to cover only some, write a mode for each: `mode W1 { rotors [1, 2] lost }`")
+    Diagnostic::error("mavc::syntax::unexpected", span, format!("`every` cannot select rotors by `{word}`"))
+        .here("expected `rotors`")
+        .help(
+            "`every 2 rotors` covers every pair; to cover only some, write a mode for each: `mode W1 \
+        { rotors [1, 2] lost }`",
+        )
 }
 
 /// `rotor 1 fails`, where any word after a number looks like a unit.

@@ -1,5 +1,5 @@
-//! Mistakes that people often make, each recognised by where a statement fails and what follows there: here those in the form
-//! of a statement, in `value` those in its values.
+//! Mistakes that people often make, each recognised by where a statement fails and what follows there: here those in
+//! the form of a statement, in `value` those in its values.
 
 mod value;
 

@@ -8,8 +8,8 @@ use crate::syntax::cut;
 /// Most statements separated on one line.
 const MAX_SEPARATIONS: usize = 64;
 
-/// The places in a line where a statement plainly ends and another begins. `failure` reads a statement alone by the rule
-/// it was probably meant to follow; `None` where nothing is wrong with it.
+/// The places in a line where a statement plainly ends and another begins. `failure` reads a statement alone by the
+/// rule it was probably meant to follow; `None` where nothing is wrong with it.
 pub(in crate::language::syntax) fn separations(
     line: &Broken,
     failure: impl Fn(&str, bool) -> Option<Failure>,

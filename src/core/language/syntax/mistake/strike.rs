@@ -51,7 +51,8 @@ fn mode(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     })
 }
 
-/// No time follows the mode: `fault M1`, `fault M1 5 s`, `fault M1 after 5 s`, `fault M1, M2 at 5 s`, `fault rotor 1 lost`.
+/// No time follows the mode: `fault M1`, `fault M1 5 s`, `fault M1 after 5 s`, `fault M1, M2 at 5 s`,
+/// `fault rotor 1 lost`.
 fn instant(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let (at, found) = (failure.at, statement.found(failure.at));
     let (start, name) = statement.before(at);

@@ -32,13 +32,14 @@ impl Rows<'_> {
 
     /// Bounds on x'''', y'''', z'''' and psi'' of motions that start at rest.
     ///
-    /// If they end at rest, x'' is a twice continuously differentiable cubic spline with slope zero at both ends, so its
-    /// second derivatives u_k at the nodes solve (de Boor, *A Practical Guide to Splines*, chapter 4)
+    /// If they end at rest, x'' is a twice continuously differentiable cubic spline with slope zero at both ends, so
+    /// its second derivatives u_k at the nodes solve (de Boor, *A Practical Guide to Splines*, chapter 4)
     ///
-    /// `h_(k-1)/6 u_(k-1) + (h_(k-1) + h_k)/3 u_k + h_k/6 u_(k+1) = (x''_(k+1) - x''_k)/h_k - (x''_k - x''_(k-1))/h_(k-1)`.
+    /// `h_(k-1)/6 u_(k-1) + (h_(k-1) + h_k)/3 u_k + h_k/6 u_(k+1) = (x''_(k+1) - x''_k)/h_k - (x''_k -
+    /// x''_(k-1))/h_(k-1)`.
     ///
-    /// At the largest |u_k| the left side is at least (h_(k-1) + h_k)/6 times |u_k|. The right side is at most 2 A (1/h_k +
-    /// 1/h_(k-1)) with A = T_max/m, since the thrust bounds |(x'', y'', z'' + g)| at the nodes. Hence
+    /// At the largest |u_k| the left side is at least (h_(k-1) + h_k)/6 times |u_k|. The right side is at most 2 A
+    /// (1/h_k + 1/h_(k-1)) with A = T_max/m, since the thrust bounds |(x'', y'', z'' + g)| at the nodes. Hence
     /// `|u| <= 12 A/(h_(k-1) h_k)`; at the ends likewise, with one step for both. If the motion does not end at rest,
     /// [`Self::at_a_moving_end`] replaces the condition on the slope.
     fn exact_inputs(&self, most: Interval) -> [Interval; 4] {
@@ -52,16 +53,17 @@ impl Rows<'_> {
         [of_axis(X), of_axis(Y), of_axis(Z), self.yaw_input(step)]
     }
 
-    /// By how much the inputs of an axis may exceed the bound for motions that end at rest, because the last slope is not
-    /// zero. With h the last step, it is either of
+    /// By how much the inputs of an axis may exceed the bound for motions that end at rest, because the last slope is
+    /// not zero. With h the last step, it is either of
     ///
-    /// `6 J/h`, for a jerk of at most J at the end: it replaces the slope in the last equation, whose right side is then at
-    /// most J + 2 A/h, and whose left side is at least h/6 times the largest |u_k|;
+    /// `6 J/h`, for a jerk of at most J at the end: it replaces the slope in the last equation, whose right side is
+    /// then at most J + 2 A/h, and whose left side is at least h/6 times the largest |u_k|;
     ///
     /// `48 (2 V + h (A + g))/h^3`, for a velocity of at most V: the velocity gained in the last step is
-    /// `h/2 (x''_(N-1) + x''_N) - h^3/24 (u_(N-1) + u_N)`, so |u_(N-1) + u_N| is at most r, half of that (|x''| is at most A,
-    /// |z''| at most A + g). After subtracting h/6 of it, the left side of the equation before is at least (h_(N-2) + h)/6
-    /// times the largest of the other |u_k|, so these are at most `12 A/(h_(N-2) h) + r`, and |u_N| at most r more.
+    /// `h/2 (x''_(N-1) + x''_N) - h^3/24 (u_(N-1) + u_N)`, so |u_(N-1) + u_N| is at most r, half of that (x'' is at
+    /// most A in size, z'' at most A + g). After subtracting h/6 of it, the left side of the equation before is at
+    /// least (h_(N-2) + h)/6 times the largest of the other |u_k|, so these are at most `12 A/(h_(N-2) h) + r`, and
+    /// |u_N| at most r more.
     ///
     /// Without either limit the inputs are unbounded: splines that vanish at all nodes may grow from node to node.
     fn at_a_moving_end(&self, axis: usize, acceleration: Interval) -> Interval {
@@ -89,8 +91,8 @@ impl Rows<'_> {
         limits.filter_map(|l| l.upper).reduce(f64::min)
     }
 
-    /// Bounds on psi'' at any node: its limit, or a bound that follows from the limit on psi'. From rest psi'' is 0 at first,
-    /// and `psi''_(k+1) = 2 (psi'_(k+1) - psi'_k)/h - psi''_k`.
+    /// Bounds on psi'' at any node: its limit, or a bound that follows from the limit on psi'. From rest psi'' is 0 at
+    /// first, and `psi''_(k+1) = 2 (psi'_(k+1) - psi'_k)/h - psi''_k`.
     fn yaw_input(&self, step: Interval) -> Interval {
         let sides = |kind: LimitKind| {
             let limits = self.problem.mission().limits.iter().filter(move |l| l.is_general() && l.kind == kind);

@@ -160,8 +160,8 @@ impl Rows<'_> {
         }
     }
 
-    /// Rest as the language defines it: velocity, acceleration, horizontal jerk, yaw rate and yaw acceleration vanish; in a
-    /// hold the inputs vanish too.
+    /// Rest as the language defines it: velocity, acceleration, horizontal jerk, yaw rate and yaw acceleration vanish;
+    /// in a hold the inputs vanish too.
     fn rests(&self, node: usize, axis: usize, derivative: usize) -> bool {
         if axis > YAW || derivative == 0 {
             return false;

@@ -1,5 +1,5 @@
-//! Bounds along a motion: limits, sets and facets, and an upright thrust. The nodes decide; between them, bounds are proved
-//! at every instant or checked on a grid.
+//! Bounds along a motion: limits, sets and facets, and an upright thrust. The nodes decide; between them, bounds are
+//! proved at every instant or checked on a grid.
 
 use super::super::cost::{self, WorkLeft};
 use super::super::heading;
@@ -31,8 +31,8 @@ pub const POINTS_OF_A_GRID: usize = 63;
 /// Work for a proof that may be in vain, as a multiple of that at the nodes.
 const TRIED: u64 = 8;
 
-/// A violation between nodes is reported with a bound at every instant if that bound, the grid's value plus this share of
-/// the limit's size, can be proved.
+/// A violation between nodes is reported with a bound at every instant if that bound, the grid's value plus this share
+/// of the limit's size, can be proved.
 const MISSED: f64 = 1e-3;
 
 impl<'a> Setting<'a> {
@@ -208,7 +208,8 @@ impl Checked<'_> {
             let statement = match setting.dynamics.environment.is_isotropic() {
                 true => "vertical thrust of at least a tenth of the weight",
                 false => {
-                    "upright attitude, with a vertical thrust before the drag along the body's z axis of at least a tenth of the weight"
+                    "upright attitude, with a vertical thrust before the drag along the body's z axis of at least a \
+                     tenth of the weight"
                 }
             };
             found.add(statement.into(), reach);
@@ -218,7 +219,8 @@ impl Checked<'_> {
             if reach.weaker("").is_some() {
                 let at = reach.beyond.map_or(String::new(), |beyond| format!(", at {} s", number(beyond.at)));
                 found.weaker.push(format!(
-                    "limit on tilt: it is not shown that the thrust stays above a tenth of the weight{at}; a thrust that nearly \
+                    "limit on tilt: it is not shown that the thrust stays above a tenth of the weight{at}; a thrust \
+                     that nearly \
                      vanishes satisfies any limit on its direction within the tolerance"
                 ));
             }
@@ -338,8 +340,9 @@ impl Found {
 
 /// `0.1 - (z'' + g)/g`: by how much the vertical part of the thrust is below a tenth of the weight, in weights.
 ///
-/// With a drag for each axis of the body, the thrust before the drag along that axis. Where the drag differs along x and y, this of
-/// alpha and of beta, and `0.005 - (alpha_f beta_f + alpha_u beta_u)/g^2`: where all three hold, the body's z axis points up.
+/// With a drag for each axis of the body, the thrust before the drag along that axis. Where the drag differs along x
+/// and y, this of alpha and of beta, and `0.005 - (alpha_f beta_f + alpha_u beta_u)/g^2`: where all three hold, the
+/// body's z axis points up.
 fn upright(environment: &Environment) -> Family<'static> {
     let environment = *environment;
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {

@@ -16,8 +16,8 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 impl Setting<'_> {
-    /// The cores that the spec's planner imposes: RCP's whole, RSP's where the plans that it selects from violate them. The motion
-    /// satisfies them at the nodes, or is rejected.
+    /// The cores that the spec's planner imposes: RCP's whole, RSP's where the plans that it selects from violate them.
+    /// The motion satisfies them at the nodes, or is rejected.
     pub(super) fn imposed_cores(
         &self,
         motion: &Motion,

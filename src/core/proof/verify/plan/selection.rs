@@ -1,6 +1,6 @@
-//! The selection of RSP (step (e) of the paper's section 5.3): the facets of the modes' sets that the RIP plan violates and,
-//! with more `rounds`, those violated by each plan for the selection so far. A certificate includes these plans; each is
-//! checked like a plan, and the facets that it violates are computed here.
+//! The selection of RSP (step (e) of the paper's section 5.3): the facets of the modes' sets that the RIP plan violates
+//! and, with more `rounds`, those violated by each plan for the selection so far. A certificate includes these plans;
+//! each is checked like a plan, and the facets that it violates are computed here.
 
 use super::super::Rejection;
 use super::super::core::{WithoutYaw, may_be_freed};
@@ -205,8 +205,8 @@ impl Setting<'_> {
         }
         let selects_of_cores = self.core_members_over(selected_by, without_yaw).iter().any(|over| over.contains(&true));
         if !violated.contains(&true) && !selects_of_cores {
-            // If nothing is selected, RSP's plan is RIP's, and the included plan leaves no set: the facets that another motion
-            // violates are not guarded.
+            // If nothing is selected, RSP's plan is RIP's, and the included plan leaves no set: the facets that another
+            // motion violates are not guarded.
             let leaves = self.violates(selecting, &selectable);
             let of_modes = selectable.modes.iter().flat_map(|set| set.planes.iter().map(|plane| (set.mode, plane)));
             let of_set =
@@ -233,8 +233,8 @@ impl Setting<'_> {
         Ok(out)
     }
 
-    /// Whether further rounds would select nothing: the last plan to select from, or the motion itself, violates no facet
-    /// that the plans before it did not violate.
+    /// Whether further rounds would select nothing: the last plan to select from, or the motion itself, violates no
+    /// facet that the plans before it did not violate.
     fn closed(
         &self,
         selecting: &Selecting,
@@ -287,8 +287,8 @@ impl Setting<'_> {
         Ok(found)
     }
 
-    /// For each plane whether some motion violates it: at a node, or in the exact model at one of [`PARTS`] instants of a
-    /// piece.
+    /// For each plane whether some motion violates it: at a node, or in the exact model at one of [`PARTS`] instants of
+    /// a piece.
     pub(in crate::proof::verify) fn violated<'p>(
         &self,
         planes: impl Iterator<Item = &'p Plane>,

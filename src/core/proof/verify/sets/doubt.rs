@@ -1,10 +1,10 @@
 //! Sets under interval uncertainty: the wrenches that can be given for every value (docs/method.md, equation (50)).
 //!
-//! With thrusts from the largest idle to the least full one and every ratio kappa_k of drag torque to thrust in the middle
-//! of its interval, a row `n.w <= e` becomes `n.w + |n_z| delta T <= e - sum over stuck k of |n.r_k|`: delta is the largest
-//! half width of the intervals of kappa_k, and r_k is half the range of the wrench of stuck rotor k. If the mass is M instead
-//! of m, the motion needs (M/m) T, so the coefficient on T is taken at the end of that interval that is worst for the row;
-//! this requires T >= 0, which is a row of its own.
+//! With thrusts from the largest idle to the least full one and every ratio kappa_k of drag torque to thrust in the
+//! middle of its interval, a row `n.w <= e` becomes `n.w + |n_z| delta T <= e - sum over stuck k of |n.r_k|`: delta is
+//! the largest half width of the intervals of kappa_k, and r_k is half the range of the wrench of stuck rotor k. If the
+//! mass is M instead of m, the motion needs (M/m) T, so the coefficient on T is taken at the end of that interval that
+//! is worst for the row; this requires T >= 0, which is a row of its own.
 
 use super::{Exact, difference, scaled, wrench_at};
 use crate::model::{FaultMode, Rotor, Vehicle};

@@ -1,8 +1,8 @@
 //! The wrenches that the pseudo-inverse (42) gives without clipping, in exact arithmetic.
 //!
 //! Let a_k be the wrench of rotor k for one unit of squared speed, times its capacity, `G = sum of a_k a_k'`, and c the
-//! wrench of stuck rotors. The squared speeds are `a_k . G^-1 (w - c)`. Using the adjugate instead of the inverse avoids
-//! division: for each working rotor
+//! wrench of stuck rotors. The squared speeds are `a_k . G^-1 (w - c)`. Using the adjugate instead of the inverse
+//! avoids division: for each working rotor
 //!
 //! `det G w_min^2 <= (adj G a_k) . (w - c) <= det G w_max^2`.
 
@@ -45,7 +45,8 @@ impl Inverse {
         let square: [Exact; 4] = std::array::from_fn(|i| {
             std::array::from_fn(|j| columns.iter().fold(Dyadic::zero(), |sum, a| sum.plus(&a[i].times(&a[j]))))
         });
-        // Row i of the adjugate is orthogonal to all columns of G except the i-th; columns equal rows, as G is symmetric.
+        // Row i of the adjugate is orthogonal to all columns of G except the i-th; columns equal rows, as G is
+        // symmetric.
         let adjugate: [Exact; 4] = std::array::from_fn(|i| {
             let others: Vec<&Exact> = (0..4).filter(|&j| j != i).map(|j| &square[j]).collect();
             let minors = orthogonal(others[0], others[1], others[2]);

@@ -1,9 +1,10 @@
 //! Whether a body to keep out of closes the corridor of a leg: a `straight` leg has no way around.
 //!
-//! A path along a corridor passes every cross-section between its ends, to within the ends' tolerances. If one cross-section lies
-//! whole in what a body and its margin forbid, no path exists. The distance from a convex body is convex, so on the disc it is largest
-//! at a corner of a polygon about the disc; and the smallest violation at the corners is concave along the leg, so that its largest
-//! value is found by a search over one interval. The converse does not hold: bodies that close a corridor only together are not found.
+//! A path along a corridor passes every cross-section between its ends, to within the ends' tolerances. If one
+//! cross-section lies whole in what a body and its margin forbid, no path exists. The distance from a convex body is
+//! convex, so on the disc it is largest at a corner of a polygon about the disc; and the smallest violation at the
+//! corners is concave along the leg, so that its largest value is found by a search over one interval. The converse
+//! does not hold: bodies that close a corridor only together are not found.
 
 use super::passage::slack;
 use super::reach::Reach;
@@ -48,7 +49,8 @@ pub fn closed(limits: &[Limit], waypoints: &[Waypoint]) -> Option<Closed> {
     })
 }
 
-/// Whether a cross-section of this radius (m) lies whole in what the limit forbids. Ends are places and their tolerances, m.
+/// Whether a cross-section of this radius (m) lies whole in what the limit forbids. Ends are places and their
+/// tolerances, m.
 fn closes(limit: &Limit, [from, to]: [(Vector3<f64>, f64); 2], along: Vector3<f64>, radius: f64) -> bool {
     let (mut low, mut high) = (from.1, (to.0 - from.0).dot(&along) - to.1);
     if low >= high {

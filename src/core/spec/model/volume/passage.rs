@@ -1,11 +1,12 @@
 //! Whether volumes close off a waypoint from the next one.
 //!
-//! Space is divided into boxes by planes across the axes. A box is closed if one bound on positions is violated, by more than the
-//! checker allows, at each of its points: a convex quantity that is too small at the eight corners is too small in between, and a
-//! linear one that is too large at the corners is too large in between. A path that keeps all bounds passes only through open
-//! boxes. Where it passes an edge or a corner, all boxes about it are open, so a path between two boxes joins them by common faces
-//! of open boxes. If there is no such chain from one waypoint to the next, no path exists; what lies beyond the boxes counts as
-//! open where no bound excludes it. The converse does not hold: small gaps are not found closed.
+//! Space is divided into boxes by planes across the axes. A box is closed if one bound on positions is violated, by
+//! more than the checker allows, at each of its points: a convex quantity that is too small at the eight corners is too
+//! small in between, and a linear one that is too large at the corners is too large in between. A path that keeps all
+//! bounds passes only through open boxes. Where it passes an edge or a corner, all boxes about it are open, so a path
+//! between two boxes joins them by common faces of open boxes. If there is no such chain from one waypoint to the next,
+//! no path exists; what lies beyond the boxes counts as open where no bound excludes it. The converse does not hold:
+//! small gaps are not found closed.
 
 use super::reach::Reach;
 use super::{Side, Volume};
@@ -302,8 +303,8 @@ impl Boxes {
         cells().filter(is_closed).map(|cell| self.index(cell)).collect()
     }
 
-    /// The number of the part in which each box lies, parts being joined by common faces; 0 for closed boxes. Part 1 is joined to
-    /// what lies beyond, as far as statements other than `without` leave it.
+    /// The number of the part in which each box lies, parts being joined by common faces; 0 for closed boxes. Part 1 is
+    /// joined to what lies beyond, as far as statements other than `without` leave it.
     fn connected(&self, closed: &[u16], without: &[Span]) -> Vec<u32> {
         let counts = self.counts();
         let mut parts = vec![0; closed.len()];

@@ -1,11 +1,11 @@
-//! Divides a simple polygon into convex parts: ears are cut off (Meisters, *Polygons have ears*, 1975), and the triangles
-//! are merged while they stay convex (Hertel and Mehlhorn, 1983).
+//! Divides a simple polygon into convex parts: ears are cut off (Meisters, *Polygons have ears*, 1975), and the
+//! triangles are merged while they stay convex (Hertel and Mehlhorn, 1983).
 
 /// Corners of a polygon, m.
 type Polygon = Vec<[f64; 2]>;
 
-/// Convex polygons, counter-clockwise, whose union is the polygon with these corners; one if it is convex. An error says why
-/// the corners bound no area.
+/// Convex polygons, counter-clockwise, whose union is the polygon with these corners; one if it is convex. An error
+/// says why the corners bound no area.
 pub fn convex_parts(corners: &[[f64; 2]]) -> Result<Vec<Polygon>, String> {
     let n = corners.len();
     if let Some(i) = (0..n).find(|&i| corners[i] == corners[(i + 1) % n]) {

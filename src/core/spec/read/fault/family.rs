@@ -79,8 +79,8 @@ impl Families {
         self.all.iter().map(|family| family.name.as_str()).collect()
     }
 
-    /// One error for each family with the name of a mode, because `against` could mean either. `names` maps every mode's
-    /// name to its place.
+    /// One error for each family with the name of a mode, because `against` could mean either. `names` maps every
+    /// mode's name to its place.
     pub fn clashes<'a>(&'a self, names: &'a BTreeMap<String, Span>) -> impl Iterator<Item = Diagnostic> + 'a {
         self.all.iter().filter_map(|family| {
             let mode = *names.get(&family.name)?;

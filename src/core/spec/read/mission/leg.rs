@@ -17,8 +17,8 @@ use std::sync::Arc;
 /// The largest angle between the velocity at a waypoint and the direction that `arrive from` gives, rad.
 pub const ARRIVAL: f64 = std::f64::consts::PI / 36.0;
 
-/// Waypoints nearer to each other than this have no line between them, and those of a vertical leg are above each other to
-/// within this, m.
+/// Waypoints nearer to each other than this have no line between them, and those of a vertical leg are above each other
+/// to within this, m.
 const SAME_PLACE: f64 = 1e-6;
 
 const FIRST: &str = "mavc::mission::leg_first";
@@ -67,8 +67,8 @@ impl Written {
     }
 }
 
-/// Reads the clauses about the leg and the limits in braces; `None` where one has an error. `to` is the index of the waypoint,
-/// if that is certain.
+/// Reads the clauses about the leg and the limits in braces; `None` where one has an error. `to` is the index of the
+/// waypoint, if that is certain.
 pub fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, fields: &Fields<'a>, to: Option<usize>) -> Option<Written> {
     let mut is_refused = false;
     if to == Some(0) {

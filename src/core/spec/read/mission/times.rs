@@ -11,8 +11,8 @@ pub(in crate::spec::read) const MAX_DURATION: f64 = 100_000.0;
 
 const TOO_LONG: &str = "mavc::mission::too_long";
 
-/// Checks that fixed times increase and leave time for the holds between them, and that the mission starts at zero; reports
-/// errors and returns `false` otherwise.
+/// Checks that fixed times increase and leave time for the holds between them, and that the mission starts at zero;
+/// reports errors and returns `false` otherwise.
 pub(super) fn check(cx: &mut Context, waypoints: &[Waypoint]) -> bool {
     let mut fine = true;
     const CODE: &str = "mavc::mission::time_order";

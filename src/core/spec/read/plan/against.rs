@@ -13,8 +13,8 @@ use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
 use choose::{Choice, Runs};
 
-/// The indices of the modes that `field` chooses; `None` where it has an error. `incomplete` says that modes with errors are
-/// missing from `modes`.
+/// The indices of the modes that `field` chooses; `None` where it has an error. `incomplete` says that modes with
+/// errors are missing from `modes`.
 pub(super) fn read<'a>(cx: &mut Context<'a>, field: &'a Field, modes: &Modes, incomplete: bool) -> Option<Vec<usize>> {
     let expr = match &field.value {
         FieldValue::Where { field, relation, value } => {
@@ -109,8 +109,8 @@ fn filter<'a>(
     Some(chosen)
 }
 
-/// Warns of each statement none of whose modes is among `looked_at`, the modes that some block uses. If `against` is the
-/// empty list at `empty` and no block uses a mode, warns only once.
+/// Warns of each statement none of whose modes is among `looked_at`, the modes that some block uses. If `against` is
+/// the empty list at `empty` and no block uses a mode, warns only once.
 pub(in crate::spec::read) fn warn_unused(
     cx: &mut Context,
     modes: &Modes,

@@ -1,5 +1,5 @@
-//! `require capture_height { }`: the height above the ground that a plan keeps, because a fault that leaves no control of yaw
-//! costs it. The height itself is simulated once the model is complete (`crate::flight::capture`).
+//! `require capture_height { }`: the height above the ground that a plan keeps, because a fault that leaves no control
+//! of yaw costs it. The height itself is simulated once the model is complete (`crate::flight::capture`).
 
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
@@ -87,8 +87,8 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block, defaults: &mut Vec<DefaultUse
     Some(Required { radius: radius?, detection: detection?, span }).filter(|_| is_whole)
 }
 
-/// The requirement, if the rest of the spec gives what it needs: a ground, a bound on the speed, the lag of every rotor, and the
-/// delay after which a fault is known. Reports what is missing.
+/// The requirement, if the rest of the spec gives what it needs: a ground, a bound on the speed, the lag of every
+/// rotor, and the delay after which a fault is known. Reports what is missing.
 pub fn check(
     cx: &mut Context,
     required: Required,

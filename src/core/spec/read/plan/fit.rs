@@ -45,7 +45,8 @@ pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, spa
     }
 }
 
-/// If legs need more than this share of the samples, the times found depend on the number of samples (docs/performance.md).
+/// If legs need more than this share of the samples, the times found depend on the number of samples
+/// (docs/performance.md).
 const MOST_NEEDED: f64 = 0.6;
 
 /// Warns if the planner searches for times and few samples are left for the longest legs.
@@ -66,7 +67,8 @@ pub fn warn_of_dependence(cx: &mut Context, samples: usize, given: Option<&Expr>
     });
 }
 
-/// Reports too many samples for a search, which computes many plans and so is limited to fewer samples than a single plan.
+/// Reports too many samples for a search, which computes many plans and so is limited to fewer samples than a single
+/// plan.
 pub fn too_many_for_a_search(cx: &mut Context, samples: usize, given: Span) {
     const MOST: usize = crate::model::MAX_SAMPLES_OF_A_SEARCH;
     let message = format!("{samples} samples are too many for a search over times: at most {MOST} are allowed");

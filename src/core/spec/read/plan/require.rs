@@ -39,7 +39,10 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(O
             other => {
                 let error = Diagnostic::error(CODE, name.span, format!("`{other}` cannot be required"));
                 let error = error.here("neither `risk` nor `capture_height`");
-                cx.report(error.help("write `require risk <= 1e-6` or `require capture_height { }`; limits go into the mission's `limits` block"));
+                cx.report(error.help(
+                    "write `require risk <= 1e-6` or `require capture_height { }`; limits go into \
+                    the mission's `limits` block",
+                ));
                 None
             }
         };

@@ -5,11 +5,11 @@ use crate::model::{Battery, Rotor, Vehicle};
 use crate::read::context::Context;
 use crate::read::fields::Fields;
 
-/// Mechanical over electrical power in hover: motors reach 50 to 90 %, their controllers 90 to 98 %, and the electronics take
-/// a few percent.
+/// Mechanical over electrical power in hover: motors reach 50 to 90 %, their controllers 90 to 98 %, and the
+/// electronics take a few percent.
 const EFFICIENCY: Usual = Usual::new(0.25, 0.95);
-/// Time for which a full battery lasts in hover, min: the longest known flights of battery-powered multirotors last about two
-/// hours.
+/// Time for which a full battery lasts in hover, min: the longest known flights of battery-powered multirotors last
+/// about two hours.
 const HOVER_TIME: Usual = Usual::new(1.0, 150.0);
 
 /// Warns of a hover power or a hover time that is not plausible. `fields` are those of the `battery` block.
@@ -20,7 +20,8 @@ pub(in crate::spec::read) fn check(cx: &mut Context, vehicle: &Vehicle, battery:
     if !EFFICIENCY.has(efficiency) {
         let percent = |share: f64| short(100.0 * share);
         let message = format!(
-            "in hover the rotors of vehicle `{}` turn {} % of the electrical power into mechanical power, outside the usual \
+            "in hover the rotors of vehicle `{}` turn {} % of the electrical power into mechanical power, outside the \
+             usual \
              range of {} to {} %",
             vehicle.name,
             percent(efficiency),

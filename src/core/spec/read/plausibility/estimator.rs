@@ -13,8 +13,8 @@ const LEAST_SAMPLES: f64 = 2.0;
 /// Longest usual memory of the estimator, s.
 const LONGEST_MEMORY: f64 = 10.0;
 
-/// Warns of a detection that comes too late to matter, and of a memory of hardly a sample or of the whole flight. `fields`
-/// are those of the `simulate` block at `block`.
+/// Warns of a detection that comes too late to matter, and of a memory of hardly a sample or of the whole flight.
+/// `fields` are those of the `simulate` block at `block`.
 pub(in crate::spec::read) fn check(cx: &mut Context, simulation: &Simulation, fields: &Fields, block: Span) {
     let code = "mavc::sense::estimator";
     let place = |name: &str| fields.span_of(name).unwrap_or(block);

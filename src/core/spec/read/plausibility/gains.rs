@@ -8,7 +8,8 @@ use crate::read::context::Context;
 use crate::read::fields::Fields;
 use crate::source::Span;
 
-/// Least phase margin, rad: 15 degrees. Autopilots are tuned to 30 to 60; with less than this a vehicle oscillates for long.
+/// Least phase margin, rad: 15 degrees. Autopilots are tuned to 30 to 60; with less than this a vehicle oscillates for
+/// long.
 const LEAST_MARGIN: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// A loop with a crossover, rad/s, or a ratio of gains, 1/s, below this takes longer than ten seconds to recover.
 const SLOWEST: f64 = 0.1;
@@ -89,8 +90,8 @@ fn loops(simulation: &Simulation) -> [Loop; 4] {
     ]
 }
 
-/// Warns of loops that oscillate or hardly act with these motors and this rate. `fields` are those of the `simulate` block at
-/// `block`.
+/// Warns of loops that oscillate or hardly act with these motors and this rate. `fields` are those of the `simulate`
+/// block at `block`.
 pub(in crate::spec::read) fn check(
     cx: &mut Context,
     simulation: &Simulation,

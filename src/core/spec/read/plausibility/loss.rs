@@ -1,4 +1,5 @@
-//! When a simulated vehicle counts as lost: thresholds that hardly any flight exceeds, or that nearly every flight does.
+//! When a simulated vehicle counts as lost: thresholds that hardly any flight exceeds, or that nearly every flight
+//! does.
 
 use super::{Usual, short, warning};
 use crate::model::Simulation;

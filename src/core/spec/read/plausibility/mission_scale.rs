@@ -104,8 +104,8 @@ fn too_long(cx: &mut Context, time: f64, span: Span) {
     cx.report(warning("mavc::sense::duration", span, message, slip).here("no battery lasts this long"));
 }
 
-/// Warns of times that require an implausible mean speed. `total` is the time of the whole mission, s, and its place, where
-/// that is fixed.
+/// Warns of times that require an implausible mean speed. `total` is the time of the whole mission, s, and its place,
+/// where that is fixed.
 pub(in crate::spec::read) fn pace(cx: &mut Context, waypoints: &[Waypoint], total: Option<(f64, Span)>) {
     if let Some((time, span)) = total.filter(|(time, _)| is_too_long(*time)) {
         too_long(cx, time, span);

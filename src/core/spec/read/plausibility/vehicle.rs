@@ -22,12 +22,12 @@ const TORQUE_ALONE: Usual = Usual::new(0.001, 0.3);
 const TIP_SPEED: Usual = Usual::new(30.0, 300.0);
 /// Time constant with which a rotor's speed follows, s.
 const TIME_CONSTANT: Usual = Usual::new(0.001, 1.0);
-/// Rate at which the drag balances the drag torque of rotors that carry the weight and all turn in one direction, rad/s. Measured
-/// values give 31 rad/s for a quadcopter of 0.5 kg (Mueller and D'Andrea, ICRA 2014).
+/// Rate at which the drag balances the drag torque of rotors that carry the weight and all turn in one direction,
+/// rad/s. Measured values give 31 rad/s for a quadcopter of 0.5 kg (Mueller and D'Andrea, ICRA 2014).
 const FULL_SPIN: Usual = Usual::new(3.0, 2000.0);
 
-/// Static thrust coefficient C_T = T/(rho n^2 D^4) used to estimate diameters. The estimate depends on its fourth root: half
-/// or twice the coefficient changes the diameter by 19 %.
+/// Static thrust coefficient C_T = T/(rho n^2 D^4) used to estimate diameters. The estimate depends on its fourth root:
+/// half or twice the coefficient changes the diameter by 19 %.
 const THRUST_COEFFICIENT: f64 = 0.1;
 /// Density of air at sea level, kg/m^3.
 const AIR_DENSITY: f64 = 1.225;
@@ -89,7 +89,8 @@ fn yaw_drag(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
         return;
     }
     let message = format!(
-        "vehicle `{}` would turn at {} rad/s if all rotors that carry it turned in one direction, outside the usual range of {}",
+        "vehicle `{}` would turn at {} rad/s if all rotors that carry it turned in one direction, outside the usual \
+         range of {}",
         vehicle.name,
         short(spin),
         FULL_SPIN.text("rad/s")
@@ -118,7 +119,8 @@ fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     );
     let slip = match ratio > THRUST_TO_WEIGHT.high {
         true => {
-            "look for `g` in place of `kg` in the mass, for `N` in place of `gf` and for a thrust coefficient without its e-6"
+            "look for `g` in place of `kg` in the mass, for `N` in place of `gf` and for a thrust coefficient without \
+             its e-6"
         }
         false => "check mass and thrust: little thrust is left to climb and steer",
     };
@@ -193,7 +195,8 @@ fn arm(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
         return;
     }
     let message = format!(
-        "the rotors of vehicle `{}` are {} propeller diameters from its centre of gravity, outside the usual range of {}",
+        "the rotors of vehicle `{}` are {} propeller diameters from its centre of gravity, outside the usual range of \
+         {}",
         vehicle.name,
         short(ratio),
         ARM.text("diameters")

@@ -1,5 +1,5 @@
-//! Checks that involve several settings: whether the rates divide each other, whether the time step is fine enough and the
-//! number of steps is not too large, and whether faults strike before the flight ends.
+//! Checks that involve several settings: whether the rates divide each other, whether the time step is fine enough and
+//! the number of steps is not too large, and whether faults strike before the flight ends.
 
 use crate::diagnostic::Diagnostic;
 use crate::model::{Mission, Model, Simulation, Strike, Vehicle};
@@ -81,8 +81,8 @@ pub(super) fn steps(duration: f64, rate: f64, span: Span) -> Option<Diagnostic> 
     })
 }
 
-/// The error for a time step that is too coarse for the rotors or the drag. A spec with neither `simulate` nor `campaign` is
-/// not checked until it is flown.
+/// The error for a time step that is too coarse for the rotors or the drag. A spec with neither `simulate` nor
+/// `campaign` is not checked until it is flown.
 pub fn coarse_step(model: &Model) -> Option<Diagnostic> {
     coarse(&model.simulation, &model.vehicle)
 }
@@ -108,8 +108,8 @@ pub(super) fn coarse_drag(simulation: &Simulation, vehicle: &Vehicle) -> Option<
     })
 }
 
-/// The error for a time step longer than half the time constant of the fastest rotor, with which the integration would be
-/// inaccurate. `given` is where the rate is written.
+/// The error for a time step longer than half the time constant of the fastest rotor, with which the integration would
+/// be inaccurate. `given` is where the rate is written.
 fn coarse_for(rate: f64, control_rate: f64, span: Span, given: Option<Span>, vehicle: &Vehicle) -> Option<Diagnostic> {
     let fastest = vehicle.rotors.iter().min_by(|a, b| a.lag().total_cmp(&b.lag()))?;
     let least = 2.0 / fastest.lag();
@@ -146,8 +146,8 @@ fn coarse_for(rate: f64, control_rate: f64, span: Span, given: Option<Span>, veh
     })
 }
 
-/// Whether each rate divides the one before it and the time step is fine enough; reports errors otherwise. `given` holds
-/// `rate`, `control_rate` and `estimator_rate`, `None` where one has an error.
+/// Whether each rate divides the one before it and the time step is fine enough; reports errors otherwise. `given`
+/// holds `rate`, `control_rate` and `estimator_rate`, `None` where one has an error.
 pub(super) fn rates<'a>(
     cx: &mut Context<'a>,
     fields: &Fields<'a>,
@@ -207,7 +207,8 @@ fn written(fields: &Fields, name: &str, error: Diagnostic, corrected: String) ->
     }
 }
 
-/// The error for a rate `part` that does not divide the faster rate `whole`. `slower` is a rate that must divide `part`.
+/// The error for a rate `part` that does not divide the faster rate `whole`. `slower` is a rate that must divide
+/// `part`.
 fn undivided(
     cx: &Context,
     fields: &Fields,
@@ -256,7 +257,8 @@ fn divides(part: f64, whole: f64) -> bool {
     times > 0.5 && (times - times.round()).abs() <= 1e-9 * times
 }
 
-/// The rate nearest to `part` that divides `whole` and can be written in few digits, preferably one that `slower` divides.
+/// The rate nearest to `part` that divides `whole` and can be written in few digits, preferably one that `slower`
+/// divides.
 fn nearest_part(part: f64, whole: f64, slower: Option<f64>) -> f64 {
     let times = (whole / part).round().max(1.0);
     let written = |times: f64| number(whole / times).parse::<f64>().is_ok_and(|rate| divides(rate, whole));

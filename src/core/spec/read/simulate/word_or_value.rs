@@ -67,7 +67,8 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// A word written instead of a quantity, one of `known` or not; `None` for a quantity and for a name that may be a `let`.
+/// A word written instead of a quantity, one of `known` or not; `None` for a quantity and for a name that may be a
+/// `let`.
 fn word<'e>(cx: &Context, expr: &'e Expr, known: &[&str]) -> Option<&'e str> {
     match &expr.kind {
         ExprKind::Name(name) if known.contains(&name.as_str()) => Some(name),

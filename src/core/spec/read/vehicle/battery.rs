@@ -61,9 +61,9 @@ pub(super) fn read<'a>(
     is_whole.then_some(Read { battery, fields })
 }
 
-/// Lowers the full speed of every rotor to that at the charge `keep`; whether the vehicle can still hover there, which is
-/// reported otherwise. The thrust coefficient of a rotor does not depend on the voltage, so full thrust falls with the square
-/// of full speed.
+/// Lowers the full speed of every rotor to that at the charge `keep`; whether the vehicle can still hover there, which
+/// is reported otherwise. The thrust coefficient of a rotor does not depend on the voltage, so full thrust falls with
+/// the square of full speed.
 pub(super) fn lower_full_thrust(cx: &mut Context, vehicle: &mut Vehicle, thrust_at_empty: Span) -> bool {
     let Some(share) = vehicle.battery.as_ref().map(Battery::lowest_full_thrust).filter(|share| *share < 1.0) else {
         return true;
@@ -84,7 +84,8 @@ pub(super) fn lower_full_thrust(cx: &mut Context, vehicle: &mut Vehicle, thrust_
         return true;
     }
     let message = format!(
-        "vehicle `{}` cannot hover at the end of a plan: it weighs {} N, but with the charge `keep` its rotors lift only {} N",
+        "vehicle `{}` cannot hover at the end of a plan: it weighs {} N, but with the charge `keep` its rotors lift \
+         only {} N",
         vehicle.name,
         number(weight),
         significant(lift(vehicle), 3)

@@ -82,7 +82,8 @@ enum Lowest {
 }
 
 impl Lowest {
-    /// The speed (rad/s) that gives it, with the middle of the thrust coefficient b (N s^2/rad^2): the thrust is b w |w|.
+    /// The speed (rad/s) that gives it, with the middle of the thrust coefficient b (N s^2/rad^2): the thrust is b w
+    /// |w|.
     fn speed(self, thrust_coefficient: f64, max_speed: f64) -> f64 {
         match self {
             Lowest::Speed(speed) => speed,

@@ -35,7 +35,8 @@ const TAKEN: [(&str, &[&str]); 5] = [
     ("half_space", &["point", "normal"]),
 ];
 
-/// Reads the blocks of one mission, in the order written: the volumes without errors, and whether these are all of them.
+/// Reads the blocks of one mission, in the order written: the volumes without errors, and whether these are all of
+/// them.
 pub fn read<'a>(cx: &mut Context<'a>, blocks: &[&'a Block]) -> (Vec<Volume>, bool) {
     let mut volumes: Vec<Volume> = Vec::new();
     let mut whole = true;

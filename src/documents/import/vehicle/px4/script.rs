@@ -1,4 +1,5 @@
-//! What an airframe script of PX4 says beside parameters: its class and type, the mixer of versions before 1.14, the scripts that it runs.
+//! What an airframe script of PX4 says beside parameters: its class and type, the mixer of versions before 1.14, the
+//! scripts that it runs.
 
 use crate::import::at;
 use crate::source::{Source, Span};

@@ -1,5 +1,6 @@
-//! MJCF of MuJoCo: motors at sites of one body. A motor's `gear` gives its force along z and the torque about z, `ctrlrange` the least and
-//! the largest control. Source: MuJoCo's XML reference, `actuator/motor`, `body/inertial` and `default`.
+//! MJCF of MuJoCo: motors at sites of one body. A motor's `gear` gives its force along z and the torque about z,
+//! `ctrlrange` the least and the largest control. Source: MuJoCo's XML reference, `actuator/motor`, `body/inertial` and
+//! `default`.
 
 use super::xml::{attribute, child, children, symmetric, tag};
 use super::{Part, Robot, RobotRotor};

@@ -1,5 +1,5 @@
-//! SDFormat: the links of a model, and plugins of the motor model of RotorS, Gazebo classic and Gazebo Sim. Source: the specification
-//! of SDFormat, `pose` and `inertial`; Furrer et al., "RotorS", 2016, for the elements of the plugin.
+//! SDFormat: the links of a model, and plugins of the motor model of RotorS, Gazebo classic and Gazebo Sim. Source: the
+//! specification of SDFormat, `pose` and `inertial`; Furrer et al., "RotorS", 2016, for the elements of the plugin.
 
 use super::xml::{child, children, content, is_upright, pose, symmetric, tag, text, turned};
 use super::{Part, Robot, RobotRotor};

@@ -1,6 +1,7 @@
-//! URDF: links placed by joints; rotors as plugins of the motor model (RotorS), or as links `prop0_link`, `prop1_link`, .. beside the
-//! element `properties` of gym-pybullet-drones. Source: the URDF specification of ROS, `link` and `joint`; Panerati et al., "Learning to
-//! Fly", 2021, whose simulator reads `kf` (N/rpm^2), `km` (N m/rpm^2) and `thrust2weight`.
+//! URDF: links placed by joints; rotors as plugins of the motor model (RotorS), or as links `prop0_link`, `prop1_link`,
+//! .. beside the element `properties` of gym-pybullet-drones. Source: the URDF specification of ROS, `link` and
+//! `joint`; Panerati et al., "Learning to Fly", 2021, whose simulator reads `kf` (N/rpm^2), `km` (N m/rpm^2) and
+//! `thrust2weight`.
 
 use super::sdf::motor;
 use super::xml::{attribute, child, children, pose, required, symmetric, tag, turned};

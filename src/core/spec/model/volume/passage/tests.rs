@@ -39,7 +39,8 @@ fn violation(limits: &[Limit], p: [f64; 3]) -> f64 {
     limits.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Whether points of a lattice that are free with half a step to spare join two points: then the lines between them are free.
+/// Whether points of a lattice that are free with half a step to spare join two points: then the lines between them are
+/// free.
 fn is_joined(limits: &[Limit], [from, to]: [[f64; 3]; 2]) -> bool {
     let count = (ROOM / STEP) as usize + 1;
     let point = |at: usize| [at % count, at / count % count, at / count / count].map(|k| k as f64 * STEP);
@@ -70,7 +71,8 @@ fn is_joined(limits: &[Limit], [from, to]: [[f64; 3]; 2]) -> bool {
     false
 }
 
-/// Walls across a room, with gaps of any width, and other bodies: what is called closed off cannot be reached on a lattice.
+/// Walls across a room, with gaps of any width, and other bodies: what is called closed off cannot be reached on a
+/// lattice.
 #[test]
 fn what_is_closed_off_cannot_be_reached() {
     let mut seed = 7_u64;

@@ -59,7 +59,8 @@ impl<'a> Choice<'a> {
         }
     }
 
-    /// The modes that a name stands for. A name of both a mode and a family, which is reported elsewhere, stands for both.
+    /// The modes that a name stands for. A name of both a mode and a family, which is reported elsewhere, stands for
+    /// both.
     pub fn find(&self, name: &str) -> Option<Runs> {
         let mode = self.mode(name).map(|mode| mode..mode + 1);
         let family = self.modes.families.find(name).into_iter().flat_map(|family| family.runs.iter().cloned());
@@ -106,7 +107,8 @@ impl<'a> Choice<'a> {
     fn misspelt(&self, cx: &mut Context, name: &str, span: Span) {
         let names = &self.names;
         let is_listed = |mode: &str| self.elements.iter().any(|e| matches!(&e.kind, ExprKind::Name(n) if n == mode));
-        // A mode that is already listed is not suggested, nor is one that differs only in its number, which is rarely misspelt.
+        // A mode that is already listed is not suggested, nor is one that differs only in its number, which is rarely
+        // misspelt.
         let open = |mode: &str| !is_listed(mode) && without_digits(mode) != without_digits(name);
         // The search for similar names takes time, and nobody reads hundreds of errors.
         let families = if cx.is_full() { Vec::new() } else { self.modes.families.names() };

@@ -42,8 +42,8 @@ fn counts(modes: usize, listed: &[Listed]) -> Vec<i64> {
     counts
 }
 
-/// Warns of elements whose modes are all included in others, and returns the rest. Shorter elements are reported first (`W1`
-/// beside `W`), and among equal ones the later.
+/// Warns of elements whose modes are all included in others, and returns the rest. Shorter elements are reported first
+/// (`W1` beside `W`), and among equal ones the later.
 fn surplus<'a>(
     cx: &Context,
     listed: &[Listed<'a>],
