@@ -46,7 +46,6 @@ impl Reach {
 mod tests {
     use super::*;
     use crate::body::Body;
-    use crate::body::BoundingBox;
     use crate::model::{Volume, VolumeSide};
     use crate::source::Span;
 
