@@ -7,7 +7,7 @@ use crate::admissible::row::SetRow;
 use crate::admissible::{AdmissibleSet, FacetOf, edge, hover, verdict};
 use crate::geometry::polytope::{Facet, Polytope, intersect};
 use crate::geometry::zonotope::Spanning;
-use crate::model::{GiveUpYaw, LimitKind, Model, Spin, YawDrag};
+use crate::model::{Allocation, GiveUpYaw, LimitKind, Model, Spin, YawDrag};
 use crate::tolerance::MOST_OUTSIDE;
 use nalgebra::{SVector, Vector2, Vector4};
 
@@ -155,6 +155,10 @@ const WHOLE: f64 = 1e-6;
 /// The smallest share of the yaw torques of hover that is tried.
 const LEAST_SHARE: f64 = 0.01;
 
+/// With at most this many facets the bounds on the yaw torque are two more rows of the set for the elimination, which pairs
+/// its rows: a million pairs for the 2,000 facets of 32 rotors. With more facets the shadow of the set is made once.
+const MOST_FACETS: usize = 500;
+
 /// Whether yaw is given up after a fault of the mode whose set this is, by the spec and its set.
 pub fn gives_up_yaw(model: &Model, set: &AdmissibleSet) -> bool {
     let Some(mode) = set.mode.checked_sub(1) else { return false };
@@ -180,7 +184,13 @@ impl PlannedCore {
         let mode = set.mode.checked_sub(1)?;
         let [slow_drag, _] = model.vehicle.yaw_drag?.ends();
         let guaranteed = set.guaranteed(model);
-        let slice = Slice { hover: hover(model), polytope: &guaranteed.polytope, scale: set.zonotope.scale() };
+        let scale = set.zonotope.scale();
+        let is_zonotope = set.allocation == Allocation::Bounded && !model.vehicle.is_uncertain();
+        let shadow = (guaranteed.polytope.facets.len() > MOST_FACETS).then(|| match is_zonotope {
+            true => verdict::without_yaw(&set.zonotope).facets().without_origins(),
+            false => guaranteed.polytope.shadow(None, &scale),
+        });
+        let slice = Slice { hover: hover(model), polytope: &guaranteed.polytope, shadow, scale };
         let torques = slice.least_torques()?;
         let turning = TurningBound::of(model, &slow_drag, torques);
         let spin = spin_range(model, &slow_drag, torques, turning.map_or(0.0, |bound| bound.coupling));
@@ -288,12 +298,18 @@ fn width(healthy: &AdmissibleSet, thrust: f64, torque: f64) -> f64 {
 struct Slice<'a, O> {
     hover: Wrench,
     polytope: &'a Polytope<4, O>,
+    /// Its projection on (T, tau_x, tau_y), if it has more than [`MOST_FACETS`] facets.
+    shadow: Option<Polytope<3, ()>>,
     scale: Wrench,
 }
 
 impl<O: Clone> Slice<'_, O> {
     /// The projection on (T, tau_x, tau_y) of the wrenches whose yaw torque lies between two bounds, N m.
-    fn projection(&self, [low, high]: [f64; 2]) -> Polytope<3, ()> {
+    fn projection(&self, torques: [f64; 2]) -> Polytope<3, ()> {
+        if let Some(shadow) = &self.shadow {
+            return self.polytope.shadow_between(shadow, torques, &self.scale);
+        }
+        let [low, high] = torques;
         let plain = |f: &Facet<4, O>| Facet { normal: f.normal, offset: f.offset, origin: () };
         let bound = |sign: f64, offset: f64| Facet { normal: Vector4::new(0.0, 0.0, 0.0, sign), offset, origin: () };
         let facets = self.polytope.facets.iter().map(plain).chain([bound(1.0, high), bound(-1.0, -low)]);
@@ -345,5 +361,44 @@ impl<O: Clone> Slice<'_, O> {
         let mut core = intersect(&[&all], &inside, &scale).without_origins();
         core.facets.retain(|facet| facet.normal.y > -0.5);
         Some(core)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The core by the shadow of the set, which is made once, against elimination for each interval of yaw torques.
+    #[test]
+    fn a_core_is_the_same_by_the_shadow_of_the_set() {
+        let spec = crate::compile(
+            "vehicle v { layout = \"PNPNPNPNPN\"; arm = 0.5 m; mass = 3 kg; inertia = [0.05, 0.06, 0.1] kg*m^2
+    yaw_drag = 2.75e-3 N*m*s/rad; rotor { max_thrust = 6 N; torque_per_thrust = 15 mm; max_speed = 900 rad/s } }
+faults { every 1 rotor lost as L }",
+        );
+        let spec = spec.into_result().unwrap();
+        for index in [0, 3] {
+            let set = AdmissibleSet::of_mode(spec.model(), index);
+            let shadow = Some(verdict::without_yaw(&set.zonotope).facets().without_origins());
+            let slice = |shadow| Slice {
+                hover: hover(spec.model()),
+                polytope: &set.polytope,
+                shadow,
+                scale: set.zonotope.scale(),
+            };
+            let (pairs, once) = (slice(None), slice(shadow));
+            let torques = pairs.least_torques().unwrap();
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * a.abs().max(1.0);
+            let other = once.least_torques().unwrap();
+            assert!(near(torques[0], other[0]) && near(torques[1], other[1]), "{torques:?} {other:?}");
+            let [whole, projection] = [&pairs, &once].map(|slice| slice.projection(torques).facets.len());
+            assert!(5 * projection < whole, "{projection} rows instead of {whole}");
+            let [a, b] = [&pairs, &once].map(|slice| slice.polygon(torques).unwrap().facets);
+            assert!(a.len() == b.len() && a.len() > 3, "{} {}", a.len(), b.len());
+            for facet in &a {
+                let same = |f: &&Facet<2, ()>| (f.normal - facet.normal).amax() < 1e-9 && near(f.offset, facet.offset);
+                assert!(b.iter().any(|f| same(&f)), "{facet:?}");
+            }
+        }
     }
 }

@@ -74,7 +74,86 @@ impl<O: Clone> Polytope<4, O> {
     }
 }
 
+impl<O: Clone> Polytope<4, O> {
+    /// The projection of the points whose last coordinate lies from `low` to `high`, given the `shadow` of all points. Its rows
+    /// are not minimal.
+    ///
+    /// By elimination they come from pairs of rows. The pairs of two rows of the set itself, a million for 2,000 facets, do not depend on
+    /// the bounds: they describe the shadow. Each other row is one row of the set at one of the bounds.
+    pub fn shadow_between(
+        &self,
+        shadow: &Polytope<3, ()>,
+        [low, high]: [f64; 2],
+        scale: &Vector4<f64>,
+    ) -> Polytope<3, ()> {
+        let bounds = [(-1.0, -low), (1.0, high)];
+        let [at_low, at_high] = bounds.map(|(sign, offset)| Row::new(&(Vector4::w() * sign), offset, scale));
+        let at_bound = |normal: &Vector4<f64>, offset: f64| {
+            let row = Row::new(normal, offset, scale);
+            let bound = if row.last > 0.0 { &at_low } else { &at_high };
+            (row.last.abs() * scale[3] > NONE).then(|| row.plus(bound, -row.last / bound.last))
+        };
+        let sides = |e: &Equality<4>| [(e.normal, e.offset), (-e.normal, -e.offset)];
+        let rows = self.facets.iter().map(|f| (f.normal, f.offset)).chain(self.equalities.iter().flat_map(sides));
+        let rows = rows.filter_map(|(normal, offset)| at_bound(&normal, offset));
+        let scale3: Vector3<f64> = scale.fixed_rows::<3>(0).into_owned();
+        let rows = rows.filter(|row| row.head.component_mul(&scale3).amax() > NONE);
+        let facets = shadow.facets.iter().cloned().chain(rows.map(|row| row.as_facet())).collect();
+        Polytope { equalities: shadow.equalities.clone(), facets }
+    }
+}
+
 fn equality<const D: usize>(facet: Facet<D, ()>) -> Equality<D> {
     let normal: SVector<f64, D> = facet.normal;
     Equality { normal, offset: facet.offset }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::zonotope::Zonotope;
+
+    /// Against the elimination with the bounds as two more rows of the set.
+    #[test]
+    fn shadows_between_bounds_have_one_row_for_each_facet_at_a_bound() {
+        let mut seed = 5_u64;
+        let mut number = || {
+            seed = seed * 48_271 % 0x7fff_ffff;
+            seed as f64 / f64::from(0x7fff_ffff) - 0.5
+        };
+        // The last two are flat: in one the fourth coordinate follows from the others, in the other a first one is 0.
+        for (count, flat) in [(5, None), (9, None), (14, None), (6, Some(3)), (6, Some(1))] {
+            let mut generators: Vec<_> = (0..count).map(|_| Vector4::from_fn(|_, _| number())).collect();
+            for g in &mut generators {
+                match flat {
+                    Some(3) => g[3] = 0.3 * g[0] - 0.2 * g[2],
+                    Some(axis) => g[axis] = 0.0,
+                    None => {}
+                }
+            }
+            let middle = generators.iter().sum::<Vector4<f64>>() * 0.5;
+            let heads = generators.iter().map(|g| g.fixed_rows::<3>(0).into_owned()).collect();
+            let shadow = Zonotope { offset: -middle.fixed_rows::<3>(0).into_owned(), generators: heads };
+            let shadow = shadow.facets().without_origins();
+            let zonotope = Zonotope { offset: -middle, generators };
+            let (set, scale) = (zonotope.facets().without_origins(), zonotope.scale());
+            let reach = 0.5 * zonotope.width(&Vector4::w());
+            let [low, high] = [-0.4 * reach, 0.1 * reach];
+            let bound = |sign: f64, offset: f64| Facet { normal: Vector4::w() * sign, offset, origin: () };
+            let mut bounded = set.clone();
+            bounded.facets.extend([bound(1.0, high), bound(-1.0, -low)]);
+            let (pairs, found) = (bounded.shadow(None, &scale), set.shadow_between(&shadow, [low, high], &scale));
+            assert!(found.facets.len() <= set.facets.len() + 2 * set.equalities.len() + shadow.facets.len());
+            for _ in 0..2_000 {
+                let mut p = Vector3::from_fn(|i, _| 1.2 * scale[i] * number());
+                if let Some(axis) = flat.filter(|&axis| axis < 3) {
+                    p[axis] = 0.0;
+                }
+                let (one, other) = (pairs.margin(&p), found.margin(&p));
+                // Outside, rows that no point of the set touches may be violated more.
+                assert!((one > 1e-9) == (other > 1e-9) || one.abs().min(other.abs()) < 1e-8, "{one} {other}");
+                assert!(one < 0.0 || (one - other).abs() < 1e-9, "{one} {other}");
+            }
+        }
+    }
 }

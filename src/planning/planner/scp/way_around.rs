@@ -277,10 +277,16 @@ impl Lattice {
             }
             for next in self.neighbours(cell) {
                 let length = lengths[cell] + distance(&self.point(cell), &self.point(next));
-                if length < lengths[next] && is_free(&self.point(next)) {
-                    (lengths[next], before[next]) = (length, cell);
-                    queue.push(Reverse(Open { estimate: length + left(next), cell: next }));
+                if length >= lengths[next] {
+                    continue;
                 }
+                // A cell that is not free is looked at once, not from each of its 26 neighbours.
+                if !is_free(&self.point(next)) {
+                    lengths[next] = f64::NEG_INFINITY;
+                    continue;
+                }
+                (lengths[next], before[next]) = (length, cell);
+                queue.push(Reverse(Open { estimate: length + left(next), cell: next }));
             }
         }
         if lengths[goal].is_infinite() {
@@ -315,4 +321,30 @@ fn shortened(way: &[Point], is_free: impl Fn(&Point) -> bool, step: f64) -> Vec<
         kept.push(way[at]);
     }
     kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    #[test]
+    fn cells_that_are_not_free_are_looked_at_once() {
+        let (from, to) = ([0.0; 3], [10.0, 0.0, 0.0]);
+        let lattice = Lattice::around(&[], from, to);
+        let blocked = RefCell::new(Vec::new());
+        let is_free = |p: &Point| {
+            let is_free = norm(&[p[0] - 5.0, p[1], p[2]]) > 2.0;
+            if !is_free {
+                blocked.borrow_mut().push(p.map(f64::to_bits));
+            }
+            is_free
+        };
+        assert!(lattice.search(is_free, from, to).is_some());
+        let mut blocked = blocked.into_inner();
+        let looked_at = blocked.len();
+        blocked.sort_unstable();
+        blocked.dedup();
+        assert!(looked_at > 100 && looked_at == blocked.len(), "{looked_at} of {} cells", blocked.len());
+    }
 }

@@ -42,23 +42,31 @@ impl PlanningSets {
         };
         let modes: Vec<(AdmissibleSet, Provision)> = model.plan.against.iter().map(of_mode).collect();
         let shrunk = planned(healthy.clone());
-        // Until a fault strikes the vehicle is healthy, and cores leave the yaw torque free.
-        let imposed = |modes: &[(AdmissibleSet, Provision)]| {
-            let whole: Vec<&AdmissibleSet> =
-                modes.iter().filter(|(_, provision)| *provision == Provision::WithYaw).map(|(set, _)| set).collect();
-            let before = (whole.is_empty() || whole.len() < modes.len() || !faults_only_take(model)).then_some(&shrunk);
-            let joint = PlanningSet::of(&before.into_iter().chain(whole).collect::<Vec<_>>(), &healthy);
-            joint.with(modes.iter().flat_map(|(_, provision)| provision.core_rows().to_vec()).collect())
-        };
+        let rip = PlanningSet::of(&[&shrunk], &healthy);
         let alone = |(set, provision): &(AdmissibleSet, Provision)| match provision {
             Provision::WithYaw => PlanningSet::of(&[set], &healthy),
             _ => PlanningSet { rows: provision.core_rows().to_vec() },
         };
+        let each: Vec<PlanningSet> = modes.iter().map(alone).collect();
+        // Until a fault strikes the vehicle is healthy, and cores leave the yaw torque free.
+        let imposed = |modes: &[(AdmissibleSet, Provision)], each: &[PlanningSet]| {
+            let whole: Vec<&AdmissibleSet> =
+                modes.iter().filter(|(_, provision)| *provision == Provision::WithYaw).map(|(set, _)| set).collect();
+            let before = (whole.is_empty() || whole.len() < modes.len() || !faults_only_take(model)).then_some(&shrunk);
+            // A minimal description takes long, and those of single sets are known.
+            let joint = match (before, &whole[..], each) {
+                (Some(_), [], _) => rip.clone(),
+                (None, [_], [alone]) => alone.clone(),
+                _ => PlanningSet::of(&before.into_iter().chain(whole).collect::<Vec<_>>(), &healthy),
+            };
+            joint.with(modes.iter().flat_map(|(_, provision)| provision.core_rows().to_vec()).collect())
+        };
+        let single = |(mode, alone)| imposed(std::slice::from_ref(mode), std::slice::from_ref(alone));
         PlanningSets {
-            rip: PlanningSet::of(&[&shrunk], &healthy),
-            singles: modes.iter().map(|mode| imposed(std::slice::from_ref(mode))).collect(),
-            joint: imposed(&modes),
-            modes: modes.iter().map(alone).collect(),
+            singles: modes.iter().zip(&each).map(single).collect(),
+            joint: imposed(&modes, &each),
+            rip,
+            modes: each,
             names: modes.iter().map(|(set, _)| set.name.clone()).collect(),
             provisions: modes.into_iter().map(|(_, provision)| provision).collect(),
             healthy,
