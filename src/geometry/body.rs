@@ -96,8 +96,8 @@ impl BoundingBox {
         BoundingBox { low, high }
     }
 
-    /// Whether every point of the box is further than `distance` (m) from `p`, with room for rounding. The distance of `p` from
-    /// the body is then larger too.
+    /// Whether every point of the box is further than `distance` (m) from `p`, with room for rounding. The distance of
+    /// `p` from the body is then larger too.
     pub fn is_further(&self, p: [f64; 3], distance: f64) -> bool {
         let off = |i: usize| (self.low[i] - p[i]).max(p[i] - self.high[i]).max(0.0);
         let square: f64 = (0..3).map(|i| off(i) * off(i)).sum();
@@ -170,7 +170,8 @@ mod tests {
         steps().flat_map(move |x| steps().flat_map(move |y| steps().map(move |z| [x, y, z])))
     }
 
-    /// A box that is further than a distance shows that its body is, and shows it for almost all points that are much further.
+    /// A box that is further than a distance shows that its body is, and shows it for almost all points that are much
+    /// further.
     #[test]
     fn boxes_are_no_further_than_their_bodies() {
         for body in bodies() {

@@ -177,8 +177,8 @@ impl Limit {
         Some(over.max(self.lower.map_or(f64::NEG_INFINITY, |lower| lower - value)))
     }
 
-    /// Whether the position `p` (m) is so far from the body that the limit keeps away from that [`Self::violation_at`] is surely
-    /// below `violation` (m), by a quick test that need not find it out.
+    /// Whether the position `p` (m) is so far from the body that the limit keeps away from that [`Self::violation_at`]
+    /// is surely below `violation` (m), by a quick test that need not find it out.
     pub fn is_violated_by_less(&self, p: [f64; 3], violation: f64) -> bool {
         let around = self.volume.as_deref().and_then(|volume| volume.around);
         around.zip(self.lower).is_some_and(|(around, lower)| around.is_further(p, lower - violation))

@@ -329,7 +329,8 @@ fn programs_do_not_hold_every_row_of_many_volumes() {
     assert!(rows < sides, "{rows} rows of {sides} sides at 25 nodes");
 }
 
-/// Plans that touch their volumes cost the same whether programs have all rows of volumes or get those that are violated.
+/// Plans that touch their volumes cost the same whether programs have all rows of volumes or get those that are
+/// violated.
 #[test]
 fn rows_of_volumes_that_are_added_make_the_same_plan() {
     // Its side is 0.1 m beyond the waypoints, between which the quickest turn goes further out.

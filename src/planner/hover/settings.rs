@@ -7,8 +7,8 @@ pub struct HoverSettings {
     /// Row generation: rows with more slack than this at a plan are not carried on to other mission times. Widths of the healthy
     /// set or shares of a limit; 0.05.
     pub kept_slack: f64,
-    /// Row generation: after this many rounds every row is imposed, 30, unless there are more than `max_rows_at_once`, 300,000: a
-    /// row takes some 800 bytes, most of them in the solver.
+    /// Row generation: after this many rounds every row is imposed, 30, unless there are more than `max_rows_at_once`,
+    /// 300,000: a row takes some 800 bytes, most of them in the solver.
     pub max_rounds: usize,
     /// See `max_rounds`.
     pub max_rows_at_once: usize,

@@ -41,8 +41,8 @@ pub struct SubproblemSettings {
     /// Row generation: a row at a node with less slack than this is in the subproblem from the start, and a row of the
     /// working set with more is dropped after the feasibility phase. Widths of the healthy set or shares of a limit; 0.1.
     pub slack_of_working_set: f64,
-    /// Rows of volumes are in every program at every node, unless there are more than this: then programs start without them, and
-    /// get them like other rows. 100,000: a row takes some 800 bytes, most of them in the solver.
+    /// Rows of volumes are in every program at every node, unless there are more than this: then programs start without
+    /// them, and get them like other rows. 100,000: a row takes some 800 bytes, most of them in the solver.
     pub max_rows_of_volumes: usize,
     /// Subproblems are solved in spline coefficients while `Transcription::stiffness` is at most this many times the
     /// iterate's cost, else in stage variables. 1e10. Measured on five missions at 100 to 400 samples: 102 s in all

@@ -50,8 +50,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         if violation.is_nan() { f64::INFINITY } else { violation }
     }
 
-    /// The violation of every facet and then of every limit for one state, at which the limits that `holds` selects hold. Where a
-    /// body is so far away that its violation is surely below `floor`, it is not computed and minus infinity.
+    /// The violation of every facet and then of every limit for one state, at which the limits that `holds` selects
+    /// hold. Where a body is so far away that its violation is surely below `floor`, it is not computed and minus
+    /// infinity.
     pub(super) fn violations<'s>(
         &'s self,
         form: &'s Transcription<'s>,
@@ -241,8 +242,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         })
     }
 
-    /// Whether the volumes have so many rows over a time grid that programs start without them and get those that an iterate
-    /// violates or nearly violates.
+    /// Whether the volumes have so many rows over a time grid that programs start without them and get those that an
+    /// iterate violates or nearly violates.
     pub(super) fn has_many_volumes(&self, grid: &TimeGrid) -> bool {
         // The first motion around a volume keeps it between nodes too.
         let between = PARTS / self.settings.guidance.instants;
@@ -251,8 +252,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         limits.map(rows_at_node).sum::<usize>() * grid.nodes() > self.settings.subproblem.max_rows_of_volumes
     }
 
-    /// Solves a program with rows of volumes added until its solution violates no other, if they are too many for one program:
-    /// at each of the `instants` the most violated row. With the rows of the last program.
+    /// Solves a program with rows of volumes added until its solution violates no other, if they are too many for one
+    /// program: at each of the `instants` the most violated row. With the rows of the last program.
     pub(super) fn solve_with_volumes(
         &mut self,
         form: &Transcription,
