@@ -231,8 +231,9 @@ fn irredundant<const D: usize, O: Clone>(
 
 /// Which rays are not in the cone of the others and `(0, 1)`, and how many cones of other rays were searched for that.
 ///
-/// Searches of the whole cone take nearly all of the time, so they are left to the rays about which nothing simpler is known. A
-/// witness shows that a ray is needed, and one in the cone of the witnessed rays alone is in the larger cone too.
+/// Searches of the whole cone take nearly all of the time, so they are left to the rays about which nothing simpler is
+/// known. A witness shows that a ray is needed, and one in the cone of the witnessed rays alone is in the larger cone
+/// too.
 fn needed<const D: usize>(rays: &[Ray<D>]) -> (Vec<bool>, usize) {
     let up = Ray::new(SVector::zeros(), 1.0);
     let is_witnessed: Vec<bool> = (0..rays.len()).map(|i| has_witness(rays, i)).collect();
@@ -251,18 +252,19 @@ fn needed<const D: usize>(rays: &[Ray<D>]) -> (Vec<bool>, usize) {
     (needed, searches)
 }
 
-/// Projections after which [`has_witness`] gives up; nine of ten facets of the sets of 32 rotors need at most three, measured.
+/// Projections after which [`has_witness`] gives up; nine of ten facets of the sets of 32 rotors need at most three,
+/// measured.
 const PROJECTIONS: usize = 12;
 
 /// Each projection leads beyond the row by half of the violation and this share of |(x, 1)|.
 const BEYOND: f64 = 1e-4;
 
-/// Whether a point x shows that row i is needed: it lies in the plane of row i and satisfies all others by a `gap`. `(x, -1)` is then
-/// negative on every other ray, and after moving x outwards by the gap it is positive on ray i: its distance from the cone of the
-/// others is at least `gap |n_i| / (|(x, 1)| + gap)`.
+/// Whether a point x shows that row i is needed: it lies in the plane of row i and satisfies all others by a `gap`.
+/// `(x, -1)` is then negative on every other ray, and after moving x outwards by the gap it is positive on ray i: its
+/// distance from the cone of the others is at least `gap |n_i| / (|(x, 1)| + gap)`.
 ///
-/// x starts at the point of the plane nearest to the origin and is projected, within the plane, on the row that it violates most (S.
-/// Agmon, *The relaxation method for linear inequalities*, 1954).
+/// x starts at the point of the plane nearest to the origin and is projected, within the plane, on the row that it
+/// violates most (S. Agmon, *The relaxation method for linear inequalities*, 1954).
 fn has_witness<const D: usize>(rays: &[Ray<D>], i: usize) -> bool {
     let (normal, square) = (rays[i].head, rays[i].head.norm_squared());
     let mut x = normal * (rays[i].last / square);
@@ -303,7 +305,8 @@ mod tests {
         needed
     }
 
-    /// The facets of a zonotope, some of which are copied with a larger offset (redundant), a smaller one, or as they are.
+    /// The facets of a zonotope, some of which are copied with a larger offset (redundant), a smaller one, or as they
+    /// are.
     #[test]
     fn few_cones_are_searched_and_the_same_rows_are_needed() {
         let mut seed = 11_u64;

@@ -155,8 +155,9 @@ const WHOLE: f64 = 1e-6;
 /// The smallest share of the yaw torques of hover that is tried.
 const LEAST_SHARE: f64 = 0.01;
 
-/// With at most this many facets the bounds on the yaw torque are two more rows of the set for the elimination, which pairs
-/// its rows: a million pairs for the 2,000 facets of 32 rotors. With more facets the shadow of the set is made once.
+/// With at most this many facets the bounds on the yaw torque are two more rows of the set for the elimination, which
+/// pairs its rows: a million pairs for the 2,000 facets of 32 rotors. With more facets the shadow of the set is made
+/// once.
 const MOST_FACETS: usize = 500;
 
 /// Whether yaw is given up after a fault of the mode whose set this is, by the spec and its set.

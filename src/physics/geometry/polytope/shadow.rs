@@ -75,11 +75,12 @@ impl<O: Clone> Polytope<4, O> {
 }
 
 impl<O: Clone> Polytope<4, O> {
-    /// The projection of the points whose last coordinate lies from `low` to `high`, given the `shadow` of all points. Its rows
-    /// are not minimal.
+    /// The projection of the points whose last coordinate lies from `low` to `high`, given the `shadow` of all points.
+    /// Its rows are not minimal.
     ///
-    /// By elimination they come from pairs of rows. The pairs of two rows of the set itself, a million for 2,000 facets, do not depend on
-    /// the bounds: they describe the shadow. Each other row is one row of the set at one of the bounds.
+    /// By elimination they come from pairs of rows. The pairs of two rows of the set itself, a million for 2,000
+    /// facets, do not depend on the bounds: they describe the shadow. Each other row is one row of the set at one of
+    /// the bounds.
     pub fn shadow_between(
         &self,
         shadow: &Polytope<3, ()>,
