@@ -318,7 +318,7 @@ impl<'a> Transcription<'a> {
         inequalities().map(Row::Facet).flat_map(at_each).chain(limits).chain(commands)
     }
 
-    /// The rows of [`Self::each_row`].
+    /// The rows of `each_row`.
     pub fn every_row(&self) -> Vec<RowAt> {
         self.each_row().collect()
     }
