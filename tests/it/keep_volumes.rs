@@ -238,15 +238,20 @@ mission m {{ start at [40, 40, 40] m; waypoint at [50, 40, 40] m; {volume} }}"
     mission.limits.into_iter().find(|limit| is_kind(&limit.kind)).unwrap()
 }
 
+/// The limit of a `keep_out` with these fields.
+fn keep_out(fields: &str) -> Limit {
+    limit(&format!("keep_out c {{ {fields} }}"), LimitKind::is_clearance)
+}
+
 proptest! {
     /// The checker's bounds on the distance hold over boxes of positions, and are sharp at points outside. The upper
     /// one is as near as the box is small, so that a proof about a volume that is entered is given up soon.
     #[test]
     fn the_checker_bounds_distances(p in prop::array::uniform3(-9.0..9.0f64), half in 0.0..0.5f64, at in prop::array::uniform3(-1.0..1.0f64)) {
-        let cylinder = limit("keep_out c { shape = cylinder; centre = [1, -2, 0] m; radius = 1.5 m; height = 5 m }", LimitKind::is_clearance);
-        let cuboid = limit("keep_out c { shape = box; from = [-1, -3, 0] m; to = [2, 3, 4] m }", LimitKind::is_clearance);
-        let ball = limit("keep_out c { shape = sphere; centre = [1, 2, 3] m; radius = 2 m }", LimitKind::is_clearance);
-        let hill = limit("keep_out c { shape = half_space; point = [0, 0, 1] m; normal = [0.6, 0, 0.8] }", LimitKind::is_clearance);
+        let cylinder = keep_out("shape = cylinder; centre = [1, -2, 0] m; radius = 1.5 m; height = 5 m");
+        let cuboid = keep_out("shape = box; from = [-1, -3, 0] m; to = [2, 3, 4] m");
+        let ball = keep_out("shape = sphere; centre = [1, 2, 3] m; radius = 2 m");
+        let hill = keep_out("shape = half_space; point = [0, 0, 1] m; normal = [0.6, 0, 0.8]");
         type Distance = fn(Point) -> f64;
         let known: [(&Limit, Distance); 4] = [
             (&cylinder, |p| from_cylinder(p, [1.0, -2.0], 1.5, 0.0, 5.0)),

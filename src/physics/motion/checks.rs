@@ -70,25 +70,23 @@ fn peak_over(trajectory: &Trajectory, intervals: Range<usize>, quantity: impl Fn
 /// interval of winds a limit on tilt is taken in the worst of its corners.
 pub fn violation(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     let norm = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
-    let value = match (limit.kind.describe().quantity, &limit.kind) {
-        (Quantity::Axis { axis, order, sign }, _) => sign * state[axis][order],
-        (Quantity::Norm { axes, order }, _) => norm(axes, order),
-        (Quantity::Other, LimitKind::Tilt) => {
-            environment.corners().iter().map(|wind| tilt(state, wind)).fold(f64::NEG_INFINITY, f64::max)
-        }
-        (Quantity::Other, LimitKind::Arrival(direction)) => {
-            let (ahead, aside) = arrival(direction, state);
+    let position = || [X, Y, Z].map(|axis| state[axis][0]);
+    let value = match limit.kind.describe().quantity {
+        Quantity::Axis { axis, order, sign } => sign * state[axis][order],
+        Quantity::Norm { axes, order } => norm(axes, order),
+        Quantity::Tilt => environment.corners().iter().map(|wind| tilt(state, wind)).fold(f64::NEG_INFINITY, f64::max),
+        Quantity::Along(normal) => normal.iter().zip(position()).map(|(n, p)| n * p).sum(),
+        Quantity::Distance(from) => from.distance(position()),
+        Quantity::Clearance(obstacle) => obstacle.body.separation(position()).distance,
+        Quantity::Arrival(direction) => {
+            let (ahead, aside) = arrival(&direction, state);
             aside.atan2(ahead)
         }
         // Nothing is bounded where there is no direction.
-        (Quantity::Other, LimitKind::Heading(target)) => match off(target, state) {
+        Quantity::Heading(target) => match off(&target, state) {
             Some(error) => error.abs(),
             None => return f64::NEG_INFINITY,
         },
-        (Quantity::Other, _) => {
-            let position = [X, Y, Z].map(|axis| state[axis][0]);
-            limit.value_at(position).expect("what is left is a position or a distance")
-        }
     };
     let over = limit.upper.map_or(f64::NEG_INFINITY, |u| value - u);
     let under = limit.lower.map_or(f64::NEG_INFINITY, |l| l - value);

@@ -1,22 +1,32 @@
 //! What each kind of limit bounds: its names, its unit, and how it follows from a motion.
 
-use super::LimitKind;
+use super::{DistanceFrom, LimitKind, Obstacle, Target};
 use std::f64::consts::PI;
 
 /// The quantity that a kind of limit bounds, as a function of the axes x, y, z and yaw (0 to 3).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Quantity {
+pub enum Quantity<'l> {
     /// `sign` times a derivative of an axis.
     Axis { axis: usize, order: usize, sign: f64 },
     /// The length of a vector of derivatives of axes.
     Norm { axes: &'static [usize], order: usize },
-    /// Neither: the kind says what it is.
-    Other,
+    /// The angle between the thrust and the vertical.
+    Tilt,
+    /// The position along a unit vector.
+    Along([f64; 3]),
+    /// The distance from a point or a line.
+    Distance(DistanceFrom),
+    /// The distance from a body.
+    Clearance(&'l Obstacle),
+    /// The angle between the velocity and a unit vector.
+    Arrival([f64; 3]),
+    /// The angle between the yaw and the direction of a target.
+    Heading(Target),
 }
 
 /// How people name a kind of limit, and what it measures.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Description {
+pub struct Description<'l> {
     /// The word of the language, or how `mavc emit model` names a kind without one.
     pub word: &'static str,
     /// In running text.
@@ -25,10 +35,10 @@ pub struct Description {
     pub unit: &'static str,
     /// That unit in SI.
     pub unit_in_si: f64,
-    pub quantity: Quantity,
+    pub quantity: Quantity<'l>,
 }
 
-impl Description {
+impl Description<'_> {
     /// The factor from SI to the unit.
     pub fn factor(&self) -> f64 {
         if self.unit_in_si == 1.0 { 1.0 } else { 180.0 / PI }
@@ -37,14 +47,13 @@ impl Description {
 
 impl LimitKind {
     /// The one description of the kind.
-    pub fn describe(&self) -> Description {
+    pub fn describe(&self) -> Description<'_> {
         const DEGREE: f64 = PI / 180.0;
         const SPACE: &[usize] = &[0, 1, 2];
         const PLANE: &[usize] = &[0, 1];
         let of = |word, name, unit, unit_in_si, quantity| Description { word, name, unit, unit_in_si, quantity };
         let axis = |axis, order, sign| Quantity::Axis { axis, order, sign };
         let norm = |axes, order| Quantity::Norm { axes, order };
-        let other = Quantity::Other;
         match self {
             LimitKind::X => of("x", "x", "m", 1.0, axis(0, 0, 1.0)),
             LimitKind::Y => of("y", "y", "m", 1.0, axis(1, 0, 1.0)),
@@ -63,14 +72,26 @@ impl LimitKind {
             LimitKind::YawAcceleration => {
                 of("yaw_acceleration", "yaw acceleration", "deg/s^2", DEGREE, axis(3, 2, 1.0))
             }
-            LimitKind::Tilt => of("tilt", "tilt", "deg", DEGREE, other),
-            LimitKind::Face(_) => of("along the normal", "position across a face", "m", 1.0, other),
-            LimitKind::Distance(_) => of("distance from the centre", "distance from the centre", "m", 1.0, other),
-            LimitKind::Clearance(_) => of("distance from the body", "distance from a body", "m", 1.0, other),
-            LimitKind::Arrival(_) => {
-                of("angle to the direction of arrival", "direction of arrival", "deg", DEGREE, other)
+            LimitKind::Tilt => of("tilt", "tilt", "deg", DEGREE, Quantity::Tilt),
+            LimitKind::Face(normal) => {
+                of("along the normal", "position across a face", "m", 1.0, Quantity::Along(*normal))
             }
-            LimitKind::Heading(_) => of("angle to the direction of the yaw", "yaw", "deg", DEGREE, other),
+            LimitKind::Distance(from) => {
+                of("distance from the centre", "distance from the centre", "m", 1.0, Quantity::Distance(*from))
+            }
+            LimitKind::Clearance(obstacle) => {
+                of("distance from the body", "distance from a body", "m", 1.0, Quantity::Clearance(obstacle))
+            }
+            LimitKind::Arrival(direction) => of(
+                "angle to the direction of arrival",
+                "direction of arrival",
+                "deg",
+                DEGREE,
+                Quantity::Arrival(*direction),
+            ),
+            LimitKind::Heading(target) => {
+                of("angle to the direction of the yaw", "yaw", "deg", DEGREE, Quantity::Heading(*target))
+            }
         }
     }
 

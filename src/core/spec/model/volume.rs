@@ -5,7 +5,7 @@ pub mod passage;
 pub mod reach;
 pub mod split;
 
-use super::{DistanceFrom, Limit, LimitKind, Rotor, Vehicle, Waypoint};
+use super::{DistanceFrom, Limit, LimitKind, Quantity, Rotor, Vehicle, Waypoint};
 use crate::body::{Body, Obstacle};
 use crate::source::Span;
 use std::sync::Arc;
@@ -145,27 +145,14 @@ impl DistanceFrom {
 impl Limit {
     /// The value of the bounded quantity at the position `p` (m), for a limit on positions; `None` for any other limit.
     pub fn value_at(&self, p: [f64; 3]) -> Option<f64> {
-        Some(match &self.kind {
-            LimitKind::X => p[0],
-            LimitKind::Y => p[1],
-            LimitKind::Z => p[2],
-            LimitKind::Face(normal) => (0..3).map(|i| normal[i] * p[i]).sum(),
-            LimitKind::Distance(from) => from.distance(p),
-            LimitKind::Clearance(obstacle) => obstacle.body.separation(p).distance,
-            LimitKind::Yaw
-            | LimitKind::Speed
-            | LimitKind::SpeedHorizontal
-            | LimitKind::Climb
-            | LimitKind::Descent
-            | LimitKind::Acceleration
-            | LimitKind::AccelerationHorizontal
-            | LimitKind::Jerk
-            | LimitKind::YawRate
-            | LimitKind::YawAcceleration
-            | LimitKind::Tilt
-            | LimitKind::Arrival(_)
-            | LimitKind::Heading(_) => return None,
-        })
+        match self.kind.describe().quantity {
+            Quantity::Axis { axis, order: 0, sign } => p.get(axis).map(|value| sign * value),
+            Quantity::Along(normal) => Some((0..3).map(|i| normal[i] * p[i]).sum()),
+            Quantity::Distance(from) => Some(from.distance(p)),
+            Quantity::Clearance(obstacle) => Some(obstacle.body.separation(p).distance),
+            Quantity::Axis { .. } | Quantity::Norm { .. } | Quantity::Tilt => None,
+            Quantity::Arrival(_) | Quantity::Heading(_) => None,
+        }
     }
 
     /// By how much the position `p` (m) violates a limit on positions, m; negative inside. `None` for any other limit.
