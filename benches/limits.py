@@ -68,6 +68,8 @@ def specs():
     free = "plan { planner = rcp; against = [M]; time = 12 s; samples = 20 }\n"
     yaw = "yaw_drag = 2.75e-3 N*m*s/rad"
     yield "32 rotors, each loss without yaw", vehicle(32, 9, yaw) + singles + mission(hop) + free
+    unsure = vehicle(32, 9, yaw, thrust="6 N +- 1 %")
+    yield "32 rotors with intervals, each loss without yaw", unsure + singles + mission(hop) + free
     triples = "faults { every 3 rotors lost as T\nevery 3 rotors reduced to 50 % as R }\n"
     rip = plain.replace("plan {", "plan { planner = rip; against = [];")
     yield "9,920 modes", vehicle(32, 9) + triples + mission(hop) + rip

@@ -11,9 +11,7 @@ mod tasks;
 pub use certificates::{Rejected, Uncertified, certify, verify, verify_within};
 pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict};
 pub use records::defaults_text;
-pub use stages::{
-    CONES_IN_MPS, ConesInMps, Program, actuation_text, mjcf_text, model_record, px4_params_text, sets_text,
-};
+pub use stages::{NotPrinted, Program, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
 pub use sweep::{Flip, Sweep};
 pub use tasks::{
     Explained, NO_MISSION, OtherSpec, Planning, Refusal, Task, Unexplained, compare, explain, no_mission, plan,

@@ -334,6 +334,14 @@ fn programs_are_exported() {
     assert!(err(&refused).contains("mavc::emit::cones"));
     let mps = mavc_with(&["emit", "qp", "-", "--format", "mps", "--set", "plan.within=1e6km"], HOP);
     assert_eq!(code(&mps), 0, "{}", err(&mps));
+    let keep_in =
+        |k: usize| format!("keep_in k{k} {{ shape = box; from = [-9, -9, -9] m; to = [{}, 9, 9] m }}\n", 9 + k);
+    let volumes: String = (0..100).map(keep_in).collect();
+    let large = HOP.replace("start at", &format!("{volumes}start at"));
+    // No plan is that short, which is proved at once.
+    let refused = mavc_with(&["emit", "qp", "-", "--set", "plan.samples=2500", "--set", "plan.time=0.5s"], &large);
+    assert_eq!(code(&refused), 2, "{}", err(&refused));
+    assert!(err(&refused).contains("mavc::emit::rows"), "{}", err(&refused));
     for section in ["NAME", "ROWS", "COLUMNS", "RHS", "BOUNDS", "QUADOBJ", "ENDATA"] {
         assert!(out(&mps).lines().any(|l| l.starts_with(section)), "{section}");
     }

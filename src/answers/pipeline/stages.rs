@@ -31,24 +31,54 @@ pub struct Program {
     pub program: QuadraticProgram,
 }
 
-/// A program with second-order cones has no MPS.
+/// Why a program cannot be printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ConesInMps;
+pub enum NotPrinted {
+    /// It has second-order cones, which MPS cannot express.
+    ConesInMps,
+    /// It has more than [`MOST_ROWS`] rows.
+    Rows {
+        /// Number of rows.
+        rows: usize,
+        /// Number of samples with which it would have few enough; 0 if there is none.
+        samples: usize,
+    },
+}
 
-pub const CONES_IN_MPS: &str = "mavc::emit::cones";
+/// Rows of the largest program that is printed. A million rows take 320 MB.
+const MOST_ROWS: usize = 1_200_000;
 
-impl fmt::Display for ConesInMps {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "error[{CONES_IN_MPS}]: this program has second-order cones, which MPS cannot express")?;
-        writeln!(
-            f,
-            "  help: use `--format json`; without waypoint tolerances (`--set plan.within=1e6km`) and without limits on"
-        )?;
-        writeln!(f, "        norms the program has no cones")
+impl NotPrinted {
+    /// Its code (`docs/diagnostics`).
+    pub fn code(self) -> &'static str {
+        match self {
+            NotPrinted::ConesInMps => "mavc::emit::cones",
+            NotPrinted::Rows { .. } => "mavc::emit::rows",
+        }
     }
 }
 
-impl Error for ConesInMps {}
+impl fmt::Display for NotPrinted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let code = self.code();
+        match self {
+            NotPrinted::ConesInMps => {
+                writeln!(f, "error[{code}]: this program has second-order cones, which MPS cannot express")?;
+                write!(f, "  help: use `--format json`; without waypoint tolerances (`--set plan.within=1e6km`) and ")?;
+                writeln!(f, "without limits on\n        norms the program has no cones")
+            }
+            NotPrinted::Rows { rows, samples } => {
+                writeln!(f, "error[{code}]: this program has {rows} rows; at most {MOST_ROWS} are printed")?;
+                match samples {
+                    0 => writeln!(f, "  help: state fewer volumes or fault modes"),
+                    _ => writeln!(f, "  help: use fewer samples, for example `--set plan.samples={samples}`"),
+                }
+            }
+        }
+    }
+}
+
+impl Error for NotPrinted {}
 
 impl Program {
     /// The program for people: `mavc emit qp`.
@@ -59,9 +89,9 @@ impl Program {
     /// The program as free MPS.
     ///
     /// # Errors
-    /// The program has second-order cones, which MPS cannot express.
-    pub fn to_mps(&self) -> Result<String, ConesInMps> {
-        mps::render(&self.program, "mavc").ok_or(ConesInMps)
+    /// [`NotPrinted::ConesInMps`].
+    pub fn to_mps(&self) -> Result<String, NotPrinted> {
+        mps::render(&self.program, "mavc").ok_or(NotPrinted::ConesInMps)
     }
 }
 
@@ -111,16 +141,27 @@ impl Planning {
 impl Task<'_> {
     /// The program of the hover model, with every row, at the mission time of an outcome. `None` if the mission has no
     /// time grid over that time.
-    pub fn program(&self, planning: &Planning) -> Option<Program> {
+    ///
+    /// # Errors
+    /// [`NotPrinted::Rows`]
+    pub fn program(&self, planning: &Planning) -> Result<Option<Program>, NotPrinted> {
         let (problem, model, time_s) = (self.problem(), self.model(), planning.time());
         let healthy = AdmissibleSet::healthy(model);
         let mut planner = HoverPlanner::new(problem, &healthy);
-        let layout = planner.layout(time_s, model.plan.samples).ok()??;
+        let Some(layout) = planner.layout(time_s, model.plan.samples).ok().flatten() else { return Ok(None) };
         let maps = layout.yaw.maps(model, layout.flown.nodes());
         let commands = layout.commands(model);
         let transcription = Transcription::new(problem, &layout.flown, planning.set(), &maps, layout.yaw.axes());
-        let program = transcription.with_commands(commands.as_ref()).full_program(Purpose::Plan { slack: FEASIBLE });
-        Some(Program { schema: 1, time_s, program })
+        let transcription = transcription.with_commands(commands.as_ref());
+        let rows = transcription.each_row().count();
+        if rows > MOST_ROWS {
+            // Rows grow with samples; each leg needs some of them.
+            let samples = model.plan.samples * MOST_ROWS / rows;
+            let is_enough = samples > 2 * problem.mission().waypoints.len();
+            return Err(NotPrinted::Rows { rows, samples: if is_enough { samples } else { 0 } });
+        }
+        let program = transcription.full_program(Purpose::Plan { slack: FEASIBLE });
+        Ok(Some(Program { schema: 1, time_s, program }))
     }
 }
 

@@ -6,7 +6,7 @@ use super::spec::{self, Findings, Start};
 use super::{EmitArgs, EmitFormat, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, Stage, USAGE, files};
 use crate::diagnostic::sort;
 use crate::observer::Silent;
-use crate::pipeline::{Task, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
+use crate::pipeline::{NotPrinted, Task, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
 use crate::read::FlightBlocks;
 use crate::source::visible;
 use crate::spec::Spec;
@@ -61,18 +61,23 @@ fn planned(args: &EmitArgs, spec: &Spec, findings: &mut Findings, options: &Opti
     if args.stage == Stage::Constraints {
         return files::print(&planning.set().to_string()).map(|()| FINE);
     }
-    let Some(program) = task.program(&planning) else {
-        return Err(format!("the mission has no time grid over {} s", planning.time()));
+    let program = match task.program(&planning) {
+        Ok(Some(program)) => program,
+        Ok(None) => return Err(format!("the mission has no time grid over {} s", planning.time())),
+        Err(refusal) => return Ok(refused(refusal)),
     };
     let text = match args.format {
         EmitFormat::Text => program.to_text(),
         EmitFormat::Json => compact_json(&program)?,
-        EmitFormat::Mps => {
-            let Ok(text) = program.to_mps().map_err(|cones| files::eprint(&cones.to_string())) else {
-                return Ok(USAGE);
-            };
-            text
-        }
+        EmitFormat::Mps => match program.to_mps() {
+            Ok(text) => text,
+            Err(refusal) => return Ok(refused(refusal)),
+        },
     };
     files::print(&text).map(|()| FINE)
+}
+
+fn refused(refusal: NotPrinted) -> u8 {
+    files::eprint(&refusal.to_string());
+    USAGE
 }

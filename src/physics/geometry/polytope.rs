@@ -1,6 +1,7 @@
 //! Half-space descriptions `{ w : C w = d, N w <= e }`, equalities first, and their minimal intersections.
 
 mod nearest;
+mod rays;
 mod shadow;
 
 use super::cone::{Ray, distance_to_cone};

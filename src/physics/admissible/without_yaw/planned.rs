@@ -9,7 +9,7 @@ use crate::geometry::polytope::{Facet, Polytope, intersect};
 use crate::geometry::zonotope::Spanning;
 use crate::model::{Allocation, GiveUpYaw, LimitKind, Model, Spin, YawDrag};
 use crate::tolerance::MOST_OUTSIDE;
-use nalgebra::{SVector, Vector2, Vector4};
+use nalgebra::{SVector, Vector2};
 
 /// What a row of a core depends on, whatever the heading of the body: T (N), the two components of `s x s''` (1/s^2),
 /// those of s' (1/s), both in one frame that stands across s, and the rate of the body about s (rad/s). s is the
@@ -155,11 +155,6 @@ const WHOLE: f64 = 1e-6;
 /// The smallest share of the yaw torques of hover that is tried.
 const LEAST_SHARE: f64 = 0.01;
 
-/// With at most this many facets the bounds on the yaw torque are two more rows of the set for the elimination, which
-/// pairs its rows: a million pairs for the 2,000 facets of 32 rotors. With more facets the shadow of the set is made
-/// once.
-const MOST_FACETS: usize = 500;
-
 /// Whether yaw is given up after a fault of the mode whose set this is, by the spec and its set.
 pub fn gives_up_yaw(model: &Model, set: &AdmissibleSet) -> bool {
     let Some(mode) = set.mode.checked_sub(1) else { return false };
@@ -185,13 +180,7 @@ impl PlannedCore {
         let mode = set.mode.checked_sub(1)?;
         let [slow_drag, _] = model.vehicle.yaw_drag?.ends();
         let guaranteed = set.guaranteed(model);
-        let scale = set.zonotope.scale();
-        let is_zonotope = set.allocation == Allocation::Bounded && !model.vehicle.is_uncertain();
-        let shadow = (guaranteed.polytope.facets.len() > MOST_FACETS).then(|| match is_zonotope {
-            true => verdict::without_yaw(&set.zonotope).facets().without_origins(),
-            false => guaranteed.polytope.shadow(None, &scale),
-        });
-        let slice = Slice { hover: hover(model), polytope: &guaranteed.polytope, shadow, scale };
+        let slice = Slice::of(model, set, &guaranteed.polytope)?;
         let torques = slice.least_torques()?;
         let turning = TurningBound::of(model, &slow_drag, torques);
         let spin = spin_range(model, &slow_drag, torques, turning.map_or(0.0, |bound| bound.coupling));
@@ -298,24 +287,31 @@ fn width(healthy: &AdmissibleSet, thrust: f64, torque: f64) -> f64 {
 /// The set about hover.
 struct Slice<'a, O> {
     hover: Wrench,
+    /// The yaw torques (N m) of the set at hover.
+    yaw: [f64; 2],
     polytope: &'a Polytope<4, O>,
-    /// Its projection on (T, tau_x, tau_y), if it has more than [`MOST_FACETS`] facets.
-    shadow: Option<Polytope<3, ()>>,
+    /// Its projection on (T, tau_x, tau_y).
+    shadow: Polytope<3, ()>,
     scale: Wrench,
 }
 
-impl<O: Clone> Slice<'_, O> {
+impl<'a, O: Clone> Slice<'a, O> {
+    /// `polytope` is the part of a mode's set that plans use; `None` if hover is outside.
+    fn of(model: &Model, set: &AdmissibleSet, polytope: &'a Polytope<4, O>) -> Option<Self> {
+        let (hover, yaw, scale) = (hover(model), Wrench::new(0.0, 0.0, 0.0, 1.0), set.zonotope.scale());
+        let (low, high) = polytope.chord(&hover, &yaw, edge::width(&hover))?;
+        let shadow = match set.allocation {
+            Allocation::Bounded if !model.vehicle.is_uncertain() => {
+                verdict::without_yaw(&set.zonotope).facets().without_origins()
+            }
+            _ => polytope.shadow(Some(&(hover + yaw * (0.5 * (low + high)))), &scale),
+        };
+        Some(Slice { hover, yaw: [low, high], polytope, shadow, scale })
+    }
+
     /// The projection on (T, tau_x, tau_y) of the wrenches whose yaw torque lies between two bounds, N m.
     fn projection(&self, torques: [f64; 2]) -> Polytope<3, ()> {
-        if let Some(shadow) = &self.shadow {
-            return self.polytope.shadow_between(shadow, torques, &self.scale);
-        }
-        let [low, high] = torques;
-        let plain = |f: &Facet<4, O>| Facet { normal: f.normal, offset: f.offset, origin: () };
-        let bound = |sign: f64, offset: f64| Facet { normal: Vector4::new(0.0, 0.0, 0.0, sign), offset, origin: () };
-        let facets = self.polytope.facets.iter().map(plain).chain([bound(1.0, high), bound(-1.0, -low)]);
-        let within = Polytope { equalities: self.polytope.equalities.clone(), facets: facets.collect() };
-        within.shadow(None, &self.scale)
+        self.polytope.shadow_between(&self.shadow, torques, &self.scale)
     }
 
     fn disc(&self, torques: [f64; 2]) -> f64 {
@@ -326,8 +322,7 @@ impl<O: Clone> Slice<'_, O> {
     /// The smallest interval of yaw torques about zero, of those of hover scaled alike, with which the disc at hover is
     /// as large as with all of them; `None` if there is no disc.
     fn least_torques(&self) -> Option<[f64; 2]> {
-        let yaw = Wrench::new(0.0, 0.0, 0.0, 1.0);
-        let (low, high) = self.polytope.chord(&self.hover, &yaw, edge::width(&self.hover))?;
+        let [low, high] = self.yaw;
         let share_of = |share: f64| [(share * low).min(0.0), (share * high).max(0.0)];
         let whole = self.disc(share_of(1.0));
         if whole <= edge::width(&self.hover) {
@@ -362,44 +357,5 @@ impl<O: Clone> Slice<'_, O> {
         let mut core = intersect(&[&all], &inside, &scale).without_origins();
         core.facets.retain(|facet| facet.normal.y > -0.5);
         Some(core)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The core by the shadow of the set, which is made once, against elimination for each interval of yaw torques.
-    #[test]
-    fn a_core_is_the_same_by_the_shadow_of_the_set() {
-        let spec = crate::compile(
-            "vehicle v { layout = \"PNPNPNPNPN\"; arm = 0.5 m; mass = 3 kg; inertia = [0.05, 0.06, 0.1] kg*m^2
-    yaw_drag = 2.75e-3 N*m*s/rad; rotor { max_thrust = 6 N; torque_per_thrust = 15 mm; max_speed = 900 rad/s } }
-faults { every 1 rotor lost as L }",
-        );
-        let spec = spec.into_result().unwrap();
-        for index in [0, 3] {
-            let set = AdmissibleSet::of_mode(spec.model(), index);
-            let shadow = Some(verdict::without_yaw(&set.zonotope).facets().without_origins());
-            let slice = |shadow| Slice {
-                hover: hover(spec.model()),
-                polytope: &set.polytope,
-                shadow,
-                scale: set.zonotope.scale(),
-            };
-            let (pairs, once) = (slice(None), slice(shadow));
-            let torques = pairs.least_torques().unwrap();
-            let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * a.abs().max(1.0);
-            let other = once.least_torques().unwrap();
-            assert!(near(torques[0], other[0]) && near(torques[1], other[1]), "{torques:?} {other:?}");
-            let [whole, projection] = [&pairs, &once].map(|slice| slice.projection(torques).facets.len());
-            assert!(5 * projection < whole, "{projection} rows instead of {whole}");
-            let [a, b] = [&pairs, &once].map(|slice| slice.polygon(torques).unwrap().facets);
-            assert!(a.len() == b.len() && a.len() > 3, "{} {}", a.len(), b.len());
-            for facet in &a {
-                let same = |f: &&Facet<2, ()>| (f.normal - facet.normal).amax() < 1e-9 && near(f.offset, facet.offset);
-                assert!(b.iter().any(|f| same(&f)), "{facet:?}");
-            }
-        }
     }
 }

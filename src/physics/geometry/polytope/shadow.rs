@@ -1,7 +1,7 @@
-//! The projection ("shadow") of a polytope along its last axis, by Fourier-Motzkin elimination (Ziegler, *Lectures on
-//! Polytopes*, section 1.2).
+//! The projection ("shadow") of a polytope along its last axis, by [`rays`], or for a flat set by Fourier-Motzkin
+//! elimination (Ziegler, *Lectures on Polytopes*, section 1.2).
 
-use super::{Equality, Facet, Polytope, intersect};
+use super::{Equality, Facet, Polytope, intersect, rays};
 use nalgebra::{SVector, Vector3, Vector4};
 
 /// A coefficient of a row, scaled so that the largest is 1, counts as zero at or below this.
@@ -9,10 +9,10 @@ const NONE: f64 = 1e-12;
 
 /// The row `head.v + last t <= offset`, scaled so that its largest coefficient in units of `scale` is 1.
 #[derive(Clone, Copy)]
-struct Row {
-    head: Vector3<f64>,
-    last: f64,
-    offset: f64,
+pub(super) struct Row {
+    pub head: Vector3<f64>,
+    pub last: f64,
+    pub offset: f64,
 }
 
 impl Row {
@@ -22,7 +22,7 @@ impl Row {
     }
 
     /// The sum of this row and `times` the other one.
-    fn plus(&self, other: &Row, times: f64) -> Row {
+    pub fn plus(&self, other: &Row, times: f64) -> Row {
         Row {
             head: self.head + other.head * times,
             last: self.last + other.last * times,
@@ -43,6 +43,13 @@ impl<O: Clone> Polytope<4, O> {
     /// `inside` is a point of the set if there is one; the rows are minimal in that case. `scale` has one positive
     /// length for each axis.
     pub fn shadow(&self, inside: Option<&Vector4<f64>>, scale: &Vector4<f64>) -> Polytope<3, ()> {
+        let scale3: Vector3<f64> = scale.fixed_rows::<3>(0).into_owned();
+        if let Some(inside) = inside
+            && let Some(facets) = self.shadow_by_rays(inside, scale)
+        {
+            let whole = Polytope { equalities: Vec::new(), facets };
+            return intersect(&[&whole], &inside.fixed_rows::<3>(0).into_owned(), &scale3).without_origins();
+        }
         let row = |normal: &Vector4<f64>, offset: f64| Row::new(normal, offset, scale);
         let mut equal: Vec<Row> = self.equalities.iter().map(|e| row(&e.normal, e.offset)).collect();
         let mut rows: Vec<Row> = self.facets.iter().map(|f| row(&f.normal, f.offset)).collect();
@@ -61,7 +68,6 @@ impl<O: Clone> Polytope<4, O> {
                 rows.extend(lower.iter().map(|l| u.plus(l, -u.last / l.last)));
             }
         }
-        let scale3: Vector3<f64> = scale.fixed_rows::<3>(0).into_owned();
         let counts = |r: &Row| r.head.component_mul(&scale3).amax() > NONE;
         let whole = Polytope {
             equalities: equal.iter().filter(|r| counts(r)).map(Row::as_facet).map(equality).collect(),
@@ -72,9 +78,26 @@ impl<O: Clone> Polytope<4, O> {
             None => whole,
         }
     }
-}
 
-impl<O: Clone> Polytope<4, O> {
+    /// Rows of the projection by [`rays::projected`]; `None` for a flat set and for a point on the boundary.
+    pub(super) fn shadow_by_rays(&self, inside: &Vector4<f64>, scale: &Vector4<f64>) -> Option<Vec<Facet<3, ()>>> {
+        if !self.equalities.is_empty() {
+            return None;
+        }
+        let scaled = |f: &Facet<4, O>| {
+            let normal = f.normal.component_mul(scale);
+            let row = Row::new(&normal, f.slack(inside), &Vector4::repeat(1.0));
+            Row { last: if row.last.abs() > NONE { row.last } else { 0.0 }, ..row }
+        };
+        let rows: Vec<Row> = self.facets.iter().map(scaled).collect();
+        let (scale, inside) = (scale.fixed_rows::<3>(0), inside.fixed_rows::<3>(0));
+        let facet = |row: Row| {
+            let head = row.head.component_div(&scale);
+            Row { head, offset: row.offset + head.dot(&inside), ..row }.as_facet()
+        };
+        Some(rays::projected(&rows)?.into_iter().map(facet).collect())
+    }
+
     /// The projection of the points whose last coordinate lies from `low` to `high`, given the `shadow` of all points.
     /// Its rows are not minimal.
     ///
