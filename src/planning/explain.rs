@@ -22,13 +22,13 @@ use crate::model::{PlanModel, Problem};
 use crate::verdict::Verdict;
 use question::Questions;
 
-/// Most oracle queries of the search for a conflict.
+/// Most oracle queries of the search for a conflict. Chosen by hand.
 pub const MOST_QUESTIONS: usize = 150;
 
-/// Most additional oracle queries of the search for changes.
+/// Most additional oracle queries of the search for changes. Chosen by hand.
 pub const MOST_TRIES: usize = 150;
 
-/// The same two in the exact model, where each query solves a sequence of programs.
+/// The same two in the exact model, where each query solves a sequence of programs. Chosen by hand.
 pub const MOST_ATTEMPTS: [usize; 2] = [60, 30];
 
 /// Statements that are not satisfied together, and what was shown about them.

@@ -5,7 +5,7 @@ use super::tasks::{Planning, Task};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::{Exposed, exposed};
-use crate::flight::capture::needed::Needed;
+use crate::flight::capture::heights::CaptureHeights;
 use crate::model::capture_height::LOW;
 use crate::model::{Detection, GiveUpYaw, Mission, Model};
 use crate::motion::{Trajectory, X, Y};
@@ -26,8 +26,8 @@ const MOST_MODES: usize = 8;
 
 /// What the statement of a spec comes to.
 #[derive(Debug, Clone)]
-pub(super) struct Kept {
-    pub needed: Arc<Needed>,
+pub(super) struct ImposedHeight {
+    pub heights: Arc<CaptureHeights>,
     /// The spec with the limits that keep the height.
     pub model: Arc<Model>,
 }
@@ -37,12 +37,12 @@ pub(super) struct Kept {
 ///
 /// # Errors
 /// No height is enough, or the waypoints are too low.
-pub(super) fn keep(model: &Model) -> Result<(Option<Kept>, Option<Diagnostic>), Box<Diagnostic>> {
+pub(super) fn impose(model: &Model) -> Result<(Option<ImposedHeight>, Option<Diagnostic>), Box<Diagnostic>> {
     let mission = model.mission.as_ref();
     let Some((required, top)) = model.plan.require_capture.zip(mission.and_then(Mission::top_speed)) else {
         return Ok((None, None));
     };
-    let Some(needed) = Needed::simulate(model, required.delay, top, usize::MAX) else {
+    let Some(heights) = CaptureHeights::simulate(model, required.delay, top, usize::MAX) else {
         let message =
             "`require capture_height` has no effect: no declared fault mode gives up yaw and can hover without it";
         let warning = Diagnostic::warning(IDLE, required.span, message).here("concerns no mode");
@@ -55,7 +55,7 @@ pub(super) fn keep(model: &Model) -> Result<(Option<Kept>, Option<Diagnostic>), 
         };
         return Ok((None, Some(warning.help(help))));
     };
-    if let Some(case) = needed.hopeless() {
+    if let Some(case) = heights.hopeless() {
         let message = format!(
             "no height is enough after mode {}: with the fault known after {} ms at {} m/s, {} of {} simulated \
              flights regain \
@@ -73,13 +73,13 @@ pub(super) fn keep(model: &Model) -> Result<(Option<Kept>, Option<Diagnostic>), 
         };
         return Err(Box::new(error.help(help)));
     }
-    let kept = model.keeping(needed.greatest())?;
-    Ok((Some(Kept { needed: Arc::new(needed), model: Arc::new(kept) }), None))
+    let kept = model.keeping(heights.greatest())?;
+    Ok((Some(ImposedHeight { heights: Arc::new(heights), model: Arc::new(kept) }), None))
 }
 
 /// The errors and warnings of the statement, for `mavc check`.
 pub(super) fn diagnose(model: &Model) -> Option<Diagnostic> {
-    match keep(model) {
+    match impose(model) {
         Ok((_, remark)) => remark,
         Err(error) => Some(*error),
     }
@@ -92,7 +92,7 @@ pub(super) fn is_about(diagnostic: &Diagnostic) -> bool {
 
 /// The captures against which plans are measured, of a spec that gives the ground and does not require the height: at
 /// the plans' own speeds.
-pub(super) fn needed_for(model: &Model, plans: &[&Trajectory]) -> Option<Needed> {
+pub(super) fn at_speeds_of(model: &Model, plans: &[&Trajectory]) -> Option<CaptureHeights> {
     model.mission.as_ref()?.ground?;
     let delay = match model.simulation.detection {
         Detection::After(delay) => delay,
@@ -100,38 +100,38 @@ pub(super) fn needed_for(model: &Model, plans: &[&Trajectory]) -> Option<Needed>
     };
     let speeds = plans.iter().flat_map(|plan| plan.nodes.iter()).map(|node| node[X][1].hypot(node[Y][1]));
     let top = speeds.reduce(f64::max)?;
-    Needed::simulate(model, delay, top.max(1.0), MOST_MODES)
+    CaptureHeights::simulate(model, delay, top.max(1.0), MOST_MODES)
 }
 
 impl Task<'_> {
     /// The captures against which an outcome's plan is measured; simulated once. `None` without a ground or a plan, or
     /// if no mode is concerned.
-    pub(super) fn needed(&self, planning: &Planning) -> Option<Arc<Needed>> {
-        planning.needed.get_or_init(|| self.needed_of(planning.comparison())).clone()
+    pub(super) fn capture_heights(&self, planning: &Planning) -> Option<Arc<CaptureHeights>> {
+        planning.capture_heights.get_or_init(|| self.capture_heights_of(planning.comparison())).clone()
     }
 
     /// The captures over delays of 20 to 300 ms that the page draws: at most two modes, at rest and at the largest
     /// speed.
     pub fn capture_curves(&self, planning: &Planning) -> Vec<Capture> {
-        self.needed(planning).map_or(Vec::new(), |needed| needed.curves(self.model()))
+        self.capture_heights(planning).map_or(Vec::new(), |heights| heights.curves(self.model()))
     }
 
     /// The same for all plans of a comparison.
-    pub(super) fn needed_of(&self, comparison: &Comparison) -> Option<Arc<Needed>> {
+    pub(super) fn capture_heights_of(&self, comparison: &Comparison) -> Option<Arc<CaptureHeights>> {
         let plans: Vec<&Trajectory> =
             comparison.runs.iter().filter_map(|run| run.outcome.plan()).map(|plan| &plan.trajectory).collect();
-        match &self.kept {
+        match &self.imposed {
             _ if plans.is_empty() => None,
-            Some(kept) => Some(kept.needed.clone()),
-            None => needed_for(self.model(), &plans).map(Arc::new),
+            Some(imposed) => Some(imposed.heights.clone()),
+            None => at_speeds_of(self.model(), &plans).map(Arc::new),
         }
     }
 
     /// How long each run's plan is lower than the captures ask for, in the order of the runs.
-    pub(super) fn exposed(&self, comparison: &Comparison, needed: Option<&Needed>) -> Vec<Vec<ExposedRecord>> {
+    pub(super) fn exposed(&self, comparison: &Comparison, heights: Option<&CaptureHeights>) -> Vec<Vec<ExposedRecord>> {
         let ground = self.mission().ground;
-        let of_run = |run: &PlannerRun| match (run.outcome.plan(), needed, ground) {
-            (Some(plan), Some(needed), Some(ground)) => exposed(needed, &plan.trajectory, ground),
+        let of_run = |run: &PlannerRun| match (run.outcome.plan(), heights, ground) {
+            (Some(plan), Some(heights), Some(ground)) => exposed(heights, &plan.trajectory, ground),
             _ => Vec::new(),
         };
         let records = |found: Vec<Exposed>| found.iter().map(ExposedRecord::new).collect();

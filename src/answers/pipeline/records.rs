@@ -4,7 +4,7 @@ use super::tasks::{Explained, Planning, Task};
 use crate::certify::between::Between;
 use crate::diagnostic::Diagnostic;
 use crate::explain::diagnose::diagnose;
-use crate::flight::capture::needed::Needed;
+use crate::flight::capture::heights::CaptureHeights;
 use crate::planner::studies::Comparison;
 use crate::planner::studies::rounds::Round;
 use crate::report::capture_height::{self, CaptureRecord};
@@ -21,7 +21,7 @@ impl Task<'_> {
         let mut record = Record::new(problem, planning.comparison(), self.spec().sha256().into());
         record.conflict = explained.conflict.as_ref().map(|why| ConflictRecord::new(why, problem, sources));
         record.found_at_s = explained.nearby.times().collect();
-        let mut record = self.with_captures(record, planning.comparison(), self.needed(planning).as_deref());
+        let mut record = self.with_captures(record, planning.comparison(), self.capture_heights(planning).as_deref());
         if let Some(planner) = record.planners.last_mut() {
             planner.between_nodes = between;
         }
@@ -32,10 +32,10 @@ impl Task<'_> {
     pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>, color: bool) -> String {
         let mut text = terminal::plan(self.problem(), planning.comparison(), color);
         text.push_str(&terminal::elsewhere(self.model(), &explained.nearby.times().collect::<Vec<_>>()));
-        if let Some(needed) = self.needed(planning)
-            && let Some(record) = CaptureRecord::new(self.model(), &needed)
+        if let Some(heights) = self.capture_heights(planning)
+            && let Some(record) = CaptureRecord::new(self.model(), &heights)
         {
-            let exposed = self.exposed(planning.comparison(), Some(&needed)).pop().unwrap_or_default();
+            let exposed = self.exposed(planning.comparison(), Some(&heights)).pop().unwrap_or_default();
             text.push_str(&capture_height::text(&record, &exposed));
         }
         if let (Some(plan), Some(found)) = (planning.plan(), between) {
@@ -45,9 +45,9 @@ impl Task<'_> {
     }
 
     /// The record with the captures and how long its plans are lower.
-    fn with_captures(&self, record: Record, comparison: &Comparison, needed: Option<&Needed>) -> Record {
-        let captures = needed.and_then(|needed| CaptureRecord::new(self.model(), needed));
-        record.measured(captures, self.exposed(comparison, needed))
+    fn with_captures(&self, record: Record, comparison: &Comparison, heights: Option<&CaptureHeights>) -> Record {
+        let captures = heights.and_then(|heights| CaptureRecord::new(self.model(), heights));
+        record.measured(captures, self.exposed(comparison, heights))
     }
 
     /// The conflict as a diagnostic of the spec that labels each of its statements.
@@ -59,8 +59,8 @@ impl Task<'_> {
     /// The report of a comparison: `mavc compare --report`.
     pub fn comparison_report(&self, comparison: &Comparison, rounds: Option<&[Round]>) -> Record {
         let record = Record::new(self.problem(), comparison, self.spec().sha256().into());
-        let needed = self.needed_of(comparison);
-        let mut record = self.with_captures(record, comparison, needed.as_deref());
+        let heights = self.capture_heights_of(comparison);
+        let mut record = self.with_captures(record, comparison, heights.as_deref());
         let of_round = |round: &Round| RoundRecord::new(self.mission(), round);
         record.rounds = rounds.map(|all| all.iter().map(of_round).collect());
         record

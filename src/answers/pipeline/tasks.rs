@@ -1,6 +1,6 @@
 //! Planning: the check that every mode can be tolerated, a plan, a comparison of planners, and why no plan was found.
 
-use super::capture_height::{self, Kept};
+use super::capture_height::{self, ImposedHeight};
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certify;
 use crate::certify::between::{Between, between};
@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::nearby::{self, Nearby};
 use crate::explain::planners::Planners;
 use crate::explain::{self, Explanation};
-use crate::flight::capture::needed::Needed;
+use crate::flight::capture::heights::CaptureHeights;
 use crate::model::MAX_SAMPLES_OF_A_SEARCH;
 use crate::model::{Mission, Model, Problem};
 use crate::observer::{Observer, Silent, timed};
@@ -182,7 +182,7 @@ impl Error for Refusal {}
 pub struct Task<'s> {
     spec: &'s Spec,
     /// With `require capture_height`: what is planned instead of the spec's model.
-    pub(super) kept: Option<Kept>,
+    pub(super) imposed: Option<ImposedHeight>,
     remarks: Vec<Diagnostic>,
 }
 
@@ -195,7 +195,7 @@ pub struct Planning {
     /// The simulated height that its limits keep, m.
     pub(super) height: Option<f64>,
     /// The captures against which it is measured, once they are simulated.
-    pub(super) needed: OnceLock<Option<Arc<Needed>>>,
+    pub(super) capture_heights: OnceLock<Option<Arc<CaptureHeights>>>,
 }
 
 impl Planning {
@@ -272,10 +272,10 @@ impl<'s> Task<'s> {
             _ if is_too_large => Err(Refusal::TooLarge(remarks)),
             None => Err(Refusal::NoMission(remarks)),
             Some(_) if is_intolerable => Err(Refusal::Intolerable(remarks)),
-            Some(_) => match capture_height::keep(model) {
-                Ok((kept, remark)) => {
+            Some(_) => match capture_height::impose(model) {
+                Ok((imposed, remark)) => {
                     remarks.extend(remark);
-                    Ok(Task { spec, kept, remarks })
+                    Ok(Task { spec, imposed, remarks })
                 }
                 Err(error) => {
                     remarks.push(*error);
@@ -310,7 +310,7 @@ impl<'s> Task<'s> {
 
     /// The spec's model; with `require capture_height` the limits that keep the height are among those of the mission.
     pub fn model(&self) -> &Model {
-        self.kept.as_ref().map_or(self.spec.model(), |kept| &kept.model)
+        self.imposed.as_ref().map_or(self.spec.model(), |imposed| &imposed.model)
     }
 
     pub fn mission(&self) -> &Mission {
@@ -330,7 +330,7 @@ impl<'s> Task<'s> {
             comparison: self.run(Scope::Plan, observer),
             spec: self.spec.identity(),
             height,
-            needed: OnceLock::new(),
+            capture_heights: OnceLock::new(),
         }
     }
 

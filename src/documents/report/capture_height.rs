@@ -4,7 +4,7 @@ use super::caveats::{Caveat, CaveatKind};
 use super::terminal::WIDTH;
 use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::Exposed;
-use crate::flight::capture::needed::Needed;
+use crate::flight::capture::heights::CaptureHeights;
 use crate::model::Model;
 use crate::number::{fixed, number, significant};
 use crate::text_table::Table;
@@ -35,15 +35,15 @@ pub struct CaptureRecord {
 
 impl CaptureRecord {
     /// The record of a spec with a ground; `None` without one.
-    pub fn new(model: &Model, needed: &Needed) -> Option<Self> {
+    pub fn new(model: &Model, heights: &CaptureHeights) -> Option<Self> {
         let required = model.plan.require_capture.filter(|required| required.height.is_some());
         Some(CaptureRecord {
             ground_m: model.mission.as_ref()?.ground?,
-            delay_s: needed.delay,
+            delay_s: heights.delay,
             height_m: required.and_then(|required| required.height),
             radius_m: required.map(|required| required.radius),
-            modes_left_out: needed.left_out,
-            captures: needed.cases.clone(),
+            modes_left_out: heights.left_out,
+            captures: heights.cases.clone(),
         })
     }
 

@@ -3,7 +3,7 @@
 //! Nothing of this is proved: another controller, or another course of events, may lose less or more.
 
 pub mod exposed;
-pub mod needed;
+pub mod heights;
 
 use super::allocate::{Allocator, Belief};
 use super::reduced_attitude::WithoutYaw;

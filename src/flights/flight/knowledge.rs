@@ -22,6 +22,9 @@ const CLOSE: f64 = 0.2;
 const ALARM: f64 = 0.7;
 const LASTING: f64 = 0.1;
 
+/// Instants that differ by no more than this are the same instant of the clock, s: rounding of sums of periods.
+const SAME_INSTANT: f64 = 1e-9;
+
 /// Hover counts as possible if at most this share of thrust, roll and pitch is missing.
 const HOVERS: f64 = 1e-3;
 
@@ -131,7 +134,7 @@ impl<'a> Knowledge<'a> {
         }
         let changed = match self.detection {
             Detection::Never => false,
-            Detection::After(delay) => t + 1e-9 >= self.next_change && self.after_delay(t, delay),
+            Detection::After(delay) => t + SAME_INSTANT >= self.next_change && self.after_delay(t, delay),
             Detection::Estimator => self.estimate(tick, measured, allocator),
         };
         self.keep_score(t);
@@ -140,7 +143,7 @@ impl<'a> Knowledge<'a> {
 
     /// Sets the belief to the faults that struck at least `delay` s ago and lasted until then; they are known exactly.
     fn after_delay(&mut self, t: f64, delay: f64) -> bool {
-        let now = t + 1e-9;
+        let now = t + SAME_INSTANT;
         self.belief.capacity.fill(1.0);
         self.belief.stuck.fill(None);
         self.next_change = f64::INFINITY;
@@ -196,7 +199,7 @@ impl<'a> Knowledge<'a> {
 
     /// Records when faults are detected and isolated, and false alarms.
     fn keep_score(&mut self, t: f64) {
-        while let Some(strike) = self.strikes.get(self.found.len()).filter(|s| s.at <= t + 1e-9) {
+        while let Some(strike) = self.strikes.get(self.found.len()).filter(|s| s.at <= t + SAME_INSTANT) {
             self.found.push(FaultDetection {
                 mode: strike.mode,
                 at: strike.at,
@@ -205,7 +208,7 @@ impl<'a> Knowledge<'a> {
             });
             self.at_strike.extend_from_slice(&self.belief.capacity);
         }
-        let active = |s: &&Strike| s.at <= t + 1e-9 && s.until.is_none_or(|end| end > t);
+        let active = |s: &&Strike| s.at <= t + SAME_INSTANT && s.until.is_none_or(|end| end > t);
         let truth = |k: usize| {
             let modes = self.strikes.iter().filter(active).map(|s| &self.model.modes[s.mode]);
             modes.fold((1.0_f64, false), |(c, stuck), m| {
@@ -213,7 +216,7 @@ impl<'a> Knowledge<'a> {
             })
         };
         let touches = |s: &Strike, k: usize| self.model.modes[s.mode].rotors[k] != RotorState::Sound;
-        let has_failed = |k: usize| self.strikes.iter().any(|s| s.at <= t + 1e-9 && touches(s, k));
+        let has_failed = |k: usize| self.strikes.iter().any(|s| s.at <= t + SAME_INSTANT && touches(s, k));
         let believed = |k: usize| (self.belief.capacity[k], self.belief.stuck[k].is_some());
         let n = self.belief.capacity.len();
         for k in 0..n {
@@ -228,7 +231,7 @@ impl<'a> Knowledge<'a> {
         }
         // After the delay a fault is known exactly, even if it has ended by then.
         if let Detection::After(delay) = self.detection {
-            let due = self.found.iter_mut().filter(|f| f.detected_after.is_none() && t + 1e-9 >= f.at + delay);
+            let due = self.found.iter_mut().filter(|f| f.detected_after.is_none() && t + SAME_INSTANT >= f.at + delay);
             due.for_each(|f| {
                 let after = Some((t - f.at).max(0.0));
                 (f.detected_after, f.isolated_after) = (after, after);
@@ -290,7 +293,7 @@ impl<'a> Knowledge<'a> {
 
     /// Whether yaw is given up after the last fault that has struck by `t` s; by the plan's word if none has.
     pub(super) fn gives_up_yaw(&self, t: f64) -> GiveUpYaw {
-        let struck = self.strikes.iter().rev().find(|strike| strike.at <= t + 1e-9);
+        let struck = self.strikes.iter().rev().find(|strike| strike.at <= t + SAME_INSTANT);
         struck.map_or(self.model.plan.without_yaw, |strike| self.model.gives_up_yaw(strike.mode))
     }
 

@@ -33,9 +33,11 @@ const TOO_MANY: &str = "it has more rows than a certificate may hold";
 const NO_TIME: &str = "fixed times and holds leave no time for some leg";
 
 /// Weight of the inputs' cost relative to the overshoot: large enough to make the solution unique, too small to matter.
+/// Chosen by hand.
 const COST: f64 = 1e-12;
 
 /// Multipliers below this share of the largest are omitted if the others still prove the claim; tried in turn.
+/// Chosen by hand.
 const NEGLIGIBLE: [f64; 4] = [1e-6, 1e-8, 1e-10, 0.0];
 
 /// The program whose multipliers are computed.

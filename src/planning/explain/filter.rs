@@ -7,10 +7,10 @@ use super::statement::Statement;
 use crate::model::Problem;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Statements whose weight is below this share of the largest are left out together, if possible.
+/// Statements whose weight is below this share of the largest are left out together, if possible. Chosen by hand.
 const IDLE: f64 = 1e-6;
 
-/// If more statements than this remain, the lighter half is left out together, if possible.
+/// If more statements than this remain, the lighter half is left out together, if possible. Chosen by hand.
 const FEW: usize = 8;
 
 struct Filter<'q, 'a> {

@@ -145,7 +145,7 @@ fn about_all_selections(decision: Decision, model: &Model) -> Decision {
 }
 
 /// Limits hold at the nodes. A plan that exceeds one between them by more than this share of it (of 1 m or 1 rad if it
-/// bounds a coordinate) only shows that the grid is too coarse at this mission time.
+/// bounds a coordinate) only shows that the grid is too coarse at this mission time. Chosen by hand.
 const COARSE: f64 = 0.05;
 
 /// Whether a plan exceeds some limit by more than [`COARSE`].

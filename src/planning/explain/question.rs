@@ -7,10 +7,10 @@ use crate::motion::time_grid::{determined, earliest};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A time is long for a mission if the legs after the last fixed time have this many times the time given by
-/// [`unhurried`]. (Not many more: otherwise few samples would remain for the other legs.)
+/// [`unhurried`]. (Not many more: otherwise few samples would remain for the other legs.) Chosen by hand.
 const LONG: f64 = 4.0;
 
-/// And this many times the time that the spec gives them.
+/// And this many times the time that the spec gives them. Chosen by hand.
 const LONGER: f64 = 1.5;
 
 /// The longest mission time of a query, s.

@@ -46,13 +46,13 @@ pub struct Fix {
 
 /// Tolerances are widened up to this share of the distance to the nearest adjacent waypoint,
 const WIDEST: f64 = 0.25;
-/// and up to this factor: beyond that it would be a different mission.
+/// and up to this factor: beyond that it would be a different mission. Chosen by hand.
 const WIDER_WITHIN: f64 = 10.0;
-/// Bounds are widened up to this factor.
+/// Bounds are widened up to this factor. Chosen by hand.
 const WIDER: f64 = 10.0;
-/// The lightest vehicle that is tried, as a share of the spec's.
+/// The lightest vehicle that is tried, as a share of the spec's. Chosen by hand.
 const LIGHTEST: f64 = 0.5;
-/// Largest tilt limit that is tried, degrees.
+/// Largest tilt limit that is tried, degrees. Chosen by hand.
 const MOST_TILT: f64 = 89.0;
 
 /// Changes that give the whole spec a plan, cheapest first: changes that cost time, then accuracy, then limits and

@@ -23,15 +23,15 @@ use crate::planner::transcription::UNBOUNDED;
 use crate::solve::Effort;
 
 /// Ratio of consecutive durations tried. With [`TRIES`] and [`MIDDLE`] a constant, whose powers the compiler may
-/// compute: those of a setting can differ from them in the last bit.
+/// compute: those of a setting can differ from them in the last bit. Chosen by hand.
 const LONGER: f64 = 1.6;
-/// How many durations are tried.
+/// How many durations are tried. Chosen by hand.
 const TRIES: i32 = 9;
-/// The index of the duration tried first, while no stop is known.
+/// The index of the duration tried first, while no stop is known. Chosen by hand.
 const MIDDLE: i32 = 3;
 
 /// Limits are widened by this share of themselves, places by this much (m or rad): a plan holds them to tolerances
-/// only, and a fault may strike at a limit.
+/// only, and a fault may strike at a limit. Chosen by hand.
 const LEEWAY: f64 = 1e-4;
 
 /// Looks for stops along one plan, after one fault.

@@ -1,7 +1,7 @@
 //! When a plan flies lower than its captures ask for.
 
 use super::Capture;
-use super::needed::Needed;
+use super::heights::CaptureHeights;
 use crate::motion::{NodeState, Trajectory, X, Y, Z};
 use crate::tolerance::MOST_PAST_LIMIT;
 
@@ -28,12 +28,12 @@ pub struct Exposed {
 }
 
 /// The exposure to every mode to which there is one, in their order. `ground` is z of the ground, m.
-pub fn exposed(needed: &Needed, trajectory: &Trajectory, ground: f64) -> Vec<Exposed> {
-    needed.modes().filter_map(|of_mode| of(needed, of_mode, trajectory, ground)).collect()
+pub fn exposed(heights: &CaptureHeights, trajectory: &Trajectory, ground: f64) -> Vec<Exposed> {
+    heights.modes().filter_map(|of_mode| of(heights, of_mode, trajectory, ground)).collect()
 }
 
-fn of(needed: &Needed, of_mode: &[Capture], trajectory: &Trajectory, ground: f64) -> Option<Exposed> {
-    let short = |state: &NodeState| needed.height(of_mode, state[X][1].hypot(state[Y][1])) - (state[Z][0] - ground);
+fn of(heights: &CaptureHeights, of_mode: &[Capture], trajectory: &Trajectory, ground: f64) -> Option<Exposed> {
+    let short = |state: &NodeState| heights.height(of_mode, state[X][1].hypot(state[Y][1])) - (state[Z][0] - ground);
     let mut found = Exposed {
         mode: of_mode[0].mode.clone(),
         seconds: 0.0,
@@ -122,12 +122,12 @@ mod tests {
             drift_m: Some(0.0),
         };
         let cases = vec![case.clone(), Capture { speed_m_per_s: 5.0, ..case }];
-        let needed = Needed { delay: 0.1, speeds: vec![0.0, 5.0], cases, left_out: 0 };
-        let found = exposed(&needed, &trajectory, 2.0);
+        let heights = CaptureHeights { delay: 0.1, speeds: vec![0.0, 5.0], cases, left_out: 0 };
+        let found = exposed(&heights, &trajectory, 2.0);
         let [one] = &found[..] else { panic!("{found:?}") };
         // To within the tolerance of 0.1 mm.
         assert!((one.seconds - 7.0).abs() < 2e-4 && one.from == 0.0 && (one.to - 7.0).abs() < 2e-4, "{one:?}");
         assert_eq!((one.short, one.short_at, one.intervals.len()), (7.0, 0.0, 1));
-        assert!(exposed(&needed, &trajectory, -6.0).is_empty());
+        assert!(exposed(&heights, &trajectory, -6.0).is_empty());
     }
 }

@@ -8,7 +8,7 @@ use crate::planner::yaw::YawPlan;
 /// Bounds on inputs are widened by this factor in proofs, because rows hold to tolerances only.
 pub(in crate::planning::planner) const LEEWAY: f64 = 1.001;
 
-/// Number of directions in which the largest torque is evaluated.
+/// Number of directions in which the largest torque is evaluated. Chosen by hand.
 const DIRECTIONS: usize = 64;
 
 impl HoverPlanner<'_> {

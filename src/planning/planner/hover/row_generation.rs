@@ -10,12 +10,12 @@ use crate::planner::working_set::WorkingSet;
 use crate::solve::{Outcome, Solution, solve};
 
 /// Where the violation is minimised: after this many rounds, a violation within 1 % of its lower bound ends row
-/// generation, because the estimate does not use such a value.
+/// generation, because the estimate does not use such a value. Chosen by hand.
 const FIRST_ROUNDS: usize = 2;
 /// See [`FIRST_ROUNDS`]: the share of the (negative) lower bound.
 const NEAR_LEAST: f64 = 0.99;
 /// Where the violation is minimised, rows violated by less than this share of it are not added: the result is an
-/// estimate.
+/// estimate. Chosen by hand.
 const ACCEPTED_SHARE: f64 = 0.2;
 
 /// The outcome of one program with row generation.

@@ -4,7 +4,7 @@ use super::*;
 use crate::model::LimitKind;
 use std::f64::consts::TAU;
 
-/// How often the yaw of the initial guess is solved for about the path that came of it.
+/// How often the yaw of the initial guess is solved for about the path that came of it. Chosen by hand.
 const ROUNDS: usize = 2;
 
 impl ScpPlanner<'_, '_> {

@@ -4,7 +4,8 @@
 //! that both planners share (`timing::kinematics`, `timing::search`).
 //!
 //! "Violation" is in widths of the healthy set for facets and a share of the bound for limits. Where a field names a
-//! measurement, this is what its value was chosen by; the other values have only their role.
+//! measurement, this is what its value was chosen by; the other values were chosen by hand. The values themselves are in
+//! [`ScpSettings::DEFAULT`].
 
 /// Parameters of [`super::ScpPlanner`]. The planner's results depend on all of them. Their values are not checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,80 +40,79 @@ pub struct ScpSettings {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SubproblemSettings {
     /// Row generation: a row at a node with less slack than this is in the subproblem from the start, and a row of the
-    /// working set with more is dropped after the feasibility phase. Widths of the healthy set or shares of a limit;
-    /// 0.1.
+    /// working set with more is dropped after the feasibility phase. Widths of the healthy set or shares of a limit.
     pub slack_of_working_set: f64,
     /// Rows of volumes are in every program at every node, unless there are more than this: then programs start without
-    /// them, and get them like other rows. 100,000: a row takes some 800 bytes, most of them in the solver.
+    /// them, and get them like other rows. A row takes some 800 bytes, most of them in the solver.
     pub max_rows_of_volumes: usize,
     /// Subproblems are solved in spline coefficients while `Transcription::stiffness` is at most this many times the
-    /// iterate's cost, else in stage variables. 1e10. Measured on five missions at 100 to 400 samples: 102 s in all
-    /// instead of 110 s with 1e8, with the same times to 0.2 % or shorter ones.
+    /// iterate's cost, else in stage variables. Measured on five missions at 100 to 400 samples: 102 s in all instead
+    /// of 110 s with 1e8, with the same times to 0.2 % or shorter ones.
     pub max_stiffness: f64,
-    /// Multipliers below this add no curvature to the Lagrangian. 1e-4.
+    /// Multipliers below this add no curvature to the Lagrangian.
     pub negligible_multiplier: f64,
-    /// Pieces of an iterate join where derivatives on both sides agree to this share of their largest size (at least
-    /// 1, in SI units). 1e-5: the solver leaves less, a step that changes durations more.
+    /// Pieces of an iterate join where derivatives on both sides agree to this share of their largest size (at least 1,
+    /// in SI units). The solver leaves less, a step that changes durations more.
     pub joined_within: f64,
 }
 
 /// The proximal term of (73) and how its weight adapts to the ratio of actual to predicted gain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProximalSettings {
-    /// The largest weight: a phase ends where it is exceeded. 1e5.
+    /// The largest weight: a phase ends where it is exceeded.
     pub max_weight: f64,
-    /// The smallest weight. 1e-6.
+    /// The smallest weight.
     pub min_weight: f64,
-    /// Where the ratio exceeds this the weight decreases. 0.7.
+    /// Where the ratio exceeds this the weight decreases.
     pub good_ratio: f64,
-    /// Where the ratio is below this the weight increases. 0.3.
+    /// Where the ratio is below this the weight increases.
     pub poor_ratio: f64,
-    /// Factor by which it decreases. 0.25.
+    /// Factor by which it decreases.
     pub decrease: f64,
-    /// Factor by which it increases. 4.
+    /// Factor by which it increases.
     pub increase: f64,
     /// Bounds on the factor by which it increases after a line search that took a share of the step; within them the
-    /// factor is the inverse of the share. (2, 16).
+    /// factor is the inverse of the share.
     pub increase_after_share: (f64, f64),
-    /// The change of psi that counts like a change of an acceleration by itself, rad. 1.
+    /// The change of psi that counts like a change of an acceleration by itself, rad.
     pub yaw_unit: f64,
-    /// Changes of accelerations are relative to at least this share of gravity. 0.05.
+    /// Changes of accelerations are relative to at least this share of gravity.
     pub min_acceleration: f64,
     /// Weight of the squared change of inputs, relative to their mean square, between grids and wherever the violation
-    /// is below [`FeasibilitySettings::nearly_feasible`]. 1e-3. Changes of accelerations below the solver's gap hide
-    /// inputs of any size on a fine grid.
+    /// is below [`FeasibilitySettings::nearly_feasible`]. Changes of accelerations below the solver's gap hide inputs
+    /// of any size on a fine grid.
     pub input_weight: f64,
 }
 
 /// The feasibility phase, which minimises the violation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FeasibilitySettings {
-    /// Initial proximal weight: small, so that the phase ends near the nearest feasible iterate. 0.1.
+    /// Initial proximal weight: small, so that the phase ends near the nearest feasible iterate.
     pub proximal_weight: f64,
-    /// Most steps. 12.
+    /// Most steps.
     pub max_steps: usize,
-    /// The violation has to fall to the share `required_fall` over this many steps. 2.
+    /// The violation has to fall to the share `required_fall` over this many steps.
     pub patience: usize,
-    /// See `patience`. 0.4.
+    /// The share to which the violation has to fall over `patience` steps.
     pub required_fall: f64,
-    /// Below this violation slow progress is accepted, because each step adds rows at other instants. 1e-2.
+    /// Below this violation slow progress is accepted, because each step adds rows at other instants.
     pub nearly_feasible: f64,
-    /// The phase fails where the linear model itself predicts more violation than this. 1e-2. Measured: further steps
-    /// fail, or reach an iterate at the edge of what can be flown.
+    /// The phase fails where the linear model itself predicts more violation than this. Measured: further steps fail,
+    /// or reach an iterate at the edge of what can be flown.
     pub max_predicted: f64,
-    /// The same after a change of the grid or of durations by different shares, which leave an iterate further from a
-    /// trajectory. 0.3.
+    /// The predicted violation at which the phase fails after a change of the grid or of durations by different shares,
+    /// which leave an iterate further from a trajectory.
     pub max_predicted_after_change: f64,
     /// The phase also fails where the linear model predicts more violation than this and more than `steady_ratio` times
-    /// the prediction two steps before. 2e-4. Measured: such sequences took all their steps and failed.
+    /// the prediction two steps before. Measured: such sequences took all their steps and failed.
     pub unavoidable: f64,
-    /// See `unavoidable`. 0.9.
+    /// The share of the prediction two steps before above which progress counts as too slow beyond `unavoidable`.
     pub steady_ratio: f64,
-    /// Most steps of which no share lowers the violation. 3.
+    /// Most steps of which no share lowers the violation.
     pub max_rejected: usize,
-    /// Line search: share of the predicted decrease that a step has to reach. 0.2.
+    /// Line search: share of the predicted decrease that a step has to reach.
     pub sufficient_decrease: f64,
-    /// Line search: no share below this is tried. 0.05.
+    /// Line search: no share below this is tried.
     pub min_share: f64,
 }
 
@@ -133,29 +133,29 @@ impl StoppingRule {
 /// The cost phase, which minimises the cost (48) by a merit function with an exact penalty on the violation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CostSettings {
-    /// Initial proximal weight of the first phase; later ones start from where the last ended. 0.03.
+    /// Initial proximal weight of the first phase; later ones start from where the last ended.
     pub proximal_weight: f64,
-    /// The largest initial proximal weight. 1e3.
+    /// The largest initial proximal weight.
     pub max_initial_proximal_weight: f64,
-    /// The largest proximal weight after the last iterate was restored. 1.
+    /// The largest proximal weight after the last iterate was restored.
     pub max_proximal_weight_after_restoration: f64,
-    /// Initial penalty weight: the violation against the relative cost. 6. Measured: with 20 from the start steps are
+    /// Initial penalty weight: the violation against the relative cost. Measured: with 20 from the start steps are
     /// rejected.
     pub penalty: f64,
-    /// Factor by which the penalty weight grows where the cost outweighs it. 5.
+    /// Factor by which the penalty weight grows where the cost outweighs it.
     pub penalty_growth: f64,
-    /// The largest penalty weight that still grows. 1e4.
+    /// The largest penalty weight that still grows.
     pub max_penalty: f64,
-    /// Line search: share of the predicted gain of the merit function that a step has to reach. 0.3.
+    /// Line search: share of the predicted gain of the merit function that a step has to reach.
     pub sufficient_gain: f64,
-    /// Line search: the share is halved while it exceeds this, so the last share tried is 1/32. 0.05.
+    /// Line search: the share is halved while it exceeds this, so the last share tried may be smaller.
     pub min_share: f64,
-    /// On the way to another mission time. 2 steps, 3 %.
+    /// On the way to another mission time.
     pub rough: StoppingRule,
     /// Where the way to another mission time is hard, between weights of the cost, and for plans nearly as short as a
-    /// larger set's. 6 steps, 1 %.
+    /// larger set's.
     pub medium: StoppingRule,
-    /// For a plan that is kept. 12 steps, 0.2 %.
+    /// For a plan that is kept.
     pub close: StoppingRule,
 }
 
@@ -163,18 +163,18 @@ pub struct CostSettings {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TighteningSettings {
     /// What every facet and limit keeps free, so that the linearisation error of the last step ends inside; also the
-    /// tolerance of a flat set's equalities. Widths of the healthy set or shares of a limit; 1e-4.
+    /// tolerance of a flat set's equalities. Widths of the healthy set or shares of a limit.
     pub margin: f64,
-    /// The violation accepted between instants. 5e-5: half of what counts as a violation, because the finer grid has
-    /// gaps too.
+    /// The violation accepted between instants: half of what counts as a violation, because the finer grid has gaps
+    /// too.
     pub max_violation: f64,
-    /// Parts of each interval between instants at which it is measured. 4.
+    /// Parts of each interval between instants at which it is measured.
     pub parts: usize,
     /// Rows are tightened by this many times the violation, at the instants on both sides; those on the commanded
-    /// wrench at all instants. 1.5.
+    /// wrench at all instants.
     pub factor: f64,
     /// Most rounds of evaluation, tightening and restoration. The result of the last restoration is not evaluated, so
-    /// at most seven restorations can lead to a plan. 8.
+    /// one restoration fewer can lead to a plan.
     pub max_rounds: usize,
 }
 
@@ -182,42 +182,43 @@ pub struct TighteningSettings {
 /// that are free and, unless a field says otherwise, to legs that divide the time between two fixed times.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DurationSettings {
-    /// Initial and smallest proximal weight. 0.1.
+    /// Initial and smallest proximal weight.
     pub proximal_weight: f64,
     /// Factor by which the proximal weight grows after a step that fails and falls after one that succeeds, where times
-    /// are free. 10.
+    /// are free.
     pub proximal_factor: f64,
-    /// Trust region: largest relative change of a duration in the first step, where times are free. 0.1.
+    /// Trust region: largest relative change of a duration in the first step, where times are free.
     pub initial_radius: f64,
-    /// The same where legs divide the time between fixed times. 0.2.
+    /// Trust region: largest relative change of a duration in the first step, where legs divide the time between fixed
+    /// times.
     pub initial_radius_between_fixed_times: f64,
-    /// The largest radius, where times are free. 0.2.
+    /// The largest radius, where times are free.
     pub max_radius: f64,
-    /// Factor by which the radius grows after a step that succeeds, where times are free. 1.5.
+    /// Factor by which the radius grows after a step that succeeds, where times are free.
     pub radius_growth: f64,
-    /// Factor by which the radius shrinks after a step that fails. 0.4.
+    /// Factor by which the radius shrinks after a step that fails.
     pub radius_shrink: f64,
-    /// Steps end below this radius. 0.01.
+    /// Steps end below this radius.
     pub min_radius: f64,
-    /// Penalty weight: the violation against the relative time. 100. With a small one (2) steps trade time for a
-    /// violation that no trajectory of those durations is rid of.
+    /// Penalty weight: the violation against the relative time. With a small one (2) steps trade time for a violation
+    /// that no trajectory of those durations is rid of.
     pub penalty: f64,
-    /// Relative weights of the cost on the full grid, one after the other. 0.05, 0.01, 0.002: smooth trajectories come
-    /// far in few steps, because they stay away from attitudes at which the wrench is most curved; the shortest ones
-    /// cost many times as much.
+    /// Relative weights of the cost on the full grid, one after the other. Smooth trajectories come far in few steps,
+    /// because they stay away from attitudes at which the wrench is most curved; the shortest ones cost many times as
+    /// much.
     pub cost_weights: [f64; 3],
-    /// The same on the coarse grid, whose result is only the initial guess on the full one. 0.05.
+    /// Relative weights of the cost on the coarse grid, whose result is only the initial guess on the full one.
     pub cost_weights_on_coarse_grid: [f64; 1],
-    /// The same from a warm start, whose waypoint times are optimised already. 0.002.
+    /// Relative weights of the cost from a warm start, whose waypoint times are optimised already.
     pub cost_weights_of_warm_start: [f64; 1],
-    /// Weight that follows where the weights after the first gained less than `min_gain` in all. 0.0002. Measured:
-    /// without it `ferry_octo` at 150 samples ended 1.6 % longer.
+    /// Weight that follows where the weights after the first gained less than `min_gain` in all. Measured: without it
+    /// `ferry_octo` at 150 samples ended 1.6 % longer.
     pub last_cost_weight: f64,
-    /// The next weight's turn comes where the linear model predicts a smaller gain, as a share of the time. 1e-3.
+    /// The next weight's turn comes where the linear model predicts a smaller gain, as a share of the time.
     pub min_gain: f64,
-    /// Most steps in all, where times are free. 40.
+    /// Most steps in all, where times are free.
     pub max_steps: usize,
-    /// Most steps where legs divide the time between fixed times. 20.
+    /// Most steps where legs divide the time between fixed times.
     pub max_steps_between_fixed_times: usize,
 }
 
@@ -250,127 +251,124 @@ pub struct ShorteningWeights {
 /// Continuation in time: each shorter mission time starts from the plan of least cost at the last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DescentSettings {
-    /// On the coarse grid. 10 %, down to 2 %.
+    /// On the coarse grid.
     pub on_coarse_grid: TimeSteps,
-    /// On the full grid. 4 %, down to 0.25 %.
+    /// On the full grid.
     pub on_full_grid: TimeSteps,
-    /// Factor of the step where no plan is found. 0.3.
+    /// Factor of the step where no plan is found.
     pub shrink: f64,
-    /// Factor of the step where one is found. 1.5.
+    /// Factor of the step where one is found.
     pub growth: f64,
-    /// A step counts as failed where the linear model allows less than this share of the smallest step. 0.8.
+    /// A step counts as failed where the linear model allows less than this share of the smallest step.
     pub worthwhile: f64,
-    /// Penalty weight of the violation. 20.
+    /// Penalty weight of the violation.
     pub penalty: f64,
-    /// Where the program chooses the duration. 3, 0.01.
+    /// Where the program chooses the duration.
     pub free_duration: ShorteningWeights,
-    /// Where the duration is given. 1, 0.05.
+    /// Where the duration is given.
     pub given_duration: ShorteningWeights,
     /// An initial guess that cannot be restored at its own time is slowed down by these factors in turn.
     pub slowdowns: [f64; 10],
-    /// Relative precision of the slowing down of a minimum-snap initial guess. 1e-4.
+    /// Relative precision of the slowing down of a minimum-snap initial guess.
     pub precision: f64,
-    /// Slowing down: factor from one duration to the next while none is feasible. 1.5.
+    /// Slowing down: factor from one duration to the next while none is feasible.
     pub bracket_growth: f64,
-    /// Slowing down: factor from one duration to the next while all are feasible. 0.7.
+    /// Slowing down: factor from one duration to the next while all are feasible.
     pub bracket_shrink: f64,
-    /// Slowing down: no duration below this many times the initial guess's is sought. 1e-3.
+    /// Slowing down: no duration below this many times the initial guess's is sought.
     pub min_factor: f64,
 }
 
 /// The search for the shortest mission time around the steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchSettings {
-    /// No time longer than this many times the first guess is tried. 20.
+    /// No time longer than this many times the first guess is tried.
     pub max_multiple: f64,
-    /// A time that exceeds that of a larger set by no more than this share is not shortened further. 3e-3.
+    /// A time that exceeds that of a larger set by no more than this share is not shortened further.
     pub short_enough: f64,
     /// Times after the last fixed time at which a first plan is sought, in initial durations of the legs there.
-    /// 1, 1.5, 2.5, 5.
     pub ample: [f64; 4],
-    /// How many ticks of 0.01 s later than the shortest time found a plan is tried. 0, 1, 2, 4, 8, 16.
+    /// How many ticks of 0.01 s later than the shortest time found a plan is tried.
     pub late: [f64; 6],
-    /// The relaxation is first solved at the first guess less this share of the flight after the last fixed time. 0.75.
+    /// The relaxation is first solved at the first guess less this share of the flight after the last fixed time.
     pub first_proof: f64,
-    /// After the last fixed time: the first stride to longer times, as a share of the first guess of the flight. 0.25.
+    /// After the last fixed time: the first stride to longer times, as a share of the first guess of the flight.
     pub first_stride: f64,
-    /// Factor by which this stride grows. 1.5.
+    /// Factor by which this stride grows.
     pub stride_growth: f64,
 }
 
 /// Grids between the coarse one (see `HoverSettings`) and the full one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GridSettings {
-    /// Intervals of the medium grid, or those of the coarse grid where that has more. 100.
+    /// Intervals of the medium grid, or those of the coarse grid where that has more.
     pub medium: usize,
     /// Durations are optimised on the medium grid first where the full grid has more than this many times its
-    /// intervals. 1.6. Restoration often fails between grids that differ more, and steps on a fine grid are expensive.
+    /// intervals. Restoration often fails between grids that differ more, and steps on a fine grid are expensive.
     /// Measured: from 60 to 300 intervals at once, `ferry_octo` took three times as long as by a grid of 150.
     pub refinement: f64,
     /// On a new grid of the same size an iterate is slowed down by these factors in turn until it can be restored.
-    /// 1, 1.002, 1.005, 1.01.
     pub slowdowns: [f64; 4],
 }
 
 /// The program that minimises the time about a plan, for its multipliers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensitivitySettings {
-    /// Relative weight of the cost. 0.05. Measured against plans of relaxed specs (tests/it/exact/binding.rs): with
-    /// 0.002 the cost, which rises steeply near the shortest time, takes part of the multipliers.
+    /// Relative weight of the cost. Measured against plans of relaxed specs (tests/it/exact/binding.rs): with 0.002 the
+    /// cost, which rises steeply near the shortest time, takes part of the multipliers.
     pub cost_weight: f64,
-    /// Penalty weight of the violation. 100.
+    /// Penalty weight of the violation.
     pub penalty: f64,
-    /// Proximal weight. 0.1.
+    /// Proximal weight.
     pub proximal_weight: f64,
-    /// Largest relative change of a duration. 0.1.
+    /// Largest relative change of a duration.
     pub radius: f64,
 }
 
 /// Steps to a stop after a fault: short attempts, because risk figures need dozens.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StopSettings {
-    /// Proximal weight in the exact model. 0.1.
+    /// Proximal weight in the exact model.
     pub proximal_weight: f64,
-    /// The same where the wrench is linear in the motion, and steps need not be short. 1e-5.
+    /// Proximal weight where the wrench is linear in the motion, and steps need not be short.
     pub proximal_weight_if_linear: f64,
-    /// Most steps. 8.
+    /// Most steps.
     pub max_steps: usize,
-    /// The violation has to fall to the share `required_fall` over this many steps. 2.
+    /// The violation has to fall to the share `required_fall` over this many steps.
     pub patience: usize,
-    /// See `patience`. 0.5.
+    /// The share to which the violation has to fall over `patience` steps.
     pub required_fall: f64,
-    /// Line search: share of the predicted decrease that a step has to reach. 0.2.
+    /// Line search: share of the predicted decrease that a step has to reach.
     pub sufficient_decrease: f64,
-    /// Line search: no share below this is tried. 0.1.
+    /// Line search: no share below this is tried.
     pub min_share: f64,
     /// A stop is divided into parts of these shares of its duration. Body rates are stopped at its beginning and the
-    /// vehicle is levelled at its end, which needs shorter steps than braking in between. 1, 2, 3, 2, 1.
+    /// vehicle is levelled at its end, which needs shorter steps than braking in between.
     pub shares: [f64; 5],
-    /// Intervals in each part. 5.
+    /// Intervals in each part.
     pub intervals_per_part: usize,
     /// The shortest duration tried, s, unless braking with 2 g takes longer; `stop` tries longer ones in a fixed ratio.
-    /// 0.4.
     pub min_duration: f64,
 }
 
 /// How near waypoints that require nothing are kept in quick attempts: a wide tolerance and a small weight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GuidanceSettings {
-    /// Weight of the squared distance to the waypoint, 1/m^2. 0.01.
+    /// Weight of the squared distance to the waypoint, 1/m^2.
     pub weight: f64,
-    /// Tolerance: this distance, m, ... 100.
+    /// Tolerance: the larger one of this distance, m,
     pub min_distance: f64,
-    /// ... and this many times the largest distance of a waypoint from the first. 3.
+    /// and this many times the largest distance of a waypoint from the first.
     pub lengths: f64,
-    /// Tolerance of the yaw, rad. 20.
+    /// Tolerance of the yaw, rad.
     pub yaw: f64,
-    /// How often the first motion around a volume is solved again with separating planes about itself. 3.
+    /// How often the first motion around a volume is solved again with separating planes about itself.
     pub ways: usize,
-    /// Every which instant that motion keeps the volumes. 4.
+    /// Every which instant that motion keeps the volumes.
     pub instants: usize,
-    /// How many other sides of volumes than those of the shortest ways are considered. 4.
+    /// How many other sides of volumes than those of the shortest ways are considered.
     pub sides: usize,
-    /// On how many of them, the quickest by their first motions, a coarse iterate is optimised. 2.
+    /// On how many of them, the quickest by their first motions, a coarse iterate is optimised.
     pub quicker_sides: usize,
 }
 

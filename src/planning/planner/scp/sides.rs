@@ -67,5 +67,5 @@ impl ScpPlanner<'_, '_> {
     }
 }
 
-/// Times within this share of each other count as equal.
+/// Times within this share of each other count as equal. Chosen by hand.
 const NEARLY: f64 = 1e-3;

@@ -14,10 +14,10 @@ use std::collections::BinaryHeap;
 /// A position, m.
 type Point = [f64; 3];
 
-/// Cells of the lattice along its longest side, and at most in all.
+/// Cells of the lattice along its longest side, and at most in all. Chosen by hand.
 const CELLS: f64 = 48.0;
 
-/// How far the lattice reaches beyond the leg and the volumes near it, as a share of the leg's length.
+/// How far the lattice reaches beyond the leg and the volumes near it, as a share of the leg's length. Chosen by hand.
 const BEYOND: f64 = 0.3;
 
 /// Violations of bounds on positions below this count as none, m.
@@ -137,9 +137,10 @@ pub(super) fn nth_way(limits: &[&Limit], from: Point, to: Point, nth: usize) -> 
 }
 
 /// The cosine of half the angle, seen along the straight leg, that a way closes to those after it: 50 degrees.
+/// Chosen by hand.
 const HALF_ANGLE: f64 = 0.64;
 
-/// Points of a straight leg at which it is looked for obstacles.
+/// Points of a straight leg at which it is looked for obstacles. Chosen by hand.
 const POINTS: usize = 200;
 
 /// Where the straight leg violates bounds: the shares of its length at which that begins and ends; `None` if it never

@@ -16,10 +16,11 @@ use crate::planner::working_set::WorkingSet;
 use crate::solve::Effort;
 use rayon::prelude::*;
 
-/// Modes tried in a step: those with the largest risk.
+/// Modes tried in a step: those with the largest risk. Chosen by hand.
 const MOST_MODES: usize = 4;
 
 /// Most single facets added; after them facets are only tried together, which bounds the number of steps.
+/// Chosen by hand.
 const MOST_SINGLES: usize = 8;
 
 /// The status if the required risk is not met.

@@ -17,7 +17,7 @@ use crate::solve::Effort;
 use std::collections::BTreeMap;
 use std::iter;
 
-/// Most times tried beyond T_d until one has a plan, each 5 % longer than the last.
+/// Most times tried beyond T_d until one has a plan, each 5 % longer than the last. Chosen by hand.
 const MOST_STEPS: usize = 20;
 
 /// The result of one number of rounds.

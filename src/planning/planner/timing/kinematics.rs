@@ -316,12 +316,12 @@ pub fn least_time_within(problem: Problem) -> LeastTime {
     least_time(problem, &vec![0.0; problem.mission().limits.len()])
 }
 
-/// The initial duration of a leg is at least this many times its least duration.
+/// The initial duration of a leg is at least this many times its least duration. Chosen by hand.
 const OVER_LEAST: f64 = 1.25;
-/// It is also at least this many times the flight from rest to rest at half of g.
+/// It is also at least this many times the flight from rest to rest at half of g. Chosen by hand.
 const FLOWN_THROUGH: f64 = 0.7;
 
-/// And at least this share of the mean, because every leg needs some time.
+/// And at least this share of the mean, because every leg needs some time. Chosen by hand.
 const LEAST_SHARE: f64 = 0.05;
 
 /// Initial durations of the legs, s: by the distance, turn and limits of each leg.

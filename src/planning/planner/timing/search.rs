@@ -58,17 +58,18 @@ pub struct Hint {
 type Ticks = i64;
 
 /// Estimate: the slack of hover counts as at least this (widths of the healthy set), because precision is relative to
-/// it.
+/// it. Chosen by hand.
 const MIN_HOVER_MARGIN: f64 = 1e-3;
 /// Estimate: a violation within 1 % of its (negative) lower bound was not minimised further, and is not interpolated.
 const NEAR_LEAST: f64 = 0.99;
 /// Estimate: interpolation changes the time by factors between these, because the rule 1/T^2 holds only nearby.
+/// Chosen by hand.
 const MIN_RATIO: f64 = 0.4;
 /// See [`MIN_RATIO`].
 const MAX_RATIO: f64 = 2.5;
-/// Estimate without interpolation: factor to the next time while none is known to be feasible.
+/// Estimate without interpolation: factor to the next time while none is known to be feasible. Chosen by hand.
 const LONGER: f64 = 1.3;
-/// Estimate without interpolation: factor to the next time while all are feasible.
+/// Estimate without interpolation: factor to the next time while all are feasible. Chosen by hand.
 const SHORTER: f64 = 0.7;
 
 /// [`RESOLUTION`] in ticks.

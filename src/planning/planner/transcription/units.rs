@@ -2,7 +2,7 @@
 
 use crate::motion::time_grid::TimeGrid;
 
-/// Steps per unit of scaled time.
+/// Steps per unit of scaled time. Chosen by hand.
 const TAU_STEPS: f64 = 4.0;
 
 /// Steps that differ by no more than this factor have one unit of time (on the paper's missions the solver takes up to

@@ -15,7 +15,7 @@ const DRAWN: usize = 2;
 
 /// The captures of modes at some speeds.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Needed {
+pub struct CaptureHeights {
     /// Delay after which the fault is known, s.
     pub delay: f64,
     /// Speeds at the fault, ascending from 0, m/s.
@@ -26,7 +26,7 @@ pub struct Needed {
     pub left_out: usize,
 }
 
-impl Needed {
+impl CaptureHeights {
     /// Simulates the captures of at most `most` modes of those that are concerned: every mode after which yaw is given
     /// up and the vehicle can still hover. Speeds reach from rest to `top_speed` (m/s) in even steps. `None` if no mode
     /// is concerned.
@@ -41,7 +41,7 @@ impl Needed {
         let cases: Vec<(usize, f64)> =
             taken.iter().flat_map(|&mode| speeds.iter().map(move |&speed| (mode, speed))).collect();
         let cases = cases.into_par_iter().map(|(mode, speed)| capture(model, mode, 1.0, speed, delay)).collect();
-        Some(Needed { delay, speeds, cases, left_out: concerned.len() - taken.len() })
+        Some(CaptureHeights { delay, speeds, cases, left_out: concerned.len() - taken.len() })
     }
 
     /// Captures over all delays of [`DELAYS`], at the lowest and at the highest speed, of at most two modes: those that
@@ -108,18 +108,18 @@ mod tests {
     #[test]
     fn between_two_speeds_the_larger_height_applies() {
         let cases = vec![case(0.0, 7.0, 5), case(4.0, 6.0, 5), case(8.0, 9.0, 5)];
-        let needed = Needed { delay: 0.1, speeds: vec![0.0, 4.0, 8.0], cases, left_out: 0 };
+        let heights = CaptureHeights { delay: 0.1, speeds: vec![0.0, 4.0, 8.0], cases, left_out: 0 };
         for (speed, height) in [(0.0, 7.0), (1.0, 7.0), (4.0, 7.0), (4.1, 9.0), (8.0, 9.0), (9.0, 9.0)] {
-            assert_eq!(needed.height(&needed.cases, speed), height, "{speed}");
+            assert_eq!(heights.height(&heights.cases, speed), height, "{speed}");
         }
-        assert_eq!((needed.greatest(), needed.hopeless()), (9.0, None));
+        assert_eq!((heights.greatest(), heights.hopeless()), (9.0, None));
     }
 
     #[test]
     fn a_flight_that_does_not_recover_leaves_no_height() {
         let cases = vec![case(0.0, 7.0, 5), case(4.0, 6.0, 4)];
-        let needed = Needed { delay: 0.1, speeds: vec![0.0, 4.0], cases, left_out: 0 };
-        assert_eq!(needed.hopeless().map(|case| case.speed_m_per_s), Some(4.0));
-        assert!(needed.greatest().is_infinite() && needed.height(&needed.cases, 0.5).is_infinite());
+        let heights = CaptureHeights { delay: 0.1, speeds: vec![0.0, 4.0], cases, left_out: 0 };
+        assert_eq!(heights.hopeless().map(|case| case.speed_m_per_s), Some(4.0));
+        assert!(heights.greatest().is_infinite() && heights.height(&heights.cases, 0.5).is_infinite());
     }
 }
