@@ -20,6 +20,7 @@ mod initial_guess;
 mod iterate;
 mod minimum_snap;
 mod relaxation;
+mod rest_to_rest;
 pub mod sensitivity;
 pub mod settings;
 mod shortest_time;

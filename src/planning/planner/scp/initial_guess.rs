@@ -20,7 +20,40 @@ impl ScpPlanner<'_, '_> {
         if found.is_none() {
             self.sides = kept;
         }
-        found
+        found.or_else(|| self.from_rest_to_rest(near))
+    }
+
+    /// A feasible iterate on the full grid, of about `near` s of flight or as short as the coarse grids make it, from
+    /// the motion from rest to rest: on the coarse grid, or where that fails on the full one.
+    fn from_rest_to_rest(&mut self, near: f64) -> Option<Iterate> {
+        self.forget_multipliers();
+        let coarse = self.rest_to_rest(self.hover.coarse_samples()).ok();
+        let refined = coarse.and_then(|iterate| {
+            let iterate = self.shortened_from_rest(iterate, near);
+            self.refined_to_full(iterate, near)
+        });
+        refined.or_else(|| {
+            let full = self.rest_to_rest(self.hover.model().plan.samples).ok()?;
+            Some(self.shortened_from_rest(full, near))
+        })
+    }
+
+    /// A motion from rest to rest with free waypoint times, of about `near` s of flight or as short as the steps make
+    /// it.
+    fn shortened_from_rest(&mut self, mut iterate: Iterate, near: f64) -> Iterate {
+        let mut working_set = BTreeSet::new();
+        if near > iterate.grid.total {
+            iterate = iterate.slower(near / iterate.grid.total);
+        }
+        if let Some(restored) = self.restore_feasibility(iterate.clone(), &mut working_set) {
+            iterate = restored;
+        }
+        iterate = self.minimise_cost(iterate, self.settings.cost.medium, &mut working_set);
+        let weights = self.settings.durations.cost_weights_on_coarse_grid;
+        match self.chooses_times() {
+            true => self.optimise_durations(iterate, &weights, near, &mut working_set),
+            false => self.descend(iterate, self.settings.descent.on_coarse_grid, near, &mut working_set),
+        }
     }
 
     /// A coarse iterate on the full grid, over a medium one.
