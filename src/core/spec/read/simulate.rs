@@ -7,6 +7,7 @@ mod word_or_value;
 pub use checks::{coarse_step, past_the_end, too_many_steps};
 
 use super::context::Context;
+use super::defaulted::Defaulted;
 use super::expected::Expected;
 use super::fault::family::Families;
 use super::fields::Fields;
@@ -20,7 +21,7 @@ use crate::model::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Missio
 use crate::number::number;
 use crate::read::written::Written;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, Statement};
+use crate::syntax::ast::{Block, Expr};
 
 const CHOICE: &str = "mavc::simulate::choice";
 const POSITIVE: &str = "mavc::simulate::not_positive";
@@ -75,15 +76,14 @@ pub(super) fn elaborate<'a>(
     };
     let span = block.keyword.span;
     let fields = Fields::of_block(cx, "`simulate`".into(), span, &block.body, Group::Simulate);
-    let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let mut reader = Reader { fields, defaults: Vec::new(), fine: !broken };
+    let mut reader = Reader { fields: Defaulted::new("simulate", fields), fine: block.is_whole() };
     let simulation = reader.read(cx, block, around);
     if around.vehicle.is_some_and(|v| v.rotors.iter().any(|r| r.time_constant.is_none())) {
         let (field, value) =
             ("vehicle.rotor.time_constant".to_string(), format!("{} ms", number(MOTOR_TIME_CONSTANT * 1e3)));
-        reader.defaults.push(DefaultUsed { field, value, reason: "time constant of rotors in simulations".into() });
+        reader.fields.used.push(DefaultUsed { field, value, reason: "time constant of rotors in simulations".into() });
     }
-    (simulation.filter(|_| reader.fine), reader.defaults)
+    (simulation.filter(|_| reader.fine), reader.fields.used)
 }
 
 /// Height and place of the lowest waypoint.
@@ -109,8 +109,7 @@ pub(super) fn seed<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<u64> {
 }
 
 struct Reader<'a> {
-    fields: Fields<'a>,
-    defaults: Vec<DefaultUsed>,
+    fields: Defaulted<'a>,
     /// Whether the block has no errors so far.
     fine: bool,
 }
@@ -122,10 +121,11 @@ impl<'a> Reader<'a> {
         let rate = self.quantity(cx, &table::RATE);
         let control_rate = self.quantity(cx, &table::CONTROL_RATE);
         let estimator_rate = self.quantity(cx, &table::ESTIMATOR_RATE);
-        let choice = self.choice(cx, &table::CONTROLLER, &[Controller::Geometric, Controller::Pd]);
+        let controllers = [Controller::Geometric, Controller::Pd];
+        let controller = self.fields.choice_or(cx, &table::CONTROLLER, CHOICE, &controllers, Controller::Geometric);
         let detection = self.detection(cx);
         let reactions = [AfterFault::Continue, AfterFault::Hold, AfterFault::Land];
-        let after_fault = self.choice(cx, &table::AFTER_FAULT, &reactions);
+        let after_fault = self.fields.choice_or(cx, &table::AFTER_FAULT, CHOICE, &reactions, AfterFault::Continue);
         let gains = self.gains(cx);
         let forgetting = self.forgetting(cx);
         let gyroscope_noise = self.quantity(cx, &table::GYROSCOPE_NOISE);
@@ -133,10 +133,7 @@ impl<'a> Reader<'a> {
         let position_noise = self.quantity(cx, &table::POSITION_NOISE);
         let (drag, wind, gusts) = self.air(cx, around);
         let gust_length = self.quantity(cx, &table::GUST_LENGTH);
-        let seed = match self.fields.get("seed") {
-            Some(expr) => seed(cx, expr),
-            None => Some(self.default(&table::SEED, table::SEED.value() as u64)),
-        };
+        let seed = self.fields.value_or(&table::SEED, table::SEED.value() as u64, |expr| seed(cx, expr));
         let lost_beyond = self.quantity(cx, &table::LOST_BEYOND);
         let upside_down = self.quantity(cx, &table::UPSIDE_DOWN);
         let lost_yaw = self.lost_yaw(cx);
@@ -167,7 +164,7 @@ impl<'a> Reader<'a> {
             rate: rate?,
             control_rate: control_rate?,
             estimator_rate: estimator_rate?,
-            controller: choice?,
+            controller: controller?,
             detection: detection?,
             after_fault: after_fault?,
             gains: gains?,
@@ -211,12 +208,12 @@ impl<'a> Reader<'a> {
         let drag = match self.fields.get("drag") {
             Some(expr) => cx.drag(&table::DRAG, expr, NEGATIVE),
             None if drag_of_plan != [0.0; 3] => Some(drag_of_plan),
-            None => Some(self.default(&table::DRAG, [table::DRAG.value(); 3])),
+            None => Some(self.fields.default(&table::DRAG, [table::DRAG.value(); 3])),
         };
         let wind = match self.fields.get("wind") {
             Some(expr) => cx.triple(Expected::of(&table::WIND), expr),
             None if wind_of_plan != [0.0; 3] => Some(wind_of_plan),
-            None => Some(self.default(&table::WIND, [0.0; 3])),
+            None => Some(self.fields.default(&table::WIND, [0.0; 3])),
         };
         let gusts = match self.fields.get("gusts") {
             None if gusts_of_plan != 0.0 => Some(gusts_of_plan),
@@ -239,38 +236,21 @@ impl<'a> Reader<'a> {
         (drag, wind, gusts)
     }
 
-    /// Returns `value` and records it as the default of a field that is not written.
-    fn default<T>(&mut self, entry: &Entry, value: T) -> T {
-        self.defaults.push(DefaultUsed::of("simulate", entry));
-        value
-    }
-
     fn quantity(&mut self, cx: &mut Context<'a>, entry: &'static Entry) -> Option<f64> {
-        let Some(expr) = self.fields.get(entry.name) else { return Some(self.default(entry, entry.value())) };
         let code = if matches!(entry.takes, Takes::Quantity(_, Range::NotNegative)) { NEGATIVE } else { POSITIVE };
-        cx.quantity(entry, expr, code)
-    }
-
-    /// One of `choices`, the meanings of the entry's words in the same order; the first if the field is not written.
-    fn choice<T: Copy>(&mut self, cx: &mut Context<'a>, entry: &'static Entry, choices: &[T]) -> Option<T> {
-        match self.fields.word(cx, CHOICE, entry) {
-            Written::Value(word) => entry.words().iter().zip(choices).find(|(w, _)| **w == word).map(|(_, c)| *c),
-            Written::Faulty => None,
-            Written::Absent => Some(self.default(entry, choices[0])),
-        }
+        self.fields.quantity_or_default(cx, entry, code)
     }
 
     /// Not written: as long as the plan.
     fn duration(&mut self, cx: &mut Context<'a>) -> Written<f64> {
-        let Some(expr) = self.fields.get("duration") else {
-            return self.default(&table::DURATION, Written::Absent);
-        };
-        let Some(duration) = cx.quantity(&table::DURATION, expr, POSITIVE) else { return Written::Faulty };
-        if duration > MAX_DURATION {
-            cx.report(too_long(expr.span, duration));
-            return Written::Faulty;
-        }
-        Written::Value(duration)
+        let duration = self.fields.written("duration", |expr| {
+            let duration = cx.quantity(&table::DURATION, expr, POSITIVE)?;
+            if duration > MAX_DURATION {
+                cx.report(too_long(expr.span, duration));
+            }
+            (duration <= MAX_DURATION).then_some(duration)
+        });
+        if duration.is_absent() { self.fields.default(&table::DURATION, duration) } else { duration }
     }
 
     fn gains(&mut self, cx: &mut Context<'a>) -> Option<Gains> {
@@ -295,20 +275,16 @@ impl<'a> Reader<'a> {
     }
 
     fn forgetting(&mut self, cx: &mut Context<'a>) -> Option<f64> {
-        let Some(expr) = self.fields.get("forgetting") else {
-            return Some(self.default(&table::FORGETTING, table::FORGETTING.value()));
-        };
-        let value = cx.number(Expected::of(&table::FORGETTING), expr)?;
-        if value > 0.0 && value < 1.0 {
-            return Some(value);
-        }
-        let error = Diagnostic::error(
-            "mavc::simulate::forgetting",
-            expr.span,
-            "`forgetting` must be greater than 0 and less than 1",
-        );
-        cx.report(error.here(format!("this is {}", number(value))).help("write a number such as `0.95`"));
-        None
+        self.fields.value_or(&table::FORGETTING, table::FORGETTING.value(), |expr| {
+            let value = cx.number(Expected::of(&table::FORGETTING), expr)?;
+            if value > 0.0 && value < 1.0 {
+                return Some(value);
+            }
+            let message = "`forgetting` must be greater than 0 and less than 1";
+            let error = Diagnostic::error("mavc::simulate::forgetting", expr.span, message);
+            cx.report(error.here(format!("this is {}", number(value))).help("write a number such as `0.95`"));
+            None
+        })
     }
 
     fn ground(&mut self, cx: &mut Context<'a>, mission: Option<&Mission>) -> Option<f64> {
@@ -319,14 +295,14 @@ impl<'a> Reader<'a> {
             }
             return Some(match lowest.filter(|(z, _)| *z <= 0.0) {
                 Some((z, _)) => {
-                    self.defaults.push(DefaultUsed {
+                    self.fields.used.push(DefaultUsed {
                         field: "simulate.ground".into(),
                         value: format!("{} m", number(z - 1.0)),
                         reason: "1 m below the lowest waypoint".into(),
                     });
                     z - 1.0
                 }
-                None => self.default(&table::GROUND, table::GROUND.value()),
+                None => self.fields.default(&table::GROUND, table::GROUND.value()),
             });
         };
         let ground = cx.quantity(&table::GROUND, expr, POSITIVE)?;

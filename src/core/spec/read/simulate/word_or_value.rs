@@ -16,7 +16,7 @@ const OFF: &str = "off";
 impl<'a> Reader<'a> {
     pub(super) fn detection(&mut self, cx: &mut Context<'a>) -> Option<Detection> {
         let Some(expr) = self.fields.get("detection") else {
-            return Some(self.default(&table::DETECTION, Detection::Estimator));
+            return Some(self.fields.default(&table::DETECTION, Detection::Estimator));
         };
         match word(cx, expr, table::DETECTION.words()) {
             Some("estimator") => Some(Detection::Estimator),
@@ -37,7 +37,7 @@ impl<'a> Reader<'a> {
     /// The angle in rad; `Some(None)` for `off`, `None` for an error.
     pub(super) fn lost_yaw(&mut self, cx: &mut Context<'a>) -> Option<Option<f64>> {
         let Some(expr) = self.fields.get("lost_yaw") else {
-            return Some(self.default(&table::LOST_YAW, Some(table::LOST_YAW.value())));
+            return Some(self.fields.default(&table::LOST_YAW, Some(table::LOST_YAW.value())));
         };
         let message = "`lost_yaw` must be an angle between 0 and 180 deg, or `off`";
         let error = Diagnostic::error(LOST_YAW, expr.span, message);
