@@ -11,7 +11,7 @@ use super::defaulted::Defaulted;
 use super::expected::Expected;
 use super::fault::family::Families;
 use super::fields::Fields;
-use super::mission::{MAX_DURATION, too_long};
+use super::mission::{MAX_DURATION, ground_too_high, too_long};
 use super::plausibility;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::simulate as table;
@@ -86,10 +86,9 @@ pub(super) fn elaborate<'a>(
     (simulation.filter(|_| reader.fine), reader.fields.used)
 }
 
-/// Height and place of the lowest waypoint.
+/// Height (m) and place of the lowest waypoint.
 fn lowest(mission: Option<&Mission>) -> Option<(f64, Span)> {
-    let heights = mission?.waypoints.iter().map(|w| (w.position[2], w.span));
-    heights.min_by(|a, b| a.0.total_cmp(&b.0))
+    super::mission::lowest(&mission?.waypoints)
 }
 
 /// The ground of the mission, if that gives it.
@@ -307,14 +306,8 @@ impl<'a> Reader<'a> {
         };
         let ground = cx.quantity(&table::GROUND, expr, POSITIVE)?;
         match lowest.filter(|(z, _)| *z <= ground) {
-            Some((z, span)) => {
-                let message = format!("`ground` must be below every waypoint, not at {} m", number(ground));
-                let error = Diagnostic::error("mavc::simulate::ground", expr.span, message).here("too high");
-                cx.report(error.also(span, format!("the lowest waypoint is at {} m", number(z))).help(format!(
-                    "write a height below {} m, such as `{} m`",
-                    number(z),
-                    number(z - 1.0)
-                )));
+            Some(lowest) => {
+                cx.report(ground_too_high("mavc::simulate::ground", expr.span, ground, lowest));
                 None
             }
             None => Some(ground),
