@@ -160,7 +160,7 @@ fn sideways(model: &Model, of_leg: &[&Limit], force: Interval) -> f64 {
 /// With a drag for each axis of the body, k is a symmetric matrix with eigenvalues from k0 to k1, the smallest and the
 /// largest rate: the speed obeys `u' <= a + k1 |w| - k0 u` and `|u'| <= a + k1 (|w| + u)`. As the matrix couples the
 /// axes of the world, this holds for all three axes alone.
-fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), most: Interval, axes: &[usize]) -> (f64, f64) {
+fn with_drag(problem: Problem, rate: f64, acceleration: f64, most: Interval, axes: &[usize]) -> (f64, f64) {
     let environment = problem.model().environment();
     if !environment.has_drag() {
         return (rate, acceleration);
@@ -208,11 +208,11 @@ fn bounds(problem: Problem, leg: usize) -> Bounds {
     // In the hover model the force is bounded only along z.
     let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
     let all = [0, 1, 2];
-    let (rate, in_all) = with_drag(problem, (speed, in_all), force + g, &all);
+    let (rate, in_all) = with_drag(problem, speed, in_all, force + g, &all);
     // With a drag for each axis of the body: a part of the velocity is at most the whole, and so is that of the drag.
     let of_part = |(own, acceleration): (f64, f64), most: Interval, axes: &[usize]| match is_isotropic {
-        true => with_drag(problem, (own, acceleration), most, axes),
-        false => (own.min(rate), with_drag(problem, (rate, acceleration), force + g, &all).1),
+        true => with_drag(problem, own, acceleration, most, axes),
+        false => (own.min(rate), with_drag(problem, rate, acceleration, force + g, &all).1),
     };
     let both_ways =
         |rate: f64, acceleration: f64| RateBounds { rate, speeding: acceleration, slowing: acceleration, jerk };

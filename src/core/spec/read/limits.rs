@@ -37,6 +37,7 @@ impl Row {
     }
 }
 
+/// The limits of the table.
 const LIMITS: [Row; 15] = [
     Row::new(&table::X, LimitKind::X, Form::Coordinate),
     Row::new(&table::Y, LimitKind::Y, Form::Coordinate),
