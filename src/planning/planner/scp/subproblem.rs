@@ -14,6 +14,7 @@ use crate::model::Environment;
 use crate::motion::wrench_model::DIRECTIONS;
 use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
 use crate::planner::commands::{CommandAt, Slope};
+use crate::planner::cores::{CoreAt, Scaling};
 use crate::planner::limits::Widening;
 use crate::planner::scp::commands::CommandLinearisation;
 use crate::planner::transcription::{Row, RowAt, Transcription};
@@ -155,8 +156,8 @@ impl Transcription<'_> {
                     if let Some(core) = &self.set.rows[facet].core {
                         let free = violation.clone().plus_constant(-free);
                         let change = self.duration_change(step, self.leg_of(instant));
-                        let row = (&self.set.rows[facet], core);
-                        self.core(&mut builder, row, (facet, instant), &free, (&change, ORDER_OF_TIME));
+                        let at = CoreAt { row: &self.set.rows[facet], core, facet, instant };
+                        self.core(&mut builder, at, &free, Scaling { change: &change, order: ORDER_OF_TIME });
                         continue;
                     }
                     let mut expression = violation.clone().plus_constant(-free);
