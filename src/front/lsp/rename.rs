@@ -8,7 +8,7 @@ use super::navigation::{Somewhere, declared_in, places, places_in_all};
 use super::workspace::{Spec, Workspace};
 use crate::read::vocabulary::{constants, functions, reserved_modes};
 use crate::source::Span;
-use crate::syntax::ast::{Item, Statement};
+use crate::syntax::visit::Visit;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
@@ -58,23 +58,15 @@ fn check_name(kind: Kind, new: &str) -> Result<(), String> {
 
 /// A statement that cannot be read may use the name, and would keep the old one.
 fn check_broken(spec: &Spec, old: &str, kind: Kind) -> Result<(), String> {
-    fn within(body: &[Statement], into: &mut Vec<Span>) {
-        for statement in body {
-            if let Statement::Broken(span) = statement {
-                into.push(*span);
-            }
-            within(statement.body(), into);
+    struct Broken(Vec<Span>);
+    impl<'t> Visit<'t> for Broken {
+        fn broken(&mut self, span: &'t Span) {
+            self.0.push(*span);
         }
     }
-    let mut broken = Vec::new();
-    for item in spec.files.files.iter().flat_map(|tree| &tree.items) {
-        match item {
-            Item::Broken(span) => broken.push(*span),
-            Item::Block(block) => within(&block.body, &mut broken),
-            _ => {}
-        }
-    }
-    for span in broken {
+    let mut broken = Broken(Vec::new());
+    spec.files.files.iter().for_each(|tree| broken.file(tree));
+    for span in broken.0 {
         let words = spec.snippet(span).split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
         let is_meant = |word: &str| word == old || kind == Kind::Modes && word.starts_with(old);
         if words.into_iter().any(is_meant) {

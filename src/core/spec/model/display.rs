@@ -7,8 +7,8 @@ use super::CaptureHeight;
 use super::GiveUpYaw;
 use super::Heading;
 use super::{
-    AfterFault, Air, Campaign, Description, Detection, FaultMode, Limit, Mission, MissionTime, Model, Origin, Plan,
-    PlanRotors, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
+    AfterFault, Air, Campaign, Description, Detection, FaultMode, Limit, LostYaw, Mission, MissionTime, Model, Origin,
+    Plan, PlanRotors, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
 };
 use crate::number::{fixed, number};
 
@@ -342,8 +342,8 @@ fn simulation(f: &mut fmt::Formatter<'_>, s: &Simulation, modes: &[FaultMode]) -
     writeln!(f, "  gusts {} m/s, gust_length {} m", number(s.gusts), number(s.gust_length))?;
     writeln!(f, "  lost_beyond {} m, upside_down {} s", number(s.lost_beyond), number(s.upside_down))?;
     match s.lost_yaw {
-        Some(angle) => write!(f, "  lost_yaw {} deg", degrees(angle))?,
-        None => write!(f, "  lost_yaw off")?,
+        LostYaw::Beyond(angle) => write!(f, "  lost_yaw {} deg", degrees(angle))?,
+        LostYaw::Off => write!(f, "  lost_yaw off")?,
     }
     writeln!(f, ", lost_yaw_after {} s", number(s.lost_yaw_after))?;
     writeln!(f, "  ground {} m", number(s.ground))?;

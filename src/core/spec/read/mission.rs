@@ -163,39 +163,29 @@ pub(super) fn elaborate<'a>(
 }
 
 /// What the statements of a mission say.
+#[derive(Default)]
 struct Body<'a> {
     route: Route,
-    start_at_rest: bool,
-    end_at_rest: bool,
+    starts_moving: bool,
+    ends_moving: bool,
     volumes: Vec<&'a Block>,
     air: Option<&'a Block>,
     limit_block: Option<&'a Block>,
-    /// The limits without errors, and whether these are all of them.
+    /// The limits without errors, and whether others have one.
     limits: Vec<Limit>,
-    limits_whole: bool,
+    limits_faulty: bool,
     /// The number of waypoints before the first statement with an error: these are certain.
     sure: Option<usize>,
     /// The number of each waypoint as its author counts, where no curve or table with an error comes before it.
     numbers: Vec<Option<usize>>,
-    /// How many waypoints have errors, where that is known.
-    unread: Option<usize>,
+    /// How many waypoints have errors, and whether others are not counted.
+    unread: usize,
+    uncounted: bool,
 }
 
 impl<'a> Body<'a> {
     fn read(cx: &mut Context<'a>, block: &'a Block, defaults: WaypointDefaults, files: &'a FileSet) -> Self {
-        let mut body = Body {
-            route: Route::default(),
-            start_at_rest: true,
-            end_at_rest: true,
-            volumes: Vec::new(),
-            air: None,
-            limit_block: None,
-            limits: Vec::new(),
-            limits_whole: true,
-            sure: None,
-            numbers: Vec::new(),
-            unread: Some(0),
-        };
+        let mut body = Body::default();
         for (index, statement) in block.body.iter().enumerate() {
             let before = body.route.waypoints.len();
             match statement {
@@ -217,8 +207,8 @@ impl<'a> Body<'a> {
                     None => body.route.broken = true,
                 },
                 Statement::Hold { duration, span } => hold(cx, duration, *span, &mut body.route),
-                Statement::Moving { end, .. } if end.value => body.end_at_rest = false,
-                Statement::Moving { .. } => body.start_at_rest = false,
+                Statement::Moving { end, .. } if end.value => body.ends_moving = true,
+                Statement::Moving { .. } => body.starts_moving = true,
                 Statement::Block(inner) => body.block(cx, inner),
                 Statement::Broken(_) => body.route.broken = true,
                 _ => {}
@@ -240,7 +230,8 @@ impl<'a> Body<'a> {
             second_block(cx, "one `limits`", first, inner);
         } else {
             self.limit_block = Some(inner);
-            (self.limits, self.limits_whole) = limits::read(cx, &inner.body);
+            let (limits, whole) = limits::read(cx, &inner.body);
+            (self.limits, self.limits_faulty) = (limits, !whole);
         }
     }
 
@@ -248,15 +239,13 @@ impl<'a> Body<'a> {
     fn count(&mut self, statement: &Statement, before: usize) {
         let adds_none = self.route.waypoints.len() == before;
         match statement {
-            Statement::Start(_) | Statement::Waypoint(_) if adds_none => {
-                self.unread = self.unread.map(|unread| unread + 1);
-            }
-            Statement::Curve { .. } | Statement::WaypointsFrom { .. } if adds_none => self.unread = None,
-            Statement::Broken(_) => self.unread = None,
+            Statement::Start(_) | Statement::Waypoint(_) if adds_none => self.unread += 1,
+            Statement::Curve { .. } | Statement::WaypointsFrom { .. } if adds_none => self.uncounted = true,
+            Statement::Broken(_) => self.uncounted = true,
             _ => {}
         }
         let added = before..self.route.waypoints.len();
-        self.numbers.extend(added.map(|index| self.unread.map(|unread| index + unread)));
+        self.numbers.extend(added.map(|index| (!self.uncounted).then_some(index + self.unread)));
         if self.route.broken {
             // A `hold` changes the waypoint before it.
             let holds = matches!(statement, Statement::Hold { .. });
@@ -273,7 +262,7 @@ impl<'a> Body<'a> {
         name: &str,
         defaults: WaypointDefaults,
     ) -> Option<Mission> {
-        let Body { mut route, start_at_rest, end_at_rest, mut limits, mut limits_whole, .. } = self;
+        let Body { mut route, mut limits, mut limits_faulty, .. } = self;
         let span = fields.span;
         let volumes = volume::read(cx, &self.volumes);
         let air = self.air.map_or_else(|| Some(Air::still(span)), |block| air::read(cx, block));
@@ -290,16 +279,16 @@ impl<'a> Body<'a> {
         if !route.broken {
             warn_close(cx, &route.waypoints);
             plausibility::check_mission(cx, name, span, &route.waypoints);
-            let (of_legs, all) = leg::limits(cx, &route.legs, &route.waypoints, end_at_rest);
+            let (of_legs, all) = leg::limits(cx, &route.legs, &route.waypoints, !self.ends_moving);
             limits.extend(of_legs);
-            limits_whole &= all;
+            limits_faulty |= !all;
         }
         plausibility::check_limits(cx, &limits);
         limits::check(cx, &limits, &route.waypoints, &self.numbers, sure);
         route.broken |= !in_order;
         let ground = ground(cx, fields, &route);
         let origin = origin::read(cx, fields);
-        if route.broken || !limits_whole {
+        if route.broken || limits_faulty {
             return None;
         }
         Some(Mission {
@@ -308,8 +297,8 @@ impl<'a> Body<'a> {
             legs: shares(&route.waypoints, &route.curves, defaults.timing),
             waypoints: route.waypoints,
             spacing: defaults.spacing,
-            start_at_rest,
-            end_at_rest,
+            start_at_rest: !self.starts_moving,
+            end_at_rest: !self.ends_moving,
             limits,
             volumes: volumes?,
             air: air?,
