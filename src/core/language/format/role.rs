@@ -22,7 +22,7 @@ pub enum Role {
 
 /// Statements that are lined up with neighbours of their kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum Alignment {
     /// At `=`.
     Field,
     /// At `=`.
@@ -38,8 +38,8 @@ pub enum Kind {
 pub struct Roles {
     pub words: HashMap<usize, Role>,
     /// By the first byte of the statement.
-    pub kinds: HashMap<usize, Kind>,
-    /// First byte and end of each coordinate of a [`Kind::Rotor`].
+    pub kinds: HashMap<usize, Alignment>,
+    /// First byte and end of each coordinate of an [`Alignment::Rotor`].
     pub coordinates: HashMap<usize, usize>,
 }
 
@@ -57,19 +57,19 @@ impl<'t> Visit<'t> for Roles {
     fn item(&mut self, item: &'t Item) {
         self.walk_item(item);
         if let Item::Let(field) = item {
-            self.kinds.insert(start(field.span), Kind::Let);
+            self.kinds.insert(start(field.span), Alignment::Let);
         }
     }
 
     fn field(&mut self, field: &'t Field) {
-        self.kinds.insert(start(field.span), Kind::Field);
+        self.kinds.insert(start(field.span), Alignment::Field);
         self.walk_field(field);
     }
 
     fn statement(&mut self, statement: &'t Statement) {
         match statement {
             Statement::Rotor(clauses) => self.coordinates(clauses),
-            Statement::Limit { span, .. } => drop(self.kinds.insert(start(*span), Kind::Limit)),
+            Statement::Limit { span, .. } => drop(self.kinds.insert(start(*span), Alignment::Limit)),
             _ => {}
         }
         self.walk_statement(statement);
@@ -110,7 +110,7 @@ impl Roles {
             return;
         };
         if word.value == "at" && !elements.is_empty() {
-            self.kinds.insert(start(rotor.span), Kind::Rotor(elements.len()));
+            self.kinds.insert(start(rotor.span), Alignment::Rotor(elements.len()));
             self.coordinates.extend(elements.iter().map(|e| (start(e.span), e.span.end as usize)));
         }
     }

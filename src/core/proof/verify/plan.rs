@@ -284,7 +284,7 @@ impl<'a> Setting<'a> {
         let mut purse = WorkLeft(budget.units().saturating_sub(estimate.units));
         let mut found = checked.found();
         match between {
-            true => checked.between(&mut purse, &mut found),
+            true => checked.check_between(&mut purse, &mut found),
             false => checked.nodes_only(&mut found),
         }
         Ok(found)

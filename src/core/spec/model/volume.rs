@@ -89,11 +89,11 @@ impl Volume {
                     let normal = [x / length, y / length, 0.0];
                     self.face(normal, normal[0] * a[0] + normal[1] * a[1] - margin)
                 });
-                sides.chain([self.between(*bottom, *top, margin)]).collect()
+                sides.chain([self.layer(*bottom, *top, margin)]).collect()
             }
             Body::Cylinder { centre, radius, bottom, top } => {
                 let round = LimitKind::Distance(DistanceFrom::Axis(*centre));
-                vec![self.limit(round, None, Some(radius - margin)), self.between(*bottom, *top, margin)]
+                vec![self.limit(round, None, Some(radius - margin)), self.layer(*bottom, *top, margin)]
             }
             Body::Ball { centre, radius } => {
                 vec![self.limit(LimitKind::Distance(DistanceFrom::Point(*centre)), None, Some(radius - margin))]
@@ -102,7 +102,8 @@ impl Volume {
         }
     }
 
-    fn between(&self, bottom: f64, top: f64, margin: f64) -> Limit {
+    /// The limits on height.
+    fn layer(&self, bottom: f64, top: f64, margin: f64) -> Limit {
         self.limit(LimitKind::Z, Some(bottom + margin), Some(top - margin))
     }
 

@@ -175,7 +175,7 @@ impl Group {
 
 impl Checked<'_> {
     /// Checks limits, sets and facets between the nodes, as far as the remaining work allows.
-    pub(super) fn between(&self, purse: &mut WorkLeft, found: &mut Found) {
+    pub(super) fn check_between(&self, purse: &mut WorkLeft, found: &mut Found) {
         let setting = self.setting;
         let before = purse.0;
         for limits in setting.mission().limits.chunk_by(same_volume) {
