@@ -4,7 +4,7 @@ use crate::admissible::row::SetRow;
 use crate::admissible::without_yaw::planned::{CoreRow, Turning};
 use crate::motion::turning::TurningMap;
 use crate::motion::wrench_model::WrenchModel;
-use crate::motion::{NodeState, Z, between};
+use crate::motion::{NodeState, Z, state_between};
 use crate::planner::transcription::Transcription;
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
@@ -47,7 +47,7 @@ impl Transcription<'_> {
         }
         let step = self.grid.node_times[interval + 1] - self.grid.node_times[interval];
         let share = part as f64 / self.parts as f64;
-        between(&states[interval], &states[interval + 1], step, share * step, self.turning_model())
+        state_between(&states[interval], &states[interval + 1], step, share * step, self.turning_model())
     }
 
     /// Whether rows at nodes have to hold between them too: about hover the turning is a quadratic polynomial of time

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::Group;
 use crate::language::table::campaign as table;
 use crate::model::{Campaign, DefaultUsed, PlannerKind};
-use crate::number::number;
+use crate::number::{number, plural};
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind};
 
@@ -105,15 +105,14 @@ fn few_enough(cx: &mut Context, campaign: &Campaign, modes: usize, span: Span) -
     if flights <= MAX_FLIGHTS {
         return true;
     }
-    let several = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
     let [times, seeds, modes, planners] = parts;
     let message = format!("a campaign may have at most 100 million flights, not {}", number(flights));
     let error = Diagnostic::error("mavc::campaign::too_many_flights", span, message).here(format!(
         "{}, {}, {} and {}",
-        several(times, "time"),
-        several(seeds, "seed"),
-        several(modes, "mode"),
-        several(planners, "planner")
+        plural(times, "time"),
+        plural(seeds, "seed"),
+        plural(modes, "mode"),
+        plural(planners, "planner")
     ));
     cx.report(error.help("reduce `times` or `seeds`; 10 seeds are usual"));
     false

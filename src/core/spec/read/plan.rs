@@ -161,8 +161,8 @@ impl<'a> Draft<'a> {
         let reserve = self.fields.value_or(&table::RESERVE, table::RESERVE.value(), |expr| reserve(cx, expr));
         let snap_weight = self.fields.quantity_or_default(cx, &table::SNAP, WEIGHT);
         let acceleration_weight = self.fields.quantity_or_default(cx, &table::ACCELERATION, WEIGHT);
-        let place = |name: &str| self.fields.span_of(name).unwrap_or(span);
-        let (time_span, samples_span) = (place("time"), place("samples"));
+        let [time_span, samples_span, reserve_span, rotors_span] =
+            ["time", "samples", "reserve", "rotors"].map(|name| self.fields.span_of(name).unwrap_or(span));
         if let Some(MissionTime::Fixed(time)) = time {
             self.fixed_time = Some((time, time_span));
         }
@@ -187,7 +187,6 @@ impl<'a> Draft<'a> {
         if !self.is_whole || self.capture_height.is_faulty() {
             return None;
         }
-        let place = |name: &str| self.fields.span_of(name).unwrap_or(span);
         Some(Plan {
             planner: planner?,
             model: model?,
@@ -209,8 +208,8 @@ impl<'a> Draft<'a> {
             against_span: self.against.map_or(span, |f| f.span),
             time_span,
             samples_span,
-            reserve_span: place("reserve"),
-            rotors_span: place("rotors"),
+            reserve_span,
+            rotors_span,
         })
     }
 
