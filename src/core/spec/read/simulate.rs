@@ -42,11 +42,19 @@ pub(super) struct Around<'m> {
 }
 
 impl Around<'_> {
-    /// The drag of the vehicle (N s/m), and wind and gusts of the mission (m/s).
-    pub fn air(&self) -> ([f64; 3], [f64; 3], f64) {
-        let air = self.mission.map(|mission| &mission.air);
-        let drag = self.vehicle.map_or([0.0; 3], |vehicle| vehicle.drag);
-        (drag, air.map_or([0.0; 3], |air| air.wind), air.map_or(0.0, |air| air.gusts))
+    /// The drag of the vehicle, N s/m.
+    fn drag(&self) -> [f64; 3] {
+        self.vehicle.map_or([0.0; 3], |vehicle| vehicle.drag)
+    }
+
+    /// The wind of the mission, m/s.
+    fn wind(&self) -> [f64; 3] {
+        self.mission.map_or([0.0; 3], |mission| mission.air.wind)
+    }
+
+    /// The gusts of the mission, m/s.
+    fn gusts(&self) -> f64 {
+        self.mission.map_or(0.0, |mission| mission.air.gusts)
     }
 }
 
@@ -63,9 +71,15 @@ pub(super) fn elaborate<'a>(
             lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(table::GROUND.value(), |(z, _)| z - 1.0)
         });
         let rate_span = campaign.unwrap_or(around.fallback);
-        let (drag, wind, gusts) = around.air();
-        let flown = Simulation { drag, wind, gusts, ..Simulation::default() };
-        let simulation = Simulation { ground, span: around.fallback, rate_span, ..flown };
+        let simulation = Simulation {
+            drag: around.drag(),
+            wind: around.wind(),
+            gusts: around.gusts(),
+            ground,
+            span: around.fallback,
+            rate_span,
+            ..Simulation::default()
+        };
         if let (Some(_), Some(vehicle)) = (campaign, around.vehicle)
             && let Some(error) = checks::coarse(&simulation, vehicle)
         {
@@ -130,7 +144,15 @@ impl<'a> Reader<'a> {
         let gyroscope_noise = self.quantity(cx, &table::GYROSCOPE_NOISE);
         let gyroscope_range = self.quantity(cx, &table::GYROSCOPE_RANGE);
         let position_noise = self.quantity(cx, &table::POSITION_NOISE);
-        let (drag, wind, gusts) = self.air(cx, around);
+        let drag = self.value_or_planned(&table::DRAG, around.drag(), [table::DRAG.value(); 3], |expr| {
+            cx.drag(&table::DRAG, expr, NEGATIVE)
+        });
+        let wind = self.value_or_planned(&table::WIND, around.wind(), [0.0; 3], |expr| {
+            cx.triple(Expected::of(&table::WIND), expr)
+        });
+        let gusts = self.value_or_planned(&table::GUSTS, around.gusts(), table::GUSTS.value(), |expr| {
+            cx.quantity(&table::GUSTS, expr, NEGATIVE)
+        });
         let gust_length = self.quantity(cx, &table::GUST_LENGTH);
         let seed = self.fields.value_or(&table::SEED, table::SEED.value() as u64, |expr| seed(cx, expr));
         let lost_beyond = self.quantity(cx, &table::LOST_BEYOND);
@@ -138,6 +160,7 @@ impl<'a> Reader<'a> {
         let lost_yaw = self.lost_yaw(cx);
         let lost_yaw_after = self.quantity(cx, &table::LOST_YAW_AFTER);
         let ground = self.ground(cx, around.mission);
+        self.warn_other_air(cx, around, drag, wind);
         if let (Some(drag), Some(wind), Some(gusts)) = (drag, wind, gusts) {
             self.warn_no_drag(cx, drag, wind, gusts);
         }
@@ -201,38 +224,33 @@ impl<'a> Reader<'a> {
         Some(simulation)
     }
 
-    /// Drag (N s/m), wind and gusts (m/s) of the flights: those of the plan, unless the block gives others.
-    fn air(&mut self, cx: &mut Context<'a>, around: &Around) -> (Option<[f64; 3]>, Option<[f64; 3]>, Option<f64>) {
-        let (drag_of_plan, wind_of_plan, gusts_of_plan) = around.air();
-        let drag = match self.fields.get("drag") {
-            Some(expr) => cx.drag(&table::DRAG, expr, NEGATIVE),
-            None if drag_of_plan != [0.0; 3] => Some(drag_of_plan),
-            None => Some(self.fields.default(&table::DRAG, [table::DRAG.value(); 3])),
-        };
-        let wind = match self.fields.get("wind") {
-            Some(expr) => cx.triple(Expected::of(&table::WIND), expr),
-            None if wind_of_plan != [0.0; 3] => Some(wind_of_plan),
-            None => Some(self.fields.default(&table::WIND, [0.0; 3])),
-        };
-        let gusts = match self.fields.get("gusts") {
-            None if gusts_of_plan != 0.0 => Some(gusts_of_plan),
-            _ => self.quantity(cx, &table::GUSTS),
-        };
-        if drag_of_plan != [0.0; 3] {
-            let differs = [
-                ("drag", drag.is_some_and(|drag| drag != drag_of_plan)),
-                ("wind", wind.is_some_and(|wind| wind != wind_of_plan)),
-            ];
-            for (field, _) in differs.iter().filter(|row| row.1) {
-                let Some(span) = self.fields.span_of(field) else { continue };
-                let message = format!("flights have another `{field}` than the plan");
-                let warning =
-                    Diagnostic::warning("mavc::simulate::other_air", span, message).here("used by flights alone");
-                let help = if *field == "drag" { "the vehicle's `drag`" } else { "the mission's `air`" };
-                cx.report(warning.help(format!("remove it to fly with {help}, by which the mission is planned")));
-            }
+    /// A field that is as planned where it is not written; where nothing is planned either, the default is recorded.
+    fn value_or_planned<T: PartialEq>(
+        &mut self,
+        entry: &Entry,
+        planned: T,
+        default: T,
+        read: impl FnOnce(&'a Expr) -> Option<T>,
+    ) -> Option<T> {
+        let written = self.fields.written(entry.name, read);
+        written.or_default(|| if planned == default { self.fields.default(entry, default) } else { planned })
+    }
+
+    /// Warns of drag (N s/m) and wind (m/s) that differ from those of the plan, if that has drag.
+    fn warn_other_air(&self, cx: &mut Context<'a>, around: &Around, drag: Option<[f64; 3]>, wind: Option<[f64; 3]>) {
+        if around.drag() == [0.0; 3] {
+            return;
         }
-        (drag, wind, gusts)
+        let differs = [
+            ("drag", "the vehicle's `drag`", drag.is_some_and(|drag| drag != around.drag())),
+            ("wind", "the mission's `air`", wind.is_some_and(|wind| wind != around.wind())),
+        ];
+        for (field, help, _) in differs.iter().filter(|row| row.2) {
+            let Some(span) = self.fields.span_of(field) else { continue };
+            let message = format!("flights have another `{field}` than the plan");
+            let warning = Diagnostic::warning("mavc::simulate::other_air", span, message).here("used by flights alone");
+            cx.report(warning.help(format!("remove it to fly with {help}, by which the mission is planned")));
+        }
     }
 
     fn quantity(&mut self, cx: &mut Context<'a>, entry: &'static Entry) -> Option<f64> {
