@@ -298,13 +298,12 @@ struct Numbers {
 impl Numbers {
     fn read<'a>(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement]) -> Option<Self> {
         let fields = Fields::of_block(cx, owner, span, body, Group::Mode);
-        let rate = fields.written("rate", |e| cx.quantity(&table::RATE, e, "mavc::fault::rate"));
-        let mut fmea = |entry: &'static Entry| {
-            let what = format!("`{}`", entry.name);
-            fields.written(entry.name, |e| cx.count(entry, &what, e, "mavc::fault::fmea").map(|x| x as u8))
-        };
-        let (severity, occurrence, detection) =
-            (fmea(&table::SEVERITY), fmea(&table::OCCURRENCE), fmea(&table::DETECTION));
+        let rate = fields.quantity(cx, &table::RATE, "mavc::fault::rate");
+        let mut fmea =
+            |entry: &'static Entry| fields.count(cx, entry, "mavc::fault::fmea").and_then(|x| u8::try_from(x).ok());
+        let severity = fmea(&table::SEVERITY);
+        let occurrence = fmea(&table::OCCURRENCE);
+        let detection = fmea(&table::DETECTION);
         let after_fault = after_fault::read(cx, &fields);
         let without_yaw = without_yaw::read(cx, &fields);
         Some(Numbers {

@@ -113,7 +113,7 @@ impl PartialRotor {
             meant(fields, entry.name, fields.written(entry.name, |expr| cx.interval(due, expr, POSITIVE)))
         };
         let quantity = |cx: &mut Context<'a>, entry: &'static Entry| {
-            meant(fields, entry.name, fields.written(entry.name, |expr| cx.quantity(entry, expr, POSITIVE)))
+            meant(fields, entry.name, fields.quantity(cx, entry, POSITIVE))
         };
         let partial = PartialRotor {
             thrust_coefficient: take(&table::THRUST_COEFFICIENT, true),
