@@ -10,7 +10,7 @@ use criterion::Criterion;
 use mavc::actuation::Wrench;
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::flight::{Sortie, fly};
-use mavc::model::{Allocation, Controller, Detection, Model, PlannerKind, Problem, Strike};
+use mavc::model::{Allocation, Controller, Detection, LostYaw, Model, PlannerKind, Problem, Strike};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::hover::{Decision, HoverPlanner};
 use mavc::planner::scp::ScpPlanner;
@@ -193,7 +193,7 @@ fn by_flight() {
         // duration.
         model.simulation.lost_beyond = 1e9;
         model.simulation.upside_down = 1e9;
-        model.simulation.lost_yaw = None;
+        model.simulation.lost_yaw = LostYaw::Off;
         model.simulation.ground = -1e9;
         change(&mut model);
         let strikes = [strike];

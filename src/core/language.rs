@@ -18,7 +18,7 @@ pub mod table;
 mod words;
 
 pub use columns::{clauses, is_clause, sweepable};
-pub use place::{Kind, Place};
+pub use place::{Place, StatementKind};
 pub use render::{markdown, statement_markdown};
 pub use statements::{BLOCKS, BlockEntry, EFFECTS, FUNCTIONS, OPENERS, OTHER_WORDS, STATEMENTS, StatementEntry};
 pub use words::word_list;

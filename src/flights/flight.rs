@@ -37,7 +37,7 @@ use loss::Watch;
 pub use loss::{Cause, Outcome};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
-use reduced_attitude::WithoutYaw;
+use reduced_attitude::{SpinningRotors, WithoutYaw};
 use reference::{Course, DESCENT, Reference, Stop};
 use rotors::Rotors;
 use sensors::Sensors;
@@ -282,8 +282,10 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                     true => WithoutYaw::of(
                         knowledge.gives_up_yaw(t),
                         &allocator,
-                        (&knowledge.hover, &knowledge.belief),
-                        (&frame, &simulation.gains),
+                        &knowledge.hover,
+                        &knowledge.belief,
+                        &frame,
+                        &simulation.gains,
                     ),
                     false => None,
                 };
@@ -313,8 +315,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             };
             let gains = &simulation.gains;
             if let Some(without_yaw) = &without_yaw {
-                let rotors_are = (knowledge.lag(), momentum);
-                wanted = without_yaw.control(&frame, gains, &measured, force, &aimed, rotors_are);
+                let spinning = SpinningRotors { lag: knowledge.lag(), momentum };
+                wanted = without_yaw.control(&frame, gains, &measured, force, &aimed, spinning);
                 allocator.bounded_speeds(&wanted, &mut rotors.command);
             } else {
                 wanted = control::control(simulation.controller, &frame, gains, &measured, force, &aimed);

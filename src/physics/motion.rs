@@ -101,12 +101,12 @@ impl Trajectory {
     }
 
     /// The state `t` seconds after the start of interval `k`. Derivatives that jump at a node take the values of this
-    /// interval. See [`between`].
+    /// interval. See [`state_between`].
     ///
     /// # Panics
     /// If there is no interval `k`.
     pub fn within(&self, k: usize, t: f64) -> NodeState {
-        between(&self.nodes[k], &self.nodes[k + 1], self.times[k + 1] - self.times[k], t, self.model)
+        state_between(&self.nodes[k], &self.nodes[k + 1], self.times[k + 1] - self.times[k], t, self.model)
     }
 
     /// The state at time t (s), clamped to the duration.
@@ -177,7 +177,7 @@ impl Trajectory {
 ///
 /// With the order r of the input and its constant slope, derivative i is `sum_{j=i}^{r} d_j t^(j-i)/(j-i)!` plus the
 /// slope times `t^(r+1-i)/(r+1-i)!`. Derivative r + 1 is the slope itself, and higher ones are zero.
-pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: WrenchModel) -> NodeState {
+pub fn state_between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: WrenchModel) -> NodeState {
     let mut state = NodeState::default();
     let orders = model.orders();
     // t^n / n!

@@ -60,7 +60,7 @@ fn height(model: &Model) -> Option<f64> {
 pub fn by_multipliers(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Result<Certificate, String> {
     match comparison.runs.last().map(|run| (run, &run.outcome)) {
         Some((run, PlanOutcome::Infeasible(Proof { at, .. }))) if has_one_time(problem) => {
-            infeasible::certificate(problem, run, *at, (&comparison.selected_by, spec_sha256))
+            infeasible::certificate(problem, run, *at, &comparison.selected_by, spec_sha256)
         }
         Some((_, PlanOutcome::Infeasible(Proof { .. }))) => {
             Err("a certificate cannot show that there is no plan at several times".into())

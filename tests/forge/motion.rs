@@ -5,7 +5,7 @@ use mavc::certificate::{Certificate, Claim, DynamicModel, MotionRecord, PlanClai
 use mavc::model::grid::{leg_durations, pieces};
 use mavc::model::{Mission, Model, PlanModel};
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z, between};
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z, state_between};
 use nalgebra::{DMatrix, DVector};
 
 pub const AXES: [usize; 4] = [X, Y, Z, YAW];
@@ -234,7 +234,7 @@ fn lay(
     exact(nodes, 0);
     for k in 1..times.len() {
         exact(nodes, k);
-        let end = between(&nodes[k - 1], &nodes[k], times[k] - times[k - 1], times[k] - times[k - 1], model);
+        let end = state_between(&nodes[k - 1], &nodes[k], times[k] - times[k - 1], times[k] - times[k - 1], model);
         nodes[k][axis][..order].copy_from_slice(&end[axis][..order]);
         exact(nodes, k);
     }

@@ -219,7 +219,7 @@ mod thorough {
         let mut comparison = run(&model, Scope::Everything);
         let told = std::sync::Mutex::new(Vec::new());
         let tell = |round: &str, time: f64| told.lock().unwrap().push((round.to_string(), time));
-        let found = rounds(Problem::of(&model).unwrap(), &mut comparison, (0, 3), Some(&tell));
+        let found = rounds(Problem::of(&model).unwrap(), &mut comparison, 0..=3, Some(&tell));
         // Progress names the rounds and the times tried.
         let told = told.into_inner().unwrap();
         let at = comparison.common_time.unwrap();

@@ -348,7 +348,7 @@ impl<'s> Task<'s> {
     pub fn rounds(&self, comparison: &mut Comparison, wanted: (usize, usize), observer: &dyn Observer) -> Vec<Round> {
         let tries = |round: &str, time: f64| observer.tries(round, time);
         timed(observer, "rounds", || {
-            let mut found = rounds(self.problem(), comparison, wanted, Some(&tries));
+            let mut found = rounds(self.problem(), comparison, wanted.0..=wanted.1, Some(&tries));
             certify::check_rounds(self.problem(), &mut found);
             found
         })

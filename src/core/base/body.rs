@@ -44,10 +44,13 @@ impl Body {
     /// unique, it is one of several.
     pub fn separation(&self, p: [f64; 3]) -> Separation {
         let (normal, distance) = match self {
-            Body::Prism { corners, bottom, top } => upright(outline(corners, [p[0], p[1]]), p[2], *bottom, *top),
+            Body::Prism { corners, bottom, top } => {
+                let (across, distance) = outline(corners, [p[0], p[1]]);
+                upright(across, distance, p[2], *bottom, *top)
+            }
             Body::Cylinder { centre, radius, bottom, top } => {
                 let (direction, length) = unit([p[0] - centre[0], p[1] - centre[1]], [1.0, 0.0]);
-                upright((direction, length - radius), p[2], *bottom, *top)
+                upright(direction, length - radius, p[2], *bottom, *top)
             }
             Body::Ball { centre, radius } => {
                 let (direction, length) = unit([0, 1, 2].map(|i| p[i] - centre[i]), [1.0, 0.0, 0.0]);
@@ -131,7 +134,7 @@ fn unit<const N: usize>(v: [f64; N], otherwise: [f64; N]) -> ([f64; N], f64) {
     if length > 0.0 { (v.map(|x| x / length), length) } else { (otherwise, 0.0) }
 }
 
-/// The signed distance of a point from a convex polygon in the plane, and its gradient.
+/// The gradient and signed distance of a point from a convex polygon in the plane.
 fn outline(corners: &[[f64; 2]], p: [f64; 2]) -> ([f64; 2], f64) {
     let mut nearest = ([1.0, 0.0], f64::INFINITY);
     let mut inside = ([1.0, 0.0], f64::NEG_INFINITY);
@@ -153,8 +156,8 @@ fn outline(corners: &[[f64; 2]], p: [f64; 2]) -> ([f64; 2], f64) {
     if inside.1 > 0.0 { nearest } else { inside }
 }
 
-/// The signed distance from a body with vertical walls, from that of its outline.
-fn upright((across, distance): ([f64; 2], f64), z: f64, bottom: f64, top: f64) -> ([f64; 3], f64) {
+/// The gradient and signed distance from a body with vertical walls, from those of its outline.
+fn upright(across: [f64; 2], distance: f64, z: f64, bottom: f64, top: f64) -> ([f64; 3], f64) {
     let (up, vertical) = if z - top > bottom - z { (1.0, z - top) } else { (-1.0, bottom - z) };
     let [x, y] = across;
     if distance > 0.0 && vertical > 0.0 {

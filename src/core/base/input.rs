@@ -15,23 +15,23 @@ pub const MAX_TABLE_BYTES: usize = 4 << 20;
 
 /// The kinds of files that a spec can name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum FileKind {
     Spec,
     Table,
 }
 
-impl Kind {
+impl FileKind {
     /// The kind by the extension of the name, in upper or lower case; `None` for any other.
-    pub fn of(path: &Path) -> Option<Kind> {
+    pub fn of(path: &Path) -> Option<FileKind> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-        [Kind::Spec, Kind::Table].into_iter().find(|kind| kind.endings().contains(&ending.as_str()))
+        [FileKind::Spec, FileKind::Table].into_iter().find(|kind| kind.endings().contains(&ending.as_str()))
     }
 
     /// The allowed extensions, in lower case and without the dot.
     pub fn endings(self) -> &'static [&'static str] {
         match self {
-            Kind::Spec => &["mav"],
-            Kind::Table => &["csv", "txt"],
+            FileKind::Spec => &["mav"],
+            FileKind::Table => &["csv", "txt"],
         }
     }
 
@@ -43,8 +43,8 @@ impl Kind {
     /// The largest size of a file of this kind, in bytes.
     pub fn most(self) -> usize {
         match self {
-            Kind::Spec => MAX_FILE_BYTES,
-            Kind::Table => MAX_TABLE_BYTES,
+            FileKind::Spec => MAX_FILE_BYTES,
+            FileKind::Table => MAX_TABLE_BYTES,
         }
     }
 }
@@ -55,9 +55,9 @@ pub enum Refused {
     /// A pipe, device, socket or, where links are not followed, a link.
     NotRegular,
     /// Its extension is not one of the kind's.
-    Ending(Kind),
+    Ending(FileKind),
     /// It is a link to a file of another kind.
-    Elsewhere { target: PathBuf, kind: Kind },
+    Elsewhere { target: PathBuf, kind: FileKind },
 }
 
 impl fmt::Display for Refused {
@@ -90,15 +90,15 @@ impl From<Refused> for Error {
 ///
 /// # Errors
 /// [`Refused`] for any other extension, a link to another kind of file, and anything but a regular file;
-/// [`ErrorKind::FileTooLarge`] for a file larger than [`Kind::most`], which is not read; other errors of the file
+/// [`ErrorKind::FileTooLarge`] for a file larger than [`FileKind::most`], which is not read; other errors of the file
 /// system.
 pub fn read_named(path: &Path) -> Result<Vec<u8>> {
     let real = path.canonicalize()?;
     if real.is_dir() {
         return Err(ErrorKind::IsADirectory.into());
     }
-    let kind = Kind::of(path).ok_or(Refused::Ending(Kind::Spec))?;
-    if Kind::of(&real) != Some(kind) {
+    let kind = FileKind::of(path).ok_or(Refused::Ending(FileKind::Spec))?;
+    if FileKind::of(&real) != Some(kind) {
         return Err(Refused::Elsewhere { target: real, kind }.into());
     }
     let file = open_unfollowed(&real)?;
@@ -172,7 +172,7 @@ pub fn given(name: &str, most: usize) -> Result<Vec<u8>> {
     if name == "-" {
         return at_most(std::io::stdin().lock(), most);
     }
-    if Kind::of(path) != Some(Kind::Spec) {
+    if FileKind::of(path) != Some(FileKind::Spec) {
         return File::open(path).and_then(|file| at_most(file, most));
     }
     // A spec above its limit of size is an error in the spec, reported with a code.
@@ -201,10 +201,10 @@ mod tests {
 
     #[test]
     fn names_say_what_a_file_is() {
-        let of = |name: &str| Kind::of(Path::new(name));
+        let of = |name: &str| FileKind::of(Path::new(name));
         assert_eq!(
             ["a.mav", "b/A.MAV", "t.csv", "t.txt"].map(of),
-            [Some(Kind::Spec), Some(Kind::Spec), Some(Kind::Table), Some(Kind::Table)]
+            [Some(FileKind::Spec), Some(FileKind::Spec), Some(FileKind::Table), Some(FileKind::Table)]
         );
         assert_eq!(["", "mav", ".mav", "a.mav.key", "environ", "a.mav~"].map(of), [None; 6]);
     }

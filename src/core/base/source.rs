@@ -72,7 +72,7 @@ pub struct NotUtf8 {
 
 /// A place for people: 1-based line, 1-based column in Unicode scalars.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct LineColumn {
     pub line: usize,
     pub column: usize,
 }
@@ -115,11 +115,11 @@ impl Source {
     }
 
     /// Line and column of a byte offset, in Unicode scalars; an offset inside a scalar counts as its start.
-    pub fn place(&self, offset: usize) -> Place {
+    pub fn place(&self, offset: usize) -> LineColumn {
         let line = self.line_index(offset);
         let start = self.line_starts[line] as usize;
         let column = self.text[start..].char_indices().take_while(|(i, _)| start + i < offset).count();
-        Place { line: line + 1, column: column + 1 }
+        LineColumn { line: line + 1, column: column + 1 }
     }
 
     /// 0-based line and UTF-16 column, as in the Language Server Protocol.
@@ -182,12 +182,12 @@ mod tests {
     #[test]
     fn places_count_scalars_and_utf16_units() {
         let s = Source::new("t", "ab\nα😀x\n");
-        assert_eq!(s.place(0), Place { line: 1, column: 1 });
-        assert_eq!(s.place(3), Place { line: 2, column: 1 });
+        assert_eq!(s.place(0), LineColumn { line: 1, column: 1 });
+        assert_eq!(s.place(3), LineColumn { line: 2, column: 1 });
         let x = s.text.find('x').unwrap();
-        assert_eq!(s.place(x), Place { line: 2, column: 3 });
+        assert_eq!(s.place(x), LineColumn { line: 2, column: 3 });
         assert_eq!(s.place_utf16(x), (1, 3));
-        assert_eq!(s.place(s.text.len()), Place { line: 3, column: 1 });
+        assert_eq!(s.place(s.text.len()), LineColumn { line: 3, column: 1 });
     }
 
     #[test]
@@ -210,7 +210,7 @@ mod tests {
         assert_eq!(Source::from_bytes("t", b"\xef\xbb\xbfplan").unwrap().text, "plan");
         let error = Source::from_bytes("t", b"let a\n = \xff\xfe 4").unwrap_err();
         assert_eq!((error.offset, error.byte), (9, 0xff));
-        assert_eq!(error.source.place(error.offset), Place { line: 2, column: 4 });
+        assert_eq!(error.source.place(error.offset), LineColumn { line: 2, column: 4 });
         // A character cut off at the end of the file.
         assert_eq!(Source::from_bytes("t", b"a \xe2\x82").unwrap_err().offset, 2);
     }

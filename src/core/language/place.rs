@@ -36,7 +36,7 @@ pub enum Place {
 
 /// The kind of a statement, as far as its place is concerned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum StatementKind {
     Use,
     Let,
     Field,

@@ -1,7 +1,7 @@
 //! Which statements belong in which block: blocks, the words that begin statements, and a line of documentation for
 //! each.
 
-use super::place::{Kind, Place};
+use super::place::{Place, StatementKind};
 use crate::diagnostic::nearest;
 
 /// A block with a simple head: a keyword, and a name if `is_named`.
@@ -306,20 +306,20 @@ impl Place {
     }
 }
 
-impl Kind {
+impl StatementKind {
     /// Where such a statement belongs; `None` for fields, which occur in many places.
     pub fn home(self) -> Option<Place> {
         match self {
-            Kind::Field => None,
-            Kind::Use | Kind::Let => Some(Place::Top),
-            Kind::Block(block) => BLOCKS.iter().find(|b| b.place == block).map(|b| b.within),
-            Kind::Every => Some(Place::Faults),
-            Kind::Fault => Some(Place::Mode),
-            Kind::RotorAt => Some(Place::Rotors),
-            Kind::Strike => Some(Place::Simulate),
-            Kind::Require => Some(Place::Plan),
-            Kind::Curve | Kind::Flight => Some(Place::Mission),
-            Kind::Limit => Some(Place::Limits),
+            StatementKind::Field => None,
+            StatementKind::Use | StatementKind::Let => Some(Place::Top),
+            StatementKind::Block(block) => BLOCKS.iter().find(|b| b.place == block).map(|b| b.within),
+            StatementKind::Every => Some(Place::Faults),
+            StatementKind::Fault => Some(Place::Mode),
+            StatementKind::RotorAt => Some(Place::Rotors),
+            StatementKind::Strike => Some(Place::Simulate),
+            StatementKind::Require => Some(Place::Plan),
+            StatementKind::Curve | StatementKind::Flight => Some(Place::Mission),
+            StatementKind::Limit => Some(Place::Limits),
         }
     }
 
@@ -327,7 +327,7 @@ impl Kind {
     pub fn fits(self, place: Place) -> bool {
         match self {
             _ if place == Place::Unknown => true,
-            Kind::Field => !matches!(place, Place::Limits | Place::Rotors),
+            StatementKind::Field => !matches!(place, Place::Limits | Place::Rotors),
             _ => self.home() == Some(place),
         }
     }

@@ -17,7 +17,7 @@ mod mistake;
 mod print;
 mod repair;
 pub mod scan;
-mod spans;
+pub mod visit;
 
 pub use crate::language::Place;
 pub use mistake::no_choice;

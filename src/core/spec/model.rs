@@ -24,7 +24,7 @@ pub use crate::body::{Body, Obstacle};
 pub use air::{Air, Environment, STANDARD_DENSITY};
 pub use battery::Battery;
 pub use flight_settings::{
-    AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
+    AfterFault, Allocation, Campaign, Controller, Detection, Gains, LostYaw, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
 pub use heading::{Heading, SLOWEST, Target};
 pub use interval::{RotorSpread, Spread};

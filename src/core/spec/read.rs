@@ -9,6 +9,7 @@ mod blame;
 mod blocks;
 mod campaign;
 mod context;
+mod defaulted;
 mod edits;
 mod elaborate;
 mod expected;

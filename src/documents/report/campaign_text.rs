@@ -15,7 +15,7 @@ use crate::campaign::statistics::{Share, wilson};
 use crate::campaign::tally::{Group, Tally};
 use crate::flight::Cause;
 use crate::flight::indistinguishable::listed;
-use crate::model::{Detection, Simulation};
+use crate::model::{Detection, LostYaw, Simulation};
 use crate::number::{fixed, number, part_of_all, percent, significant};
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use crate::text_table::Table;
@@ -113,9 +113,8 @@ fn aftermath(design: &Design) -> String {
 
 /// `heading 90 degrees off for 1 s or at the end, `, if the spec sets such a limit.
 fn off_heading(s: &Simulation) -> String {
-    s.lost_yaw.map_or(String::new(), |limit| {
-        format!("heading {} degrees off for {} s or at the end, ", number(limit.to_degrees()), number(s.lost_yaw_after))
-    })
+    let LostYaw::Beyond(limit) = s.lost_yaw else { return String::new() };
+    format!("heading {} degrees off for {} s or at the end, ", number(limit.to_degrees()), number(s.lost_yaw_after))
 }
 
 fn counted(n: usize, what: &str) -> String {

@@ -1,6 +1,7 @@
 //! The heading error, with whole turns counted (`docs/flight.md`, section 5).
 
 use super::body::Body;
+use crate::model::LostYaw;
 use std::f64::consts::{PI, TAU};
 
 /// The tilt, rad (85 degrees), beyond which the nose may point straight up or down, where the heading is not defined.
@@ -87,8 +88,7 @@ impl Collector {
 /// slow ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Patience {
-    /// Largest heading error that counts as kept, rad; `None` for no limit.
-    limit: Option<f64>,
+    limit: LostYaw,
     /// Time for which the heading may be off, s.
     longest: f64,
     off_for: f64,
@@ -96,15 +96,17 @@ pub struct Patience {
 }
 
 impl Patience {
-    /// `limit` is the largest heading error that counts as kept (rad; `None` for no limit), `longest` the time for
-    /// which the heading may be off (s).
-    pub fn new(limit: Option<f64>, longest: f64) -> Self {
+    /// `longest` is the time for which the heading may be off, s.
+    pub fn new(limit: LostYaw, longest: f64) -> Self {
         Patience { limit, longest, off_for: 0.0, kept_for: 0.0 }
     }
 
     /// Whether a heading error (rad) exceeds the limit.
     pub(super) fn is_off(&self, error: f64) -> bool {
-        self.limit.is_some_and(|limit| error.abs() > limit)
+        match self.limit {
+            LostYaw::Off => false,
+            LostYaw::Beyond(limit) => error.abs() > limit,
+        }
     }
 
     /// Whether the heading counts as lost after another `period` s with this error (rad).

@@ -49,13 +49,24 @@ pub struct WithoutYaw {
     single_axis: Option<SingleAxis>,
 }
 
+/// What control with yaw given up takes from the rotors.
+#[derive(Debug, Clone, Copy)]
+pub struct SpinningRotors {
+    /// Their time constant, s.
+    pub lag: f64,
+    /// Their angular momentum about z, h, N m s.
+    pub momentum: f64,
+}
+
 impl WithoutYaw {
     /// `None` if yaw is not given up; see [`Self::is_given_up`].
     pub fn of(
         gives_up: GiveUpYaw,
         allocator: &Allocator,
-        (hover, belief): (&Wrench, &Belief),
-        (frame, gains): (&Frame, &Gains),
+        hover: &Wrench,
+        belief: &Belief,
+        frame: &Frame,
+        gains: &Gains,
     ) -> Option<Self> {
         Self::is_given_up(gives_up, allocator, hover, belief).then(|| {
             let projection = allocator.without_yaw(belief);
@@ -97,9 +108,9 @@ impl WithoutYaw {
     /// ```
     ///
     /// A torque that is fixed in space turns at -r in the body, faster than lagging rotors follow. So the difference u
-    /// of tau to that of the equilibrium is commanded ahead by the rotors' time constant `lag` (s):
-    /// `u + lag (r u_y, -r u_x)`. The yaw torque slows the spin as far as rotors are left for it. `momentum` is that of
-    /// the rotors about z (h, N m s), and `force` the present thrust over mass, m/s^2.
+    /// of tau to that of the equilibrium is commanded ahead by the rotors' time constant:
+    /// `u + lag (r u_y, -r u_x)`. The yaw torque slows the spin as far as rotors are left for it. `force` is the
+    /// present thrust over mass, m/s^2.
     pub fn control(
         &self,
         frame: &Frame,
@@ -107,8 +118,9 @@ impl WithoutYaw {
         measured: &Body,
         force: f64,
         reference: &Reference,
-        (lag, momentum): (f64, f64),
+        rotors: SpinningRotors,
     ) -> Wrench {
+        let SpinningRotors { lag, momentum } = rotors;
         let inertia = frame.inertia;
         let torque_of = |w: &Vector3<f64>| w.cross(&(inertia.component_mul(w) + Vector3::z() * momentum));
         let w = measured.rates;

@@ -2,7 +2,7 @@
 
 use super::files::reason;
 use super::{Problem, usage};
-use crate::input::Kind;
+use crate::input::FileKind;
 use std::io::{Error, ErrorKind};
 use std::path::Path;
 use walkdir::{DirEntry, WalkDir};
@@ -79,7 +79,7 @@ impl Found {
 }
 
 fn is_spec(path: &Path) -> bool {
-    Kind::of(path) == Some(Kind::Spec)
+    FileKind::of(path) == Some(FileKind::Spec)
 }
 
 /// The message for an entry that cannot be read. Hidden entries have none, nor have dangling links without a spec's

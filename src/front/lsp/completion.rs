@@ -7,7 +7,7 @@ mod units;
 
 use super::documentation;
 use super::hover::described;
-use super::names::Kind;
+use super::names::NameKind;
 use super::workspace::Spec;
 use crate::diagnostic::codes;
 use crate::language::{Absent, Entry, Group, Takes};
@@ -164,7 +164,7 @@ fn openers(context: &Context, list: &mut Vec<Offer>) {
 
 /// What may be written where an operand is expected.
 fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut Vec<Offer>) {
-    let names = |kind: Kind| spec.names().of_kind(kind);
+    let names = |kind: NameKind| spec.names().of_kind(kind);
     let is_against = (place, field) == (Place::Plan, "against");
     // `all` is not an element of a list.
     let words_here = words(place, field).iter().filter(|word| !context.listed.contains(**word));
@@ -188,11 +188,11 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
             return;
         }
         (Place::Plan, "vehicle") => {
-            list.extend(names(Kind::Vehicle).map(|d| Offer::new(&d.name, ItemKind::Class, 0)));
+            list.extend(names(NameKind::Vehicle).map(|d| Offer::new(&d.name, ItemKind::Class, 0)));
             return;
         }
         (Place::Plan, "mission") => {
-            list.extend(names(Kind::Mission).map(|d| Offer::new(&d.name, ItemKind::Module, 0)));
+            list.extend(names(NameKind::Mission).map(|d| Offer::new(&d.name, ItemKind::Module, 0)));
             return;
         }
         _ if !words(place, field).is_empty() && !matches!(field, "time" | "detection") => return,
@@ -205,7 +205,7 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
     }
     if (place, field) == (Place::Mission, "yaw") {
         if context.after == "towards" {
-            list.extend(names(Kind::Waypoint).map(|d| Offer::new(&d.name, ItemKind::Constant, 0)));
+            list.extend(names(NameKind::Waypoint).map(|d| Offer::new(&d.name, ItemKind::Constant, 0)));
         } else {
             list.extend(
                 ["towards ", "along path ", "free "]
@@ -216,7 +216,7 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
     if let Some(parameter) = &context.parameter {
         list.push(Offer::new(parameter, ItemKind::Variable, 0).detail("the curve's parameter"));
     }
-    for definition in names(Kind::Let) {
+    for definition in names(NameKind::Let) {
         let written = spec.snippet(definition.statement).lines().next().unwrap_or("");
         let offer = Offer::new(&definition.name, ItemKind::Variable, 1).detail(written);
         list.push(offer.documented(definition.doc.clone()));

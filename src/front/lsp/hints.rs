@@ -3,7 +3,7 @@
 use super::documents::{offsets, position};
 use super::hover::si;
 use super::mentions::What;
-use super::names::Kind;
+use super::names::NameKind;
 use super::workspace::Spec;
 use crate::source::{FileId, Span};
 use crate::syntax::ast::{Field, FieldValue, Item, Statement};
@@ -21,7 +21,7 @@ pub fn hints(spec: &Spec, file: FileId, asked: Range) -> Vec<InlayHint> {
             found.push((reading.span.end, format!("= {}", si(reading))));
         }
     }
-    for definition in spec.names().of_kind(Kind::Modes).filter(|d| wanted(d.span)) {
+    for definition in spec.names().of_kind(NameKind::Modes).filter(|d| wanted(d.span)) {
         let modes = spec.understanding.modes.iter().filter(|mode| mode.span == definition.statement);
         let names: Vec<&str> = modes.map(|mode| mode.name.as_str()).collect();
         if let [first, .., last] = names.as_slice() {

@@ -4,7 +4,7 @@ mod facts;
 
 use super::documentation;
 use super::mentions::{Mention, What};
-use super::names::{Definition, Kind};
+use super::names::{Definition, NameKind};
 use super::navigation::file_named_at;
 use super::workspace::Spec;
 use crate::admissible::verdict::ModeAnalysis;
@@ -99,7 +99,9 @@ fn keyword_text(spec: &Spec, word: &str, span: Span) -> Option<String> {
     let says = documentation::statement(word).map(|text| format!("**`{word}`** · {text}"));
     let vehicle = (word == "vehicle")
         .then(|| {
-            spec.names().of_kind(Kind::Vehicle).find(|d| d.statement.start == span.start && d.span.file == span.file)
+            spec.names()
+                .of_kind(NameKind::Vehicle)
+                .find(|d| d.statement.start == span.start && d.span.file == span.file)
         })
         .flatten();
     let facts = vehicle.and_then(|definition| facts::vehicle(spec, definition.span));
@@ -201,33 +203,33 @@ pub fn si(reading: &Reading) -> String {
 /// A name that the spec declares.
 fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Shown> {
     let name = match definition.kind {
-        Kind::Modes => spec.snippet(mention.span),
+        NameKind::Modes => spec.snippet(mention.span),
         _ => definition.name.as_str(),
     };
     let title = definition.title.as_ref().map_or(String::new(), |title| format!(" “{title}”"));
     // One of the modes of an `every` is one mode.
-    let kind = if name == definition.name { definition.kind } else { Kind::Mode };
+    let kind = if name == definition.name { definition.kind } else { NameKind::Mode };
     let mut parts = vec![format!("{} **{name}**{title}", kind.phrase())];
     parts.extend(definition.doc.clone());
     let mut wanted = None;
     match definition.kind {
-        Kind::Let => {
+        NameKind::Let => {
             let inside = |r: &&Reading| {
                 let (span, whole) = (r.span, definition.statement);
                 span.file == whole.file && span.start >= definition.span.end && span.end == whole.end
             };
             parts.extend(spec.understanding.readings.iter().find(inside).map(|reading| valued(spec, reading)));
         }
-        Kind::Vehicle => parts.extend(facts::vehicle(spec, definition.span)),
-        Kind::Mission => parts.extend(facts::mission(spec, definition.span)),
-        Kind::Mode | Kind::Modes => {
+        NameKind::Vehicle => parts.extend(facts::vehicle(spec, definition.span)),
+        NameKind::Mission => parts.extend(facts::mission(spec, definition.span)),
+        NameKind::Mode | NameKind::Modes => {
             let names = spec.names();
             let alike = names.declared_at(definition.span).map(|index| names.alike(index)).unwrap_or_default();
             let is_of_family = |span: Span| alike.iter().any(|&k| names.definitions[k].statement == span);
             let of_statement = |k: &usize| {
                 let mode = &spec.understanding.modes[*k];
                 match definition.kind {
-                    Kind::Mode => mode.span == definition.span,
+                    NameKind::Mode => mode.span == definition.span,
                     _ if mention.span == definition.span => mode.span == definition.statement,
                     // `against = M` is all of them.
                     _ => is_of_family(mode.span) && (name == definition.name || mode.name == name),
@@ -243,10 +245,10 @@ fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Show
                 parts.push("Verdicts show once the spec has no errors.".into());
             }
         }
-        Kind::Waypoint => {
+        NameKind::Waypoint => {
             parts.extend(position(spec, definition).map(|reading| format!("at {}", valued(spec, reading))));
         }
-        Kind::Parameter => {}
+        NameKind::Parameter => {}
     }
     Some(Shown { span: mention.span, text: parts.join("\n\n"), wanted })
 }

@@ -2,9 +2,10 @@
 
 use super::names::{Definition, Names};
 use crate::read::vocabulary::words;
-use crate::source::{FileId, Span};
+use crate::source::{FileId, Span, Spanned};
 use crate::syntax::Place;
 use crate::syntax::ast::*;
+use crate::syntax::visit::Visit;
 
 /// What a word is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,7 +43,7 @@ pub struct Mentions {
 
 impl Mentions {
     pub fn of(trees: &[SpecFile], names: &Names) -> Self {
-        let mut walk = Walk { names, parameter: None, found: Vec::new() };
+        let mut walk = Walk { names, place: Place::Top, parameter: None, found: Vec::new() };
         trees.iter().for_each(|tree| walk.file(tree));
         let mut all = walk.found;
         all.sort_by_key(|m| m.span);
@@ -79,6 +80,8 @@ impl Mentions {
 
 struct Walk<'a> {
     names: &'a Names,
+    /// Where the parts being visited are.
+    place: Place,
     /// The parameter of the curve around.
     parameter: Option<&'a Name>,
     found: Vec<Mention>,
@@ -95,130 +98,21 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn file(&mut self, tree: &'a SpecFile) {
-        for item in &tree.items {
-            match item {
-                Item::Use(path) => self.note(path.span, What::Text),
-                Item::Let(field) => {
-                    self.define(&field.name);
-                    if let FieldValue::Expr(expr) = &field.value {
-                        self.expr(expr);
-                    }
-                }
-                Item::Field(field) => self.field(field, Place::Top),
-                Item::Block(block) => self.block(block),
-                Item::Broken(_) => {}
-            }
-        }
-    }
-
-    fn block(&mut self, block: &'a Block) {
-        self.note(block.keyword.span, What::Keyword);
-        // `require capture_height` defines nothing.
-        let defined = block.name.iter().filter(|_| block.keyword.value != "require");
-        defined.for_each(|name| self.define(name));
-        block.title.iter().for_each(|title| self.note(title.span, What::Text));
-        let place = Place::of_block(&block.keyword.value).unwrap_or(Place::Unknown);
-        self.statements(&block.body, place);
-    }
-
-    fn statements(&mut self, body: &'a [Statement], place: Place) {
-        body.iter().for_each(|statement| self.statement(statement, place));
-    }
-
-    fn statement(&mut self, statement: &'a Statement, place: Place) {
-        match statement {
-            Statement::Field(field) => self.field(field, place),
-            Statement::Block(block) => self.block(block),
-            Statement::Every { count, effect, prefix, body, .. } => {
-                self.expr(count);
-                self.effect(effect);
-                self.define(prefix);
-                self.statements(body, Place::Every);
-            }
-            Statement::Fault { rotors, effect, .. } => {
-                self.expr(rotors);
-                self.effect(effect);
-            }
-            Statement::Curve { parameter, range, options, body, .. } => {
-                self.define(parameter);
-                self.expr(range);
-                options.iter().for_each(|field| self.field(field, Place::Curve));
-                self.parameter = Some(parameter);
-                self.statements(body, Place::Curve);
-                self.parameter = None;
-            }
-            Statement::Rotor(clauses) => self.clauses(clauses, Place::Rotors),
-            Statement::Start(clauses) => self.clauses(clauses, Place::Mission),
-            Statement::Waypoint(clauses) => {
-                clauses.name.iter().for_each(|name| self.define(name));
-                self.clauses(clauses, Place::Mission);
-            }
-            Statement::Strike(clauses) => {
-                clauses.name.iter().for_each(|name| self.mode(&name.value, name.span));
-                self.clauses(clauses, Place::Simulate);
-            }
-            Statement::Hold { duration, .. } => self.expr(duration),
-            Statement::WaypointsFrom { path, .. } => self.note(path.span, What::Text),
-            Statement::Require { at_most, .. } => self.expr(at_most),
-            Statement::Limit { name, relation, .. } => {
-                self.note(name.span, What::Field(place));
-                match relation {
-                    LimitRelation::AtMost(expr) | LimitRelation::AtLeast(expr) | LimitRelation::In(expr) => {
-                        self.expr(expr);
-                    }
-                }
-            }
-            Statement::Moving { .. } | Statement::Broken(_) => {}
-        }
-    }
-
-    fn effect(&mut self, effect: &'a Effect) {
-        match effect {
-            Effect::Lost(_) => {}
-            Effect::Reduced(expr) | Effect::Stuck(expr) => self.expr(expr),
-        }
-    }
-
-    fn clauses(&mut self, clauses: &'a Clauses, place: Place) {
-        for clause in &clauses.clauses {
-            self.note(clause.word.span, What::Field(place));
-            let is_goal = clause.how.as_ref().is_some_and(|how| how.value == "towards");
-            if let Some(value) = &clause.value {
-                // `yaw towards tower`: a waypoint, unless a `let` has the name.
-                if let ExprKind::Name(name) = &value.kind
-                    && is_goal
-                    && self.names.binding(name).is_none()
-                {
-                    let goal = self.names.waypoint(name);
-                    goal.into_iter().for_each(|index| self.note(value.span, What::Reference(index)));
-                    continue;
-                }
-                self.value(value, place, &clause.word.value);
-            }
-        }
-        self.statements(&clauses.body, Place::Limits);
-    }
-
-    fn field(&mut self, field: &'a Field, place: Place) {
-        self.note(field.name.span, What::Field(place));
-        match &field.value {
-            FieldValue::Expr(expr) => self.value(expr, place, &field.name.value),
-            FieldValue::Where { field, value, .. } => {
-                self.note(field.span, What::Field(Place::Mode));
-                self.expr(value);
-            }
-        }
+    /// Visits parts of another place.
+    fn within(&mut self, place: Place, visit: impl FnOnce(&mut Self)) {
+        let around = std::mem::replace(&mut self.place, place);
+        visit(self);
+        self.place = around;
     }
 
     /// The value of a field, which may take words or names of its own.
-    fn value(&mut self, expr: &'a Expr, place: Place, field: &str) {
+    fn value(&mut self, expr: &'a Expr, field: &str) {
         let elements = match &expr.kind {
             ExprKind::List { elements, unit: None } => elements.as_slice(),
             _ => std::slice::from_ref(expr),
         };
-        let known = words(place, field);
-        let of_kind: Option<fn(&Names, &str) -> Option<usize>> = match (place, field) {
+        let known = words(self.place, field);
+        let of_kind: Option<fn(&Names, &str) -> Option<usize>> = match (self.place, field) {
             (Place::Plan, "against") => Some(Names::mode),
             (Place::Plan, "vehicle") => Some(Names::vehicle),
             (Place::Plan, "mission") => Some(Names::mission),
@@ -250,8 +144,109 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn unit(&mut self, unit: &Option<UnitText>) {
-        unit.iter().for_each(|unit| self.note(unit.span, What::Unit));
+    fn named(&mut self, name: &str, span: Span) {
+        let what = match self.parameter.filter(|parameter| parameter.value == name) {
+            Some(parameter) => self.names.declared_at(parameter.span).map(What::Reference),
+            None if crate::read::vocabulary::constants().contains(&name) => Some(What::Constant),
+            None => self.names.binding(name).map(What::Reference),
+        };
+        what.into_iter().for_each(|what| self.note(span, what));
+    }
+}
+
+impl<'a> Visit<'a> for Walk<'a> {
+    fn text(&mut self, text: &'a Spanned<String>) {
+        self.note(text.span, What::Text);
+    }
+
+    fn unit(&mut self, unit: &'a UnitText) {
+        self.note(unit.span, What::Unit);
+    }
+
+    fn item(&mut self, item: &'a Item) {
+        match item {
+            Item::Let(field) => {
+                self.define(&field.name);
+                if let FieldValue::Expr(expr) = &field.value {
+                    self.expr(expr);
+                }
+            }
+            _ => self.walk_item(item),
+        }
+    }
+
+    fn block(&mut self, block: &'a Block) {
+        self.note(block.keyword.span, What::Keyword);
+        // `require capture_height` defines nothing.
+        let defined = block.name.iter().filter(|_| block.keyword.value != "require");
+        defined.for_each(|name| self.define(name));
+        let place = Place::of_block(&block.keyword.value).unwrap_or(Place::Unknown);
+        self.within(place, |walk| walk.walk_block(block));
+    }
+
+    fn statement(&mut self, statement: &'a Statement) {
+        let place = match statement {
+            Statement::Every { prefix, .. } => {
+                self.define(prefix);
+                Place::Every
+            }
+            Statement::Curve { parameter, range, options, body, .. } => {
+                self.define(parameter);
+                self.expr(range);
+                return self.within(Place::Curve, |walk| {
+                    options.iter().for_each(|option| walk.field(option));
+                    walk.parameter = Some(parameter);
+                    walk.body(body);
+                    walk.parameter = None;
+                });
+            }
+            Statement::Rotor(_) => Place::Rotors,
+            Statement::Start(clauses) | Statement::Waypoint(clauses) => {
+                clauses.name.iter().for_each(|name| self.define(name));
+                Place::Mission
+            }
+            Statement::Strike(clauses) => {
+                clauses.name.iter().for_each(|name| self.mode(&name.value, name.span));
+                Place::Simulate
+            }
+            Statement::Limit { name, .. } => {
+                self.note(name.span, What::Field(self.place));
+                self.place
+            }
+            _ => self.place,
+        };
+        self.within(place, |walk| walk.walk_statement(statement));
+    }
+
+    fn clauses(&mut self, clauses: &'a Clauses) {
+        for clause in &clauses.clauses {
+            self.note(clause.word.span, What::Field(self.place));
+            let is_goal = clause.how.as_ref().is_some_and(|how| how.value == "towards");
+            if let Some(value) = &clause.value {
+                // `yaw towards tower`: a waypoint, unless a `let` has the name.
+                if let ExprKind::Name(name) = &value.kind
+                    && is_goal
+                    && self.names.binding(name).is_none()
+                {
+                    let goal = self.names.waypoint(name);
+                    goal.into_iter().for_each(|index| self.note(value.span, What::Reference(index)));
+                    continue;
+                }
+                self.value(value, &clause.word.value);
+            }
+        }
+        self.within(Place::Limits, |walk| walk.body(&clauses.body));
+    }
+
+    fn field(&mut self, field: &'a Field) {
+        self.note(field.name.span, What::Field(self.place));
+        match &field.value {
+            FieldValue::Expr(expr) => self.value(expr, &field.name.value),
+            FieldValue::Where { field, value, .. } => {
+                self.note(field.span, What::Field(Place::Mode));
+                self.expr(value);
+            }
+        }
     }
 
     fn expr(&mut self, expr: &'a Expr) {
@@ -261,40 +256,14 @@ impl<'a> Walk<'a> {
                 let most = unit.as_ref().map_or(expr.span.end, |unit| unit.span.start);
                 let end = most.min(expr.span.start + text.len() as u32);
                 self.note(Span { end, ..expr.span }, What::Number);
-                self.unit(unit);
             }
             ExprKind::Text(_) => self.note(expr.span, What::Text),
             ExprKind::Unknown => self.note(expr.span, What::Number),
             ExprKind::Name(name) => self.named(name, expr.span),
-            ExprKind::Call { function, arguments } => {
-                self.note(function.span, What::Function);
-                arguments.iter().for_each(|argument| self.expr(argument));
-            }
-            ExprKind::Negate(inner) => self.expr(inner),
-            ExprKind::Binary { left, right, .. }
-            | ExprKind::Interval { value: left, by: right }
-            | ExprKind::Range { low: left, high: right } => {
-                self.expr(left);
-                self.expr(right);
-            }
-            ExprKind::Paren { inner, unit } => {
-                self.expr(inner);
-                self.unit(unit);
-            }
-            ExprKind::List { elements, unit } => {
-                elements.iter().for_each(|element| self.expr(element));
-                self.unit(unit);
-            }
+            ExprKind::Call { function, .. } => self.note(function.span, What::Function),
+            _ => {}
         }
-    }
-
-    fn named(&mut self, name: &str, span: Span) {
-        let what = match self.parameter.filter(|parameter| parameter.value == name) {
-            Some(parameter) => self.names.declared_at(parameter.span).map(What::Reference),
-            None if crate::read::vocabulary::constants().contains(&name) => Some(What::Constant),
-            None => self.names.binding(name).map(What::Reference),
-        };
-        what.into_iter().for_each(|what| self.note(span, what));
+        self.walk_expr(expr);
     }
 }
 

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 /// What a name is the name of. Names of one kind differ; those of different kinds may be alike.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Kind {
+pub enum NameKind {
     Let,
     Vehicle,
     Mission,
@@ -18,24 +18,24 @@ pub enum Kind {
     Parameter,
 }
 
-impl Kind {
+impl NameKind {
     /// In words.
     pub fn phrase(self) -> &'static str {
         match self {
-            Kind::Let => "let",
-            Kind::Vehicle => "vehicle",
-            Kind::Mission => "mission",
-            Kind::Mode => "fault mode",
-            Kind::Modes => "fault modes",
-            Kind::Waypoint => "waypoint",
-            Kind::Parameter => "curve parameter",
+            NameKind::Let => "let",
+            NameKind::Vehicle => "vehicle",
+            NameKind::Mission => "mission",
+            NameKind::Mode => "fault mode",
+            NameKind::Modes => "fault modes",
+            NameKind::Waypoint => "waypoint",
+            NameKind::Parameter => "curve parameter",
         }
     }
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Definition {
-    pub kind: Kind,
+    pub kind: NameKind,
     pub name: String,
     /// Of the name.
     pub span: Span,
@@ -50,7 +50,7 @@ pub struct Definition {
 pub struct Names {
     pub definitions: Vec<Definition>,
     by_span: HashMap<Span, usize>,
-    by_name: HashMap<(Kind, String), usize>,
+    by_name: HashMap<(NameKind, String), usize>,
 }
 
 impl Names {
@@ -58,7 +58,7 @@ impl Names {
         let mut names = Names::default();
         for item in trees.iter().flat_map(|tree| &tree.items) {
             match item {
-                Item::Let(field) => names.add(Kind::Let, &field.name, field.span, &field.doc, None),
+                Item::Let(field) => names.add(NameKind::Let, &field.name, field.span, &field.doc, None),
                 Item::Block(block) => names.block(block),
                 _ => {}
             }
@@ -68,9 +68,9 @@ impl Names {
 
     fn block(&mut self, block: &Block) {
         let kind = match block.keyword.value.as_str() {
-            "vehicle" => Some(Kind::Vehicle),
-            "mission" => Some(Kind::Mission),
-            "mode" => Some(Kind::Mode),
+            "vehicle" => Some(NameKind::Vehicle),
+            "mission" => Some(NameKind::Mission),
+            "mode" => Some(NameKind::Mode),
             _ => None,
         };
         if let (Some(kind), Some(name)) = (kind, &block.name) {
@@ -80,17 +80,17 @@ impl Names {
             let span = statement.span();
             match statement {
                 Statement::Block(inner) => self.block(inner),
-                Statement::Every { prefix, doc, .. } => self.add(Kind::Modes, prefix, span, doc, None),
-                Statement::Curve { parameter, doc, .. } => self.add(Kind::Parameter, parameter, span, doc, None),
+                Statement::Every { prefix, doc, .. } => self.add(NameKind::Modes, prefix, span, doc, None),
+                Statement::Curve { parameter, doc, .. } => self.add(NameKind::Parameter, parameter, span, doc, None),
                 Statement::Waypoint(Clauses { name: Some(name), doc, .. }) => {
-                    self.add(Kind::Waypoint, name, span, doc, None);
+                    self.add(NameKind::Waypoint, name, span, doc, None);
                 }
                 _ => {}
             }
         }
     }
 
-    fn add(&mut self, kind: Kind, name: &Name, statement: Span, doc: &Option<String>, title: Option<String>) {
+    fn add(&mut self, kind: NameKind, name: &Name, statement: Span, doc: &Option<String>, title: Option<String>) {
         let index = self.definitions.len();
         let (span, doc) = (name.span, doc.clone());
         self.definitions.push(Definition { kind, name: name.value.clone(), span, statement, doc, title });
@@ -104,50 +104,50 @@ impl Names {
         self.by_span.get(&span).copied()
     }
 
-    fn named(&self, kind: Kind, name: &str) -> Option<usize> {
+    fn named(&self, kind: NameKind, name: &str) -> Option<usize> {
         self.by_name.get(&(kind, name.to_string())).copied()
     }
 
     pub fn binding(&self, name: &str) -> Option<usize> {
-        self.named(Kind::Let, name)
+        self.named(NameKind::Let, name)
     }
 
     pub fn waypoint(&self, name: &str) -> Option<usize> {
-        self.named(Kind::Waypoint, name)
+        self.named(NameKind::Waypoint, name)
     }
 
     pub fn vehicle(&self, name: &str) -> Option<usize> {
-        self.named(Kind::Vehicle, name)
+        self.named(NameKind::Vehicle, name)
     }
 
     pub fn mission(&self, name: &str) -> Option<usize> {
-        self.named(Kind::Mission, name)
+        self.named(NameKind::Mission, name)
     }
 
     /// A mode by its name: one declared alone, all modes of an `every`, or one of them, `M1_6` of `as M`.
     pub fn mode(&self, name: &str) -> Option<usize> {
-        let whole = self.named(Kind::Mode, name).or_else(|| self.named(Kind::Modes, name));
+        let whole = self.named(NameKind::Mode, name).or_else(|| self.named(NameKind::Modes, name));
         whole.or_else(|| {
             let prefixes = (1..name.len()).rev().filter(|&end| {
                 let is_number = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
                 name.is_char_boundary(end) && name[end..].split('_').all(is_number)
             });
-            prefixes.filter_map(|end| self.named(Kind::Modes, &name[..end])).next()
+            prefixes.filter_map(|end| self.named(NameKind::Modes, &name[..end])).next()
         })
     }
 
     /// The definitions of one name: itself, and for modes every `every` with the same name after `as`.
     pub fn alike(&self, index: usize) -> Vec<usize> {
         let definition = &self.definitions[index];
-        if definition.kind != Kind::Modes {
+        if definition.kind != NameKind::Modes {
             return vec![index];
         }
-        let is_alike = |d: &Definition| d.kind == Kind::Modes && d.name == definition.name;
+        let is_alike = |d: &Definition| d.kind == NameKind::Modes && d.name == definition.name;
         (0..self.definitions.len()).filter(|&k| is_alike(&self.definitions[k])).collect()
     }
 
     /// The names of one kind, in the order declared.
-    pub fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &Definition> {
+    pub fn of_kind(&self, kind: NameKind) -> impl Iterator<Item = &Definition> {
         self.definitions.iter().filter(move |d| d.kind == kind)
     }
 }

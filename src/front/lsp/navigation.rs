@@ -1,7 +1,7 @@
 //! From a name to where it is declared and to where it is used, in all files of a spec.
 
 use super::mentions::{Mention, What, written_name};
-use super::names::Kind;
+use super::names::NameKind;
 use super::workspace::Spec;
 use crate::source::{FileId, Span};
 use std::collections::BTreeSet;
@@ -14,7 +14,7 @@ pub fn target(spec: &Spec, file: FileId, offset: usize) -> Option<(usize, Span)>
         What::Definition(index) | What::Reference(index) => {
             let definition = &spec.names().definitions[index];
             let written = match definition.kind {
-                Kind::Modes => written_name(definition, mention.span),
+                NameKind::Modes => written_name(definition, mention.span),
                 _ => mention.span,
             };
             Some((index, written))
@@ -39,7 +39,7 @@ pub fn places(spec: &Spec, index: usize) -> Vec<Span> {
     let is_use = |m: &&Mention| matches!(m.what, What::Reference(to) if alike.contains(&to));
     let uses = spec.mentions().all().iter().filter(is_use);
     let written = uses.map(|m| match definition.kind {
-        Kind::Modes => written_name(definition, m.span),
+        NameKind::Modes => written_name(definition, m.span),
         _ => m.span,
     });
     let others = alike.iter().filter(|&&other| other != index).map(|&other| names.definitions[other].span);

@@ -4,7 +4,7 @@ use super::documents::range;
 use super::workspace::Spec;
 use crate::source::{FileId, Source, Span};
 use crate::syntax::ast::{Block, Clauses, Field, Item, Name, Statement};
-use crate::syntax::scan::{Kind, lexemes};
+use crate::syntax::scan::{LexemeKind, lexemes};
 use gen_lsp_types::{DocumentSymbol, FoldingRange, FoldingRangeKind, SymbolKind};
 
 /// Blocks, statements that have names, and fields, nested as in the text.
@@ -89,7 +89,7 @@ pub fn folds(source: &Source) -> Vec<FoldingRange> {
     };
     for lexeme in lexemes(&source.text) {
         match lexeme.kind {
-            Kind::Comment | Kind::Doc => {
+            LexemeKind::Comment | LexemeKind::Doc => {
                 let at = line(lexeme.start);
                 let alone = source.text[source.line(at as usize + 1).start..lexeme.start].trim().is_empty();
                 comments = match comments {
@@ -100,8 +100,8 @@ pub fn folds(source: &Source) -> Vec<FoldingRange> {
                     }
                 };
             }
-            Kind::Mark(mark @ ('{' | '[' | '(')) => open.push((mark, line(lexeme.start))),
-            Kind::Mark(mark @ ('}' | ']' | ')')) => {
+            LexemeKind::Mark(mark @ ('{' | '[' | '(')) => open.push((mark, line(lexeme.start))),
+            LexemeKind::Mark(mark @ ('}' | ']' | ')')) => {
                 let opening = match mark {
                     '}' => '{',
                     ']' => '[',

@@ -3,12 +3,12 @@
 //! The specs are compiled again with the new name. Where that makes an error, or the name then means something else
 //! somewhere, nothing is renamed.
 
-use super::names::Kind;
+use super::names::NameKind;
 use super::navigation::{Somewhere, declared_in, places, places_in_all};
 use super::workspace::{Spec, Workspace};
 use crate::read::vocabulary::{constants, functions, reserved_modes};
 use crate::source::Span;
-use crate::syntax::ast::{Item, Statement};
+use crate::syntax::visit::Visit;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
@@ -40,7 +40,7 @@ pub fn rename(
     Ok(edits)
 }
 
-fn check_name(kind: Kind, new: &str) -> Result<(), String> {
+fn check_name(kind: NameKind, new: &str) -> Result<(), String> {
     let is_word = new.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     if new.is_empty() || !is_word || new.starts_with(|c: char| c.is_ascii_digit()) {
         return Err(format!(
@@ -49,34 +49,26 @@ fn check_name(kind: Kind, new: &str) -> Result<(), String> {
         ));
     }
     let reserved = match kind {
-        Kind::Let => functions().contains(&new) || constants().contains(&new),
-        Kind::Mode | Kind::Modes => reserved_modes().contains(&new),
+        NameKind::Let => functions().contains(&new) || constants().contains(&new),
+        NameKind::Mode | NameKind::Modes => reserved_modes().contains(&new),
         _ => false,
     };
     if reserved { Err(format!("`{new}` belongs to the language")) } else { Ok(()) }
 }
 
 /// A statement that cannot be read may use the name, and would keep the old one.
-fn check_broken(spec: &Spec, old: &str, kind: Kind) -> Result<(), String> {
-    fn within(body: &[Statement], into: &mut Vec<Span>) {
-        for statement in body {
-            if let Statement::Broken(span) = statement {
-                into.push(*span);
-            }
-            within(statement.body(), into);
+fn check_broken(spec: &Spec, old: &str, kind: NameKind) -> Result<(), String> {
+    struct Broken(Vec<Span>);
+    impl<'t> Visit<'t> for Broken {
+        fn broken(&mut self, span: &'t Span) {
+            self.0.push(*span);
         }
     }
-    let mut broken = Vec::new();
-    for item in spec.files.files.iter().flat_map(|tree| &tree.items) {
-        match item {
-            Item::Broken(span) => broken.push(*span),
-            Item::Block(block) => within(&block.body, &mut broken),
-            _ => {}
-        }
-    }
-    for span in broken {
+    let mut broken = Broken(Vec::new());
+    spec.files.files.iter().for_each(|tree| broken.file(tree));
+    for span in broken.0 {
         let words = spec.snippet(span).split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
-        let is_meant = |word: &str| word == old || kind == Kind::Modes && word.starts_with(old);
+        let is_meant = |word: &str| word == old || kind == NameKind::Modes && word.starts_with(old);
         if words.into_iter().any(is_meant) {
             let source = spec.source(span.file);
             let line = source.place(span.start as usize).line;

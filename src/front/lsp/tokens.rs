@@ -1,11 +1,11 @@
 //! Semantic tokens: what every word is, by the tree where there is one, by its form elsewhere.
 
 use super::mentions::What;
-use super::names::Kind;
+use super::names::NameKind;
 use super::workspace::Spec;
 use crate::source::FileId;
 use crate::syntax::Place;
-use crate::syntax::scan::{Kind as Lexical, lexemes};
+use crate::syntax::scan::{LexemeKind, lexemes};
 use gen_lsp_types::{SemanticToken, SemanticTokenModifiers, SemanticTokenTypes, SemanticTokensLegend};
 use std::collections::HashMap;
 
@@ -81,8 +81,8 @@ pub fn tokens(spec: &Spec, file: FileId) -> Vec<SemanticToken> {
         }
         let (mut end, mut modifiers) = (lexeme.end, 0);
         let token = match (meant.get(&lexeme.start), lexeme.kind) {
-            (_, Lexical::Comment) => Token::Comment,
-            (_, Lexical::Doc) => {
+            (_, LexemeKind::Comment) => Token::Comment,
+            (_, LexemeKind::Doc) => {
                 modifiers = DOCUMENTATION;
                 Token::Comment
             }
@@ -92,18 +92,18 @@ pub fn tokens(spec: &Spec, file: FileId) -> Vec<SemanticToken> {
                 modifiers = of_what;
                 token
             }
-            (None, Lexical::Text | Lexical::UnclosedText) => Token::Text,
-            (None, Lexical::Number) => Token::Number,
-            (None, Lexical::Word) => {
+            (None, LexemeKind::Text | LexemeKind::UnclosedText) => Token::Text,
+            (None, LexemeKind::Number) => Token::Number,
+            (None, LexemeKind::Word) => {
                 let word = lexeme.text(text);
                 if !Place::opens_statement(word) && !JOINING.contains(&word) {
                     continue;
                 }
                 Token::Keyword
             }
-            (None, Lexical::Mark('=' | '<' | '>' | '+' | '-' | '*' | '/' | '^')) => Token::Operator,
-            (None, Lexical::Pair) if lexeme.text(text) != ".." => Token::Operator,
-            (None, Lexical::Mark(_) | Lexical::Pair | Lexical::Newline) => continue,
+            (None, LexemeKind::Mark('=' | '<' | '>' | '+' | '-' | '*' | '/' | '^')) => Token::Operator,
+            (None, LexemeKind::Pair) if lexeme.text(text) != ".." => Token::Operator,
+            (None, LexemeKind::Mark(_) | LexemeKind::Pair | LexemeKind::Newline) => continue,
         };
         until = end;
         encoder.push(lexeme.start, end, token, modifiers);
@@ -113,12 +113,12 @@ pub fn tokens(spec: &Spec, file: FileId) -> Vec<SemanticToken> {
 
 fn of(spec: &Spec, what: What) -> (Token, u32) {
     let of_name = |index: usize| match spec.names().definitions[index].kind {
-        Kind::Let => Token::Variable,
-        Kind::Vehicle => Token::Vehicle,
-        Kind::Mission => Token::Mission,
-        Kind::Mode | Kind::Modes => Token::Mode,
-        Kind::Waypoint => Token::Waypoint,
-        Kind::Parameter => Token::Parameter,
+        NameKind::Let => Token::Variable,
+        NameKind::Vehicle => Token::Vehicle,
+        NameKind::Mission => Token::Mission,
+        NameKind::Mode | NameKind::Modes => Token::Mode,
+        NameKind::Waypoint => Token::Waypoint,
+        NameKind::Parameter => Token::Parameter,
     };
     match what {
         What::Field(_) => (Token::Property, 0),

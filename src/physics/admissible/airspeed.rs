@@ -60,9 +60,12 @@ impl Airspeed {
         let spread = model.vehicle.mass_spread;
         let ends = [spread.low, spread.high].map(|share| {
             let weight = share * model.vehicle.mass * model.gravity;
+            let (low, high) = full?;
+            let (least, most) = thrusts(weight, low, high, model.plan.reserve)?;
             let by_thrust = match is_isotropic {
-                true => thrust_across(weight, full?, model.plan.reserve)? / drag,
-                false => in_the_worst_heading(model, thrusts(weight, full?, model.plan.reserve)?),
+                // The largest horizontal component of a thrust whose vertical one holds the weight.
+                true => (most * most - weight * weight).sqrt() / drag,
+                false => in_the_worst_heading(model, least, most),
             };
             let by_tilt = least_tilt(model).map_or(f64::INFINITY, |tilt| weight * tilt.tan() / drag);
             Some(match by_tilt < by_thrust {
@@ -78,22 +81,15 @@ impl Airspeed {
     }
 }
 
-/// The smallest and the largest thrust (N) between the `[low, high]` of the set (N) that leave the reserve about a
-/// weight (N); `None` if the weight is not between these.
-fn thrusts(weight: f64, (low, high): (f64, f64), reserve: f64) -> Option<(f64, f64)> {
+/// The smallest and the largest thrust (N) between the lowest and the highest of the set (N) that leave the reserve
+/// about a weight (N); `None` if the weight is not between these.
+fn thrusts(weight: f64, low: f64, high: f64, reserve: f64) -> Option<(f64, f64)> {
     let edge = edge::width(&Wrench::new(weight, 0.0, 0.0, 0.0));
     if weight < low - edge || weight > high + edge {
         return None;
     }
     let kept = |room: f64| (1.0 - reserve) * room.max(0.0);
     Some((weight - kept(weight - low), weight + kept(high - weight)))
-}
-
-/// The largest horizontal component (N) of a thrust whose vertical one holds a weight (N) and whose length leaves the
-/// reserve; see [`thrusts`].
-fn thrust_across(weight: f64, range: (f64, f64), reserve: f64) -> Option<f64> {
-    let (_, most) = thrusts(weight, range, reserve)?;
-    Some((most * most - weight * weight).sqrt())
 }
 
 /// Headings relative to the motion at which the airspeed is computed, in a quarter turn: the drag is the same in all
@@ -109,7 +105,7 @@ const HALVINGS: usize = 50;
 /// The largest speed (m/s) of steady level flight up to which the thrust is between `least` and `most` (N) whatever the
 /// angle between nose and motion, sampled at [`HEADINGS`]; the last of [`SPEEDS`] if the thrust never leaves this
 /// range.
-fn in_the_worst_heading(model: &Model, (least, most): (f64, f64)) -> f64 {
+fn in_the_worst_heading(model: &Model, least: f64, most: f64) -> f64 {
     let still = Environment { wind: [0.0; 3], ..model.environment() };
     let edge = edge::width(&Wrench::new(most, 0.0, 0.0, 0.0));
     let is_possible = |speed: f64| {

@@ -98,12 +98,12 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     let planes: Vec<Plane> = rows.iter().map(|r| plane(1.0, r)).chain(other_sides).collect();
     let environment = model.environment();
     let largest = |wrench: &OverWinds| rows.iter().map(|row| wrench.worst(row)).fold(f64::NEG_INFINITY, f64::max);
-    let mut found = vec![kept_facets((setting.dynamics(), &motion), Held::Wrench, &planes, trajectory, |_, state| {
+    let mut found = vec![kept_facets(setting.dynamics(), &motion, Held::Wrench, &planes, trajectory, |_, state| {
         largest(&trajectory.in_every_wind(&model.vehicle, &environment, state))
     })];
     let cores: Vec<&SetRow> = run.set.rows.iter().filter(|row| row.core.is_some()).collect();
     if !cores.is_empty() {
-        found.push(kept_cores((setting.dynamics(), &motion), &cores, trajectory, model));
+        found.push(kept_cores(setting.dynamics(), &motion, &cores, trajectory, model));
     }
     found.extend(mission.limits.iter().map(|limit| kept_limit(&setting, &motion, limit, trajectory)));
     if let Some((held, tau)) = setting.commands().zip(model.thrust_lag()) {
@@ -113,7 +113,7 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
             let rows = rows.iter().filter(|r| !r.equality);
             rows.map(|row| commanded.worst(row)).fold(f64::NEG_INFINITY, f64::max)
         };
-        found.push(kept_facets((setting.dynamics(), &motion), held, &planes, trajectory, |k, state| {
+        found.push(kept_facets(setting.dynamics(), &motion, held, &planes, trajectory, |k, state| {
             largest(&trajectory.commanded_in_every_wind(&model.vehicle, &environment, tau, k, state))
         }));
     }
@@ -123,7 +123,8 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
 /// The result for the imposed facets: how many are proved, and otherwise what a grid shows. `violation` is the largest
 /// violation at a state of an interval.
 fn kept_facets(
-    (dynamics, motion): (&Dynamics, &Motion),
+    dynamics: &Dynamics,
+    motion: &Motion,
     held: Held,
     planes: &[Plane],
     trajectory: &Trajectory,
@@ -144,7 +145,8 @@ fn kept_facets(
 
 /// The result for rows of cores, like [`kept_facets`].
 fn kept_cores(
-    (dynamics, motion): (&Dynamics, &Motion),
+    dynamics: &Dynamics,
+    motion: &Motion,
     rows: &[&SetRow],
     trajectory: &Trajectory,
     model: &Model,

@@ -60,7 +60,8 @@ pub fn certificate(
     problem: Problem,
     run: &PlannerRun,
     total: f64,
-    (selected_by, sha256): (&[Trajectory], String),
+    selected_by: &[Trajectory],
+    sha256: String,
 ) -> Result<Certificate, String> {
     let (model, mission) = (problem.model(), problem.mission());
     let healthy = AdmissibleSet::healthy(model);

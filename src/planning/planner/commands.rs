@@ -64,7 +64,8 @@ impl Transcription<'_> {
     pub(super) fn command_derivative(
         &self,
         at: CommandAt,
-        (axis, order): (usize, usize),
+        axis: usize,
+        order: usize,
         jump: &dyn Fn(usize, usize, usize) -> Affine,
     ) -> Option<Affine> {
         let (instant, slope) = at;

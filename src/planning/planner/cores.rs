@@ -4,10 +4,28 @@ use crate::admissible::row::SetRow;
 use crate::admissible::without_yaw::planned::{CoreRow, Turning};
 use crate::motion::turning::TurningMap;
 use crate::motion::wrench_model::WrenchModel;
-use crate::motion::{NodeState, Z, between};
+use crate::motion::{NodeState, Z, state_between};
 use crate::planner::transcription::Transcription;
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
+
+/// A row of a core at an instant.
+#[derive(Clone, Copy)]
+pub(super) struct CoreAt<'r> {
+    pub row: &'r SetRow,
+    pub core: &'r CoreRow,
+    /// The row's index in the set.
+    pub facet: usize,
+    pub instant: usize,
+}
+
+/// A row is multiplied by `(1 + change)^order`, to first order in the change.
+#[derive(Clone, Copy)]
+pub(super) struct Scaling<'e> {
+    /// The relative change of the duration (69).
+    pub change: &'e Affine,
+    pub order: f64,
+}
 
 impl Transcription<'_> {
     /// The wrench model whose integrators these are, as far as turning depends on it.
@@ -29,7 +47,7 @@ impl Transcription<'_> {
         }
         let step = self.grid.node_times[interval + 1] - self.grid.node_times[interval];
         let share = part as f64 / self.parts as f64;
-        between(&states[interval], &states[interval + 1], step, share * step, self.turning_model())
+        state_between(&states[interval], &states[interval + 1], step, share * step, self.turning_model())
     }
 
     /// Whether rows at nodes have to hold between them too: about hover the turning is a quadratic polynomial of time
@@ -73,36 +91,23 @@ impl Transcription<'_> {
         at
     }
 
-    /// Adds a row of a core, wider by `free`; `change` is the relative change of the duration (69), in which the row is
-    /// multiplied by `(1 + delta)^order`, order being the highest of the derivatives.
-    pub(super) fn core(
-        &self,
-        builder: &mut Builder,
-        (row, core): (&SetRow, &CoreRow),
-        (facet, instant): (usize, usize),
-        free: &Affine,
-        (change, order): (&Affine, f64),
-    ) {
+    /// Adds a row of a core, wider by `free`; the order of `scaling` is that of the highest derivative.
+    pub(super) fn core(&self, builder: &mut Builder, at: CoreAt, free: &Affine, scaling: Scaling) {
+        let instant = at.instant;
         let near = self.state_near(instant);
         let map = self.turning_model().turning_map(&self.model.vehicle, &self.model.environment(), &near);
         let beside = self.spans_intervals() && instant + 1 < self.nodes();
         for third in [false, true].into_iter().take(1 + usize::from(beside)) {
-            let turning = self.turning_expression((&map, &near), (instant, third), (change, order));
-            self.core_at(builder, (row, core), (facet, instant), turning, (free, change, order));
+            let turning = self.turning_expression(&map, &near, instant, third, scaling);
+            self.core_at(builder, at, turning, free, scaling);
         }
     }
 
     /// One cone of a row.
-    fn core_at(
-        &self,
-        builder: &mut Builder,
-        (row, core): (&SetRow, &CoreRow),
-        (facet, instant): (usize, usize),
-        turning: [Affine; 5],
-        (free, change, order): (&Affine, &Affine, f64),
-    ) {
+    fn core_at(&self, builder: &mut Builder, at: CoreAt, turning: [Affine; 5], free: &Affine, scaling: Scaling) {
+        let CoreAt { row, core, facet, instant } = at;
         let mut room = free.clone().plus_constant(row.offset);
-        room.add(change, order * row.offset);
+        room.add(scaling.change, scaling.order * row.offset);
         room.add(&turning[0], -row.normal[0]);
         let origin = RowOrigin::Facet { facet, node: instant / self.parts };
         if core.torque == 0.0 {
@@ -128,26 +133,28 @@ impl Transcription<'_> {
         builder.cone(cone, origin);
     }
 
-    /// The components of the turning at an instant, each times `(1 + delta)^order`, to first order in delta.
+    /// The components of the turning at an instant, scaled.
     fn turning_expression(
         &self,
-        (map, near): (&TurningMap, &NodeState),
-        (instant, third): (usize, bool),
-        (change, order): (&Affine, f64),
+        map: &TurningMap,
+        near: &NodeState,
+        instant: usize,
+        third: bool,
+        scaling: Scaling,
     ) -> [Affine; 5] {
         let now = map.at(near);
         let derivatives: Vec<Affine> =
             map.terms.iter().map(|&(axis, order, _)| self.derivative_in(instant, third, axis, order)).collect();
         std::array::from_fn(|i| {
             let mut sum = Affine::constant(map.constant[i]);
-            let mut by_time = order * now[i];
+            let mut by_time = scaling.order * now[i];
             for (&(axis, order, c), derivative) in map.terms.iter().zip(&derivatives) {
                 if c[i] != 0.0 && self.plans(axis) {
                     sum.add(derivative, c[i]);
                     by_time -= c[i] * order as f64 * near[axis][order];
                 }
             }
-            sum.add(change, by_time);
+            sum.add(scaling.change, by_time);
             sum
         })
     }

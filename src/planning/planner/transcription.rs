@@ -15,6 +15,7 @@ use crate::motion::hover_map::{ORDER, WrenchMap};
 use crate::motion::time_grid::TimeGrid;
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::commands::{CommandAt, CommandMaps, Slope};
+use crate::planner::cores::{CoreAt, Scaling};
 use crate::planner::limits::{Widening, is_of_yaw};
 use crate::planner::selection::PlanningSet;
 use crate::planner::spline::NodeSpline;
@@ -365,7 +366,8 @@ impl<'a> Transcription<'a> {
                 Row::Facet(facet) => {
                     let row = &self.set.rows[facet];
                     if let Some(core) = &row.core {
-                        self.core(&mut builder, (row, core), (facet, instant), &widening, (&Affine::default(), 0.0));
+                        let scaling = Scaling { change: &Affine::default(), order: 0.0 };
+                        self.core(&mut builder, CoreAt { row, core, facet, instant }, &widening, scaling);
                         continue;
                     }
                     let mut expression = along(instant, &-row.normal).plus_constant(row.offset);

@@ -51,7 +51,7 @@ impl Transcription<'_> {
         jump: &dyn Fn(usize, usize, usize) -> Affine,
     ) -> Option<WrenchExpression> {
         let part =
-            |&(axis, order, c): &(usize, usize, Wrench)| Some((self.command_derivative(at, (axis, order), jump)?, c));
+            |&(axis, order, c): &(usize, usize, Wrench)| Some((self.command_derivative(at, axis, order, jump)?, c));
         let parts: Option<Vec<_>> = map.terms.iter().map(part).collect();
         Some(WrenchExpression::of(map.constant, parts?))
     }

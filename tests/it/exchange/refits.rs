@@ -3,7 +3,7 @@
 use super::{Planned, close, table, turn};
 use mavc::exchange::trajectory::{Choices, Format, write};
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::motion::{NodeState, Trajectory, YAW, between};
+use mavc::motion::{NodeState, Trajectory, YAW, state_between};
 
 /// A trajectory with steps of 0.3 s whose fifth derivatives jump.
 fn rough(count: usize) -> Trajectory {
@@ -16,7 +16,7 @@ fn rough(count: usize) -> Trajectory {
             right[axis][if axis == YAW { 2 } else { 4 }] =
                 (1.7 * k as f64 + axis as f64).sin() * if axis == YAW { 2.0 } else { 60.0 };
         }
-        nodes.push(between(&left, &right, h, h, WrenchModel::Exact));
+        nodes.push(state_between(&left, &right, h, h, WrenchModel::Exact));
     }
     let times = (0..=count).map(|k| h * k as f64).collect();
     Trajectory { times, nodes, waypoint_nodes: vec![0, count], model: WrenchModel::Exact }

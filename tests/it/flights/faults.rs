@@ -6,8 +6,7 @@ use mavc::actuation::Actuation;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::verdict::{Verdict, analyze};
 use mavc::flight::{Sortie, fly};
-use mavc::model::RotorState;
-use mavc::model::{Detection, Model};
+use mavc::model::{Detection, LostYaw, Model, RotorState};
 use nalgebra::Vector3;
 
 /// All losses of two rotors.
@@ -31,7 +30,7 @@ fn margin(model: &Model, mode: usize) -> (Verdict, f64) {
 /// Struck at 2 s into hover at 10 m, at rest; whether the vehicle is still there at 12 s, whatever its heading.
 fn survives(model: &Model, mode: usize, seed: u64) -> bool {
     let mut model = model.clone();
-    model.simulation.lost_yaw = None;
+    model.simulation.lost_yaw = LostYaw::Off;
     let plan = staying([0.0, 0.0, 10.0], 0.0, 12.0);
     let strikes = [strike(mode, 2.0)];
     fly(&Sortie { seed, ..sortie(&model, &plan, &strikes) }, None).outcome.is_survived()

@@ -5,8 +5,7 @@ use crate::vehicles::{lost, octocopter, quadcopter};
 use mavc::flight::body::Body;
 use mavc::flight::heading::{DEFINED_UP_TO, Heading, Patience, wrapped};
 use mavc::flight::{Cause, Outcome, Sample, Sortie, fly};
-use mavc::model::RotorState;
-use mavc::model::{Controller, Detection, GiveUpYaw, Model};
+use mavc::model::{Controller, Detection, GiveUpYaw, LostYaw, Model, RotorState};
 use mavc::motion::{X, Y, YAW};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -59,7 +58,7 @@ fn near_ninety_degrees_of_tilt_the_last_error_is_kept() {
 
 /// When the patience of 1 s with 90 degrees ends for a heading error that is given over time.
 fn over_at(error: impl Fn(f64) -> f64) -> Option<f64> {
-    let mut patience = Patience::new(Some(FRAC_PI_2), 1.0);
+    let mut patience = Patience::new(LostYaw::Beyond(FRAC_PI_2), 1.0);
     (0..10_000).map(|i| f64::from(i) * 2e-3).find(|t| patience.is_over(wrapped(error(*t)), 2e-3))
 }
 
@@ -101,7 +100,7 @@ fn a_vehicle_that_keeps_its_place_and_spins_is_lost_by_heading() {
     assert!(!flight.outcome.is_survived() && flight.heading.max > FRAC_PI_2 && flight.heading.max <= PI);
     assert_eq!(flight.heading.max, flight.heading.max_after);
     // The old meaning, on request: the same flight goes on to its end.
-    model.simulation.lost_yaw = None;
+    model.simulation.lost_yaw = LostYaw::Off;
     let (flight, all) = seen(&sortie(&model, &plan, &strikes), |s: &Sample| (s.time, s.heading, s.body.rates.z));
     assert_eq!(flight.outcome, Outcome::Flown);
     // Counted once more, from the rate about a vertical that it keeps.
@@ -112,7 +111,7 @@ fn a_vehicle_that_keeps_its_place_and_spins_is_lost_by_heading() {
     let squares: f64 = all.iter().map(|(_, heading, _)| heading.error().powi(2)).sum();
     assert!((flight.heading.rms - (squares / all.len() as f64).sqrt()).abs() < 0.01, "{flight:?}");
     // Angle and time are the spec's.
-    (model.simulation.lost_yaw, model.simulation.lost_yaw_after) = (Some(0.1), 0.2);
+    (model.simulation.lost_yaw, model.simulation.lost_yaw_after) = (LostYaw::Beyond(0.1), 0.2);
     let strict = fly(&sortie(&model, &plan, &strikes), None);
     assert!(
         matches!(strict.outcome, Outcome::Lost { cause: Cause::Heading, at: soon, .. } if soon < at - 1.0),

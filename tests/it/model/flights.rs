@@ -2,7 +2,7 @@
 
 use super::{QUAD, check, codes, model};
 use mavc::language::Group;
-use mavc::model::{AfterFault, Controller, Detection, Model, PlannerKind, Simulation};
+use mavc::model::{AfterFault, Controller, Detection, LostYaw, Model, PlannerKind, Simulation};
 use mavc::read::{coarse_step, past_the_end, too_many_steps};
 
 const REST: &str =
@@ -73,7 +73,7 @@ fn every_field_is_read() {
     assert!((s.gyroscope_range - 1000_f64.to_radians()).abs() < 1e-12);
     assert_eq!((s.drag, s.wind, s.gusts, s.gust_length), ([0.3; 3], [3.0, 0.0, -1.0], 1.0, 40.0));
     assert_eq!((s.seed, s.lost_beyond, s.upside_down, s.ground, s.written), (7, 3.0, 0.25, -1.0, true));
-    assert_eq!((s.lost_yaw, s.lost_yaw_after), (Some(std::f64::consts::FRAC_PI_4), 2.0));
+    assert_eq!((s.lost_yaw, s.lost_yaw_after), (LostYaw::Beyond(std::f64::consts::FRAC_PI_4), 2.0));
     // By time; those of one time as written.
     let faults: Vec<_> = s.faults.iter().map(|f| (f.mode, f.at, f.until)).collect();
     assert_eq!(faults, [(0, 5.0, None), (2, 8.0, Some(10.0)), (1, 8.0, None)]);
@@ -85,14 +85,15 @@ fn every_field_is_read() {
 
 #[test]
 fn heading_may_be_left_out_of_what_is_judged() {
-    assert_eq!(flown("simulate { lost_yaw = off }").simulation.lost_yaw, None);
+    assert_eq!(flown("simulate { lost_yaw = off }").simulation.lost_yaw, LostYaw::Off);
     // A word of the language goes before a `let` of that name, and a `let` may hold the angle.
     assert_eq!(
         flown("let off = 3 deg\nsimulate { lost_yaw = off; gyroscope_noise = off/(1 s) }").simulation.lost_yaw,
-        None
+        LostYaw::Off
     );
     let held = flown("let most = 0.25 rev\nsimulate { lost_yaw = most }").simulation.lost_yaw;
-    assert!((held.unwrap() - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    let LostYaw::Beyond(held) = held else { panic!("{held:?}") };
+    assert!((held - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     for wrong in ["0 deg", "-90 deg", "180 deg", "10 rad", "of", "never"] {
         let found = codes(&format!("{QUAD}{REST}simulate {{ lost_yaw = {wrong} }}"));
         assert_eq!(found, ["mavc::simulate::lost_yaw"], "{wrong}");

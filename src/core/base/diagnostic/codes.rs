@@ -23,7 +23,8 @@ const BOOKS: [(&str, &str); 5] = [
     ("import", include_str!("../../pages/import.md")),
 ];
 
-static PAGES: LazyLock<Vec<CodePage>> = LazyLock::new(|| BOOKS.into_iter().flat_map(pages).collect());
+static PAGES: LazyLock<Vec<CodePage>> =
+    LazyLock::new(|| BOOKS.into_iter().flat_map(|(book, text)| pages(book, text)).collect());
 
 /// Every code, in the order of the documentation.
 pub fn all() -> &'static [CodePage] {
@@ -50,7 +51,7 @@ impl CodePage {
 }
 
 /// The sections of one file that begin with `## mavc::..`.
-fn pages((book, text): (&'static str, &'static str)) -> impl Iterator<Item = CodePage> {
+fn pages(book: &'static str, text: &'static str) -> impl Iterator<Item = CodePage> {
     text.split("\n## ").skip(1).filter_map(move |section| {
         let (code, page) = section.split_once('\n')?;
         let page = page.trim();

@@ -18,7 +18,7 @@ struct Record<'a> {
     #[cfg_attr(test, schemars(length(min = 1)))]
     message: &'a str,
     #[serde(flatten)]
-    place: Place<'a>,
+    place: JsonPlace<'a>,
     /// Related places, the problem's own first if it has a message.
     labels: Vec<Label<'a>>,
     /// How to fix it.
@@ -34,7 +34,7 @@ struct Fix<'a> {
     /// The replacement text; empty to delete.
     text: &'a str,
     #[serde(flatten)]
-    place: Place<'a>,
+    place: JsonPlace<'a>,
 }
 
 /// A related place.
@@ -44,13 +44,13 @@ struct Label<'a> {
     /// The message at this place.
     message: &'a str,
     #[serde(flatten)]
-    place: Place<'a>,
+    place: JsonPlace<'a>,
 }
 
 /// A place in a file.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-struct Place<'a> {
+struct JsonPlace<'a> {
     /// The file's name as given.
     file: &'a str,
     /// First line, from 1.
@@ -84,10 +84,10 @@ pub fn to_json_line(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
     visible::json(serde_json::to_string(&record).expect("texts and numbers always serialise"))
 }
 
-fn place(span: Span, sources: &SourceMap) -> Place<'_> {
+fn place(span: Span, sources: &SourceMap) -> JsonPlace<'_> {
     let source = sources.get(span.file);
     let (start, end) = (source.place(span.start as usize), source.place(span.end as usize));
-    Place { file: &source.name, line: start.line, column: start.column, end_line: end.line, end_column: end.column }
+    JsonPlace { file: &source.name, line: start.line, column: start.column, end_line: end.line, end_column: end.column }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Consecutive lines share columns: `=` and relations, the coordinates of rotors, comments.
 
 use super::line::Line;
-use super::role::Kind;
+use super::role::Alignment;
 
 /// Comments after statements, not after the braces of a block, begin in this column or later, counted from 0.
 const COMMENT_COLUMN: usize = 34;
@@ -21,7 +21,7 @@ pub fn line_up(lines: &mut [Line]) {
 }
 
 /// Consecutive lines of one shape are aligned; a line with a wide cell has no shape.
-fn shape(line: &Line) -> Option<(Kind, usize)> {
+fn shape(line: &Line) -> Option<(Alignment, usize)> {
     let starts = std::iter::once(0).chain(line.stops.iter().map(|stop| stop.end));
     let mut cells = starts.zip(&line.stops).map(|(start, stop)| width(&line.text[start..stop.end]));
     let kind = line.kind.filter(|_| cells.all(|cell| cell <= WIDEST_CELL));

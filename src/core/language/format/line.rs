@@ -1,7 +1,7 @@
 //! Tokens to lines. Lines break where the author broke them; a block that is not on one line has a line for its head,
 //! and one for its closing brace.
 
-use super::role::{Kind, Role, Roles};
+use super::role::{Alignment, Role, Roles};
 use super::token::{Sort, Token};
 use std::fmt;
 use std::ops::Range;
@@ -20,7 +20,7 @@ pub struct Line<'a> {
     pub blank_before: bool,
     /// Lines of one number follow each other and may be lined up.
     pub run: usize,
-    pub kind: Option<Kind>,
+    pub kind: Option<Alignment>,
     /// Where lines of one kind are lined up.
     pub stops: Vec<Stop>,
 }
@@ -282,12 +282,14 @@ impl<'a> Writer<'_, 'a> {
 }
 
 /// Where a statement of this kind is aligned; `placed` are its tokens and their offsets.
-fn stops(kind: Kind, placed: &[(Token, usize)], roles: &Roles) -> Vec<Stop> {
+fn stops(kind: Alignment, placed: &[(Token, usize)], roles: &Roles) -> Vec<Stop> {
     let at = |found: Option<&(Token, usize)>| found.map(|&(_, at)| Stop { start: at, end: at });
     match kind {
-        Kind::Field | Kind::Let => at(placed.iter().find(|(token, _)| token.text == "=")).into_iter().collect(),
-        Kind::Limit => at(placed.get(1)).into_iter().collect(),
-        Kind::Rotor(_) => {
+        Alignment::Field | Alignment::Let => {
+            at(placed.iter().find(|(token, _)| token.text == "=")).into_iter().collect()
+        }
+        Alignment::Limit => at(placed.get(1)).into_iter().collect(),
+        Alignment::Rotor(_) => {
             let coordinate = |&(token, start): &(Token, usize)| {
                 let end = roles.coordinates.get(&token.start)?;
                 let (last, at) = placed.iter().take_while(|(token, _)| token.start < *end).last()?;

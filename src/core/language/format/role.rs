@@ -2,6 +2,7 @@
 
 use crate::source::Span;
 use crate::syntax::ast::*;
+use crate::syntax::visit::Visit;
 use std::collections::HashMap;
 
 /// How a word or mark behaves inside its line.
@@ -21,7 +22,7 @@ pub enum Role {
 
 /// Statements that are lined up with neighbours of their kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum Alignment {
     /// At `=`.
     Field,
     /// At `=`.
@@ -37,21 +38,14 @@ pub enum Kind {
 pub struct Roles {
     pub words: HashMap<usize, Role>,
     /// By the first byte of the statement.
-    pub kinds: HashMap<usize, Kind>,
-    /// First byte and end of each coordinate of a [`Kind::Rotor`].
+    pub kinds: HashMap<usize, Alignment>,
+    /// First byte and end of each coordinate of an [`Alignment::Rotor`].
     pub coordinates: HashMap<usize, usize>,
 }
 
 pub fn roles(file: &SpecFile) -> Roles {
     let mut roles = Roles::default();
-    for item in &file.items {
-        match item {
-            Item::Let(field) => roles.field(field, Some(Kind::Let)),
-            Item::Field(field) => roles.field(field, Some(Kind::Field)),
-            Item::Block(block) => roles.body(&block.body),
-            Item::Use(_) | Item::Broken(_) => {}
-        }
-    }
+    roles.file(file);
     roles
 }
 
@@ -59,72 +53,55 @@ fn start(span: Span) -> usize {
     span.start as usize
 }
 
-impl Roles {
-    fn body(&mut self, statements: &[Statement]) {
-        statements.iter().for_each(|statement| self.statement(statement));
+impl<'t> Visit<'t> for Roles {
+    fn item(&mut self, item: &'t Item) {
+        self.walk_item(item);
+        if let Item::Let(field) = item {
+            self.kinds.insert(start(field.span), Alignment::Let);
+        }
     }
 
-    fn statement(&mut self, statement: &Statement) {
+    fn field(&mut self, field: &'t Field) {
+        self.kinds.insert(start(field.span), Alignment::Field);
+        self.walk_field(field);
+    }
+
+    fn statement(&mut self, statement: &'t Statement) {
         match statement {
-            Statement::Field(field) => self.field(field, Some(Kind::Field)),
-            Statement::Block(block) => self.body(&block.body),
-            Statement::Every { count, effect, body, .. } => {
-                self.expr(count);
-                self.effect(effect);
-                self.body(body);
-            }
-            Statement::Fault { rotors, effect, .. } => {
-                self.expr(rotors);
-                self.effect(effect);
-            }
-            Statement::Rotor(clauses) => {
-                self.clauses(clauses);
-                self.coordinates(clauses);
-            }
-            Statement::Curve { range, options, body, .. } => {
-                self.expr(range);
-                options.iter().for_each(|option| self.field(option, None));
-                self.body(body);
-            }
-            Statement::Start(clauses) | Statement::Waypoint(clauses) | Statement::Strike(clauses) => {
-                self.clauses(clauses);
-            }
-            Statement::Hold { duration, .. } => self.expr(duration),
-            Statement::Require { at_most, .. } => self.expr(at_most),
-            Statement::Limit { relation, span, .. } => {
-                self.kinds.insert(start(*span), Kind::Limit);
-                let (LimitRelation::AtMost(bound) | LimitRelation::AtLeast(bound) | LimitRelation::In(bound)) =
-                    relation;
-                self.expr(bound);
-            }
-            Statement::Moving { .. } | Statement::WaypointsFrom { .. } | Statement::Broken(_) => {}
+            Statement::Rotor(clauses) => self.coordinates(clauses),
+            Statement::Limit { span, .. } => drop(self.kinds.insert(start(*span), Alignment::Limit)),
+            _ => {}
         }
+        self.walk_statement(statement);
     }
 
-    fn field(&mut self, field: &Field, kind: Option<Kind>) {
-        if let Some(kind) = kind {
-            self.kinds.insert(start(field.span), kind);
-        }
-        let (FieldValue::Expr(value) | FieldValue::Where { value, .. }) = &field.value;
-        self.expr(value);
+    fn clauses(&mut self, clauses: &'t Clauses) {
+        let later = clauses.clauses.iter().skip(1);
+        self.words.extend(later.map(|clause| (start(clause.word.span), Role::Clause)));
+        self.walk_clauses(clauses);
     }
 
-    fn effect(&mut self, effect: &Effect) {
-        if let Effect::Reduced(share) | Effect::Stuck(share) = effect {
-            self.expr(share);
-        }
+    fn unit(&mut self, unit: &'t UnitText) {
+        self.words.insert(start(unit.span), Role::Unit(unit.span.end as usize));
     }
 
-    fn clauses(&mut self, clauses: &Clauses) {
-        for (i, clause) in clauses.clauses.iter().enumerate() {
-            if i > 0 {
-                self.words.insert(start(clause.word.span), Role::Clause);
-            }
-            clause.value.iter().for_each(|value| self.expr(value));
+    fn expr(&mut self, expr: &'t Expr) {
+        match &expr.kind {
+            ExprKind::Call { function, .. } => drop(self.words.insert(start(function.span), Role::Function)),
+            ExprKind::Negate(_) => drop(self.words.insert(start(expr.span), Role::Sign)),
+            ExprKind::Binary { operator, left, .. } => match operator.value {
+                Operator::Add | Operator::Subtract => {}
+                Operator::Multiply | Operator::Divide => return self.product(expr),
+                Operator::Power if ends_in_unit(left) => {}
+                Operator::Power => drop(self.words.insert(start(operator.span), Role::Tight)),
+            },
+            _ => {}
         }
-        self.body(&clauses.body);
+        self.walk_expr(expr);
     }
+}
 
+impl Roles {
     /// Rotors placed one below the other make a table.
     fn coordinates(&mut self, rotor: &Clauses) {
         let Some(Clause { word, value: Some(Expr { kind: ExprKind::List { elements, .. }, .. }), .. }) =
@@ -133,55 +110,8 @@ impl Roles {
             return;
         };
         if word.value == "at" && !elements.is_empty() {
-            self.kinds.insert(start(rotor.span), Kind::Rotor(elements.len()));
+            self.kinds.insert(start(rotor.span), Alignment::Rotor(elements.len()));
             self.coordinates.extend(elements.iter().map(|e| (start(e.span), e.span.end as usize)));
-        }
-    }
-
-    fn expr(&mut self, expr: &Expr) {
-        match &expr.kind {
-            ExprKind::Number { unit, .. } => self.unit(unit),
-            ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Unknown => {}
-            ExprKind::Call { function, arguments } => {
-                self.words.insert(start(function.span), Role::Function);
-                arguments.iter().for_each(|argument| self.expr(argument));
-            }
-            ExprKind::Negate(operand) => {
-                self.words.insert(start(expr.span), Role::Sign);
-                self.expr(operand);
-            }
-            ExprKind::Binary { operator, left, right } => match operator.value {
-                Operator::Add | Operator::Subtract => self.both(left, right),
-                Operator::Multiply | Operator::Divide => self.product(expr),
-                Operator::Power => {
-                    if !ends_in_unit(left) {
-                        self.words.insert(start(operator.span), Role::Tight);
-                    }
-                    self.both(left, right);
-                }
-            },
-            ExprKind::Paren { inner, unit } => {
-                self.expr(inner);
-                self.unit(unit);
-            }
-            ExprKind::List { elements, unit } => {
-                elements.iter().for_each(|element| self.expr(element));
-                self.unit(unit);
-            }
-            ExprKind::Interval { value: left, by: right } | ExprKind::Range { low: left, high: right } => {
-                self.both(left, right);
-            }
-        }
-    }
-
-    fn both(&mut self, left: &Expr, right: &Expr) {
-        self.expr(left);
-        self.expr(right);
-    }
-
-    fn unit(&mut self, unit: &Option<UnitText>) {
-        if let Some(unit) = unit {
-            self.words.insert(start(unit.span), Role::Unit(unit.span.end as usize));
         }
     }
 

@@ -1,7 +1,7 @@
 //! Text to words, marks and comments. The text is known to be free of errors.
 
 use super::role::{Role, Roles};
-use crate::syntax::scan::{self, Kind, Lexeme};
+use crate::syntax::scan::{self, Lexeme, LexemeKind};
 
 /// A word, a mark or a comment, and how many line breaks precede it.
 #[derive(Debug, Clone, Copy)]
@@ -60,13 +60,13 @@ fn all<'a>(text: &'a str, roles: &Roles) -> Vec<Token<'a>> {
     while let Some(Lexeme { kind, start, mut end }) = scan::lexeme(text, at) {
         let mut sort = Sort::Word;
         match kind {
-            Kind::Newline => {
+            LexemeKind::Newline => {
                 breaks += 1;
                 in_statement &= brackets > 0;
                 at = end;
                 continue;
             }
-            Kind::Comment | Kind::Doc => {
+            LexemeKind::Comment | LexemeKind::Doc => {
                 let is_doc = scan::is_doc(&text[start..end]) && !in_statement;
                 sort = if is_doc { Sort::Doc } else { Sort::Comment };
             }
@@ -75,11 +75,11 @@ fn all<'a>(text: &'a str, roles: &Roles) -> Vec<Token<'a>> {
                     end = *last;
                 }
                 match kind {
-                    Kind::Mark('(' | '[') => brackets += 1,
-                    Kind::Mark(')' | ']') => brackets = brackets.saturating_sub(1),
+                    LexemeKind::Mark('(' | '[') => brackets += 1,
+                    LexemeKind::Mark(')' | ']') => brackets = brackets.saturating_sub(1),
                     _ => {}
                 }
-                in_statement = !matches!(kind, Kind::Mark('{' | '}' | ';'));
+                in_statement = !matches!(kind, LexemeKind::Mark('{' | '}' | ';'));
             }
         }
         tokens.push(Token { text: &text[start..end], start, breaks, sort });

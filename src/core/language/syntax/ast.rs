@@ -68,6 +68,13 @@ pub struct Block {
     pub span: Span,
 }
 
+impl Block {
+    /// Whether every statement could be parsed.
+    pub fn is_whole(&self) -> bool {
+        !self.body.iter().any(|statement| matches!(statement, Statement::Broken(_)))
+    }
+}
+
 #[derive(Debug, Clone, PartialEq)]
 pub enum Statement {
     Field(Field),

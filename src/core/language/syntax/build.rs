@@ -9,7 +9,7 @@ use super::ast::*;
 use super::layout::{Doc, Layout};
 use super::mistake;
 use crate::diagnostic::{Diagnostic, Label};
-use crate::language::{Kind, Place};
+use crate::language::{Place, StatementKind};
 use crate::source::{FileId, Span, Spanned, visible};
 use pest::Parser;
 use pest::iterators::Pair;
@@ -162,37 +162,37 @@ impl Builder<'_> {
         }
     }
 
-    fn simple(&self, pair: Pair<Rule>, doc: Option<String>) -> Built<(Any, Kind)> {
+    fn simple(&self, pair: Pair<Rule>, doc: Option<String>) -> Built<(Any, StatementKind)> {
         let span = self.span(&pair);
         let rule = pair.as_rule();
         let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
         let (statement, kind) = match rule {
             Rule::import => {
                 parts.skip(Rule::kw_use);
-                return Ok((Any::Use(parts.text()), Kind::Use));
+                return Ok((Any::Use(parts.text()), StatementKind::Use));
             }
             Rule::binding => {
                 parts.skip(Rule::kw_let);
-                return Ok((Any::Let(parts.field(span, doc)?), Kind::Let));
+                return Ok((Any::Let(parts.field(span, doc)?), StatementKind::Let));
             }
-            Rule::field => (Statement::Field(parts.field(span, doc)?), Kind::Field),
-            Rule::limit => (parts.limit(span)?, Kind::Limit),
-            Rule::requirement => (parts.requirement(span)?, Kind::Require),
-            Rule::fault => (parts.fault(span)?, Kind::Fault),
-            Rule::every_head => (parts.every(span, doc)?, Kind::Every),
-            Rule::rotor => (Statement::Rotor(parts.clauses(span, doc)?), Kind::RotorAt),
-            Rule::strike => (Statement::Strike(parts.clauses(span, doc)?), Kind::Strike),
-            Rule::start => (Statement::Start(parts.clauses(span, doc)?), Kind::Flight),
-            Rule::waypoint => (Statement::Waypoint(parts.clauses(span, doc)?), Kind::Flight),
-            Rule::moving => (parts.moving(span), Kind::Flight),
+            Rule::field => (Statement::Field(parts.field(span, doc)?), StatementKind::Field),
+            Rule::limit => (parts.limit(span)?, StatementKind::Limit),
+            Rule::requirement => (parts.requirement(span)?, StatementKind::Require),
+            Rule::fault => (parts.fault(span)?, StatementKind::Fault),
+            Rule::every_head => (parts.every(span, doc)?, StatementKind::Every),
+            Rule::rotor => (Statement::Rotor(parts.clauses(span, doc)?), StatementKind::RotorAt),
+            Rule::strike => (Statement::Strike(parts.clauses(span, doc)?), StatementKind::Strike),
+            Rule::start => (Statement::Start(parts.clauses(span, doc)?), StatementKind::Flight),
+            Rule::waypoint => (Statement::Waypoint(parts.clauses(span, doc)?), StatementKind::Flight),
+            Rule::moving => (parts.moving(span), StatementKind::Flight),
             Rule::hold => {
                 parts.skip(Rule::kw_hold);
-                (Statement::Hold { duration: parts.expr()?, span }, Kind::Flight)
+                (Statement::Hold { duration: parts.expr()?, span }, StatementKind::Flight)
             }
             _ => {
                 parts.skip(Rule::kw_waypoints);
                 parts.skip(Rule::kw_from);
-                (Statement::WaypointsFrom { path: parts.text(), span }, Kind::Flight)
+                (Statement::WaypointsFrom { path: parts.text(), span }, StatementKind::Flight)
             }
         };
         Ok((Any::Statement(statement), kind))
@@ -208,11 +208,11 @@ impl Builder<'_> {
         let rule = head.as_rule();
         let mut parts = Parts { file: self.file, pairs: head.clone().into_inner() };
         let (kind, around) = match rule {
-            Rule::every_head => (Kind::Every, Place::Every),
-            Rule::curve_head => (Kind::Curve, Place::Curve),
-            Rule::waypoint | Rule::start => (Kind::Flight, Place::Limits),
+            Rule::every_head => (StatementKind::Every, Place::Every),
+            Rule::curve_head => (StatementKind::Curve, Place::Curve),
+            Rule::waypoint | Rule::start => (StatementKind::Flight, Place::Limits),
             _ => match self.block_kind(&head, place) {
-                Some(inside) => (Kind::Block(inside), inside),
+                Some(inside) => (StatementKind::Block(inside), inside),
                 None => {
                     let word = head.as_str().split(|c: char| !c.is_ascii_alphanumeric()).next();
                     match word.is_some_and(|word| place.has_braceless(word)) {
@@ -283,7 +283,7 @@ impl Builder<'_> {
         })
     }
 
-    fn check_place(&self, kind: Kind, place: Place, pair: &Pair<Rule>) -> Built<()> {
+    fn check_place(&self, kind: StatementKind, place: Place, pair: &Pair<Rule>) -> Built<()> {
         if kind.fits(place) || self.blocks_unsure {
             return Ok(());
         }

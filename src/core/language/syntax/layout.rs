@@ -11,7 +11,7 @@ mod bracket;
 mod character;
 mod guess;
 
-use super::scan::{self, Kind, Lexeme, is_blank, is_name};
+use super::scan::{self, Lexeme, LexemeKind, is_blank, is_name};
 use super::{MAX_DEPTH, MAX_ERRORS, MAX_STATEMENTS, MAX_TOKENS};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
@@ -151,10 +151,10 @@ impl Scanner<'_> {
         };
         self.at = lexeme.start;
         match lexeme.kind {
-            Kind::Newline => self.newline(),
-            Kind::Comment | Kind::Doc => self.comment(),
-            Kind::Mark('/') if self.text[self.at..].starts_with("/*") => self.foreign_comment(),
-            Kind::Mark('#') => self.hash(),
+            LexemeKind::Newline => self.newline(),
+            LexemeKind::Comment | LexemeKind::Doc => self.comment(),
+            LexemeKind::Mark('/') if self.text[self.at..].starts_with("/*") => self.foreign_comment(),
+            LexemeKind::Mark('#') => self.hash(),
             _ => self.token(lexeme),
         }
     }
@@ -175,16 +175,16 @@ impl Scanner<'_> {
         self.tokens += 1;
         self.at = lexeme.end;
         match lexeme.kind {
-            Kind::UnclosedText => self.unclosed_text(start),
-            Kind::Mark('(' | '[') => self.open_bracket(start),
-            Kind::Mark(')' | ']') => self.close_bracket(start),
-            Kind::Mark('{') => self.open_block(start),
-            Kind::Mark('}') => self.close_block(start),
-            Kind::Mark(';') => {
+            LexemeKind::UnclosedText => self.unclosed_text(start),
+            LexemeKind::Mark('(' | '[') => self.open_bracket(start),
+            LexemeKind::Mark(')' | ']') => self.close_bracket(start),
+            LexemeKind::Mark('{') => self.open_block(start),
+            LexemeKind::Mark('}') => self.close_block(start),
+            LexemeKind::Mark(';') => {
                 self.close_brackets(start);
                 self.end_statement();
             }
-            Kind::Mark(c) if !c.is_ascii_graphic() || c == '\'' => self.odd_character(start),
+            LexemeKind::Mark(c) if !c.is_ascii_graphic() || c == '\'' => self.odd_character(start),
             _ => {}
         }
         if self.tokens > MAX_TOKENS {

@@ -4,7 +4,7 @@
 //! one. All spans are places in the author's text.
 
 use super::ast::SpecFile;
-use super::spans::each_span;
+use super::visit::VisitMut;
 use crate::diagnostic::{Diagnostic, Fix, Severity};
 use crate::source::Span;
 use std::ops::Range;
@@ -46,7 +46,7 @@ pub(super) fn read(text: &str, most_errors: usize, read_once: impl Fn(&str) -> R
     let rest: Vec<Diagnostic> = rest.into_iter().filter(is_new).collect();
     reported.extend(rest);
     if let Some(tree) = &mut tree {
-        each_span(tree, &|span| draft.place(span));
+        draft.file(tree);
     }
     (tree, reported)
 }
@@ -157,6 +157,13 @@ impl Draft {
     fn cuts(&self, offset: u32) -> bool {
         let at = offset as usize;
         at > 0 && self.put[at - 1] && self.put[at]
+    }
+}
+
+/// Gives every span its place in the author's text.
+impl VisitMut<'_> for Draft {
+    fn span(&mut self, span: &mut Span) {
+        *span = self.place(*span);
     }
 }
 

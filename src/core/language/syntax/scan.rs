@@ -5,7 +5,7 @@
 
 /// What a run of characters is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum LexemeKind {
     /// Letters, digits and `_`, with a letter or `_` in front.
     Word,
     /// `12`, `1.5`, `8.5e-6`; the dots of `0..4` are not part of it.
@@ -28,7 +28,7 @@ pub enum Kind {
 /// One word or mark, in bytes `start..end`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Lexeme {
-    pub kind: Kind,
+    pub kind: LexemeKind,
     pub start: usize,
     pub end: usize,
 }
@@ -40,7 +40,7 @@ impl Lexeme {
     }
 
     pub fn is(&self, mark: char) -> bool {
-        self.kind == Kind::Mark(mark)
+        self.kind == LexemeKind::Mark(mark)
     }
 }
 
@@ -49,10 +49,10 @@ pub fn lexemes(text: &str) -> impl Iterator<Item = Lexeme> {
     let (mut at, mut line_is_blank) = (byte_order_mark(text), true);
     std::iter::from_fn(move || {
         let mut lexeme = lexeme(text, at)?;
-        if lexeme.kind == Kind::Comment && line_is_blank && is_doc(lexeme.text(text)) {
-            lexeme.kind = Kind::Doc;
+        if lexeme.kind == LexemeKind::Comment && line_is_blank && is_doc(lexeme.text(text)) {
+            lexeme.kind = LexemeKind::Doc;
         }
-        (at, line_is_blank) = (lexeme.end, lexeme.kind == Kind::Newline);
+        (at, line_is_blank) = (lexeme.end, lexeme.kind == LexemeKind::Newline);
         Some(lexeme)
     })
 }
@@ -63,20 +63,20 @@ pub fn lexeme(text: &str, from: usize) -> Option<Lexeme> {
     let rest = text.get(start..)?;
     let first = rest.chars().next()?;
     let (kind, length) = match first {
-        '\n' => (Kind::Newline, 1),
-        '/' if rest.starts_with("//") => (Kind::Comment, line(rest).trim_end().len()),
+        '\n' => (LexemeKind::Newline, 1),
+        '/' if rest.starts_with("//") => (LexemeKind::Comment, line(rest).trim_end().len()),
         '"' => {
             // Not beyond the closing quote: many texts on one long line would take quadratic time.
             let inside = rest[1..].find(['"', '\n']).unwrap_or(rest.len() - 1);
             match rest[1 + inside..].starts_with('"') {
-                true => (Kind::Text, inside + 2),
-                false => (Kind::UnclosedText, rest[..1 + inside].trim_end().len()),
+                true => (LexemeKind::Text, inside + 2),
+                false => (LexemeKind::UnclosedText, rest[..1 + inside].trim_end().len()),
             }
         }
-        c if c.is_ascii_digit() => (Kind::Number, number_length(rest)),
-        c if is_name(c) => (Kind::Word, run(rest, is_name).len()),
-        _ if ["<=", ">=", "+-", ".."].iter().any(|pair| rest.starts_with(pair)) => (Kind::Pair, 2),
-        mark => (Kind::Mark(mark), mark.len_utf8()),
+        c if c.is_ascii_digit() => (LexemeKind::Number, number_length(rest)),
+        c if is_name(c) => (LexemeKind::Word, run(rest, is_name).len()),
+        _ if ["<=", ">=", "+-", ".."].iter().any(|pair| rest.starts_with(pair)) => (LexemeKind::Pair, 2),
+        mark => (LexemeKind::Mark(mark), mark.len_utf8()),
     };
     Some(Lexeme { kind, start, end: start + length })
 }
@@ -149,7 +149,7 @@ mod tests {
     fn words_numbers_texts_and_comments_are_recognised() {
         let text = "/// doc\nmass = 1.5e-3 kg // note\r\nlet a = 0..4*pi; use \"x.mav\ny é";
         let all: Vec<Lexeme> = lexemes(text).collect();
-        let shown: Vec<&str> = all.iter().filter(|l| l.kind != Kind::Newline).map(|l| l.text(text)).collect();
+        let shown: Vec<&str> = all.iter().filter(|l| l.kind != LexemeKind::Newline).map(|l| l.text(text)).collect();
         assert_eq!(
             shown,
             [
@@ -157,10 +157,10 @@ mod tests {
                 "use", "\"x.mav", "y", "é"
             ]
         );
-        assert_eq!([all[0].kind, all[6].kind], [Kind::Doc, Kind::Comment]);
+        assert_eq!([all[0].kind, all[6].kind], [LexemeKind::Doc, LexemeKind::Comment]);
         assert!(is_doc("/// doc") && !is_doc("// note") && !is_doc("//// rule"));
         assert_eq!(lexemes("\u{1F600}").count(), 1);
-        let texts: Vec<Lexeme> = lexemes("\"a\" \"b  \n\"\" \"").filter(|l| l.kind != Kind::Newline).collect();
+        let texts: Vec<Lexeme> = lexemes("\"a\" \"b  \n\"\" \"").filter(|l| l.kind != LexemeKind::Newline).collect();
         let ends: Vec<(usize, usize)> = texts.iter().map(|l| (l.start, l.end)).collect();
         assert_eq!(ends, [(0, 3), (4, 6), (9, 11), (12, 13)]);
     }

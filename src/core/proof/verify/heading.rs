@@ -8,6 +8,7 @@ use super::interval::Interval;
 use super::limits::outside_cone;
 use super::motion::{Motion, State, X, Y, YAW};
 use crate::model::{SLOWEST, Target};
+use std::ops::RangeInclusive;
 
 /// Value and rate of change.
 type Series = super::series::Series<2>;
@@ -41,17 +42,18 @@ fn direction(target: Target, state: &State) -> ([Interval; 2], f64) {
     }
 }
 
-/// The largest error on `points` between the nodes of a part of the motion and at them, rad, and its instant, s; `None`
+/// The largest error at some nodes of the motion and on `points` between two of them, rad, and its instant, s; `None`
 /// if nothing is required there. It is evaluated at points, not bounded between them.
-pub fn largest(target: Target, motion: &Motion, (first, last): (usize, usize), points: usize) -> Option<(f64, f64)> {
+pub fn largest(target: Target, motion: &Motion, nodes: RangeInclusive<usize>, points: usize) -> Option<(f64, f64)> {
     let error = |state: &State| {
         let (d, least) = direction(target, state);
         let [x, y] = d.map(Interval::middle);
         let (sin, cos) = state[YAW][0].middle().sin_cos();
         (x.hypot(y) >= least).then(|| (cos * y - sin * x).atan2(cos * x + sin * y).abs())
     };
-    let at_nodes = (first..=last).map(|node| (motion.node_in(node, node.saturating_sub(1)), motion.times[node]));
-    let between = (first..last).flat_map(|piece| {
+    let pieces = *nodes.start()..*nodes.end();
+    let at_nodes = nodes.map(|node| (motion.node_in(node, node.saturating_sub(1)), motion.times[node]));
+    let between = pieces.flat_map(|piece| {
         motion.grid(piece, points).map(move |at| (motion.over(piece, at), motion.times[piece] + at.middle()))
     });
     let found = at_nodes.chain(between).filter_map(|(state, at)| Some((error(&state)?, at)));

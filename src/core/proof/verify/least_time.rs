@@ -160,7 +160,7 @@ fn sideways(model: &Model, of_leg: &[&Limit], force: Interval) -> f64 {
 /// With a drag for each axis of the body, k is a symmetric matrix with eigenvalues from k0 to k1, the smallest and the
 /// largest rate: the speed obeys `u' <= a + k1 |w| - k0 u` and `|u'| <= a + k1 (|w| + u)`. As the matrix couples the
 /// axes of the world, this holds for all three axes alone.
-fn with_drag(problem: Problem, (rate, acceleration): (f64, f64), most: Interval, axes: &[usize]) -> (f64, f64) {
+fn with_drag(problem: Problem, rate: f64, acceleration: f64, most: Interval, axes: &[usize]) -> (f64, f64) {
     let environment = problem.model().environment();
     if !environment.has_drag() {
         return (rate, acceleration);
@@ -208,21 +208,21 @@ fn bounds(problem: Problem, leg: usize) -> Bounds {
     // In the hover model the force is bounded only along z.
     let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
     let all = [0, 1, 2];
-    let (rate, in_all) = with_drag(problem, (speed, in_all), force + g, &all);
+    let (rate, in_all) = with_drag(problem, speed, in_all, force + g, &all);
     // With a drag for each axis of the body: a part of the velocity is at most the whole, and so is that of the drag.
-    let of_part = |(own, acceleration): (f64, f64), most: Interval, axes: &[usize]| match is_isotropic {
-        true => with_drag(problem, (own, acceleration), most, axes),
-        false => (own.min(rate), with_drag(problem, (rate, acceleration), force + g, &all).1),
+    let of_part = |own: f64, acceleration: f64, most: Interval, axes: &[usize]| match is_isotropic {
+        true => with_drag(problem, own, acceleration, most, axes),
+        false => (own.min(rate), with_drag(problem, rate, acceleration, force + g, &all).1),
     };
     let both_ways =
         |rate: f64, acceleration: f64| RateBounds { rate, speeding: acceleration, slowing: acceleration, jerk };
     let along_line = both_ways(rate, whole.min(in_all));
     let across = speed.min(most(LimitKind::SpeedHorizontal));
-    let (rate_across, in_plane) = of_part((across, sideways(model, &of_leg, force)), force, &[0, 1]);
+    let (rate_across, in_plane) = of_part(across, sideways(model, &of_leg, force), force, &[0, 1]);
     let horizontal = both_ways(rate_across, whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane));
     let vertical = |kind: LimitKind, speeding: Interval, slowing: Interval| {
         let rate = speed.min(most(kind));
-        let in_air = |acceleration: Interval| of_part((rate, acceleration.high), force + g, &[2]);
+        let in_air = |acceleration: Interval| of_part(rate, acceleration.high, force + g, &[2]);
         let [speeding, slowing] = [in_air(speeding), in_air(slowing)];
         RateBounds { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
     };

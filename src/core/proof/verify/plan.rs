@@ -280,11 +280,11 @@ impl<'a> Setting<'a> {
             true => self.selections(claim, &without_yaw)?,
             false => self.unchecked(&claim.selected_by)?,
         };
-        let checked = self.at_nodes(&claim.motion, &selected_by, (Role::Claimed, &without_yaw))?;
+        let checked = self.at_nodes(&claim.motion, &selected_by, Role::Claimed, &without_yaw)?;
         let mut purse = WorkLeft(budget.units().saturating_sub(estimate.units));
         let mut found = checked.found();
         match between {
-            true => checked.between(&mut purse, &mut found),
+            true => checked.check_between(&mut purse, &mut found),
             false => checked.nodes_only(&mut found),
         }
         Ok(found)
@@ -295,7 +295,8 @@ impl<'a> Setting<'a> {
         &self,
         record: &MotionRecord,
         selected_by: &[Selecting],
-        (role, without_yaw): (Role, &WithoutYaw),
+        role: Role,
+        without_yaw: &WithoutYaw,
     ) -> Result<Checked<'_>, Rejection> {
         let mut motion = self.motion(record)?;
         let coarser = schedule::check(self.problem, &mut motion, self.premises)?;

@@ -80,10 +80,10 @@ impl Rule<'_> {
                 None => {}
             }
         }
-        let above = |leg: usize, part: Part| self.limit(LimitKind::Z, (Some(self.level), None), leg, part);
+        let above = |leg: usize, part: Part| self.limit(LimitKind::Z, Some(self.level), None, leg, part);
         let near = |leg: usize, centre: [f64; 3]| {
             let about = LimitKind::Distance(DistanceFrom::Axis([centre[0], centre[1]]));
-            self.limit(about, (None, Some(self.radius)), leg, Part::Whole)
+            self.limit(about, None, Some(self.radius), leg, Part::Whole)
         };
         let mut limits: Vec<Limit> = (first..last).map(|leg| above(leg, Part::Whole)).collect();
         if first == last {
@@ -95,7 +95,7 @@ impl Rule<'_> {
         Ok(limits)
     }
 
-    fn limit(&self, kind: LimitKind, (lower, upper): (Option<f64>, Option<f64>), leg: usize, part: Part) -> Limit {
+    fn limit(&self, kind: LimitKind, lower: Option<f64>, upper: Option<f64>, leg: usize, part: Part) -> Limit {
         let on = OnLeg { leg, part, name: NAME.into() };
         Limit {
             kind,
@@ -124,7 +124,7 @@ impl Rule<'_> {
         let nearest = horizontal(at.position, start).min(horizontal(at.position, end));
         let message = format!(
             "{} is {} m lower than `require capture_height` allows {} m from start and end",
-            which((index, at)),
+            which(index, at),
             significant(self.level - at.position[2], 3),
             significant(nearest, 3)
         );
@@ -153,7 +153,7 @@ impl Rule<'_> {
         let highest = points.max_by(|a, b| a.1.position[2].total_cmp(&b.1.position[2]));
         let (index, at) = highest.unwrap_or((0, &self.mission.waypoints[0]));
         let message = format!("no waypoint reaches {}, as `require capture_height` needs", self.height());
-        let label = format!("{} is the highest, at {} m", which((index, at)), number(at.position[2]));
+        let label = format!("{} is the highest, at {} m", which(index, at), number(at.position[2]));
         let help = format!("raise waypoints to {} m or more", self.written(self.level));
         Box::new(self.error(at, message, &label).help(help))
     }

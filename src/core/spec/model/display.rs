@@ -7,8 +7,8 @@ use super::CaptureHeight;
 use super::GiveUpYaw;
 use super::Heading;
 use super::{
-    AfterFault, Air, Campaign, Description, Detection, FaultMode, Limit, Mission, MissionTime, Model, Origin, Plan,
-    PlanRotors, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
+    AfterFault, Air, Campaign, Description, Detection, FaultMode, Limit, LostYaw, Mission, MissionTime, Model, Origin,
+    Plan, PlanRotors, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
 };
 use crate::number::{fixed, number};
 
@@ -74,7 +74,7 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
     if let Some(layout) = &v.layout {
         writeln!(f, "  layout {layout}")?;
     }
-    writeln!(f, "  mass {} kg{}", number(v.mass), between(v.mass_spread))?;
+    writeln!(f, "  mass {} kg{}", number(v.mass), interval_of(v.mass_spread))?;
     writeln!(f, "  inertia {} kg*m^2", list(&v.inertia))?;
     for (what, length) in [("propeller_radius", v.propeller_radius), ("size", v.size)] {
         if let Some(length) = length {
@@ -85,7 +85,7 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
         writeln!(f, "  drag {} N*s/m", along_axes(&v.drag))?;
     }
     if let Some(drag) = &v.yaw_drag {
-        write!(f, "  yaw_drag {} N*m*s/rad{}", number(drag.linear), between(drag.spread))?;
+        write!(f, "  yaw_drag {} N*m*s/rad{}", number(drag.linear), interval_of(drag.spread))?;
         match drag.quadratic > 0.0 {
             true => writeln!(f, ", yaw_drag_quadratic {} N*m*s^2/rad^2", number(drag.quadratic))?,
             false => writeln!(f)?,
@@ -128,7 +128,7 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
         let s = &r.spread;
         for (what, spread) in [("N", s.full_thrust), ("idle N", s.idle_thrust), ("d/b", s.torque_per_thrust)] {
             if !spread.is_none() && (what != "idle N" || r.min_speed > 0.0) {
-                write!(f, ", {what}{}", between(spread))?;
+                write!(f, ", {what}{}", interval_of(spread))?;
             }
         }
         if let Some(time) = r.time_constant {
@@ -146,7 +146,7 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
 }
 
 /// ` times 0.97 to 1.03`, or nothing for a value known exactly.
-fn between(spread: Spread) -> String {
+fn interval_of(spread: Spread) -> String {
     match spread.is_none() {
         true => String::new(),
         false => format!(" times {} to {}", number(spread.low), number(spread.high)),
@@ -342,8 +342,8 @@ fn simulation(f: &mut fmt::Formatter<'_>, s: &Simulation, modes: &[FaultMode]) -
     writeln!(f, "  gusts {} m/s, gust_length {} m", number(s.gusts), number(s.gust_length))?;
     writeln!(f, "  lost_beyond {} m, upside_down {} s", number(s.lost_beyond), number(s.upside_down))?;
     match s.lost_yaw {
-        Some(angle) => write!(f, "  lost_yaw {} deg", degrees(angle))?,
-        None => write!(f, "  lost_yaw off")?,
+        LostYaw::Beyond(angle) => write!(f, "  lost_yaw {} deg", degrees(angle))?,
+        LostYaw::Off => write!(f, "  lost_yaw off")?,
     }
     writeln!(f, ", lost_yaw_after {} s", number(s.lost_yaw_after))?;
     writeln!(f, "  ground {} m", number(s.ground))?;

@@ -59,6 +59,15 @@ pub enum Detection {
     Estimator,
 }
 
+/// Whether a heading error loses the vehicle in a flight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LostYaw {
+    /// No heading error does.
+    Off,
+    /// An error beyond this does, rad, between 0 and pi.
+    Beyond(f64),
+}
+
 /// The reaction to a detected fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AfterFault {
@@ -163,9 +172,8 @@ pub struct Simulation {
     pub lost_beyond: f64,
     /// The vehicle is lost when it tilts past 90 degrees for longer than this, s.
     pub upside_down: f64,
-    /// The vehicle is lost when its heading error exceeds this, rad, for longer than `lost_yaw_after`; `None` for no
-    /// such limit.
-    pub lost_yaw: Option<f64>,
+    /// The heading error that loses the vehicle where it lasts longer than `lost_yaw_after`.
+    pub lost_yaw: LostYaw,
     /// How long the heading error may exceed `lost_yaw`, s.
     pub lost_yaw_after: f64,
     /// Height of the ground, m; below every waypoint.
@@ -242,7 +250,7 @@ impl Default for Simulation {
             faults: Vec::new(),
             lost_beyond: LOST_BEYOND.value(),
             upside_down: UPSIDE_DOWN.value(),
-            lost_yaw: Some(LOST_YAW.value()),
+            lost_yaw: LostYaw::Beyond(LOST_YAW.value()),
             lost_yaw_after: LOST_YAW_AFTER.value(),
             ground: GROUND.value(),
             written: false,

@@ -60,14 +60,14 @@ impl Volume {
             Side::KeepIn => self.bodies.iter().flat_map(|body| self.inside(body, margin)).collect(),
             Side::KeepOut => {
                 let beyond = |body: &Body| {
-                    self.limit(LimitKind::Clearance(Arc::new(Obstacle::of(body.clone()))), (Some(margin), None))
+                    self.limit(LimitKind::Clearance(Arc::new(Obstacle::of(body.clone()))), Some(margin), None)
                 };
                 self.bodies.iter().map(beyond).collect()
             }
         }
     }
 
-    fn limit(&self, kind: LimitKind, (lower, upper): (Option<f64>, Option<f64>)) -> Limit {
+    fn limit(&self, kind: LimitKind, lower: Option<f64>, upper: Option<f64>) -> Limit {
         let name = format!("{} {}", self.side.keyword(), self.name);
         Limit {
             kind,
@@ -89,21 +89,22 @@ impl Volume {
                     let normal = [x / length, y / length, 0.0];
                     self.face(normal, normal[0] * a[0] + normal[1] * a[1] - margin)
                 });
-                sides.chain([self.between(*bottom, *top, margin)]).collect()
+                sides.chain([self.layer(*bottom, *top, margin)]).collect()
             }
             Body::Cylinder { centre, radius, bottom, top } => {
                 let round = LimitKind::Distance(DistanceFrom::Axis(*centre));
-                vec![self.limit(round, (None, Some(radius - margin))), self.between(*bottom, *top, margin)]
+                vec![self.limit(round, None, Some(radius - margin)), self.layer(*bottom, *top, margin)]
             }
             Body::Ball { centre, radius } => {
-                vec![self.limit(LimitKind::Distance(DistanceFrom::Point(*centre)), (None, Some(radius - margin)))]
+                vec![self.limit(LimitKind::Distance(DistanceFrom::Point(*centre)), None, Some(radius - margin))]
             }
             Body::HalfSpace { normal, offset } => vec![self.face(*normal, offset - margin)],
         }
     }
 
-    fn between(&self, bottom: f64, top: f64, margin: f64) -> Limit {
-        self.limit(LimitKind::Z, (Some(bottom + margin), Some(top - margin)))
+    /// The limits on height.
+    fn layer(&self, bottom: f64, top: f64, margin: f64) -> Limit {
+        self.limit(LimitKind::Z, Some(bottom + margin), Some(top - margin))
     }
 
     /// `normal . p <= offset`; a bound on one coordinate where the normal is that of an axis.
@@ -111,9 +112,9 @@ impl Volume {
         let kinds = [LimitKind::X, LimitKind::Y, LimitKind::Z];
         let along = |axis: usize| (0..3).all(|other| other == axis || normal[other].abs() < ALONG_AN_AXIS);
         match (0..3).find(|&axis| along(axis)) {
-            Some(axis) if normal[axis] > 0.0 => self.limit(kinds[axis].clone(), (None, Some(offset))),
-            Some(axis) => self.limit(kinds[axis].clone(), (Some(-offset), None)),
-            None => self.limit(LimitKind::Face(normal), (None, Some(offset))),
+            Some(axis) if normal[axis] > 0.0 => self.limit(kinds[axis].clone(), None, Some(offset)),
+            Some(axis) => self.limit(kinds[axis].clone(), Some(-offset), None),
+            None => self.limit(LimitKind::Face(normal), None, Some(offset)),
         }
     }
 }
@@ -192,7 +193,7 @@ impl Vehicle {
 }
 
 /// As messages name a waypoint with its index.
-pub fn which((index, waypoint): (usize, &Waypoint)) -> String {
+pub fn which(index: usize, waypoint: &Waypoint) -> String {
     match &waypoint.name {
         Some(name) => format!("waypoint `{name}`"),
         None if index == 0 => "the start".to_string(),

@@ -21,6 +21,5 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Written<Aft
         cx.report(error.help("write `hold`: a vehicle that lands comes to rest first").fix(expr.span, hold));
         return Written::Faulty;
     }
-    let choices = [AfterFault::Continue, AfterFault::Hold];
-    fields.word(cx, CODE, &table::AFTER_FAULT).and_then(|word| choices.into_iter().find(|choice| choice.name() == word))
+    fields.choice(cx, &table::AFTER_FAULT, CODE, &[AfterFault::Continue, AfterFault::Hold])
 }

@@ -4,12 +4,12 @@ use super::context::Context;
 use super::expected::Expected;
 use super::fields::Fields;
 use crate::diagnostic::Diagnostic;
+use crate::language::Group;
 use crate::language::table::air as table;
-use crate::language::{Entry, Group};
 use crate::model::{Air, LimitKind, Mission, Plan, PlanModel, STANDARD_DENSITY, Vehicle};
 use crate::number::number;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
+use crate::syntax::ast::{Block, Expr, ExprKind};
 
 const INVALID: &str = "mavc::air::value";
 const MODEL: &str = "mavc::air::model";
@@ -24,42 +24,35 @@ pub(super) fn is_one(block: &Block) -> bool {
 pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Air> {
     let span = block.keyword.span;
     let fields = Fields::of_block(cx, "`air`".into(), span, &block.body, Group::Air);
-    let wind = match fields.get("wind") {
-        Some(expr) => wind(cx, expr),
-        None => Some(([0.0; 3], [0.0; 3])),
-    };
-    let gusts = match fields.get("gusts") {
-        Some(expr) => cx.quantity(&table::GUSTS, expr, INVALID),
-        None => Some(table::GUSTS.value()),
-    };
-    let mut optional = |entry: &'static Entry| match fields.get(entry.name) {
-        Some(expr) => cx.quantity(entry, expr, INVALID).map(Some),
-        None => Some(None),
-    };
-    let (density, altitude) = (optional(&table::DENSITY), optional(&table::ALTITUDE));
-    let mut is_whole = !block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
+    let wind = fields.written("wind", |expr| wind(cx, expr)).or_default(|| ([0.0; 3], [0.0; 3]));
+    let gusts = fields.quantity(cx, &table::GUSTS, INVALID).or_default(|| table::GUSTS.value());
+    let density = fields.quantity(cx, &table::DENSITY, INVALID);
+    let altitude = fields.quantity(cx, &table::ALTITUDE, INVALID);
+    let mut is_whole = block.is_whole();
     if let (Some(here), Some(first)) = (fields.span_of("altitude"), fields.span_of("density")) {
         let error = Diagnostic::error(CONFLICT, here, "`altitude` and `density` both give the density of the air");
         cx.report(error.here("second density").also(first, "first density").help("remove one of the two"));
         is_whole = false;
     }
-    let ratio = match (density?, altitude?) {
+    let density_ratio = match (density.optional()?, altitude.optional()?) {
         (Some(density), _) => density / STANDARD_DENSITY,
-        (None, Some(altitude)) => match standard_ratio(altitude) {
-            Some(ratio) => ratio,
-            None => {
-                let at = fields.get("altitude").map_or(span, |expr| expr.span);
-                let message = format!("`altitude` must be between {} m and {} m", number(LOWEST), number(HIGHEST));
-                let error = Diagnostic::error(INVALID, at, message).here(format!("this is {} m", number(altitude)));
-                cx.report(error.help("write the height above sea level, or the density: `density = 1.1 kg/m^3`"));
-                return None;
-            }
-        },
+        (None, Some(altitude)) => ratio_at(cx, altitude, fields.get("altitude").map_or(span, |expr| expr.span))?,
         (None, None) => 1.0,
     };
     let (wind, wind_spread) = wind?;
-    let gusts = gusts?;
-    is_whole.then_some(Air { wind, wind_spread, gusts, density_ratio: ratio, span })
+    let air = Air { wind, wind_spread, gusts: gusts?, density_ratio, span };
+    is_whole.then_some(air)
+}
+
+/// As [`standard_ratio`]; reports a height outside the troposphere.
+fn ratio_at(cx: &mut Context, altitude: f64, at: Span) -> Option<f64> {
+    let ratio = standard_ratio(altitude);
+    if ratio.is_none() {
+        let message = format!("`altitude` must be between {} m and {} m", number(LOWEST), number(HIGHEST));
+        let error = Diagnostic::error(INVALID, at, message).here(format!("this is {} m", number(altitude)));
+        cx.report(error.help("write the height above sea level, or the density: `density = 1.1 kg/m^3`"));
+    }
+    ratio
 }
 
 /// `[6, 0, 0] m/s`, with `+- 2 m/s` or `+- [2, 2, 0] m/s`: the middle and the largest deviation on each axis, m/s.

@@ -8,6 +8,14 @@ use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Operator};
 use crate::unit::{Quantity, compare, parse_unit};
 
+/// `left operator right`
+#[derive(Clone, Copy)]
+struct Join<'e, 'a> {
+    operator: &'e Spanned<Operator>,
+    left: &'a Expr,
+    right: &'a Expr,
+}
+
 impl<'a> Context<'a> {
     /// `left operator right`; `span` covers both.
     pub(super) fn binary(
@@ -23,7 +31,7 @@ impl<'a> Context<'a> {
             return None;
         }
         let (a, b) = (self.evaluate(left), self.evaluate(right));
-        let join = (operator, left, right);
+        let join = Join { operator, left, right };
         match (a?, b?) {
             (One(a), One(b)) => {
                 let q = self.combine(join, a, b)?;
@@ -73,7 +81,7 @@ impl<'a> Context<'a> {
 
     fn each(
         &mut self,
-        join: (&Spanned<Operator>, &'a Expr, &'a Expr),
+        join: Join<'_, 'a>,
         pairs: impl Iterator<Item = (Quantity, Quantity)>,
         span: Span,
     ) -> Option<Value> {
@@ -84,13 +92,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    fn combine(
-        &mut self,
-        join: (&Spanned<Operator>, &'a Expr, &'a Expr),
-        a: Quantity,
-        b: Quantity,
-    ) -> Option<Quantity> {
-        let (operator, _, right) = join;
+    fn combine(&mut self, join: Join<'_, 'a>, a: Quantity, b: Quantity) -> Option<Quantity> {
+        let Join { operator, right, .. } = join;
         match operator.value {
             Operator::Add => a.plus(b).or_else(|| self.sides_differ(join, a, b)),
             Operator::Subtract => a.plus(b.negated()).or_else(|| self.sides_differ(join, a, b)),
@@ -110,12 +113,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    fn sides_differ<T>(
-        &mut self,
-        (operator, left, right): (&Spanned<Operator>, &'a Expr, &'a Expr),
-        a: Quantity,
-        b: Quantity,
-    ) -> Option<T> {
+    fn sides_differ<T>(&mut self, join: Join<'_, 'a>, a: Quantity, b: Quantity) -> Option<T> {
+        let Join { operator, left, right } = join;
         let (x, y) = (a.dimension, b.dimension);
         let message = format!("cannot apply `{}` to {} and {}", symbol(operator), x.describe(), y.describe());
         let table = compare(["left", "right"], x, y).table;

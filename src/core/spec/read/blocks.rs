@@ -7,6 +7,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::Group;
 use crate::source::{SourceMap, Span};
 use crate::syntax::ast::{Block, Field, Item, SpecFile, Statement};
+use crate::syntax::visit::Visit;
 
 /// The top-level blocks of all files, by keyword, in the order of files and statements.
 #[derive(Default)]
@@ -111,26 +112,26 @@ fn only_one(cx: &mut Context, blocks: &[&Block]) {
     }
 }
 
-/// Every statement that could not be parsed.
+struct BrokenSpans(Vec<Span>);
+
+impl<'t> Visit<'t> for BrokenSpans {
+    fn statement(&mut self, statement: &'t Statement) {
+        // Only blocks hold statements that declare names.
+        if matches!(statement, Statement::Block(_) | Statement::Broken(_)) {
+            self.walk_statement(statement);
+        }
+    }
+
+    fn broken(&mut self, span: &'t Span) {
+        self.0.push(*span);
+    }
+}
+
+/// Every statement that could not be parsed, of those that may declare names.
 pub(super) fn broken(trees: &[SpecFile]) -> Vec<Span> {
-    fn within(body: &[Statement], into: &mut Vec<Span>) {
-        for statement in body {
-            match statement {
-                Statement::Broken(span) => into.push(*span),
-                Statement::Block(block) => within(&block.body, into),
-                _ => {}
-            }
-        }
-    }
-    let mut spans = Vec::new();
-    for item in trees.iter().flat_map(|tree| &tree.items) {
-        match item {
-            Item::Broken(span) => spans.push(*span),
-            Item::Block(block) => within(&block.body, &mut spans),
-            _ => {}
-        }
-    }
-    spans
+    let mut spans = BrokenSpans(Vec::new());
+    trees.iter().for_each(|tree| spans.file(tree));
+    spans.0
 }
 
 /// Whether some `use` could not be parsed: then what it would declare is unknown.

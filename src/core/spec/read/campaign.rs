@@ -1,16 +1,17 @@
 //! The `campaign` block: how many flights with faults are flown, and with the plans of which planners.
 
 use super::context::{Context, either};
+use super::defaulted::Defaulted;
 use super::edits;
 use super::fields::Fields;
 use super::simulate::{Around, seed};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::language::Group;
 use crate::language::table::campaign as table;
-use crate::language::{Entry, Group};
 use crate::model::{Campaign, DefaultUsed, PlannerKind};
-use crate::number::number;
+use crate::number::{number, plural};
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
+use crate::syntax::ast::{Block, Expr, ExprKind};
 
 const CHOICE: &str = "mavc::campaign::choice";
 const COUNT: &str = "mavc::campaign::count";
@@ -29,41 +30,25 @@ pub(super) fn elaborate<'a>(
     };
     let span = block.keyword.span;
     let fields = Fields::of_block(cx, "`campaign`".into(), span, &block.body, Group::Campaign);
-    let mut defaults = Vec::new();
-    let mut count = |cx: &mut Context<'a>, entry: &'static Entry| match fields.get(entry.name) {
-        Some(expr) => cx.count(entry, &format!("`{}`", entry.name), expr, COUNT),
-        None => Some(take(&mut defaults, entry, entry.value() as usize)),
-    };
-    let times = count(cx, &table::TIMES);
-    let seeds = count(cx, &table::SEEDS);
-    let planners = match fields.get("planners") {
-        Some(expr) => planners(cx, expr),
-        None => Some(take(&mut defaults, &table::PLANNERS, PLANNERS.to_vec())),
-    };
-    let seed = match fields.get("seed") {
-        Some(expr) => seed(cx, expr),
-        None => Some(take(&mut defaults, &table::SEED, table::SEED.value() as u64)),
-    };
+    let mut fields = Defaulted::new("campaign", fields);
+    let campaign = read(cx, block, &mut fields, around);
+    (campaign, fields.used)
+}
+
+fn read<'a>(cx: &mut Context<'a>, block: &'a Block, fields: &mut Defaulted<'a>, around: &Around) -> Option<Campaign> {
+    let span = block.keyword.span;
+    let times = fields.count_or_default(cx, &table::TIMES, COUNT);
+    let seeds = fields.count_or_default(cx, &table::SEEDS, COUNT);
+    let planners = fields.value_or(&table::PLANNERS, PLANNERS.to_vec(), |expr| planners(cx, expr));
+    let seed = fields.value_or(&table::SEED, table::SEED.value() as u64, |expr| seed(cx, expr));
     if around.modes.is_empty() && !around.incomplete {
         let message = "the campaign has no fault modes";
         let warning = Diagnostic::warning("mavc::campaign::no_modes", span, message).here("no flight has a fault");
         cx.report(warning.help("declare fault modes, as in `faults { every 1 rotor lost as M }`"));
     }
-    let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let campaign = match (times, seeds, planners, seed) {
-        (Some(times), Some(seeds), Some(planners), Some(seed)) if !broken => {
-            Some(Campaign { times, seeds, planners, seed, written: true, span })
-        }
-        _ => None,
-    };
+    let campaign = Campaign { times: times?, seeds: seeds?, planners: planners?, seed: seed?, written: true, span };
     let place = fields.get("seeds").or(fields.get("times")).map_or(span, |expr| expr.span);
-    let fits = campaign.as_ref().is_none_or(|campaign| few_enough(cx, campaign, around.modes.len(), place));
-    (campaign.filter(|_| fits), defaults)
-}
-
-fn take<T>(defaults: &mut Vec<DefaultUsed>, entry: &Entry, value: T) -> T {
-    defaults.push(DefaultUsed::of("campaign", entry));
-    value
+    (block.is_whole() && few_enough(cx, &campaign, around.modes.len(), place)).then_some(campaign)
 }
 
 /// One name or a list of them.
@@ -120,15 +105,14 @@ fn few_enough(cx: &mut Context, campaign: &Campaign, modes: usize, span: Span) -
     if flights <= MAX_FLIGHTS {
         return true;
     }
-    let several = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
     let [times, seeds, modes, planners] = parts;
     let message = format!("a campaign may have at most 100 million flights, not {}", number(flights));
     let error = Diagnostic::error("mavc::campaign::too_many_flights", span, message).here(format!(
         "{}, {}, {} and {}",
-        several(times, "time"),
-        several(seeds, "seed"),
-        several(modes, "mode"),
-        several(planners, "planner")
+        plural(times, "time"),
+        plural(seeds, "seed"),
+        plural(modes, "mode"),
+        plural(planners, "planner")
     ));
     cx.report(error.help("reduce `times` or `seeds`; 10 seeds are usual"));
     false

@@ -119,8 +119,9 @@ fn whole<'a>(
     modes.finish(cx);
     parts.vehicles = vehicles.iter().filter_map(|v| v.vehicle.clone()).collect();
     parts.modes = modes.modes.clone();
-    let (manner, manner_fine) = draft.manner(cx);
-    let missions: Vec<_> = blocks.missions.iter().map(|block| mission::elaborate(cx, block, manner, files)).collect();
+    let (of_waypoints, of_waypoints_fine) = draft.waypoint_defaults(cx);
+    let read = |block: &&'a Block| mission::elaborate(cx, block, of_waypoints, files);
+    let missions: Vec<_> = blocks.missions.iter().map(read).collect();
     let named: Vec<(&str, Span)> = missions.iter().map(|m| (m.name.as_str(), m.span)).collect();
     let mission = choose(cx, &draft, "mission", &named, &blocks.missions).map(|index| &missions[index]);
     if let Some(mission) = mission.filter(|m| m.yaw_defaulted) {
@@ -144,15 +145,12 @@ fn whole<'a>(
     }
     let volumes_fit = flown.as_mut().zip(known).is_none_or(|(flown, vehicle)| volume::impose(cx, flown, vehicle));
     let flown = flown.as_ref();
-    let (names_modes, empty_against) = (draft.names_modes(), draft.empty_against());
-    let (draft_span, written_capture) = (draft.span, draft.capture_height);
-    let (plan, plan_time, plan_defaults) = draft.finish(cx, &modes, incomplete, flown, fallback);
-    let plan_written = !blocks.plans.is_empty();
-    if plan_written || mission.is_some() {
-        defaults.extend(plan_defaults);
+    let mut plan = draft.finish(cx, &modes, incomplete, flown, fallback);
+    if draft.span.is_some() || mission.is_some() {
+        defaults.append(&mut draft.fields.used);
     }
     if let Some(flown) = flown {
-        plausibility::check_pace(cx, &flown.waypoints, plan_time);
+        plausibility::check_pace(cx, &flown.waypoints, draft.fixed_time);
     }
     let lags_known = plan
         .as_ref()
@@ -169,28 +167,29 @@ fn whole<'a>(
         incomplete,
         vehicle: known,
         mission: flown,
-        plan_time,
-        fallback: draft_span.unwrap_or(fallback),
+        plan_time: draft.fixed_time,
+        fallback: draft.span.unwrap_or(fallback),
     };
     let flight_blocks = [&blocks.simulations, &blocks.campaigns].map(|blocks| blocks.first().copied());
     let (simulation, campaign) = flight_blocks::read(cx, flight_blocks, flights, &around, &mut defaults);
-    let (mut plan, mut captures_known) = (plan, true);
-    if let Some((plan, written)) = plan.as_mut().zip(written_capture.value()) {
+    let mut captures_known = true;
+    if let Some((plan, written)) = plan.as_mut().zip(draft.capture_height.value()) {
         let required = capture_height::check(cx, written, flown, known, simulation.as_ref());
         captures_known = required.is_some();
         plan.require_capture = required;
     }
-    let plan = plan.filter(|_| captures_known && manner_fine && lags_known && volumes_fit && model_fits && air_fits)?;
+    let is_fine = captures_known && of_waypoints_fine && lags_known && volumes_fit && model_fits && air_fits;
+    let plan = plan.filter(|_| is_fine)?;
     let (simulation, campaign) = (simulation?, campaign?);
     if mission.is_some() && flown.is_none() {
         return None;
     }
     // A campaign uses every mode, `require capture_height` those that give up yaw, and which modes a block with errors
     // uses is unknown.
-    if names_modes && !campaign.written && plan.require_capture.is_none() && !cx.softened {
+    if draft.names_modes() && !campaign.written && plan.require_capture.is_none() && !cx.softened {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
-        against::warn_unused(cx, &modes, &plan.against, &used, empty_against);
+        against::warn_unused(cx, &modes, &plan.against, &used, draft.empty_against());
     }
     Some(Model {
         gravity: cx.gravity,

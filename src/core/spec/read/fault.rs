@@ -46,9 +46,7 @@ impl Modes {
         for statement in &block.body {
             match statement {
                 Statement::Block(mode) => self.single(cx, mode, rotors),
-                Statement::Every { count, effect, prefix, body, doc, span } => {
-                    self.every(cx, count, effect, prefix, body, doc, *span, rotors);
-                }
+                Statement::Every { .. } => self.every(cx, statement, rotors),
                 Statement::Broken(span) => {
                     self.incomplete = true;
                     // The name of a broken `mode` is among the lost words; the names that an `every` makes are not.
@@ -88,18 +86,8 @@ impl Modes {
         self.push(mode);
     }
 
-    #[allow(clippy::too_many_arguments)]
-    fn every<'a>(
-        &mut self,
-        cx: &mut Context<'a>,
-        count: &'a Expr,
-        effect: &'a Effect,
-        prefix: &'a Name,
-        body: &'a [Statement],
-        doc: &Option<String>,
-        span: Span,
-        rotors: Option<usize>,
-    ) {
+    fn every<'a>(&mut self, cx: &mut Context<'a>, statement: &'a Statement, rotors: Option<usize>) {
+        let Statement::Every { count, effect, prefix, body, doc, span } = statement else { return };
         if let ExprKind::Number { unit: Some(word), .. } = &count.kind
             && parse_unit(&word.value, cx.gravity).is_err()
         {
@@ -108,7 +96,7 @@ impl Modes {
             return;
         }
         let effect = left_by(cx, effect);
-        let numbers = Numbers::read(cx, format!("`every ... as {}`", prefix.value), span, body);
+        let numbers = Numbers::read(cx, format!("`every ... as {}`", prefix.value), *span, body);
         let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());
         let count = cx.whole("the number of rotors", count, 1..=most, "mavc::fault::count").map(|k| (k, count.span));
         let (Some((k, at)), Some(n)) = (count, rotors) else {
@@ -147,7 +135,7 @@ impl Modes {
                 self.incomplete = true;
                 continue;
             };
-            let mut mode = numbers.mode(name, n, span);
+            let mut mode = numbers.mode(name, n, *span);
             mode.doc = doc.clone();
             rotors.iter().for_each(|&rotor| mode.rotors[rotor - 1] = effect);
             self.push(mode);
@@ -310,13 +298,12 @@ struct Numbers {
 impl Numbers {
     fn read<'a>(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement]) -> Option<Self> {
         let fields = Fields::of_block(cx, owner, span, body, Group::Mode);
-        let rate = fields.written("rate", |e| cx.quantity(&table::RATE, e, "mavc::fault::rate"));
-        let mut fmea = |entry: &'static Entry| {
-            let what = format!("`{}`", entry.name);
-            fields.written(entry.name, |e| cx.count(entry, &what, e, "mavc::fault::fmea").map(|x| x as u8))
-        };
-        let (severity, occurrence, detection) =
-            (fmea(&table::SEVERITY), fmea(&table::OCCURRENCE), fmea(&table::DETECTION));
+        let rate = fields.quantity(cx, &table::RATE, "mavc::fault::rate");
+        let mut fmea =
+            |entry: &'static Entry| fields.count(cx, entry, "mavc::fault::fmea").and_then(|x| u8::try_from(x).ok());
+        let severity = fmea(&table::SEVERITY);
+        let occurrence = fmea(&table::OCCURRENCE);
+        let detection = fmea(&table::DETECTION);
         let after_fault = after_fault::read(cx, &fields);
         let without_yaw = without_yaw::read(cx, &fields);
         Some(Numbers {

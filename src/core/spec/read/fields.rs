@@ -222,6 +222,28 @@ impl<'a> Fields<'a> {
         self.get(name).map_or(Written::Absent, |expr| Written::of(read(expr)))
     }
 
+    /// A quantity; `code` is the error code for a value out of its range.
+    pub fn quantity(&self, cx: &mut Context<'a>, entry: &'static Entry, code: &'static str) -> Written<f64> {
+        self.written(entry.name, |expr| cx.quantity(entry, expr, code))
+    }
+
+    /// A whole number; `code` is the error code for a value out of its range.
+    pub fn count(&self, cx: &mut Context<'a>, entry: &'static Entry, code: &'static str) -> Written<usize> {
+        self.written(entry.name, |expr| cx.count(entry, &format!("`{}`", entry.name), expr, code))
+    }
+
+    /// One of `choices`, the meanings of the entry's words in the same order; `code` is that of any other word.
+    pub fn choice<T: Copy>(
+        &self,
+        cx: &mut Context<'a>,
+        entry: &'static Entry,
+        code: &'static str,
+        choices: &[T],
+    ) -> Written<T> {
+        let meaning = |word: &str| entry.words().iter().zip(choices).find(|(w, _)| **w == word).map(|(_, c)| *c);
+        self.word(cx, code, entry).and_then(meaning)
+    }
+
     /// The word of a field that takes one of a few words; faulty where its value is not one of them, which is reported.
     pub fn word(&self, cx: &mut Context<'a>, code: &'static str, entry: &'static Entry) -> Written<&'a str> {
         let (field, words) = (entry.name, entry.words());

@@ -3,6 +3,7 @@
 use super::context::Context;
 use super::expected::Expected;
 use crate::syntax::ast::{Expr, ExprKind};
+use crate::syntax::visit::Visit;
 
 /// Units of angles and of their rates, in degrees and in radians.
 const RADIANS: [(&str, &str); 3] = [("deg", "rad"), ("deg/s", "rad/s"), ("deg/s^2", "rad/s^2")];
@@ -66,16 +67,19 @@ pub(super) fn runs_through_turns(parameter: &str, range: &Expr, expressions: &[O
 
 /// Whether `wanted` holds for `expr` or for a part of it.
 fn any_part(expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
-    let within = |part: &Expr| any_part(part, wanted);
-    wanted(expr)
-        || match &expr.kind {
-            ExprKind::Paren { inner, .. } | ExprKind::Negate(inner) => within(inner),
-            ExprKind::List { elements, .. } | ExprKind::Call { arguments: elements, .. } => elements.iter().any(within),
-            ExprKind::Binary { left, right, .. }
-            | ExprKind::Range { low: left, high: right }
-            | ExprKind::Interval { value: left, by: right } => within(left) || within(right),
-            ExprKind::Number { .. } | ExprKind::Name(_) | ExprKind::Text(_) | ExprKind::Unknown => false,
+    struct Search<'w> {
+        wanted: &'w dyn Fn(&Expr) -> bool,
+        found: bool,
+    }
+    impl<'t> Visit<'t> for Search<'_> {
+        fn expr(&mut self, expr: &'t Expr) {
+            self.found |= (self.wanted)(expr);
+            self.walk_expr(expr);
         }
+    }
+    let mut search = Search { wanted, found: false };
+    search.expr(expr);
+    search.found
 }
 
 #[cfg(test)]

@@ -24,23 +24,36 @@ enum Form {
     Rate,
 }
 
-/// The limits of the table, with what each bounds.
-const LIMITS: [(&Entry, LimitKind, Form); 15] = [
-    (&table::X, LimitKind::X, Form::Coordinate),
-    (&table::Y, LimitKind::Y, Form::Coordinate),
-    (&table::Z, LimitKind::Z, Form::Coordinate),
-    (&table::ALTITUDE, LimitKind::Z, Form::Coordinate),
-    (&table::YAW, LimitKind::Yaw, Form::Coordinate),
-    (&table::SPEED, LimitKind::Speed, Form::Norm),
-    (&table::SPEED_HORIZONTAL, LimitKind::SpeedHorizontal, Form::Norm),
-    (&table::CLIMB, LimitKind::Climb, Form::OneSided),
-    (&table::DESCENT, LimitKind::Descent, Form::OneSided),
-    (&table::ACCELERATION, LimitKind::Acceleration, Form::Norm),
-    (&table::ACCELERATION_HORIZONTAL, LimitKind::AccelerationHorizontal, Form::Norm),
-    (&table::JERK, LimitKind::Jerk, Form::Norm),
-    (&table::YAW_RATE, LimitKind::YawRate, Form::Rate),
-    (&table::YAW_ACCELERATION, LimitKind::YawAcceleration, Form::Rate),
-    (&table::TILT, LimitKind::Tilt, Form::Norm),
+/// A limit of the table, with what it bounds.
+struct Row {
+    entry: &'static Entry,
+    kind: LimitKind,
+    form: Form,
+}
+
+impl Row {
+    const fn new(entry: &'static Entry, kind: LimitKind, form: Form) -> Self {
+        Row { entry, kind, form }
+    }
+}
+
+/// The limits of the table.
+const LIMITS: [Row; 15] = [
+    Row::new(&table::X, LimitKind::X, Form::Coordinate),
+    Row::new(&table::Y, LimitKind::Y, Form::Coordinate),
+    Row::new(&table::Z, LimitKind::Z, Form::Coordinate),
+    Row::new(&table::ALTITUDE, LimitKind::Z, Form::Coordinate),
+    Row::new(&table::YAW, LimitKind::Yaw, Form::Coordinate),
+    Row::new(&table::SPEED, LimitKind::Speed, Form::Norm),
+    Row::new(&table::SPEED_HORIZONTAL, LimitKind::SpeedHorizontal, Form::Norm),
+    Row::new(&table::CLIMB, LimitKind::Climb, Form::OneSided),
+    Row::new(&table::DESCENT, LimitKind::Descent, Form::OneSided),
+    Row::new(&table::ACCELERATION, LimitKind::Acceleration, Form::Norm),
+    Row::new(&table::ACCELERATION_HORIZONTAL, LimitKind::AccelerationHorizontal, Form::Norm),
+    Row::new(&table::JERK, LimitKind::Jerk, Form::Norm),
+    Row::new(&table::YAW_RATE, LimitKind::YawRate, Form::Rate),
+    Row::new(&table::YAW_ACCELERATION, LimitKind::YawAcceleration, Form::Rate),
+    Row::new(&table::TILT, LimitKind::Tilt, Form::Norm),
 ];
 
 const FORM: &str = "mavc::mission::limit_form";
@@ -70,7 +83,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> (Vec<Limi
                     continue;
                 }
                 given.push((&name.value, sides.0, sides.1, *span));
-                match LIMITS.iter().find(|row| row.0.name == name.value) {
+                match LIMITS.iter().find(|row| row.entry.name == name.value) {
                     Some(row) => one(cx, row, relation, *span),
                     None => {
                         unknown(cx, &name.value, name.span);
@@ -80,7 +93,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> (Vec<Limi
             }
             Statement::Field(field) => {
                 let name = &field.name.value;
-                match LIMITS.iter().find(|row| row.0.name == name) {
+                match LIMITS.iter().find(|row| row.entry.name == name) {
                     Some(_) => {
                         let error = Diagnostic::error(FORM, field.span, format!("the limit `{name}` takes no `=`"));
                         cx.report(error.here("expected a bound").help(format!("write `{name} <= ...`")));
@@ -139,12 +152,8 @@ fn unknown(cx: &mut Context, name: &str, span: Span) {
     });
 }
 
-fn one<'a>(
-    cx: &mut Context<'a>,
-    (entry, kind, form): &(&'static Entry, LimitKind, Form),
-    relation: &'a LimitRelation,
-    span: Span,
-) -> Option<Limit> {
+fn one<'a>(cx: &mut Context<'a>, row: &Row, relation: &'a LimitRelation, span: Span) -> Option<Limit> {
+    let Row { entry, kind, form } = row;
     let (written, bound) = match relation {
         LimitRelation::AtMost(e) => ("<=", e),
         LimitRelation::AtLeast(e) => (">=", e),

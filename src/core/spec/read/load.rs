@@ -8,7 +8,7 @@ use super::near_files::List;
 use super::unreadable::{refused_by_name, unreadable};
 use crate::diagnostic::{Diagnostic, sort};
 use crate::input::MAX_FILE_BYTES;
-use crate::input::{Kind, MAX_TABLE_BYTES};
+use crate::input::{FileKind, MAX_TABLE_BYTES};
 use crate::source::{FileId, Source, SourceMap, Span, Spanned, visible};
 use crate::syntax::ast::{Item, SpecFile, Statement};
 use crate::syntax::{not_utf8, parse, too_large};
@@ -168,7 +168,7 @@ impl Loader<'_> {
             }
             return;
         }
-        match self.bytes(Kind::Spec, &target, path, from) {
+        match self.bytes(FileKind::Spec, &target, path, from) {
             Ok(bytes) => self.file(target.display().to_string(), &bytes, Some(path.span)),
             Err(diagnostic) => {
                 self.seen.insert(target.clone(), ());
@@ -198,7 +198,7 @@ impl Loader<'_> {
             self.fail(error.help("merge some of the tables"));
             return;
         }
-        match self.bytes(Kind::Table, &target, path, from) {
+        match self.bytes(FileKind::Table, &target, path, from) {
             Ok(bytes) if bytes.len() > MAX_TABLE_BYTES => self.fail(too_large(&name, path.span, MAX_TABLE_BYTES)),
             Ok(bytes) => match Source::from_bytes(&name, &bytes) {
                 Ok(source) => {
@@ -217,7 +217,13 @@ impl Loader<'_> {
     }
 
     /// Reads the file at `path`, as written in `from`; a file with the wrong ending is not even opened.
-    fn bytes(&self, kind: Kind, target: &Path, path: &Spanned<String>, from: &str) -> Result<Vec<u8>, Box<Diagnostic>> {
+    fn bytes(
+        &self,
+        kind: FileKind,
+        target: &Path,
+        path: &Spanned<String>,
+        from: &str,
+    ) -> Result<Vec<u8>, Box<Diagnostic>> {
         if let Some(refused) = refused_by_name(kind, target, path, from, self.list) {
             return Err(Box::new(refused));
         }

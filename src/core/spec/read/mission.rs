@@ -5,6 +5,7 @@ mod leg;
 mod times;
 
 pub use leg::ARRIVAL;
+use leg::LegClauses;
 pub(super) use times::{MAX_DURATION, too_long};
 
 use super::written::Written;
@@ -24,7 +25,7 @@ use crate::language::table::mission as of_mission;
 use crate::language::table::waypoint as table;
 use crate::model::grid::Spacing;
 use crate::model::legs::{Timing, shares, unwrap_yaw};
-use crate::model::{Air, Heading, Mission, Waypoint};
+use crate::model::{Air, Heading, Limit, Mission, Waypoint};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, Statement};
@@ -46,6 +47,16 @@ pub(super) struct WaypointDefaults {
     pub spacing: Spacing,
 }
 
+impl WaypointDefaults {
+    /// With `within`, `yaw_within` and `weight` replaced where `fields` give them; `None` where one has an error.
+    fn replaced<'a>(self, cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Self> {
+        let within = fields.quantity(cx, &table::WITHIN, TOLERANCE).or_default(|| self.within);
+        let yaw_within = fields.quantity(cx, &table::YAW_WITHIN, TOLERANCE).or_default(|| self.yaw_within);
+        let weight = fields.quantity(cx, &table::WEIGHT, WEIGHT).or_default(|| self.weight);
+        Some(WaypointDefaults { within: within?, yaw_within: yaw_within?, weight: weight?, ..self })
+    }
+}
+
 /// What is known of a mission, errors or not.
 pub(super) struct Outline {
     pub name: String,
@@ -65,19 +76,21 @@ pub(super) struct Stop {
     pub yaw_within: f64,
     pub weight: f64,
     pub time: Option<(f64, Span)>,
-    pub stop: bool,
-    pub(in crate::spec::read) heading: Option<heading::Rule>,
+    /// What is written about the leg that arrives here.
+    pub leg: Option<LegClauses>,
+    pub heading: Option<heading::Rule>,
     pub span: Span,
 }
 
 /// The list of waypoints under construction.
+#[derive(Default)]
 pub(super) struct Route {
     pub waypoints: Vec<Waypoint>,
     pub yaws: Vec<Option<f64>>,
     /// The curve that leg i (from waypoint i to i + 1) belongs to.
     pub curves: Vec<Option<usize>>,
     /// What is written about the legs, in the order of flight.
-    legs: Vec<leg::Written>,
+    legs: Vec<LegClauses>,
     /// What each waypoint says of its yaw.
     headings: Vec<Option<heading::Rule>>,
     /// A statement had an error, so points may be missing.
@@ -112,6 +125,8 @@ impl Route {
         if !self.waypoints.is_empty() {
             self.curves.push(curve);
         }
+        let comes_to_rest = stop.leg.as_ref().is_some_and(|leg| leg.stop);
+        self.legs.extend(stop.leg.filter(LegClauses::is_written));
         self.yaws.push(stop.yaw);
         self.headings.push(stop.heading);
         self.waypoints.push(Waypoint {
@@ -124,7 +139,7 @@ impl Route {
             weight: stop.weight,
             time: stop.time.map(|t| t.0),
             hold: 0.0,
-            stop: stop.stop,
+            stop: comes_to_rest,
             span: stop.span,
             time_span: stop.time.map(|t| t.1),
             hold_span: None,
@@ -135,161 +150,221 @@ impl Route {
 pub(super) fn elaborate<'a>(
     cx: &mut Context<'a>,
     block: &'a Block,
-    manner: WaypointDefaults,
+    defaults: WaypointDefaults,
     files: &'a FileSet,
 ) -> Outline {
     let name = block.name.as_ref().map_or("mission", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     let fields = Fields::of_block(cx, format!("mission `{name}`"), span, &block.body, Group::Mission);
-    let mut route = Route {
-        waypoints: Vec::new(),
-        yaws: Vec::new(),
-        curves: Vec::new(),
-        legs: Vec::new(),
-        headings: Vec::new(),
-        broken: false,
-        names: BTreeMap::new(),
-        too_many: false,
-        too_far: false,
-    };
-    let (mut start_at_rest, mut end_at_rest) = (true, true);
-    let mut limit_block: Option<&Block> = None;
-    let mut volume_blocks: Vec<&Block> = Vec::new();
-    let mut air_block: Option<&Block> = None;
-    let (mut limits, mut limits_whole) = (Vec::new(), true);
-    // The number of waypoints before the first statement with an error: these are certain.
-    let mut sure = None;
-    // The number of each waypoint as its author counts, where no curve or table with an error comes before it.
-    let (mut numbers, mut unread) = (Vec::new(), Some(0));
-    for (index, statement) in block.body.iter().enumerate() {
-        let before = route.waypoints.len();
-        match statement {
-            Statement::Start(clauses) => {
-                if !route.waypoints.is_empty() {
-                    let message = "`start` must come before all other waypoints";
-                    let error = Diagnostic::error("mavc::mission::start_first", clauses.span, message);
-                    let word = Span { end: clauses.span.start + "start".len() as u32, ..clauses.span };
-                    let error = error.here("waypoints come before this").help("move it up, or write `waypoint at`");
-                    cx.report(error.fix(word, "waypoint"));
-                    route.broken = true;
+    let body = Body::read(cx, block, defaults, files);
+    let yaw_defaulted = matches!((body.route.yaws.first(), body.route.headings.first()), (Some(None), Some(None)));
+    let mission = body.mission(cx, block, &fields, &name, defaults);
+    Outline { name, span, mission, yaw_defaulted }
+}
+
+/// What the statements of a mission say.
+#[derive(Default)]
+struct Body<'a> {
+    route: Route,
+    starts_moving: bool,
+    ends_moving: bool,
+    volumes: Vec<&'a Block>,
+    air: Option<&'a Block>,
+    limit_block: Option<&'a Block>,
+    /// The limits without errors, and whether others have one.
+    limits: Vec<Limit>,
+    limits_faulty: bool,
+    /// The number of waypoints before the first statement with an error: these are certain.
+    sure: Option<usize>,
+    /// The number of each waypoint as its author counts, where no curve or table with an error comes before it.
+    numbers: Vec<Option<usize>>,
+    /// How many waypoints have errors, and whether others are not counted.
+    unread: usize,
+    uncounted: bool,
+}
+
+impl<'a> Body<'a> {
+    fn read(cx: &mut Context<'a>, block: &'a Block, defaults: WaypointDefaults, files: &'a FileSet) -> Self {
+        let mut body = Body::default();
+        for (index, statement) in block.body.iter().enumerate() {
+            let before = body.route.waypoints.len();
+            match statement {
+                Statement::Start(clauses) => {
+                    start_first(cx, clauses, &mut body.route);
+                    waypoint(cx, clauses, "`start`", defaults, &mut body.route);
                 }
-                waypoint(cx, clauses, "`start`", manner, &mut route);
+                Statement::Waypoint(clauses) => {
+                    let owner =
+                        clauses.name.as_ref().map_or("`waypoint`".into(), |n| format!("waypoint `{}`", n.value));
+                    waypoint(cx, clauses, &owner, defaults, &mut body.route);
+                }
+                Statement::Curve { parameter, range, options, body: inner, .. } => {
+                    let curve = curve::Curve { index, parameter, range, options, body: inner };
+                    curve.fly(cx, defaults, &mut body.route);
+                }
+                Statement::WaypointsFrom { path, .. } => match files.table(block.keyword.span.file, &path.value) {
+                    Some(table) => survey::read(cx, table, defaults, &mut body.route),
+                    None => body.route.broken = true,
+                },
+                Statement::Hold { duration, span } => hold(cx, duration, *span, &mut body.route),
+                Statement::Moving { end, .. } if end.value => body.ends_moving = true,
+                Statement::Moving { .. } => body.starts_moving = true,
+                Statement::Block(inner) => body.block(cx, inner),
+                Statement::Broken(_) => body.route.broken = true,
+                _ => {}
             }
-            Statement::Waypoint(clauses) => {
-                let owner = clauses.name.as_ref().map_or("`waypoint`".into(), |n| format!("waypoint `{}`", n.value));
-                waypoint(cx, clauses, &owner, manner, &mut route);
-            }
-            Statement::Curve { parameter, range, options, body, .. } => {
-                let curve = curve::Curve { index, parameter, range, options, body };
-                curve.fly(cx, manner, &mut route);
-            }
-            Statement::WaypointsFrom { path, .. } => match files.table(block.keyword.span.file, &path.value) {
-                Some(table) => survey::read(cx, table, manner, &mut route),
-                None => route.broken = true,
-            },
-            Statement::Hold { duration, span } => hold(cx, duration, *span, &mut route),
-            Statement::Moving { end, .. } => *if end.value { &mut end_at_rest } else { &mut start_at_rest } = false,
-            Statement::Block(inner) if volume::is_one(inner) => volume_blocks.push(inner),
-            Statement::Block(inner) if air::is_one(inner) => match air_block {
+            body.count(statement, before);
+        }
+        body
+    }
+
+    fn block(&mut self, cx: &mut Context<'a>, inner: &'a Block) {
+        if volume::is_one(inner) {
+            self.volumes.push(inner);
+        } else if air::is_one(inner) {
+            match self.air {
                 Some(first) => second_block(cx, "one `air`", first, inner),
-                None => air_block = Some(inner),
-            },
-            Statement::Block(inner) => match limit_block {
-                Some(first) => second_block(cx, "one `limits`", first, inner),
-                None => {
-                    limit_block = Some(inner);
-                    (limits, limits_whole) = limits::read(cx, &inner.body);
-                }
-            },
-            Statement::Broken(_) => route.broken = true,
-            _ => {}
+                None => self.air = Some(inner),
+            }
+        } else if let Some(first) = self.limit_block {
+            second_block(cx, "one `limits`", first, inner);
+        } else {
+            self.limit_block = Some(inner);
+            let (limits, whole) = limits::read(cx, &inner.body);
+            (self.limits, self.limits_faulty) = (limits, !whole);
         }
+    }
+
+    /// Numbers the waypoints that `statement` adds to the first `before`, and remembers which are certain.
+    fn count(&mut self, statement: &Statement, before: usize) {
+        let adds_none = self.route.waypoints.len() == before;
         match statement {
-            Statement::Start(_) | Statement::Waypoint(_) if route.waypoints.len() == before => {
-                unread = unread.map(|unread| unread + 1);
-            }
-            Statement::Curve { .. } | Statement::WaypointsFrom { .. } if route.waypoints.len() == before => {
-                unread = None;
-            }
-            Statement::Broken(_) => unread = None,
+            Statement::Start(_) | Statement::Waypoint(_) if adds_none => self.unread += 1,
+            Statement::Curve { .. } | Statement::WaypointsFrom { .. } if adds_none => self.uncounted = true,
+            Statement::Broken(_) => self.uncounted = true,
             _ => {}
         }
-        numbers.extend((before..route.waypoints.len()).map(|index| unread.map(|unread| index + unread)));
-        if route.broken {
+        let added = before..self.route.waypoints.len();
+        self.numbers.extend(added.map(|index| (!self.uncounted).then_some(index + self.unread)));
+        if self.route.broken {
             // A `hold` changes the waypoint before it.
             let holds = matches!(statement, Statement::Hold { .. });
-            sure.get_or_insert(before.saturating_sub(usize::from(holds)));
+            self.sure.get_or_insert(before.saturating_sub(usize::from(holds)));
         }
     }
-    let (volumes, volumes_whole) = volume::read(cx, &volume_blocks);
-    let air = air_block.map_or_else(|| Some(Air::still(span)), |block| air::read(cx, block));
-    let mut sure = sure.unwrap_or(route.waypoints.len());
-    if route.waypoints.len() < 2 && !route.broken {
-        let message = format!("mission `{name}` needs at least two waypoints");
-        let error = Diagnostic::error("mavc::mission::too_few_waypoints", span, message);
-        let count = if route.waypoints.is_empty() { "it has no waypoint" } else { "it has only one" };
-        let error = error.here(count).help("add `waypoint at [10, 0, 5] m` or a `curve`");
-        let last = block.body.last().map(Statement::span);
-        let slot = edits::insertion(cx.sources.get(span.file), span, last, "waypoint at [10, 0, 5] m");
-        cx.report(match slot.filter(|_| route.waypoints.len() == 1) {
-            Some((span, text)) => error.fix(span, text),
-            None => error,
-        });
-        (route.broken, sure) = (true, 0);
+
+    /// Checks the waypoints together and reads the rest of the block; `None` where the mission has errors.
+    fn mission(
+        self,
+        cx: &mut Context<'a>,
+        block: &'a Block,
+        fields: &Fields<'a>,
+        name: &str,
+        defaults: WaypointDefaults,
+    ) -> Option<Mission> {
+        let Body { mut route, mut limits, mut limits_faulty, .. } = self;
+        let span = fields.span;
+        let volumes = volume::read(cx, &self.volumes);
+        let air = self.air.map_or_else(|| Some(Air::still(span)), |block| air::read(cx, block));
+        let mut sure = self.sure.unwrap_or(route.waypoints.len());
+        if route.waypoints.len() < 2 && !route.broken {
+            too_few(cx, block, span, name, route.waypoints.len());
+            (route.broken, sure) = (true, 0);
+        }
+        let (yaws, goals_known) =
+            heading::settle(cx, &mut route.waypoints, &route.headings, &route.yaws, !route.broken);
+        route.broken |= !goals_known;
+        unwrap_yaw(&mut route.waypoints, &yaws);
+        let in_order = times::check(cx, &route.waypoints[..sure]);
+        if !route.broken {
+            warn_close(cx, &route.waypoints);
+            plausibility::check_mission(cx, name, span, &route.waypoints);
+            let (of_legs, all) = leg::limits(cx, &route.legs, &route.waypoints, !self.ends_moving);
+            limits.extend(of_legs);
+            limits_faulty |= !all;
+        }
+        plausibility::check_limits(cx, &limits);
+        limits::check(cx, &limits, &route.waypoints, &self.numbers, sure);
+        route.broken |= !in_order;
+        let ground = ground(cx, fields, &route);
+        let origin = origin::read(cx, fields);
+        if route.broken || limits_faulty {
+            return None;
+        }
+        Some(Mission {
+            name: name.to_string(),
+            doc: block.doc.clone(),
+            legs: shares(&route.waypoints, &route.curves, defaults.timing),
+            waypoints: route.waypoints,
+            spacing: defaults.spacing,
+            start_at_rest: !self.starts_moving,
+            end_at_rest: !self.ends_moving,
+            limits,
+            volumes: volumes?,
+            air: air?,
+            ground: ground.optional()?,
+            origin: origin.optional()?,
+            span,
+        })
     }
-    let yaw_defaulted = matches!((route.yaws.first(), route.headings.first()), (Some(None), Some(None)));
-    let (yaws, goals_known) = heading::settle(cx, &mut route.waypoints, &route.headings, &route.yaws, !route.broken);
-    route.broken |= !goals_known;
-    unwrap_yaw(&mut route.waypoints, &yaws);
-    let in_order = times::check(cx, &route.waypoints[..sure]);
-    if !route.broken {
-        warn_close(cx, &route.waypoints);
-        plausibility::check_mission(cx, &name, span, &route.waypoints);
+}
+
+/// Reports a `start` that comes after other waypoints.
+fn start_first(cx: &mut Context, clauses: &Clauses, route: &mut Route) {
+    if route.waypoints.is_empty() {
+        return;
     }
-    if !route.broken {
-        let (of_legs, all) = leg::limits(cx, &route.legs, &route.waypoints, end_at_rest);
-        limits.extend(of_legs);
-        limits_whole &= all;
-    }
-    plausibility::check_limits(cx, &limits);
-    limits::check(cx, &limits, &route.waypoints, &numbers, sure);
-    route.broken |= !in_order;
-    let ground = ground(cx, &fields, &route);
-    let origin = origin::read(cx, &fields);
-    route.broken |= ground.is_faulty() || origin.is_faulty();
-    let legs = shares(&route.waypoints, &route.curves, manner.timing);
-    let air = air.filter(|_| limits_whole && volumes_whole && !route.broken);
-    let mission = air.map(|air| Mission {
-        name: name.clone(),
-        doc: block.doc.clone(),
-        waypoints: route.waypoints,
-        legs,
-        spacing: manner.spacing,
-        start_at_rest,
-        end_at_rest,
-        limits,
-        volumes,
-        air,
-        ground: ground.value(),
-        origin: origin.value(),
-        span,
+    let message = "`start` must come before all other waypoints";
+    let error = Diagnostic::error("mavc::mission::start_first", clauses.span, message);
+    let word = Span { end: clauses.span.start + "start".len() as u32, ..clauses.span };
+    let error = error.here("waypoints come before this").help("move it up, or write `waypoint at`");
+    cx.report(error.fix(word, "waypoint"));
+    route.broken = true;
+}
+
+/// Reports a mission with `count` waypoints, fewer than two.
+fn too_few(cx: &mut Context, block: &Block, span: Span, name: &str, count: usize) {
+    let message = format!("mission `{name}` needs at least two waypoints");
+    let error = Diagnostic::error("mavc::mission::too_few_waypoints", span, message);
+    let error = error.here(if count == 0 { "it has no waypoint" } else { "it has only one" });
+    let error = error.help("add `waypoint at [10, 0, 5] m` or a `curve`");
+    let last = block.body.last().map(Statement::span);
+    let slot = edits::insertion(cx.sources.get(span.file), span, last, "waypoint at [10, 0, 5] m");
+    cx.report(match slot.filter(|_| count == 1) {
+        Some((span, text)) => error.fix(span, text),
+        None => error,
     });
-    Outline { name, span, mission, yaw_defaulted }
+}
+
+/// Height (m) and place of the lowest waypoint.
+pub(super) fn lowest(waypoints: &[Waypoint]) -> Option<(f64, Span)> {
+    let heights = waypoints.iter().map(|w| (w.position[2], w.span));
+    heights.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// The error for a ground (m) that is not below the lowest waypoint, of which the height (m) and place are given.
+pub(super) fn ground_too_high(code: &'static str, at: Span, ground: f64, lowest: (f64, Span)) -> Diagnostic {
+    let (z, span) = lowest;
+    let message = format!("`ground` must be below every waypoint, not at {} m", number(ground));
+    let error = Diagnostic::error(code, at, message).here("too high");
+    let error = error.also(span, format!("the lowest waypoint is at {} m", number(z)));
+    error.help(format!("write a height below {} m, such as `{} m`", number(z), number(z - 1.0)))
 }
 
 /// The height of the ground.
 fn ground<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, route: &Route) -> Written<f64> {
     const CODE: &str = "mavc::mission::ground";
-    let Some(expr) = fields.get("ground") else { return Written::Absent };
-    let Some(ground) = cx.quantity(&of_mission::GROUND, expr, CODE) else { return Written::Faulty };
-    let heights = route.waypoints.iter().map(|w| (w.position[2], w.span));
-    let lowest = heights.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|_| !route.broken);
-    let Some((z, span)) = lowest.filter(|(z, _)| *z <= ground) else { return Written::Value(ground) };
-    let message = format!("`ground` must be below every waypoint, not at {} m", number(ground));
-    let error = Diagnostic::error(CODE, expr.span, message).here("too high");
-    let error = error.also(span, format!("the lowest waypoint is at {} m", number(z)));
-    cx.report(error.help(format!("write a height below {} m, such as `{} m`", number(z), number(z - 1.0))));
-    Written::Faulty
+    fields.written("ground", |expr| {
+        let ground = cx.quantity(&of_mission::GROUND, expr, CODE)?;
+        let lowest = lowest(&route.waypoints).filter(|_| !route.broken);
+        match lowest.filter(|(z, _)| *z <= ground) {
+            Some(lowest) => {
+                cx.report(ground_too_high(CODE, expr.span, ground, lowest));
+                None
+            }
+            None => Some(ground),
+        }
+    })
 }
 
 /// Reports the second block of a kind of which a mission may have one.
@@ -303,64 +378,60 @@ fn second_block(cx: &mut Context, kind: &str, first: &Block, second: &Block) {
 const TOLERANCE: &str = "mavc::mission::tolerance";
 const WEIGHT: &str = "mavc::mission::weight";
 
-/// `manner` with `within`, `yaw_within` and `weight` replaced where `fields` give them; `None` where one has an error.
-fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: WaypointDefaults) -> Option<WaypointDefaults> {
-    let within = match fields.get("within") {
-        Some(e) => cx.quantity(&table::WITHIN, e, TOLERANCE),
-        None => Some(manner.within),
-    };
-    let yaw_within = match fields.get("yaw_within") {
-        Some(e) => cx.quantity(&table::YAW_WITHIN, e, TOLERANCE),
-        None => Some(manner.yaw_within),
-    };
-    let weight = match fields.get("weight") {
-        Some(e) => cx.quantity(&table::WEIGHT, e, WEIGHT),
-        None => Some(manner.weight),
-    };
-    Some(WaypointDefaults { within: within?, yaw_within: yaw_within?, weight: weight?, ..manner })
-}
-
-fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner: WaypointDefaults, route: &mut Route) {
-    let fields = Fields::of_clauses(cx, owner.to_string(), clauses, Group::Waypoint);
-    let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Expected::of(&table::AT), e));
-    let heading = heading::read(cx, &fields).optional();
-    let yaw = if fields.how("yaw").is_some() {
-        Written::Absent
-    } else {
-        fields.written("yaw", |e| cx.number(Expected::of(&table::YAW), e))
-    };
-    let manner = manner_of(cx, &fields, manner);
-    let leg = leg::read(cx, clauses, &fields, (!route.broken).then_some(route.waypoints.len()));
-    let time =
-        fields.written("time", |e| cx.quantity(&table::TIME, e, "mavc::mission::time_order").map(|t| (t, e.span)));
-    let (Some(position), Some(manner), Some(leg), Some(heading), false, false) =
-        (position, manner, leg, heading, yaw.is_faulty(), time.is_faulty())
-    else {
+fn waypoint<'a>(
+    cx: &mut Context<'a>,
+    clauses: &'a Clauses,
+    owner: &str,
+    defaults: WaypointDefaults,
+    route: &mut Route,
+) {
+    let index = (!route.broken).then_some(route.waypoints.len());
+    let Some(stop) = read_stop(cx, clauses, owner, defaults, index) else {
         route.broken = true;
         return;
     };
-    let name = clauses.name.as_ref();
-    if let Some(name) = name {
+    if let Some(name) = &clauses.name {
         let of_table = || route.waypoints.iter().find(|w| w.name.as_deref() == Some(&name.value)).map(|w| w.span);
         match route.names.get(&name.value).copied().or_else(of_table) {
             Some(first) => cx.report(super::context::duplicate("waypoint", name, first)),
             None => drop(route.names.insert(name.value.clone(), name.span)),
         }
     }
-    let stop = Stop {
-        name: name.map(|n| n.value.clone()),
-        position,
-        yaw: yaw.value(),
-        within: manner.within,
-        yaw_within: manner.yaw_within,
-        weight: manner.weight,
-        time: time.value(),
-        stop: leg.stop,
-        heading,
-        span: clauses.head(),
-    };
-    route.legs.extend(leg.is_written().then_some(leg));
     route.push(cx, stop, None);
+}
+
+/// Reads `start` or `waypoint`; `None` where it has an error. `index` is that of the waypoint, if it is certain.
+fn read_stop<'a>(
+    cx: &mut Context<'a>,
+    clauses: &'a Clauses,
+    owner: &str,
+    defaults: WaypointDefaults,
+    index: Option<usize>,
+) -> Option<Stop> {
+    let fields = Fields::of_clauses(cx, owner.to_string(), clauses, Group::Waypoint);
+    let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Expected::of(&table::AT), e));
+    let heading = heading::read(cx, &fields);
+    let yaw = match fields.how("yaw") {
+        Some(_) => Written::Absent,
+        None => fields.written("yaw", |e| cx.number(Expected::of(&table::YAW), e)),
+    };
+    let own = defaults.replaced(cx, &fields);
+    let leg = leg::read(cx, clauses, &fields, index);
+    let time =
+        fields.written("time", |e| cx.quantity(&table::TIME, e, "mavc::mission::time_order").map(|t| (t, e.span)));
+    let own = own?;
+    Some(Stop {
+        name: clauses.name.as_ref().map(|n| n.value.clone()),
+        position: position?,
+        yaw: yaw.optional()?,
+        within: own.within,
+        yaw_within: own.yaw_within,
+        weight: own.weight,
+        time: time.optional()?,
+        leg: Some(leg?),
+        heading: heading.optional()?,
+        span: clauses.head(),
+    })
 }
 
 fn hold<'a>(cx: &mut Context<'a>, duration: &'a Expr, span: Span, route: &mut Route) {

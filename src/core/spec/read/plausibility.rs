@@ -18,7 +18,7 @@ pub(super) use gains::check as check_gains;
 pub(super) use loss::check as check_loss;
 pub(super) use mission_scale::{limits as check_limits, mission as check_mission, pace as check_pace};
 pub(super) use noise::check as check_noise;
-pub(super) use vehicle::{Written, WrittenRotor, check as check_vehicle};
+pub(super) use vehicle::{RotorSpans, VehicleSpans, check as check_vehicle};
 
 use super::context::Context;
 use crate::diagnostic::Diagnostic;

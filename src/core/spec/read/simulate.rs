@@ -7,10 +7,11 @@ mod word_or_value;
 pub use checks::{coarse_step, past_the_end, too_many_steps};
 
 use super::context::Context;
+use super::defaulted::Defaulted;
 use super::expected::Expected;
 use super::fault::family::Families;
 use super::fields::Fields;
-use super::mission::{MAX_DURATION, too_long};
+use super::mission::{MAX_DURATION, ground_too_high, too_long};
 use super::plausibility;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::simulate as table;
@@ -20,7 +21,7 @@ use crate::model::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Missio
 use crate::number::number;
 use crate::read::written::Written;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, Statement};
+use crate::syntax::ast::{Block, Expr};
 
 const CHOICE: &str = "mavc::simulate::choice";
 const POSITIVE: &str = "mavc::simulate::not_positive";
@@ -41,11 +42,19 @@ pub(super) struct Around<'m> {
 }
 
 impl Around<'_> {
-    /// The drag of the vehicle (N s/m), and wind and gusts of the mission (m/s).
-    pub fn air(&self) -> ([f64; 3], [f64; 3], f64) {
-        let air = self.mission.map(|mission| &mission.air);
-        let drag = self.vehicle.map_or([0.0; 3], |vehicle| vehicle.drag);
-        (drag, air.map_or([0.0; 3], |air| air.wind), air.map_or(0.0, |air| air.gusts))
+    /// The drag of the vehicle, N s/m.
+    fn drag(&self) -> [f64; 3] {
+        self.vehicle.map_or([0.0; 3], |vehicle| vehicle.drag)
+    }
+
+    /// The wind of the mission, m/s.
+    fn wind(&self) -> [f64; 3] {
+        self.mission.map_or([0.0; 3], |mission| mission.air.wind)
+    }
+
+    /// The gusts of the mission, m/s.
+    fn gusts(&self) -> f64 {
+        self.mission.map_or(0.0, |mission| mission.air.gusts)
     }
 }
 
@@ -62,9 +71,15 @@ pub(super) fn elaborate<'a>(
             lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(table::GROUND.value(), |(z, _)| z - 1.0)
         });
         let rate_span = campaign.unwrap_or(around.fallback);
-        let (drag, wind, gusts) = around.air();
-        let flown = Simulation { drag, wind, gusts, ..Simulation::default() };
-        let simulation = Simulation { ground, span: around.fallback, rate_span, ..flown };
+        let simulation = Simulation {
+            drag: around.drag(),
+            wind: around.wind(),
+            gusts: around.gusts(),
+            ground,
+            span: around.fallback,
+            rate_span,
+            ..Simulation::default()
+        };
         if let (Some(_), Some(vehicle)) = (campaign, around.vehicle)
             && let Some(error) = checks::coarse(&simulation, vehicle)
         {
@@ -75,21 +90,19 @@ pub(super) fn elaborate<'a>(
     };
     let span = block.keyword.span;
     let fields = Fields::of_block(cx, "`simulate`".into(), span, &block.body, Group::Simulate);
-    let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let mut reader = Reader { fields, defaults: Vec::new(), fine: !broken };
+    let mut reader = Reader { fields: Defaulted::new("simulate", fields), fine: block.is_whole() };
     let simulation = reader.read(cx, block, around);
     if around.vehicle.is_some_and(|v| v.rotors.iter().any(|r| r.time_constant.is_none())) {
         let (field, value) =
             ("vehicle.rotor.time_constant".to_string(), format!("{} ms", number(MOTOR_TIME_CONSTANT * 1e3)));
-        reader.defaults.push(DefaultUsed { field, value, reason: "time constant of rotors in simulations".into() });
+        reader.fields.used.push(DefaultUsed { field, value, reason: "time constant of rotors in simulations".into() });
     }
-    (simulation.filter(|_| reader.fine), reader.defaults)
+    (simulation.filter(|_| reader.fine), reader.fields.used)
 }
 
-/// Height and place of the lowest waypoint.
+/// Height (m) and place of the lowest waypoint.
 fn lowest(mission: Option<&Mission>) -> Option<(f64, Span)> {
-    let heights = mission?.waypoints.iter().map(|w| (w.position[2], w.span));
-    heights.min_by(|a, b| a.0.total_cmp(&b.0))
+    super::mission::lowest(&mission?.waypoints)
 }
 
 /// The ground of the mission, if that gives it.
@@ -109,8 +122,7 @@ pub(super) fn seed<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<u64> {
 }
 
 struct Reader<'a> {
-    fields: Fields<'a>,
-    defaults: Vec<DefaultUsed>,
+    fields: Defaulted<'a>,
     /// Whether the block has no errors so far.
     fine: bool,
 }
@@ -122,26 +134,33 @@ impl<'a> Reader<'a> {
         let rate = self.quantity(cx, &table::RATE);
         let control_rate = self.quantity(cx, &table::CONTROL_RATE);
         let estimator_rate = self.quantity(cx, &table::ESTIMATOR_RATE);
-        let choice = self.choice(cx, &table::CONTROLLER, &[Controller::Geometric, Controller::Pd]);
+        let controllers = [Controller::Geometric, Controller::Pd];
+        let controller = self.fields.choice_or(cx, &table::CONTROLLER, CHOICE, &controllers, Controller::Geometric);
         let detection = self.detection(cx);
         let reactions = [AfterFault::Continue, AfterFault::Hold, AfterFault::Land];
-        let after_fault = self.choice(cx, &table::AFTER_FAULT, &reactions);
+        let after_fault = self.fields.choice_or(cx, &table::AFTER_FAULT, CHOICE, &reactions, AfterFault::Continue);
         let gains = self.gains(cx);
         let forgetting = self.forgetting(cx);
         let gyroscope_noise = self.quantity(cx, &table::GYROSCOPE_NOISE);
         let gyroscope_range = self.quantity(cx, &table::GYROSCOPE_RANGE);
         let position_noise = self.quantity(cx, &table::POSITION_NOISE);
-        let (drag, wind, gusts) = self.air(cx, around);
+        let drag = self.value_or_planned(&table::DRAG, around.drag(), [table::DRAG.value(); 3], |expr| {
+            cx.drag(&table::DRAG, expr, NEGATIVE)
+        });
+        let wind = self.value_or_planned(&table::WIND, around.wind(), [0.0; 3], |expr| {
+            cx.triple(Expected::of(&table::WIND), expr)
+        });
+        let gusts = self.value_or_planned(&table::GUSTS, around.gusts(), table::GUSTS.value(), |expr| {
+            cx.quantity(&table::GUSTS, expr, NEGATIVE)
+        });
         let gust_length = self.quantity(cx, &table::GUST_LENGTH);
-        let seed = match self.fields.get("seed") {
-            Some(expr) => seed(cx, expr),
-            None => Some(self.default(&table::SEED, table::SEED.value() as u64)),
-        };
+        let seed = self.fields.value_or(&table::SEED, table::SEED.value() as u64, |expr| seed(cx, expr));
         let lost_beyond = self.quantity(cx, &table::LOST_BEYOND);
         let upside_down = self.quantity(cx, &table::UPSIDE_DOWN);
         let lost_yaw = self.lost_yaw(cx);
         let lost_yaw_after = self.quantity(cx, &table::LOST_YAW_AFTER);
         let ground = self.ground(cx, around.mission);
+        self.warn_other_air(cx, around, drag, wind);
         if let (Some(drag), Some(wind), Some(gusts)) = (drag, wind, gusts) {
             self.warn_no_drag(cx, drag, wind, gusts);
         }
@@ -167,7 +186,7 @@ impl<'a> Reader<'a> {
             rate: rate?,
             control_rate: control_rate?,
             estimator_rate: estimator_rate?,
-            controller: choice?,
+            controller: controller?,
             detection: detection?,
             after_fault: after_fault?,
             gains: gains?,
@@ -205,72 +224,50 @@ impl<'a> Reader<'a> {
         Some(simulation)
     }
 
-    /// Drag (N s/m), wind and gusts (m/s) of the flights: those of the plan, unless the block gives others.
-    fn air(&mut self, cx: &mut Context<'a>, around: &Around) -> (Option<[f64; 3]>, Option<[f64; 3]>, Option<f64>) {
-        let (drag_of_plan, wind_of_plan, gusts_of_plan) = around.air();
-        let drag = match self.fields.get("drag") {
-            Some(expr) => cx.drag(&table::DRAG, expr, NEGATIVE),
-            None if drag_of_plan != [0.0; 3] => Some(drag_of_plan),
-            None => Some(self.default(&table::DRAG, [table::DRAG.value(); 3])),
-        };
-        let wind = match self.fields.get("wind") {
-            Some(expr) => cx.triple(Expected::of(&table::WIND), expr),
-            None if wind_of_plan != [0.0; 3] => Some(wind_of_plan),
-            None => Some(self.default(&table::WIND, [0.0; 3])),
-        };
-        let gusts = match self.fields.get("gusts") {
-            None if gusts_of_plan != 0.0 => Some(gusts_of_plan),
-            _ => self.quantity(cx, &table::GUSTS),
-        };
-        if drag_of_plan != [0.0; 3] {
-            let differs = [
-                ("drag", drag.is_some_and(|drag| drag != drag_of_plan)),
-                ("wind", wind.is_some_and(|wind| wind != wind_of_plan)),
-            ];
-            for (field, _) in differs.iter().filter(|row| row.1) {
-                let Some(span) = self.fields.span_of(field) else { continue };
-                let message = format!("flights have another `{field}` than the plan");
-                let warning =
-                    Diagnostic::warning("mavc::simulate::other_air", span, message).here("used by flights alone");
-                let help = if *field == "drag" { "the vehicle's `drag`" } else { "the mission's `air`" };
-                cx.report(warning.help(format!("remove it to fly with {help}, by which the mission is planned")));
-            }
-        }
-        (drag, wind, gusts)
+    /// A field that is as planned where it is not written; where nothing is planned either, the default is recorded.
+    fn value_or_planned<T: PartialEq>(
+        &mut self,
+        entry: &Entry,
+        planned: T,
+        default: T,
+        read: impl FnOnce(&'a Expr) -> Option<T>,
+    ) -> Option<T> {
+        let written = self.fields.written(entry.name, read);
+        written.or_default(|| if planned == default { self.fields.default(entry, default) } else { planned })
     }
 
-    /// Returns `value` and records it as the default of a field that is not written.
-    fn default<T>(&mut self, entry: &Entry, value: T) -> T {
-        self.defaults.push(DefaultUsed::of("simulate", entry));
-        value
+    /// Warns of drag (N s/m) and wind (m/s) that differ from those of the plan, if that has drag.
+    fn warn_other_air(&self, cx: &mut Context<'a>, around: &Around, drag: Option<[f64; 3]>, wind: Option<[f64; 3]>) {
+        if around.drag() == [0.0; 3] {
+            return;
+        }
+        let differs = [
+            ("drag", "the vehicle's `drag`", drag.is_some_and(|drag| drag != around.drag())),
+            ("wind", "the mission's `air`", wind.is_some_and(|wind| wind != around.wind())),
+        ];
+        for (field, help, _) in differs.iter().filter(|row| row.2) {
+            let Some(span) = self.fields.span_of(field) else { continue };
+            let message = format!("flights have another `{field}` than the plan");
+            let warning = Diagnostic::warning("mavc::simulate::other_air", span, message).here("used by flights alone");
+            cx.report(warning.help(format!("remove it to fly with {help}, by which the mission is planned")));
+        }
     }
 
     fn quantity(&mut self, cx: &mut Context<'a>, entry: &'static Entry) -> Option<f64> {
-        let Some(expr) = self.fields.get(entry.name) else { return Some(self.default(entry, entry.value())) };
         let code = if matches!(entry.takes, Takes::Quantity(_, Range::NotNegative)) { NEGATIVE } else { POSITIVE };
-        cx.quantity(entry, expr, code)
-    }
-
-    /// One of `choices`, the meanings of the entry's words in the same order; the first if the field is not written.
-    fn choice<T: Copy>(&mut self, cx: &mut Context<'a>, entry: &'static Entry, choices: &[T]) -> Option<T> {
-        match self.fields.word(cx, CHOICE, entry) {
-            Written::Value(word) => entry.words().iter().zip(choices).find(|(w, _)| **w == word).map(|(_, c)| *c),
-            Written::Faulty => None,
-            Written::Absent => Some(self.default(entry, choices[0])),
-        }
+        self.fields.quantity_or_default(cx, entry, code)
     }
 
     /// Not written: as long as the plan.
     fn duration(&mut self, cx: &mut Context<'a>) -> Written<f64> {
-        let Some(expr) = self.fields.get("duration") else {
-            return self.default(&table::DURATION, Written::Absent);
-        };
-        let Some(duration) = cx.quantity(&table::DURATION, expr, POSITIVE) else { return Written::Faulty };
-        if duration > MAX_DURATION {
-            cx.report(too_long(expr.span, duration));
-            return Written::Faulty;
-        }
-        Written::Value(duration)
+        let duration = self.fields.written("duration", |expr| {
+            let duration = cx.quantity(&table::DURATION, expr, POSITIVE)?;
+            if duration > MAX_DURATION {
+                cx.report(too_long(expr.span, duration));
+            }
+            (duration <= MAX_DURATION).then_some(duration)
+        });
+        if duration.is_absent() { self.fields.default(&table::DURATION, duration) } else { duration }
     }
 
     fn gains(&mut self, cx: &mut Context<'a>) -> Option<Gains> {
@@ -295,20 +292,16 @@ impl<'a> Reader<'a> {
     }
 
     fn forgetting(&mut self, cx: &mut Context<'a>) -> Option<f64> {
-        let Some(expr) = self.fields.get("forgetting") else {
-            return Some(self.default(&table::FORGETTING, table::FORGETTING.value()));
-        };
-        let value = cx.number(Expected::of(&table::FORGETTING), expr)?;
-        if value > 0.0 && value < 1.0 {
-            return Some(value);
-        }
-        let error = Diagnostic::error(
-            "mavc::simulate::forgetting",
-            expr.span,
-            "`forgetting` must be greater than 0 and less than 1",
-        );
-        cx.report(error.here(format!("this is {}", number(value))).help("write a number such as `0.95`"));
-        None
+        self.fields.value_or(&table::FORGETTING, table::FORGETTING.value(), |expr| {
+            let value = cx.number(Expected::of(&table::FORGETTING), expr)?;
+            if value > 0.0 && value < 1.0 {
+                return Some(value);
+            }
+            let message = "`forgetting` must be greater than 0 and less than 1";
+            let error = Diagnostic::error("mavc::simulate::forgetting", expr.span, message);
+            cx.report(error.here(format!("this is {}", number(value))).help("write a number such as `0.95`"));
+            None
+        })
     }
 
     fn ground(&mut self, cx: &mut Context<'a>, mission: Option<&Mission>) -> Option<f64> {
@@ -319,26 +312,20 @@ impl<'a> Reader<'a> {
             }
             return Some(match lowest.filter(|(z, _)| *z <= 0.0) {
                 Some((z, _)) => {
-                    self.defaults.push(DefaultUsed {
+                    self.fields.used.push(DefaultUsed {
                         field: "simulate.ground".into(),
                         value: format!("{} m", number(z - 1.0)),
                         reason: "1 m below the lowest waypoint".into(),
                     });
                     z - 1.0
                 }
-                None => self.default(&table::GROUND, table::GROUND.value()),
+                None => self.fields.default(&table::GROUND, table::GROUND.value()),
             });
         };
         let ground = cx.quantity(&table::GROUND, expr, POSITIVE)?;
         match lowest.filter(|(z, _)| *z <= ground) {
-            Some((z, span)) => {
-                let message = format!("`ground` must be below every waypoint, not at {} m", number(ground));
-                let error = Diagnostic::error("mavc::simulate::ground", expr.span, message).here("too high");
-                cx.report(error.also(span, format!("the lowest waypoint is at {} m", number(z))).help(format!(
-                    "write a height below {} m, such as `{} m`",
-                    number(z),
-                    number(z - 1.0)
-                )));
+            Some(lowest) => {
+                cx.report(ground_too_high("mavc::simulate::ground", expr.span, ground, lowest));
                 None
             }
             None => Some(ground),

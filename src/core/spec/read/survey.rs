@@ -46,7 +46,7 @@ struct Row {
     cells: Vec<Span>,
 }
 
-pub(super) fn read(cx: &mut Context, table: &Table, manner: WaypointDefaults, route: &mut Route) {
+pub(super) fn read(cx: &mut Context, table: &Table, defaults: WaypointDefaults, route: &mut Route) {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .trim(csv::Trim::All)
@@ -67,7 +67,7 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: WaypointDefaults, ro
             (None, Ok(record)) => header(cx, &Row::new(table, record)).map(|found| columns = Some(found)),
             (Some(columns), Ok(record)) => {
                 let row = Row::new(table, record);
-                row.stop(columns, manner).and_then(|stop| {
+                row.stop(columns, defaults).and_then(|stop| {
                     let twice = row.second_of_its_name(columns, &mut names);
                     route.push(cx, stop, None);
                     twice
@@ -177,7 +177,7 @@ impl Row {
         }
     }
 
-    fn stop(&self, columns: &[Column], manner: WaypointDefaults) -> Result<Stop, Box<Diagnostic>> {
+    fn stop(&self, columns: &[Column], defaults: WaypointDefaults) -> Result<Stop, Box<Diagnostic>> {
         let mut values = [None; COLUMNS.len()];
         let mut name = None;
         for ((column, cell), &span) in columns.iter().zip(&self.record).zip(&self.cells) {
@@ -223,11 +223,11 @@ impl Row {
             name,
             position: ["x", "y", "z"].map(|axis| value(axis).unwrap_or(0.0)),
             yaw: value("yaw"),
-            within: value("within").unwrap_or(manner.within),
-            yaw_within: value("yaw_within").unwrap_or(manner.yaw_within),
-            weight: value("weight").unwrap_or(manner.weight),
+            within: value("within").unwrap_or(defaults.within),
+            yaw_within: value("yaw_within").unwrap_or(defaults.yaw_within),
+            weight: value("weight").unwrap_or(defaults.weight),
             time: given("time"),
-            stop: false,
+            leg: None,
             heading: value("yaw").map(|_| super::heading::Rule::Given),
             span: self.span,
         })

@@ -6,6 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::{Entry, Group};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, UnitText};
+use crate::syntax::visit::Visit;
 use crate::unit::{Base, Dimension, Quantity, mismatch, parse_unit};
 
 /// Units of mass, each with the unit of force of the same weight.
@@ -194,8 +195,9 @@ impl<'a> Context<'a> {
 
     /// The help for a common cause of a mismatch: `2 g` for twice gravity, `2 s` for twice the parameter `s`.
     pub(super) fn likely_slip(&self, expected: Dimension, expr: &Expr) -> Option<String> {
-        let mut units = Vec::new();
-        collect_units(expr, &mut units);
+        let mut units = Units::default();
+        units.expr(expr);
+        let units = units.0;
         let acceleration = Expected::new("", "m/s^2").dimension();
         if expected == acceleration && units.contains(&"g") {
             return Some("`g` is the gram: for gravity, write `2*g0`".into());
@@ -224,26 +226,12 @@ fn kind(dimension: Dimension) -> &'static str {
     dimension.named().map_or("a quantity", |(name, _)| name)
 }
 
-fn collect_units<'e>(expr: &'e Expr, into: &mut Vec<&'e str>) {
-    let mut note = |unit: &'e Option<UnitText>| into.extend(unit.iter().map(|u| u.value.as_str()));
-    match &expr.kind {
-        ExprKind::Number { unit, .. } => note(unit),
-        ExprKind::Paren { inner, unit } => {
-            note(unit);
-            collect_units(inner, into);
-        }
-        ExprKind::List { elements, unit } => {
-            note(unit);
-            elements.iter().for_each(|e| collect_units(e, into));
-        }
-        ExprKind::Call { arguments, .. } => arguments.iter().for_each(|e| collect_units(e, into)),
-        ExprKind::Negate(inner) => collect_units(inner, into),
-        ExprKind::Binary { left, right, .. }
-        | ExprKind::Range { low: left, high: right }
-        | ExprKind::Interval { value: left, by: right } => {
-            collect_units(left, into);
-            collect_units(right, into);
-        }
-        ExprKind::Name(_) | ExprKind::Text(_) | ExprKind::Unknown => {}
+/// The units in an expression.
+#[derive(Default)]
+struct Units<'e>(Vec<&'e str>);
+
+impl<'e> Visit<'e> for Units<'e> {
+    fn unit(&mut self, unit: &'e UnitText) {
+        self.0.push(&unit.value);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::near_files::{List, MOST_ENTRIES, near_file};
 use crate::diagnostic::Diagnostic;
-use crate::input::{Kind, Refused};
+use crate::input::{FileKind, Refused};
 use crate::source::{Spanned, visible};
 use crate::syntax::too_large;
 use std::io::{Error, ErrorKind};
@@ -11,13 +11,13 @@ use std::path::Path;
 /// The error for a name with the wrong ending, whose file is not opened: that it is a folder, does not exist, or has
 /// the wrong ending. `None` where the ending fits.
 pub(super) fn refused_by_name(
-    kind: Kind,
+    kind: FileKind,
     target: &Path,
     path: &Spanned<String>,
     from: &str,
     list: &List,
 ) -> Option<Diagnostic> {
-    let name = target.file_name().and_then(|name| name.to_str()).filter(|_| Kind::of(target) != Some(kind))?;
+    let name = target.file_name().and_then(|name| name.to_str()).filter(|_| FileKind::of(target) != Some(kind))?;
     let siblings = list(target.parent().unwrap_or(Path::new("")));
     let report = |error: &Error| Some(unreadable(kind, target, path, from, error, list));
     if siblings.iter().any(|other| other.strip_suffix('/') == Some(name)) {
@@ -32,7 +32,7 @@ pub(super) fn refused_by_name(
 
 /// The error for a file that could not be read.
 pub(super) fn unreadable(
-    kind: Kind,
+    kind: FileKind,
     target: &Path,
     path: &Spanned<String>,
     from: &str,
@@ -54,16 +54,16 @@ pub(super) fn unreadable(
 }
 
 /// The error for a file of a kind that the statement does not take.
-fn refusal(kind: Kind, target: &Path, path: &Spanned<String>, refused: &Refused) -> Diagnostic {
+fn refusal(kind: FileKind, target: &Path, path: &Spanned<String>, refused: &Refused) -> Diagnostic {
     let statement = match kind {
-        Kind::Spec => "`use`",
-        Kind::Table => "`waypoints from`",
+        FileKind::Spec => "`use`",
+        FileKind::Table => "`waypoints from`",
     };
     let message = format!("cannot read `{}`: {refused}", shown(target));
     let help = match refused {
         Refused::NotRegular => "copy its contents into a regular file and name that",
-        Refused::Ending(Kind::Spec) => "name a spec, as in `vehicles/quad.mav`",
-        Refused::Ending(Kind::Table) => "name a table, as in `survey.csv`",
+        Refused::Ending(FileKind::Spec) => "name a spec, as in `vehicles/quad.mav`",
+        Refused::Ending(FileKind::Table) => "name a table, as in `survey.csv`",
         Refused::Elsewhere { .. } => "copy the file instead of linking to it, or rename the target of the link",
     };
     Diagnostic::error("mavc::file::kind", path.span, message)

@@ -8,14 +8,16 @@ mod whole;
 use std::f64::consts::PI;
 
 use super::context::Context;
+use super::defaulted::Defaulted;
 use super::expected::Expected;
 use super::fields::Fields;
-use super::plausibility::{Written, check_battery, check_vehicle};
+use super::plausibility::{RotorSpans, VehicleSpans, check_battery, check_vehicle};
+use super::written::Written;
 use super::yaw_drag;
 use crate::diagnostic::Diagnostic;
+use crate::language::Group;
 use crate::language::table::{placed_rotor, vehicle as table};
-use crate::language::{Entry, Group};
-use crate::model::{Allocation, DefaultUsed, Spin, Vehicle};
+use crate::model::{Allocation, DefaultUsed, Rotor, Spin, Vehicle};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
@@ -25,6 +27,7 @@ pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
 const MOTOR: &str = "mavc::vehicle::motor";
+const ALLOCATION: &str = "mavc::vehicle::allocation";
 const ALLOCATIONS: [Allocation; 2] = [Allocation::Bounded, Allocation::PseudoInverse];
 
 /// What is known of a vehicle, errors or not.
@@ -42,134 +45,15 @@ pub(super) struct Outline {
 pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let name = block.name.as_ref().map_or("vehicle", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
-    let owner = format!("vehicle `{name}`");
-    let fields = Fields::of_block(cx, owner.clone(), span, &block.body, Group::Vehicle);
-    let Blocks { shared, placed, battery, twice, battery_twice } = blocks(cx, block);
-
-    let mass_expr = fields.demand_own(cx, "mass", "mass = 1.8 kg");
-    let mass = mass_expr.and_then(|e| cx.interval(Expected::of(&table::MASS), e, POSITIVE));
-    let inertia = fields.demand_own(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2").and_then(|e| inertia(cx, e));
-    let rotor_fields =
-        shared.map(|b| Fields::of_block(cx, format!("`rotor` of {owner}"), b.keyword.span, &b.body, Group::Rotor));
-
-    let (places, count) = match placed {
-        Some(placed) => {
-            for field in Group::Vehicle.rivals("rotors") {
-                if let Some(at) = fields.span_of(field) {
-                    let message = format!("`{field}` describes a ring, but {owner} places its rotors one by one");
-                    cx.report(
-                        Diagnostic::error("mavc::vehicle::conflict", at, message)
-                            .here("not allowed together with `rotors`")
-                            .also(placed.keyword.span, "rotors are placed here")
-                            .help("remove one of the two"),
-                    );
-                }
-            }
-            one_by_one(cx, placed, &owner, span)
-        }
-        None => ring(cx, &fields),
-    };
-    let base = rotor_fields.as_ref().map(|fields| rotor::PartialRotor::read(cx, fields));
-    if base.is_none() && placed.is_none() && !fields.may_have("rotor") {
-        let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
-        fields.missing(cx, "a `rotor` block", example);
-    }
-    let written = places.as_ref().map(|places| rotor::written(places, &fields, rotor_fields.as_ref()));
-    // With a duplicate block the rotors are unknown.
-    let rotors = match places {
-        Some(places) if !twice => rotor::give_all(cx, places, rotor_fields.as_ref(), base),
-        None if placed.is_none() => {
-            // The `rotor` block holds for every rotor, wherever the rotors are.
-            base.zip(rotor_fields.as_ref()).iter().for_each(|(base, fields)| base.check(cx, fields));
-            None
-        }
-        _ => None,
-    };
-    let layout = match (placed, fields.get("layout").map(|e| &e.kind)) {
-        (None, Some(ExprKind::Text(text))) => Some(text.clone()),
-        _ => None,
-    };
-    let mut length =
-        |entry: &'static Entry| fields.written(entry.name, |expr| cx.quantity(entry, expr, POSITIVE)).optional();
-    let (propeller_radius, size) = (length(&table::PROPELLER_RADIUS), length(&table::SIZE));
-    let drag = match fields.get("drag") {
-        Some(expr) => cx.drag(&table::DRAG, expr, POSITIVE),
-        None => Some([0.0; 3]),
-    };
-    let yaw_drag = yaw_drag::read(cx, &fields).optional();
-    let allocation = fields.word(cx, "mavc::vehicle::allocation", &table::ALLOCATION);
-    let allocation = allocation.and_then(|word| ALLOCATIONS.into_iter().find(|a| a.name() == word));
-    let allocation = allocation.or_default(|| Allocation::Bounded);
-    let mut defaults = match fields.may_have("allocation") {
-        true => Vec::new(),
-        false => vec![DefaultUsed::of("vehicle", &table::ALLOCATION)],
-    };
-    let read = battery.map(|block| battery::read(cx, block, &owner, &mut defaults));
-    let battery_fits = !battery_twice && read.as_ref().is_none_or(Option::is_some);
-    let read = read.flatten();
-    let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let lengths = propeller_radius.zip(size).zip(drag.zip(yaw_drag));
-    let mut vehicle = match (mass.zip(allocation).zip(lengths), inertia, rotors, mass_expr) {
-        (
-            Some((((mass, mass_spread), allocation), ((propeller_radius, size), (drag, yaw_drag)))),
-            Some(inertia),
-            Some(rotors),
-            Some(mass_expr),
-        ) if !broken && battery_fits => Some(Vehicle {
-            name: name.clone(),
-            doc: block.doc.clone(),
-            layout,
-            mass,
-            mass_spread,
-            inertia,
-            drag,
-            drag_span: fields.span_of("drag"),
-            yaw_drag,
-            propeller_radius,
-            size,
-            rotors,
-            allocation,
-            battery: read.as_ref().map(|read| read.battery.clone()),
-            span,
-            mass_span: mass_expr.span,
-        }),
-        _ => None,
-    };
-    let mut vehicle_fits = true;
-    if let Some(vehicle) = &mut vehicle {
-        if vehicle.allocation == Allocation::PseudoInverse && vehicle.has_uncertain_rotors() {
-            let message = "`allocation = pseudo_inverse` cannot be combined with intervals on rotors";
-            let at = fields.span_of("allocation").unwrap_or(span);
-            cx.report(
-                Diagnostic::error("mavc::vehicle::conflict", at, message)
-                    .here("needs exact coefficients and speeds")
-                    .help("write `allocation = bounded`, or remove the intervals from the rotors; `mass` may keep one"),
-            );
-        }
-        whole::check(cx, vehicle);
-        let places = Written {
-            mass: vehicle.mass_span,
-            inertia: fields.span_of("inertia").unwrap_or(span),
-            yaw_drag: fields.span_of("yaw_drag").unwrap_or(span),
-            rotors: written.unwrap_or_default(),
-        };
-        match cx.has_magnitude(vehicle, |k| [places.rotors[k].thrust, places.rotors[k].torque]) {
-            true => check_vehicle(cx, vehicle, &places),
-            false => vehicle_fits = false,
-        }
-        if let Some(read) = &read {
-            check_battery(cx, vehicle, &read.battery, &read.fields);
-            let thrust_at_empty = read.fields.span_of("thrust_at_empty").unwrap_or(read.battery.span);
-            vehicle_fits &= battery::lower_full_thrust(cx, vehicle, thrust_at_empty);
-        }
-        reverse::check(cx, vehicle, |k| places.rotors[k].min_speed);
-    }
-    let vehicle = vehicle.filter(|_| vehicle_fits);
-    Outline { name, span, rotors: count, vehicle, defaults }
+    let fields = Fields::of_block(cx, format!("vehicle `{name}`"), span, &block.body, Group::Vehicle);
+    let mut reader = Reader { fields: Defaulted::new("vehicle", fields), parts: Parts::of(cx, block), count: None };
+    let vehicle = reader.read(cx, block, &name);
+    Outline { name, span, rotors: reader.count, vehicle, defaults: reader.fields.used }
 }
 
 /// The blocks inside a vehicle.
-struct Blocks<'a> {
+#[derive(Default)]
+struct Parts<'a> {
     /// `rotor { }`
     shared: Option<&'a Block>,
     /// `rotors { }`
@@ -180,32 +64,261 @@ struct Blocks<'a> {
     battery_twice: bool,
 }
 
-fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> Blocks<'a> {
-    let mut blocks = Blocks { shared: None, placed: None, battery: None, twice: false, battery_twice: false };
-    for statement in &block.body {
-        let Statement::Block(inner) = statement else {
-            continue;
-        };
-        let (slot, twice) = match inner.keyword.value.as_str() {
-            "rotors" => (&mut blocks.placed, &mut blocks.twice),
-            "battery" => (&mut blocks.battery, &mut blocks.battery_twice),
-            _ => (&mut blocks.shared, &mut blocks.twice),
-        };
-        match slot {
-            Some(first) => {
-                let message = format!("a vehicle may have only one `{}` block", inner.keyword.value);
-                let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
-                let error = error.here("second block").also(first.keyword.span, "first block");
-                cx.report(cx.joined(error, first, inner));
-                *twice = true;
+impl<'a> Parts<'a> {
+    fn of(cx: &mut Context<'a>, block: &'a Block) -> Self {
+        let mut parts = Parts::default();
+        for statement in &block.body {
+            let Statement::Block(inner) = statement else {
+                continue;
+            };
+            let (slot, twice) = match inner.keyword.value.as_str() {
+                "rotors" => (&mut parts.placed, &mut parts.twice),
+                "battery" => (&mut parts.battery, &mut parts.battery_twice),
+                _ => (&mut parts.shared, &mut parts.twice),
+            };
+            match slot {
+                Some(first) => {
+                    let message = format!("a vehicle may have only one `{}` block", inner.keyword.value);
+                    let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
+                    let error = error.here("second block").also(first.keyword.span, "first block");
+                    cx.report(cx.joined(error, first, inner));
+                    *twice = true;
+                }
+                None => *slot = Some(inner),
             }
-            None => *slot = Some(inner),
         }
+        parts
     }
-    blocks
 }
 
-fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
+struct Reader<'a> {
+    fields: Defaulted<'a>,
+    parts: Parts<'a>,
+    /// The number of rotors, once it is known, errors or not.
+    count: Option<usize>,
+}
+
+/// The rotors, and where the numbers of each are written.
+struct Rotors {
+    list: Vec<Rotor>,
+    spans: Vec<RotorSpans>,
+}
+
+impl<'a> Reader<'a> {
+    fn read(&mut self, cx: &mut Context<'a>, block: &'a Block, name: &str) -> Option<Vehicle> {
+        let mass_expr = self.fields.demand_own(cx, "mass", "mass = 1.8 kg");
+        let mass = mass_expr.and_then(|e| cx.interval(Expected::of(&table::MASS), e, POSITIVE));
+        let inertia = self.fields.demand_own(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2");
+        let inertia = inertia.and_then(|e| inertia_of(cx, e));
+        let rotors = self.rotors(cx);
+        let propeller_radius = self.fields.quantity(cx, &table::PROPELLER_RADIUS, POSITIVE);
+        let size = self.fields.quantity(cx, &table::SIZE, POSITIVE);
+        let drag = self.fields.written("drag", |expr| cx.drag(&table::DRAG, expr, POSITIVE));
+        let yaw_drag = yaw_drag::read(cx, &self.fields);
+        let allocation = self.fields.choice_or(cx, &table::ALLOCATION, ALLOCATION, &ALLOCATIONS, Allocation::Bounded);
+        let battery = self.battery(cx);
+        let ((mass, mass_spread), rotors, battery) = (mass?, rotors?, battery.optional()?);
+        let mut vehicle = Vehicle {
+            name: name.to_string(),
+            doc: block.doc.clone(),
+            layout: self.layout(),
+            mass,
+            mass_spread,
+            inertia: inertia?,
+            drag: drag.or_default(|| [0.0; 3])?,
+            drag_span: self.fields.span_of("drag"),
+            yaw_drag: yaw_drag.optional()?,
+            propeller_radius: propeller_radius.optional()?,
+            size: size.optional()?,
+            rotors: rotors.list,
+            allocation: allocation?,
+            battery: battery.as_ref().map(|read| read.battery.clone()),
+            span: self.fields.span,
+            mass_span: mass_expr?.span,
+        };
+        (block.is_whole() && self.check(cx, &mut vehicle, rotors.spans, battery)).then_some(vehicle)
+    }
+
+    /// Whether the vehicle as a whole can be right; reports what is not, and warns of numbers that do not fit together.
+    /// Lowers the full thrust of its rotors to what the battery leaves.
+    fn check(
+        &mut self,
+        cx: &mut Context<'a>,
+        vehicle: &mut Vehicle,
+        rotors: Vec<RotorSpans>,
+        battery: Option<battery::Read<'a>>,
+    ) -> bool {
+        if vehicle.allocation == Allocation::PseudoInverse && vehicle.has_uncertain_rotors() {
+            let message = "`allocation = pseudo_inverse` cannot be combined with intervals on rotors";
+            let at = self.fields.span_of("allocation").unwrap_or(vehicle.span);
+            cx.report(
+                Diagnostic::error("mavc::vehicle::conflict", at, message)
+                    .here("needs exact coefficients and speeds")
+                    .help("write `allocation = bounded`, or remove the intervals from the rotors; `mass` may keep one"),
+            );
+        }
+        whole::check(cx, vehicle);
+        let spans = VehicleSpans {
+            mass: vehicle.mass_span,
+            inertia: self.fields.span_of("inertia").unwrap_or(vehicle.span),
+            yaw_drag: self.fields.span_of("yaw_drag").unwrap_or(vehicle.span),
+            rotors,
+        };
+        let mut fits = cx.has_magnitude(vehicle, |k| [spans.rotors[k].thrust, spans.rotors[k].torque]);
+        if fits {
+            check_vehicle(cx, vehicle, &spans);
+        }
+        if let Some(mut read) = battery {
+            check_battery(cx, vehicle, &read.battery, &read.fields);
+            let thrust_at_empty = read.fields.span_of("thrust_at_empty").unwrap_or(read.battery.span);
+            fits &= battery::lower_full_thrust(cx, vehicle, thrust_at_empty);
+            self.fields.used.append(&mut read.fields.used);
+        }
+        reverse::check(cx, vehicle, |k| spans.rotors[k].min_speed);
+        fits
+    }
+
+    /// The layout of a ring, as written.
+    fn layout(&self) -> Option<String> {
+        match (self.parts.placed, self.fields.get("layout").map(|e| &e.kind)) {
+            (None, Some(ExprKind::Text(text))) => Some(text.clone()),
+            _ => None,
+        }
+    }
+
+    fn battery(&self, cx: &mut Context<'a>) -> Written<battery::Read<'a>> {
+        let Some(block) = self.parts.battery else { return Written::Absent };
+        let read = battery::read(cx, block, &self.fields.owner);
+        Written::of(read.filter(|_| !self.parts.battery_twice))
+    }
+
+    fn rotors(&mut self, cx: &mut Context<'a>) -> Option<Rotors> {
+        let owner = format!("`rotor` of {}", self.fields.owner);
+        let of_block = |block: &'a Block| Fields::of_block(cx, owner, block.keyword.span, &block.body, Group::Rotor);
+        let shared = self.parts.shared.map(of_block);
+        let mounts = match self.parts.placed {
+            Some(placed) => {
+                self.no_ring(cx, placed);
+                self.one_by_one(cx, placed)
+            }
+            None => self.ring(cx),
+        };
+        let base = shared.as_ref().map(|fields| rotor::PartialRotor::read(cx, fields));
+        if base.is_none() && self.parts.placed.is_none() && !self.fields.may_have("rotor") {
+            let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
+            self.fields.missing(cx, "a `rotor` block", example);
+        }
+        let Some(mounts) = mounts else {
+            // The `rotor` block holds for every rotor, wherever the rotors are.
+            if let (None, Some(base), Some(fields)) = (self.parts.placed, &base, &shared) {
+                base.check(cx, fields);
+            }
+            return None;
+        };
+        // With a duplicate block the rotors are unknown.
+        if self.parts.twice {
+            return None;
+        }
+        let spans = rotor::spans(&mounts, &self.fields, shared.as_ref());
+        Some(Rotors { list: rotor::give_all(cx, mounts, shared.as_ref(), base)?, spans })
+    }
+
+    /// Reports fields of a ring beside `rotors`.
+    fn no_ring(&self, cx: &mut Context<'a>, placed: &Block) {
+        for field in Group::Vehicle.rivals("rotors") {
+            let Some(at) = self.fields.span_of(field) else { continue };
+            let message = format!("`{field}` describes a ring, but {} places its rotors one by one", self.fields.owner);
+            cx.report(
+                Diagnostic::error("mavc::vehicle::conflict", at, message)
+                    .here("not allowed together with `rotors`")
+                    .also(placed.keyword.span, "rotors are placed here")
+                    .help("remove one of the two"),
+            );
+        }
+    }
+
+    /// Rotors on a circle: rotor k at the angle `first + 2 pi (k-1)/n`, clockwise from +y.
+    fn ring(&mut self, cx: &mut Context<'a>) -> Option<Vec<Mount<'a>>> {
+        let fields = &self.fields;
+        if !fields.may_have("layout") {
+            // A ring needs an arm too; the example adds one, but its absence is reported only where a ring is certain.
+            let arm = if fields.may_have("arm") { "" } else { "; arm = 0.2 m" };
+            let (example, one_by_one) =
+                (format!("layout = \"PPNNPPNN\"{arm}"), "rotors { rotor at [0.2, 0.2, 0] m spin P ... }");
+            fields.missing_or(cx, "`layout`", &example, &format!("add `{example}`, or `{one_by_one}`"));
+        }
+        let layout = fields.get("layout").and_then(|e| spins(cx, e));
+        let layout_span = fields.get("layout").map_or(fields.span, |e| e.span);
+        layout.iter().for_each(|spins| whole::check_spins(cx, &fields.owner, layout_span, spins));
+        // Without a `layout` the vehicle may not be meant as a ring, so that no missing `arm` is reported.
+        let arm = match fields.get("layout") {
+            Some(_) => fields.demand(cx, "arm", "arm = 0.2 m"),
+            None => fields.get("arm"),
+        };
+        let arm = arm.and_then(|e| cx.quantity(&table::ARM, e, POSITIVE));
+        let first = fields.written("first", |expr| cx.number(Expected::of(&table::FIRST), expr)).or_default(|| 0.0);
+        self.count = layout.as_ref().map(Vec::len);
+        let (spins, arm, first) = (layout?, arm?, first?);
+        let n = spins.len() as f64;
+        let mounts = spins.into_iter().enumerate().map(|(k, spin)| {
+            let (sin, cos) = exact_sin_cos(first + 2.0 * PI * k as f64 / n);
+            Mount { position: [arm * sin, arm * cos, 0.0], spin, motor: None, own: None }
+        });
+        Some(mounts.collect())
+    }
+
+    /// Rotors placed one by one.
+    fn one_by_one(&mut self, cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Mount<'a>>> {
+        let owner = &self.fields.owner;
+        let rotors: Vec<&'a Clauses> =
+            block.body.iter().filter_map(|s| if let Statement::Rotor(r) = s { Some(r) } else { None }).collect();
+        for statement in &block.body {
+            if let Statement::Field(field) = statement {
+                let message = format!("`rotors` of {owner} has no field `{}`", field.name.value);
+                let error =
+                    Diagnostic::error("mavc::name::unknown_field", field.name.span, message).here("unknown field");
+                cx.report(error.help("write what all rotors share in a `rotor { ... }` block beside it"));
+            }
+        }
+        if block.is_whole() && !ROTORS.contains(&rotors.len()) {
+            let message = format!("a vehicle must have 4 to 32 rotors, not {}", rotors.len());
+            let error = Diagnostic::error("mavc::vehicle::rotor_count", block.keyword.span, message);
+            let help = if rotors.len() < *ROTORS.start() { "add `rotor at` statements" } else { "remove some rotors" };
+            let follow = if rotors.len() == 1 {
+                "1 rotor follows".to_string()
+            } else {
+                format!("{} rotors follow", rotors.len())
+            };
+            cx.report(error.here(follow).help(help));
+            return None;
+        }
+        // With a rotor that could not be parsed, the whole is unknown.
+        let mut mounts = block.is_whole().then(Vec::new);
+        for (k, rotor) in rotors.iter().enumerate() {
+            let mount = placed(cx, rotor, k + 1);
+            match (&mut mounts, mount) {
+                (Some(list), Some(mount)) => list.push(mount),
+                (list, _) => *list = None,
+            }
+        }
+        self.count = block.is_whole().then_some(rotors.len());
+        let mounts = mounts?;
+        check_motors(cx, &mounts);
+        let spins: Vec<Spin> = mounts.iter().map(|mount| mount.spin).collect();
+        whole::check_spins(cx, &self.fields.owner, self.fields.span, &spins);
+        Some(mounts)
+    }
+}
+
+/// The position and spin of one rotor, and its own clauses.
+struct Mount<'a> {
+    position: [f64; 3],
+    spin: Spin,
+    motor: Option<u32>,
+    own: Option<Fields<'a>>,
+}
+
+fn inertia_of<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
     let [x, y, z] = cx.triple(Expected::of(&table::INERTIA), expr)?;
     if let Some(bad) = [x, y, z].into_iter().find(|i| *i <= 0.0) {
         let error = Diagnostic::error(POSITIVE, expr.span, "`inertia` must be greater than zero about every axis");
@@ -224,48 +337,6 @@ fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
         return None;
     }
     Some([x, y, z])
-}
-
-/// The position and spin of one rotor, and its own clauses.
-struct Place<'a> {
-    position: [f64; 3],
-    spin: Spin,
-    motor: Option<u32>,
-    own: Option<Fields<'a>>,
-}
-
-/// Rotors on a circle: rotor k at the angle `first + 2 pi (k-1)/n`, clockwise from +y.
-fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>>, Option<usize>) {
-    if !fields.may_have("layout") {
-        // A ring needs an arm too; the example adds one, but its absence is reported only where a ring is certain.
-        let arm = if fields.may_have("arm") { "" } else { "; arm = 0.2 m" };
-        let (example, one_by_one) =
-            (format!("layout = \"PPNNPPNN\"{arm}"), "rotors { rotor at [0.2, 0.2, 0] m spin P ... }");
-        fields.missing_or(cx, "`layout`", &example, &format!("add `{example}`, or `{one_by_one}`"));
-    }
-    let layout = fields.get("layout").and_then(|e| spins(cx, e));
-    let count = layout.as_ref().map(Vec::len);
-    let layout_span = fields.get("layout").map_or(fields.span, |e| e.span);
-    layout.iter().for_each(|spins| whole::check_spins(cx, &fields.owner, layout_span, spins));
-    // Without a `layout` the vehicle may not be meant as a ring, so that no missing `arm` is reported.
-    let arm = match fields.get("layout") {
-        Some(_) => fields.demand(cx, "arm", "arm = 0.2 m"),
-        None => fields.get("arm"),
-    };
-    let arm = arm.and_then(|e| cx.quantity(&table::ARM, e, POSITIVE));
-    let first = match fields.get("first") {
-        Some(expr) => cx.number(Expected::of(&table::FIRST), expr),
-        None => Some(0.0),
-    };
-    let (Some(spins), Some(arm), Some(first)) = (layout, arm, first) else {
-        return (None, count);
-    };
-    let n = spins.len() as f64;
-    let places = spins.into_iter().enumerate().map(|(k, spin)| {
-        let (sin, cos) = exact_sin_cos(first + 2.0 * PI * k as f64 / n);
-        Place { position: [arm * sin, arm * cos, 0.0], spin, motor: None, own: None }
-    });
-    (Some(places.collect()), count)
 }
 
 /// Sine and cosine, exact at the quarter turns so that a ring is symmetric to the last digit.
@@ -334,61 +405,20 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
     Some(text.chars().map(|c| if c == 'P' { Spin::P } else { Spin::N }).collect())
 }
 
-/// Rotors placed one by one; the second value is their number, errors or not.
-fn one_by_one<'a>(
-    cx: &mut Context<'a>,
-    block: &'a Block,
-    owner: &str,
-    span: Span,
-) -> (Option<Vec<Place<'a>>>, Option<usize>) {
-    let rotors: Vec<&'a Clauses> =
-        block.body.iter().filter_map(|s| if let Statement::Rotor(r) = s { Some(r) } else { None }).collect();
-    let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    for statement in &block.body {
-        if let Statement::Field(field) = statement {
-            let message = format!("`rotors` of {owner} has no field `{}`", field.name.value);
-            let error = Diagnostic::error("mavc::name::unknown_field", field.name.span, message).here("unknown field");
-            cx.report(error.help("write what all rotors share in a `rotor { ... }` block beside it"));
-        }
-    }
-    if !broken && !ROTORS.contains(&rotors.len()) {
-        let message = format!("a vehicle must have 4 to 32 rotors, not {}", rotors.len());
-        let error = Diagnostic::error("mavc::vehicle::rotor_count", block.keyword.span, message);
-        let help = if rotors.len() < *ROTORS.start() { "add `rotor at` statements" } else { "remove some rotors" };
-        let follow =
-            if rotors.len() == 1 { "1 rotor follows".to_string() } else { format!("{} rotors follow", rotors.len()) };
-        cx.report(error.here(follow).help(help));
-        return (None, None);
-    }
-    // With a rotor that could not be parsed, the whole is unknown.
-    let mut places = (!broken).then(Vec::new);
-    for (k, rotor) in rotors.iter().enumerate() {
-        let place = placed(cx, rotor, k + 1);
-        match (&mut places, place) {
-            (Some(list), Some(place)) => list.push(place),
-            (list, _) => *list = None,
-        }
-    }
-    places.iter().for_each(|places| check_motors(cx, places));
-    let spins: Option<Vec<Spin>> = places.as_ref().map(|places| places.iter().map(|place| place.spin).collect());
-    spins.iter().for_each(|spins| whole::check_spins(cx, owner, span, spins));
-    (places, (!broken).then_some(rotors.len()))
-}
-
 /// Every rotor has a motor of its own, or none has a number.
-fn check_motors(cx: &mut Context, places: &[Place]) {
-    let clause = |k: usize| places[k].own.as_ref().and_then(|own| own.clause(placed_rotor::MOTOR.name));
-    let numbered = places.iter().position(|place| place.motor.is_some());
+fn check_motors(cx: &mut Context, mounts: &[Mount]) {
+    let clause = |k: usize| mounts[k].own.as_ref().and_then(|own| own.clause(placed_rotor::MOTOR.name));
+    let numbered = mounts.iter().position(|mount| mount.motor.is_some());
     let Some((first, at)) = numbered.and_then(|k| Some((k, clause(k)?))) else { return };
-    for (k, place) in places.iter().enumerate() {
-        let before = places[..k].iter().position(|other| place.motor.is_some() && other.motor == place.motor);
+    for (k, mount) in mounts.iter().enumerate() {
+        let before = mounts[..k].iter().position(|other| mount.motor.is_some() && other.motor == mount.motor);
         if let Some((span, other)) = clause(k).zip(before.and_then(clause)) {
-            let message = format!("motor {} turns two rotors", place.motor.unwrap_or_default());
+            let message = format!("motor {} turns two rotors", mount.motor.unwrap_or_default());
             let error = Diagnostic::error(MOTOR, span, message).here("given again").also(other, "first given here");
             cx.report(error.help("give each rotor the number of its own motor"));
         }
         if let (None, Some(own)) =
-            (place.motor, place.own.as_ref().filter(|own| !own.may_have(placed_rotor::MOTOR.name)))
+            (mount.motor, mount.own.as_ref().filter(|own| !own.may_have(placed_rotor::MOTOR.name)))
         {
             let message = format!("rotor {} has no `motor`, but rotor {} has one", k + 1, first + 1);
             let error = Diagnostic::error(MOTOR, own.span, message).here("no motor").also(at, "a motor");
@@ -398,7 +428,7 @@ fn check_motors(cx: &mut Context, places: &[Place]) {
     }
 }
 
-fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Place<'a>> {
+fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Mount<'a>> {
     let own = Fields::of_clauses(cx, format!("rotor {k}"), rotor, Group::PlacedRotor);
     let position =
         own.demand(cx, "at", "at [0.2, 0.15, 0] m").and_then(|e| cx.triple(Expected::of(&placed_rotor::AT), e));
@@ -421,9 +451,6 @@ fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Plac
             None
         }
     });
-    let motor = match own.get(placed_rotor::MOTOR.name) {
-        Some(expr) => Some(cx.count(&placed_rotor::MOTOR, "`motor`", expr, MOTOR)? as u32),
-        None => None,
-    };
-    Some(Place { position: position?, spin: spin?, motor, own: Some(own) })
+    let motor = own.count(cx, &placed_rotor::MOTOR, MOTOR).and_then(|motor| u32::try_from(motor).ok());
+    Some(Mount { position: position?, spin: spin?, motor: motor.optional()?, own: Some(own) })
 }

@@ -10,6 +10,5 @@ const CODE: &str = "mavc::plan::without_yaw";
 
 /// The field's word.
 pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Written<GiveUpYaw> {
-    let word = fields.word(cx, CODE, &table::WITHOUT_YAW);
-    word.and_then(|word| GiveUpYaw::ALL.into_iter().find(|choice| choice.name() == word))
+    fields.choice(cx, &table::WITHOUT_YAW, CODE, &GiveUpYaw::ALL)
 }

@@ -29,8 +29,8 @@ pub fn text(model: &Model) -> String {
         shortest(1.0 / model.simulation.rate),
         shortest(-model.gravity)
     );
-    let start = mission(model, &mut out);
-    body(model, start, &mut out);
+    let (place, yaw) = mission(model, &mut out);
+    body(model, place, yaw, &mut out);
     out.push_str("  </worldbody>\n  <actuator>\n");
     for (k, rotor) in vehicle.rotors.iter().enumerate() {
         let ratio = rotor.drag_coefficient / rotor.thrust_coefficient;
@@ -74,7 +74,7 @@ fn mission(model: &Model, out: &mut String) -> ([f64; 3], f64) {
 }
 
 /// The body with its rotors, at a position (m) with a yaw (rad).
-fn body(model: &Model, (place, yaw): ([f64; 3], f64), out: &mut String) {
+fn body(model: &Model, place: [f64; 3], yaw: f64, out: &mut String) {
     let vehicle = &model.vehicle;
     let (sin, cos) = (0.5 * yaw).sin_cos();
     let _ = write!(

@@ -114,7 +114,7 @@ enum Sample {
 
 impl Sample {
     /// Draws it from `x` on, in the middle of a line of text whose top is at `y`.
-    fn draw(self, area: &Area, (x, y): (i32, i32)) -> Result<(), Failure> {
+    fn draw(self, area: &Area, x: i32, y: i32) -> Result<(), Failure> {
         let end = x + SAMPLE - 20;
         let middle = y + LINE as i32 / 2;
         match self {
@@ -153,25 +153,32 @@ fn placed(entries: &[Entry], width: u32) -> (Vec<(i32, i32)>, u32) {
     (places, height)
 }
 
-/// An empty chart over the given ranges, drawn on by `work`, below a legend of `entries`.
+/// The ranges of a chart, and the labels of its axes.
+struct Axes<'t> {
+    x: Range<f64>,
+    y: Range<f64>,
+    across: &'t str,
+    up: &'t str,
+}
+
+/// An empty chart, drawn on by `work`, below a legend of `entries`.
 fn chart(
     size: (u32, u32),
-    (x, y): (Range<f64>, Range<f64>),
-    (across, up): (&str, &str),
+    axes: Axes,
     entries: &[Entry],
     work: impl FnOnce(&mut Context) -> Result<(), Failure>,
 ) -> Drawn {
     let mut text = String::new();
     let (places, height) = placed(entries, size.0);
     let tall = size.1 - 2 * MARGIN - BELOW;
-    let up = textwrap::wrap(up, (tall / LETTER) as usize);
+    let up = textwrap::wrap(axes.up, (tall / LETTER) as usize);
     let draw = |text: &mut String| {
         let whole = SVGBackend::with_string(text, (size.0, size.1 + height)).into_drawing_area();
         whole.fill(&WHITE)?;
         let font = ("sans-serif", TEXT).into_text_style(&whole);
         let beside = font.pos(Pos::new(HPos::Left, VPos::Center));
         for (entry, &(x, y)) in entries.iter().zip(&places) {
-            entry.sample.draw(&whole, (x, y))?;
+            entry.sample.draw(&whole, x, y)?;
             whole.draw(&Text::new(entry.label.as_str(), (x + SAMPLE, y + LINE as i32 / 2), beside.clone()))?;
         }
         let (_, area) = whole.split_vertically(height);
@@ -184,7 +191,7 @@ fn chart(
             .margin(MARGIN)
             .x_label_area_size(BELOW)
             .y_label_area_size(BESIDE + LINE * (up.len() as u32 - 1))
-            .build_cartesian_2d(x, y)?;
+            .build_cartesian_2d(axes.x, axes.y)?;
         chart
             .configure_mesh()
             .light_line_style(TRANSPARENT)
@@ -192,7 +199,7 @@ fn chart(
             .axis_style(BLACK.stroke_width(3))
             .label_style(("sans-serif", TEXT))
             .axis_desc_style(("sans-serif", TEXT))
-            .x_desc(across)
+            .x_desc(axes.across)
             .draw()?;
         work(&mut chart)?;
         whole.present()
@@ -226,7 +233,8 @@ fn curves(run: &RunContent, spec: &Chart) -> Drawn {
         let label = format!("{} {} {}", bound.label, number(bound.value), spec.unit);
         entries.push(Entry { label, sample: Sample::Line(level(bound), Some(LEVEL)) });
     }
-    chart(SIZE, (0.0..end, y), ("time [s]", &up), &entries, |chart| {
+    let axes = Axes { x: 0.0..end, y, across: "time [s]", up: &up };
+    chart(SIZE, axes, &entries, |chart| {
         for (i, curve) in spec.lines.iter().enumerate() {
             let points = times.iter().copied().zip(line(&curve.column).iter().copied()).filter(|p| p.1.is_finite());
             match style(i) {
@@ -290,7 +298,7 @@ fn path(content: &Content, run: &RunContent, view: View) -> Drawn {
     entries.push(Entry { label: "smallest distance".into(), sample: Sample::Diamond });
     let frame = [x.clone(), y.clone()];
     let (across, up) = (format!("{} [m]", names[i]), format!("{} [m]", names[j]));
-    chart(SIZE, (x, y), (&across, &up), &entries, |chart| {
+    chart(SIZE, Axes { x, y, across: &across, up: &up }, &entries, |chart| {
         let plot = &frame;
         for volume in &content.volumes {
             let outline = shown(volume);
@@ -401,7 +409,8 @@ fn section(content: &Content, set: &SetContent, run: Option<&RunContent>) -> Dra
     let path = BLACK.mix(0.6).stroke_width(3);
     entries.extend(run.map(|run| Entry { label: run.wrench.into(), sample: Sample::Line(path, None) }));
     entries.push(Entry { label: "hover".into(), sample: Sample::Cross });
-    chart(SQUARE, (-reach..reach, -reach..reach), ("torque about x [N m]", "torque about y [N m]"), &entries, |chart| {
+    let axes = Axes { x: -reach..reach, y: -reach..reach, across: "torque about x [N m]", up: "torque about y [N m]" };
+    chart(SQUARE, axes, &entries, |chart| {
         for (set, color, share) in areas {
             let corners = corners(set, &content.hover, reach);
             if corners.len() < 3 {

@@ -2,7 +2,7 @@
 
 use super::record::{FlightRecord, Flown, OutcomeRecord};
 use crate::flight::indistinguishable::listed;
-use crate::model::{AfterFault, Allocation, Controller, Detection, LimitKind, Model};
+use crate::model::{AfterFault, Allocation, Controller, Detection, LimitKind, LostYaw, Model};
 use crate::number::{fixed, number, significant};
 use crate::report::battery;
 use crate::report::terminal::{WIDTH, vehicle_line};
@@ -225,8 +225,8 @@ pub fn loss(model: &Model, cause: &str, at_end: bool) -> String {
     match cause {
         "ground" => "it hit the ground".into(),
         "heading" => {
-            let limit = s.lost_yaw.map_or(0.0, f64::to_degrees);
-            format!("heading more than {} degrees off {}", number(limit), when(s.lost_yaw_after))
+            let limit = if let LostYaw::Beyond(limit) = s.lost_yaw { limit } else { 0.0 };
+            format!("heading more than {} degrees off {}", number(limit.to_degrees()), when(s.lost_yaw_after))
         }
         "upside_down" => format!("tilted past 90 degrees {}", when(s.upside_down)),
         _ => format!("more than {} m off the plan", number(s.lost_beyond)),

@@ -1,7 +1,7 @@
 //! The files and folders whose changes start another round of checks.
 
 use crate::cli::{Problem, files};
-use crate::input::Kind;
+use crate::input::FileKind;
 use notify::event::{EventKind, ModifyKind};
 use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher};
 use std::collections::HashSet;
@@ -66,7 +66,7 @@ impl Watched {
     fn matters(&self, change: &notify::Result<Event>) -> bool {
         let Ok(event) = change else { return true };
         let comes = matches!(event.kind, EventKind::Create(_) | EventKind::Modify(ModifyKind::Name(_)));
-        let is_spec = |path: &Path| Kind::of(path).is_some();
+        let is_spec = |path: &Path| FileKind::of(path).is_some();
         let bears = |path: &PathBuf| {
             is_spec(path) || comes && path.is_dir() || self.files.iter().any(|file| file.starts_with(path))
         };

@@ -4,7 +4,7 @@
 use crate::language::{Group, Takes};
 use crate::read::vocabulary::mode_numbers;
 use crate::syntax::Place;
-use crate::syntax::scan::{Kind, Lexeme, lexemes};
+use crate::syntax::scan::{Lexeme, LexemeKind, lexemes};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -76,11 +76,13 @@ impl Context {
         // A comment extends to the end of its line, with trailing blanks.
         let begun = all[..all.partition_point(|l| l.start < offset)].last();
         let under = begun.filter(|l| offset <= l.end);
-        let is_comment = begun.is_some_and(|l| matches!(l.kind, Kind::Comment | Kind::Doc));
-        if is_comment || under.is_some_and(|l| matches!(l.kind, Kind::Text | Kind::UnclosedText) && offset < l.end) {
+        let is_comment = begun.is_some_and(|l| matches!(l.kind, LexemeKind::Comment | LexemeKind::Doc));
+        if is_comment
+            || under.is_some_and(|l| matches!(l.kind, LexemeKind::Text | LexemeKind::UnclosedText) && offset < l.end)
+        {
             return None;
         }
-        let word = under.filter(|l| l.kind == Kind::Word).map_or(offset..offset, |l| l.start..l.end);
+        let word = under.filter(|l| l.kind == LexemeKind::Word).map_or(offset..offset, |l| l.start..l.end);
         let word = unit_before(text, &all, offset).map_or(word.clone(), |start| start..word.end);
         let cut = all.partition_point(|l| l.start < word.start);
         let mut frames = vec![Frame::top()];
@@ -94,9 +96,10 @@ impl Context {
         rest_of_block(text, &all[cut..], &word, &mut present);
         let mut listed = BTreeSet::new();
         if brackets > 0 {
-            let behind =
-                all[cut..].iter().take_while(|l| !(l.is(']') || l.kind == Kind::Newline || l.is(';') || l.is('}')));
-            let others = statement.iter().chain(behind).filter(|l| l.kind == Kind::Word && l.start != word.start);
+            let behind = all[cut..]
+                .iter()
+                .take_while(|l| !(l.is(']') || l.kind == LexemeKind::Newline || l.is(';') || l.is('}')));
+            let others = statement.iter().chain(behind).filter(|l| l.kind == LexemeKind::Word && l.start != word.start);
             listed.extend(others.map(|l| l.text(text).to_string()));
         }
         let mut context = Context {
@@ -132,16 +135,16 @@ impl Context {
     fn look(&mut self, text: &str, statement: &[Lexeme]) -> Before {
         let word = |k: usize| statement.get(k).map_or("", |l| l.text(text));
         let Some(last) = statement.last() else { return Before::Nothing };
-        let ended = matches!(last.kind, Kind::Number) || last.is(')') || last.is(']');
+        let ended = matches!(last.kind, LexemeKind::Number) || last.is(')') || last.is(']');
         let opener = word(0).to_string();
         // After a unit or a name a value is over, unless an operator continues it.
-        let is_over = last.kind == Kind::Word && statement.len() > 1 && last.text(text) != "in" || last.is('%');
+        let is_over = last.kind == LexemeKind::Word && statement.len() > 1 && last.text(text) != "in" || last.is('%');
         let value = |field: &str| match is_over && !self.in_brackets {
             true => Before::Words(&[]),
             false => Before::Value { field: field.to_string(), ended },
         };
-        if let Some(at) = statement.iter().position(|l| l.kind == Kind::Word && l.text(text) == "where") {
-            let behind = statement[at + 1..].iter().any(|l| matches!(l.kind, Kind::Mark('<' | '>' | '=')));
+        if let Some(at) = statement.iter().position(|l| l.kind == LexemeKind::Word && l.text(text) == "where") {
+            let behind = statement[at + 1..].iter().any(|l| matches!(l.kind, LexemeKind::Mark('<' | '>' | '=')));
             return match (behind, at + 1 == statement.len()) {
                 (true, _) => value(word(at + 1)),
                 (false, true) => Before::ModeNumber,
@@ -162,7 +165,8 @@ impl Context {
                 Before::Clause
             }
             (Place::Mission, "curve") => {
-                let fields = statement.iter().filter(|l| l.kind == Kind::Word && l.text(text) == "points").count();
+                let fields =
+                    statement.iter().filter(|l| l.kind == LexemeKind::Word && l.text(text) == "points").count();
                 match statement.iter().any(|l| l.is(',')) {
                     true if fields > 0 => value("points"),
                     true => Before::Words(&["points ="]),
@@ -191,7 +195,7 @@ impl Context {
     fn in_clauses(&mut self, text: &str, statement: &[Lexeme], ended: bool) -> Before {
         let opener = statement[0].text(text);
         let known = crate::read::vocabulary::clauses(self.place, opener);
-        let is_clause = |l: &Lexeme| l.kind == Kind::Word && known.contains(&l.text(text));
+        let is_clause = |l: &Lexeme| l.kind == LexemeKind::Word && known.contains(&l.text(text));
         let mut words = statement[1..].iter().filter(|l| is_clause(l));
         self.clauses = words.clone().map(|l| l.text(text).to_string()).collect();
         let (Some(clause), Some(last)) = (words.next_back(), statement.last()) else { return Before::Clause };
@@ -211,7 +215,7 @@ impl Context {
             _ => {}
         }
         // After a unit or a name a value is over, unless an operator continues it.
-        let is_over = last.kind == Kind::Word && last.start != clause.start || last.is('%');
+        let is_over = last.kind == LexemeKind::Word && last.start != clause.start || last.is('%');
         match is_over && !self.in_brackets {
             true => Before::Clause,
             false => Before::Value { field, ended: ended && !(self.in_brackets && last.is(']')) },
@@ -247,7 +251,9 @@ impl Context {
 /// The word of a statement that ends in it and `..`.
 fn range_from(text: &str, statement: &[Lexeme]) -> Option<String> {
     match statement {
-        [.., word, dots] if word.kind == Kind::Word && dots.text(text) == ".." => Some(word.text(text).to_string()),
+        [.., word, dots] if word.kind == LexemeKind::Word && dots.text(text) == ".." => {
+            Some(word.text(text).to_string())
+        }
         _ => None,
     }
 }
@@ -260,14 +266,15 @@ fn unit_before(text: &str, all: &[Lexeme], offset: usize) -> Option<usize> {
     let mut first = end.checked_sub(1).filter(|&k| all[k].end >= offset)?;
     while let Some(before) = first.checked_sub(1)
         && all[before].end == all[first].start
-        && (joins(&all[before]) || joins(&all[first]) && matches!(all[before].kind, Kind::Word | Kind::Number))
+        && (joins(&all[before])
+            || joins(&all[first]) && matches!(all[before].kind, LexemeKind::Word | LexemeKind::Number))
     {
         first = before;
     }
     let run = &all[first..end];
-    let begins = run[0].kind == Kind::Word || run[0].text(text) == "1" && run.get(1).is_some_and(|l| l.is('/'));
+    let begins = run[0].kind == LexemeKind::Word || run[0].text(text) == "1" && run.get(1).is_some_and(|l| l.is('/'));
     let behind = first.checked_sub(1).map(|k| all[k])?;
-    let has_number = behind.kind == Kind::Number || behind.is(')') || behind.is(']');
+    let has_number = behind.kind == LexemeKind::Number || behind.is(')') || behind.is(']');
     (run.len() > 1 && begins && has_number).then_some(run[0].start)
 }
 
@@ -292,32 +299,33 @@ fn step(
 ) {
     let head = |statement: &[Lexeme]| statement.first().map_or("", |l| l.text(text)).to_string();
     match lexeme.kind {
-        Kind::Comment | Kind::Doc => {}
-        Kind::Newline => {
+        LexemeKind::Comment | LexemeKind::Doc => {}
+        LexemeKind::Newline => {
             // A bracket continues over lines, unless the next line begins another statement.
-            let next = all[k + 1..].iter().find(|l| l.kind != Kind::Newline);
+            let next = all[k + 1..].iter().find(|l| l.kind != LexemeKind::Newline);
             let begins = next.is_none_or(|l| {
                 let word = l.text(text);
-                let assigns = all[k + 1..].iter().filter(|l| l.kind != Kind::Newline).nth(1).is_some_and(|l| l.is('='));
-                l.is('}') || l.kind == Kind::Word && (assigns || Place::opens_statement(word))
+                let assigns =
+                    all[k + 1..].iter().filter(|l| l.kind != LexemeKind::Newline).nth(1).is_some_and(|l| l.is('='));
+                l.is('}') || l.kind == LexemeKind::Word && (assigns || Place::opens_statement(word))
             });
             if *brackets == 0 || begins {
                 *brackets = 0;
                 statement.clear();
             }
         }
-        Kind::Mark(';') => {
+        LexemeKind::Mark(';') => {
             statement.clear();
             *brackets = 0;
         }
-        Kind::Mark('{') => {
+        LexemeKind::Mark('{') => {
             let word = head(statement);
             let parameter = (word == "curve").then(|| statement.get(1).map_or("", |l| l.text(text)).to_string());
             frames.push(Frame { place: of_head(frames, &word), parameter, present: BTreeSet::new() });
             statement.clear();
             *brackets = 0;
         }
-        Kind::Mark('}') => {
+        LexemeKind::Mark('}') => {
             if frames.len() > 1 {
                 frames.pop();
             }
@@ -326,12 +334,12 @@ fn step(
         }
         _ => {
             match lexeme.kind {
-                Kind::Mark('(' | '[') => *brackets += 1,
-                Kind::Mark(')' | ']') => *brackets = brackets.saturating_sub(1),
+                LexemeKind::Mark('(' | '[') => *brackets += 1,
+                LexemeKind::Mark(')' | ']') => *brackets = brackets.saturating_sub(1),
                 _ => {}
             }
             if statement.is_empty()
-                && lexeme.kind == Kind::Word
+                && lexeme.kind == LexemeKind::Word
                 && let Some(frame) = frames.last_mut()
             {
                 frame.present.insert(lexeme.text(text).to_string());
@@ -346,15 +354,15 @@ fn rest_of_block(text: &str, rest: &[Lexeme], word: &Range<usize>, present: &mut
     let (mut depth, mut begins) = (0usize, false);
     for lexeme in rest {
         match lexeme.kind {
-            Kind::Mark('{') => depth += 1,
-            Kind::Mark('}') if depth == 0 => return,
-            Kind::Mark('}') => depth -= 1,
-            Kind::Newline | Kind::Mark(';') => begins = true,
-            Kind::Word if begins && depth == 0 && lexeme.start != word.start => {
+            LexemeKind::Mark('{') => depth += 1,
+            LexemeKind::Mark('}') if depth == 0 => return,
+            LexemeKind::Mark('}') => depth -= 1,
+            LexemeKind::Newline | LexemeKind::Mark(';') => begins = true,
+            LexemeKind::Word if begins && depth == 0 && lexeme.start != word.start => {
                 present.insert(lexeme.text(text).to_string());
                 begins = false;
             }
-            Kind::Comment | Kind::Doc => {}
+            LexemeKind::Comment | LexemeKind::Doc => {}
             _ => begins = false,
         }
     }

@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::{ItemKind, Offer};
-use crate::lsp::names::Kind;
+use crate::lsp::names::NameKind;
 use crate::lsp::workspace::Spec;
 use crate::model::FaultMode;
 
@@ -15,14 +15,14 @@ pub(super) fn offers(spec: &Spec, context: &Context, list: &mut Vec<Offer>) {
     list.extend(modes.take(MOST_MODES).map(offer));
     // Modes that could not be made out, for an error of theirs or of the vehicle, have a name all the same.
     let known = |name: &str| spec.understanding.modes.iter().any(|mode| mode.name == name);
-    let rest = spec.names().of_kind(Kind::Mode).filter(|d| !known(&d.name) && !context.listed.contains(&d.name));
+    let rest = spec.names().of_kind(NameKind::Mode).filter(|d| !known(&d.name) && !context.listed.contains(&d.name));
     list.extend(rest.map(|d| Offer::new(&d.name, ItemKind::Event, 1)));
 }
 
 /// The names for all modes of an `every`.
 pub(super) fn families(spec: &Spec, context: &Context, list: &mut Vec<Offer>) {
     let names = spec.names();
-    for (index, definition) in names.definitions.iter().enumerate().filter(|(_, d)| d.kind == Kind::Modes) {
+    for (index, definition) in names.definitions.iter().enumerate().filter(|(_, d)| d.kind == NameKind::Modes) {
         let alike = names.alike(index);
         if alike[0] != index || context.listed.contains(&definition.name) {
             continue;

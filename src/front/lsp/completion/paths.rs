@@ -1,7 +1,7 @@
 //! Files that `use` and `waypoints from` may name, while their path is typed.
 
 use super::{ItemKind, Offer};
-use crate::input::Kind;
+use crate::input::FileKind;
 use crate::read::is_unfit;
 use crate::source::Source;
 use std::ops::Range;
@@ -18,8 +18,8 @@ pub fn offers(source: &Source, offset: usize) -> Option<(Vec<Offer>, Range<usize
     // A `;` may end another statement before.
     let before = before.rsplit([';', '{']).next()?.split_whitespace().collect::<Vec<_>>();
     let kind = match before.as_slice() {
-        ["use"] => Kind::Spec,
-        ["waypoints", "from"] => Kind::Table,
+        ["use"] => FileKind::Spec,
+        ["waypoints", "from"] => FileKind::Table,
         _ => return None,
     };
     let (folder, begun) = typed.rsplit_once('/').map_or(("", typed), |(folder, begun)| (folder, begun));
@@ -39,7 +39,7 @@ pub fn offers(source: &Source, offset: usize) -> Option<(Vec<Offer>, Range<usize
         if path.is_dir() {
             return Some(Offer::new(&format!("{name}/"), ItemKind::Folder, 1));
         }
-        let fits = Kind::of(&path) == Some(kind) && path != file;
+        let fits = FileKind::of(&path) == Some(kind) && path != file;
         fits.then(|| Offer::new(&name, ItemKind::File, 0))
     };
     Some((entries.filter_map(offer).collect(), offset - begun.len()..end))

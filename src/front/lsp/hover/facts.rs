@@ -6,7 +6,7 @@ use crate::admissible::allocation::Allocator;
 use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::admissible::without_yaw::YawFree;
-use crate::lsp::names::Kind;
+use crate::lsp::names::NameKind;
 use crate::model::{FaultMode, Model, Rotor, RotorState};
 use crate::number::{down, number, percent, significant};
 use crate::source::{FileId, Span};
@@ -71,7 +71,7 @@ pub fn file(spec: &Spec, file: FileId) -> String {
         .names()
         .definitions
         .iter()
-        .filter(|d| d.span.file == file && !matches!(d.kind, Kind::Waypoint | Kind::Parameter))
+        .filter(|d| d.span.file == file && !matches!(d.kind, NameKind::Waypoint | NameKind::Parameter))
         .map(|d| format!("{} `{}`", d.kind.phrase(), d.name))
         .collect();
     let names = if declared.is_empty() { "declares no name".to_string() } else { declared.join(", ") };

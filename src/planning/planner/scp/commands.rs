@@ -211,8 +211,8 @@ impl Transcription<'_> {
         for (at, from, factors) in &commands.curvature {
             let direction = |&(axis, order): &(usize, usize)| {
                 // There is such an interval for all derivatives or for none.
-                self.command_derivative(*at, (axis, order), &no_jump)?;
-                let derivative = |order| self.command_derivative(*at, (axis, order), &no_jump).unwrap_or_default();
+                self.command_derivative(*at, axis, order, &no_jump)?;
+                let derivative = |order| self.command_derivative(*at, axis, order, &no_jump).unwrap_or_default();
                 let now = self.in_air(&self.winds[0], axis, order, derivative);
                 Some(now.plus_constant(-without_wind(from, &self.winds[0])[axis][order]))
             };

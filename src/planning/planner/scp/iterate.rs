@@ -3,7 +3,7 @@
 use super::PARTS;
 use crate::motion::time_grid::TimeGrid;
 use crate::motion::wrench_model::WrenchModel;
-use crate::motion::{NodeState, Trajectory, between};
+use crate::motion::{NodeState, Trajectory, state_between};
 
 /// Derivatives at the nodes of a time grid without holds.
 #[derive(Debug, Clone)]
@@ -38,14 +38,14 @@ impl Iterate {
         let times = &self.grid.node_times;
         let h = times[interval + 1] - times[interval];
         let t = h * part as f64 / PARTS as f64;
-        between(&self.states[interval], &self.states[interval + 1], h, t, self.model)
+        state_between(&self.states[interval], &self.states[interval + 1], h, t, self.model)
     }
 
     /// The derivatives a share of the way through an interval.
     pub fn inside(&self, interval: usize, share: f64) -> NodeState {
         let times = &self.grid.node_times;
         let h = times[interval + 1] - times[interval];
-        between(&self.states[interval], &self.states[interval + 1], h, share * h, self.model)
+        state_between(&self.states[interval], &self.states[interval + 1], h, share * h, self.model)
     }
 
     /// The same path in the same shares of time, `factor` times slower.
@@ -82,7 +82,7 @@ impl Iterate {
             std::array::from_fn(|axis| std::array::from_fn(|order| within * largest(axis, order)));
         self.states.windows(2).zip(times.windows(2)).all(|(pair, t)| {
             let h = t[1] - t[0];
-            let reached = between(&pair[0], &pair[1], h, h, self.model);
+            let reached = state_between(&pair[0], &pair[1], h, h, self.model);
             let same =
                 |axis: usize, order: usize| (reached[axis][order] - pair[1][axis][order]).abs() <= allowed[axis][order];
             self.model.orders().iter().enumerate().all(|(axis, &input)| (0..input).all(|order| same(axis, order)))

@@ -14,6 +14,7 @@ use crate::model::Environment;
 use crate::motion::wrench_model::DIRECTIONS;
 use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
 use crate::planner::commands::{CommandAt, Slope};
+use crate::planner::cores::{CoreAt, Scaling};
 use crate::planner::limits::Widening;
 use crate::planner::scp::commands::CommandLinearisation;
 use crate::planner::transcription::{Row, RowAt, Transcription};
@@ -155,8 +156,8 @@ impl Transcription<'_> {
                     if let Some(core) = &self.set.rows[facet].core {
                         let free = violation.clone().plus_constant(-free);
                         let change = self.duration_change(step, self.leg_of(instant));
-                        let row = (&self.set.rows[facet], core);
-                        self.core(&mut builder, row, (facet, instant), &free, (&change, ORDER_OF_TIME));
+                        let at = CoreAt { row: &self.set.rows[facet], core, facet, instant };
+                        self.core(&mut builder, at, &free, Scaling { change: &change, order: ORDER_OF_TIME });
                         continue;
                     }
                     let mut expression = violation.clone().plus_constant(-free);
@@ -242,10 +243,10 @@ impl Transcription<'_> {
     }
 
     /// `factor . (s' - s)` for each factor of the curvature at an instant; see [`Step::curvature`].
-    fn changes_along_factors(&self, (instant, from, factors): &(usize, NodeState, Vec<FlatState>)) -> Vec<Affine> {
+    fn changes_along_factors(&self, instant: usize, from: &NodeState, factors: &[FlatState]) -> Vec<Affine> {
         let from = without_wind(from, &self.winds[0]);
         let direction = |(axis, order): (usize, usize)| {
-            let now = self.in_air(&self.winds[0], axis, order, |order| self.derivative(*instant, axis, order));
+            let now = self.in_air(&self.winds[0], axis, order, |order| self.derivative(instant, axis, order));
             now.plus_constant(-from[axis][order])
         };
         let directions = DIRECTIONS.map(direction);
@@ -298,7 +299,10 @@ impl Transcription<'_> {
         // Instants of one interval share their variables.
         let interval = |instant: usize| instant.saturating_sub(1) / self.parts;
         for beside in step.curvature.chunk_by(|a, b| interval(a.0) == interval(b.0)) {
-            let changes: Vec<Affine> = beside.iter().flat_map(|curved| self.changes_along_factors(curved)).collect();
+            let changes = |(instant, from, factors): &(usize, NodeState, Vec<FlatState>)| {
+                self.changes_along_factors(*instant, from, factors)
+            };
+            let changes: Vec<Affine> = beside.iter().flat_map(changes).collect();
             builder.squares(&changes, 0.5);
         }
         if let Some(commands) = step.commands {

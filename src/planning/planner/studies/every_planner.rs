@@ -12,6 +12,16 @@ use crate::planner::working_set::WorkingSet;
 use crate::solve::Effort;
 use rayon::prelude::*;
 
+/// What is known when RSP is planned.
+#[derive(Clone, Copy)]
+struct KnownPlans<'k> {
+    rip: &'k Found,
+    /// RIP's decision at T_d.
+    rip_at: &'k Decision,
+    /// The joint RCP's plan at its own time, which RSP's set allows.
+    rcp: Option<&'k Planned>,
+}
+
 impl Setting<'_> {
     /// How many runs [`Self::everything`] makes where there is a T_d.
     pub(super) fn runs_of_everything(&self) -> usize {
@@ -102,7 +112,7 @@ impl Setting<'_> {
                     self.rsp_own_and_common(
                         &rsp_set,
                         at,
-                        (&rip, &decision, binding),
+                        KnownPlans { rip: &rip, rip_at: &decision, rcp: binding },
                         above_rip.clone(),
                         at_once,
                         working_set,
@@ -137,18 +147,18 @@ impl Setting<'_> {
     }
 
     /// RSP at its own shortest time and at T_d, in this order. The own time is not below RIP's, and not above T_d if
-    /// there is a plan at T_d. `rip_at` is RIP's decision at T_d, and RSP's too if it is given as `nothing_selected`;
-    /// `rcp` is the joint RCP's plan at its own time, which RSP's set allows. Without a plan of RIP there is nothing to
-    /// select by, and no own time is searched for.
+    /// there is a plan at T_d. RIP's decision at T_d is RSP's too if it is given as `nothing_selected`. Without a plan
+    /// of RIP there is nothing to select by, and no own time is searched for.
     fn rsp_own_and_common(
         &self,
         set: &PlanningSet,
         at: f64,
-        (rip, rip_at, rcp): (&Found, &Decision, Option<&Planned>),
+        known: KnownPlans,
         above_rip: Hint,
         nothing_selected: Option<&Decision>,
         working_set: WorkingSet,
     ) -> (PlanOutcome, PlanOutcome, Effort) {
+        let KnownPlans { rip, rip_at, rcp } = known;
         if let Some(same) = nothing_selected {
             self.ended(2);
             let (own, common) = match same {

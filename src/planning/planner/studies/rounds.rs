@@ -16,6 +16,7 @@ use crate::planner::working_set::WorkingSet;
 use crate::solve::Effort;
 use std::collections::BTreeMap;
 use std::iter;
+use std::ops::RangeInclusive;
 
 /// Most times tried beyond T_d until one has a plan, each 5 % longer than the last. Chosen by hand.
 const MOST_STEPS: usize = 20;
@@ -39,25 +40,26 @@ pub struct Round {
 /// rounds: it violates nothing new, or it is not a plan.
 type Chain = Vec<(Vec<SetRow>, Decision)>;
 
-/// Rounds `first..=last` at T_d, and each at its own shortest time with the selection redone there. `common_time` is
+/// Each wanted number of rounds at T_d, and at its own shortest time with the selection redone there. `common_time` is
 /// T_d; no rounds if no mode has a plan at any time. `progress` receives the round and each mission time, s, before it
 /// is tried.
 pub fn rounds(
     problem: Problem,
     comparison: &mut Comparison,
-    (first, last): (usize, usize),
+    wanted: RangeInclusive<usize>,
     progress: Progress,
 ) -> Vec<Round> {
     let ended = with_time_of_its_end(problem);
     let problem = ended.as_ref().and_then(Problem::of).unwrap_or(problem);
     let setting = Setting::new(problem, progress);
+    let last = *wanted.end();
     let Some(common) = comparison.common_time else { return Vec::new() };
     let known = comparison.known.clone();
     let mut search =
         Search { setting: &setting, last, known: &known, chains: BTreeMap::new(), effort: Effort::default() };
     let at_common = setting.chain(common, last, &known, &mut search.effort);
     let mut found = Vec::new();
-    for k in first..=last {
+    for k in wanted {
         let (selected, decision) = &at_common[k.min(at_common.len() - 1)];
         // The plan of the round before, which this one's facets are selected by, is missing.
         let is_beyond = k >= at_common.len() && decision.planned().is_none();

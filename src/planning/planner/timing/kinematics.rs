@@ -77,7 +77,7 @@ impl Drag {
     /// A drag for each axis of the body has the matrix K = R diag(k) R^T, whose eigenvalues lie between the smallest
     /// rate k0 and the largest k1: along all three axes `u' <= most + k1 |wind| - k0 u` and
     /// `|u'| <= acceleration + k1 (|wind| + u)`. It couples the axes, so that only `axes` of all three give a bound.
-    fn paced(&self, (rate, acceleration): (f64, f64), most: f64, axes: &[usize]) -> (f64, f64) {
+    fn paced(&self, rate: f64, acceleration: f64, most: f64, axes: &[usize]) -> (f64, f64) {
         let [least, largest] = self.rates;
         if largest == 0.0 {
             return (rate, acceleration);
@@ -170,18 +170,18 @@ impl LegRateBounds {
         let rising = force - g;
         let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
         let across = speed.min(most(LimitKind::SpeedHorizontal));
-        let (rate, any) = air.paced((speed, any), force + g, &[0, 1, 2]);
+        let (rate, any) = air.paced(speed, any, force + g, &[0, 1, 2]);
         // No part of the velocity is larger than the whole, nor is that of the drag.
-        let part = |of: (f64, f64), most: f64, axes: &[usize]| match air.is_isotropic() {
-            true => air.paced(of, most, axes),
-            false => (of.0.min(rate), air.paced((rate, of.1), force + g, &[0, 1, 2]).1),
+        let part = |own: f64, acceleration: f64, most: f64, axes: &[usize]| match air.is_isotropic() {
+            true => air.paced(own, acceleration, most, axes),
+            false => (own.min(rate), air.paced(rate, acceleration, force + g, &[0, 1, 2]).1),
         };
         let vertical = |rate: LimitKind, speeding: f64, slowing: f64| {
             let rate = speed.min(most(rate));
-            let [speeding, slowing] = [speeding, slowing].map(|most| part((rate, most), force + g, &[2]));
+            let [speeding, slowing] = [speeding, slowing].map(|most| part(rate, most, force + g, &[2]));
             RateBounds { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
         };
-        let (rate_across, sideways) = part((across, sideways), force, &[0, 1]);
+        let (rate_across, sideways) = part(across, sideways, force, &[0, 1]);
         let turn = |ahead: Sense, back: Sense| RateBounds {
             rate: turning(LimitKind::YawRate, ahead),
             speeding: turning(LimitKind::YawAcceleration, ahead),

@@ -2,7 +2,7 @@
 
 use super::{Builder, Rule, expected};
 use crate::diagnostic::Diagnostic;
-use crate::language::{Kind, Place};
+use crate::language::{Place, StatementKind};
 use crate::source::{Span, Spanned};
 use crate::syntax::MAX_ERRORS;
 use crate::syntax::ast::{Block, Statement};
@@ -45,9 +45,9 @@ impl Builder<'_> {
         let Some(body) = body else { return Statement::Broken(span) };
         let mut statements = self.body(body, inside);
         let fits = match inside {
-            Place::Every => Kind::Every.fits(place),
+            Place::Every => StatementKind::Every.fits(place),
             Place::Unknown | Place::Curve => false,
-            _ => Kind::Block(inside).fits(place),
+            _ => StatementKind::Block(inside).fits(place),
         };
         if !fits || is_waypoint || place == Place::Unknown {
             return Statement::Broken(span);

@@ -2,7 +2,7 @@
 
 use super::{Broken, form};
 use crate::diagnostic::Diagnostic;
-use crate::language::{Kind, Place};
+use crate::language::{Place, StatementKind};
 use crate::source::Span;
 use crate::syntax::ast::Block;
 use crate::syntax::cut;
@@ -66,10 +66,10 @@ pub(in crate::language::syntax) fn check_head(block: &mut Block, kind: Place) ->
 }
 
 /// A statement that belongs elsewhere.
-pub(in crate::language::syntax) fn misplaced(kind: Kind, place: Place, text: &str, span: Span) -> Diagnostic {
+pub(in crate::language::syntax) fn misplaced(kind: StatementKind, place: Place, text: &str, span: Span) -> Diagnostic {
     let word = super::token(text, 0, super::is_name);
     let (whole, span) = (span, Span { end: span.start + word.len() as u32, ..span });
-    if kind == Kind::Field && place == Place::Limits {
+    if kind == StatementKind::Field && place == Place::Limits {
         let value = text.split_once('=').map_or("", |(_, value)| value.trim());
         let (limit, relation) = match (word.strip_prefix("max_"), word.strip_prefix("min_")) {
             _ if value.contains("..") => (word, "in"),
@@ -83,8 +83,8 @@ pub(in crate::language::syntax) fn misplaced(kind: Kind, place: Place, text: &st
             .fix(whole, format!("{limit} {relation} {value}"));
     }
     let what = match kind {
-        Kind::RotorAt => "`rotor at`".to_string(),
-        Kind::Fault => "a rotor's fault".to_string(),
+        StatementKind::RotorAt => "`rotor at`".to_string(),
+        StatementKind::Fault => "a rotor's fault".to_string(),
         _ => format!("`{}`", cut(word)),
     };
     let Some(home) = kind.home() else {

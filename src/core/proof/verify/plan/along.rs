@@ -175,7 +175,7 @@ impl Group {
 
 impl Checked<'_> {
     /// Checks limits, sets and facets between the nodes, as far as the remaining work allows.
-    pub(super) fn between(&self, purse: &mut WorkLeft, found: &mut Found) {
+    pub(super) fn check_between(&self, purse: &mut WorkLeft, found: &mut Found) {
         let setting = self.setting;
         let before = purse.0;
         for limits in setting.mission().limits.chunk_by(same_volume) {
@@ -239,12 +239,12 @@ impl Checked<'_> {
     /// A yaw that follows from the motion, with the largest error that a grid shows.
     fn followed(&self, limit: &Limit, target: Target, purse: &mut WorkLeft) -> String {
         let family = self.setting.family_of(limit, &self.motion);
-        let within = family.within.unwrap_or((0, self.motion.pieces()));
+        let (first, last) = family.within.unwrap_or((0, self.motion.pieces()));
         if !purse.spend(cost_of_grid(&family, &self.motion, 1, POINTS_OF_A_GRID)) {
             return limited(limit);
         }
         let Some(allowed) = limit.upper.map(|upper| number(upper.to_degrees())) else { return limited(limit) };
-        match heading::largest(target, &self.motion, within, POINTS_OF_A_GRID) {
+        match heading::largest(target, &self.motion, first..=last, POINTS_OF_A_GRID) {
             Some((error, at)) => format!(
                 "{} within {allowed} deg (between the nodes {} deg on a grid, at {} s)",
                 limit.name(),

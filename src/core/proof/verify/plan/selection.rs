@@ -124,7 +124,7 @@ impl Setting<'_> {
         for (round, record) in records.iter().enumerate() {
             let named =
                 |r: Rejection| Rejection { claim: format!("plan {} to select from: {}", round + 1, r.claim), ..r };
-            let checked = self.at_nodes(record, &before, (Role::SelectedBy, without_yaw)).map_err(named)?;
+            let checked = self.at_nodes(record, &before, Role::SelectedBy, without_yaw).map_err(named)?;
             if let Some(why) = checked.undecided.first() {
                 return Err(named(Rejection::new("the plan", why.clone())));
             }

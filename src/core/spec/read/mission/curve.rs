@@ -1,6 +1,6 @@
 //! Turns a curve into waypoints, evenly spaced in its parameter.
 
-use super::{Route, Stop, WaypointDefaults, manner_of};
+use super::{Route, Stop, WaypointDefaults};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::curve as table;
@@ -24,7 +24,7 @@ pub(super) struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    pub fn fly(&self, cx: &mut Context<'a>, manner: WaypointDefaults, route: &mut Route) {
+    pub fn fly(&self, cx: &mut Context<'a>, defaults: WaypointDefaults, route: &mut Route) {
         let owner = "`curve`".to_string();
         let head = self.parameter.span.to(self.range.span);
         let fields = Fields::of_block(cx, owner.clone(), head, self.body, Group::Curve);
@@ -34,14 +34,13 @@ impl<'a> Curve<'a> {
             .demand(cx, "points", ", points = 21")
             .and_then(|e| cx.count(&POINTS, "the number of points", e, "mavc::mission::curve_points"));
         let range = self.read_range(cx);
-        let manner = manner_of(cx, &fields, manner);
-        let axis = |cx: &mut Context<'a>, name: &str, example: &str| fields.demand(cx, name, example);
-        let x = axis(cx, "x", "x = 4 m * cos(s)");
-        let y = axis(cx, "y", "y = 4 m * sin(s)");
-        let z = axis(cx, "z", "z = 10 m");
+        let own = defaults.replaced(cx, &fields);
+        let x = fields.demand(cx, "x", "x = 4 m * cos(s)");
+        let y = fields.demand(cx, "y", "y = 4 m * sin(s)");
+        let z = fields.demand(cx, "z", "z = 10 m");
         let yaw = fields.get("yaw");
         cx.parameter_turns = runs_through_turns(&self.parameter.value, self.range, &[x, y, z, yaw]);
-        let (Some(points), Some((low, high)), Some(manner)) = (points, range, manner) else {
+        let (Some(points), Some((low, high)), Some(own)) = (points, range, own) else {
             // The coordinates are evaluated once all the same, so that their own errors are reported.
             if let Some((low, _)) = range {
                 self.at(cx, low, [x, y, z], yaw);
@@ -52,8 +51,7 @@ impl<'a> Curve<'a> {
         for k in 0..points {
             let t = k as f64 / (points - 1) as f64;
             let value = low.value * (1.0 - t) + high.value * t;
-            let (position, yaw) = self.at(cx, Quantity::new(value, low.dimension), [x, y, z], yaw);
-            let (Some(position), Some(yaw)) = (position, yaw.optional()) else {
+            let Some((position, yaw)) = self.at(cx, Quantity::new(value, low.dimension), [x, y, z], yaw) else {
                 route.broken = true;
                 return;
             };
@@ -64,11 +62,11 @@ impl<'a> Curve<'a> {
                 name: None,
                 position,
                 yaw,
-                within: manner.within,
-                yaw_within: manner.yaw_within,
-                weight: manner.weight,
+                within: own.within,
+                yaw_within: own.yaw_within,
+                weight: own.weight,
                 time: None,
-                stop: false,
+                leg: None,
                 heading: yaw.map(|_| crate::read::heading::Rule::Given),
                 span: head,
             };
@@ -102,14 +100,14 @@ impl<'a> Curve<'a> {
         Some((low, high))
     }
 
-    /// Position and yaw at one value of the parameter; errors are reported.
+    /// Position and yaw, if one is written, at one value of the parameter; `None` where one has an error.
     fn at(
         &self,
         cx: &mut Context<'a>,
         value: Quantity,
         axes: [Option<&'a Expr>; 3],
         yaw: Option<&'a Expr>,
-    ) -> (Option<[f64; 3]>, Written<f64>) {
+    ) -> Option<([f64; 3], Option<f64>)> {
         cx.parameter = Some((&self.parameter.value, value));
         let [x, y, z] = axes;
         let x = x.and_then(|e| cx.number(Expected::of(&table::X), e));
@@ -117,10 +115,6 @@ impl<'a> Curve<'a> {
         let z = z.and_then(|e| cx.number(Expected::of(&table::Z), e));
         let yaw = yaw.map_or(Written::Absent, |e| Written::of(cx.number(Expected::of(&table::YAW), e)));
         cx.parameter = None;
-        let position = match (x, y, z) {
-            (Some(x), Some(y), Some(z)) => Some([x, y, z]),
-            _ => None,
-        };
-        (position, yaw)
+        Some(([x?, y?, z?], yaw.optional()?))
     }
 }

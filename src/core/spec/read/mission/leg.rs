@@ -4,12 +4,12 @@ use super::super::limits as reader;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::waypoint as table;
 use crate::model::legs::distance;
-use crate::model::{Boundary, DistanceFrom};
-use crate::model::{Limit, LimitKind, OnLeg, Part, Waypoint};
+use crate::model::{Boundary, DistanceFrom, Limit, LimitKind, OnLeg, Part, Waypoint};
 use crate::number::number;
 use crate::read::context::Context;
 use crate::read::expected::Expected;
 use crate::read::fields::Fields;
+use crate::read::written::Written;
 use crate::source::Span;
 use crate::syntax::ast::Clauses;
 use std::sync::Arc;
@@ -47,7 +47,7 @@ impl Shape {
 
 /// What is written about the leg that arrives at a waypoint.
 #[derive(Debug)]
-pub struct Written {
+pub struct LegClauses {
     /// The waypoint's index.
     to: usize,
     pub stop: bool,
@@ -59,17 +59,22 @@ pub struct Written {
     limits: Vec<Limit>,
 }
 
-impl Written {
+impl LegClauses {
     /// Whether anything is written.
     pub fn is_written(&self) -> bool {
-        let Written { stop_span, pass_span, shape, from, limits, .. } = self;
+        let LegClauses { stop_span, pass_span, shape, from, limits, .. } = self;
         stop_span.is_some() || pass_span.is_some() || shape.is_some() || from.is_some() || !limits.is_empty()
     }
 }
 
 /// Reads the clauses about the leg and the limits in braces; `None` where one has an error. `to` is the index of the
 /// waypoint, if that is certain.
-pub fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, fields: &Fields<'a>, to: Option<usize>) -> Option<Written> {
+pub fn read<'a>(
+    cx: &mut Context<'a>,
+    clauses: &'a Clauses,
+    fields: &Fields<'a>,
+    to: Option<usize>,
+) -> Option<LegClauses> {
     let mut is_refused = false;
     if to == Some(0) {
         let words = ["straight", "vertical", "corridor", "arrive", "stop", "pass"];
@@ -92,15 +97,14 @@ pub fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, fields: &Fields<'a>,
         cx.report(error.also(at, "the first one").help("remove one of the two"));
         return None;
     }
-    let shape = match given.first() {
-        None => Some(None),
-        Some(&("straight", span)) => Some(Some((Shape::Straight, span))),
-        Some(&("vertical", span)) => Some(Some((Shape::Vertical, span))),
-        Some(&(word, span)) => {
-            let radius = fields.get(word).and_then(|e| cx.quantity(&table::CORRIDOR, e, super::TOLERANCE));
-            radius.map(|radius| Some((Shape::Corridor(radius), span)))
-        }
-    };
+    let shape = given.first().map_or(Written::Absent, |&(word, span)| {
+        let shape = match word {
+            "straight" => Some(Shape::Straight),
+            "vertical" => Some(Shape::Vertical),
+            _ => fields.quantity(cx, &table::CORRIDOR, super::TOLERANCE).value().map(Shape::Corridor),
+        };
+        Written::of(shape.map(|shape| (shape, span)))
+    });
     let (stop_span, pass_span) = (fields.clause(table::STOP.name), fields.clause(table::PASS.name));
     if let (Some(stop), Some(pass)) = (stop_span, pass_span) {
         let message = "`stop` and `pass` contradict each other";
@@ -108,27 +112,31 @@ pub fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, fields: &Fields<'a>,
         cx.report(error.help("remove one of the two"));
         return None;
     }
-    let from = match fields.get(table::ARRIVE.name) {
-        None => Some(None),
-        Some(expr) => cx.triple(Expected::of(&table::ARRIVE), expr).and_then(|from| {
-            let is_direction = from.iter().any(|part| *part != 0.0);
-            if !is_direction {
-                let message = "`arrive from` needs a direction, but all its parts are zero";
-                let error = Diagnostic::error(ARRIVE, expr.span, message).here("no direction");
-                cx.report(error.help("write where the vehicle comes from, as in `arrive from [0, 0, 1]`"));
-            }
-            let span = fields.clause(table::ARRIVE.name).unwrap_or(expr.span);
-            is_direction.then_some(Some((from, span)))
-        }),
-    };
+    let from = fields.written(table::ARRIVE.name, |expr| {
+        let from = cx.triple(Expected::of(&table::ARRIVE), expr)?;
+        if from == [0.0; 3] {
+            let message = "`arrive from` needs a direction, but all its parts are zero";
+            let error = Diagnostic::error(ARRIVE, expr.span, message).here("no direction");
+            cx.report(error.help("write where the vehicle comes from, as in `arrive from [0, 0, 1]`"));
+            return None;
+        }
+        Some((from, fields.clause(table::ARRIVE.name).unwrap_or(expr.span)))
+    });
     let (limits, whole) = reader::read(cx, &clauses.body);
-    let (shape, from) = (shape?, from?);
-    let stop = stop_span.is_some();
-    (whole && !is_refused).then_some(Written { to: to.unwrap_or(0), stop, stop_span, pass_span, shape, from, limits })
+    let leg = LegClauses {
+        to: to.unwrap_or(0),
+        stop: stop_span.is_some(),
+        stop_span,
+        pass_span,
+        shape: shape.optional()?,
+        from: from.optional()?,
+        limits,
+    };
+    (whole && !is_refused).then_some(leg)
 }
 
 /// The limits of all legs without errors, in the order of flight, and whether these are all of them.
-pub fn limits(cx: &mut Context, legs: &[Written], waypoints: &[Waypoint], end_at_rest: bool) -> (Vec<Limit>, bool) {
+pub fn limits(cx: &mut Context, legs: &[LegClauses], waypoints: &[Waypoint], end_at_rest: bool) -> (Vec<Limit>, bool) {
     let mut found = Vec::new();
     let mut whole = true;
     for leg in legs.iter().filter(|leg| leg.to > 0 && leg.to < waypoints.len()) {
@@ -183,7 +191,7 @@ pub fn limits(cx: &mut Context, legs: &[Written], waypoints: &[Waypoint], end_at
 }
 
 /// Whether the clauses agree with the statements about rest: `rests` and `moves` at the end of the mission.
-fn agrees(cx: &mut Context, leg: &Written, to: &Waypoint, rests: bool, moves: bool) -> bool {
+fn agrees(cx: &mut Context, leg: &LegClauses, to: &Waypoint, rests: bool, moves: bool) -> bool {
     let held = to.hold_span.filter(|_| to.hold > 0.0);
     if let (Some(pass), Some(hold)) = (leg.pass_span, held) {
         let message = "`pass` and `hold` contradict each other";

@@ -6,6 +6,7 @@ use crate::language::Group;
 use crate::language::table::requirement as table;
 use crate::model::{CaptureHeight, DefaultUsed, Detection, Mission, Rotor, Simulation, Vehicle};
 use crate::read::context::Context;
+use crate::read::defaulted::Defaulted;
 use crate::read::fields::Fields;
 use crate::read::written::Written;
 use crate::source::Span;
@@ -65,26 +66,21 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block, defaults: &mut Vec<DefaultUse
         None => return None,
     }
     let fields = Fields::of_block(cx, "`require capture_height`".into(), span, &block.body, Group::Requirement);
-    let radius = match fields.get(table::RADIUS.name) {
-        Some(expr) => cx.quantity(&table::RADIUS, expr, CODE),
-        None => {
-            defaults.push(DefaultUsed::of("plan.require", &table::RADIUS));
-            Some(table::RADIUS.value())
-        }
-    };
-    let detection = match fields.get(table::DETECTION.name) {
-        Some(Expr { kind: ExprKind::Name(word), span }) if word == "never" || word == "estimator" => {
+    let mut fields = Defaulted::new("plan.require", fields);
+    let radius = fields.quantity_or_default(cx, &table::RADIUS, CODE);
+    let detection = fields.written(table::DETECTION.name, |expr| match expr {
+        Expr { kind: ExprKind::Name(word), span } if word == "never" || word == "estimator" => {
             let error = Diagnostic::error(CODE, *span, format!("`{word}` says no delay after which a fault is known"));
             cx.report(
                 error.here("a delay is needed").help("write a delay, such as `100 ms`: the height depends on it"),
             );
             None
         }
-        Some(expr) => cx.quantity(&table::DETECTION, expr, CODE).map(Some),
-        None => Some(None),
-    };
-    let is_whole = !block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    Some(Required { radius: radius?, detection: detection?, span }).filter(|_| is_whole)
+        expr => cx.quantity(&table::DETECTION, expr, CODE),
+    });
+    defaults.append(&mut fields.used);
+    let required = Required { radius: radius?, detection: detection.optional()?, span };
+    block.is_whole().then_some(required)
 }
 
 /// The requirement, if the rest of the spec gives what it needs: a ground, a bound on the speed, the lag of every

@@ -10,29 +10,36 @@ use crate::syntax::ast::Statement;
 
 const CODE: &str = "mavc::plan::require";
 
-/// The bound of the statement, `None` where it has an error, and its place.
-pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(Option<f64>, Span)> {
-    let mut found: Option<(Option<f64>, Span)> = None;
+/// The statement, before the modes are known.
+pub(super) struct Risk {
+    /// A probability; `None` if it has an error.
+    at_most: Option<f64>,
+    pub span: Span,
+}
+
+/// Reads the statement, if there is one.
+pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<Risk> {
+    let mut found: Option<Risk> = None;
     for statement in body {
-        let Statement::Require { name, at_most, span } = statement else { continue };
-        if let Some((_, first)) = found {
+        let Statement::Require { name, at_most: bound, span } = statement else { continue };
+        if let Some(first) = &found {
             let error = Diagnostic::error("mavc::name::duplicate", *span, "`require` is given twice in `plan`");
-            cx.report(error.here("given again").also(first, "first given here").help("keep the smaller bound"));
+            cx.report(error.here("given again").also(first.span, "first given here").help("keep the smaller bound"));
             continue;
         }
-        let bound = match name.value.as_str() {
-            "risk" => cx.number(Expected::new("risk", "1"), at_most).and_then(|value| {
+        let at_most = match name.value.as_str() {
+            "risk" => cx.number(Expected::new("risk", "1"), bound).and_then(|value| {
                 if (0.0..1.0).contains(&value) {
                     return Some(value);
                 }
-                let error = Diagnostic::error(CODE, at_most.span, "the required risk must be from 0 to below 1");
+                let error = Diagnostic::error(CODE, bound.span, "the required risk must be from 0 to below 1");
                 let error = error.here(format!("this is {}", number(value)));
                 cx.report(error.help("write a probability for the whole mission, such as `1e-6`"));
                 None
             }),
             "capture_height" => {
                 let message = "`require capture_height` takes no bound: the height is simulated";
-                let error = Diagnostic::error(CODE, at_most.span, message).here("remove the bound");
+                let error = Diagnostic::error(CODE, bound.span, message).here("remove the bound");
                 cx.report(error.help("write `require capture_height { }`"));
                 continue;
             }
@@ -46,47 +53,50 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(O
                 None
             }
         };
-        found = Some((bound, *span));
+        found = Some(Risk { at_most, span: *span });
     }
     found
 }
 
-/// The bound, if it can be required: the planner is free to choose the modes, and every mode has a rate. Reports errors
-/// otherwise.
-pub(super) fn check(
-    cx: &mut Context,
-    bound: Option<f64>,
-    place: Span,
-    planner: Option<PlannerKind>,
-    against: Option<&[usize]>,
-    modes: &[FaultMode],
-) -> Option<f64> {
-    let mut fine = true;
-    if let Some(kind) = planner.filter(|kind| *kind != PlannerKind::Rsp) {
-        let message = format!("`require risk` cannot be combined with `planner = {}`", kind.name());
-        let error = Diagnostic::error(CODE, place, message).here("needs a planner that chooses what to protect");
-        cx.report(error.help("remove `planner`, or write `planner = rsp`"));
-        fine = false;
-    }
-    let unrated: Vec<&FaultMode> =
-        against.unwrap_or_default().iter().filter_map(|&i| modes.get(i)).filter(|m| m.rate.is_none()).collect();
-    if let Some(first) = unrated.first() {
-        let message = match unrated.as_slice() {
-            [one] => format!("mode `{}` has no rate, so its risk is unknown", one.name),
-            all => format!("{} modes, such as `{}`, have no rate, so their risk is unknown", all.len(), first.name),
-        };
-        let mut error = Diagnostic::error("mavc::plan::without_rate", place, message).here("a risk is required here");
-        let mut labelled: Vec<Span> = Vec::new();
-        for mode in &unrated {
-            if !labelled.contains(&mode.span) && labelled.len() < 3 {
-                labelled.push(mode.span);
-                error = error.also(mode.span, "no rate");
-            }
+impl Risk {
+    /// The bound, if it can be required: the planner is free to choose the modes, and every mode has a rate. Reports
+    /// errors otherwise.
+    pub fn check(
+        &self,
+        cx: &mut Context,
+        planner: Option<PlannerKind>,
+        against: Option<&[usize]>,
+        modes: &[FaultMode],
+    ) -> Option<f64> {
+        let mut fine = true;
+        if let Some(kind) = planner.filter(|kind| *kind != PlannerKind::Rsp) {
+            let message = format!("`require risk` cannot be combined with `planner = {}`", kind.name());
+            let error =
+                Diagnostic::error(CODE, self.span, message).here("needs a planner that chooses what to protect");
+            cx.report(error.help("remove `planner`, or write `planner = rsp`"));
+            fine = false;
         }
-        cx.report(
-            error.help("give each mode its failure rate, such as `rate = 1e-5 1/h`, or remove it from `against`"),
-        );
-        fine = false;
+        let unrated: Vec<&FaultMode> =
+            against.unwrap_or_default().iter().filter_map(|&i| modes.get(i)).filter(|m| m.rate.is_none()).collect();
+        if let Some(first) = unrated.first() {
+            let message = match unrated.as_slice() {
+                [one] => format!("mode `{}` has no rate, so its risk is unknown", one.name),
+                all => format!("{} modes, such as `{}`, have no rate, so their risk is unknown", all.len(), first.name),
+            };
+            let mut error =
+                Diagnostic::error("mavc::plan::without_rate", self.span, message).here("a risk is required here");
+            let mut labelled: Vec<Span> = Vec::new();
+            for mode in &unrated {
+                if !labelled.contains(&mode.span) && labelled.len() < 3 {
+                    labelled.push(mode.span);
+                    error = error.also(mode.span, "no rate");
+                }
+            }
+            cx.report(
+                error.help("give each mode its failure rate, such as `rate = 1e-5 1/h`, or remove it from `against`"),
+            );
+            fine = false;
+        }
+        self.at_most.filter(|_| fine)
     }
-    bound.filter(|_| fine)
 }

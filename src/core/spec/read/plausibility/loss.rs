@@ -2,7 +2,7 @@
 //! does.
 
 use super::{Usual, short, warning};
-use crate::model::Simulation;
+use crate::model::{LostYaw, Simulation};
 use crate::read::context::Context;
 use crate::read::fields::Fields;
 use crate::source::Span;
@@ -16,7 +16,10 @@ const YAW: Usual = Usual::new(1.0, 180.0);
 
 /// Warns of thresholds that distinguish nothing. `fields` are those of the `simulate` block at `block`.
 pub(in crate::spec::read) fn check(cx: &mut Context, simulation: &Simulation, fields: &Fields, block: Span) {
-    let yaw = simulation.lost_yaw.map(|angle| ("lost_yaw", angle.to_degrees(), YAW, "deg"));
+    let yaw = match simulation.lost_yaw {
+        LostYaw::Off => None,
+        LostYaw::Beyond(angle) => Some(("lost_yaw", angle.to_degrees(), YAW, "deg")),
+    };
     let limits = [
         ("lost_beyond", simulation.lost_beyond, DISTANCE, "m"),
         ("upside_down", simulation.upside_down, SECONDS, "s"),

@@ -33,17 +33,17 @@ const THRUST_COEFFICIENT: f64 = 0.1;
 const AIR_DENSITY: f64 = 1.225;
 
 /// Where a vehicle's numbers are written.
-pub(in crate::spec::read) struct Written {
+pub(in crate::spec::read) struct VehicleSpans {
     pub mass: Span,
     pub inertia: Span,
     pub yaw_drag: Span,
     /// One for each rotor, in the same order.
-    pub rotors: Vec<WrittenRotor>,
+    pub rotors: Vec<RotorSpans>,
 }
 
 /// Where a rotor's numbers are written.
 #[derive(Clone, Copy)]
-pub(in crate::spec::read) struct WrittenRotor {
+pub(in crate::spec::read) struct RotorSpans {
     /// The arm of a ring, or the rotor's position.
     pub place: Span,
     pub thrust: Span,
@@ -67,7 +67,7 @@ impl Rotor {
 }
 
 /// Warns of numbers that do not fit together; each check warns at most once, for the first rotor concerned.
-pub(in crate::spec::read) fn check(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+pub(in crate::spec::read) fn check(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     thrust_to_weight(cx, vehicle, written);
     inertia(cx, vehicle, written);
     let odd_tips = tip_speed(cx, vehicle, written);
@@ -80,7 +80,7 @@ pub(in crate::spec::read) fn check(cx: &mut Context, vehicle: &Vehicle, written:
     yaw_drag(cx, vehicle, written);
 }
 
-fn yaw_drag(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+fn yaw_drag(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     let Some(drag) = vehicle.yaw_drag else { return };
     let ratios = vehicle.rotors.iter().map(|rotor| rotor.drag_coefficient / rotor.thrust_coefficient);
     let torque = ratios.fold(0.0, f64::max) * vehicle.mass * cx.gravity;
@@ -103,7 +103,7 @@ fn yaw_drag(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     cx.report(warning.here(format!("balances {} N*m at that rate", short(torque))));
 }
 
-fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
     let weight = vehicle.mass * cx.gravity;
     let ratio = thrust / weight;
@@ -137,7 +137,7 @@ fn outermost(vehicle: &Vehicle) -> (f64, usize) {
     distances.enumerate().fold((0.0, 0), |far, (k, distance)| if distance > far.0 { (distance, k) } else { far })
 }
 
-fn inertia(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+fn inertia(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     let (reach, rotor) = outermost(vehicle);
     let unit = vehicle.mass * reach * reach;
     let ratio = |axis: usize| vehicle.inertia[axis] / unit;
@@ -163,7 +163,7 @@ fn inertia(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
 }
 
 /// Warns of propeller tips that are too slow or too fast; whether there are some.
-fn tip_speed(cx: &mut Context, vehicle: &Vehicle, written: &Written) -> bool {
+fn tip_speed(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) -> bool {
     let Some(k) = vehicle.rotors.iter().position(|rotor| !TIP_SPEED.has(rotor.tip_speed())) else { return false };
     let rotor = &vehicle.rotors[k];
     let message = format!(
@@ -187,7 +187,7 @@ fn tip_speed(cx: &mut Context, vehicle: &Vehicle, written: &Written) -> bool {
     true
 }
 
-fn arm(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+fn arm(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     let (reach, k) = outermost(vehicle);
     let diameter = vehicle.rotors.iter().map(Rotor::diameter).fold(0.0, f64::max);
     let ratio = reach / diameter;
@@ -208,7 +208,7 @@ fn arm(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     cx.report(warning.also(at.thrust, estimate(diameter)));
 }
 
-fn torque_ratio(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+fn torque_ratio(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     let odd = vehicle.rotors.iter().enumerate().find_map(|(k, rotor)| odd_torque(rotor).map(|odd| (k, odd)));
     let Some((k, Odd { usual, diameter })) = odd else { return };
     let rotor = &vehicle.rotors[k];
@@ -249,7 +249,7 @@ fn estimate(diameter: f64) -> String {
     format!("thrust and speed suggest a propeller of about {} m", short(diameter))
 }
 
-fn time_constant(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+fn time_constant(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     let lags = vehicle.rotors.iter().map(|rotor| rotor.time_constant);
     let odd = lags.enumerate().find_map(|(k, lag)| lag.filter(|lag| !TIME_CONSTANT.has(*lag)).map(|lag| (k, lag)));
     let Some((k, lag)) = odd else { return };

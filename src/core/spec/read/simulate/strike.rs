@@ -68,13 +68,10 @@ fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, around: &Around, end: Op
     let mode = mode(cx, &name.value, name.span, around);
     let at_expr = fields.demand(cx, "at", "at 5 s");
     let at = at_expr.and_then(|expr| instant(cx, expr));
-    let until = match fields.get("until") {
-        Some(expr) => cx.quantity(&table::UNTIL, expr, CODE).map(|until| Some((until, expr.span))),
-        None => Some(None),
-    };
+    let until = fields.written("until", |expr| Some((cx.quantity(&table::UNTIL, expr, CODE)?, expr.span)));
     let (at, at_span) = (at?, at_expr?.span);
     let mut fine = true;
-    if let Some((until, span)) = until.flatten().filter(|(until, _)| *until <= at) {
+    if let Some((until, span)) = until.value().filter(|(until, _)| *until <= at) {
         let message = format!("fault `{}` strikes at {} s but ends at {} s", name.value, number(at), number(until));
         let error = Diagnostic::error("mavc::simulate::recovery", span, message).here("not after the strike");
         cx.report(
@@ -87,14 +84,14 @@ fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, around: &Around, end: Op
     if let Some((end, span, why)) = end.filter(|end| at >= end.0) {
         cx.report(checks::late(&name.value, at, at_span, end).also(span, why));
         fine = false;
-    } else if let (Some(Some((until, until_span))), Some((end, span, why))) = (until, end)
+    } else if let (Some((until, until_span)), Some((end, span, why))) = (until.value(), end)
         && until > end
         && until > at
     {
         cx.report(checks::late_recovery(&name.value, until, until_span, end).also(span, why));
         fine = false;
     }
-    let until = until?.map(|(until, _)| until);
+    let until = until.optional()?.map(|(until, _)| until);
     fine.then_some(Strike { mode: mode?, at, until, span: clauses.span, at_span })
 }
 

@@ -3,7 +3,7 @@
 use super::{CHOICE, NEGATIVE, Reader};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::table::simulate as table;
-use crate::model::Detection;
+use crate::model::{Detection, LostYaw};
 use crate::number::number;
 use crate::read::context::Context;
 use crate::read::expected::Expected;
@@ -16,7 +16,7 @@ const OFF: &str = "off";
 impl<'a> Reader<'a> {
     pub(super) fn detection(&mut self, cx: &mut Context<'a>) -> Option<Detection> {
         let Some(expr) = self.fields.get("detection") else {
-            return Some(self.default(&table::DETECTION, Detection::Estimator));
+            return Some(self.fields.default(&table::DETECTION, Detection::Estimator));
         };
         match word(cx, expr, table::DETECTION.words()) {
             Some("estimator") => Some(Detection::Estimator),
@@ -34,15 +34,14 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The angle in rad; `Some(None)` for `off`, `None` for an error.
-    pub(super) fn lost_yaw(&mut self, cx: &mut Context<'a>) -> Option<Option<f64>> {
+    pub(super) fn lost_yaw(&mut self, cx: &mut Context<'a>) -> Option<LostYaw> {
         let Some(expr) = self.fields.get("lost_yaw") else {
-            return Some(self.default(&table::LOST_YAW, Some(table::LOST_YAW.value())));
+            return Some(self.fields.default(&table::LOST_YAW, LostYaw::Beyond(table::LOST_YAW.value())));
         };
         let message = "`lost_yaw` must be an angle between 0 and 180 deg, or `off`";
         let error = Diagnostic::error(LOST_YAW, expr.span, message);
         match word(cx, expr, &[OFF]) {
-            Some(OFF) => Some(None),
+            Some(OFF) => Some(LostYaw::Off),
             Some(other) => {
                 let error = error.here("neither of these");
                 cx.report(match nearest(other, [OFF]) {
@@ -54,7 +53,7 @@ impl<'a> Reader<'a> {
             None => {
                 let angle = cx.number(Expected::of(&table::LOST_YAW), expr)?;
                 if angle > 0.0 && angle < PI {
-                    return Some(Some(angle));
+                    return Some(LostYaw::Beyond(angle));
                 }
                 let error = error.here(format!("this is {} deg", number(angle.to_degrees())));
                 cx.report(match angle > 0.0 {

@@ -5,60 +5,62 @@ use super::rotor::MIN_SPEED;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::battery as table;
 use crate::language::{Entry, Group};
-use crate::model::{Battery, DefaultUsed, Rotor, Vehicle};
+use crate::model::{Battery, Rotor, Vehicle};
 use crate::number::{number, percent, significant};
 use crate::read::context::Context;
+use crate::read::defaulted::Defaulted;
 use crate::read::fields::Fields;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Statement};
+use crate::syntax::ast::{Block, Expr};
 
 const CODE: &str = "mavc::vehicle::battery";
 
 /// A battery with the places of its fields.
 pub(super) struct Read<'a> {
     pub battery: Battery,
-    pub fields: Fields<'a>,
+    pub fields: Defaulted<'a>,
 }
 
-/// Reads the block; `None` if it has errors. Notes the defaults that it uses.
-pub(super) fn read<'a>(
-    cx: &mut Context<'a>,
-    block: &'a Block,
-    owner: &str,
-    defaults: &mut Vec<DefaultUsed>,
-) -> Option<Read<'a>> {
+/// Reads the block of a vehicle, which messages call `owner`; `None` if it has errors.
+pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> Option<Read<'a>> {
     let span = block.keyword.span;
     let fields = Fields::of_block(cx, format!("`battery` of {owner}"), span, &block.body, Group::Battery);
-    let mut own = |entry: &'static Entry, example: &str| {
-        fields.demand_own(cx, entry.name, example).and_then(|expr| cx.quantity(entry, expr, POSITIVE))
+    let mut fields = Defaulted::new("vehicle.battery", fields);
+    let capacity = demanded(cx, &fields, &table::CAPACITY, "capacity = 5 A*h");
+    let voltage = demanded(cx, &fields, &table::VOLTAGE, "voltage = 22.2 V");
+    let hover_power = demanded(cx, &fields, &table::HOVER_POWER, "hover_power = 220 W");
+    let keep = fields.value_or(&table::KEEP, table::KEEP.value(), |expr| {
+        let keep = cx.share("`keep`", expr, CODE)?;
+        let help = "write the share that a plan should leave, as in `20 %`";
+        if keep < 1.0 { Some(keep) } else { out_of_range(cx, expr, "`keep` must be below 100 %", keep, help) }
+    });
+    let thrust_at_empty = fields.value_or(&table::THRUST_AT_EMPTY, table::THRUST_AT_EMPTY.value(), |expr| {
+        let share = cx.share("`thrust_at_empty`", expr, CODE)?;
+        let help = "write full thrust with an empty battery as a share of that with a full one, as in `75 %`";
+        let message = "`thrust_at_empty` must be above 0 %";
+        if share > 0.0 { Some(share) } else { out_of_range(cx, expr, message, share, help) }
+    });
+    let battery = Battery {
+        capacity: capacity?,
+        voltage: voltage?,
+        hover_power: hover_power?,
+        keep: keep?,
+        thrust_at_empty: thrust_at_empty?,
+        span,
     };
-    let capacity = own(&table::CAPACITY, "capacity = 5 A*h");
-    let voltage = own(&table::VOLTAGE, "voltage = 22.2 V");
-    let hover_power = own(&table::HOVER_POWER, "hover_power = 220 W");
-    let mut share = |entry: &'static Entry, is_allowed: fn(f64) -> bool, rule: &str, help: &str| {
-        let Some(expr) = fields.get(entry.name) else {
-            if !fields.may_have(entry.name) {
-                defaults.push(DefaultUsed::of("vehicle.battery", entry));
-            }
-            return Some(entry.value());
-        };
-        let value = cx.share(&format!("`{}`", entry.name), expr, CODE)?;
-        if !is_allowed(value) {
-            let error = Diagnostic::error(CODE, expr.span, format!("`{}` must be {rule}", entry.name));
-            cx.report(error.here(format!("this is {}", percent(value))).help(help));
-            return None;
-        }
-        Some(value)
-    };
-    let keep =
-        share(&table::KEEP, |x| x < 1.0, "below 100 %", "write the share that a plan should leave, as in `20 %`");
-    let help = "write full thrust with an empty battery as a share of that with a full one, as in `75 %`";
-    let thrust_at_empty = share(&table::THRUST_AT_EMPTY, |x| x > 0.0, "above 0 %", help);
-    let is_whole = !block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let (capacity, voltage, hover_power) = (capacity?, voltage?, hover_power?);
-    let (keep, thrust_at_empty) = (keep?, thrust_at_empty?);
-    let battery = Battery { capacity, voltage, hover_power, keep, thrust_at_empty, span };
-    is_whole.then_some(Read { battery, fields })
+    block.is_whole().then_some(Read { battery, fields })
+}
+
+/// A quantity that only the user knows.
+fn demanded<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, entry: &'static Entry, example: &str) -> Option<f64> {
+    fields.demand_own(cx, entry.name, example).and_then(|expr| cx.quantity(entry, expr, POSITIVE))
+}
+
+/// Reports a share out of its range.
+fn out_of_range(cx: &mut Context, expr: &Expr, message: &str, share: f64, help: &str) -> Option<f64> {
+    let error = Diagnostic::error(CODE, expr.span, message);
+    cx.report(error.here(format!("this is {}", percent(share))).help(help));
+    None
 }
 
 /// Lowers the full speed of every rotor to that at the charge `keep`; whether the vehicle can still hover there, which

@@ -1,6 +1,6 @@
 //! The properties of rotors: those given for all, and those given for one.
 
-use super::{POSITIVE, Place};
+use super::{Mount, POSITIVE};
 use crate::diagnostic::Diagnostic;
 use crate::language::Entry;
 use crate::language::table::rotor as table;
@@ -9,7 +9,7 @@ use crate::number::number;
 use crate::read::context::Context;
 use crate::read::expected::Expected;
 use crate::read::fields::Fields;
-use crate::read::plausibility::WrittenRotor;
+use crate::read::plausibility::RotorSpans;
 use crate::read::written::Written;
 use crate::source::Span;
 use crate::syntax::ast::Expr;
@@ -20,26 +20,26 @@ pub(super) const MIN_SPEED: &str = "mavc::vehicle::min_speed";
 /// Every rotor with its thrust, torque and speed: its own clauses override the `rotor` block.
 pub(super) fn give_all<'a>(
     cx: &mut Context<'a>,
-    places: Vec<Place<'a>>,
+    mounts: Vec<Mount<'a>>,
     shared: Option<&Fields<'a>>,
     base: Option<PartialRotor>,
 ) -> Option<Vec<Rotor>> {
     let mut rotors = Some(Vec::new());
     let mut reported = false;
-    for place in &places {
-        let own = place.own.as_ref().map(|fields| PartialRotor::read(cx, fields));
-        let traits = match (&own, &base) {
+    for mount in &mounts {
+        let own = mount.own.as_ref().map(|fields| PartialRotor::read(cx, fields));
+        let partial = match (&own, &base) {
             (Some(own), Some(base)) => own.over(base),
             (Some(own), None) => own.clone(),
             (None, Some(base)) => base.clone(),
             (None, None) => return None,
         };
-        let owner = shared.filter(|_| own.is_none()).or(place.own.as_ref()).or(shared);
-        match (&mut rotors, traits.rotor(cx, place, owner, &mut reported)) {
+        let owner = shared.filter(|_| own.is_none()).or(mount.own.as_ref()).or(shared);
+        match (&mut rotors, partial.rotor(cx, mount, owner, &mut reported)) {
             (Some(list), Some(rotor)) => list.push(rotor),
             (list, _) => *list = None,
         }
-        if rotors.is_none() && place.own.is_none() {
+        if rotors.is_none() && mount.own.is_none() {
             return None;
         }
     }
@@ -48,14 +48,14 @@ pub(super) fn give_all<'a>(
 
 /// Where each rotor's numbers are written: in its own clauses, or else in the `rotor` block. `fields` are those of the
 /// vehicle, which give the arm of a ring.
-pub(super) fn written(places: &[Place], fields: &Fields, shared: Option<&Fields>) -> Vec<WrittenRotor> {
-    let one = |place: &Place| {
-        let blocks = [place.own.as_ref(), shared, Some(fields)];
+pub(super) fn spans(mounts: &[Mount], fields: &Fields, shared: Option<&Fields>) -> Vec<RotorSpans> {
+    let one = |mount: &Mount| {
+        let blocks = [mount.own.as_ref(), shared, Some(fields)];
         let of = |names: &[&str]| {
             let found = blocks.iter().flatten().find_map(|block| names.iter().find_map(|name| block.span_of(name)));
             found.unwrap_or(fields.span)
         };
-        WrittenRotor {
+        RotorSpans {
             place: of(&["at", "arm"]),
             thrust: of(&["thrust_coefficient", "max_thrust"]),
             torque: of(&["drag_coefficient", "torque_per_thrust"]),
@@ -64,7 +64,7 @@ pub(super) fn written(places: &[Place], fields: &Fields, shared: Option<&Fields>
             time_constant: of(&["time_constant"]),
         }
     };
-    places.iter().map(one).collect()
+    mounts.iter().map(one).collect()
 }
 
 /// A number and how well it is known.
@@ -113,9 +113,9 @@ impl PartialRotor {
             meant(fields, entry.name, fields.written(entry.name, |expr| cx.interval(due, expr, POSITIVE)))
         };
         let quantity = |cx: &mut Context<'a>, entry: &'static Entry| {
-            meant(fields, entry.name, fields.written(entry.name, |expr| cx.quantity(entry, expr, POSITIVE)))
+            meant(fields, entry.name, fields.quantity(cx, entry, POSITIVE))
         };
-        let traits = PartialRotor {
+        let partial = PartialRotor {
             thrust_coefficient: take(&table::THRUST_COEFFICIENT, true),
             max_thrust: take(&table::MAX_THRUST, false),
             drag_coefficient: take(&table::DRAG_COEFFICIENT, true),
@@ -147,7 +147,7 @@ impl PartialRotor {
                 );
             }
         }
-        traits
+        partial
     }
 
     /// These properties, completed by `base`; a thrust or torque in one form replaces the other form.
@@ -166,16 +166,16 @@ impl PartialRotor {
         }
     }
 
-    /// Reports what these traits, which all rotors share, lack or contradict.
+    /// Reports what these properties, which all rotors share, lack or contradict.
     pub fn check<'a>(&self, cx: &mut Context<'a>, fields: &Fields<'a>) {
-        let anywhere = Place { position: [0.0; 3], spin: Spin::P, motor: None, own: None };
+        let anywhere = Mount { position: [0.0; 3], spin: Spin::P, motor: None, own: None };
         self.rotor(cx, &anywhere, Some(fields), &mut false);
     }
 
     fn rotor<'a>(
         &self,
         cx: &mut Context<'a>,
-        place: &Place<'a>,
+        mount: &Mount<'a>,
         owner: Option<&Fields<'a>>,
         reported: &mut bool,
     ) -> Option<Rotor> {
@@ -231,15 +231,15 @@ impl PartialRotor {
         let time_constant = self.time_constant.optional()?;
         let inertia = self.inertia.or_default(|| 0.0)?;
         Some(Rotor {
-            position: place.position,
-            spin: place.spin,
+            position: mount.position,
+            spin: mount.spin,
             thrust_coefficient,
             drag_coefficient,
             min_speed,
             max_speed,
             time_constant,
             inertia,
-            motor: place.motor,
+            motor: mount.motor,
             spread,
         })
     }

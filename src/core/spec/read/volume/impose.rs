@@ -7,6 +7,7 @@ use crate::model::volume::{Side, corridor, passage};
 use crate::model::{Limit, Mission, Plan, PlanModel, Vehicle, Waypoint};
 use crate::number::significant;
 use crate::read::context::Context;
+use crate::source::Span;
 
 const OUTSIDE: &str = "mavc::volume::waypoint";
 const NO_WAY: &str = "mavc::volume::no_way";
@@ -37,14 +38,19 @@ pub fn impose(cx: &mut Context, mission: &mut Mission, vehicle: &Vehicle) -> boo
     fits && leaves_corridors(cx, mission, size) && leaves_ways(cx, mission, size)
 }
 
+/// Both ends of the leg to a waypoint, as messages name them, with their places.
+fn ends(mission: &Mission, to: usize) -> [(String, Span); 2] {
+    [to - 1, to].map(|index| (which(index, &mission.waypoints[index]), mission.waypoints[index].span))
+}
+
 /// Reports a leg whose corridor a volume closes.
 fn leaves_corridors(cx: &mut Context, mission: &Mission, size: f64) -> bool {
     let Some(found) = corridor::closed(&mission.limits, &mission.waypoints) else { return true };
-    let [from, to] = [found.waypoint - 1, found.waypoint].map(|index| (index, &mission.waypoints[index]));
+    let [(from, from_span), (to, to_span)] = ends(mission, found.waypoint);
     let (by, corridor) = (&mission.limits[found.by], &mission.limits[found.corridor]);
-    let message = format!("no straight way leads from {} to {}: `{}` closes it", which(from), which(to), by.name());
-    let error = Diagnostic::error(NO_WAY, to.1.span, message).here("cannot be reached along a straight line");
-    let error = error.also(from.1.span, "from here").also(by.span, "closes the way");
+    let message = format!("no straight way leads from {from} to {to}: `{}` closes it", by.name());
+    let error = Diagnostic::error(NO_WAY, to_span, message).here("cannot be reached along a straight line");
+    let error = error.also(from_span, "from here").also(by.span, "closes the way");
     let (kept, radius) = (significant(size, 3), significant(corridor.upper.unwrap_or(0.0), 3));
     cx.report(error.help(format!(
         "let the leg go around, by a waypoint beside the volume or without `straight` or `corridor`: it stays within \
@@ -57,15 +63,15 @@ fn leaves_corridors(cx: &mut Context, mission: &Mission, size: f64) -> bool {
 /// Reports a waypoint that the volumes close off from the one before it.
 fn leaves_ways(cx: &mut Context, mission: &Mission, size: f64) -> bool {
     let Some(found) = passage::closed_off(&mission.limits, &mission.volumes, &mission.waypoints) else { return true };
-    let [from, to] = [found.waypoint - 1, found.waypoint].map(|index| (index, &mission.waypoints[index]));
+    let [(from, from_span), (to, to_span)] = ends(mission, found.waypoint);
     let name = |limit: &Limit| match limit.volume {
         Some(_) => format!("`{}`", limit.name()),
         None => format!("the limit on {}", limit.name()),
     };
     let by: Vec<String> = found.by.iter().map(|&i| name(&mission.limits[i])).collect();
-    let message = format!("no way leads from {} to {}: {} closed off", which(from), which(to), listed(&by));
-    let mut error = Diagnostic::error(NO_WAY, to.1.span, message).here("cannot be reached");
-    error = error.also(from.1.span, "from here");
+    let message = format!("no way leads from {from} to {to}: {} closed off", listed(&by));
+    let mut error = Diagnostic::error(NO_WAY, to_span, message).here("cannot be reached");
+    error = error.also(from_span, "from here");
     for &i in &found.by {
         error = error.also(mission.limits[i].span, "closes the way");
     }
@@ -95,7 +101,7 @@ fn keeps_waypoints(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint], s
             if violation <= 1e-9 {
                 continue;
             }
-            let which = which((index, waypoint));
+            let which = which(index, waypoint);
             let (place, apart) = match side {
                 Side::KeepIn if violation > margin => ("outside", String::new()),
                 Side::KeepIn => ("too near the boundary of", format!(" by {} m", significant(violation, 3))),

@@ -12,7 +12,7 @@ use crate::read::expression::Value;
 use crate::read::fields::Fields;
 use crate::read::mission::MAX_DISTANCE;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
+use crate::syntax::ast::{Block, Expr, ExprKind};
 
 const SHAPE: &str = "mavc::volume::shape";
 const SIZE: &str = "mavc::volume::size";
@@ -35,16 +35,14 @@ const TAKEN: [(&str, &[&str]); 5] = [
     ("half_space", &["point", "normal"]),
 ];
 
-/// Reads the blocks of one mission, in the order written: the volumes without errors, and whether these are all of
-/// them.
-pub fn read<'a>(cx: &mut Context<'a>, blocks: &[&'a Block]) -> (Vec<Volume>, bool) {
+/// Reads the blocks of one mission, in the order written; `None` where one has an error.
+pub fn read<'a>(cx: &mut Context<'a>, blocks: &[&'a Block]) -> Option<Vec<Volume>> {
     let mut volumes: Vec<Volume> = Vec::new();
-    let mut whole = true;
     if let Some(block) = blocks.get(MOST) {
         let message = format!("a mission may have at most {MOST} volumes");
         let error = Diagnostic::error(TOO_MANY, block.keyword.span, message).here("the limit is exceeded here");
         cx.report(error.help("join volumes that touch, or leave out those far from the path"));
-        return (volumes, false);
+        return None;
     }
     for block in blocks {
         let volume = one(cx, block);
@@ -54,10 +52,9 @@ pub fn read<'a>(cx: &mut Context<'a>, blocks: &[&'a Block]) -> (Vec<Volume>, boo
                 cx.report(duplicate("volume", name, first.span));
             }
         }
-        whole &= volume.is_some();
         volumes.extend(volume);
     }
-    (volumes, whole)
+    (volumes.len() == blocks.len()).then_some(volumes)
 }
 
 /// Whether a block of a mission is a volume.
@@ -73,10 +70,7 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Volume> {
     };
     let owner = format!("`{} {name}`", side.keyword());
     let fields = Fields::of_block(cx, owner, span, &block.body, Group::Volume);
-    let clearance = match fields.get("clearance") {
-        Some(expr) => cx.quantity(&table::CLEARANCE, expr, SIZE),
-        None => Some(table::CLEARANCE.value()),
-    };
+    let clearance = fields.quantity(cx, &table::CLEARANCE, SIZE).or_default(|| table::CLEARANCE.value());
     fields.demand(cx, "shape", "shape = box");
     let shape = fields.word(cx, SHAPE, &table::SHAPE).value()?;
     misplaced(cx, &fields, shape);
@@ -89,9 +83,8 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Volume> {
         _ => read.half_space(cx),
     };
     let bodies = bodies.filter(|bodies| is_near(cx, &fields, bodies));
-    let is_whole = block.name.is_some() && !block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let (bodies, clearance) = (bodies?, clearance?);
-    is_whole.then_some(Volume { name, side, bodies, clearance, span })
+    let volume = Volume { name, side, bodies: bodies?, clearance: clearance?, span };
+    (block.name.is_some() && block.is_whole()).then_some(volume)
 }
 
 /// Whether a volume lies within [`MAX_DISTANCE`] of the origin; reports one that does not.
@@ -142,11 +135,8 @@ impl<'a> Reader<'_, 'a> {
     fn cuboid(&self, cx: &mut Context<'a>) -> Option<Vec<Body>> {
         let from = self.vector(cx, &table::FROM, "from = [-50, -50, 0] m");
         let to = self.vector(cx, &table::TO, "to = [50, 50, 30] m");
-        let turn = match self.fields.get("turn") {
-            Some(expr) => cx.number(Expected::of(&table::TURN), expr),
-            None => Some(table::TURN.value()),
-        };
-        let (from, to, turn) = (from?, to?, turn?);
+        let turn = self.fields.written("turn", |expr| cx.number(Expected::of(&table::TURN), expr));
+        let (from, to, turn) = (from?, to?, turn.or_default(|| table::TURN.value())?);
         if let Some(axis) = (0..3).find(|&i| from[i] >= to[i]) {
             let name = ["x", "y", "z"][axis];
             let message = format!("`from` must be below `to` on every axis, and is not on {name}");
