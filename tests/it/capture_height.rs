@@ -3,7 +3,7 @@
 use crate::schemas::{assert_strict, schema};
 use mavc::certificate::Certificate;
 use mavc::flight::capture::Capture;
-use mavc::flight::capture::needed::Needed;
+use mavc::flight::capture::heights::CaptureHeights;
 use mavc::flight::{Outcome, Sortie, fly};
 use mavc::model::{AfterFault, Detection, DistanceFrom, LimitKind, Strike};
 use mavc::observer::Silent;
@@ -55,7 +55,7 @@ fn plans_of_both_models_keep_the_height_and_a_flight_in_it_survives() {
         let planning = planned(&spec);
         let plan = planning.plan().unwrap();
         // The height is what the flights themselves lose at 0 and 5 m/s: 5.8 and 6.1 m in `mavc analyze --capture`.
-        let needed = Needed::simulate(spec.model(), 0.1, 5.0, 1).unwrap();
+        let needed = CaptureHeights::simulate(spec.model(), 0.1, 5.0, 1).unwrap();
         let height = needed.greatest();
         assert!((6.0..6.3).contains(&height), "{height}");
         // Everywhere on the plan: near start or end, or high enough.
