@@ -1,11 +1,10 @@
-"""Tables: csv, rows and px4 (numpy), crazyflie (numpy as Crazyswarm reads it, cflib), and YAML of mav_trajectory_generation."""
+"""Tables: csv, rows and px4 (numpy), and crazyflie (numpy as Crazyswarm reads it, cflib)."""
 
 import os
 import struct
 
 import clones
 import numpy as np
-import yaml
 from cflib.crazyflie.mem.trajectory_memory import Poly4D
 from exact import FRD, NED, columns, rotation, turned
 
@@ -116,24 +115,4 @@ def crazyflie(plan):
     yield "crazyflie, cflib", "duration", abs(begin - plan.exact.times[-1]), 1e-5
 
 
-def mav_trajectory_generation(plan):
-    path = plan.write("plan.yaml", "--format", "mav-trajectory-generation")
-    segments = yaml.safe_load(path.read_text())["segments"]
-    yield from of_segments(plan, "mav-trajectory-generation, PyYAML", [(s["time"], np.array(s["coefficients"])) for s in segments])
-
-
-def of_segments(plan, reader, segments):
-    begin = 0
-    worst = np.zeros(4)
-    for time, coefficients in segments:
-        s = np.linspace(0, time * 1e-9, 20)[:-1]
-        for order in range(3):
-            value = np.stack([np.polyval(np.polyder(c[::-1], order) if order else c[::-1], s) for c in coefficients], axis=1)
-            worst[order] = max(worst[order], MAX(value - plan.exact.at(begin * 1e-9 + s, order)))
-        begin += time
-    for order, what in enumerate(("position and yaw", "velocity", "acceleration")):
-        yield reader, what, worst[order], 1e-6
-    yield reader, "duration", abs(begin * 1e-9 - plan.exact.times[-1]), 1e-9
-
-
-CHECKS = [csv, rows, px4, crazyflie, mav_trajectory_generation]
+CHECKS = [csv, rows, px4, crazyflie]

@@ -12,7 +12,6 @@ PLANS = {
     "px4-offboard": [({}, []), ({"rate": 20}, ["--rate", "20Hz"])],
     "ardupilot-guided": [({}, [])],
     "crazyflie": [({}, []), ({"tolerance": 0.02}, ["--tolerance", "2cm"])],
-    "mav-trajectory-generation": [({}, [])],
     "rotorpy": [({}, [])],
     "gym-pybullet-drones": [({}, [])],
     "qgc-plan": [({}, []), ({"tolerance": 0.2}, ["--tolerance", "20cm"])],

@@ -14,7 +14,6 @@ pub mod caveats;
 pub mod comparison_text;
 pub mod conflict_record;
 pub mod headings;
-pub mod heat;
 pub mod least_time;
 pub mod model_record;
 #[cfg(feature = "report")]

@@ -236,7 +236,7 @@ fn sets_use_full_thrust_at_the_lowest_charge() {
     let planning = mavc::plan(&low).unwrap();
     let certificate = serde_json::to_vec(&mavc::certify(&low, &planning).unwrap()).unwrap();
     assert!(mavc::verify(&certificate, &low).is_ok());
-    let text = mavc::report::terminal::plan(low.problem().unwrap(), planning.comparison(), false);
+    let text = mavc::report::terminal::plan(low.problem().unwrap(), planning.comparison());
     let analysis = mavc::report::analysis_text::analysis(low.model(), &mavc::analyze(&low));
     for text in [text, analysis] {
         let line = "\nFull thrust is that with 30 % of the charge: 79 % of that with a full battery\n";

@@ -188,7 +188,7 @@ fn reports_tell_when_a_plan_is_lower() {
         let task = Task::new(&spec).unwrap();
         let planning = task.plan(&Silent);
         let explained = mavc::Explained::default();
-        let text = task.text(&planning, &explained, None, false);
+        let text = task.text(&planning, &explained, None);
         (serde_json::to_value(task.report(&planning, &explained, None)).unwrap(), text)
     };
     // At 3 m all the way: too low at every instant.

@@ -308,24 +308,6 @@ fn the_lines_that_have_to_be_trusted_are_counted() {
     }
 }
 
-/// The modules of `src/front/cli` that are a command each.
-const COMMANDS: [&str; 13] = [
-    "analyze", "campaign", "check", "compare", "emit", "explain", "fmt", "lsp", "new", "plan", "simulate", "verify",
-    "watch",
-];
-
-/// A command reads its arguments, calls the pipeline and writes the results. What grows beyond that belongs to the
-/// pipeline, to reports, or to a module of `cli` with a name of its own.
-#[test]
-fn commands_have_at_most_eighty_lines() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/front/cli");
-    for command in COMMANDS {
-        let text = fs::read_to_string(folder.join(command).with_extension("rs")).unwrap();
-        let lines = text.lines().count();
-        assert!(lines <= 80, "src/front/cli/{command}.rs has {lines} lines");
-    }
-}
-
 /// The names below a heading of Cargo.toml such as `[dependencies]`.
 fn dependencies(manifest: &str, heading: &str) -> Vec<String> {
     let lines = manifest.lines().skip_while(|line| *line != heading).skip(1).take_while(|line| !line.starts_with('['));

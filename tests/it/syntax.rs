@@ -220,14 +220,6 @@ fn braces_that_match_may_stand_anywhere() {
 }
 
 #[test]
-fn a_forgotten_brace_changes_nothing_but_its_own_error() {
-    let whole = tree("faults {\n every 1 rotor lost as M { severity = 7 }\n mode a { rotor 1 lost }\n}\nplan { }");
-    let checked = parse("faults {\n every 1 rotor lost as M   severity = 7 }\n mode a { rotor 1 lost }\n}\nplan { }");
-    assert_eq!(checked.diagnostics.len(), 1);
-    assert_eq!(checked.value.unwrap(), whole);
-}
-
-#[test]
 fn places_are_those_of_the_text() {
     let text = "// α\nlet a = [1, // β\n 22] m  // end\n";
     let source = Source::new("t", text);

@@ -101,7 +101,7 @@ fn what_is_proved_of_many_times_is_proved_of_each() {
         assert!(proved.len() > 3 && proved.last() == Some(at) && proved.is_sorted(), "{model:?} {proved:?}");
         let record = Record::new(Problem::of(&up).unwrap(), &comparison, String::new());
         assert_eq!(&record.planners[0].proved_infeasible_s, proved);
-        let text = terminal::plan(Problem::of(&up).unwrap(), &comparison, false);
+        let text = terminal::plan(Problem::of(&up).unwrap(), &comparison);
         assert!(text.contains(&format!("proved infeasible at each of {} times, ", proved.len())), "{text}");
         for &time in proved.iter().filter(|t| **t < 1e4) {
             let mut fixed = up.clone();
@@ -131,7 +131,7 @@ fn rsp_without_a_common_time_is_not_attempted() {
     let plan = compare(problem, Scope::Plan, None);
     assert!(plan.common_time.is_none());
     assert_eq!(plan.runs.last().unwrap().outcome.verdict(), Verdict::NotAttempted, "{:?}", plan.runs);
-    let text = terminal::plan(problem, &plan, false);
+    let text = terminal::plan(problem, &plan);
     assert!(text.contains("RSP: not attempted: ") && !text.contains("proved infeasible"), "{text}");
     // RCP against the mode is searched for, and RIP has a plan.
     let all = compare(problem, Scope::Everything, None);
@@ -142,7 +142,7 @@ fn rsp_without_a_common_time_is_not_attempted() {
     assert_eq!(verdict(PlannerKind::Rip), Some(Verdict::Found));
     assert_eq!(verdict(PlannerKind::Rcp), Some(Verdict::NotFound));
     assert_eq!(verdict(PlannerKind::Rsp), None);
-    let text = comparison_text::compare(problem, &all, false);
+    let text = comparison_text::compare(problem, &all);
     assert!(text.contains("not found: no plan was found") && !text.contains("proved infeasible"), "{text}");
 }
 

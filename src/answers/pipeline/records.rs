@@ -28,9 +28,9 @@ impl Task<'_> {
         record
     }
 
-    /// The report of a plan for people: the text of `mavc plan`, with the colours of a terminal if `color` is set.
-    pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>, color: bool) -> String {
-        let mut text = terminal::plan(self.problem(), planning.comparison(), color);
+    /// The report of a plan for people: the text of `mavc plan`.
+    pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>) -> String {
+        let mut text = terminal::plan(self.problem(), planning.comparison());
         text.push_str(&terminal::elsewhere(self.model(), &explained.nearby.times().collect::<Vec<_>>()));
         if let Some(heights) = self.capture_heights(planning)
             && let Some(record) = CaptureRecord::new(self.model(), &heights)

@@ -7,13 +7,11 @@ pub mod codes;
 mod excerpt;
 mod json;
 mod nearest;
-mod short;
 mod terminal;
 
 pub use json::to_json_line;
 pub use nearest::{nearest, nearest_by_words};
-pub use short::render_short;
-pub use terminal::{render_human, render_linked};
+pub use terminal::{render_human, render_linked, render_short};
 
 use crate::source::{FileId, Span};
 

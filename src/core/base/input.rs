@@ -131,7 +131,7 @@ pub fn at_most(input: impl Read, most: usize) -> Result<Vec<u8>> {
 ///
 /// # Errors
 /// [`Refused::NotRegular`] for anything else, including links; other errors of the file system.
-pub fn open_unfollowed(path: &Path) -> Result<File> {
+fn open_unfollowed(path: &Path) -> Result<File> {
     regular(&path.symlink_metadata()?)?;
     let mut options = OpenOptions::new();
     options.read(true);

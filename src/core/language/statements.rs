@@ -238,7 +238,6 @@ pub const OTHER_WORDS: &[(&str, &str)] = &[
     ("wait", "hold"),
     ("hover", "hold"),
     ("loiter", "hold"),
-    ("takeoff", "start"),
     ("geofence", "keep_in"),
     ("fence", "keep_in"),
     ("obstacle", "keep_out"),

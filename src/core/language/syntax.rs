@@ -20,7 +20,6 @@ pub mod scan;
 pub mod visit;
 
 pub use crate::language::Place;
-pub use mistake::no_choice;
 
 use crate::diagnostic::{Checked, Diagnostic};
 use crate::input::MAX_FILE_BYTES;

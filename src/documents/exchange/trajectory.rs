@@ -4,8 +4,6 @@ mod crazyflie;
 mod csv;
 mod gym_pybullet_drones;
 pub mod instant;
-mod mav_trajectory_generation;
-mod pieces;
 mod players;
 mod px4;
 mod refit;
@@ -38,8 +36,6 @@ pub enum Format {
     ArdupilotGuided,
     /// The table of polynomials of Crazyswarm and uav_trajectories.
     Crazyflie,
-    /// YAML of mav_trajectory_generation.
-    MavTrajectoryGeneration,
     /// A trajectory class for RotorPy.
     Rotorpy,
     /// Waypoints for gym-pybullet-drones.
@@ -55,14 +51,13 @@ pub enum Format {
 }
 
 /// Every format with its name.
-pub const FORMATS: [(Format, &str); 14] = [
+pub const FORMATS: [(Format, &str); 13] = [
     (Format::Csv, "csv"),
     (Format::Rows, "rows"),
     (Format::Px4, "px4"),
     (Format::Px4Offboard, "px4-offboard"),
     (Format::ArdupilotGuided, "ardupilot-guided"),
     (Format::Crazyflie, "crazyflie"),
-    (Format::MavTrajectoryGeneration, "mav-trajectory-generation"),
     (Format::Rotorpy, "rotorpy"),
     (Format::GymPybulletDrones, "gym-pybullet-drones"),
     (Format::Rosbag2, "rosbag2"),
@@ -119,7 +114,7 @@ impl Format {
 
     /// Whether it consists of polynomials instead of rows.
     fn is_of_pieces(self) -> bool {
-        matches!(self, Format::Crazyflie | Format::MavTrajectoryGeneration | Format::Rotorpy)
+        matches!(self, Format::Crazyflie | Format::Rotorpy)
     }
 
     /// Whether it consists of straight lines between places on the Earth.
@@ -207,7 +202,6 @@ pub fn write(trajectory: &Trajectory, model: &Model, choices: &Choices) -> Resul
         Format::Px4Offboard => players::px4_offboard(&plan, choices).map(Into::into),
         Format::ArdupilotGuided => players::ardupilot_guided(&plan, choices).map(Into::into),
         Format::Crazyflie => crazyflie::written(&plan, choices),
-        Format::MavTrajectoryGeneration => Ok(mav_trajectory_generation::text(&plan).into()),
         Format::Rotorpy => Ok(rotorpy::text(&plan).into()),
         Format::GymPybulletDrones => gym_pybullet_drones::text(&plan, choices).map(Into::into),
         Format::Rosbag2 => rosbag2::mcap(&plan, choices).map(|bytes| Written { bytes, remark: None }),

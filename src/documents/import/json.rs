@@ -4,7 +4,12 @@
 
 use super::{SYNTAX, at};
 use crate::diagnostic::Diagnostic;
+use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde_json::value::RawValue;
+use std::collections::HashSet;
 use std::ops::Range;
+
+const AGAIN: &str = "write the file again with the program that made it";
 
 /// Lists and objects within each other.
 pub const DEPTH: usize = 64;
@@ -70,173 +75,117 @@ impl Json {
     }
 }
 
-/// Reads a text.
+/// Reads a text, by the rules of [`serde_json`].
 ///
 /// # Errors
 /// The first place that JSON does not allow, a key that an object has twice, a number that no double holds, or a text
 /// that is too deep or too long.
 pub fn parse(text: &str) -> Result<Json, Box<Diagnostic>> {
-    let mut reader = Reader { text, bytes: text.as_bytes(), at: 0, values: 0 };
-    let value = reader.value(0)?;
-    reader.blanks();
-    if reader.at < text.len() {
-        return reader.fail("text after the end of the JSON value", "not part of it");
-    }
-    Ok(value)
+    let whole: &RawValue = serde_json::from_str(text).map_err(|error| refused(text, 0, &error))?;
+    Reader { text, values: 0 }.value(whole, 0)
 }
 
 struct Reader<'t> {
     text: &'t str,
-    bytes: &'t [u8],
-    at: usize,
     values: usize,
 }
 
-impl Reader<'_> {
-    fn peek(&self) -> Option<u8> {
-        self.bytes.get(self.at).copied()
-    }
-
-    fn blanks(&mut self) {
-        while matches!(self.peek(), Some(b' ' | b'\t' | b'\n' | b'\r')) {
-            self.at += 1;
-        }
-    }
-
-    /// The error at the next character.
-    fn fail<T>(&self, message: &str, here: &str) -> Result<T, Box<Diagnostic>> {
-        let length = self.text.get(self.at..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
-        let error = Diagnostic::error(SYNTAX, at(self.at..self.at + length), message);
-        let here = if length == 0 { "the text ends here" } else { here };
-        Err(Box::new(error.here(here).help("write the file again with the program that made it")))
-    }
-
-    fn value(&mut self, depth: usize) -> Result<Json, Box<Diagnostic>> {
-        self.blanks();
+impl<'t> Reader<'t> {
+    fn value(&mut self, raw: &'t RawValue, depth: usize) -> Result<Json, Box<Diagnostic>> {
+        let part = raw.get();
+        let start = place(self.text, part);
+        let span = start..start + part.len();
         self.values += 1;
+        let limit = |message: String, here: &str| {
+            Err(Box::new(Diagnostic::error(SYNTAX, at(start..start + 1), message).here(here).help(AGAIN)))
+        };
         if self.values > MOST_VALUES {
-            return self.fail(&format!("the file has more than {MOST_VALUES} values"), "the first that is too many");
+            return limit(format!("the file has more than {MOST_VALUES} values"), "the first that is too many");
         }
         if depth > DEPTH {
-            return self.fail(&format!("lists and objects are more than {DEPTH} deep"), "the first that is too deep");
+            return limit(format!("lists and objects are more than {DEPTH} deep"), "the first that is too deep");
         }
-        let start = self.at;
-        let kind = match self.peek() {
-            Some(b'{') => self.object(depth)?,
-            Some(b'[') => self.list(depth)?,
-            Some(b'"') => Kind::Text(self.string()?),
-            Some(b'-' | b'0'..=b'9') => self.number()?,
-            _ => self.word()?,
+        let refused = |error| refused(self.text, start, &error);
+        let kind = match part.as_bytes()[0] {
+            b'{' => {
+                let Members(members) = serde_json::from_str(part).map_err(refused)?;
+                Kind::Object(self.members(members, depth)?)
+            }
+            b'[' => {
+                let all: Vec<&RawValue> = serde_json::from_str(part).map_err(refused)?;
+                Kind::List(all.into_iter().map(|raw| self.value(raw, depth + 1)).collect::<Result<_, _>>()?)
+            }
+            b'"' => Kind::Text(serde_json::from_str(part).map_err(refused)?),
+            b't' | b'f' => Kind::Bool(part == "true"),
+            b'n' => Kind::Null,
+            _ => Kind::Number(serde_json::from_str(part).map_err(refused)?),
         };
-        Ok(Json { kind, span: start..self.at })
+        Ok(Json { kind, span })
     }
 
-    fn word(&mut self) -> Result<Kind, Box<Diagnostic>> {
-        let words = [("null", Kind::Null), ("true", Kind::Bool(true)), ("false", Kind::Bool(false))];
-        for (word, kind) in words {
-            if self.bytes[self.at..].starts_with(word.as_bytes()) {
-                self.at += word.len();
-                return Ok(kind);
-            }
-        }
-        self.fail("expected a JSON value", "no JSON value")
-    }
-
-    fn list(&mut self, depth: usize) -> Result<Kind, Box<Diagnostic>> {
-        self.at += 1;
-        let mut all = Vec::new();
-        loop {
-            self.blanks();
-            if all.is_empty() && self.peek() == Some(b']') {
-                break;
-            }
-            all.push(self.value(depth + 1)?);
-            self.blanks();
-            match self.peek() {
-                Some(b',') => self.at += 1,
-                Some(b']') => break,
-                _ => return self.fail("expected `,` or `]` in a list", "neither"),
-            }
-        }
-        self.at += 1;
-        Ok(Kind::List(all))
-    }
-
-    fn object(&mut self, depth: usize) -> Result<Kind, Box<Diagnostic>> {
-        self.at += 1;
-        let mut members: Vec<Member> = Vec::new();
+    fn members(
+        &mut self,
+        raw: Vec<(&'t RawValue, &'t RawValue)>,
+        depth: usize,
+    ) -> Result<Vec<Member>, Box<Diagnostic>> {
         // A key that occurs twice means one thing to one reader and another to the next.
-        let mut keys = std::collections::HashSet::new();
-        loop {
-            self.blanks();
-            match self.peek() {
-                Some(b'}') if members.is_empty() => break,
-                Some(b'"') => {}
-                _ => return self.fail("expected a key in quotes", "no key"),
-            }
-            let start = self.at;
-            let key = self.string()?;
-            if !keys.insert(key.clone()) {
-                let error = Diagnostic::error(SYNTAX, at(start..self.at), "an object has the same key twice");
+        let mut keys = HashSet::new();
+        let mut members = Vec::new();
+        for (key, value) in raw {
+            let start = place(self.text, key.get());
+            let name: String = serde_json::from_str(key.get()).map_err(|error| refused(self.text, start, &error))?;
+            if !keys.insert(name.clone()) {
+                let span = at(start..start + key.get().len());
+                let error = Diagnostic::error(SYNTAX, span, "an object has the same key twice");
                 return Err(Box::new(error.here("the second time").help("remove one of the two")));
             }
-            self.blanks();
-            if self.peek() != Some(b':') {
-                return self.fail("expected `:` after a key", "no `:`");
-            }
-            self.at += 1;
-            let value = self.value(depth + 1)?;
-            members.push(Member { key, value });
-            self.blanks();
-            match self.peek() {
-                Some(b',') => self.at += 1,
-                Some(b'}') => break,
-                _ => return self.fail("expected `,` or `}` in an object", "neither"),
-            }
+            members.push(Member { key: name, value: self.value(value, depth + 1)? });
         }
-        self.at += 1;
-        Ok(Kind::Object(members))
+        Ok(members)
     }
+}
 
-    /// A number, by the rules of [`serde_json`].
-    fn number(&mut self) -> Result<Kind, Box<Diagnostic>> {
-        let start = self.at;
-        let length = self.bytes[start..]
-            .iter()
-            .take_while(|b| matches!(b, b'+' | b'-' | b'.' | b'e' | b'E' | b'0'..=b'9'))
-            .count();
-        match serde_json::from_str::<f64>(&self.text[start..start + length]) {
-            Ok(x) if x.is_finite() => {
-                self.at += length;
-                Ok(Kind::Number(x))
-            }
-            _ => {
-                let error = Diagnostic::error(SYNTAX, at(start..start + length), "not a number that JSON allows");
-                Err(Box::new(error.here("no number").help("write digits, as in `-12.5`")))
-            }
-        }
-    }
+/// The keys and values of an object, in order.
+struct Members<'t>(Vec<(&'t RawValue, &'t RawValue)>);
 
-    /// A text in quotes, by the rules of [`serde_json`].
-    fn string(&mut self) -> Result<String, Box<Diagnostic>> {
-        let start = self.at;
-        self.at += 1;
-        loop {
-            match self.peek() {
-                Some(b'\\') => self.at = (self.at + 2).min(self.bytes.len()),
-                Some(b'"') => break,
-                Some(_) => self.at += 1,
-                None => return self.fail("a text has no closing quote", ""),
+impl<'de> Deserialize<'de> for Members<'de> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Pairs;
+        impl<'de> Visitor<'de> for Pairs {
+            type Value = Members<'de>;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("an object")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+                let mut all = Vec::new();
+                while let Some(pair) = map.next_entry()? {
+                    all.push(pair);
+                }
+                Ok(Members(all))
             }
         }
-        self.at += 1;
-        // The byte after a backslash may begin a longer character, whose others are no quotes.
-        let quoted = self.text.get(start..self.at).unwrap_or_default();
-        serde_json::from_str(quoted).map_err(|_| {
-            let error = Diagnostic::error(SYNTAX, at(start..self.at), "not a text that JSON allows");
-            Box::new(error.here("has an unknown escape or a control character").help("write it without escapes"))
-        })
+        deserializer.deserialize_map(Pairs)
     }
+}
+
+/// Where a part of a text begins in it.
+fn place(text: &str, part: &str) -> usize {
+    part.as_ptr() as usize - text.as_ptr() as usize
+}
+
+/// The error of a part that begins at `start`.
+fn refused(text: &str, start: usize, error: &serde_json::Error) -> Box<Diagnostic> {
+    let lines = text[start..].split_inclusive('\n').take(error.line().saturating_sub(1));
+    let before: usize = lines.map(str::len).sum();
+    let place = (start + before + error.column().saturating_sub(1)).min(text.len());
+    let place = (0..=place).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+    let length = text[place..].chars().next().map_or(0, char::len_utf8);
+    let message = error.to_string();
+    let message = format!("no JSON: {}", message.split(" at line ").next().unwrap_or(&message));
+    let here = if length == 0 { "the text ends here" } else { "not expected" };
+    Box::new(Diagnostic::error(SYNTAX, at(place..place + length), message).here(here).help(AGAIN))
 }
 
 #[cfg(test)]
@@ -268,35 +217,18 @@ mod tests {
     }
 
     #[test]
-    fn what_serde_json_refuses_is_refused() {
-        let wrong = [
-            "",
-            "{",
-            "[1,]",
-            "{\"a\":1,}",
-            "[1 2]",
-            "{\"a\" 1}",
-            "nul",
-            "01",
-            "1.",
-            "+1",
-            "NaN",
-            "1e999",
-            "\"\\q\"",
-            "\"a\nb\"",
-            "\"a",
-            "[1] x",
-            "{a:1}",
-            "\"\\",
-            "[\"\\é\"]",
-        ];
-        for text in wrong {
-            assert!(serde_json::from_str::<serde_json::Value>(text).is_err(), "{text}");
+    fn mistakes_have_their_places() {
+        for (text, place) in [("", 0), ("[1,]", 3), ("{\"a\":1,\n\"b\" 1}", 12), ("[1] x", 4)] {
             let error = parse(text).unwrap_err();
-            assert!(error.span.end as usize <= text.len() && error.span.start <= error.span.end, "{text}: {error:?}");
+            assert_eq!(error.span.start, place, "{text}: {error:?}");
         }
-        assert!(parse("{\"a\":1,\"a\":2}").is_err());
+        for text in ["[1e999]", "[\"\\é\"]", "[\"a", "[01]", "[\"a\nb\"]"] {
+            let error = parse(text).unwrap_err();
+            assert!(error.span.end as usize <= text.len() && error.span.start > 0, "{text}: {error:?}");
+        }
+        assert_eq!(parse("{\"a\":1,\"a\":2}").unwrap_err().span.start, 7);
         assert!(parse(&"[".repeat(1_000_000)).is_err());
+        assert!(parse(&("[".repeat(70) + &"]".repeat(70))).is_err());
         assert!(parse(&format!("[{}1]", "1,".repeat(MOST_VALUES))).is_err());
     }
 }

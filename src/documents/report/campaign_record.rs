@@ -3,7 +3,7 @@
 mod agreement;
 mod path;
 
-pub use agreement::{AgreementRecord, PredictorRecord, TableRecord};
+pub use agreement::{AgreementRecord, TableRecord};
 pub use path::{LimitRecord, PathRecord};
 
 use crate::admissible;
@@ -12,6 +12,7 @@ use crate::admissible::without_yaw::YawFree;
 use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
 use crate::campaign::design::{Design, Missing};
+use crate::campaign::predictors::Forecast;
 use crate::campaign::statistics::{Share, Summary, wilson};
 use crate::campaign::tally::{Cell, Group, Tally};
 use crate::flight::capture::CaptureHeight;
@@ -70,7 +71,7 @@ pub struct CampaignRecord {
     /// sets; empty if nothing was flown.
     pub agreement: Vec<AgreementRecord>,
     /// Everything that predicts losses, over all modes and all distinct plans; empty if nothing was flown.
-    pub predictors: Vec<PredictorRecord>,
+    pub predictors: Vec<Forecast>,
 }
 
 /// A part of a campaign.
@@ -253,7 +254,7 @@ impl CampaignRecord {
             flights: tally.flights(),
             planners: planners.chain(design.missing.iter().map(missing)).collect(),
             agreement: vec![AgreementRecord::new("all", &all), AgreementRecord::new("inside", &inside)],
-            predictors: forecasts.into_iter().map(PredictorRecord::new).collect(),
+            predictors: forecasts,
             ..CampaignRecord::without_flights(design.model, &[], spec_sha256)
         }
     }

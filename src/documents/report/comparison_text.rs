@@ -4,7 +4,7 @@ mod fold;
 
 use super::record::{errors, rates};
 use super::terminal::{WIDTH, head, holds, in_planes};
-use super::{heat, least_time, without_yaw};
+use super::{least_time, without_yaw};
 use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
@@ -21,8 +21,7 @@ const CHEAPER: f64 = 1e-3;
 
 /// The tables of the paper's section 5.4, for any spec.
 ///
-/// `color`: whether strips are coloured.
-pub fn compare(problem: Problem, comparison: &Comparison, color: bool) -> String {
+pub fn compare(problem: Problem, comparison: &Comparison) -> String {
     let (model, mission) = (problem.model(), problem.mission());
     let mut out = head(problem, comparison);
     out.push_str(match determined(mission) {
@@ -64,19 +63,6 @@ pub fn compare(problem: Problem, comparison: &Comparison, color: bool) -> String
         }
         if has_plans(Run::Own) || has_plans(Run::Common) {
             out.push_str(risk_note(model, comparison));
-        }
-        if has_plans(Run::Common) {
-            out.push_str(&format!(
-                "\nMargin of each plan at T_d to each mode's {}, in shares of the healthy set's width\n",
-                without_yaw::measured_by(comparison)
-            ));
-            for fold in folded(comparison, Run::Common) {
-                if let PlanOutcome::Planned(solved) = fold.outcome() {
-                    out.push_str(&format!("  {}\n", fold.short_name()));
-                    out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
-                }
-            }
-            out.push_str(&heat::legend(color));
         }
     }
     out.push_str(&guarded(comparison));

@@ -4,7 +4,6 @@ use super::analysis_text::airspeed;
 use super::battery;
 use super::binding;
 use super::caveats::caveats;
-use super::heat;
 use super::record::{errors, rates};
 use super::verdict_text::{self, statement};
 use super::waypoints;
@@ -94,8 +93,8 @@ pub(crate) fn in_planes(comparison: &Comparison) -> String {
     if planes == comparison.selected.len() { String::new() } else { format!(", in {planes} planes") }
 }
 
-/// The output of `mavc plan`; the trajectory written is that of the last run. `color`: whether strips are coloured.
-pub fn plan(problem: Problem, comparison: &Comparison, color: bool) -> String {
+/// The output of `mavc plan`; the trajectory written is that of the last run.
+pub fn plan(problem: Problem, comparison: &Comparison) -> String {
     let model = problem.model();
     let mut out = head(problem, comparison);
     let solved = matches!(comparison.runs.last().map(|r| &r.outcome), Some(PlanOutcome::Planned(_)));
@@ -135,7 +134,7 @@ pub fn plan(problem: Problem, comparison: &Comparison, color: bool) -> String {
     for run in &comparison.runs {
         out.push('\n');
         match &run.outcome {
-            PlanOutcome::Planned(solved) => out.push_str(&solved_run(problem, comparison, run, solved, color)),
+            PlanOutcome::Planned(solved) => out.push_str(&solved_run(problem, comparison, run, solved)),
             _ => {
                 let of_proof = match &run.outcome {
                     PlanOutcome::Infeasible(proof) if !run.against.is_empty() => {
@@ -179,13 +178,7 @@ fn trade_off(comparison: &Comparison, bound: f64) -> String {
     )
 }
 
-fn solved_run(
-    problem: Problem,
-    comparison: &Comparison,
-    run: &PlannerRun,
-    solved: &MissionPlan,
-    color: bool,
-) -> String {
+fn solved_run(problem: Problem, comparison: &Comparison, run: &PlannerRun, solved: &MissionPlan) -> String {
     let (model, mission) = (problem.model(), problem.mission());
     let text = format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run));
     let mut out = format!("{}\n", textwrap::fill(&text, textwrap::Options::new(WIDTH).subsequent_indent("  ")));
@@ -204,9 +197,6 @@ fn solved_run(
         out.push_str(&mode_table(model, comparison, solved).render(2));
         out.push_str(&unguarded(model, comparison, solved));
         out.push_str(&risk_lines(model, comparison, solved));
-        out.push_str(&format!("\n  Margin to each mode's {by}, in shares of the healthy set's width\n"));
-        out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
-        out.push_str(&heat::legend(color));
     }
     if !solved.infeasible_above.is_empty() {
         let times: Vec<String> = solved.infeasible_above.iter().map(|t| number(*t)).collect();

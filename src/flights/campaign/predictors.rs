@@ -124,19 +124,29 @@ pub struct ClassCount {
     by_mode: Vec<(usize, usize)>,
 }
 
-/// A predictor against the flights of all distinct plans that were flying when the fault struck.
-#[derive(Debug, Clone, PartialEq)]
+/// A predictor against the flights of all distinct plans. Only flights still flying when the fault struck.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Forecast {
+    /// What predicts; docs/campaigns.md states when each predicts a loss.
     pub predictor: Predictor,
+    #[serde(flatten)]
     pub counts: Contingency,
-    /// In the order in which they occur.
-    pub classes: Vec<ClassCount>,
-    /// Brier score of the prediction as 0 or 1: the share of flights that it gets wrong.
+    /// Phi coefficient; null if predictions or outcomes are all the same.
+    pub phi: Option<f64>,
+    /// The strength of this coefficient.
+    pub strength: Strength,
+    /// Brier score of the prediction as 0 or 1: the share that it gets wrong.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub brier: Option<f64>,
-    /// Brier score if each class is given the share lost in that class with the other modes.
+    /// Of the share lost in the same class with the other modes, (lost + 1)/(struck + 2).
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub brier_by_class: Option<f64>,
-    /// Brier score if every flight is given the share lost with the other modes, whatever its class: the score to beat.
+    /// Of the share lost with the other modes, whatever the class: the score to beat.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub brier_base: Option<f64>,
+    /// The classes of flights that it distinguishes.
+    pub classes: Vec<ClassCount>,
 }
 
 impl Forecast {
@@ -170,15 +180,13 @@ impl Forecast {
         Forecast {
             predictor,
             counts,
+            phi: counts.phi(),
+            strength: Strength::of(counts.phi()),
             brier: brier(&sharp),
             brier_by_class: brier(&classes.iter().flat_map(ClassCount::held_out).collect::<Vec<_>>()),
             brier_base: brier(&whole.held_out().collect::<Vec<_>>()),
             classes,
         }
-    }
-
-    pub fn strength(&self) -> Strength {
-        Strength::of(self.counts.phi())
     }
 }
 

@@ -1,11 +1,17 @@
 //! `mavc check`: checks specs, once or with `--watch` again and again.
 
-mod reading;
 mod tally;
 
-use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS};
+use super::progress::Watch;
+use super::spec::{self, Findings};
+use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs};
 use super::{files, specs, usage, watch};
-use crate::pipeline::{defaults_text, is_intolerable};
+use crate::diagnostic::sort;
+use crate::import::{MAX_BYTES, mission};
+use crate::pipeline::{self, defaults_text, is_intolerable};
+use crate::read::FlightBlocks;
+use crate::source::FileId;
+use crate::spec::{Compiler, Spec};
 use std::path::Path;
 use tally::{Count, Tally};
 
@@ -45,7 +51,7 @@ pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, Problem> {
 
 /// Checks one spec.
 fn one(name: &str, args: &CheckArgs, options: &Options, tally: &mut Tally) -> Result<u8, Problem> {
-    let (spec, mut findings) = reading::read(name, args, options)?;
+    let (spec, mut findings) = read(name, args, options)?;
     tally.used.extend(findings.files.names());
     let count = Count::of(&findings.diagnostics);
     let is_denied = args.deny == Some(Deny::Warnings) && count.warnings > 0;
@@ -65,4 +71,33 @@ fn one(name: &str, args: &CheckArgs, options: &Options, tally: &mut Tally) -> Re
         files::print(&defaults_text(spec))?;
     }
     Ok(code)
+}
+
+/// The spec, if it has no errors, and everything that is wrong with it.
+fn read(name: &str, args: &CheckArgs, options: &Options) -> Result<(Option<Spec>, Findings), Problem> {
+    let watch = Watch::new(options);
+    let Some(vehicle) = &args.vehicle else {
+        let args = SpecArgs { spec: name.into(), set: args.set.clone() };
+        let (spec, mut findings) = spec::read(&args, FlightBlocks::Used, &watch)?;
+        if findings.has_errors() && mission::is_one(&findings.files.sources.get(FileId(0)).text) {
+            let name = spec::shown(name);
+            return Err(format!(
+                "{name} is a mission of a ground station: name the spec of its vehicle by --vehicle v.mav"
+            ));
+        }
+        if let Some(spec) = &spec {
+            findings.diagnostics.extend(pipeline::check(spec));
+            sort(&mut findings.diagnostics);
+        }
+        return Ok((spec, findings));
+    };
+    // A vehicle that cannot be read is a mistake in the command line, not in the mission.
+    files::read_spec(vehicle, 0)?;
+    if Path::new(vehicle).file_name().is_none() || vehicle == "-" {
+        return Err(format!("--vehicle names a file, not {}", crate::source::visible::line(vehicle)));
+    }
+    let bytes = files::read_spec(name, MAX_BYTES)?;
+    let compiler = args.set.iter().fold(Compiler::new().observed_by(&watch), Compiler::set);
+    let joined = mission::join(spec::name(name), &bytes, vehicle, &compiler, pipeline::check);
+    Ok((joined.spec, Findings { files: joined.files, diagnostics: joined.diagnostics }))
 }

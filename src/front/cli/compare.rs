@@ -33,7 +33,7 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let mut results = Results::new(&places);
     results.report(&record)?;
     results.page(|| page::plans(Kind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record, &[]));
-    results.print(&comparison_text::compare(problem, &comparison, results.are_coloured()))?;
+    results.print(&comparison_text::compare(problem, &comparison))?;
     if let Some(rounds) = &rounds {
         results.print(&comparison_text::rounds(problem, &comparison, rounds))?;
     }

@@ -26,11 +26,6 @@ pub fn print(text: &str) -> Result<(), Problem> {
     print_as_it_is(&visible::text(text))
 }
 
-/// As [`print()`], and keeps the colours that mavc paints with ([`crate::report::heat`]).
-pub fn print_painted(text: &str) -> Result<(), Problem> {
-    print_as_it_is(&painted(text))
-}
-
 /// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes, and
 /// bytes that are no text are refused.
 pub fn print_result(bytes: &[u8]) -> Result<(), Problem> {
@@ -66,36 +61,7 @@ pub fn eprint(text: &str) {
     eprint_as_it_is(&visible::text(text));
 }
 
-/// As [`print_painted`], on standard error.
-pub fn eprint_painted(text: &str) {
-    eprint_as_it_is(&painted(text));
-}
-
-/// The text with disguised characters as escapes, except for the colours that mavc paints with.
-fn painted(text: &str) -> String {
-    let mut pieces = text.split('\u{1b}');
-    let mut out = visible::text(pieces.next().unwrap_or_default()).into_owned();
-    for piece in pieces {
-        let digits = piece.strip_prefix('[').map(|p| p.trim_start_matches(|c: char| c.is_ascii_digit() || c == ';'));
-        let is_color = digits.is_some_and(|rest| rest.starts_with('m'));
-        out.push_str(if is_color { "\u{1b}" } else { "\\u{1b}" });
-        out.push_str(&visible::text(piece));
-    }
-    out
-}
-
 /// As [`print_as_it_is()`], on standard error.
 pub fn eprint_as_it_is(text: &str) {
     let _ = anstream::stderr().write_all(text.as_bytes());
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn of_all_escapes_only_colours_stay_where_mavc_paints() {
-        assert_eq!(painted("a\x1b[48;5;71m \x1b[0mb"), "a\x1b[48;5;71m \x1b[0mb");
-        assert_eq!(painted("a\x1b[2Jb\x1b]8;;c\x07\x1b\u{202e}"), "a\\u{1b}[2Jb\\u{1b}]8;;c\\u{7}\\u{1b}\\u{202e}");
-    }
 }

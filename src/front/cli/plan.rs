@@ -54,7 +54,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         results.page(|| {
             page::plans(Kind::Plan, &subject(&task, &shown), comparison, &record, &task.capture_curves(&planning))
         });
-        let text = task.text(&planning, &explained, between.as_deref(), results.are_coloured());
+        let text = task.text(&planning, &explained, between.as_deref());
         results.print(&text)?;
         results.charts(&subject(&task, &[]), comparison)?;
         results.write()?;

@@ -1,7 +1,7 @@
 //! The results of a run. Each goes to a place of its own; standard output takes one of them or the text for people;
 //! files appear together.
 
-use super::spec::{Findings, colored};
+use super::spec::Findings;
 use super::target::{Target, cannot_write, write};
 use super::{NO_PLAN, Options, Problem, files, plan};
 use crate::diagnostic::Diagnostic;
@@ -94,7 +94,7 @@ impl<'a> Places<'a> {
         let mut results = Results::new(self);
         results.report(&record)?;
         results.page(|| page::plans(Kind::Plan, &subject(task, &findings.diagnostics), comparison, &record, &[]));
-        results.print(&task.text(planning, &Explained::default(), None, results.are_coloured()))?;
+        results.print(&task.text(planning, &Explained::default(), None))?;
         results.print("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n")?;
         results.write()?;
         results.note_page(options)?;
@@ -189,20 +189,15 @@ impl<'p> Results<'p> {
         write(&made.chain(within).collect::<Vec<_>>())
     }
 
-    /// Whether the text for people has colours.
-    pub fn are_coloured(&self) -> bool {
-        if self.take_stdout() { colored(&std::io::stderr()) } else { colored(&std::io::stdout()) }
-    }
-
     /// Prints the text for people, unless standard output takes a result.
     pub fn print(&self, text: &str) -> Result<(), Problem> {
-        if self.take_stdout() { Ok(()) } else { files::print_painted(text) }
+        if self.take_stdout() { Ok(()) } else { files::print(text) }
     }
 
     /// Prints the text for people to standard error if standard output takes a result other than the report.
     pub fn print_beside(&self, text: &str) {
         if self.take_stdout() && !self.places.report.as_ref().is_some_and(Target::is_stdout) {
-            files::eprint_painted(text);
+            files::eprint(text);
         }
     }
 

@@ -1,6 +1,6 @@
 //! Handling of signals that end the process: temporary files are removed, and a campaign prints how to continue. Then
 //! the signal takes its default effect, so that shells and schedulers see why the process ended. On systems other than
-//! Unix signals are not handled, and the next run removes the files that are left.
+//! Unix signals are not handled.
 
 use super::files;
 use std::io::IsTerminal;

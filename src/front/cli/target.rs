@@ -2,11 +2,12 @@
 
 use super::Problem;
 use super::files::{print_result, reason, unless_gone};
-use super::temporary::{Temporary, folder, remove_stale};
+use super::temporary::{self, folder};
 use crate::input::Refused;
 use std::fs::{File, OpenOptions};
 use std::io::{Error, ErrorKind, Result as IoResult, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// The place of one result.
 pub struct Target {
@@ -111,21 +112,21 @@ pub struct Pieces<'a> {
 
 enum Sink<'a> {
     Stream(Box<dyn Write + Send>),
-    File(Temporary, &'a Path),
+    File(NamedTempFile, &'a Path),
 }
 
 impl Write for Pieces<'_> {
     fn write(&mut self, bytes: &[u8]) -> IoResult<usize> {
         match &mut self.sink {
             Sink::Stream(stream) => stream.write(bytes),
-            Sink::File(file, _) => file.file().write(bytes),
+            Sink::File(file, _) => file.write(bytes),
         }
     }
 
     fn flush(&mut self) -> IoResult<()> {
         match &mut self.sink {
             Sink::Stream(stream) => stream.flush(),
-            Sink::File(file, _) => file.file().flush(),
+            Sink::File(file, _) => file.flush(),
         }
     }
 }
@@ -134,7 +135,7 @@ impl Pieces<'_> {
     pub fn finish(self) -> Result<(), Problem> {
         let finished = match self.sink {
             Sink::Stream(mut stream) => stream.flush(),
-            Sink::File(file, path) => file.file().sync_all().and_then(|()| file.persist(path)),
+            Sink::File(file, path) => file.as_file().sync_all().and_then(|()| temporary::persist(file, path)),
         };
         finished.map_err(|e| cannot_write(self.name, &e))
     }
@@ -158,7 +159,7 @@ pub fn write(results: &[(&Target, &[u8])]) -> Result<(), Problem> {
         attempt.map_err(|e| cannot_write(&target.name, &e))?;
     }
     for (target, path, file) in whole {
-        file.persist(path).map_err(|e| cannot_write(&target.name, &e))?;
+        temporary::persist(file, path).map_err(|e| cannot_write(&target.name, &e))?;
     }
     Ok(())
 }
@@ -192,22 +193,21 @@ fn place(name: &Path) -> IoResult<Place> {
 
 /// Checks that the folder takes a temporary file.
 fn checked(path: PathBuf) -> IoResult<Place> {
-    remove_stale(&path);
-    Temporary::beside(&path)?;
+    temporary::beside(&path)?;
     Ok(Place::File(path))
 }
 
 /// A temporary file beside `path`, with its bytes, and with its permissions and owner where it exists.
-fn beside(path: &Path, bytes: &[u8]) -> IoResult<Temporary> {
-    let file = prepared(path)?;
-    file.file().write_all(bytes)?;
-    file.file().sync_all()?;
+fn beside(path: &Path, bytes: &[u8]) -> IoResult<NamedTempFile> {
+    let mut file = prepared(path)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
     Ok(file)
 }
 
 /// As [`beside`], still empty.
-fn prepared(path: &Path) -> IoResult<Temporary> {
-    let file = Temporary::beside(path)?;
+fn prepared(path: &Path) -> IoResult<NamedTempFile> {
+    let file = temporary::beside(path)?;
     // Only a file that mavc names can be a link here ([`Target::within`]); its permissions do not count.
     if let Some(there) = path.symlink_metadata().ok().filter(std::fs::Metadata::is_file) {
         #[cfg(unix)]

@@ -99,6 +99,10 @@ struct Answer {
 }
 
 impl Answer {
+    fn new(severity: Severity, code: &'static str, span: Span, what: &str, label: String, help: &'static str) -> Self {
+        Answer { severity, code, span, what: what.into(), label, help, reserve: false, modes: Vec::new(), also: None }
+    }
+
     fn is_same(&self, other: &Answer) -> bool {
         (self.span, &self.what, &self.label) == (other.span, &other.what, &other.label)
     }
@@ -191,19 +195,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
     let is_healthy = mode.name == HEALTHY;
     // If hover is on the edge although a heavier vehicle could hover, it is on the edge at every mass.
     let at_heaviest = mode.critical_mass_kg.is_some_and(|most| most <= model.vehicle.mass * (1.0 + 1e-6));
-    let answer = |severity, code, what: &str, label: String, help| {
-        Some(Answer {
-            severity,
-            code,
-            span,
-            what: what.into(),
-            label,
-            help,
-            reserve: false,
-            modes: Vec::new(),
-            also: None,
-        })
-    };
+    let answer = |severity, code, what, label, help| Some(Answer::new(severity, code, span, what, label, help));
     match (mode.verdict, mode.hover) {
         (Verdict::Controllable, Place::Inside) => {
             let sure = |r: &Robust| {

@@ -39,7 +39,6 @@ fn runs_with_one_plan_take_one_line_that_names_them_all() {
     assert!(rows[0].starts_with("  RIP and 9 more "), "{said}");
     assert_eq!(rows[1..], ["  RIP and 9 more: RIP, RCP W1 .. W6, worn, RCP jointly, RSP."], "{said}");
     assert_eq!(table(&said, "(last violation): all planners at T_d").len(), 1, "{said}");
-    assert_eq!(said.matches("  W1   |").count(), 1, "one strip for all:\n{said}");
     // Quickly flown the plans differ, though their times do not.
     let own = table(&said, "Each planner alone");
     assert!(own.iter().any(|row| row.starts_with("  RCP W1 ")), "{said}");

@@ -56,16 +56,6 @@ fn comparisons_say_what_their_times_are() {
     assert!(said.contains("The time is fixed: no own time was searched for") && !said.contains("requires"), "{said}");
 }
 
-#[test]
-fn the_legend_of_strips_is_printed_once() {
-    // So quickly that the plans differ.
-    let text = compared(&["plan.time=1.7s"]);
-    assert!(text.matches("  M1   |").count() > 1, "{text}");
-    assert_eq!(text.matches("# outside").count(), 1, "{text}");
-    let plan = out(&mavc_with(&["plan", "-"], TURN));
-    assert_eq!(plan.matches("# outside").count(), 1, "{plan}");
-}
-
 /// One line where there is nothing to explain.
 #[test]
 fn no_risk_takes_one_line() {

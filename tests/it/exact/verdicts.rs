@@ -24,7 +24,7 @@ fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model
 
 fn told(model: &Model) -> (PlanOutcome, String) {
     let comparison = compared(model);
-    let text = terminal::plan(Problem::of(model).unwrap(), &comparison, false);
+    let text = terminal::plan(Problem::of(model).unwrap(), &comparison);
     (last(&comparison).outcome.clone(), text)
 }
 

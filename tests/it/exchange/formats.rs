@@ -150,27 +150,19 @@ fn scripts_carry_the_plan() {
     }
 }
 
-/// Pieces of YAML and of RotorPy are the trajectory itself: value and slope by Taylor's formula.
+/// Pieces of RotorPy are the trajectory itself: value and slope by Taylor's formula.
 #[test]
 fn pieces_are_the_trajectory() {
     let planned = turn();
-    let yaml = planned.text(Format::MavTrajectoryGeneration);
-    let times: Vec<f64> = yaml.lines().filter_map(|line| line.strip_prefix("    time: ")?.parse().ok()).collect();
-    assert_eq!(times.iter().sum::<f64>(), 6e9);
-    let lists: Vec<&str> = yaml.lines().filter_map(|line| line.strip_prefix("      - [")).collect();
-    assert_eq!(lists.len(), 4 * times.len());
-    let mut begin = 0.0;
-    for (k, time) in times.iter().enumerate() {
-        let s = 0.4 * time * 1e-9;
-        let state = planned.trajectory.at(begin + s);
-        for axis in 0..4 {
-            let list = lists[4 * k + axis].trim_end_matches(']');
-            let c: Vec<f64> = list.split(", ").map(|cell| cell.parse().unwrap()).collect();
+    let pieces = numbers(&planned.text(Format::Rotorpy), "PIECES = [");
+    for (piece, times) in pieces.iter().zip(planned.trajectory.times.windows(2)) {
+        let s = 0.4 * (times[1] - times[0]);
+        let state = planned.trajectory.at(times[0] + s);
+        for (axis, c) in piece.chunks(6).enumerate() {
             let value: f64 = (0..6).map(|i| c[i] * s.powi(i as i32)).sum();
             let slope: f64 = (1..6).map(|i| i as f64 * c[i] * s.powi(i as i32 - 1)).sum();
-            close(&[value, slope], &state[axis][..2], 1e-8, "YAML");
+            close(&[value, slope], &state[axis][..2], 1e-8, "RotorPy");
         }
-        begin += time * 1e-9;
     }
 }
 
@@ -226,8 +218,7 @@ fn an_attitude_that_is_not_defined_is_refused_with_its_time() {
     let of_places = [Format::QgcPlan, Format::Wpl, Format::Kml, Format::GeoJson];
     for (format, name) in FORMATS.into_iter().filter(|(format, _)| !of_places.contains(format)) {
         let written = write(&trajectory, &model, &Choices { format, ..Choices::default() });
-        let needs_attitude =
-            !matches!(format, Format::Csv | Format::Crazyflie | Format::MavTrajectoryGeneration | Format::Rotorpy);
+        let needs_attitude = !matches!(format, Format::Csv | Format::Crazyflie | Format::Rotorpy);
         assert_eq!(written.is_err(), needs_attitude, "{name}");
         if let Err(why) = written {
             assert!(why.starts_with("the attitude is not defined at 0 s"), "{why}");

@@ -4,7 +4,7 @@ use super::excerpt::{Excerpt, Excerpts, LONGEST, MARGIN};
 use super::{Diagnostic, Label, Severity, codes};
 use crate::source::{SourceMap, Span, visible};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
-use std::fmt;
+use std::fmt::{self, Write};
 
 /// Renders one report for each diagnostic, in the order given and separated by blank lines. `width` is in columns.
 pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usize, color: bool) -> String {
@@ -34,7 +34,7 @@ pub fn render_linked(
         let report = Report::new(diagnostic, &excerpts, docs);
         if handler.render_report(&mut text, &report).is_err() {
             // Only a span outside its file can fail; the reader then gets the short form.
-            text.push_str(&super::render_short(std::slice::from_ref(diagnostic), sources));
+            text.push_str(&render_short(std::slice::from_ref(diagnostic), sources));
         }
         for elsewhere in &report.elsewhere {
             // A label that cannot be shown is left out.
@@ -175,4 +175,18 @@ impl miette::Diagnostic for Elsewhere<'_> {
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         Some(Box::new(std::iter::once(LabeledSpan::new_primary_with_span(None, self.excerpt.place(self.label.span)))))
     }
+}
+
+/// Renders each as `file:line:column: error[code]: message` and a newline.
+pub fn render_short(diagnostics: &[Diagnostic], sources: &SourceMap) -> String {
+    let mut text = String::new();
+    for d in diagnostics {
+        let source = sources.get(d.span.file);
+        let place = source.place(d.span.start as usize);
+        let (severity, message) = (d.severity.name(), d.message.replace('\n', " "));
+        let (name, message) = (visible::line(&source.name), visible::line(&message));
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{name}:{}:{}: {severity}[{}]: {message}", place.line, place.column, d.code);
+    }
+    text
 }

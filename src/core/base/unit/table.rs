@@ -69,41 +69,28 @@ const PREFIXES: &[(&str, f64, f64)] = &[
     ("n", 1.0, 1e9),
 ];
 
-/// Common wrong spellings, and what to write.
+/// Common wrong spellings, and what to write; plurals in `s` count too.
 const HABITS: &[(&str, &str)] = &[
     ("kgs", "kg"),
     ("cms", "cm"),
     ("mms", "mm"),
     ("kms", "km"),
     ("mile", "mi"),
-    ("miles", "mi"),
     ("knot", "kt"),
     ("msec", "ms"),
     ("sec", "s"),
-    ("secs", "s"),
     ("second", "s"),
-    ("seconds", "s"),
     ("hr", "h"),
-    ("hrs", "h"),
     ("hour", "h"),
-    ("hours", "h"),
     ("minute", "min"),
-    ("minutes", "min"),
     ("meter", "m"),
-    ("meters", "m"),
     ("metre", "m"),
-    ("metres", "m"),
     ("degree", "deg"),
-    ("degrees", "deg"),
     ("°", "deg"),
     ("radian", "rad"),
-    ("radians", "rad"),
     ("newton", "N"),
-    ("newtons", "N"),
     ("gram", "g"),
-    ("grams", "g"),
     ("kilogram", "kg"),
-    ("kilograms", "kg"),
     ("percent", "%"),
     ("kph", "km/h"),
     ("kmh", "km/h"),
@@ -114,19 +101,14 @@ const HABITS: &[(&str, &str)] = &[
     ("inches", "inch"),
     ("lbs", "lb"),
     ("pound", "lb"),
-    ("pounds", "lb"),
-    ("knots", "kt"),
     ("rps", "rev/s"),
     // Without these, `mAh` would be read as metre, ampere and hour.
     ("Ah", "A*h"),
     ("mAh", "mA*h"),
     ("amp", "A"),
-    ("amps", "A"),
     ("ampere", "A"),
     ("volt", "V"),
-    ("volts", "V"),
     ("watt", "W"),
-    ("watts", "W"),
 ];
 
 /// Every symbol of the table, without prefixes, in its order.
@@ -246,7 +228,9 @@ fn from_row(row: &Row) -> Unit {
 
 /// The unit that was probably meant by `word`.
 fn meant(word: &str, gravity: f64) -> Option<String> {
-    let habit = HABITS.iter().find(|(wrong, _)| wrong.eq_ignore_ascii_case(word)).map(|(_, right)| right.to_string());
+    let habits = [word, word.strip_suffix('s').unwrap_or(word)];
+    let habit = HABITS.iter().find(|(wrong, _)| habits.iter().any(|habit| wrong.eq_ignore_ascii_case(habit)));
+    let habit = habit.map(|(_, right)| right.to_string());
     habit
         .or_else(|| singular(word, gravity))
         .or_else(|| run_together(word, gravity))

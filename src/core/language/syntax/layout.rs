@@ -3,20 +3,17 @@
 //! [`lay_out`] returns a text of the same length in which every remaining byte keeps its offset. Comments become
 //! blanks, and so do newlines inside `( )` and `[ ]`. A bracket left open ends where the next line can only begin a
 //! statement; a block left open ends where the next top-level block begins, marked by [`CUT`]. Both errors are reported
-//! here, because only here the whole text is known. There is one pass, and another one for each guess (`guess`) about a
-//! brace that is left over.
+//! here, because only here the whole text is known.
 
 mod block;
 mod bracket;
 mod character;
-mod guess;
 
 use super::scan::{self, Lexeme, LexemeKind, is_blank, is_name};
 use super::{MAX_DEPTH, MAX_ERRORS, MAX_STATEMENTS, MAX_TOKENS};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
 use block::OpenBlock;
-use guess::{Guess, Guesses, Unopened};
 
 /// Replaces a newline that also ends every open block.
 const CUT: u8 = 4;
@@ -42,24 +39,6 @@ pub(super) struct Doc {
 }
 
 pub(super) fn lay_out(file: FileId, text: &str) -> Layout {
-    let mut best = scan(file, text, Vec::new());
-    while let Some(guess) = best.guesses.next() {
-        let mut taken = best.guesses.taken.clone();
-        taken.push(guess);
-        let other = scan(file, text, taken);
-        if other.layout.too_much || other.guesses.errors >= best.guesses.errors {
-            break;
-        }
-        best = other;
-    }
-    let mut layout = best.layout;
-    // Only whole characters are overwritten, and only by ASCII, so the bytes stay UTF-8.
-    layout.text = String::from_utf8(best.out).unwrap_or_default();
-    layout
-}
-
-/// One pass that assumes every guess in `taken`.
-fn scan(file: FileId, text: &str, taken: Vec<Guess>) -> Scanner<'_> {
     let mut scanner = Scanner {
         file,
         text,
@@ -70,8 +49,6 @@ fn scan(file: FileId, text: &str, taken: Vec<Guess>) -> Scanner<'_> {
         left_open: None,
         last_close: None,
         too_early: None,
-        unopened: None,
-        guesses: Guesses::new(taken),
         line_start: 0,
         line_indent: 0,
         statement: None,
@@ -89,7 +66,10 @@ fn scan(file: FileId, text: &str, taken: Vec<Guess>) -> Scanner<'_> {
         },
     };
     scanner.run();
-    scanner
+    let mut layout = scanner.layout;
+    // Only whole characters are overwritten, and only by ASCII, so the bytes stay UTF-8.
+    layout.text = String::from_utf8(scanner.out).unwrap_or_default();
+    layout
 }
 
 struct Scanner<'a> {
@@ -107,9 +87,6 @@ struct Scanner<'a> {
     last_close: Option<(OpenBlock, usize)>,
     /// The one after which a statement follows that belongs in a block.
     too_early: Option<(OpenBlock, usize)>,
-    /// The last head of a block without a `{` after it.
-    unopened: Option<Unopened>,
-    guesses: Guesses,
     /// Where the current line starts, and how many blanks it starts with.
     line_start: usize,
     line_indent: usize,
@@ -165,9 +142,6 @@ impl Scanner<'_> {
         if self.statement.is_none() && !lexeme.is('}') && !lexeme.is(';') {
             self.statement = Some(start);
             self.statements += 1;
-            if !lexeme.is('{') {
-                self.note_head(start);
-            }
             if self.blocks.is_empty() {
                 self.note_outside(start);
             }
@@ -176,7 +150,7 @@ impl Scanner<'_> {
         self.at = lexeme.end;
         match lexeme.kind {
             LexemeKind::UnclosedText => self.unclosed_text(start),
-            LexemeKind::Mark('(' | '[') => self.open_bracket(start),
+            LexemeKind::Mark('(' | '[') => self.brackets.push(start),
             LexemeKind::Mark(')' | ']') => self.close_bracket(start),
             LexemeKind::Mark('{') => self.open_block(start),
             LexemeKind::Mark('}') => self.close_block(start),
@@ -221,10 +195,9 @@ impl Scanner<'_> {
         }
         self.close_brackets(start);
         self.end_statement();
-        if !self.blocks.is_empty() && self.top_level_begins(self.at) && !self.guesses.is_nested(self.at) {
-            if self.left_open.is_none() {
-                self.guesses.cuts.push(self.at);
-            }
+        // One that is indented more than the open block is taken as nested in it.
+        let is_outside = self.blocks.first().is_some_and(|outermost| self.line_indent <= outermost.indent);
+        if is_outside && self.top_level_begins(self.at) {
             self.close_blocks(self.skip_while(self.at, is_blank));
             self.out[start] = CUT;
         }
@@ -277,18 +250,7 @@ impl Scanner<'_> {
         )
         .here("`/*` starts no comment")
         .help("write `//` before each line of the comment");
-        // Only at the end of a line: whatever follows would become part of the comment.
-        let behind = self.text.as_bytes().get(self.skip_while(end, is_blank));
-        let is_last = close.is_some() && matches!(behind, None | Some(b'\n' | b'\r'));
-        self.report(match is_last {
-            true => {
-                let lines = self.text[start + 2..end - 2].trim().lines();
-                let stripped = lines.map(|line| line.trim().trim_start_matches('*').trim());
-                let slashed: Vec<String> = stripped.map(|line| format!("// {line}").trim_end().to_string()).collect();
-                diagnostic.fix(self.span(start, end), slashed.join("\n"))
-            }
-            false => diagnostic,
-        });
+        self.report(diagnostic);
         self.blank(start, end);
         self.at = end;
     }

@@ -1,22 +1,13 @@
 //! What is wrong with a statement that cannot be read, in its author's terms.
 //!
-//! [`explain`] first looks for mistakes that people often make (`habit`: marks of other languages, blanks in units,
-//! misspelt words; `wording`: words of speech and of other formats). Any other mistake is explained by what was
-//! expected and what was found.
+//! [`explain`] first looks for mistakes that people often make (`habit`: words and marks of other languages, blanks in
+//! units, misspelt words). Any other mistake is explained by what was expected and what was found.
 
 mod block;
-mod clause;
-mod effect;
-mod flight;
 mod habit;
-mod list;
 mod separator;
-mod strike;
-mod wording;
 
 pub(super) use block::{check_head, misplaced, unknown_block};
-pub use effect::no_choice;
-pub(super) use flight::is_foreign;
 pub(super) use separator::separations;
 
 use super::cut;
@@ -66,8 +57,6 @@ pub(super) struct Broken<'a> {
     pub has_body: bool,
     /// The blanks before the `{` that is the next thing in the file, if it is one.
     pub brace_below: Option<&'a str>,
-    /// The file before and after the statement.
-    pub around: [&'a str; 2],
 }
 
 impl Broken<'_> {
@@ -114,20 +103,32 @@ impl Broken<'_> {
         let start = if word < text.len() { word } else { text.char_indices().next_back().map_or(0, |(i, _)| i) };
         (start, &text[start..])
     }
+
+    /// The word to blame and where it starts: what is found where the statement fails, or the word before that was read
+    /// as the unit of a number that takes none.
+    fn culprit(&self, failure: &Failure) -> (usize, &str) {
+        let (start, before) = self.before(failure.at);
+        let takes_no_unit = failure.expects(Expected::Effect) || failure.expects(Expected::Word("rotors"));
+        let is_word = before.starts_with(|c: char| c.is_ascii_alphabetic());
+        let follows_number = self.text[..start].trim_end().ends_with(|c: char| c.is_ascii_digit() || c == ']');
+        match takes_no_unit && is_word && follows_number && !matches!(before, "rotor" | "rotors") {
+            true => (start, before),
+            false => (failure.at, self.found(failure.at)),
+        }
+    }
 }
 
 /// One error for the statement.
 pub(super) fn explain(statement: &Broken, failure: &Failure) -> Diagnostic {
     block::headless(statement)
-        .or_else(|| wording::WORDINGS.iter().find_map(|wording| wording(statement, failure)))
         .or_else(|| habit::recognise(statement, failure))
         .unwrap_or_else(|| general(statement, failure))
 }
 
 /// By what was expected and what was found.
 fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
-    let found = statement.found(failure.at);
-    let (_, before) = statement.before(failure.at);
+    let (start, found) = statement.culprit(failure);
+    let (_, before) = statement.before(start);
     let after = if before.is_empty() { String::new() } else { format!(" after `{}`", cut(before)) };
     let mut due = failure.expected.clone();
     // Of all blocks only a mode has a title.
@@ -150,11 +151,12 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
         };
         return with_form(diagnostic, statement);
     }
-    let span = statement.span(failure.at, failure.at + found.len());
+    let span = statement.span(start, start + found.len());
     let message = format!("expected {wanted}{after}, found `{}`", cut(found));
     let only_end = failure.expected.iter().all(|e| matches!(e, Expected::End | Expected::Operator | Expected::Unit));
     let diagnostic = Diagnostic::error("mavc::syntax::unexpected", span, message).here("this does not fit here");
-    if only_end && !statement.has_body && found.starts_with(|c: char| is_name(c) || "\",".contains(c)) {
+    let is_field = form(statement.word(), statement.place).is_none();
+    if only_end && is_field && !statement.has_body && found.starts_with(|c: char| is_name(c) || "\",".contains(c)) {
         return diagnostic.help("a line holds one statement: begin a new line, or write `;` between two");
     }
     let diagnostic = with_form(diagnostic, statement);
@@ -164,6 +166,9 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
             diagnostic
                 .help("write `waypoint` for `end`: a mission ends at its last waypoint")
                 .fix(statement.span(0, "end".len()), format!("waypoint{at}"))
+        }
+        (_, "reduced") if found == "by" => {
+            diagnostic.help("write the share that remains: a tenth lost is `reduced to 90 %`")
         }
         _ => diagnostic,
     }
@@ -209,7 +214,7 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
         "require" => "require risk <= 1e-6",
         "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => "rotor at [0.2, 0.15, 0] m  spin P",
         "rotor" | "rotors" => FAULT,
-        _ if place == Place::Limits => "speed <= 8 m/s",
+        _ if place == Place::Limits => "speed <= 8 m/s` or `altitude in 1 m .. 30 m",
         _ => return None,
     })
 }
@@ -246,7 +251,7 @@ fn phrases(expected: &Expected, has_body: bool) -> Vec<String> {
         Expected::Text => &["a text in double quotes"],
         Expected::Value => &["a value"],
         Expected::Effect => &["`lost`", "`reduced to`", "`stuck at`"],
-        Expected::Clause => &["a clause such as `at [0, 0, 2] m`"],
+        Expected::Clause => &["a clause"],
         Expected::Unit => &["a unit"],
         Expected::Operator => &["an operator"],
         Expected::Comma => &["`,`"],

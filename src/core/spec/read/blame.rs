@@ -2,26 +2,14 @@
 
 use super::context::{Context, State};
 use super::elaborate::expr_of;
-use super::expected::Expected;
 use super::expression::trailing_unit;
 use super::overrides::OVERRIDE;
-use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, Fix, Label};
-use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind};
-use crate::unit::{Dimension, Quantity, mismatch};
+use crate::unit::Quantity;
 
 /// How many further uses of a wrong `let` get a label.
 const MOST_USES: usize = 4;
-
-/// A use of a `let` that expects another dimension than the `let` has.
-pub(super) struct Suspect<'a> {
-    /// Its error, among the diagnostics.
-    index: usize,
-    name: &'a str,
-    /// The help if other uses accept the `let` as it is.
-    help: String,
-}
 
 impl<'a> Context<'a> {
     /// The chain of `let`s that `expr` names, and the value of the last.
@@ -64,46 +52,6 @@ impl<'a> Context<'a> {
             self.accused.insert(key, self.diagnostics.len());
         }
         self.report(error.also(value.span, format!("`{name}` is {fact}")));
-    }
-
-    /// Records the help for `expr`, whose dimension error is about to be reported, in case it names a `let` that turns
-    /// out to be right for other uses.
-    pub(super) fn suspect_use(&mut self, due: Expected, q: Quantity, expr: &Expr) {
-        let Some((name, _)) = self.let_behind(expr) else { return };
-        let expected = due.dimension();
-        if self.accused.contains_key(&(name, expected.to_string())) || self.is_full() {
-            return;
-        }
-        let kind = |dimension: Dimension| match dimension.is_plain() {
-            true => "a plain number",
-            false => dimension.named().map_or("a quantity", |(name, _)| name),
-        };
-        let example = if expected.is_plain() { "2".to_string() } else { format!("2 {}", due.unit) };
-        let action = format!(
-            "`{name}` is used as {} elsewhere: write {} here, as in `{example}`",
-            kind(q.dimension),
-            kind(expected),
-        );
-        let help = format!("{}\n{action}", mismatch(expected, q.dimension).table);
-        self.suspects.push(Suspect { index: self.diagnostics.len(), name, help });
-    }
-
-    /// Runs once everything has been read: where a `let` was right for one use, the help asks to change the other use.
-    pub(super) fn settle_suspects(&mut self) {
-        let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        // A `let` defined by another does not count as a use.
-        let lets: Vec<Span> = self.lets.values().filter_map(|l| expr_of(l.field)).map(|value| value.span).collect();
-        for Suspect { index, name, help } in std::mem::take(&mut self.suspects) {
-            let names = |reading: &Reading| {
-                let mut words = self.sources.snippet(reading.span).split(|c| !is_word(c));
-                !lets.contains(&reading.span) && words.any(|word| word == name)
-            };
-            if self.readings.iter().any(names)
-                && let Some(diagnostic) = self.diagnostics.get_mut(index)
-            {
-                diagnostic.help = Some(help);
-            }
-        }
     }
 
     /// As [`Context::report_of_let`], for two values that must have the same dimension.

@@ -108,7 +108,8 @@ fn only_one(cx: &mut Context, blocks: &[&Block]) {
     for block in rest {
         let message = format!("a spec may have only one `{}` block", block.keyword.value);
         let error = Diagnostic::error("mavc::name::duplicate", block.keyword.span, message);
-        cx.report(cx.joined(error.here("second block").also(first.keyword.span, "first block"), first, block));
+        let error = error.here("second block").also(first.keyword.span, "first block");
+        cx.report(error.help("move its contents into the first block, then remove this one"));
     }
 }
 

@@ -4,13 +4,12 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::allow::Allowed;
-use super::blame::Suspect;
 use super::edits;
 use super::expression::Value;
 use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
-use crate::syntax::ast::{Block, Field, FieldValue, Name};
+use crate::syntax::ast::{Field, FieldValue, Name};
 use crate::unit::{GRAVITY, Quantity};
 
 /// Evaluation steps one spec may take; a guard against hostile input.
@@ -49,12 +48,8 @@ pub(super) struct Context<'a> {
     pub(super) lets: BTreeMap<&'a str, Let<'a>>,
     /// The index in `diagnostics` of the first report of a wrong use of a `let`, by its name and what was expected.
     pub(super) accused: BTreeMap<(&'a str, String), usize>,
-    /// Uses that may be wrong of a `let` that is right elsewhere.
-    pub(super) suspects: Vec<Suspect<'a>>,
     /// The parameter of the curve being evaluated, and its value.
     pub(super) parameter: Option<(&'a str, Quantity)>,
-    /// Whether the parameter, a plain number, is an angle in radians.
-    pub(super) parameter_turns: bool,
     /// The unit that the number being read takes, by where its own stands.
     pub(super) unit_due: Option<(Span, &'static str)>,
     pub(super) depth: u32,
@@ -93,9 +88,7 @@ impl<'a> Context<'a> {
             readings: Vec::new(),
             lets: BTreeMap::new(),
             accused: BTreeMap::new(),
-            suspects: Vec::new(),
             parameter: None,
-            parameter_turns: false,
             unit_due: None,
             depth: 0,
             steps: 0,
@@ -206,15 +199,6 @@ impl<'a> Context<'a> {
                 None => warning.fix(edits::removal(self.sources.get(span.file), *span), ""),
                 Some(_) => warning,
             });
-        }
-    }
-
-    /// Adds the help for a second block where only one is allowed, with a fix that merges the two where that is simple.
-    pub fn joined(&self, error: Diagnostic, first: &Block, second: &Block) -> Diagnostic {
-        let junction = edits::junction(self.sources.get(first.span.file), first, second);
-        match junction.filter(|_| first.span.file == second.span.file) {
-            Some((span, text)) => error.help("merge the two blocks into one").fix(span, text),
-            None => error.help("move its contents into the first block, then remove this one"),
         }
     }
 

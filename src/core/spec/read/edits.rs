@@ -1,7 +1,6 @@
-//! Where the text of a fix goes: adding a missing field, removing a surplus statement, merging two blocks.
+//! Where the text of a fix goes: adding a missing field, removing a surplus statement.
 
 use crate::source::{Source, Span};
-use crate::syntax::ast::{Block, Statement};
 
 /// Where to insert the statement `text` in a block, and with which separators: after `last`, the last statement of its
 /// body, or after the brace that follows `head`. `None` where the block has another shape.
@@ -72,35 +71,6 @@ pub(super) fn element(source: &Source, span: Span) -> Span {
             Span::new(span.file, span.start as usize, span.end as usize + gap + 1 + blanks)
         }
         (None, None) => span,
-    }
-}
-
-/// The replacement that merges two blocks, one directly after the other, that have no statement in common.
-pub(super) fn junction(source: &Source, first: &Block, second: &Block) -> Option<(Span, &'static str)> {
-    let names = |block: &Block| block.body.iter().filter_map(name).map(str::to_string).collect::<Vec<_>>();
-    let earlier = names(first);
-    if names(second).iter().any(|name| earlier.contains(name)) || second.doc.is_some() {
-        return None;
-    }
-    let text = source.text.as_str();
-    let close = text.get(..first.span.end as usize)?.strip_suffix('}')?.len();
-    let between = text.get(first.span.end as usize..second.span.start as usize)?;
-    let head = text.get(second.span.start as usize..second.span.end as usize)?;
-    let brace = second.span.start as usize + head.find('{')? + 1;
-    if !between.chars().all(|c| c.is_whitespace() || c == ';') {
-        return None;
-    }
-    let ends = text[..close].trim_end_matches([' ', '\t']).ends_with(['\n', '{', ';']);
-    Some((Span::new(first.span.file, close, brace), if ends { "" } else { ";" }))
-}
-
-/// The name by which a statement may occur only once in a block.
-fn name(statement: &Statement) -> Option<&str> {
-    match statement {
-        Statement::Field(field) => Some(&field.name.value),
-        Statement::Limit { name, .. } | Statement::Require { name, .. } => Some(&name.value),
-        Statement::Block(block) => Some(&block.keyword.value),
-        _ => None,
     }
 }
 

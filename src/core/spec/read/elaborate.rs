@@ -52,7 +52,6 @@ fn understand_for(files: &FileSet, overrides: &[Override], flights: FlightBlocks
     // What could not be parsed might change the model, or use a `let`.
     let mut parts = Parts::default();
     let value = whole(&mut cx, &trees, files, flights, &mut parts).filter(|_| whole_text);
-    cx.settle_suspects();
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
     // What a block with errors would have used is unknown.
     if value.is_some() && !cx.softened && !cx.diagnostics.iter().chain(&diagnostics).any(is_error) {

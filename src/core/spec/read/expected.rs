@@ -306,7 +306,6 @@ impl<'a> Context<'a> {
             true => self.lacks_unit(due, q.value, expr),
             false => {
                 let error = self.unit_differs(due, q, expr);
-                self.suspect_use(due, q, expr);
                 self.report_of_let(expr, &expected.to_string(), &q.dimension.describe(), error);
             }
         }
@@ -320,7 +319,7 @@ impl<'a> Context<'a> {
             return;
         }
         let error = self.unit_missing(due, size, expr);
-        let error = self.blame(expr, &self.likely_units_of(due, size, expr), error);
+        let error = self.blame(expr, &likely_units(due, size), error);
         self.report(error);
     }
 
@@ -333,7 +332,7 @@ impl<'a> Context<'a> {
             let corrected = units.iter().map(|unit| format!("{text} {unit}")).collect();
             return one_of(error.here(format!("`{}` makes it a share", percent.value)), expr.span, corrected);
         }
-        let units = self.likely_units_of(due, size, expr);
+        let units = likely_units(due, size);
         if let ExprKind::Range { high, .. } = &expr.kind
             && !matches!(high.kind, ExprKind::Number { .. })
         {

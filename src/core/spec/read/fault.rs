@@ -16,7 +16,6 @@ use crate::model::{AfterFault, FaultMode, GiveUpYaw, RotorState};
 use crate::number::number;
 use crate::source::{Span, Spanned, visible};
 use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
-use crate::syntax::no_choice;
 use crate::unit::parse_unit;
 use family::Families;
 
@@ -91,7 +90,9 @@ impl Modes {
         if let ExprKind::Number { unit: Some(word), .. } = &count.kind
             && parse_unit(&word.value, cx.gravity).is_err()
         {
-            cx.report(no_choice(word.span, &word.value));
+            let message = format!("`every` cannot select rotors by `{}`", word.value);
+            let error = Diagnostic::error("mavc::syntax::unexpected", word.span, message).here("expected `rotors`");
+            cx.report(error.help("`every 2 rotors` covers every pair; to cover only some, write a mode for each"));
             (self.incomplete, cx.modes_unnamed) = (true, true);
             return;
         }

@@ -11,9 +11,6 @@ use crate::source::Span;
 use crate::syntax::Place;
 use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, Statement};
 
-/// Units by which a number is recognised as a time.
-const TIMES: [&str; 4] = ["s", "ms", "min", "h"];
-
 /// Words for something that is written elsewhere or in another form, and where or how.
 const ELSEWHERE: &[(&str, &str)] = &[
     ("gravity", "belongs at the top level, outside all blocks"),
@@ -140,17 +137,6 @@ impl<'a> Fields<'a> {
         if !known.has(&name.value) {
             self.unknown(cx, name, known);
         } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
-            // `at` with a position and a second `at` with a time: the second one means `time`.
-            let is_time = value.is_some_and(|value| match &value.kind {
-                ExprKind::Number { unit: Some(unit), .. } => TIMES.contains(&unit.value.trim()),
-                _ => false,
-            });
-            if name.value == "at" && is_time && known.has("time") {
-                let message = format!("{} takes a position after `at`, not a time", self.owner);
-                let error = Diagnostic::error("mavc::name::duplicate", name.span, message).here("followed by a time");
-                cx.report(error.help("write `time` for the time of arrival").fix(name.span, "time"));
-                return;
-            }
             let message = format!("`{}` is given twice in {}", name.value, self.owner);
             let again = edits::removal(cx.sources.get(span.file), name.span.to(span));
             cx.report(

@@ -110,8 +110,5 @@ impl<'a> Context<'a> {
 
 /// The function that somebody who wrote `name` probably wanted.
 fn meant(name: &str) -> Option<&'static str> {
-    const HABITS: [(&str, &str); 4] = [("arcsin", "asin"), ("arccos", "acos"), ("arctan", "atan"), ("root", "sqrt")];
-    let habit = HABITS.iter().find(|(wrong, _)| *wrong == name).map(|(_, right)| *right);
-    let longer = || FUNCTIONS.into_iter().find(|f| name.starts_with(f));
-    habit.or_else(|| nearest(name, FUNCTIONS)).or_else(longer)
+    nearest(name, FUNCTIONS).or_else(|| FUNCTIONS.into_iter().find(|f| name.starts_with(f)))
 }

@@ -1,9 +1,6 @@
 //! Guesses from its size which unit a plain number was meant to have.
 
-use super::context::Context;
 use super::expected::Expected;
-use crate::syntax::ast::{Expr, ExprKind};
-use crate::syntax::visit::Visit;
 
 /// Units of angles and of their rates, in degrees and in radians.
 const RADIANS: [(&str, &str); 3] = [("deg", "rad"), ("deg/s", "rad/s"), ("deg/s^2", "rad/s^2")];
@@ -22,64 +19,9 @@ pub(super) fn likely_units(due: Expected, size: f64) -> Vec<&'static str> {
     if let Some((_, units)) = sizes.iter().find(|(below, _)| size < *below) {
         return units.to_vec();
     }
-    let may_be_radians = size > 0.0 && size <= if due.what == "tilt" { QUARTER } else { TURN };
+    let may_be_radians = size <= if due.what == "tilt" { QUARTER } else { TURN };
     let radians = RADIANS.iter().find(|(degrees, _)| may_be_radians && *degrees == due.unit);
     [due.unit].into_iter().chain(radians.map(|(_, radians)| *radians)).collect()
-}
-
-impl Context<'_> {
-    /// As [`likely_units`], for the value of `expr`, whose form may show that it is in radians: `pi/2`, or the
-    /// parameter of a curve that runs through full turns.
-    pub(super) fn likely_units_of(&self, due: Expected, size: f64, expr: &Expr) -> Vec<&'static str> {
-        let written = self.let_behind(expr).map_or(expr, |(_, value)| value);
-        let radians = RADIANS.iter().find(|(degrees, _)| *degrees == due.unit).map(|(_, radians)| *radians);
-        match radians.filter(|_| self.is_in_radians(written)) {
-            Some(radians) => vec![radians],
-            None => likely_units(due, size),
-        }
-    }
-
-    /// Whether an expression has the form of an angle in radians.
-    fn is_in_radians(&self, expr: &Expr) -> bool {
-        let turns = |name: &str| name == "pi" || self.parameter_turns && self.is_parameter(name);
-        let names = |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if turns(name));
-        // `s*180/pi` converts to degrees.
-        let converts =
-            |e: &Expr| matches!(&e.kind, ExprKind::Number { text, .. } if matches!(text.as_str(), "180" | "360"));
-        any_part(expr, &names) && !any_part(expr, &converts)
-    }
-}
-
-/// Whether the curve parameter `parameter` is an angle in radians: its range is written with `pi`, or one of the
-/// expressions takes its sine, cosine or tangent.
-pub(super) fn runs_through_turns(parameter: &str, range: &Expr, expressions: &[Option<&Expr>]) -> bool {
-    let named = |wanted: &'static str| move |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if name == wanted);
-    let is_parameter = |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if name == parameter);
-    let turned = |e: &Expr| match &e.kind {
-        ExprKind::Call { function, arguments, .. } => {
-            matches!(function.value.as_str(), "sin" | "cos" | "tan")
-                && arguments.iter().any(|argument| any_part(argument, &is_parameter))
-        }
-        _ => false,
-    };
-    any_part(range, &named("pi")) || expressions.iter().flatten().any(|expr| any_part(expr, &turned))
-}
-
-/// Whether `wanted` holds for `expr` or for a part of it.
-fn any_part(expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
-    struct Search<'w> {
-        wanted: &'w dyn Fn(&Expr) -> bool,
-        found: bool,
-    }
-    impl<'t> Visit<'t> for Search<'_> {
-        fn expr(&mut self, expr: &'t Expr) {
-            self.found |= (self.wanted)(expr);
-            self.walk_expr(expr);
-        }
-    }
-    let mut search = Search { wanted, found: false };
-    search.expr(expr);
-    search.found
 }
 
 #[cfg(test)]

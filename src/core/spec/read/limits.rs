@@ -187,10 +187,7 @@ fn one<'a>(cx: &mut Context<'a>, row: &Row, relation: &'a LimitRelation, span: S
         let message = format!("the lower bound of `{name}` exceeds the upper bound");
         let error = Diagnostic::error(ORDER, at.span, message);
         let error = error.here("empty range").help("swap the two ends");
-        cx.report(match swapped(cx, at) {
-            Some(corrected) => error.fix(at.span, corrected),
-            None => error,
-        });
+        cx.report(error);
         return None;
     }
     let wrong = match (form, upper) {
@@ -216,20 +213,6 @@ fn one<'a>(cx: &mut Context<'a>, row: &Row, relation: &'a LimitRelation, span: S
         return None;
     }
     Some(Limit { kind: kind.clone(), lower, upper, span, volume: None, leg: None })
-}
-
-/// `1 .. 30 m` for `30 .. 1 m`: a unit that applies to both ends stays at the end.
-fn swapped(cx: &Context, range: &Expr) -> Option<String> {
-    let ExprKind::Range { low, high } = &range.kind else { return None };
-    let (ExprKind::Number { text: first, unit: own, .. }, ExprKind::Number { text: second, unit: Some(unit), .. }) =
-        (&low.kind, &high.kind)
-    else {
-        return None;
-    };
-    Some(match own {
-        None => format!("{second} .. {first} {}", unit.value),
-        Some(_) => format!("{} .. {}", cx.sources.snippet(high.span).trim(), cx.sources.snippet(low.span).trim()),
-    })
 }
 
 /// Reports waypoints outside the limits on coordinates and yaw, once for each limit.

@@ -372,7 +372,7 @@ fn second_block(cx: &mut Context, kind: &str, first: &Block, second: &Block) {
     let message = format!("a mission may have only {kind} block");
     let error = Diagnostic::error("mavc::name::duplicate", second.keyword.span, message);
     let error = error.here("second block").also(first.keyword.span, "first block");
-    cx.report(cx.joined(error, first, second));
+    cx.report(error.help("move its contents into the first block, then remove this one"));
 }
 
 const TOLERANCE: &str = "mavc::mission::tolerance";

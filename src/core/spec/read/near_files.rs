@@ -8,9 +8,8 @@ use std::path::Path;
 /// The contents of a folder: names of files, and names of folders followed by `/`. Empty if the path is not a folder.
 pub type List<'l> = dyn Fn(&Path) -> Vec<String> + 'l;
 
-/// How many entries, and how many subfolders, of a folder are examined.
+/// How many entries of a folder are examined.
 pub(super) const MOST_ENTRIES: usize = 1000;
-const MOST_FOLDERS: usize = 50;
 
 /// The contents of a folder on this machine, sorted, without hidden files.
 pub fn entries(folder: &Path) -> Vec<String> {
@@ -35,8 +34,7 @@ pub fn is_unfit(c: char) -> bool {
     c == '"' || visible::is_disguise(c)
 }
 
-/// A path to an existing file that resembles `path`, as written in the file `from`: a similar name in the same folder,
-/// or the same name in the folder of `from`, a subfolder or the parent folder.
+/// A path to an existing file in the same folder whose name resembles that of `path`, as written in the file `from`.
 pub(super) fn near_file(from: &str, path: &str, list: &List) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').map_or(("", path), |(folder, name)| (&path[..folder.len() + 1], name));
     if name.is_empty() {
@@ -50,13 +48,7 @@ pub(super) fn near_file(from: &str, path: &str, list: &List) -> Option<String> {
         |other: &&str| Path::new(other).extension() == extension && !is_itself(from, &format!("{folder}{other}"));
     let alike = || nearest(name, siblings.iter().map(String::as_str).filter(is_alike)).map(str::to_string);
     let with_extension = || siblings.iter().find(|other| **other == whole).cloned();
-    if let Some(other) = with_extension().or_else(alike) {
-        return Some(format!("{folder}{other}"));
-    }
-    let below: Vec<String> = inside("").into_iter().filter(|entry| entry.ends_with('/')).take(MOST_FOLDERS).collect();
-    let elsewhere = ["".to_string(), "../".to_string()].into_iter().chain(below);
-    let found = elsewhere.filter(|other| other != folder).filter(|other| inside(other).iter().any(|n| n == name));
-    found.map(|other| format!("{other}{name}")).find(|path| !is_itself(from, path))
+    with_extension().or_else(alike).map(|other| format!("{folder}{other}"))
 }
 
 /// Whether a path leads to the file in which it is written.

@@ -7,7 +7,7 @@ use crate::language::{Entry, Group};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, UnitText};
 use crate::syntax::visit::Visit;
-use crate::unit::{Base, Dimension, Quantity, mismatch, parse_unit};
+use crate::unit::{Dimension, Quantity, mismatch, parse_unit};
 
 /// Units of mass, each with the unit of force of the same weight.
 const WEIGHTS: [(&str, &str); 3] = [("g", "gf"), ("kg", "kgf"), ("lb", "lbf")];
@@ -46,14 +46,21 @@ impl<'a> Context<'a> {
         if let Some(slip) = self.likely_slip(expected, written) {
             return error.help(with(&slip));
         }
-        if let Some(remedy) = self.remedy(due, q, written, difference.action.as_deref()) {
+        if let Some(remedy) = self.remedy(due, q, written) {
             let Remedy { purpose, text, besides, is_certain } = remedy;
             let order = match behind {
                 Some((name, _)) => format!("write `let {name} = {text}`"),
                 None => format!("write `{text}`"),
             };
-            let purpose = if purpose.is_empty() { purpose } else { purpose + ", " };
-            let error = error.help(with(&format!("{purpose}{order}{besides}")));
+            // A factor with a unit of its own may be what is missing.
+            let factor = difference.action.filter(|action| !is_certain && action.ends_with(')'));
+            let purpose = match factor {
+                Some(factor) => factor + ", or ",
+                None if purpose.is_empty() => purpose,
+                None => purpose + ", ",
+            };
+            let other = if behind.is_some() { ", or another value here" } else { "" };
+            let error = error.help(format!("{}\n{purpose}{order}{besides}{other}", difference.table));
             // A `let` is not changed by a fix, because its other uses may be right.
             return if is_certain && behind.is_none() { error.fix(expr.span, text) } else { error };
         }
@@ -65,7 +72,7 @@ impl<'a> Context<'a> {
     }
 
     /// What to write for a value that is a number or a list followed by one unit.
-    fn remedy(&self, due: Expected, q: Quantity, written: &Expr, action: Option<&str>) -> Option<Remedy> {
+    fn remedy(&self, due: Expected, q: Quantity, written: &Expr) -> Option<Remedy> {
         let (value, unit) = self.value_and_unit(written)?;
         let (expected, found) = (due.dimension(), q.dimension);
         let of = |text: &str| parse_unit(text, self.gravity).map_or(Dimension::PLAIN, |unit| unit.dimension);
@@ -114,14 +121,8 @@ impl<'a> Context<'a> {
                 None => guess(format!("{value} {}", due.unit), ", without the angle".into()),
             };
         }
-        if matches!(written.kind, ExprKind::Number { .. }) && q.value > 0.0 {
-            let reciprocal = || self.reciprocal(due, q, value, unit);
-            if expected == rate && found == Dimension::TIME {
-                return certain(format!("for once in {value} {unit}"), reciprocal());
-            }
-            if expected == Dimension::TIME && found == rate {
-                return certain(format!("for the period of {value} {unit}"), reciprocal());
-            }
+        if (expected == rate && found == Dimension::TIME) || (expected == Dimension::TIME && found == rate) {
+            return certain(String::new(), format!("1/({value} {unit})"));
         }
         let sibling = match sibling(due, found) {
             Some(other) => format!("; {} is given by `{other}`", kind(found)),
@@ -131,18 +132,6 @@ impl<'a> Context<'a> {
             return guess(value.to_string(), format!(" without a unit, or a share such as `10 %`{sibling}"));
         }
         let purpose = expected.named().map_or(String::new(), |(name, _)| format!(" for {name}"));
-        if let Some(unit) = self.nearly(unit, expected) {
-            // A forgotten power is certain; other units one factor away are quantities that people confuse.
-            let is_power = expected.exponent(Base::Time).is_zero() && found.exponent(Base::Time).is_zero();
-            let text = format!("{value} {unit}");
-            return match is_power {
-                true => certain(String::new(), text),
-                false => guess(text, format!("{purpose}{sibling}")),
-            };
-        }
-        if sibling.is_empty() && action.is_some_and(|action| action.ends_with(')')) {
-            return None;
-        }
         guess(format!("{value} {}", due.unit), format!("{purpose}{sibling}"))
     }
 
@@ -160,37 +149,6 @@ impl<'a> Context<'a> {
         let unit = unit_of(expr)?;
         let value = self.sources.snippet(Span { end: unit.span.start, ..expr.span }).trim_end();
         (value.len() <= 48 && !value.contains('\n')).then(|| (value, self.sources.snippet(unit.span)))
-    }
-
-    /// The reciprocal of a quantity, in the expected unit where that is a short number.
-    fn reciprocal(&self, due: Expected, q: Quantity, value: &str, unit: &str) -> String {
-        let scale = parse_unit(due.unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
-        let number = (1.0 / q.value / scale).to_string();
-        let inverse = match unit.strip_prefix("1/") {
-            Some(time) => time.to_string(),
-            None if unit == "Hz" => "s".to_string(),
-            None => format!("1/{unit}"),
-        };
-        if number.len() <= 8 { format!("{number} {}", due.unit) } else { format!("(1/{value}) {inverse}") }
-    }
-
-    /// A unit of the expected dimension that differs from `unit`, as written, by one factor.
-    fn nearly(&self, unit: &str, expected: Dimension) -> Option<String> {
-        let (stem, power) = match unit.rsplit_once('^') {
-            Some((stem, power)) => (stem, power.parse::<i32>().ok()?),
-            None => (unit, 1),
-        };
-        let raised = |power: i32| if power == 1 { stem.to_string() } else { format!("{stem}^{power}") };
-        let without = stem.rsplit_once(['/', '*']).filter(|_| power == 1).map(|(rest, _)| rest.to_string());
-        let fewer = without.or((power > 1).then(|| raised(power - 1)));
-        let more = [Some(raised(power + 1)), Some(format!("{unit}/s")), Some(format!("{unit}*m"))];
-        // Nobody writes squares of hours, or mixes hours and seconds.
-        let fits = |text: &String| {
-            !text.contains("h^")
-                && !text.contains("/h/")
-                && parse_unit(text, self.gravity).is_ok_and(|unit| unit.dimension == expected)
-        };
-        [fewer].into_iter().chain(more).flatten().find(fits)
     }
 
     /// The help for a common cause of a mismatch: `2 g` for twice gravity, `2 s` for twice the parameter `s`.

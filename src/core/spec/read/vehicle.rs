@@ -81,7 +81,7 @@ impl<'a> Parts<'a> {
                     let message = format!("a vehicle may have only one `{}` block", inner.keyword.value);
                     let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
                     let error = error.here("second block").also(first.keyword.span, "first block");
-                    cx.report(cx.joined(error, first, inner));
+                    cx.report(error.help("move its contents into the first block, then remove this one"));
                     *twice = true;
                 }
                 None => *slot = Some(inner),

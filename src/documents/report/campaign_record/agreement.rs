@@ -2,7 +2,6 @@
 
 use crate::campaign::agreement::{Scope, Strength};
 use crate::campaign::correlations::Correlation;
-use crate::campaign::predictors::{ClassCount, Forecast, Predictor};
 use crate::campaign::statistics::Contingency;
 use serde::Serialize;
 
@@ -44,46 +43,6 @@ pub struct TableRecord {
     pub phi: Option<f64>,
     /// The strength of this coefficient.
     pub strength: Strength,
-}
-
-/// A predictor against the flights of all distinct plans. Only flights still flying when the fault struck.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct PredictorRecord {
-    /// What predicts; docs/campaigns.md states when each predicts a loss.
-    pub predictor: Predictor,
-    #[serde(flatten)]
-    pub counts: Contingency,
-    /// Phi coefficient; null if predictions or outcomes are all the same.
-    pub phi: Option<f64>,
-    /// The strength of this coefficient.
-    pub strength: Strength,
-    /// Brier score of the prediction as 0 or 1: the share that it gets wrong.
-    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
-    pub brier: Option<f64>,
-    /// Of the share lost in the same class with the other modes, (lost + 1)/(struck + 2).
-    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
-    pub brier_by_class: Option<f64>,
-    /// Of the share lost with the other modes, whatever the class: the score to beat.
-    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
-    pub brier_base: Option<f64>,
-    /// The classes of flights that it distinguishes.
-    pub classes: Vec<ClassCount>,
-}
-
-impl PredictorRecord {
-    pub(super) fn new(forecast: Forecast) -> Self {
-        PredictorRecord {
-            predictor: forecast.predictor,
-            counts: forecast.counts,
-            phi: forecast.counts.phi(),
-            strength: forecast.strength(),
-            brier: forecast.brier,
-            brier_by_class: forecast.brier_by_class,
-            brier_base: forecast.brier_base,
-            classes: forecast.classes,
-        }
-    }
 }
 
 impl AgreementRecord {

@@ -1,8 +1,9 @@
 //! A campaign: everything that predicts losses against the flights, and plans against what the path suffers.
 
 use super::prose::true_minus;
+use crate::campaign::predictors::{ClassCount, Forecast};
 use crate::number::{fixed, part_of_all};
-use crate::report::campaign_record::{CampaignRecord, PredictorRecord};
+use crate::report::campaign_record::CampaignRecord;
 use maud::{Markup, html};
 
 /// Predictors with phi and Brier scores, and the classes that they distinguish.
@@ -55,8 +56,8 @@ pub fn predictors(record: &CampaignRecord) -> Markup {
 }
 
 /// `controllable: 0 of 96 (0 %)`
-fn classes(predictor: &PredictorRecord) -> String {
-    let class = |c: &crate::campaign::predictors::ClassCount| {
+fn classes(predictor: &Forecast) -> String {
+    let class = |c: &ClassCount| {
         format!("{}: {} of {} ({} %)", c.class, c.lost, c.struck, part_of_all(c.lost as f64 / c.struck as f64))
     };
     predictor.classes.iter().map(class).collect::<Vec<_>>().join("; ")

@@ -35,19 +35,8 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Found {
         true => model.plan.span,
         false => model.plan.against_span,
     };
-    let answer = |severity, code, what: &str, label: String, help| {
-        Found::Answer(Answer {
-            severity,
-            code,
-            span,
-            what: what.into(),
-            label,
-            help,
-            reserve: false,
-            modes: Vec::new(),
-            also: None,
-        })
-    };
+    let answer =
+        |severity, code, what, label, help| Found::Answer(Answer::new(severity, code, span, what, label, help));
     if let Some(obstacle) = Obstacle::of(model) {
         // Where yaw has to be given up, the finding about the mode itself says more.
         return match is_needed {

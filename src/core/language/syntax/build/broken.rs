@@ -39,8 +39,7 @@ impl Builder<'_> {
         if late.is_none() {
             let below = start + head.len();
             let brace_below = self.late_brace.map(|(brace, _)| &self.text[below..brace]);
-            let around = [&self.text[..start], &self.text[below..]];
-            self.explain(mistake::Broken { file: self.file, text: head, start, place, has_body, brace_below, around });
+            self.explain(mistake::Broken { file: self.file, text: head, start, place, has_body, brace_below });
         }
         let Some(body) = body else { return Statement::Broken(span) };
         let mut statements = self.body(body, inside);

@@ -1,12 +1,10 @@
 //! `{ }`: which block was left open, and which brace closes nothing.
 
 use super::{Scanner, is_blank};
-use crate::diagnostic::{Diagnostic, Fix};
+use crate::diagnostic::Diagnostic;
 use crate::language::Place;
 use crate::source::Span;
 use crate::syntax::cut;
-
-const BLOCK_HEAD: &str = "mavc::syntax::block_head";
 
 /// A block whose closing brace has not been met.
 #[derive(Clone, Copy)]
@@ -22,55 +20,14 @@ pub(super) struct OpenBlock {
 impl Scanner<'_> {
     pub(super) fn open_block(&mut self, brace: usize) {
         self.close_brackets(brace);
-        self.unopened = None;
         let head = self.statement.unwrap_or(brace);
         self.blocks.push(OpenBlock { head, brace, line: self.line_start, indent: self.line_indent });
         self.end_statement();
     }
 
-    /// A block that a `(` or `[` opens: read as if it were the brace.
-    pub(super) fn open_mistaken_block(&mut self, at: usize) {
-        let found = self.text.as_bytes()[at] as char;
-        let pair = if found == '(' { "( )" } else { "[ ]" };
-        let head = cut(self.text[self.statement.unwrap_or(at)..at].trim_end());
-        let span = self.span(at, at + 1);
-        let message = format!("the block `{head}` takes `{{ }}`, not `{pair}`");
-        self.report(
-            Diagnostic::error(BLOCK_HEAD, span, message)
-                .here("opens a list or an expression")
-                .help(format!("write `{head} {{`"))
-                .fix(span, "{"),
-        );
-        self.out[at] = b'{';
-        self.open_block(at);
-    }
-
-    /// A `)` or `]` that closes the innermost block, which the like opened; false where it does not.
-    pub(super) fn close_mistaken_block(&mut self, at: usize) -> bool {
-        let closer = self.text.as_bytes()[at];
-        let opener = if closer == b')' { b'(' } else { b'[' };
-        let Some(brace) = self.blocks.last().map(|block| block.brace).filter(|&b| self.text.as_bytes()[b] == opener)
-        else {
-            return false;
-        };
-        // One error with one fix.
-        let fixed = format!("{{{}}}", &self.text[brace + 1..at]);
-        let (span, whole) = (self.span(brace, brace + 1), self.span(brace, at + 1));
-        if let Some(reported) = self.layout.diagnostics.iter_mut().find(|d| d.code == BLOCK_HEAD && d.span == span) {
-            reported.help = reported.help.take().map(|help| help + ", and `}` at its end");
-            reported.fix = Some(Fix { span: whole, text: fixed });
-        }
-        self.out[at] = b'}';
-        self.close_block(at);
-        true
-    }
-
     pub(super) fn close_block(&mut self, at: usize) {
         self.close_brackets(at);
         self.end_statement();
-        if self.closes_unopened(at) {
-            return;
-        }
         let Some(block) = self.blocks.pop() else {
             self.report_stray(at);
             return;
@@ -122,7 +79,6 @@ impl Scanner<'_> {
             diagnostic = diagnostic.fix(self.span(end, end), braces.collect::<String>());
         }
         self.report(diagnostic);
-        self.guesses.errors += 1;
         self.layout.blocks_unsure = true;
         self.layout.left_open.push(block.brace);
     }
@@ -150,8 +106,6 @@ impl Scanner<'_> {
         // Where statements of a block follow at the top level, the brace before them came too early.
         let extra = self.alone(self.too_early.map_or(at, |(_, close)| close));
         self.report(diagnostic.help("remove the brace that is one too many").fix(extra, ""));
-        self.guesses.errors += 1;
-        self.guesses.stray.get_or_insert(at);
         self.layout.blocks_unsure = true;
         self.out[at] = b' ';
     }

@@ -3,35 +3,11 @@
 use super::{Scanner, is_name};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Place, is_clause};
-use crate::syntax::mistake::is_foreign;
 
 impl Scanner<'_> {
-    pub(super) fn open_bracket(&mut self, at: usize) {
-        match self.stands_for_brace(at) {
-            true => self.open_mistaken_block(at),
-            false => self.brackets.push(at),
-        }
-    }
-
-    /// Whether the bracket at `at` ends a line that is the head of a block, and nothing else: `mission roof (`.
-    fn stands_for_brace(&self, at: usize) -> bool {
-        let Some(head) = self.statement.filter(|_| self.brackets.is_empty()) else { return false };
-        let (word, next) = self.name_at(head);
-        let Some(block) = Place::of_block(word) else { return false };
-        let behind = self.text[at + 1..self.line_end(at)].trim_start();
-        let (_, behind_name) = self.name_at(next);
-        let is_head = next == at || block.is_named() && behind_name == at;
-        // The rotors of a fault may be a list over several lines.
-        let is_list = matches!(block, Place::Rotor | Place::Rotors);
-        is_head && !is_list && (behind.is_empty() || behind.starts_with("//"))
-    }
-
     /// A bracket of the wrong kind is read as the right one; a bracket that closes nothing is skipped.
     pub(super) fn close_bracket(&mut self, at: usize) {
         let closer = self.text.as_bytes()[at];
-        if self.brackets.is_empty() && self.close_mistaken_block(at) {
-            return;
-        }
         let span = self.span(at, at + 1);
         let found = closer as char;
         let Some(opener) = self.brackets.pop() else {
@@ -126,9 +102,7 @@ impl Scanner<'_> {
             Some(b'=' | b'<' | b'>' | b'"' | b'[' | b'{') => true,
             Some(b) if is_name(*b as char) => true,
             // A keyword alone after the end of an element, without a comma that announces another element.
-            None | Some(b'\r' | b'\n') => {
-                (Place::opens_statement(name) || is_foreign(name)) && self.element_is_over(at)
-            }
+            None | Some(b'\r' | b'\n') => Place::opens_statement(name) && self.element_is_over(at),
             Some(_) => false,
         }
     }

@@ -22,11 +22,7 @@ const LOOK_ALIKES: &[(&str, &str, &str)] = &[
     ("\u{b3}", "a raised three", "^3"),
     ("\u{221a}", "a root sign", "sqrt"),
     ("\u{2026}", "an ellipsis", ".."),
-    ("\u{ff08}", "a wide bracket", "("),
-    ("\u{ff09}", "a wide bracket", ")"),
-    ("\u{ff1d}", "a wide equals sign", "="),
-    ("\u{ff0c}\u{3001}", "a wide comma", ","),
-    ("\u{ff1b}", "a wide semicolon", ";"),
+    ("\u{3001}", "a wide comma", ","),
     ("\u{ad}\u{200b}\u{200c}\u{200d}\u{2060}\u{feff}", "an invisible character", ""),
 ];
 

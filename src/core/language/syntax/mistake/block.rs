@@ -146,9 +146,6 @@ pub(super) fn headless(statement: &Broken) -> Option<Diagnostic> {
             None => diagnostic.help("write `{` at the end of this line").fix(statement.span(end, end), " {"),
         });
     }
-    if let Some(diagnostic) = bracketed(statement, rest) {
-        return Some(diagnostic);
-    }
     let equals = rest.trim_end_matches([' ', '=', ':']).is_empty() && !rest.is_empty();
     (statement.has_body && equals).then(|| {
         let at = statement.text.len() - rest.len();
@@ -158,31 +155,6 @@ pub(super) fn headless(statement: &Broken) -> Option<Diagnostic> {
             .here("not expected before `{`")
             .help("remove it")
             .fix(span, "")
-    })
-}
-
-/// `limits [ speed <= 3 m/s ]`, `mode a (rotor 1 lost)`
-fn bracketed(statement: &Broken, rest: &str) -> Option<Diagnostic> {
-    let block = Place::of_block(statement.word())?;
-    let named = if block.is_named() { rest.trim_start_matches(super::is_name).trim_start() } else { rest };
-    // A rotor's number may be a list.
-    if statement.has_body || matches!(block, Place::Rotor | Place::Rotors) || !named.starts_with(['[', '(']) {
-        return None;
-    }
-    let at = statement.text.len() - named.len();
-    let head = cut(statement.text[..at].trim_end());
-    let message =
-        format!("the block `{head}` takes `{{ }}`, not `{}`", if named.starts_with('[') { "[ ]" } else { "( )" });
-    let diagnostic = Diagnostic::error("mavc::syntax::block_head", statement.span(at, at + 1), message)
-        .here("opens a list or an expression")
-        .help(format!("write it like `{head} {{ .. }}`"));
-    let inside = named.trim_end().strip_suffix([']', ')']).map(|inside| &inside[1..]);
-    Some(match inside.filter(|inside| !inside.contains(['[', ']', '(', ')'])) {
-        Some(inside) => {
-            let whole = statement.span(at, at + inside.len() + 2);
-            diagnostic.fix(whole, format!("{{{inside}}}"))
-        }
-        None => diagnostic,
     })
 }
 

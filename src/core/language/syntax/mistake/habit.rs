@@ -5,17 +5,24 @@ mod value;
 
 use super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::language::{self, Place, is_clause};
+use crate::language::{self, Group, Place, is_clause};
 use crate::syntax::cut;
 
 /// The first that fits, from the surest to the least sure.
 const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
+    keyword_colon,
+    value::pi_and_unit,
+    no_such_clause,
+    name_form,
+    value::in_parentheses,
+    joined_conditions,
+    per,
+    instead,
+    all_rotors,
     misspelt_statement,
     unknown_block,
     unknown_statement,
     doubled,
-    chained_limit,
-    uncounted,
     braceless,
     boundless,
     assignment,
@@ -25,7 +32,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     value::number_point,
     value::double_star,
     misspelt_word,
-    value::range_marks,
+    value::comma_in_curve,
     clause_marks,
     value::spaced_unit,
     value::unit_after_name,
@@ -35,6 +42,73 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
 
 pub(super) fn recognise(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     HABITS.iter().find_map(|habit| habit(statement, failure))
+}
+
+fn unexpected(statement: &Broken, from: usize, to: usize, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::error("mavc::syntax::unexpected", statement.span(from, to), message)
+}
+
+/// Words and marks of speech and of other languages: where they are found, and what is written instead.
+const INSTEAD: [(&[&str], Expected, &str); 9] = [
+    (&["to"], Expected::Operator, ".."),
+    (&["in"], Expected::Operator, "inch"),
+    (&["=", ":"], Expected::Word("in"), "in"),
+    (&["motor", "propeller", "prop"], Expected::Word("rotors"), "rotor"),
+    (&["motors", "propellers", "props"], Expected::Word("rotors"), "rotors"),
+    (&["fails", "failed", "fail", "dead", "off", "broken"], Expected::Effect, "lost"),
+    (&["jammed", "locked", "frozen"], Expected::Effect, "stuck at 50 %"),
+    (&["limited", "degraded", "weak", "worn"], Expected::Effect, "reduced to 60 %"),
+    (&["+"], Expected::Value, ""),
+];
+
+/// `altitude in 1 m to 30 m`, `rotor 1 fails`, `+5 m`, and a comma at the end of a line.
+fn instead(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (at, found) = statement.culprit(failure);
+    let is_last = found == "," && statement.text[at..].trim_end() == "," && failure.expects(Expected::End);
+    let fits = |(words, expected, _): &&(&[&str], Expected, &str)| words.contains(&found) && failure.expects(*expected);
+    let ours = match is_last {
+        true => "",
+        false => INSTEAD.iter().find(fits)?.2,
+    };
+    let code = if ours == ".." { "mavc::syntax::range" } else { "mavc::syntax::unexpected" };
+    let span = statement.span(at, at + found.len());
+    Some(
+        match ours {
+            "" => Diagnostic::error(code, span, format!("`{found}` is not allowed here"))
+                .here("not expected")
+                .help("remove it"),
+            _ => Diagnostic::error(code, span, format!("`{found}` is written `{ours}`"))
+                .here(format!("expected `{ours}`"))
+                .help(format!("write `{ours}`")),
+        }
+        .fix(span, ours),
+    )
+}
+
+/// `waypoint at [..] m  speed 3 m/s`: a word that begins no clause.
+fn no_such_clause(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let group = Group::of_statement(statement.place, statement.word());
+    let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
+    if statement.has_body || !is_word || !failure.expects(Expected::Clause) || nearest(found, group.names()).is_some() {
+        return None;
+    }
+    let names: Vec<String> = group.names().map(|name| format!("`{name}`")).collect();
+    let (last, others) = names.split_last()?;
+    let message = format!("a `{}` has no `{}`", statement.word(), cut(found));
+    let help = match found {
+        "heading" | "course" | "bearing" => {
+            "write it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()
+        }
+        "tilt" | "tilted" | "cant" | "canted" | "axis" if statement.word() == "rotor" => {
+            "remove it: the axes of all rotors are parallel to the body's z axis".to_string()
+        }
+        "speed" | "velocity" | "altitude" | "tilt" if statement.word() == "waypoint" => {
+            "limits of the leg that arrives go between braces at the end, as in `{ speed <= 3 m/s }`".to_string()
+        }
+        _ => format!("its clauses are {} and {last}", others.join(", ")),
+    };
+    Some(unexpected(statement, failure.at, failure.at + found.len(), message).here("not a clause").help(help))
 }
 
 /// `waypont at [0, 0, 2] m`
@@ -77,7 +151,8 @@ fn unknown_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let word = statement.word();
     let rest = statement.text[word.len()..].trim_start();
     let has_fields = !matches!(statement.place, Place::Mission | Place::Faults | Place::Rotors);
-    let is_marked = rest.is_empty() || rest.starts_with(['=', ':', '<', '>', ',', '(', '.', '-', '+']);
+    let is_field = rest.is_empty() && Group::of_block(statement.place).entry(word).is_some();
+    let is_marked = is_field || rest.starts_with(['=', ':', '<', '>', ',', '(', '.', '-', '+']);
     if word.is_empty() || has_fields || is_marked || Place::opens_statement(word) {
         return None;
     }
@@ -108,20 +183,6 @@ fn doubled(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     })
 }
 
-/// `1 m <= altitude <= 30 m`
-fn chained_limit(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
-    let parts: Vec<&str> = statement.text.split("<=").map(str::trim).collect();
-    let [low, name, high] = parts[..] else { return None };
-    if statement.place != Place::Limits || !name.chars().all(is_name) || low.is_empty() || high.is_empty() {
-        return None;
-    }
-    let fixed = format!("{name} in {low} .. {high}");
-    let span = statement.span(0, statement.text.trim_end().len());
-    let error = Diagnostic::error("mavc::syntax::relation", span, "a limit begins with its name");
-    let error = error.here("a value before the name");
-    Some(error.help(format!("write `{}`", cut(&fixed))).fix(span, fixed))
-}
-
 /// `if a > 3 { .. }`: heads that no block has.
 fn unknown_block(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let word = statement.word();
@@ -131,32 +192,8 @@ fn unknown_block(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     (statement.has_body && !known).then(|| super::block::unknown_block(word, span, statement.place).0)
 }
 
-/// `every rotor lost as M`
-fn uncounted(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
-    let rest = statement.text.strip_prefix("every")?.trim_start();
-    let at = statement.text.len() - rest.len();
-    let rotors = token(rest, 0, is_name);
-    let numbered = rest[rotors.len()..].trim_start();
-    if rotors == "rotor" && numbered.starts_with(|c: char| c.is_ascii_digit()) {
-        let number = token(numbered, 0, |c| c.is_ascii_digit());
-        let span = statement.span(at, statement.text.len() - numbered.len() + number.len());
-        let error =
-            Diagnostic::error("mavc::syntax::unexpected", span, "`every` takes a number of rotors, not one rotor")
-                .here("names one rotor")
-                .help("write it like `every 1 rotor lost as M`");
-        return Some(if number == "1" { error.fix(span, "1 rotor") } else { error });
-    }
-    matches!(rotors, "rotor" | "rotors").then(|| {
-        let span = statement.span(at, at + rotors.len());
-        Diagnostic::error("mavc::syntax::missing_value", span, "`every` has no number of rotors")
-            .here("expected a number before this")
-            .help("write it like `every 1 rotor lost as M`")
-            .fix(statement.span(at, at), "1 ")
-    })
-}
-
 /// Statements that are always blocks.
-const BLOCKS: [&str; 5] = ["vehicle", "faults", "mode", "mission", "limits"];
+const BLOCKS: [&str; 8] = ["vehicle", "faults", "mode", "mission", "limits", "plan", "simulate", "campaign"];
 
 /// `mode worn rotor 3 lost`
 fn braceless(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
@@ -169,15 +206,7 @@ fn braceless(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let message = format!("a block `{word}` needs braces");
     let error =
         Diagnostic::error("mavc::syntax::block_head", statement.span(0, word.len()), message).here("no `{` follows");
-    Some(match statement.text.find(" rotor").filter(|_| word == "mode") {
-        Some(before) => {
-            let body = statement.text[before + 1..].trim_end();
-            let fixed = format!("{{ {body} }}");
-            let span = statement.span(before + 1, before + 1 + body.len());
-            error.help(format!("put braces around `{}`", cut(body))).fix(span, fixed)
-        }
-        None => error.help("open them with `{` on this line, and close them with `}` on a line of its own"),
-    })
+    Some(error.help("open them with `{` on this line, and close them with `}` on a line of its own"))
 }
 
 /// `mass: 1.8 kg`, `mass == 1.8 kg`, `mass 1.8 kg`
@@ -298,8 +327,8 @@ fn clause_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
                 .fix(at, "at "),
         );
     }
-    let word_follows = rest.strip_prefix(',')?.trim_start().starts_with(|c: char| c.is_ascii_alphabetic());
-    word_follows.then(|| {
+    let next = rest.strip_prefix(',')?.trim_start();
+    is_clause(token(next, 0, is_name)).then(|| {
         error("no comma is allowed between the clauses of a statement")
             .here("not expected")
             .help("remove the comma: a space is enough")
@@ -318,19 +347,13 @@ fn misspelt_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
             _ => {}
         }
     }
-    // The word before may be the culprit: after a number any word looks like a unit.
-    let found = statement.found(failure.at);
-    let before = statement.before(failure.at);
-    let after_number = failure.expects(Expected::Effect) && !words.contains(&before.1);
-    let candidates = [(failure.at, found), if after_number { before } else { (failure.at, "") }];
-    let (at, word, meant) = candidates.into_iter().find_map(|(at, word)| {
-        // `as` is a word of the language, written too early.
-        let is_word = word != "as" && word.starts_with(|c: char| c.is_ascii_alphabetic());
-        // Two letters are near to `at`, and may be a unit as well.
-        let follows = statement.text[at + word.len()..].trim_start();
-        let is_sure = |meant: &str| word.len() > 2 || meant != "at" || follows.starts_with(['[', '(']);
-        nearest(word, words.iter().copied()).filter(|meant| is_word && is_sure(meant)).map(|meant| (at, word, meant))
-    })?;
+    let (at, word) = statement.culprit(failure);
+    // `as` is a word of the language, written too early.
+    let is_word = word != "as" && word.starts_with(|c: char| c.is_ascii_alphabetic());
+    // Two letters are near to `at`, and may be a unit as well.
+    let follows = statement.text[at + word.len()..].trim_start();
+    let is_sure = |meant: &str| word.len() > 2 || meant != "at" || follows.starts_with(['[', '(']);
+    let meant = nearest(word, words.iter().copied()).filter(|meant| is_word && is_sure(meant))?;
     let span = statement.span(at, at + word.len());
     Some(
         Diagnostic::error("mavc::syntax::unexpected", span, format!("`{}` is not allowed here", cut(word)))
@@ -355,4 +378,82 @@ fn wrong_start(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
                 _ => "begin with a keyword, or with the name of a field: `name = value`",
             }),
     )
+}
+
+/// `vehicle:` and `waypoint: at [..]`, as in YAML.
+fn keyword_colon(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let word = statement.word();
+    let is_block = Place::of_block(word).is_some();
+    if statement.found(failure.at) != ":" || !(is_block || Place::opens_statement(word)) {
+        return None;
+    }
+    if statement.text[..failure.at].trim_end() != word {
+        return None;
+    }
+    let diagnostic = unexpected(statement, failure.at, failure.at + 1, format!("`{word}` takes no `:`"));
+    let diagnostic = diagnostic.here("not expected");
+    let form = super::form(word, statement.place).unwrap_or(word);
+    Some(match is_block {
+        true => diagnostic.help(format!("a block takes braces: `{}`", form.split(" {").next()?.to_owned() + " { .. }")),
+        false => diagnostic.help("remove it").fix(statement.span(failure.at, failure.at + 1), ""),
+    })
+}
+
+/// `mission my-mission {`
+fn name_form(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let (start, before) = statement.before(failure.at);
+    let is_head = statement.has_body && Place::of_block(statement.word()).is_some();
+    let end = failure.at + token(statement.text, failure.at, |c| is_name(c) || c == '-').len();
+    let is_field = start == 0 && !statement.has_body && statement.text[end..].trim_start().starts_with('=');
+    let declares = is_head || is_field || statement.word() == "let";
+    let follows = statement.text.as_bytes().get(failure.at + 1).is_some_and(u8::is_ascii_alphanumeric);
+    let touches = failure.at > 0 && is_name(statement.text.as_bytes()[failure.at - 1] as char);
+    if !declares || found != "-" || !follows || !touches || !before.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return None;
+    }
+    let name = token(statement.text, start, |c| is_name(c) || c == '-');
+    let span = statement.span(start, start + name.len());
+    let fixed = name.replace('-', "_");
+    Some(
+        Diagnostic::error("mavc::syntax::unexpected", span, format!("the name `{}` has a `-` in it", cut(name)))
+            .here("a name is made of letters, digits and `_`")
+            .help(format!("write `{}`", cut(&fixed)))
+            .fix(span, fixed),
+    )
+}
+
+/// `1e-5 per hour`
+fn per(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, before) = statement.before(failure.at);
+    let at = if before == "per" { start } else { failure.at };
+    (statement.found(at) == "per" && failure.expects(Expected::Operator)).then(|| {
+        let error = unexpected(statement, at, at + 3, "`per` is written `/`").here("not a unit");
+        error.help("write units like `m/s` or `1/h`")
+    })
+}
+
+/// `against = where rpn > 50 and severity > 3`
+fn joined_conditions(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let (start, before) = statement.before(failure.at);
+    let joins = |w: &str| matches!(w, "and" | "or" | "&&" | "||" | "&" | "|");
+    let (at, word) = if joins(before) { (start, before) } else { (failure.at, found) };
+    let is_filter = statement.text.contains("where") && failure.expects(Expected::Operator) && joins(word);
+    is_filter.then(|| {
+        unexpected(statement, at, at + word.len(), format!("`{word}` cannot join conditions"))
+            .here("a filter has one condition")
+            .help("where one condition is not enough, list the modes: `against = [M1, M2]`")
+    })
+}
+
+/// `all rotors lost`
+fn all_rotors(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+    let is_all = statement.place == Place::Mode && matches!(statement.word(), "all" | "both" | "any");
+    let word = statement.word();
+    is_all.then(|| {
+        unexpected(statement, 0, word.len(), format!("no fault begins with `{word}`"))
+            .here("expected `rotor` or `rotors`")
+            .help("write which rotors: `rotors [1, 2] lost`")
+    })
 }

@@ -9,7 +9,6 @@ use crate::number::number;
 use crate::read::context::Context;
 use crate::read::expected::Expected;
 use crate::read::fields::Fields;
-use crate::read::likely_unit::runs_through_turns;
 use crate::read::written::Written;
 use crate::syntax::ast::{Expr, Field, Name, Statement};
 use crate::unit::Quantity;
@@ -39,7 +38,6 @@ impl<'a> Curve<'a> {
         let y = fields.demand(cx, "y", "y = 4 m * sin(s)");
         let z = fields.demand(cx, "z", "z = 10 m");
         let yaw = fields.get("yaw");
-        cx.parameter_turns = runs_through_turns(&self.parameter.value, self.range, &[x, y, z, yaw]);
         let (Some(points), Some((low, high)), Some(own)) = (points, range, own) else {
             // The coordinates are evaluated once all the same, so that their own errors are reported.
             if let Some((low, _)) = range {

@@ -29,14 +29,11 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, field: &'a Field, modes: &Modes, in
     };
     let choice = Choice::new(modes, expr, elements);
     match &expr.kind {
-        ExprKind::Text(text) if text == "all" || choice.find(text).is_some() => {
-            let corrected = if text == "all" { text.clone() } else { format!("[{text}]") };
-            let error =
-                Diagnostic::error(CHOICE, expr.span, "`against` takes fault modes by name").here("text in quotes");
-            cx.report(error.help(format!("write `{corrected}`")).fix(expr.span, corrected));
-            return None;
-        }
-        ExprKind::List { unit: None, .. } | ExprKind::Name(_) | ExprKind::Range { .. } | ExprKind::Binary { .. } => {}
+        ExprKind::List { unit: None, .. }
+        | ExprKind::Name(_)
+        | ExprKind::Text(_)
+        | ExprKind::Range { .. }
+        | ExprKind::Binary { .. } => {}
         _ => {
             let message = "`against` takes `all`, fault modes, or `where` with a condition";
             let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
@@ -45,7 +42,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, field: &'a Field, modes: &Modes, in
         }
     }
     let read: Vec<Option<Runs>> = elements.iter().map(|element| choice.read(cx, element)).collect();
-    repeated::warn(cx, &modes.modes, elements, &read);
+    repeated::warn(cx, elements, &read);
     let mut taken = vec![false; modes.modes.len()];
     let all = read.into_iter().collect::<Option<Vec<_>>>()?;
     let all = all.into_iter().flatten().flatten();

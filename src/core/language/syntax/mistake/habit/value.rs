@@ -2,59 +2,38 @@
 
 use super::super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::Diagnostic;
-use crate::language::is_clause;
+use crate::language::{Place, is_clause};
 use crate::syntax::cut;
 
 /// `arm = 0,211 m`, `max_speed = 8,500 rpm`
 pub(super) fn decimal_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    let bytes = statement.text.as_bytes();
-    let at = failure.at;
-    let digit = |i: usize| bytes.get(i).is_some_and(u8::is_ascii_digit);
-    if bytes.get(at) != Some(&b',') || at == 0 || !digit(at - 1) || !digit(at + 1) {
+    let (text, at) = (statement.text, failure.at);
+    let digit = |at: usize| text.as_bytes().get(at).is_some_and(u8::is_ascii_digit);
+    if !text[at..].starts_with(',') || at == 0 || !digit(at - 1) || !digit(at + 1) {
         return None;
     }
-    let start = statement.text[..at].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |i| i + 1);
-    let end = at + 1 + bytes[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
-    let number = cut(&statement.text[start..end]);
-    let error = |end: usize, message: &str| {
-        Diagnostic::error("mavc::syntax::number", statement.span(start, end), message)
-            .here("a comma separates the elements of a list")
+    let start = text[..at].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |i| i + 1);
+    let number = token(text, start, |c| c.is_ascii_digit() || ",.".contains(c)).trim_end_matches([',', '.']);
+    let groups: Vec<&str> = number.split('.').next().unwrap_or("").split(',').collect();
+    // `8,500`, `1,250,000.5`
+    let is_grouped =
+        !number.starts_with('0') && groups[0].len() <= 3 && groups[1..].iter().all(|group| group.len() == 3);
+    let span = statement.span(start, start + number.len());
+    let (whole, decimal) = (number.replace(',', ""), cut(&number.replace(',', ".")));
+    let error = |message| {
+        Diagnostic::error("mavc::syntax::number", span, message).here("a comma separates the elements of a list")
     };
-    if let Some((end, is_certain)) = grouped(statement.text, start, at) {
-        let whole = statement.text[start..end].replace(',', "");
-        let error = error(end, "a number is written without a comma");
-        return Some(match is_certain {
-            true => error.help(format!("write `{}`", cut(&whole))).fix(statement.span(start, end), whole),
-            false => error.help(format!("write `{whole}` for thousands, or `{}`", decimal(&number))),
-        });
-    }
-    Some(
-        error(end, "a number has a decimal point, not a comma")
-            .help(format!("write `{}`", number.replace(',', ".")))
+    Some(match (is_grouped, number.matches([',', '.']).count()) {
+        (true, 1) => {
+            error("a number is written without a comma").help(format!("write `{whole}` for thousands, or `{decimal}`"))
+        }
+        (true, _) => {
+            error("a number is written without a comma").help(format!("write `{}`", cut(&whole))).fix(span, whole)
+        }
+        _ => error("a number has a decimal point, not a comma")
+            .help(format!("write `{decimal}`"))
             .fix(statement.span(at, at + 1), "."),
-    )
-}
-
-/// `8,500` as a decimal number, `8.5`.
-fn decimal(number: &str) -> String {
-    number.replace(',', ".").trim_end_matches('0').trim_end_matches('.').to_string()
-}
-
-/// Where a number in groups of three ends, `8,500` or `1,250,000.5`, whose first comma is `at`; and whether the commas
-/// cannot be decimal ones. `None` where they can be nothing else.
-fn grouped(text: &str, start: usize, at: usize) -> Option<(usize, bool)> {
-    let digits = |from: usize| token(text, from, |c| c.is_ascii_digit()).len();
-    if !(1..=3).contains(&(at - start)) || text[start..].starts_with('0') {
-        return None;
-    }
-    let (mut end, mut groups) = (at, 0);
-    while text[end..].starts_with(',') && digits(end + 1) == 3 {
-        end += 4;
-        groups += 1;
-    }
-    let fraction = if text[end..].starts_with('.') { digits(end + 1) } else { 0 };
-    let whole = if fraction > 0 { end + 1 + fraction } else { end };
-    (groups > 0 && digits(end) == 0).then_some((whole, groups > 1 || fraction > 0))
+    })
 }
 
 /// `against = M1, M2`
@@ -65,21 +44,15 @@ pub(super) fn listless(statement: &Broken, failure: &Failure) -> Option<Diagnost
         return None;
     }
     let span = statement.span(failure.at, failure.at + 1);
-    let diagnostic = Diagnostic::error("mavc::syntax::unexpected", span, "several values need a list, in `[ ]`")
-        .here("separates the elements of a list");
+    let start = statement.text.len() - values.trim_start().len();
     let values = values.trim();
-    Some(match values.chars().all(|c| is_name(c) || ", ".contains(c)) && values.len() <= 48 {
-        true => {
-            let start = statement.text.len() - statement.text[name.len() + 1..].trim_start().len();
-            let list = format!("[{values}]");
-            diagnostic.help(format!("write `{list}`")).fix(statement.span(start, start + values.len()), list)
-        }
-        false => {
-            let start = statement.text.len() - statement.text[name.len() + 1..].trim_start().len();
-            let span = statement.span(start, start + values.len());
-            diagnostic.help("put them into `[ ]`, as in `[1, 2, 3] m`").fix(span, format!("[{values}]"))
-        }
-    })
+    let list = format!("[{values}]");
+    Some(
+        Diagnostic::error("mavc::syntax::unexpected", span, "several values need a list, in `[ ]`")
+            .here("separates the elements of a list")
+            .help(format!("write `{}`", cut(&list)))
+            .fix(statement.span(start, start + values.len()), list),
+    )
 }
 
 /// `.5`, `5.`, `1.2.3`
@@ -89,17 +62,8 @@ pub(super) fn number_point(statement: &Broken, failure: &Failure) -> Option<Diag
     if at > 0 && bytes[at - 1].is_ascii_digit() && bytes.get(at) == Some(&b'_') {
         let found = statement.found(at);
         let span = statement.span(at, at + found.len());
-        let diagnostic = Diagnostic::error("mavc::syntax::number", span, "a number is written without `_`");
-        let start = statement.text[..at].rfind(|c: char| !(is_name(c) || c == '.')).map_or(0, |i| i + 1);
-        let whole = &statement.text[start..at + found.len()];
-        let fixed = whole.replace('_', "");
-        let diagnostic = diagnostic.here("not expected in a number");
-        return Some(match fixed.chars().all(|c| c.is_ascii_digit() || c == '.') {
-            true => diagnostic
-                .help(format!("write `{}`", cut(&fixed)))
-                .fix(statement.span(start, start + whole.len()), fixed),
-            false => diagnostic.help("leave out the `_`"),
-        });
+        let error = Diagnostic::error("mavc::syntax::number", span, "a number is written without `_`");
+        return Some(error.here("not expected in a number").help("leave out the `_`"));
     }
     if bytes.get(at) != Some(&b'.') || bytes.get(at + 1) == Some(&b'.') || statement.text[..at].ends_with('.') {
         return None;
@@ -112,7 +76,9 @@ pub(super) fn number_point(statement: &Broken, failure: &Failure) -> Option<Diag
     let error = |message: &str| Diagnostic::error("mavc::syntax::number", span, message);
     let number = cut(&statement.text[start..end]);
     if before && after && statement.text[..start].ends_with('^') && !statement.text[start..at].contains('.') {
-        return Some(unit_exponent(statement, start, at, end));
+        // Only the exponent of a unit ends before a point.
+        let error = Diagnostic::error("mavc::unit::exponent", span, "the exponent of a unit is a whole number");
+        return Some(error.here("has a decimal point").help("write a whole number, as in `m^2`"));
     }
     Some(match (before, after) {
         (false, true) => error("a number begins with a digit")
@@ -128,89 +94,22 @@ pub(super) fn number_point(statement: &Broken, failure: &Failure) -> Option<Diag
     })
 }
 
-/// `5 m^2.5`: only a unit's exponent ends before its point. It is at `start..end`, the point at `at`.
-fn unit_exponent(statement: &Broken, start: usize, at: usize, end: usize) -> Diagnostic {
-    let span = statement.span(start, end);
-    let error = Diagnostic::error("mavc::unit::exponent", span, "the exponent of a unit is a whole number");
-    let error = error.here("has a decimal point");
-    let whole = &statement.text[start..at];
-    match statement.text[at..end].trim_end_matches('0') {
-        "." => error.help(format!("write `{}`", cut(whole))).fix(span, whole),
-        _ => match whole.parse::<u32>() {
-            Ok(below) if below < 1000 => error.help(format!("write `{below}` or `{}`", below + 1)),
-            _ => error.help("write a whole number, as in `m^2`"),
-        },
-    }
-}
-
-/// `1 m to 30 m`, `1...3`, and `0 .. 1 points = 2` in a curve's head
-pub(super) fn range_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+/// `curve s in 0 .. 1 points = 2`
+pub(super) fn comma_in_curve(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
-    let three = found == "." && statement.text[..failure.at].ends_with("..");
     let begins_option = statement.text[failure.at + found.len()..].trim_start().starts_with('=');
-    let option = match found {
-        "=" => Some(statement.before(failure.at)),
-        word if begins_option && word.starts_with(is_name) => Some((failure.at, word)),
-        _ => None,
-    };
-    if let Some((start, word)) = option.filter(|_| statement.word() == "curve" && failure.expects(Expected::End)) {
-        let message = format!("a comma is missing before `{}`", cut(word));
-        return Some(
-            Diagnostic::error("mavc::syntax::unexpected", statement.span(start, start + word.len()), message)
-                .here("expected `,` before this")
-                .help("write `,` after the range")
-                .fix(statement.span(start, start), ", "),
-        );
-    }
-    if let Some(diagnostic) = curve_head(statement, failure) {
-        return Some(diagnostic);
-    }
-    let instead_of = match found {
-        "to" if failure.expects(Expected::Operator) => "to",
-        _ if three => "...",
+    let (start, word) = match found {
+        "=" => statement.before(failure.at),
+        word if begins_option && word.starts_with(is_name) => (failure.at, word),
         _ => return None,
     };
-    let start = if three { failure.at - 2 } else { failure.at };
-    let span = statement.span(start, start + instead_of.len());
-    Some(
-        Diagnostic::error("mavc::syntax::range", span, format!("a range is written with `..`, not `{instead_of}`"))
-            .here("expected `..`")
-            .help("write `..`")
-            .fix(span, ".."),
-    )
-}
-
-/// `curve in 0 .. 1`, `curve s = 0 .. 1`, `curve s in 0 .. 1, points 21`
-fn curve_head(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    let found = statement.found(failure.at);
-    let (_, before) = statement.before(failure.at);
-    if statement.word() != "curve" {
-        return None;
-    }
-    let span = statement.span(failure.at, failure.at + found.len());
-    let here = statement.span(failure.at, failure.at);
-    let error = |message: String| Diagnostic::error("mavc::syntax::unexpected", span, message);
-    match found {
-        "in" if before == "curve" => Some(
-            error("`curve` names no parameter".into())
-                .here("expected a name before this")
-                .help("write it like `curve s in 0 .. 2*pi`")
-                .fix(here, "s "),
-        ),
-        "=" | ":" if failure.expects(Expected::Word("in")) => Some(
-            error(format!("the range of `{}` is given with `in`, not `{found}`", cut(before)))
-                .here("expected `in`")
-                .help("write `in`")
-                .fix(span, "in"),
-        ),
-        _ if failure.expects(Expected::Equals) && found.starts_with(|c: char| c.is_ascii_digit()) => Some(
-            error(format!("`{}` has no `=` before its value", cut(before)))
-                .here("expected `=` before this")
-                .help(format!("write `{} = {}`", cut(before), cut(found)))
-                .fix(here, "= "),
-        ),
-        _ => None,
-    }
+    (statement.word() == "curve" && failure.expects(Expected::End)).then(|| {
+        let message = format!("a comma is missing before `{}`", cut(word));
+        Diagnostic::error("mavc::syntax::unexpected", statement.span(start, start + word.len()), message)
+            .here("expected `,` before this")
+            .help("write `,` after the range")
+            .fix(statement.span(start, start), ", ")
+    })
 }
 
 /// `s**2`
@@ -231,10 +130,8 @@ pub(super) fn double_star(statement: &Broken, failure: &Failure) -> Option<Diagn
 /// `0.5 N m`: a unit is one run without blanks.
 pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
-    if !failure.expects(Expected::Operator) || !(found.starts_with(is_name) || found == "%") {
-        return None;
-    }
-    if !is_factor(found) {
+    let is_unit = failure.expects(Expected::Operator) && !failure.expects(Expected::Effect);
+    if !is_unit || !is_factor(found) {
         return None;
     }
     let before = statement.text[..failure.at].trim_end();
@@ -244,63 +141,37 @@ pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagn
     if !follows_operand || !unit.starts_with(|c: char| c.is_ascii_alphabetic() || c == '%') {
         return None;
     }
-    let (mut fixed, end) = joined(unit, statement.text, failure.at);
-    // Nobody means a square by `ft ft`.
-    let is_twice = statement.text[failure.at..end].trim() == unit;
-    if is_twice {
-        fixed = unit.to_string();
+    let mut end = failure.at;
+    let mut factors = vec![unit];
+    while is_factor(token(statement.text, end, is_name)) || statement.text[end..].starts_with('%') {
+        let factor = token(statement.text, end, |c| is_name(c) || "*/^%-".contains(c));
+        factors.push(factor);
+        let behind = &statement.text[end + factor.len()..];
+        end += factor.len() + behind.len() - behind.trim_start_matches([' ', '\t']).len();
     }
-    let span = statement.span(start, end);
-    let divides = fixed[unit.len()..].starts_with('/');
-    let (written, factor) = (cut(&statement.text[start..end]), cut(&statement.text[failure.at..end]));
-    let (unit, shown) = (cut(unit), cut(&fixed));
-    let help = match factor.contains([' ', '\t']) {
-        _ if is_twice => format!("write it once: `{unit}`"),
-        false if divides => format!("write `{shown}`, which is `{unit}*{factor}`"),
-        false => {
-            // `m2` is a power without its sign.
-            let letters = factor.trim_end_matches(|c: char| c.is_ascii_digit());
-            let factor = match &factor[letters.len()..] {
-                _ if letters.ends_with('^') => factor,
-                "" => factor,
-                power => format!("{letters}^{power}"),
-            };
-            format!("write `{unit}*{factor}` for a product, `{unit}/{factor}` for a quotient")
+    let written = statement.text[start..end].trim_end();
+    let span = statement.span(start, start + written.len());
+    let message = format!("the unit `{}` has a blank in it", cut(written));
+    let error = Diagnostic::error("mavc::syntax::unit_blank", span, message).here("a unit is one run without blanks");
+    // Nobody means a square by `ft ft`.
+    if factors[1..] == [unit] {
+        return Some(error.help(format!("write it once: `{}`", cut(unit))).fix(span, unit));
+    }
+    let mut fixed = unit.to_string();
+    for factor in &factors[1..] {
+        match factor.split_once("^-") {
+            Some((name, "1")) => fixed += &format!("/{name}"),
+            Some((name, power)) => fixed += &format!("/{name}^{power}"),
+            None => fixed += &format!("*{factor}"),
         }
-        true => format!("write `{shown}`, with `/` before what divides"),
-    };
-    Some(
-        Diagnostic::error("mavc::syntax::unit_blank", span, format!("the unit `{written}` has a blank in it"))
-            .here("a unit is one run without blanks")
-            .help(help)
-            .fix(span, fixed),
-    )
+    }
+    Some(error.help(format!("write `{}`, with `/` before what divides", cut(&fixed))).fix(span, fixed))
 }
 
 /// Whether a word can be a factor of a unit; longer words, and some short ones, begin something else.
 fn is_factor(word: &str) -> bool {
     let other = ["and", "or", "to", "of", "for", "let", "use", "as", "in"].contains(&word) || is_clause(word);
     word == "%" || word.len() <= 3 && word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') && !other
-}
-
-/// A unit and the factors that follow it from `at` on, in one run; and where they end. `s^-1` becomes a division.
-fn joined(unit: &str, text: &str, mut at: usize) -> (String, usize) {
-    let (mut whole, mut end) = (unit.to_string(), at);
-    while is_factor(token(text, at, is_name)) || text[at..].starts_with('%') {
-        let factor = token(text, at, |c| is_name(c) || "*/^%".contains(c));
-        let exponent = text[at + factor.len()..].strip_prefix('-').filter(|_| factor.ends_with('^'));
-        let power = exponent.map_or("", |rest| token(rest, 0, |c| c.is_ascii_digit()));
-        let word = factor.trim_end_matches('^');
-        end = at + factor.len() + if power.is_empty() { 0 } else { 1 + power.len() };
-        match power {
-            "" => whole += &format!("*{factor}"),
-            "1" if word.chars().all(is_name) => whole += &format!("/{word}"),
-            _ if word.chars().all(is_name) => whole += &format!("/{word}^{power}"),
-            _ => whole += &format!("*{factor}-{power}"),
-        }
-        at = end + (text[end..].len() - text[end..].trim_start().len());
-    }
-    (whole, end)
 }
 
 /// `a m` with a name: only numbers and brackets take a unit.
@@ -313,7 +184,9 @@ pub(super) fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<D
     }
     // What comes before may be the end of a unit.
     let is_unit = statement.text[..start].trim_end().ends_with(|c: char| c.is_ascii_digit() || ")]*/^".contains(c));
-    if is_unit || statement.place.openers().contains(&found) {
+    // Modes, planners and rotors have no units.
+    let is_choice = matches!(statement.word(), "against" | "planners" | "every");
+    if is_unit || is_choice || statement.place.openers().contains(&found) {
         return None;
     }
     let span = statement.span(failure.at, failure.at + found.len());
@@ -337,7 +210,9 @@ pub(super) fn list_comma(statement: &Broken, failure: &Failure) -> Option<Diagno
     if !failure.expects(Expected::Comma) || !found.starts_with(|c: char| is_name(c) || "\"([".contains(c)) {
         return None;
     }
-    if !failure.expects(Expected::Closing(']')) && !failure.expects(Expected::Closing(')')) {
+    // `k[0]` is no element.
+    let is_index = found == "[" && statement.text[..failure.at].ends_with(is_name);
+    if is_index || !failure.expects(Expected::Closing(']')) && !failure.expects(Expected::Closing(')')) {
         return None;
     }
     let span = statement.span(failure.at, failure.at + found.len());
@@ -346,14 +221,60 @@ pub(super) fn list_comma(statement: &Broken, failure: &Failure) -> Option<Diagno
         .here("expected `,` before this")
         .help("write `,` between them");
     // If only bare numbers follow in the list, all commas are missing.
-    let rest = &statement.text[failure.at..];
-    let others: Vec<&str> = rest.split(']').next().unwrap_or("").split_whitespace().collect();
+    let rest = statement.text[failure.at..].split(']').next().unwrap_or("");
+    let others: Vec<&str> = rest.split_whitespace().collect();
     let bare = others.iter().all(|n| n.starts_with(|c: char| c.is_ascii_digit() || c == '-') && !n.contains(','));
-    Some(match bare && rest.contains(']') && !others.is_empty() {
-        true => {
-            let end = failure.at + rest.find(']').unwrap_or(0);
-            error.fix(statement.span(gap, end), format!(", {}", others.join(", ")))
-        }
+    Some(match bare {
+        true => error.fix(statement.span(gap, failure.at + rest.len()), format!(", {}", others.join(", "))),
         false => error.fix(statement.span(gap, failure.at), ", "),
+    })
+}
+
+/// `start at (0, 0, 2) m`, `altitude in (1, 30) m`
+pub(super) fn in_parentheses(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    if statement.found(failure.at) != "," || !failure.expects(Expected::Closing(')')) {
+        return None;
+    }
+    // No bracket between the parenthesis and the comma, or the comma would belong to another bracket.
+    let open =
+        statement.text[..failure.at].rfind(['(', ')', '[', ']']).filter(|&i| statement.text[i..].starts_with('('))?;
+    let span = statement.span(open, open + 1);
+    if statement.place == Place::Limits {
+        let error = Diagnostic::error("mavc::syntax::range", span, "a range is written with `..`, not with a comma");
+        return Some(error.here("not a range").help("write it like `altitude in 1 m .. 30 m`"));
+    }
+    let diagnostic = Diagnostic::error("mavc::syntax::unexpected", span, "a list takes `[ ]`, not `( )`")
+        .here("opens an expression, which has no commas")
+        .help("write `[x, y, z]` and the unit after it");
+    let inside = &statement.text[open + 1..];
+    Some(match inside.find(['(', ')', '[', ']']).filter(|&i| inside[i..].starts_with(')')) {
+        Some(length) => {
+            let span = statement.span(open, open + length + 2);
+            diagnostic.fix(span, format!("[{}]", &inside[..length]))
+        }
+        None => diagnostic,
+    })
+}
+
+/// `2 pi m`, `0.5*pi rad/s`
+pub(super) fn pi_and_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, before) = statement.before(failure.at);
+    let unit = token(statement.text, failure.at, |c| is_name(c) || "*/^".contains(c));
+    let is_field = statement.text[failure.at + unit.len()..].trim_start().starts_with('=');
+    let is_unit = unit.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_clause(unit) && !is_field;
+    if before != "pi" || !is_unit || !failure.expects(Expected::Operator) {
+        return None;
+    }
+    let head = statement.text[..start].trim_end();
+    let from = head.rfind(|c| !(is_name(c) || ".*/".contains(c))).map_or(0, |i| i + 1);
+    let number = head[from..].trim_end_matches('*');
+    let span = statement.span(from, failure.at + unit.len());
+    let error = Diagnostic::error("mavc::syntax::unexpected", span, "`pi` is a name, and a name takes no unit");
+    let fixed = format!("({number}*pi) {unit}");
+    number.starts_with(|c: char| c.is_ascii_digit()).then(|| {
+        error
+            .here("a unit follows a number, `)` or `]`, not a name")
+            .help(format!("write `{}`", cut(&fixed)))
+            .fix(span, fixed)
     })
 }

@@ -5,7 +5,7 @@ use crate::read::context::{Context, without_digits};
 use crate::read::fault::Modes;
 use crate::read::plan::CHOICE;
 use crate::source::Span;
-use crate::syntax::ast::{Expr, ExprKind, Operator};
+use crate::syntax::ast::{Expr, ExprKind};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -38,17 +38,9 @@ impl<'a> Choice<'a> {
         match &element.kind {
             ExprKind::Name(name) => self.named(cx, name, element.span),
             ExprKind::Range { low, high } => self.range(cx, element, low, high),
-            ExprKind::Text(text) if self.find(text).is_some() => {
+            ExprKind::Text(text) if text == "all" || self.find(text).is_some() => {
                 let error = not_named(element.span).here("text in quotes").help(format!("write `{text}`"));
                 cx.report(error.fix(element.span, text.as_str()));
-                None
-            }
-            ExprKind::Binary { operator, left, right } if operator.value == Operator::Subtract => {
-                let error = not_named(element.span).here("a subtraction");
-                cx.report(match self.difference(left, right) {
-                    Some(range) => error.help(format!("write `{range}` for a range")).fix(element.span, range),
-                    None => error.help("write the names of modes, as in `[M1, M2]`"),
-                });
                 None
             }
             _ => {
@@ -163,13 +155,6 @@ impl<'a> Choice<'a> {
             self.unknown(cx, name, expr.span);
         }
         mode
-    }
-
-    /// The range that was meant by `W1-W4`.
-    fn difference(&self, left: &Expr, right: &Expr) -> Option<String> {
-        let (ExprKind::Name(from), ExprKind::Name(to)) = (&left.kind, &right.kind) else { return None };
-        let (first, last) = (self.mode(from)?, self.mode(to)?);
-        (first < last && self.modes.families.have_run(first, last)).then(|| format!("{from} .. {to}"))
     }
 }
 
