@@ -1,0 +1,212 @@
+#!/usr/bin/env python3
+"""An independent optimiser of missions: `python3 benches/missions/independent.py SPEC [PLAN.csv] --mavc MAVC`.
+
+It looks for the shortest mission with CasADi and IPOPT (`requirements.txt`), in the exact model with the durations of all pieces free, and
+compares it with a plan of mavc. SPEC is a record of `generate.py SEED --json`, or a spec of literals (`specs.py` says which). PLAN.csv is
+the table of `mavc plan -o`; without it the search starts only from its own guess.
+
+    --planner NAME     rip or rcp (rip)
+    --start WHICH      mavc, own or both (both)
+    --pieces N         pieces of all legs together; unless given half as many as the plan has, at most 110
+    --seconds N        processor time of each solution by IPOPT (400)
+    --rounds N         solutions after the first, with violated facets and volumes added and facets tightened by what is violated in between (3)
+    --verbose          the log of IPOPT
+
+The guess of its own flies the lines through the waypoints slowly from rest to rest. Each motion is checked at instants 5 ms apart by
+`dense.py`, which shares no formula with the program: facets of all sets, limits, volumes, corridors, waypoints, yaw and rest. Printed are
+the mission times and the largest violation of each kind, also for mavc's own plan. A time counts if no facet is violated by more than
+0.1 % of the healthy set's width and nothing else by more than 1 mm, 1 mm/s, 0.01 degrees and so on; the last line says by how much mavc
+is longer than the shortest that counts. The search is local: it shows what is possible, not what is impossible.
+"""
+
+import argparse
+import csv
+import json
+import math
+import sys
+
+import numpy as np
+import specs
+from dense import Motion, facets_of, violations, wrenches
+from program import Program, motion_of
+
+ALLOWED = {"wrench": 1e-3, "tilt": 0.02, "yaw": 0.02, "rest": 1e-3, "joins": 1e-3, "yaw_rate": 0.05, "yaw_acceleration": 1.0, "jerk": 0.1}
+ALLOWED_ELSE = 2e-3
+
+
+def plan_of(path, record):
+    """The motion of a table of mavc, and its nodes for each leg."""
+    with open(path) as file:
+        rows = [{key: float(value) for key, value in row.items() if value != ""} for row in csv.DictReader(file)]
+    state = lambda row: np.array([[row[prefix + axis] for axis in "xyz"] for prefix in ("", "v", "a", "j")])
+    snap = lambda row: np.array([row["s" + axis] for axis in "xyz"])
+    x, s, y, h, leg = [], [], [], [], []
+    legs, waypoint = [], 0
+    nodes = []
+    for before, after in zip(rows, rows[1:]):
+        if before["waypoint"]:
+            held = int(before["waypoint"]) - 1 == waypoint and waypoint > 0
+            waypoint = int(before["waypoint"]) - 1
+            hold = record["points"][waypoint]["hold"] > 0 and not held
+            nodes = []
+            if not hold:
+                legs.append(nodes)
+        elif not nodes and waypoint >= 0 and record["points"][waypoint]["hold"] and leg and leg[-1] < 0:
+            hold = False
+            legs.append(nodes)
+        step = after["t"] - before["t"]
+        # The row after has the values to its right; those to its left follow from jerk and yaw rate.
+        end = 2 * (state(after)[3] - state(before)[3]) / step - snap(before)
+        turn = 2 * (after["yaw_rate"] - before["yaw_rate"]) / step - before["yaw_acc"]
+        x.append(state(before))
+        s.append([snap(before), end])
+        y.append([before["yaw"], before["yaw_rate"], before["yaw_acc"], turn])
+        h.append(step)
+        leg.append(-1 if hold else waypoint)
+        nodes.append((before, after, end, turn))
+        if hold:
+            nodes = []
+    return Motion(x, s, y, h, leg), legs
+
+
+def thinned(legs, pieces):
+    """A guess of fewer pieces from the nodes of the plan."""
+    whole, guess = sum(len(nodes) for nodes in legs), []
+    for nodes in legs:
+        n = min(len(nodes), max(6, round(len(nodes) * pieces / whole)))
+        kept = np.unique(np.round(np.linspace(0, len(nodes), n + 1)).astype(int))
+        rows = [nodes[i][0] for i in kept[:-1]]
+        last, end, turn = nodes[-1][1:]
+        times = [row["t"] for row in rows] + [last["t"]]
+        x = [[[row[prefix + axis] for axis in "xyz"] for prefix in ("", "v", "a", "j")] for row in [*rows, last]]
+        s = [[row["s" + axis] for axis in "xyz"] for row in rows] + [list(end)]
+        y = [[row["yaw"], row["yaw_rate"], row["yaw_acc"]] for row in rows] + [[last["yaw"], last["yaw_rate"], turn]]
+        guess.append({"x": np.array(x), "s": np.array(s), "y": np.array(y), "h": np.diff(times)})
+    return guess
+
+
+def step_from_0_to_1(t):
+    """The polynomial of degree 9 with four derivatives of zero at both ends, and its derivatives 0 to 4."""
+    p = np.polynomial.Polynomial([0] * 5 + [126, -420, 540, -315, 70])
+    return [p.deriv(i)(t) if i else p(t) for i in range(5)]
+
+
+def own_guess(record, pieces):
+    """The lines through the waypoints, slowly from rest to rest."""
+    points, limits = record["points"], record["limits"]
+    yaws = []
+    for number, point in enumerate(points):
+        rule, last = point["yaw"], yaws[-1] if yaws else 0.0
+        ahead = None
+        if rule["rule"] == "angle":
+            angle = math.radians(rule["deg"])
+        elif rule["rule"] == "towards":
+            angle = math.atan2(rule["point"][1] - point["at"][1], rule["point"][0] - point["at"][0])
+        else:
+            ahead = points[min(number + 1, len(points) - 1)]["at"], points[min(number, len(points) - 2)]["at"]
+            level = math.dist(ahead[0][:2], ahead[1][:2]) > 0.1 and rule["rule"] == "path"
+            angle = math.atan2(ahead[0][1] - ahead[1][1], ahead[0][0] - ahead[1][0]) if level else last
+        yaws.append(last + (angle - last + math.pi) % (2 * math.pi) - math.pi if yaws else angle)
+    durations = []
+    for number, (before, point) in enumerate(zip(points, points[1:])):
+        own = limits | point["limits"]
+        speed = min([own[k][1] for k in ("speed", "speed_horizontal", "climb", "descent") if k in own] + [8.0])
+        length, turn = math.dist(before["at"], point["at"]), abs(yaws[number + 1] - yaws[number])
+        rate = math.radians(own["yaw_rate"][1]) if "yaw_rate" in own else 1.0
+        # The largest speed is 2.46 times the mean, the largest acceleration about 9.4 lengths per squared duration.
+        durations.append(max(2.6 * length / speed, math.sqrt(9.4 * length / 1.0), 2.6 * turn / rate, 2.0))
+    shares = np.log1p(durations)
+    guess = []
+    for number, (before, point) in enumerate(zip(points, points[1:])):
+        n, duration = max(8, round(pieces * shares[number] / shares.sum())), durations[number]
+        a, b = np.array(before["at"]), np.array(point["at"])
+        way = step_from_0_to_1(np.linspace(0, 1, n + 1))
+        x = np.stack([(a * (i == 0) + np.outer(w, b - a)) / duration**i for i, w in enumerate(way[:4])], axis=1)
+        s = np.outer(way[4], b - a) / duration**4
+        turn = yaws[number + 1] - yaws[number]
+        y = np.stack([yaws[number] + turn * way[0], turn * way[1] / duration, turn * way[2] / duration**2], axis=1)
+        guess.append({"x": x, "s": s, "y": y, "h": np.full(n, duration / n)})
+    return guess
+
+
+def counts(found):
+    """The kinds of violations that are too large."""
+    return [kind for kind, (value, _) in found.items() if value > ALLOWED.get(kind, ALLOWED_ELSE)]
+
+
+def told(name, time, found):
+    wrong = counts(found)
+    worst = ", ".join(f"{kind} {100 * value:.3f} %" if kind == "wrench" else f"{kind} {value:.2g}" for kind, (value, _) in sorted(found.items()) if value > 1e-5)
+    print(f"{name}: {time:.3f} s; {'violates ' + ', '.join(wrong) if wrong else 'counts'}; largest violations: {worst or 'none'}", flush=True)
+
+
+def search(record, planner, guess, options, name):
+    """The shortest time that counts, or None."""
+    best, backoff, chosen, pairs = None, None, set(), {}
+    for number in range(options.rounds + 1):
+        program = Program(record, planner, guess, backoff=backoff, quickest=0.02 if number == 0 else 0.3)
+        program.chosen |= chosen
+        program.near(2.0)
+        program.pairs |= {key: first for key, first in pairs.items() if key not in program.pairs}
+        legs, stats = program.solve(seconds=options.seconds, verbose=options.verbose)
+        motion = motion_of(record, legs)
+        if not np.isfinite(motion.time()) or motion.time() > 1e5:
+            print(f"{name}, round {number}: {stats['return_status']}", flush=True)
+            break
+        found = violations(motion, record, planner)
+        told(f"{name}, round {number} ({stats['return_status']}, {stats['iter_count']} iterations)", motion.time(), found)
+        if not counts(found) and (best is None or motion.time() < best):
+            best = motion.time()
+        # What the next round needs: facets that are violated in between, tightened, and volumes near the new motion.
+        rows, offsets, widths, masses = facets_of(record, planner)
+        piece, t = motion.instants(0.005)
+        wind = np.array(record["air"]["wind"])
+        w, _ = wrenches(motion, record, piece, t, wind)
+        over = np.array([((m * n[0] * w[:, 0] + w[:, 1:] @ n[1:] - o) / d).max() for n, o, d, m in zip(rows, offsets, widths, masses)])
+        backoff = (np.zeros(len(over)) if backoff is None else backoff) + np.clip(over, 0, 0.02)
+        chosen, pairs = program.chosen | set(np.flatnonzero(over > 1e-4).tolist()), program.pairs
+        if stats["success"] and not counts(found) and number > 0:
+            break
+        guess = legs
+    return best
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("spec")
+    parser.add_argument("plan", nargs="?")
+    parser.add_argument("--mavc", default="target/release/mavc")
+    parser.add_argument("--planner", choices=["rip", "rcp"], default="rip")
+    parser.add_argument("--start", choices=["mavc", "own", "both"], default="both")
+    parser.add_argument("--pieces", type=int)
+    parser.add_argument("--seconds", type=float, default=400)
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--verbose", action="store_true")
+    options = parser.parse_args()
+    if options.spec.endswith(".json"):
+        with open(options.spec) as file:
+            record = json.load(file)
+    else:
+        record = specs.read(options.spec, options.mavc)
+    own_time, starts = None, []
+    pieces = options.pieces or 100
+    if options.plan:
+        motion, legs = plan_of(options.plan, record)
+        own_time = motion.time()
+        told("mavc", own_time, violations(motion, record, options.planner))
+        pieces = options.pieces or min(110, sum(len(nodes) for nodes in legs) // 2)
+        if options.start != "own":
+            starts.append(("from mavc's plan", thinned(legs, pieces)))
+    if options.start != "mavc":
+        starts.append(("from its own guess", own_guess(record, pieces)))
+    times = [search(record, options.planner, guess, options, name) for name, guess in starts]
+    times = [time for time in times if time]
+    if times and own_time:
+        print(f"shortest that counts {min(times):.3f} s; mavc's {own_time:.3f} s is {100 * (own_time / min(times) - 1):+.2f} % longer")
+    elif times:
+        print(f"shortest that counts {min(times):.3f} s")
+    sys.exit(0 if times else 1)
+
+
+if __name__ == "__main__":
+    main()
