@@ -12,6 +12,8 @@ import sets
 import shapes
 
 STEP = 1e-4  # of the differences, s
+# Violations that a checked motion may have, wrench in shares of the healthy set's width; `else` is for m, m/s and m/s^2.
+ALLOWED = {"wrench": 1e-3, "tilt": 0.02, "yaw": 0.02, "rest": 1e-3, "joins": 1e-3, "yaw_rate": 0.05, "yaw_acceleration": 1.0, "jerk": 0.1, "else": 2e-3}
 RULE_SPEED = 0.3  # m/s, below which `yaw along path` pauses
 
 
@@ -143,15 +145,19 @@ def rates(place, yaw):
 
 
 def violations(motion, record, planner, step=0.005):
-    """The largest violation of each kind: (value, where); wrench in shares of widths, others in m, m/s, degrees and so on."""
+    """The largest violation of each kind, (value, where), and the worst instant of each piece that violates something, (piece, share).
+
+    Wrenches are in shares of widths, others in m, m/s, degrees and so on.
+    """
     points, size = record["points"], record["vehicle"]["size"]
     piece, t = motion.instants(step)
     leg, clock = motion.leg[piece], (np.cumsum(motion.h) - motion.h)[piece] + t
     place, yaw = motion.at(piece, t)
-    found = {}
+    found, worst = {}, np.zeros(len(t))
 
     def note(kind, values, mask=None):
         values = values if mask is None else np.where(mask, values, -np.inf)
+        np.maximum(worst, values / ALLOWED.get(kind, ALLOWED["else"]), out=worst)
         at = int(np.argmax(values))
         if values[at] > found.get(kind, (-np.inf,))[0]:
             found[kind] = (float(values[at]), f"{clock[at]:.3f} s")
@@ -199,7 +205,12 @@ def violations(motion, record, planner, step=0.005):
         found["yaw"] = max(errors)
     joins = [np.abs(motion.at([i], [motion.h[i]])[0][:4, 0] - motion.x[i + 1]).max() for i in range(len(motion.h) - 1)]
     found["joins"] = (float(max(joins)), f"piece {int(np.argmax(joins))}")
-    return found
+    instants = []
+    for i in np.unique(piece[worst > 0.2]):
+        own = np.flatnonzero(piece == i)
+        at = own[np.argmax(worst[own])]
+        instants.append((int(i), float(t[at] / motion.h[i])))
+    return found, instants
 
 
 def _ends(motion):

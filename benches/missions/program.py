@@ -14,7 +14,7 @@ import sets
 import shapes
 from dense import Motion, convex_bodies, facets_of
 
-SHARES = [0.0, 0.5]  # instants of a piece at which everything but the ends of legs is required
+SHARES = [0.0, 1 / 3, 2 / 3]  # instants of a piece at which everything but the ends of legs is required
 SCALE_A, SCALE_J, SCALE_S = 5.0, 20.0, 200.0
 SMOOTH = 1e-9  # weight of the squared snap, which makes the minimum unique
 
@@ -50,8 +50,9 @@ def rotation_model(record):
     return ca.Function("wrench", [v, a, j, s, psi, wind], [of_c(in_air, psi, v, wind)]), k[0]
 
 
-def inside_piece(share):
+def inside_piece():
     """The state at a share of a piece, from the state at its beginning, the snap and yaw acceleration at both ends, and its duration."""
+    share = ca.SX.sym("share")
     x, s0, s1, y, h = ca.SX.sym("x", 12), ca.SX.sym("s0", 3), ca.SX.sym("s1", 3), ca.SX.sym("y", 4), ca.SX.sym("h")
     t = share * h
     slope = share * (s1 - s0)  # times t
@@ -65,19 +66,20 @@ def inside_piece(share):
     )
     grow = share * (y[3] - y[2])
     yaw = ca.vertcat(y[0] + t * y[1] + t**2 * (y[2] / 2 + grow / 6), y[1] + t * (y[2] + grow / 2), y[2] + grow)
-    return ca.Function("inside", [x, s0, s1, y, h], [place, yaw])
+    return ca.Function("inside", [x, s0, s1, y, h, share], [place, yaw])
 
 
 class Program:
     """`guess` is a list of one dictionary for each leg: x (n+1, 4, 3), s (n+1, 3), y (n+1, 3) and h (n,)."""
 
-    def __init__(self, record, planner, guess, facets=60, backoff=None, slowest=4.0, quickest=0.02):
+    def __init__(self, record, planner, guess, facets=60, slowest=4.0, quickest=0.02):
         self.record, self.planner, self.guess = record, planner, guess
         self.variables, self.start, self.low, self.high = [], [], [], []
         self.rows, self.row_low, self.row_high = [], [], []
         self.wrench, self.k = rotation_model(record)
         self.facets = facets_of(record, planner)
-        self.backoff = np.zeros(len(self.facets[1])) if backoff is None else backoff
+        self.inside = inside_piece()
+        self.extra = set()  # (leg, piece, share): instants beside those of SHARES
         vehicle = record["vehicle"]
         hover = vehicle["mass"] * sets.GRAVITY
         slack = (self.facets[1] - self.facets[0][:, 0] * hover) / self.facets[2]
@@ -166,6 +168,11 @@ class Program:
                 low, high = (volume["bottom"], volume["top"]) if shape == "polygon" else (volume["from"][2], volume["to"][2])
                 self.require(p[2, :], low + m, high - m)
 
+    def _instants(self, number, n):
+        """The pieces and shares of the instants of a leg, without its end."""
+        own = [(i, share) for share in SHARES for i in range(n)] + sorted((i, share) for leg, i, share in self.extra if leg == number)
+        return [i for i, _ in own], [share for _, share in own]
+
     def _plane(self, body, first, points):
         """One plane between a body and the instants of a piece."""
         m = self.record["vehicle"]["size"] + body["clearance"]
@@ -199,12 +206,11 @@ class Program:
                     gradient = np.array([d(p + e) - d(p - e) for e in 1e-4 * np.eye(3)]) / 2e-4
                     self.pairs[number, i, b] = gradient / max(np.linalg.norm(gradient), 1e-6)
 
-    def solve(self, iterations=400, seconds=600, verbose=False):
+    def solve(self, iterations=400, seconds=600, verbose=False, warm=False):
         record, points = self.record, self.record["points"]
         bodies = convex_bodies(record)
         _, winds = sets.winds(record["air"])
         rows, offsets, widths, masses = (array[sorted(self.chosen)] for array in self.facets)
-        offsets = offsets - self.backoff[sorted(self.chosen)] * widths
         facet_rows = ca.DM(np.column_stack([rows[:, 0] * masses, rows[:, 1:]]) / widths[:, None])
         facet_limits = ca.DM(offsets / widths)
         legs = [self._leg(number) for number in range(len(points) - 1)]
@@ -217,14 +223,14 @@ class Program:
             total += ca.sum2(h)
             smooth += ca.sum1(ca.sum2(s * s)) / n
             pieces = (x[:, :-1], s[:, :-1], s[:, 1:], ca.vertcat(y[:, :-1], y[2, 1:]), h)
-            place, yaw = inside_piece(1.0).map(n)(*pieces)
+            place, yaw = self.inside.map(n)(*pieces, ca.DM.ones(1, n))
             scales = ca.DM(np.repeat([1.0, 1.0, SCALE_A, SCALE_J], 3))
             self.require((place[:12, :] - x[:, 1:]) / ca.repmat(scales, 1, n), 0.0)
             self.require(yaw[:2, :] - y[:2, 1:], 0.0)
-            insides = [inside_piece(share).map(n)(*pieces) for share in SHARES]
-            end = ca.vertcat(x[:, n], s[:, n]), y[:, n]
-            place = ca.horzcat(*(own[0] for own in insides), end[0])
-            yaw = ca.horzcat(*(own[1] for own in insides), end[1])
+            at, instants = self._instants(number, n)
+            place, yaw = self.inside.map(len(at))(*(part[:, at] for part in pieces), ca.DM(instants).T)
+            place = ca.horzcat(place, ca.vertcat(x[:, n], s[:, n]))
+            yaw = ca.horzcat(yaw, y[:, n])
             columns = place.shape[1]
             for wind in winds:
                 start = self._wrench_guess(number, wind, columns)
@@ -248,8 +254,8 @@ class Program:
                 self.require(way, -point["corridor"], length + point["corridor"])
             for (leg_of, i, b), first in self.pairs.items():
                 if leg_of == number:
-                    ends = [own[0][:3, i] for own in insides] + [x[:3, i + 1]]
-                    self._plane(bodies[b], first, ca.horzcat(*ends))
+                    own = [column for column, piece in enumerate(at) if piece == i]
+                    self._plane(bodies[b], first, ca.horzcat(place[:3, own], x[:3, i + 1]))
             if before["yaw"] == point["yaw"] and point["yaw"]["rule"] in ("path", "towards"):
                 self._rule(point["yaw"], x, y, math.radians(point["yaw_within"]))
         self._waypoints(legs)
@@ -260,6 +266,9 @@ class Program:
             "ipopt.constr_viol_tol": 1e-6, "ipopt.acceptable_tol": 1e-4, "ipopt.acceptable_constr_viol_tol": 1e-5, "ipopt.acceptable_iter": 8,
             "ipopt.mu_strategy": "adaptive", "ipopt.max_cpu_time": float(seconds), "ipopt.acceptable_obj_change_tol": 1e-5,
         }  # fmt: skip
+        if warm:
+            options |= {"ipopt.mu_strategy": "monotone", "ipopt.mu_init": 1e-5, "ipopt.bound_push": 1e-5, "ipopt.bound_frac": 1e-5}
+            options |= {"ipopt.slack_bound_push": 1e-5, "ipopt.slack_bound_frac": 1e-5}
         solver = ca.nlpsol("shortest", "ipopt", problem, options)
         join = np.concatenate
         result = solver(x0=join(self.start), lbx=join(self.low), ubx=join(self.high), lbg=join(self.row_low), ubg=join(self.row_high))
@@ -275,9 +284,10 @@ class Program:
         guess = self.guess[number]
         n = len(guess["h"])
         pieces = (guess["x"][:-1].reshape(n, 12).T, guess["s"][:-1].T, guess["s"][1:].T, np.vstack([guess["y"][:-1].T, guess["y"][1:, 2]]), guess["h"][None, :])
-        insides = [inside_piece(share).map(n)(*pieces) for share in SHARES]
-        place = np.hstack([*(np.array(own[0]) for own in insides), np.concatenate([guess["x"][n].ravel(), guess["s"][n]])[:, None]])
-        yaw = np.hstack([*(np.array(own[1]) for own in insides), guess["y"][n][:, None]])
+        at, instants = self._instants(number, n)
+        place, yaw = self.inside.map(len(at))(*(part[:, at] for part in pieces), ca.DM(instants).T)
+        place = np.hstack([np.array(place), np.concatenate([guess["x"][n].ravel(), guess["s"][n]])[:, None]])
+        yaw = np.hstack([np.array(yaw), guess["y"][n][:, None]])
         repeated = np.repeat(np.array(wind)[:, None], columns, axis=1)
         return np.array(self.wrench.map(columns)(place[3:6], place[6:9], place[9:12], place[12:], yaw, repeated))
 
