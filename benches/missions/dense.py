@@ -13,7 +13,7 @@ import shapes
 
 STEP = 1e-4  # of the differences, s
 # Violations that a checked motion may have, wrench in shares of the healthy set's width; `else` is for m, m/s and m/s^2.
-ALLOWED = {"wrench": 1e-3, "tilt": 0.02, "yaw": 0.02, "rest": 1e-3, "joins": 1e-3, "yaw_rate": 0.05, "yaw_acceleration": 1.0, "jerk": 0.1, "else": 2e-3}
+ALLOWED = {"wrench": 1e-3, "tilt": 0.02, "yaw": 0.02, "rest": 1e-3, "joins": 1e-3, "joins of yaw": 1e-3, "yaw_rate": 0.05, "yaw_acceleration": 1.0, "jerk": 0.1, "else": 2e-3}
 RULE_SPEED = 0.3  # m/s, below which `yaw along path` pauses
 
 
@@ -203,6 +203,8 @@ def violations(motion, record, planner, step=0.005):
     errors = yaw_errors(motion, record)
     if errors:
         found["yaw"] = max(errors)
+    turned = np.array([motion.at([i], [motion.h[i]])[1][:2, 0] - motion.y[i + 1, :2] for i in range(len(motion.h) - 1)])
+    found["joins of yaw"] = (float(np.abs(turned).max()), f"piece {int(np.abs(turned).max(axis=1).argmax())}")
     joins = [np.abs(motion.at([i], [motion.h[i]])[0][:4, 0] - motion.x[i + 1]).max() for i in range(len(motion.h) - 1)]
     found["joins"] = (float(max(joins)), f"piece {int(np.argmax(joins))}")
     instants = []

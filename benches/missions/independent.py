@@ -83,14 +83,59 @@ def thinned(legs, pieces):
     return guess
 
 
-def step_from_0_to_1(t):
-    """The polynomial of degree 9 with four derivatives of zero at both ends, and its derivatives 0 to 4."""
-    p = np.polynomial.Polynomial([0] * 5 + [126, -420, 540, -315, 70])
-    return [p.deriv(i)(t) if i else p(t) for i in range(5)]
+def eased(ends, nodes, order):
+    """A function from 0 to 1 whose derivative of this order is linear between the nodes and zero at both ends: its derivatives at the
+    nodes, for steps of 1. `ends` are values of that derivative at the ends of five equal parts of the way, up to a factor."""
+    n = nodes - 1
+    top = np.interp(np.arange(nodes), np.linspace(0, n, 6), ends)
+    found = np.zeros((order + 1, nodes))
+    found[order] = top
+    for i in range(n):
+        for j in range(order):
+            own = sum(found[k, i] / math.factorial(k - j) for k in range(j, order + 1))
+            found[j, i + 1] = own + (top[i + 1] - top[i]) / math.factorial(order + 1 - j)
+    return found / found[0, -1]
 
 
-def own_guess(record, pieces):
-    """The lines through the waypoints, slowly from rest to rest."""
+def way_along(nodes):
+    """The speed is the B-spline of degree 4 on five parts, so that the motion is a spline of the program."""
+    return eased([0, 1, -3, 3, -1, 0], nodes, 4)
+
+
+def way_of_turn(nodes):
+    return eased([0, 1, 1, -1, -1, 0], nodes, 2)
+
+
+def yaw_of_leg(before, point, first, last, places, h):
+    """Yaw, its rate and its acceleration at the nodes of a leg of the own guess."""
+    turn, rule, nodes = last - first, point["yaw"], len(places)
+    if rule != before["yaw"] or rule["rule"] not in ("path", "towards"):
+        way = way_of_turn(nodes)
+        return np.stack([first + turn * way[0], turn * way[1] / h, turn * way[2] / h**2], axis=1)
+    if rule["rule"] == "path":  # turns in the last fifth of the leg, where it is slow
+        at = 4 * (nodes - 1) // 5
+        way = np.hstack([np.zeros((3, at)), way_of_turn(nodes - at)]) if nodes - at > 5 else way_of_turn(nodes)
+        return np.stack([first + turn * way[0], turn * way[1] / h, turn * way[2] / h**2], axis=1)
+    ahead = np.array(rule["point"][:2]) - places[:, :2]
+    wanted = np.unwrap(np.concatenate([[first], np.arctan2(ahead[:, 1], ahead[:, 0])]))[1:]
+    # Yaw and rate are linear in the accelerations at the nodes. Those of the ends are zero; the others fit the angles, and end in rest.
+    n = nodes - 1
+    yaw, rate = np.zeros((nodes, nodes)), np.zeros((nodes, nodes))
+    for i in range(n):
+        yaw[i + 1] = yaw[i] + rate[i]
+        rate[i + 1] = rate[i]
+        yaw[i + 1, i : i + 2] += [1 / 3, 1 / 6]
+        rate[i + 1, i : i + 2] += 0.5
+    inner = slice(1, n)
+    ends = np.array([rate[n, inner], yaw[n, inner]])
+    system = np.block([[yaw[:, inner].T @ yaw[:, inner], ends.T], [ends, np.zeros((2, 2))]])
+    right = np.concatenate([yaw[:, inner].T @ (wanted - first), [0.0, wanted[-1] - first]])
+    top = np.concatenate([[0.0], np.linalg.lstsq(system, right, rcond=None)[0][: n - 1], [0.0]])
+    return np.stack([first + yaw @ top, rate @ top / h, top / h**2], axis=1)
+
+
+def own_guess(record, pieces, slower=1.0):
+    """The lines through the waypoints, slowly from rest to rest: a plan, except for rules of yaw, if it is slow enough."""
     points, limits = record["points"], record["limits"]
     yaws = []
     for number, point in enumerate(points):
@@ -111,19 +156,19 @@ def own_guess(record, pieces):
         speed = min([own[k][1] for k in ("speed", "speed_horizontal", "climb", "descent") if k in own] + [8.0])
         length, turn = math.dist(before["at"], point["at"]), abs(yaws[number + 1] - yaws[number])
         rate = math.radians(own["yaw_rate"][1]) if "yaw_rate" in own else 1.0
-        # The largest speed is 2.46 times the mean, the largest acceleration about 9.4 lengths per squared duration.
-        durations.append(max(2.6 * length / speed, math.sqrt(9.4 * length / 1.0), 2.6 * turn / rate, 2.0))
+        # The largest speed is three times the mean, the largest acceleration 17 lengths per squared duration.
+        durations.append(max(3.1 * length / speed, math.sqrt(17 * length / 1.5), 3 * turn / rate, 2.0))
     shares = np.log1p(durations)
     guess = []
     for number, (before, point) in enumerate(zip(points, points[1:])):
-        n, duration = max(8, round(pieces * shares[number] / shares.sum())), durations[number]
+        n = 5 * max(1, round(pieces * shares[number] / shares.sum() / 5))
+        h = slower * durations[number] / n
         a, b = np.array(before["at"]), np.array(point["at"])
-        way = step_from_0_to_1(np.linspace(0, 1, n + 1))
-        x = np.stack([(a * (i == 0) + np.outer(w, b - a)) / duration**i for i, w in enumerate(way[:4])], axis=1)
-        s = np.outer(way[4], b - a) / duration**4
-        turn = yaws[number + 1] - yaws[number]
-        y = np.stack([yaws[number] + turn * way[0], turn * way[1] / duration, turn * way[2] / duration**2], axis=1)
-        guess.append({"x": x, "s": s, "y": y, "h": np.full(n, duration / n)})
+        way = way_along(n + 1)
+        x = np.stack([(a * (i == 0) + np.outer(w, b - a)) / h**i for i, w in enumerate(way[:4])], axis=1)
+        s = np.outer(way[4], b - a) / h**4
+        y = yaw_of_leg(before, point, yaws[number], yaws[number + 1], x[:, 0], h)
+        guess.append({"x": x, "s": s, "y": y, "h": np.full(n, h)})
     return guess
 
 
