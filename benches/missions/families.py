@@ -174,9 +174,9 @@ def windows(r, size, most):
         m.fly([near, y, z], within=r.choice([None, 0.1, 0.2]), stop=r.random() < 0.2)
         clause = r.choice([{"line": "straight"}, {"corridor": 0.3}, {}])
         m.fly([past, y, z], within=r.choice([None, 0.1, 0.2]), **clause)
-        own = [("y", [-wide, y - open_y], [0, high]), ("y", [y + open_y, wide], [0, high])]
-        own += [("z", [y - open_y, y + open_y], [0, z - open_z]), ("z", [y - open_y, y + open_y], [z + open_z, high])]
-        for _, ys, zs in own:
+        beside = [([-wide, y - open_y], [0, high]), ([y + open_y, wide], [0, high])]
+        below_and_above = [([y - open_y, y + open_y], [0, z - open_z]), ([y - open_y, y + open_y], [z + open_z, high])]
+        for ys, zs in beside + below_and_above:
             m.volume("keep_out", "box", clearance, **{"from": [x - thick / 2, ys[0], zs[0]], "to": [x + thick / 2, ys[1], zs[1]]})
     end = (walls + 1) * bay
     m.fly([end, r.uniform(-0.5, 0.5) * wide, high / 2], within=_within(r), yaw=r.choice([None, 180]) if yaw == 0 else None)

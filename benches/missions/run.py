@@ -97,15 +97,18 @@ def main():
     options = parser.parse_args()
     output = Path(options.output)
     done = set()
+    digest = hashlib.sha256(Path(options.mavc).read_bytes()).hexdigest()[:16]
     if output.exists():
-        done = {(line["seed"], line["planner"]) for line in map(json.loads, output.read_text().splitlines())}
+        lines = [json.loads(line) for line in output.read_text().splitlines()]
+        if any(line["mavc"] != digest for line in lines):
+            sys.exit(f"{output} has runs of another binary")
+        done = {(line["seed"], line["planner"]) for line in lines}
     if options.specs:
         names = [path.stem for path in sorted(Path(options.specs).glob("*.mav"))]
     else:
         first, _, last = options.seeds.partition("..")
         names = list(range(int(first), int(last or first) + 1))
     planners = options.planners.split(",")
-    digest = hashlib.sha256(Path(options.mavc).read_bytes()).hexdigest()[:16]
     lock, mavc = threading.Lock(), str(Path(options.mavc).resolve())
 
     def measure(name):
