@@ -14,6 +14,7 @@ import shapes
 STEP = 1e-4  # of the differences, s
 # Violations that a checked motion may have, wrench in shares of the healthy set's width; `else` is for m, m/s and m/s^2.
 ALLOWED = {"wrench": 1e-3, "tilt": 0.02, "yaw": 0.02, "rest": 1e-3, "joins": 1e-3, "joins of yaw": 1e-3, "yaw_rate": 0.05, "yaw_acceleration": 1.0, "jerk": 0.1, "else": 2e-3}
+MOST_PEAKS = 3  # instants of a piece
 RULE_SPEED = 0.3  # m/s, below which `yaw along path` pauses
 
 
@@ -145,7 +146,7 @@ def rates(place, yaw):
 
 
 def violations(motion, record, planner, step=0.005):
-    """The largest violation of each kind, (value, where), and the worst instant of each piece that violates something, (piece, share).
+    """The largest violation of each kind, (value, where), and the worst instants of each piece that violates something, (piece, share).
 
     Wrenches are in shares of widths, others in m, m/s, degrees and so on.
     """
@@ -210,8 +211,10 @@ def violations(motion, record, planner, step=0.005):
     instants = []
     for i in np.unique(piece[worst > 0.2]):
         own = np.flatnonzero(piece == i)
-        at = own[np.argmax(worst[own])]
-        instants.append((int(i), float(t[at] / motion.h[i])))
+        high = np.concatenate([[-np.inf], worst[own], [-np.inf]])
+        peaks = own[(high[1:-1] >= high[:-2]) & (high[1:-1] > high[2:]) & (high[1:-1] > 0.2)]
+        for at in peaks[np.argsort(-worst[peaks])][:MOST_PEAKS]:
+            instants.append((int(i), float(t[at] / motion.h[i])))
     return found, instants
 
 
