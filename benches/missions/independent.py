@@ -134,7 +134,7 @@ def yaw_of_leg(before, point, first, last, places, h):
     return np.stack([first + yaw @ top, rate @ top / h, top / h**2], axis=1)
 
 
-def own_guess(record, pieces, slower=1.0):
+def own_guess(record, pieces, slower=1.0, least=1):
     """The lines through the waypoints, slowly from rest to rest: a plan, except for rules of yaw, if it is slow enough."""
     points, limits = record["points"], record["limits"]
     yaws = []
@@ -161,7 +161,7 @@ def own_guess(record, pieces, slower=1.0):
     shares = np.log1p(durations)
     guess = []
     for number, (before, point) in enumerate(zip(points, points[1:])):
-        n = 5 * max(1, round(pieces * shares[number] / shares.sum() / 5))
+        n = 5 * max(least, round(pieces * shares[number] / shares.sum() / 5))
         h = slower * durations[number] / n
         a, b = np.array(before["at"]), np.array(point["at"])
         way = way_along(n + 1)
