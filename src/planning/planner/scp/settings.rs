@@ -4,8 +4,8 @@
 //! that both planners share (`timing::kinematics`, `timing::search`).
 //!
 //! "Violation" is in widths of the healthy set for facets and a share of the bound for limits. Where a field names a
-//! measurement, this is what its value was chosen by; the other values were chosen by hand. The values themselves are in
-//! [`ScpSettings::DEFAULT`].
+//! measurement, this is what its value was chosen by; the other values were chosen by hand. The values themselves are
+//! in [`ScpSettings::DEFAULT`].
 
 /// Parameters of [`super::ScpPlanner`]. The planner's results depend on all of them. Their values are not checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
