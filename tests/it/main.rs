@@ -44,6 +44,7 @@ mod programs;
 mod pseudo_inverse;
 mod render;
 mod reproduction;
+mod rest_to_rest;
 mod reversible;
 mod risk;
 mod rounds;
