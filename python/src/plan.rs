@@ -126,7 +126,7 @@ fn planned(
     let texts = Texts {
         verdict: planning.verdict().to_string(),
         json: json(&task.report(&planning, &explained, between.clone())),
-        text: task.text(&planning, &explained, between.as_deref(), false),
+        text: task.text(&planning, &explained, between.as_deref()),
         csv: planning.plan().map(table).transpose()?,
     };
     let done = Done { planning, explained, between, conflict };

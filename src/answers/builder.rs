@@ -222,12 +222,12 @@ impl Builder {
         self.effect(mode, rotors, "lost".into(), &[])
     }
 
-    /// As [`Builder::lost`], but the rotors give at most a share of their thrust, 0 to 1.
+    /// Adds a fault mode in which rotors (numbered from 1) give at most a share of their thrust, 0 to 1.
     pub fn reduced(self, mode: &str, rotors: &[usize], share: f64) -> Self {
         self.effect(mode, rotors, format!("reduced to {}", digits(share)), &[share])
     }
 
-    /// As [`Builder::lost`], but the rotors are stuck at a share of their full thrust, 0 to 1.
+    /// Adds a fault mode in which rotors (numbered from 1) are stuck at a share of their full thrust, 0 to 1.
     pub fn stuck(self, mode: &str, rotors: &[usize], share: f64) -> Self {
         self.effect(mode, rotors, format!("stuck at {}", digits(share)), &[share])
     }
@@ -326,10 +326,10 @@ impl Builder {
         self.build_with_warnings().map(|(spec, _)| spec)
     }
 
-    /// As [`Builder::build`], with the warnings and the advice about the spec.
+    /// The spec, with the warnings and the advice about it.
     ///
     /// # Errors
-    /// As for [`Builder::build`].
+    /// Those of [`Builder::build`].
     pub fn build_with_warnings(self) -> Result<(Spec, Vec<Problem>), BuildError> {
         let lines = self.lines();
         let text = self.text();
@@ -618,7 +618,7 @@ impl fmt::Display for BuildError {
     }
 }
 
-/// As `Display`, on a new line, because a `main` that returns the error prints it so.
+/// The text of `Display` on a new line, because a `main` that returns the error prints it so.
 impl fmt::Debug for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n{self}")

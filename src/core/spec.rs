@@ -62,7 +62,7 @@ impl Spec {
         &self.sha256
     }
 
-    /// The same spec with one more field overridden, as by `--set`: `vehicle.mass=2kg`.
+    /// This spec with one more field overridden, as by `--set`: `vehicle.mass=2kg`.
     ///
     /// # Errors
     /// The override has an error, or the spec has errors with it.
@@ -89,7 +89,7 @@ impl Spec {
         Identity { sha256: self.sha256.clone(), campaign: (campaign.times, campaign.seeds) }
     }
 
-    /// The same spec with another size of its campaign, within the bounds of `mavc::campaign::cases`.
+    /// This spec with another size of its campaign, within the bounds of `mavc::campaign::cases`.
     pub fn with_campaign(&self, times: usize, seeds: usize) -> Self {
         let mut spec = self.clone();
         (spec.model.campaign.times, spec.model.campaign.seeds) = (times, seeds);
@@ -153,7 +153,7 @@ impl fmt::Display for CompileError {
     }
 }
 
-/// As `Display`, on a new line, because a `main` that returns the error prints it so.
+/// The text of `Display` on a new line, because a `main` that returns the error prints it so.
 impl fmt::Debug for CompileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n{self}")

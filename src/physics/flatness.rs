@@ -64,7 +64,7 @@ pub fn turning(mass: f64, gravity: f64, state: &FlatState) -> SVector<f64, 6> {
     turning_of(mass, gravity, state)
 }
 
-/// The same and its derivatives with respect to the flat state (6 x 12).
+/// The turning of the thrust (6) and its derivatives with respect to the flat state (6 x 12).
 pub fn turning_and_jacobian(mass: f64, gravity: f64, state: &FlatState) -> (SVector<f64, 6>, SMatrix<f64, 6, INPUTS>) {
     jacobian(|s| turning_of(mass, gravity, &s), state)
 }

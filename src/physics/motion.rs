@@ -31,7 +31,7 @@ pub const YAW: usize = 3;
 /// rad/s^order.
 pub type NodeState = [[f64; 5]; 4];
 
-/// Like [`NodeState`], with one more entry for the slope of each axis's input, which comes after the input. The slope
+/// A [`NodeState`] with one more entry for the slope of each axis's input, which comes after the input. The slope
 /// is needed for the commanded wrench of lagging rotors.
 pub type CommandState = [[f64; 6]; 4];
 

@@ -28,7 +28,8 @@ pub const MOST_QUESTIONS: usize = 150;
 /// Most additional oracle queries of the search for changes. Chosen by hand.
 pub const MOST_TRIES: usize = 150;
 
-/// The same two in the exact model, where each query solves a sequence of programs. Chosen by hand.
+/// Most queries for a conflict, and most additional ones for changes, in the exact model, where each query solves a
+/// sequence of programs. Chosen by hand.
 pub const MOST_ATTEMPTS: [usize; 2] = [60, 30];
 
 /// Statements that are not satisfied together, and what was shown about them.

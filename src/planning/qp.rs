@@ -168,7 +168,7 @@ pub enum RowOrigin {
         /// Node.
         node: usize,
     },
-    /// The same row for the commanded wrench of lagging rotors.
+    /// A row of the planning set for the commanded wrench of lagging rotors.
     Lag {
         /// Row of the set, from 0.
         facet: usize,

@@ -116,7 +116,7 @@ impl Task<'_> {
         self.capture_heights(planning).map_or(Vec::new(), |heights| heights.curves(self.model()))
     }
 
-    /// The same for all plans of a comparison.
+    /// The captures against which all plans of a comparison are measured.
     pub(super) fn capture_heights_of(&self, comparison: &Comparison) -> Option<Arc<CaptureHeights>> {
         let plans: Vec<&Trajectory> =
             comparison.runs.iter().filter_map(|run| run.outcome.plan()).map(|plan| &plan.trajectory).collect();

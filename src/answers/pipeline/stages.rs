@@ -36,7 +36,7 @@ pub struct Program {
 pub enum NotPrinted {
     /// It has second-order cones, which MPS cannot express.
     ConesInMps,
-    /// It has more than [`MOST_ROWS`] rows.
+    /// It has more than 1,200,000 rows.
     Rows {
         /// Number of rows.
         rows: usize,

@@ -60,7 +60,7 @@ pub fn plan(spec: &Spec) -> Result<Planning, Refusal> {
 /// the runs at T_d are missing.
 ///
 /// # Errors
-/// As for [`plan`]; also if the spec has more than [`MAX_SAMPLES_OF_A_SEARCH`] samples.
+/// Those of [`plan`]; also if the spec has more than [`MAX_SAMPLES_OF_A_SEARCH`] samples.
 ///
 /// ```
 /// let compiler = mavc::Compiler::new().set("plan.model = hover").set("plan.samples = 40");
@@ -82,7 +82,7 @@ pub fn compare(spec: &Spec) -> Result<Comparison, Refusal> {
 /// `planning` is the outcome of [`plan`] for this spec. If it is a plan, both parts of the result are empty.
 ///
 /// # Errors
-/// As for [`plan`]; also if `planning` is the outcome for another spec.
+/// Those of [`plan`]; also if `planning` is the outcome for another spec.
 ///
 /// ```
 /// let compiler = mavc::Compiler::new().set("plan.time = 6 s").set("plan.samples = 60").without_flights();
@@ -285,10 +285,10 @@ impl<'s> Task<'s> {
         }
     }
 
-    /// As [`Task::new`], for a comparison of planners, which allows fewer samples.
+    /// A task for a comparison of planners, which allows fewer samples than [`Task::new`].
     ///
     /// # Errors
-    /// As for [`Task::new`]; also if there are too many samples.
+    /// Those of [`Task::new`]; also if there are too many samples.
     pub fn to_compare(spec: &'s Spec) -> Result<Self, Refusal> {
         match too_many_samples(spec.model()) {
             Some(error) => Err(Refusal::TooLarge(vec![error])),
@@ -322,7 +322,7 @@ impl<'s> Task<'s> {
         &self.remarks
     }
 
-    /// As [`plan`], with an observer.
+    /// Plans the mission and reports progress to an observer; see [`plan`].
     pub fn plan(&self, observer: &dyn Observer) -> Planning {
         let required = self.model().plan.require_capture;
         let height = required.and_then(|required| required.height);
@@ -334,7 +334,7 @@ impl<'s> Task<'s> {
         }
     }
 
-    /// As [`compare`], with an observer.
+    /// Compares the planners and reports progress to an observer; see [`compare`].
     pub fn compare(&self, observer: &dyn Observer) -> Comparison {
         self.run(Scope::Everything, observer)
     }
@@ -363,7 +363,7 @@ impl<'s> Task<'s> {
         comparison
     }
 
-    /// As [`explain`](explain()), with an observer.
+    /// Explains an outcome and reports progress to an observer; see [`explain`](explain()).
     ///
     /// # Errors
     /// `planning` is the outcome for another spec.

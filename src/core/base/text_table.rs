@@ -25,7 +25,7 @@ impl Table {
         self.lines(indent, false)
     }
 
-    /// The same with every column aligned left.
+    /// This table with every column aligned left.
     pub fn render_left(&self, indent: usize) -> String {
         self.lines(indent, true)
     }

@@ -260,7 +260,7 @@ pub enum RowRecord {
         /// Node of the grid.
         node: usize,
     },
-    /// The same for the commanded wrench of lagging rotors.
+    /// A row of the planning set for the commanded wrench of lagging rotors.
     Commands {
         /// Index into `facets`.
         facet: usize,

@@ -158,7 +158,7 @@ impl Vehicle {
         self.rotors.iter().map(|rotor| rotor.motor).collect()
     }
 
-    /// The same where they differ from the rotors' own numbers.
+    /// The autopilot's numbers where they differ from the rotors' own.
     pub fn other_motors(&self) -> Option<Vec<u32>> {
         self.motors().filter(|motors| !motors.iter().copied().eq(1..=motors.len() as u32))
     }

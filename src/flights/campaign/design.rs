@@ -38,7 +38,7 @@ pub struct Standing {
     /// Where it lies relative to the set of full wrenches. A plan can keep a reserve only against modes with hover
     /// inside.
     pub hover_all_axes: Place,
-    /// The same in the words of all reports, such as `on the edge, yaw free`.
+    /// How the mode hovers in the words of all reports, such as `on the edge, yaw free`.
     pub words: String,
     /// How the mode hovers with yaw given up.
     pub yaw_free: YawFree,
@@ -46,7 +46,7 @@ pub struct Standing {
     pub gives_up_yaw: bool,
     /// Whether plans are measured by its core.
     pub has_core: bool,
-    /// The height that the fault costs ([`capture::heights`]); empty if yaw is not given up after it.
+    /// The height that the fault costs ([`capture::heights()`]); empty if yaw is not given up after it.
     pub capture: Vec<CaptureHeight>,
 }
 

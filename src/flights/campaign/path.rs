@@ -37,7 +37,7 @@ impl PathSums {
     }
 }
 
-/// The same for one instant of the fault, in little memory.
+/// The path errors of one instant of the fault, in little memory.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PathCell {
     /// Sum of the largest distances from the reference, m.

@@ -108,7 +108,7 @@ impl Allocator {
         self.speeds_by(self.method, wrench, speeds);
     }
 
-    /// The same by bounded allocation, whatever the vehicle's method: with yaw given up.
+    /// The speeds for a wrench by bounded allocation, whatever the vehicle's method: with yaw given up.
     pub(super) fn bounded_speeds(&mut self, wrench: &Wrench, speeds: &mut [f64]) {
         self.speeds_by(Allocation::Bounded, wrench, speeds);
     }
@@ -160,7 +160,7 @@ impl Allocator {
         self.missing_part(wrench, belief, Wrench::new(1e6, 1e6, 1e6, 1e-3)).fixed_rows::<3>(0).norm()
     }
 
-    /// The same with yaw as well.
+    /// The part of a wrench, yaw included, that is missing.
     pub(super) fn missing_all(&self, wrench: &Wrench, belief: &Belief) -> f64 {
         self.missing_part(wrench, belief, Wrench::repeat(1e6)).norm()
     }

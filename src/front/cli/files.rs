@@ -61,7 +61,7 @@ pub fn eprint(text: &str) {
     eprint_as_it_is(&visible::text(text));
 }
 
-/// As [`print_as_it_is()`], on standard error.
+/// Prints a text with its colours and links to standard error.
 pub fn eprint_as_it_is(text: &str) {
     let _ = anstream::stderr().write_all(text.as_bytes());
 }

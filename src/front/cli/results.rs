@@ -241,7 +241,7 @@ pub fn json(record: &impl Serialize) -> Result<String, Problem> {
     Ok(visible::json(text) + "\n")
 }
 
-/// As [`json`], on one line.
+/// A record as JSON on one line.
 pub fn compact_json(record: &impl Serialize) -> Result<String, Problem> {
     let text = serde_json::to_string(record).map_err(|e| e.to_string())?;
     Ok(visible::json(text) + "\n")

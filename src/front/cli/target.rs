@@ -205,7 +205,7 @@ fn beside(path: &Path, bytes: &[u8]) -> IoResult<NamedTempFile> {
     Ok(file)
 }
 
-/// As [`beside`], still empty.
+/// An empty temporary file beside the target.
 fn prepared(path: &Path) -> IoResult<NamedTempFile> {
     let file = temporary::beside(path)?;
     // Only a file that mavc names can be a link here ([`Target::within`]); its permissions do not count.

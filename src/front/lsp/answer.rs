@@ -111,7 +111,7 @@ fn look_up(server: &mut Server, uri: &Url) -> Option<(Arc<Spec>, FileId)> {
     Some((spec, file))
 }
 
-/// As [`look_up`], with a byte offset.
+/// The spec and the file of a position, with its byte offset.
 fn look_at(server: &mut Server, at: &TextDocumentPositionParams) -> Option<(Arc<Spec>, FileId, usize)> {
     let (spec, file) = look_up(server, &at.text_document.uri)?;
     let offset = offset(spec.source(file), at.position);

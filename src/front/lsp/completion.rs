@@ -25,7 +25,7 @@ const ORDER: [&str; 8] = ["vehicle", "faults", "mission", "plan", "simulate", "c
 pub struct Offer {
     pub label: String,
     pub insert: String,
-    /// The same with places for the cursor, for editors that know snippets.
+    /// The text with places for the cursor, for editors that know snippets.
     pub snippet: Option<String>,
     pub kind: ItemKind,
     /// A few words after the label.

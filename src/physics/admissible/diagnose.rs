@@ -46,8 +46,8 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     diagnose_by(model, analysis).unwrap_or_default()
 }
 
-/// Like [`diagnose`], but the caller provides the analyses: of the healthy vehicle for `None`, and of a mode for its
-/// index. Returns `None` as soon as the caller returns `None`.
+/// The errors and warnings of [`diagnose`], for which the caller provides the analyses: of the healthy vehicle for
+/// `None`, and of a mode for its index. Returns `None` as soon as the caller returns `None`.
 pub(crate) fn diagnose_by(
     model: &Model,
     mut analysis: impl FnMut(Option<usize>) -> Option<ModeAnalysis>,

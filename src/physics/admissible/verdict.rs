@@ -292,7 +292,7 @@ fn heaviest<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> O
     lift(polytope, size).map(|(_, high)| high)
 }
 
-/// See [`ModeAnalysis::unreached_share`].
+/// The share of the set that the allocation does not reach; see [`ModeAnalysis::unreached_share`].
 fn unreached_share(set: &AdmissibleSet) -> Option<f64> {
     if set.allocation == Allocation::Bounded || !set.polytope.equalities.is_empty() {
         return None;

@@ -54,7 +54,7 @@ pub struct WithoutYaw {
     /// Radius of the largest disc of roll and pitch torques about hover that the mode produces, N m; 0 on the edge.
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub disc_n_m: f64,
-    /// The same as angular acceleration about the horizontal axis with the larger moment of inertia, rad/s^2.
+    /// The disc as angular acceleration about the horizontal axis with the larger moment of inertia, rad/s^2.
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub disc_rad_s2: f64,
     /// The largest thrust without roll and pitch torques, N.

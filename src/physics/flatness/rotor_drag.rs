@@ -85,7 +85,7 @@ pub fn attitude(environment: &Environment, velocity: [f64; 3], acceleration: [f6
     }
 }
 
-/// See [`attitude`].
+/// The thrust and the attitude that a motion needs; see [`attitude`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attitude {
     /// The thrust over mass c, m/s^2.

@@ -92,7 +92,7 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
         (low <= high + slip).then(|| if low <= high { (low, high) } else { ((low + high) / 2.0, (low + high) / 2.0) })
     }
 
-    /// The same rows without their origins.
+    /// The rows without their origins.
     pub fn without_origins(&self) -> Polytope<D, ()> {
         let facets = self.facets.iter().map(|f| Facet { normal: f.normal, offset: f.offset, origin: () });
         Polytope { equalities: self.equalities.clone(), facets: facets.collect() }

@@ -36,7 +36,7 @@ pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Pe
     peak_over(trajectory, 0..trajectory.intervals(), quantity)
 }
 
-/// The same over some intervals.
+/// The largest value of a quantity over some intervals.
 fn peak_over(trajectory: &Trajectory, intervals: Range<usize>, quantity: impl Fn(&NodeState) -> f64) -> Peak {
     let mut best_interval = intervals.start;
     let mut best = Peak { value: f64::NEG_INFINITY, at: trajectory.times[best_interval] };
@@ -103,8 +103,9 @@ fn outside_cone(aside: f64, ahead: f64, angle: f64) -> f64 {
     }
 }
 
-/// Like [`violation`], but as the checker of plans measures it. Angles differ: their violation is the distance from a
-/// cone, of the acceleration (divided by gravity), of the velocity, or of the direction that the yaw follows.
+/// The violation of a limit as the checker of plans measures it. It differs from [`violation`] for angles: their
+/// violation is the distance from a cone, of the acceleration (divided by gravity), of the velocity, or of the
+/// direction that the yaw follows.
 pub(crate) fn violation_as_checked(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
     match (&limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {

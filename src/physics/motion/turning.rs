@@ -66,7 +66,7 @@ impl TurningMap {
         self.terms.iter().fold(self.constant, |sum, &(axis, order, c)| sum + c * state[axis][order])
     }
 
-    /// The same map of the motion, where this is one of the motion [`in_air`].
+    /// This map as one of the motion, where this is one of the motion [`in_air`].
     fn of_motion_in(mut self, environment: &Environment) -> Self {
         if !environment.has_drag() {
             return self;

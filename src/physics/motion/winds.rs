@@ -45,7 +45,7 @@ impl OverWinds {
         OverWinds { middle, parts: boxes(model, environment).iter().map(of_box).collect(), turning: None }
     }
 
-    /// The same with how the motion turns.
+    /// These wrenches with how the motion turns.
     pub fn turning(self, turning: Turning) -> Self {
         OverWinds { turning: Some(turning), ..self }
     }

@@ -159,7 +159,7 @@ impl<'a> HoverPlanner<'a> {
         self.decide_with(total, samples, set, working_set, false)
     }
 
-    /// The same on the coarse grid, where a verdict is only a hint: without the second program of
+    /// The decision on the coarse grid, where a verdict is only a hint: without the second program of
     /// [`Self::decide_by_overshoot`].
     pub(super) fn decide_roughly(&mut self, total: f64, set: &PlanningSet, working_set: &mut WorkingSet) -> Decision {
         self.decide_with(total, self.coarse_samples(), set, working_set, true)

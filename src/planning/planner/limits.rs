@@ -61,12 +61,12 @@ impl Widening {
         Widening { share: share.clone(), duration_change: Affine::default(), room: 0.0 }
     }
 
-    /// The same with a relative change of the duration.
+    /// This widening with a relative change of the duration.
     pub fn with_duration_change(self, change: &Affine) -> Self {
         Widening { duration_change: change.clone(), ..self }
     }
 
-    /// The same with volumes kept by this much more, m.
+    /// This widening with volumes kept by this much more, m.
     pub fn with_room(self, room: f64) -> Self {
         Widening { room, ..self }
     }
@@ -282,7 +282,7 @@ impl Transcription<'_> {
         self.violation_of(limit, &state, sigma)
     }
 
-    /// The same for one state, at which the limit holds.
+    /// The violation of a limit by one state, at which the limit holds.
     pub(super) fn violation_of(&self, limit: &Limit, state: &NodeState, sigma: f64) -> f64 {
         let length = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
         let share = |violation: f64, scale: f64| if scale > 0.0 { violation / scale - sigma } else { violation };

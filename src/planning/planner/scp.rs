@@ -102,11 +102,11 @@ impl ProximalWeight {
 #[derive(Debug, Clone, Copy)]
 struct Weights {
     objective: Objective,
-    /// See [`Step::penalty`].
+    /// Weight of the violation; see [`Step::penalty`].
     penalty: f64,
-    /// See [`Step::cost_weight`].
+    /// Weight of the cost; see [`Step::cost_weight`].
     cost_weight: f64,
-    /// See [`Step::input_weight`].
+    /// Weight of changes of inputs; see [`Step::input_weight`].
     input_weight: f64,
 }
 

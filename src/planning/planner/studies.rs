@@ -54,7 +54,7 @@ pub fn compare(problem: Problem, scope: Scope, progress: Progress) -> Comparison
     comparison
 }
 
-/// The same with the mission's shares of time for the legs.
+/// The comparison with the mission's shares of time for the legs.
 fn with_times(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
     let model = problem.model();
     let mut setting = Setting { weighs_risk: scope != Scope::Common, ..Setting::new(problem, progress) };

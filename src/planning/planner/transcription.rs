@@ -139,43 +139,43 @@ impl<'a> Transcription<'a> {
         }
     }
 
-    /// The same with rows on the commanded wrench, if rotors lag.
+    /// This transcription with rows on the commanded wrench, if rotors lag.
     pub fn with_commands(self, commands: Option<&'a CommandMaps>) -> Self {
         Transcription { commands, ..self }
     }
 
-    /// The same mission with other integrators, and rows also between nodes.
+    /// This transcription with other integrators, and rows also between nodes.
     pub fn with_orders(self, orders: [usize; 4], parts: usize) -> Self {
         Transcription { orders, parts, ..self }
     }
 
-    /// The same from the state in which a fault strikes, if one does, to rest.
+    /// This transcription from the state in which a fault strikes, if one does, to rest.
     pub(super) fn stopping_from(self, struck: Option<NodeState>) -> Self {
         Transcription { struck, ..self }
     }
 
-    /// The same with distances from bodies linearised about these positions (m), one per instant.
+    /// This transcription with distances from bodies linearised about these positions (m), one per instant.
     pub(super) fn about(self, positions: Option<&'a [[f64; 3]]>) -> Self {
         Transcription { positions, ..self }
     }
 
-    /// The same with a yaw that follows from the motion linearised about these states at the nodes.
+    /// This transcription with a yaw that follows from the motion linearised about these states at the nodes.
     pub(super) fn about_states(self, states: Option<&'a [NodeState]>) -> Self {
         Transcription { states, ..self }
     }
 
-    /// The same program for other bounds: limits and tolerances of `mission`, rows of `set`, each as many as before.
+    /// This transcription for other bounds: limits and tolerances of `mission`, rows of `set`, each as many as before.
     pub(super) fn of_statements(self, mission: &'a Mission, set: &'a PlanningSet) -> Self {
         Transcription { mission, set, ..self }
     }
 
-    /// The same program in spline coefficients.
+    /// This transcription in spline coefficients.
     pub fn in_splines(self) -> Self {
         let splines = splines(self.grid);
         self.in_these(splines)
     }
 
-    /// The same program in the coefficients of splines made before ([`splines`]), of this time grid.
+    /// This transcription in the coefficients of splines made before ([`splines`]), of this time grid.
     pub(super) fn in_these(self, splines: Arc<[NodeSpline; 2]>) -> Self {
         Transcription { form: Form::Splines(splines), ..self }
     }
@@ -220,7 +220,7 @@ impl<'a> Transcription<'a> {
         self.taus[node]
     }
 
-    /// The same of a mean step, s.
+    /// The unit of time of a mean step, s.
     pub(super) fn mean_tau(&self) -> f64 {
         units::mean_unit(self.grid)
     }
@@ -334,7 +334,7 @@ impl<'a> Transcription<'a> {
         self.program_with(purpose, chosen, None)
     }
 
-    /// The same without the set: the limits in `chosen`, and thrust m |a + g| up to `most`, N.
+    /// The program without the set: the limits in `chosen`, and thrust m |a + g| up to `most`, N.
     pub(super) fn relaxed_program(&self, purpose: Purpose, chosen: &[RowAt], most: f64) -> QuadraticProgram {
         self.program_with(purpose, chosen, Some(most))
     }

@@ -152,7 +152,7 @@ impl Dimension {
         self.zip(|k| self.0[k].times(exponent))
     }
 
-    /// The same dimension without angle, as in SI units.
+    /// This dimension without angle, as in SI units.
     pub fn without_angle(mut self) -> Self {
         self.0[Base::Angle as usize] = Exponent::ZERO;
         self

@@ -49,7 +49,7 @@ impl fmt::Display for Rejected {
     }
 }
 
-/// As `Display`, on a new line, because a `main` that returns the error prints it so.
+/// The text of `Display` on a new line, because a `main` that returns the error prints it so.
 impl fmt::Debug for Rejected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n{self}")

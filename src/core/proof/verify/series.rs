@@ -57,7 +57,7 @@ impl<const N: usize> Series<N> {
         }))
     }
 
-    /// The same with coefficients of another kind.
+    /// This series with coefficients of another kind.
     pub fn lifted<S: Scalar>(&self) -> Series<N, S> {
         Series(self.0.map(S::of))
     }

@@ -61,7 +61,7 @@ impl Dynamics<'_> {
         self.model == DynamicModel::Exact && self.environment.is_uncertain()
     }
 
-    /// The same equations in each of the extreme winds.
+    /// These equations in each of the extreme winds.
     pub fn in_each_wind(&self) -> Vec<Self> {
         self.environment.corners().into_iter().map(|environment| Dynamics { environment, ..self.clone() }).collect()
     }

@@ -81,7 +81,8 @@ impl Environment {
         self.has_drag() && self.wind_spread.iter().any(|spread| *spread > 0.0)
     }
 
-    /// The same with one wind for each corner of the box of possible winds; itself where only one wind is possible.
+    /// The environments with one wind for each corner of the box of possible winds; itself where only one wind is
+    /// possible.
     pub fn corners(&self) -> Vec<Environment> {
         let mut all = vec![Environment { wind_spread: [0.0; 3], ..*self }];
         for axis in (0..3).filter(|&axis| self.has_drag() && self.wind_spread[axis] > 0.0) {

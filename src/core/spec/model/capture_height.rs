@@ -30,7 +30,7 @@ impl Mission {
 }
 
 impl Model {
-    /// The same spec with the limits of its `require capture_height`, for a simulated height above the ground, m.
+    /// The spec with the limits of its `require capture_height`, for a simulated height above the ground, m.
     /// Without the statement, a mission or its ground it is the spec itself.
     ///
     /// # Errors

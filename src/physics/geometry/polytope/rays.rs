@@ -85,8 +85,8 @@ impl Outer {
     }
 }
 
-/// The rows of the projection on the first three axes of `{ w : head.w + last w_4 <= offset }`, each a row or the sum of
-/// two rows without w_4, and possibly a few that are implied by others. Lengths are divided by a scale and measured
+/// The rows of the projection on the first three axes of `{ w : head.w + last w_4 <= offset }`, each a row or the sum
+/// of two rows without w_4, and possibly a few that are implied by others. Lengths are divided by a scale and measured
 /// from an inner point, so that offsets are positive. `None` if the projection is unbounded or the point on its
 /// boundary.
 pub(super) fn projected(rows: &[Row]) -> Option<Vec<Row>> {
@@ -113,8 +113,9 @@ pub(super) fn projected(rows: &[Row]) -> Option<Vec<Row>> {
 
 /// The row through which the ray from 0 to y leaves the projection before it reaches y, if it does.
 ///
-/// Along the ray a pair of rows leaves w_4 an interval, whose length is linear in t. The least of them over all pairs is
-/// concave in t, so that Newton's steps from a point outside descend to its zero and end at a pair that is active there.
+/// Along the ray a pair of rows leaves w_4 an interval, whose length is linear in t. The least of them over all pairs
+/// is concave in t, so that Newton's steps from a point outside descend to its zero and end at a pair that is active
+/// there.
 fn leaving(rows: &[Row], y: &Vector3<f64>) -> Option<Row> {
     // (growth, last, row): growth t + last w_4 <= offset on the ray.
     let along: Vec<(f64, &Row)> = rows.iter().map(|row| (row.head.dot(y), row)).collect();

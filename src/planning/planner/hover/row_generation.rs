@@ -12,7 +12,7 @@ use crate::solve::{Outcome, Solution, solve};
 /// Where the violation is minimised: after this many rounds, a violation within 1 % of its lower bound ends row
 /// generation, because the estimate does not use such a value. Chosen by hand.
 const FIRST_ROUNDS: usize = 2;
-/// See [`FIRST_ROUNDS`]: the share of the (negative) lower bound.
+/// The share of the (negative) lower bound that ends row generation after [`FIRST_ROUNDS`].
 const NEAR_LEAST: f64 = 0.99;
 /// Where the violation is minimised, rows violated by less than this share of it are not added: the result is an
 /// estimate. Chosen by hand.
@@ -70,8 +70,8 @@ impl HoverPlanner<'_> {
         self.generate_within(layout, set, purpose, working_set, ACCEPTED)
     }
 
-    /// The same with another accepted violation. [`Purpose::Violation`] is minimised no further than its `least`, and
-    /// no closer than to a fifth of itself: far from zero it need not be known well.
+    /// Row generation with another accepted violation. [`Purpose::Violation`] is minimised no further than its `least`,
+    /// and no closer than to a fifth of itself: far from zero it need not be known well.
     pub(super) fn generate_within(
         &mut self,
         layout: &Layout,

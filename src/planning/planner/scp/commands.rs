@@ -41,7 +41,7 @@ struct LinearisedCommand {
 /// The commanded wrench about an iterate, for one subproblem.
 pub(super) struct CommandLinearisation {
     linearised: BTreeMap<CommandAt, LinearisedCommand>,
-    /// See [`Lag::local_tightening`].
+    /// The tightening of rows between instants; see [`Lag::local_tightening`].
     local_tightening: Vec<f64>,
     /// Curvature of the Lagrangian, as in [`Step::curvature`], over [`COMMAND_DERIVATIVES`].
     curvature: Vec<(CommandAt, CommandState, Vec<CommandFlatState>)>,

@@ -48,8 +48,8 @@ impl ScpPlanner<'_, '_> {
         self.restore_feasibility(iterate.stepped(&stepped.states, &stepped.changes), working_set)
     }
 
-    /// The same path with the same shares of time, about as short as is feasible at the nodes. `None` if no duration up
-    /// to [`MAX_MISSION_TIME`] is.
+    /// The path of an iterate with its shares of time, about as short as is feasible at the nodes. `None` if no
+    /// duration up to [`MAX_MISSION_TIME`] is.
     pub(super) fn slowed_until_inside(&self, iterate: &Iterate) -> Option<Iterate> {
         let form = self.transcription(&iterate.grid, &[]);
         let inside = |factor: f64| {
@@ -193,7 +193,7 @@ impl ScpPlanner<'_, '_> {
         self.brought_alike(shorter, total)
     }
 
-    /// The same without changes of the legs' shares of the time.
+    /// The plan of least cost at a mission time, from an iterate whose legs keep their shares of the time.
     fn brought_alike(&mut self, first: Iterate, total: f64) -> Option<Planned> {
         let flown = total - self.held();
         let mut working_set = BTreeSet::new();

@@ -20,12 +20,12 @@ impl ScpPlanner<'_, '_> {
         if found.is_none() {
             self.sides = kept;
         }
-        found.or_else(|| self.from_rest_to_rest(near))
+        found.or_else(|| self.refined_from_rest(near))
     }
 
     /// A feasible iterate on the full grid, of about `near` s of flight or as short as the coarse grids make it, from
     /// the motion from rest to rest: on the coarse grid, or where that fails on the full one.
-    fn from_rest_to_rest(&mut self, near: f64) -> Option<Iterate> {
+    fn refined_from_rest(&mut self, near: f64) -> Option<Iterate> {
         self.forget_multipliers();
         let coarse = self.rest_to_rest(self.hover.coarse_samples()).ok();
         let refined = coarse.and_then(|iterate| {

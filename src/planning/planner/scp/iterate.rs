@@ -48,7 +48,7 @@ impl Iterate {
         state_between(&self.states[interval], &self.states[interval + 1], h, share * h, self.model)
     }
 
-    /// The same path in the same shares of time, `factor` times slower.
+    /// This path in its shares of time, `factor` times slower.
     pub fn slower(&self, factor: f64) -> Iterate {
         Iterate {
             grid: self.grid.with_durations_times(|_| factor),
@@ -89,12 +89,12 @@ impl Iterate {
         })
     }
 
-    /// The same time grid with other states.
+    /// This time grid with other states.
     pub fn with_states(&self, states: Vec<NodeState>) -> Iterate {
         Iterate { grid: self.grid.clone(), states, model: self.model }
     }
 
-    /// The same with the smallest changes of inputs that make its pieces join ([`Trajectory::joined`]).
+    /// The iterate with the smallest changes of inputs that make its pieces join ([`Trajectory::joined`]).
     pub fn with_joined_pieces(&self) -> Iterate {
         self.with_states(self.trajectory().joined().nodes)
     }
@@ -107,7 +107,7 @@ impl Iterate {
         self.states.iter().zip(states).map(|(from, to)| blend(from, to)).collect()
     }
 
-    /// The same path interpolated at the nodes of another time grid, at the same shares of each leg's duration.
+    /// This path interpolated at the nodes of another time grid, at the same shares of each leg's duration.
     pub fn on(&self, grid: &TimeGrid) -> Iterate {
         let trajectory = self.trajectory();
         let mut states = Vec::with_capacity(grid.nodes());

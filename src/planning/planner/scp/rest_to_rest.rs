@@ -1,9 +1,9 @@
 //! A first plan in closed form: the polyline through the waypoints, flown leg by leg from rest to rest.
 //!
-//! Where the polyline is free, every limit holds at rest and no rate has a lower bound, such a motion satisfies all rows
-//! if it is slow enough: it stays on the polyline, and its wrench tends to that of hover. Each leg rests at both ends,
-//! so that its duration is found for itself. The search for short times starts from here where the minimum-snap motion
-//! ([`super::minimum_snap`]) leads to no plan.
+//! Where the polyline is free, every limit holds at rest and no rate has a lower bound, such a motion satisfies all
+//! rows if it is slow enough: it stays on the polyline, and its wrench tends to that of hover. Each leg rests at both
+//! ends, so that its duration is found for itself. The search for short times starts from here where the minimum-snap
+//! motion ([`super::minimum_snap`]) leads to no plan.
 
 use super::way_around::{nth_way, obstructed};
 use super::*;
@@ -172,8 +172,8 @@ fn yaws(mission: &Mission) -> Vec<f64> {
 }
 
 impl ScpPlanner<'_, '_> {
-    /// A motion from rest to rest at every waypoint, over the grid with `samples` intervals, that satisfies every row at
-    /// every instant.
+    /// A motion from rest to rest at every waypoint, over the grid with `samples` intervals, that satisfies every row
+    /// at every instant.
     ///
     /// # Errors
     /// The first leg that has no such motion.

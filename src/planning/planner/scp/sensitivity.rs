@@ -27,7 +27,7 @@ pub enum Statement {
     Limit(usize),
     /// A set: 0 of the healthy vehicle, k of mode k - 1.
     Set(usize),
-    /// The same set, for what lagging rotors are commanded.
+    /// The set of a mode, for what lagging rotors are commanded.
     Commands(usize),
     /// The thrust points up.
     Upright,

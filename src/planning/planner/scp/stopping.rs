@@ -13,7 +13,7 @@ impl ScpPlanner<'_, '_> {
         self.stop_by_steps(smooth, violation)
     }
 
-    /// The same with a known stop from another state as the initial guess.
+    /// A stop with a known one from another state as the initial guess.
     pub fn stop_about(&mut self, other: Iterate) -> Option<Iterate> {
         self.stop_by_steps(other, f64::INFINITY)
     }

@@ -17,8 +17,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         }
     }
 
-    /// The same at an instant of an iterate; `known` holds those computed before, as several rows may be at one
-    /// instant.
+    /// The wrench in every possible wind at an instant of an iterate; `known` holds those computed before, as several
+    /// rows may be at one instant.
     pub(super) fn wrench_at_instant<'k>(
         &self,
         iterate: &Iterate,
@@ -74,7 +74,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         facets.chain(limits).chain(exact.then(|| form.violation_upright(state)))
     }
 
-    /// The same at an instant, each with its place and with its local tightening.
+    /// The violations at an instant, each with its place and with its local tightening.
     pub(super) fn violations_at<'s>(
         &'s self,
         form: &'s Transcription<'s>,

@@ -77,10 +77,10 @@ impl Transcription<'_> {
         }
     }
 
-    /// The same where the drag differs along x and y. Attitude R and velocity are those of the plan, and so is the
-    /// force of the drag: with K = R diag(k) R^T and the velocity u through the air, the thrust over mass of the stop
-    /// is `c b_3 = a + g e_z + K u`. Its direction is kept if `e.(a + K u + g e_z) = 0` for every e normal to b_3, and
-    /// that of its rate of change `c' b_3 + c b_3' = j + K a + K' u` if `e.(j + K a + K' u) = c e.b_3'` with
+    /// The rows at the fault where the drag differs along x and y. Attitude R and velocity are those of the plan, and
+    /// so is the force of the drag: with K = R diag(k) R^T and the velocity u through the air, the thrust over mass of
+    /// the stop is `c b_3 = a + g e_z + K u`. Its direction is kept if `e.(a + K u + g e_z) = 0` for every e normal to
+    /// b_3, and that of its rate of change `c' b_3 + c b_3' = j + K a + K' u` if `e.(j + K a + K' u) = c e.b_3'` with
     /// `c = b_3.(a + K u + g e_z)`.
     fn attitude_remains(&self, builder: &mut Builder, struck: &NodeState, environment: &Environment) {
         let orders = [1, 2, 3].map(|order| [X, Y, Z].map(|axis| struck[axis][order]));

@@ -164,7 +164,7 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// The same with what limits the time found.
+    /// The outcome of a search for the shortest time, with what limits the time found.
     pub fn own_with_binding(&self, found: &Found, set: &PlanningSet) -> PlanOutcome {
         let mut outcome = self.own(found);
         if let (PlanOutcome::Planned(solved), Some(planned)) = (&mut outcome, found.planned()) {

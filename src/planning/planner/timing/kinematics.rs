@@ -27,7 +27,7 @@ struct RateBounds {
 }
 
 impl RateBounds {
-    /// The same acceleration in both directions.
+    /// Bounds with one acceleration for both directions.
     fn both_ways(rate: f64, acceleration: f64, jerk: f64) -> Self {
         RateBounds { rate, speeding: acceleration, slowing: acceleration, jerk }
     }
@@ -311,7 +311,7 @@ impl LeastTime {
     }
 }
 
-/// The same with the spec's limits.
+/// The least time with the spec's limits, none of them relaxed.
 pub fn least_time_within(problem: Problem) -> LeastTime {
     least_time(problem, &vec![0.0; problem.mission().limits.len()])
 }

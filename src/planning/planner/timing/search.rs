@@ -65,7 +65,7 @@ const NEAR_LEAST: f64 = 0.99;
 /// Estimate: interpolation changes the time by factors between these, because the rule 1/T^2 holds only nearby.
 /// Chosen by hand.
 const MIN_RATIO: f64 = 0.4;
-/// See [`MIN_RATIO`].
+/// Estimate: the largest factor by which interpolation changes the time; see [`MIN_RATIO`].
 const MAX_RATIO: f64 = 2.5;
 /// Estimate without interpolation: factor to the next time while none is known to be feasible. Chosen by hand.
 const LONGER: f64 = 1.3;
