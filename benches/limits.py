@@ -70,6 +70,8 @@ def specs():
     yield "32 rotors, each loss without yaw", vehicle(32, 9, yaw) + singles + mission(hop) + free
     unsure = vehicle(32, 9, yaw, thrust="6 N +- 1 %")
     yield "32 rotors with intervals, each loss without yaw", unsure + singles + mission(hop) + free
+    all_unsure = unsure.replace("15 mm", "15 mm +- 5 %").replace("mass = 9 kg", "mass = 9 kg +- 3 %")
+    yield "32 rotors, intervals of all, each loss without yaw", all_unsure + singles + mission(hop) + free
     triples = "faults { every 3 rotors lost as T\nevery 3 rotors reduced to 50 % as R }\n"
     rip = plain.replace("plan {", "plan { planner = rip; against = [];")
     yield "9,920 modes", vehicle(32, 9) + triples + mission(hop) + rip

@@ -40,8 +40,8 @@ pub enum NotPrinted {
     Rows {
         /// Number of rows.
         rows: usize,
-        /// Number of samples with which it would have few enough; 0 if there is none.
-        samples: usize,
+        /// Number of samples with which it would have few enough, if that is enough for the mission.
+        samples: Option<usize>,
     },
 }
 
@@ -70,8 +70,10 @@ impl fmt::Display for NotPrinted {
             NotPrinted::Rows { rows, samples } => {
                 writeln!(f, "error[{code}]: this program has {rows} rows; at most {MOST_ROWS} are printed")?;
                 match samples {
-                    0 => writeln!(f, "  help: state fewer volumes or fault modes"),
-                    _ => writeln!(f, "  help: use fewer samples, for example `--set plan.samples={samples}`"),
+                    Some(samples) => {
+                        writeln!(f, "  help: use fewer samples, for example `--set plan.samples={samples}`")
+                    }
+                    None => writeln!(f, "  help: state fewer volumes or fault modes"),
                 }
             }
         }
@@ -158,7 +160,7 @@ impl Task<'_> {
             // Rows grow with samples; each leg needs some of them.
             let samples = model.plan.samples * MOST_ROWS / rows;
             let is_enough = samples > 2 * problem.mission().waypoints.len();
-            return Err(NotPrinted::Rows { rows, samples: if is_enough { samples } else { 0 } });
+            return Err(NotPrinted::Rows { rows, samples: is_enough.then_some(samples) });
         }
         let program = transcription.full_program(Purpose::Plan { slack: FEASIBLE });
         Ok(Some(Program { schema: 1, time_s, program }))

@@ -64,17 +64,23 @@ impl ScpPlanner<'_, '_> {
             slow.states.iter().enumerate().all(|(node, s)| violation(node, s) <= 0.0)
                 && (0..slow.states.len()).all(commands_inside)
         };
+        Some(iterate.slower(self.least_slowing(iterate.grid.total, inside)?))
+    }
+
+    /// The smallest factor of a duration (s) for which `is_inside` holds, or the smallest that is sought. `None` if it
+    /// holds for none up to [`MAX_MISSION_TIME`].
+    pub(super) fn least_slowing(&self, duration: f64, is_inside: impl Fn(f64) -> bool) -> Option<f64> {
         let settings = self.settings.descent;
         let (mut low, mut high) = (0.0, 1.0);
-        while !inside(high) {
+        while !is_inside(high) {
             (low, high) = (high, settings.bracket_growth * high);
-            if high * iterate.grid.total > MAX_MISSION_TIME {
+            if high * duration > MAX_MISSION_TIME {
                 return None;
             }
         }
         while low == 0.0 || high - low > settings.precision * high {
             let middle = if low == 0.0 { settings.bracket_shrink * high } else { 0.5 * (low + high) };
-            match inside(middle) {
+            match is_inside(middle) {
                 true => high = middle,
                 false => low = middle,
             }
@@ -82,7 +88,7 @@ impl ScpPlanner<'_, '_> {
                 break;
             }
         }
-        Some(iterate.slower(high))
+        Some(high)
     }
 
     /// The iterate slowed down by the first of [`settings::DescentSettings::slowdowns`] with which it can be restored,

@@ -27,13 +27,13 @@ impl ScpPlanner<'_, '_> {
     /// the motion from rest to rest: on the coarse grid, or where that fails on the full one.
     fn refined_from_rest(&mut self, near: f64) -> Option<Iterate> {
         self.forget_multipliers();
-        let coarse = self.rest_to_rest(self.hover.coarse_samples()).ok();
+        let coarse = self.rest_to_rest(self.hover.coarse_samples());
         let refined = coarse.and_then(|iterate| {
             let iterate = self.shortened_from_rest(iterate, near);
             self.refined_to_full(iterate, near)
         });
         refined.or_else(|| {
-            let full = self.rest_to_rest(self.hover.model().plan.samples).ok()?;
+            let full = self.rest_to_rest(self.hover.model().plan.samples)?;
             Some(self.shortened_from_rest(full, near))
         })
     }

@@ -8,11 +8,12 @@
 use super::way_around::{nth_way, obstructed};
 use super::*;
 use crate::model::{Heading, LimitKind, Mission, Target, Waypoint};
-use crate::planner::timing::{MAX_MISSION_TIME, kinematics};
+use crate::planner::timing::kinematics;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Fewest intervals of a move along a line: its inputs have to end position, velocity, acceleration and jerk.
+/// Fewest intervals of a move along a line in the exact model: its inputs have to end position, velocity, acceleration
+/// and jerk.
 const LEAST_OF_MOVE: usize = 5;
 /// Fewest intervals of a turn on the spot, whose inputs have to end yaw and yaw rate.
 const LEAST_OF_TURN: usize = 3;
@@ -20,15 +21,11 @@ const LEAST_OF_TURN: usize = 3;
 const SAME_YAW: f64 = 1e-9;
 /// The part of a leg's duration that a turn on the spot gets, beside a move. Chosen by hand.
 const SHARE_OF_TURN: f64 = 0.5;
-/// Relative precision of the duration of a leg. Chosen by hand: the steps that follow shorten it anyway.
-const PRECISION: f64 = 0.02;
-/// Factor from one duration of a leg to the next while none is slow enough. Chosen by hand.
-const SLOWER: f64 = 1.5;
 
 /// Derivatives of orders 0 to 4 of a progress from 0 to 1 at the nodes of a phase.
 type Progress = Vec<[f64; 5]>;
 
-/// A part of a leg between two rests: a move along a line, or a turn on the spot.
+/// A part of a leg between two rests: a move along a line, or a turn or rest on the spot.
 struct Phase {
     from: [f64; 3],
     to: [f64; 3],
@@ -53,38 +50,36 @@ impl Phase {
         if self.is_move() { length.sqrt() } else { SHARE_OF_TURN }
     }
 
-    /// The states at nodes at which the progress of position and yaw is known.
-    fn states(&self, position: &Progress, yaw: &Progress) -> Vec<NodeState> {
-        let at = |(s, turn): (&[f64; 5], &[f64; 5])| {
-            let mut state = NodeState::default();
-            for order in 0..5 {
-                for axis in [X, Y, Z] {
-                    state[axis][order] = (self.to[axis] - self.from[axis]) * s[order];
-                }
-                state[YAW][order] = (self.yaw[1] - self.yaw[0]) * turn[order];
+    /// The states at the nodes of the phase, for chains of integrators of these orders; `None` if there are too few.
+    fn states(&self, times: &[f64], orders: [usize; 4]) -> Option<Vec<NodeState>> {
+        let mut states = vec![NodeState::default(); times.len()];
+        for axis in [X, Y, Z] {
+            let (from, to) = (self.from[axis], self.to[axis]);
+            let mut values = vec![[0.0; 5]; times.len()];
+            if self.is_move() {
+                values = progress(times, orders[axis])?.into_iter().map(|s| s.map(|s| (to - from) * s)).collect();
             }
-            for axis in [X, Y, Z] {
-                state[axis][0] += self.from[axis];
-            }
-            state[YAW][0] += self.yaw[0];
-            if let Some(point) = self.towards {
-                state[YAW] = bearing(&state, point, state[YAW][0]);
-            }
-            state
+            values.iter_mut().for_each(|value| value[0] += from);
+            states.iter_mut().zip(values).for_each(|(state, values)| state[axis] = values);
+        }
+        let inputs: Vec<f64> = match self.towards {
+            Some(point) => states.iter().map(|state| turning(state, point)).collect(),
+            None => vec![0.0; times.len()],
         };
-        position.iter().zip(yaw).map(at).collect()
+        let yaw = from_rest_to_rest(times, orders[YAW], self.yaw, &inputs)?;
+        states.iter_mut().zip(yaw).for_each(|(state, yaw)| state[YAW] = yaw);
+        Some(states)
     }
 }
 
-/// The yaw towards a point, its rate and its acceleration, of the branch nearest to `near` (rad).
-fn bearing(state: &NodeState, point: [f64; 2], near: f64) -> [f64; 5] {
+/// The acceleration of the yaw towards a point (x, y), m; rad/s^2.
+fn turning(state: &NodeState, point: [f64; 2]) -> f64 {
     let [x, y] = [X, Y].map(|axis| point[axis] - state[axis][0]);
-    let square = x * x + y * y;
     let [vx, vy] = [X, Y].map(|axis| -state[axis][1]);
     let [ax, ay] = [X, Y].map(|axis| -state[axis][2]);
+    let square = x * x + y * y;
     let rate = (x * vy - y * vx) / square;
-    let acceleration = (x * ay - y * ax) / square - 2.0 * rate * (x * vx + y * vy) / square;
-    [nearest_branch(y.atan2(x), near), rate, acceleration, 0.0, 0.0]
+    (x * ay - y * ax - 2.0 * rate * (x * vx + y * vy)) / square
 }
 
 /// The angle (rad) that differs from `angle` by whole turns and is nearest to `near`.
@@ -92,18 +87,26 @@ fn nearest_branch(angle: f64, near: f64) -> f64 {
     angle + TAU * ((near - angle) / TAU).round()
 }
 
-/// A motion of a chain of `order` integrators from 0 to 1 over the nodes, from rest to rest, with zero inputs at both
-/// ends and the smallest inputs in between that are linear between nodes. `None` if there are too few nodes.
+/// A motion of a chain of `order` integrators from 0 to 1 over the nodes, from rest to rest, with the smallest inputs.
+/// `None` if there are too few nodes.
 fn progress(times: &[f64], order: usize) -> Option<Progress> {
+    from_rest_to_rest(times, order, [0.0, 1.0], &vec![0.0; times.len()])
+}
+
+/// A motion of a chain of `order` integrators over the nodes, from rest at one value to rest at another, with inputs
+/// that are linear between nodes, zero at both ends, and elsewhere as near to `inputs` as possible. `None` if there are
+/// too few nodes.
+fn from_rest_to_rest(times: &[f64], order: usize, [from, to]: [f64; 2], inputs: &[f64]) -> Option<Progress> {
     let (begin, last) = (times[0], times.len() - 1);
+    // In units of the duration, whose powers would differ in size.
     let duration = times[last] - begin;
     let t: Vec<f64> = times.iter().map(|t| (t - begin) / duration).collect();
     let inner = last.checked_sub(1).filter(|&inner| inner >= order)?;
-    // What an input of 1 at node k, falling to 0 at its neighbours, adds to the derivatives at the end.
+    // What an input of 1 at node k, falling to 0 at its neighbours, adds to a derivative at the end.
     let at_end = |k: usize, derivative: usize| {
         let power = (order - 1 - derivative) as i32;
         let ramp = |from: f64, to: f64| {
-            // The integral of (1 - t)^p (t - from)/(to - from)/p! between both, by parts.
+            // The integral of (1 - t)^p/p! (t - from)/(to - from) between both, by parts.
             let primitive = |t: f64, n: i32| (1.0 - t).powi(n) / (1..=n).map(f64::from).product::<f64>();
             -primitive(to, power + 1) - (primitive(to, power + 2) - primitive(from, power + 2)) / (to - from)
         };
@@ -112,11 +115,14 @@ fn progress(times: &[f64], order: usize) -> Option<Progress> {
     let weight = |k: usize| 0.5 * (t[k + 1] - t[k - 1]);
     let effect = DMatrix::from_fn(order, inner, |derivative, k| at_end(k + 1, derivative));
     let weighted = DMatrix::from_fn(inner, order, |k, derivative| effect[(derivative, k)] / weight(k + 1));
-    let mut end = DVector::zeros(order);
-    end[0] = 1.0;
-    let inputs = &weighted * (&effect * &weighted).lu().solve(&end)?;
-    let input = |k: usize| if k == 0 || k == last { 0.0 } else { inputs[k - 1] };
-    let mut states = vec![[0.0; 5]];
+    let wanted = DVector::from_fn(inner, |k, _| inputs[k + 1] * duration.powi(order as i32));
+    let mut missing = -(&effect * &wanted);
+    missing[0] += to - from;
+    let found = wanted + &weighted * (&effect * &weighted).lu().solve(&missing)?;
+    let input = |k: usize| if k == 0 || k == last { 0.0 } else { found[k - 1] };
+    let mut state = [0.0; 5];
+    state[0] = from;
+    let mut states = vec![state];
     for k in 0..last {
         let h = t[k + 1] - t[k];
         let mut all: Vec<f64> = states[k][..order].to_vec();
@@ -127,7 +133,7 @@ fn progress(times: &[f64], order: usize) -> Option<Progress> {
         next[order] = input(k + 1);
         states.push(next);
     }
-    states[last] = [1.0, 0.0, 0.0, 0.0, 0.0];
+    states[last] = [to, 0.0, 0.0, 0.0, 0.0];
     let scaled = |s: &[f64; 5]| std::array::from_fn(|m| s[m] / duration.powi(m as i32));
     Some(states.iter().map(scaled).collect())
 }
@@ -143,7 +149,7 @@ fn target_on(mission: &Mission, leg: usize) -> Option<Target> {
 /// The direction of a horizontal line, rad; `None` for a vertical one.
 fn direction(from: [f64; 3], to: [f64; 3]) -> Option<f64> {
     let [x, y] = [X, Y].map(|axis| to[axis] - from[axis]);
-    (x.hypot(y) > SAME_YAW).then(|| y.atan2(x))
+    (x.hypot(y) > 0.0).then(|| y.atan2(x))
 }
 
 /// The yaw at which the polyline rests at each waypoint, rad: the waypoint's own, or that towards the point that the
@@ -173,28 +179,24 @@ fn yaws(mission: &Mission) -> Vec<f64> {
 
 impl ScpPlanner<'_, '_> {
     /// A motion from rest to rest at every waypoint, over the grid with `samples` intervals, that satisfies every row
-    /// at every instant.
-    ///
-    /// # Errors
-    /// The first leg that has no such motion.
-    pub(super) fn rest_to_rest(&mut self, samples: usize) -> Result<Iterate, usize> {
-        let mission = self.hover.mission();
-        let mut durations = kinematics::initial(self.hover.problem);
-        let yaws = yaws(mission);
-        let phases: Vec<Vec<Phase>> =
-            (0..mission.legs.len()).map(|leg| self.phases(leg, &yaws)).collect::<Option<_>>().ok_or(0usize)?;
-        let whole = |durations: &[f64]| durations.iter().sum::<f64>() + self.held();
+    /// at every instant. `None` if some leg has no such motion, or too few intervals for it.
+    pub(super) fn rest_to_rest(&mut self, samples: usize) -> Option<Iterate> {
+        let yaws = yaws(self.hover.mission());
+        let legs = 0..self.hover.mission().legs.len();
+        let phases: Vec<Vec<Phase>> = legs.map(|leg| self.phases(leg, &yaws)).collect::<Option<_>>()?;
         // The nodes of a leg follow its duration, and that is found on its nodes: twice is enough.
-        for last in [false, true] {
-            let grid = self.lay_out(Some(&durations), whole(&durations), samples).ok_or(0usize)?.flown();
-            let iterate = self.along_phases(&grid, &phases)?;
-            let factors = self.slow_enough(&iterate)?;
-            if last {
-                return Ok(iterate.stepped(&iterate.states, &factors.iter().map(|f| f - 1.0).collect::<Vec<_>>()));
-            }
-            durations = grid.segments.iter().map(|s| s.duration * factors[s.from]).collect();
-        }
-        Err(0)
+        let first = self.fast_enough(&kinematics::initial(self.hover.problem), &phases, samples)?;
+        let durations: Vec<f64> = first.grid.segments.iter().map(|s| s.duration).collect();
+        self.fast_enough(&durations, &phases, samples)
+    }
+
+    /// The phases over the grid of these durations (s), each leg slower or faster so that it satisfies every row.
+    fn fast_enough(&self, durations: &[f64], phases: &[Vec<Phase>], samples: usize) -> Option<Iterate> {
+        let total = durations.iter().sum::<f64>() + self.held();
+        let iterate = self.along_phases(&self.lay_out(Some(durations), total, samples)?.flown(), phases)?;
+        let legs = iterate.grid.segments.iter();
+        let changes = legs.map(|segment| Some(self.least_factor(&iterate, segment)? - 1.0)).collect::<Option<Vec<_>>>();
+        Some(iterate.stepped(&iterate.states, &changes?))
     }
 
     /// The phases of a leg; `None` if no way around what is on it was found.
@@ -238,17 +240,18 @@ impl ScpPlanner<'_, '_> {
             yaw = end;
         }
         turn(&mut phases, to, [yaw, yaws[leg + 1]]);
+        if phases.is_empty() {
+            phases.push(Phase { from, to, yaw: [yaw; 2], towards: None });
+        }
         Some(phases)
     }
 
-    /// The phases of all legs over the nodes of a grid. Where a leg has too few intervals for its phases it is `Err`.
-    fn along_phases(&self, grid: &TimeGrid, phases: &[Vec<Phase>]) -> Result<Iterate, usize> {
-        let start = self.hover.problem.mission().waypoints[0].position;
+    /// The phases of all legs over the nodes of a grid; `None` if a leg has too few intervals for its phases.
+    fn along_phases(&self, grid: &TimeGrid, phases: &[Vec<Phase>]) -> Option<Iterate> {
         let mut states = vec![NodeState::default(); grid.nodes()];
-        [X, Y, Z].into_iter().for_each(|axis| states[0][axis][0] = start[axis]);
         for (segment, phases) in grid.segments.iter().zip(phases) {
             let least: usize = phases.iter().map(Phase::least_intervals).sum();
-            let spare = segment.intervals.checked_sub(least).ok_or(segment.from)?;
+            let spare = segment.intervals.checked_sub(least)?;
             let shares: f64 = phases.iter().map(Phase::share).sum();
             let (mut node, mut given, mut share) = (segment.first_node, 0, 0.0);
             for phase in phases {
@@ -256,54 +259,70 @@ impl ScpPlanner<'_, '_> {
                 let extra = (share * spare as f64).round() as usize - given;
                 given += extra;
                 let end = node + phase.least_intervals() + extra;
-                let times = &grid.node_times[node..=end];
-                let [position, yaw] = [4, 2].map(|order| progress(times, order));
-                let (Some(position), Some(yaw)) =
-                    (position.or_else(|| (!phase.is_move()).then(|| vec![[0.0; 5]; times.len()])), yaw)
-                else {
-                    return Err(segment.from);
-                };
-                states[node..=end].copy_from_slice(&phase.states(&position, &yaw));
+                let of_phase = phase.states(&grid.node_times[node..=end], self.wrench.orders())?;
+                states[node..=end].copy_from_slice(&of_phase);
                 node = end;
             }
         }
-        Ok(Iterate { grid: grid.clone(), states, model: self.wrench })
+        Some(Iterate { grid: grid.clone(), states, model: self.wrench })
     }
 
-    /// For each leg about the smallest factor of its duration with which it satisfies every row at every instant.
-    fn slow_enough(&self, iterate: &Iterate) -> Result<Vec<f64>, usize> {
-        let legs = iterate.grid.segments.iter();
-        legs.map(|segment| self.slow_enough_on(iterate, segment).ok_or(segment.from)).collect()
-    }
-
-    fn slow_enough_on(&self, iterate: &Iterate, segment: &Segment) -> Option<f64> {
+    /// About the smallest factor of a leg's duration with which it satisfies every row at every instant.
+    fn least_factor(&self, iterate: &Iterate, segment: &Segment) -> Option<f64> {
         let instants = segment.first_node * PARTS..=(segment.first_node + segment.intervals) * PARTS;
-        let is_inside = |factor: f64| {
+        self.least_slowing(segment.duration, |factor| {
             let slow = iterate.slower(factor);
             let form = self.transcription(&slow.grid, &[]);
             instants.clone().all(|instant| {
                 self.violation_at(&form, &slow.at(instant), instant) <= 0.0
                     && self.command_violation_at(&slow, instant) <= 0.0
             })
-        };
-        let (mut low, mut high) = (0.0, 1.0);
-        while !is_inside(high) {
-            (low, high) = (high, SLOWER * high);
-            if high * segment.duration > MAX_MISSION_TIME {
-                return None;
-            }
-        }
-        while high - low > PRECISION * high {
-            let middle = if low == 0.0 { high / SLOWER } else { 0.5 * (low + high) };
-            if is_inside(middle) { high = middle } else { low = middle }
-        }
-        Some(high)
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Problem;
+    use crate::planner::selection::sets::PlanningSets;
+
+    /// In both models, with a leg without a move, turns on the spot, a yaw towards a point, a hold and a vertical leg:
+    /// every row holds, and the pieces join.
+    #[test]
+    fn the_polyline_satisfies_every_row() {
+        let spec = crate::compile(
+            "vehicle v { layout = \"PNPNPNPN\"; arm = 0.5 m; mass = 3 kg; inertia = [0.05, 0.06, 0.1] kg*m^2
+    rotor { max_thrust = 8 N; torque_per_thrust = 15 mm; max_speed = 900 rad/s } }
+mission m {
+    start at [0, 0, 2] m
+    waypoint at [0, 0, 2] m  yaw 90 deg
+    waypoint at [0, 0, 9] m  vertical
+    hold 1 s
+    waypoint at [8, 0, 9] m  yaw along path
+    waypoint at [8, 6, 7] m  yaw along path
+    waypoint at [0, 6, 5] m  yaw towards [4, -9, 0] m
+    keep_in hall { shape = box; from = [-1, -1, 1] m; to = [9, 7, 10] m }
+    limits { speed <= 4 m/s; tilt <= 25 deg; yaw_rate <= 90 deg/s }
+}
+plan { planner = rip; against = []; samples = 150 }",
+        );
+        let spec = spec.into_result().unwrap();
+        let sets = PlanningSets::of(spec.model());
+        let problem = Problem::of(spec.model()).unwrap();
+        for wrench in [WrenchModel::Exact, WrenchModel::HoverFollowing] {
+            let mut hover = HoverPlanner::new(problem, &sets.healthy);
+            let mut planner = ScpPlanner::new(&mut hover, wrench, &sets.rip);
+            let iterate = planner.rest_to_rest(150).unwrap();
+            assert!(planner.violation(&iterate) <= 0.0, "{wrench:?} {}", planner.violation(&iterate));
+            assert!(iterate.is_joined(1e-9), "{wrench:?}");
+            for (waypoint, &node) in problem.mission().waypoints.iter().zip(&iterate.grid.waypoint_nodes) {
+                let state = iterate.states[node];
+                assert!((0..3).all(|axis| (state[axis][0] - waypoint.position[axis]).abs() < 1e-9), "{waypoint:?}");
+                assert!((0..4).all(|axis| state[axis][1].abs() < 1e-9), "{waypoint:?}");
+            }
+        }
+    }
 
     #[test]
     fn a_progress_ends_at_rest() {
