@@ -130,8 +130,8 @@ const CLOSE: Tolerance = Tolerance { gap: 1e-8, feasibility: 1e-8, regularizatio
 ///
 /// With residuals of 1e-8 a third of the programs of 200 intervals took all iterations and ended no closer. Measured
 /// with 1e-6 and a gap of 1e-5 in place of 1e-6, RCP on `benches/missions/known`: `slalom_quad` was planned in 16 s of
-/// the processor instead of 21 s (11.67 s of flight instead of 11.70 s), `edge_hexa` in 20 to 25 s instead of 30 s (40.32 s
-/// instead of 41.67 s).
+/// the processor instead of 21 s (11.67 s of flight instead of 11.70 s), `edge_hexa` in 20 to 25 s instead of 30 s
+/// (40.32 s instead of 41.67 s).
 ///
 /// The regularisation is ten times the solver's default. Measured on programs of steps of three missions (every sixth,
 /// and all that were not solved to tolerance): with the default, 75 of 165 programs with equilibration and 6 of 44
