@@ -58,30 +58,20 @@ impl YawPlan {
 }
 
 impl Transcription<'_> {
-    /// A derivative, or the slope of an input, at the place of a commanded wrench; `jump` gives the difference of the
-    /// derivative (node, axis, order) between the later and the earlier side of a node. `None` if there is no such
-    /// interval.
-    pub(super) fn command_derivative(
-        &self,
-        at: CommandAt,
-        axis: usize,
-        order: usize,
-        jump: &dyn Fn(usize, usize, usize) -> Affine,
-    ) -> Option<Affine> {
+    /// A derivative, or the slope of an input, at the place of a commanded wrench. `None` if there is no such interval.
+    pub(super) fn command_derivative(&self, at: CommandAt, axis: usize, order: usize) -> Option<Affine> {
         let (instant, slope) = at;
         let interval = interval_of(at, self.parts, self.grid.intervals())?;
         let input = self.orders[axis];
         if order <= input {
-            let mut derivative = self.derivative(instant, axis, order);
-            if slope == Slope::After && instant % self.parts == 0 {
-                derivative.add(&jump(interval, axis, order), 1.0);
-            }
-            return Some(derivative);
+            return Some(match slope == Slope::After && instant % self.parts == 0 {
+                true => self.at_beginning(interval, axis, order),
+                false => self.derivative(instant, axis, order),
+            });
         }
         let h = self.grid.node_times[interval + 1] - self.grid.node_times[interval];
         let mut rise = self.at_node(interval + 1, axis, input);
-        rise.add(&self.at_node(interval, axis, input), -1.0);
-        rise.add(&jump(interval, axis, input), -1.0);
+        rise.add(&self.at_beginning(interval, axis, input), -1.0);
         Some(rise.times(1.0 / h))
     }
 

@@ -23,6 +23,7 @@ mod relaxation;
 mod rest_to_rest;
 pub mod sensitivity;
 pub mod settings;
+mod shortening;
 mod shortest_time;
 mod sides;
 mod stopping;
@@ -149,6 +150,9 @@ pub struct ScpPlanner<'e, 'a> {
     sides: BTreeMap<usize, usize>,
     /// Of the last step, with the times of the nodes, s.
     splines: Option<(Vec<f64>, Arc<[NodeSpline; 2]>)>,
+    /// Numbers of intervals on which a program in spline coefficients was not solved: programs there are solved in
+    /// stage variables at once.
+    stiff: BTreeSet<usize>,
 }
 
 /// The solution of one subproblem.
@@ -159,6 +163,9 @@ struct Stepped {
     sigma: f64,
     /// Relative change of each leg's duration.
     changes: Vec<f64>,
+    /// By how much the objective falls per unit of violation that is allowed: the sum of the multipliers of the rows
+    /// that the violation widens, at most the penalty.
+    price: f64,
 }
 
 /// The wrench linearised about an iterate, at the instants that have rows.
@@ -209,6 +216,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             has_cores: set.has_cores(),
             sides: BTreeMap::new(),
             splines: None,
+            stiff: BTreeSet::new(),
         }
     }
 
@@ -298,7 +306,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         // Splines cannot have the jumps (72) that legs with different changes need, and stiff ones leave the solver no
         // digits.
         let together = legs.iter().all(|leg| *leg == legs[0]);
-        let known = together.then(|| self.splines(&iterate.grid));
+        let in_splines = together && !self.stiff.contains(&iterate.grid.intervals());
+        let known = in_splines.then(|| self.splines(&iterate.grid));
         let linear = self.linearise(iterate, working_set);
         let curvature = self.curvature(iterate);
         let chosen: Vec<RowAt> = working_set.iter().copied().collect();
@@ -311,7 +320,6 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             from: &iterate.states,
             wrenches: &linear.wrenches,
             time_sensitivities: &linear.time_sensitivities,
-            legs,
             curvature: &curvature,
             proximal_weight: proximal.weight,
             objective: weights.objective,
@@ -327,7 +335,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let positions = self.positions(iterate);
         let form = || {
             let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
-            form.about_states(Some(&iterate.states))
+            form.about_states(Some(&iterate.states)).with_durations(legs)
         };
         let (stages, splines) = (form(), known.map(|known| form().in_these(known)));
         let most = settings.subproblem.max_stiffness * self.cost(iterate);
@@ -337,16 +345,22 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let of_splines = splines.iter().map(|form| (form, true));
         let ways = of_splines.chain([(&stages, false), (&stages, true)]);
         let mut found = None;
+        let mut price = weights.penalty;
         for (form, scaled) in ways {
             let (program, places) = form.step_program(&step, &chosen);
             let (approached, effort) = solve_step(&program, scaled);
             self.hover.effort += effort;
             let Some(StepSolution { solution: Solution { x, z, .. }, is_optimal }) = approached else { continue };
             if is_optimal || found.is_none() {
+                let row = program.row_origin.iter().position(|o| *o == crate::qp::RowOrigin::Violation);
+                price = weights.penalty - row.map_or(0.0, |row| z[row]);
                 found = Some((form, x, z, places));
             }
             if is_optimal {
                 break;
+            }
+            if !std::ptr::eq(form, &stages) {
+                self.stiff.insert(iterate.grid.intervals());
             }
         }
         let (form, x, z, places) = found?;
@@ -371,6 +385,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         Some(Stepped {
             states: form.states(&x),
             sigma: x[variables].max(0.0),
+            price,
             changes: fixed_times::keep_sums(&iterate.grid, legs.iter().map(of_leg).collect(), spans),
         })
     }

@@ -93,6 +93,8 @@ pub struct Transcription<'a> {
     pub(super) winds: Vec<Environment>,
     /// The states at the nodes about which a yaw that follows from the motion is linearised.
     pub states: Option<&'a [NodeState]>,
+    /// By leg the index of the variable of its duration; `None` where that is fixed. Empty where all are.
+    pub(super) durations: &'a [Option<usize>],
     /// Unit of time of the scaled variables at each node, s.
     taus: Vec<f64>,
     form: Form,
@@ -134,6 +136,7 @@ impl<'a> Transcription<'a> {
             positions: None,
             winds: problem.model().environment().corners(),
             states: None,
+            durations: &[],
             taus: units::units_of_time(grid),
             form: Form::Stages,
         }
@@ -162,6 +165,11 @@ impl<'a> Transcription<'a> {
     /// This transcription with a yaw that follows from the motion linearised about these states at the nodes.
     pub(super) fn about_states(self, states: Option<&'a [NodeState]>) -> Self {
         Transcription { states, ..self }
+    }
+
+    /// This transcription with durations of legs that may change: by leg the index of its variable.
+    pub(super) fn with_durations(self, durations: &'a [Option<usize>]) -> Self {
+        Transcription { durations, ..self }
     }
 
     /// This transcription for other bounds: limits and tolerances of `mission`, rows of `set`, each as many as before.
@@ -251,11 +259,11 @@ impl<'a> Transcription<'a> {
         let mut sum = Affine { terms: Vec::with_capacity(r + 2), constant: 0.0 };
         let mut power = 1.0;
         for j in order..=r {
-            sum.gather(&self.at_node(interval, axis, j), power);
+            sum.gather(&self.at_beginning(interval, axis, j), power);
             power *= t / (j + 1 - order) as f64;
         }
         // power is now t^(m+1)/(m+1)!, m = r - order; the slope of the input is (u1 - u0) share / t.
-        sum.gather(&self.at_node(interval, axis, r), -power * share / t);
+        sum.gather(&self.at_beginning(interval, axis, r), -power * share / t);
         sum.gather(&self.at_node(interval + 1, axis, r), power * share / t);
         sum
     }
@@ -297,6 +305,48 @@ impl<'a> Transcription<'a> {
                 Affine { terms: weights.iter().map(|&(i, w)| (first + i, w)).collect(), constant: 0.0 }
             }
         }
+    }
+
+    /// The derivative at the beginning of an interval: that at its first node, and beyond a waypoint the jump there.
+    pub(super) fn at_beginning(&self, interval: usize, axis: usize, order: usize) -> Affine {
+        let mut derivative = self.at_node(interval, axis, order);
+        derivative.add(&self.jump(interval, axis, order), 1.0);
+        derivative
+    }
+
+    /// The jump (72) of a derivative at a waypoint, later side minus earlier side, where the legs there may change
+    /// their durations by different shares: in the new time both share one trajectory,
+    /// `D (1 - m epsilon) = D' (1 - m epsilon')` to first order.
+    pub(super) fn jump(&self, node: usize, axis: usize, order: usize) -> Affine {
+        let (Some(states), false) = (self.states, self.durations.is_empty() || node == 0 || order == 0) else {
+            return Affine::default();
+        };
+        let (before, after) = (self.leg_of(node * self.parts), self.leg_of(node * self.parts + 1));
+        if self.durations[before] == self.durations[after] {
+            return Affine::default();
+        }
+        let factor = order as f64 * states[node][axis][order];
+        let mut jump = self.duration_change(after).times(factor);
+        jump.add(&self.duration_change(before), -factor);
+        jump
+    }
+
+    /// The leg that an instant belongs to; at a waypoint the one that ends there.
+    pub(super) fn leg_of(&self, instant: usize) -> usize {
+        let interval = instant.saturating_sub(1) / self.parts;
+        let after = self.grid.segments.partition_point(|s| s.first_node <= interval);
+        self.grid.segments[after - 1].from
+    }
+
+    /// The number of variables for durations.
+    pub(super) fn changes(&self) -> usize {
+        self.durations.iter().flatten().max().map_or(0, |most| most + 1)
+    }
+
+    /// The change of the duration of a leg; nothing where durations are fixed.
+    pub(super) fn duration_change(&self, leg: usize) -> Affine {
+        let index = self.durations.get(leg).copied().flatten();
+        index.map_or(Affine::default(), |i| Affine::term(self.variables() + 1 + i, 1.0))
     }
 
     pub(super) fn plans(&self, axis: usize) -> bool {
@@ -347,7 +397,7 @@ impl<'a> Transcription<'a> {
             _ => Affine::constant(0.0),
         };
         let mut builder = Builder::new(self.variables() + extra);
-        self.dynamics(&mut builder, &|_, _, _| Affine::default());
+        self.dynamics(&mut builder);
         self.rest(&mut builder);
         let mut wrenches: BTreeMap<usize, WrenchExpression> = BTreeMap::new();
         let mut along = |instant: usize, n: &Wrench| {
@@ -379,8 +429,7 @@ impl<'a> Transcription<'a> {
                 Row::Command { facet, slope } => {
                     let (row, at) = (&self.set.rows[facet], (instant, slope));
                     let map = self.commands.and_then(|commands| commands.get(&at));
-                    let straight = |_, _, _| Affine::default();
-                    let command = commands.entry(at).or_insert_with(|| self.command_expression(map?, at, &straight));
+                    let command = commands.entry(at).or_insert_with(|| self.command_expression(map?, at));
                     // Rows that come from another grid may lie outside all intervals.
                     let Some(command) = command else { continue };
                     let mut expression = command.along(&-row.normal).plus_constant(row.offset);

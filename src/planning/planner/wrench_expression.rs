@@ -43,15 +43,9 @@ impl Transcription<'_> {
         WrenchExpression::of(map.constant, parts)
     }
 
-    /// The commanded wrench by its map; `jump` as in [`Self::command_derivative`]. `None` if there is no such interval.
-    pub(super) fn command_expression(
-        &self,
-        map: &WrenchMap,
-        at: CommandAt,
-        jump: &dyn Fn(usize, usize, usize) -> Affine,
-    ) -> Option<WrenchExpression> {
-        let part =
-            |&(axis, order, c): &(usize, usize, Wrench)| Some((self.command_derivative(at, axis, order, jump)?, c));
+    /// The commanded wrench by its map. `None` if there is no such interval.
+    pub(super) fn command_expression(&self, map: &WrenchMap, at: CommandAt) -> Option<WrenchExpression> {
+        let part = |&(axis, order, c): &(usize, usize, Wrench)| Some((self.command_derivative(at, axis, order)?, c));
         let parts: Option<Vec<_>> = map.terms.iter().map(part).collect();
         Some(WrenchExpression::of(map.constant, parts?))
     }

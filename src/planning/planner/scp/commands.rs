@@ -193,26 +193,23 @@ impl Transcription<'_> {
         let commands = step.commands?;
         let linearised = commands.linearised.get(&at)?;
         let row = &self.set.rows[facet];
-        let jump = |node: usize, axis: usize, order: usize| self.jump(step, node, axis, order);
-        let command =
-            known.entry(at).or_insert_with(|| self.command_expression(&linearised.map, at, &jump)).as_ref()?;
+        let command = known.entry(at).or_insert_with(|| self.command_expression(&linearised.map, at)).as_ref()?;
         let kept = step.tightening[facet] + commands.local_tightening[facet] + linearised.in_winds.excess(row);
         let mut slack = command.along(&-row.normal).plus_constant(row.offset - kept);
         let free = row.offset - row.normal.dot(&linearised.wrench);
         let change = ORDER_OF_TIME * free - row.normal.dot(&linearised.time_sensitivity);
         let interval = interval_of(at, self.parts, self.grid.intervals())?;
-        slack.add(&self.duration_change(step, self.leg_of(interval * self.parts + 1)), change);
+        slack.add(&self.duration_change(self.leg_of(interval * self.parts + 1)), change);
         Some(slack)
     }
 
     /// Adds the curvature of the Lagrangian by rows on the commanded wrench to the objective.
     pub(super) fn add_curvature_of_commands(&self, builder: &mut Builder, commands: &CommandLinearisation) {
-        let no_jump = |_, _, _| Affine::default();
         for (at, from, factors) in &commands.curvature {
             let direction = |&(axis, order): &(usize, usize)| {
                 // There is such an interval for all derivatives or for none.
-                self.command_derivative(*at, axis, order, &no_jump)?;
-                let derivative = |order| self.command_derivative(*at, axis, order, &no_jump).unwrap_or_default();
+                self.command_derivative(*at, axis, order)?;
+                let derivative = |order| self.command_derivative(*at, axis, order).unwrap_or_default();
                 let now = self.in_air(&self.winds[0], axis, order, derivative);
                 Some(now.plus_constant(-without_wind(from, &self.winds[0])[axis][order]))
             };

@@ -1,53 +1,14 @@
-//! Continuation in time: feasible iterates at another mission time than the one required, by slowing down and by
+//! Continuation in time: plans from iterates that are feasible at another mission time, by slowing down and by
 //! shortening.
 
 use super::*;
 use crate::motion::time_grid::has_fixed_times;
 use crate::planner::timing::MAX_MISSION_TIME;
-use settings::{ShorteningWeights, TimeSteps};
 
-/// Rounding of times, as a share: they count as equal within it.
-const ROUNDING: f64 = 1e-12;
-
-/// How far a step shortens the duration.
-#[derive(Debug, Clone, Copy)]
-enum Shorter {
-    /// By as much as the linear model allows, at most by the first share of the duration; less than the second share is
-    /// a failure.
-    UpTo(f64, f64),
-    /// By this share of the duration, even if the linear model predicts a violation: the feasibility phase may still
-    /// remove it.
-    By(f64),
-}
+/// Times count as equal within this share.
+const ROUNDING: f64 = 1e-9;
 
 impl ScpPlanner<'_, '_> {
-    /// Shortens all durations alike: one subproblem about the iterate as it is, because the same iterate flown faster
-    /// can be far outside the set, where the linear model predicts nothing; then the feasibility phase. `None` if
-    /// either fails.
-    fn shorten_alike(
-        &mut self,
-        iterate: &Iterate,
-        shorter: Shorter,
-        working_set: &mut BTreeSet<RowAt>,
-    ) -> Option<Iterate> {
-        let settings = self.settings.descent;
-        let (range, objective, weights, least) = match shorter {
-            Shorter::UpTo(share, least) => ((-share, 0.0), Objective::Time, settings.free_duration, least),
-            Shorter::By(share) => ((-share, -share), Objective::Cost, settings.given_duration, 0.0),
-        };
-        let ShorteningWeights { proximal, cost: cost_weight } = weights;
-        let durations = Durations { legs: vec![Some(0); self.hover.mission().legs.len()], range, spans: Vec::new() };
-        let weights = Weights { objective, penalty: settings.penalty, cost_weight, input_weight: 0.0 };
-        let stepped = self.step(iterate, &durations, ProximalWeight { weight: proximal }, weights, working_set)?;
-        if stepped.changes[0] > -least {
-            return None;
-        }
-        if stepped.sigma > self.settings.feasibility.max_predicted {
-            return None;
-        }
-        self.restore_feasibility(iterate.stepped(&stepped.states, &stepped.changes), working_set)
-    }
-
     /// The path of an iterate with its shares of time, about as short as is feasible at the nodes. `None` if no
     /// duration up to [`MAX_MISSION_TIME`] is.
     pub(super) fn slowed_until_inside(&self, iterate: &Iterate) -> Option<Iterate> {
@@ -130,50 +91,6 @@ impl ScpPlanner<'_, '_> {
         })
     }
 
-    /// Continuation in time: a feasible iterate is shortened step by step down to `target` s of flight, with a short
-    /// cost phase after each step, because smooth motions stay away from the attitudes at which the wrench is most
-    /// curved. Steps are first as long as the linear model allows; after one closer cost phase they are given, even if
-    /// the linear model predicts a violation.
-    pub(super) fn descend(
-        &mut self,
-        mut iterate: Iterate,
-        steps: TimeSteps,
-        target: f64,
-        working_set: &mut BTreeSet<RowAt>,
-    ) -> Iterate {
-        let settings = self.settings.descent;
-        let mut step = steps.first;
-        let mut minimised = false;
-        while step >= steps.min && iterate.grid.total > (1.0 + ROUNDING) * target {
-            let last = 1.0 - target / iterate.grid.total;
-            let shorter = match last <= step {
-                true => Shorter::By(last),
-                false if minimised => Shorter::By(step),
-                false => Shorter::UpTo(step, settings.worthwhile * steps.min),
-            };
-            self.hover.progress((1.0 - step.min(last)) * iterate.grid.total + self.held());
-            let mut known = working_set.clone();
-            match self.shorten_alike(&iterate, shorter, &mut known) {
-                Some(inside) => {
-                    *working_set = known;
-                    iterate = self.minimise_cost(inside, self.settings.cost.rough, working_set);
-                    step = (settings.growth * step).min(steps.first);
-                }
-                None => {
-                    step *= settings.shrink;
-                    // The nearer an iterate is to the least cost, the further it can be shortened, and the feasibility
-                    // phase may reach what the linear model does not predict: tried once.
-                    if step < steps.min && !minimised {
-                        iterate = self.minimise_cost(iterate, self.settings.cost.medium, working_set);
-                        minimised = true;
-                        step = steps.min.max(settings.shrink * settings.shrink * steps.first);
-                    }
-                }
-            }
-        }
-        iterate
-    }
-
     /// A plan at a mission time by continuation from iterates that are feasible at another: other plans slowed down, or
     /// a first feasible iterate. `None` where waypoints have fixed times, because no motion can then be slowed down as
     /// a whole.
@@ -186,28 +103,20 @@ impl ScpPlanner<'_, '_> {
         from_plans.or_else(|| self.first_feasible(total - self.held()).and_then(|first| self.brought_to(first, total)))
     }
 
-    /// The plan of least cost at a mission time, from an iterate that is feasible at another: with all legs changed
-    /// alike, and if that fails and the planner chooses durations, with each leg shortened by itself.
+    /// The plan of least cost at a mission time, from an iterate that is feasible at another.
     fn brought_to(&mut self, first: Iterate, total: f64) -> Option<Planned> {
         let flown = total - self.held();
-        let alike = self.brought_alike(first.clone(), total);
-        if alike.is_some() || !self.chooses_times() || first.grid.total <= flown {
-            return alike;
-        }
-        let weights = self.settings.durations.cost_weights;
-        let shorter = self.optimise_durations(first, &weights, flown, &mut BTreeSet::new());
-        self.brought_alike(shorter, total)
-    }
-
-    /// The plan of least cost at a mission time, from an iterate whose legs keep their shares of the time.
-    fn brought_alike(&mut self, first: Iterate, total: f64) -> Option<Planned> {
-        let flown = total - self.held();
         let mut working_set = BTreeSet::new();
-        let iterate = match first.grid.total <= flown {
-            true => self.restore_feasibility(first.slower(flown / first.grid.total), &mut working_set)?,
-            false => self.descend(first, self.settings.descent.on_full_grid, flown, &mut working_set),
-        };
-        let there = (iterate.grid.total - flown).abs() <= 1e-9 * flown;
-        there.then(|| self.finished_plan(iterate, total, self.settings.cost.close, &mut working_set)).flatten()
+        let mut iterate = first;
+        if iterate.grid.total > flown {
+            let settings = self.settings.durations;
+            iterate = self.shorten(iterate, &settings.cost_weights, settings.first_radius, flown, &mut working_set)?;
+            if iterate.grid.total > (1.0 + ROUNDING) * flown {
+                return None;
+            }
+            iterate = self.on_its_own_grid(iterate, &mut working_set);
+        }
+        let lasting = self.lasting(&iterate, flown);
+        self.restored_plan(lasting, total, self.settings.cost.close, &mut working_set)
     }
 }

@@ -122,17 +122,17 @@ impl ScpPlanner<'_, '_> {
     ) -> Option<Iterate> {
         let spans = self.spans_of_all();
         let legs = self.changing(&spans);
-        let settings = self.settings.durations;
+        let settings = self.settings.durations.between_fixed_times;
         let max_predicted = self.settings.feasibility.max_predicted_after_change;
         let input_weight = self.settings.proximal.input_weight;
         let weights = Weights { objective: Objective::Violation, penalty: 1.0, cost_weight: 0.0, input_weight };
         let mut violation = self.violation_by(&iterate, working_set);
-        let mut radius = settings.initial_radius_between_fixed_times;
-        for _ in 0..settings.max_steps_between_fixed_times {
+        let mut radius = settings.first_radius;
+        for _ in 0..settings.max_steps {
             self.forget_multipliers();
             working_set.extend(self.rows_between(&iterate));
             let durations = Durations { legs: legs.clone(), range: (-radius, radius), spans: spans.clone() };
-            let proximal = ProximalWeight { weight: settings.proximal_weight };
+            let proximal = ProximalWeight { weight: self.settings.durations.proximal_weight };
             let reached = self
                 .step(&iterate, &durations, proximal, weights, working_set)
                 .map(|stepped| iterate.stepped(&stepped.states, &stepped.changes))

@@ -27,7 +27,12 @@ impl ScpPlanner<'_, '_> {
     /// the motion from rest to rest: on the coarse grid, or where that fails on the full one.
     fn refined_from_rest(&mut self, near: f64) -> Option<Iterate> {
         self.forget_multipliers();
-        let coarse = self.rest_to_rest(self.hover.coarse_samples());
+        let (mut samples, full) = (self.hover.coarse_samples(), self.hover.model().plan.samples);
+        let mut coarse = self.rest_to_rest(samples);
+        while coarse.is_none() && samples < full {
+            samples = ((self.settings.grids.growth * samples as f64).ceil() as usize).min(full);
+            coarse = self.rest_to_rest(samples);
+        }
         let refined = coarse.and_then(|iterate| {
             let iterate = self.shortened_from_rest(iterate, near);
             self.refined_to_full(iterate, near)
@@ -49,22 +54,18 @@ impl ScpPlanner<'_, '_> {
             iterate = restored;
         }
         iterate = self.minimise_cost(iterate, self.settings.cost.medium, &mut working_set);
-        let weights = self.settings.durations.cost_weights_on_coarse_grid;
-        match self.chooses_times() {
-            true => self.optimise_durations(iterate, &weights, near, &mut working_set),
-            false => self.descend(iterate, self.settings.descent.on_coarse_grid, near, &mut working_set),
-        }
+        let settings = self.settings.durations;
+        let weights = &settings.cost_weights_on_coarse_grid;
+        self.shorten(iterate.clone(), weights, settings.first_radius, near, &mut working_set).unwrap_or(iterate)
     }
 
     /// A coarse iterate on the full grid, over a medium one.
     fn refined_to_full(&mut self, mut iterate: Iterate, near: f64) -> Option<Iterate> {
-        let samples = self.hover.model().plan.samples;
+        let (samples, settings) = (self.hover.model().plan.samples, self.settings.durations);
         if let Some(medium) = self.medium_grid() {
-            iterate = self.refined(iterate, medium)?;
-            let weights = self.settings.durations.cost_weights;
-            iterate = self.optimise_durations(iterate, &weights, near, &mut BTreeSet::new());
+            iterate = self.refined(iterate, medium, &settings.cost_weights_on_medium_grid, near)?;
         }
-        self.refined(iterate, samples)
+        self.refined(iterate, samples, &settings.cost_weights_on_full_grid, near)
     }
 
     /// The number of intervals of a grid between the coarse and the full one on which times are chosen first, where
@@ -77,15 +78,15 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// A feasible iterate on a grid with `samples` intervals, near one on another grid.
-    fn refined(&mut self, iterate: Iterate, samples: usize) -> Option<Iterate> {
+    fn refined(&mut self, iterate: Iterate, samples: usize, weights: &[f64], near: f64) -> Option<Iterate> {
         let durations: Vec<f64> = iterate.grid.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), iterate.grid.total + self.held(), samples)?;
         self.forget_multipliers();
         let fine = fine.flown();
         let same = iterate.on(&fine);
-        let max_predicted = self.settings.feasibility.max_predicted_after_change;
-        if let Some(restored) = self.restore_feasibility_within(same.clone(), max_predicted, &mut BTreeSet::new()) {
-            return Some(restored);
+        let radius = self.settings.durations.least_first_radius;
+        if let Some(shorter) = self.shorten(same.clone(), weights, radius, near, &mut BTreeSet::new()) {
+            return Some(shorter);
         }
         if let Some(restored) = self.restore_feasibility_slower(&same, &mut BTreeSet::new()) {
             return Some(restored);
@@ -117,19 +118,11 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Iterate> {
         self.hover.effort.starts += 1;
         let mut iterate = self.first_motion(shares, near)?;
-        let mut working_set = BTreeSet::new();
         if near > iterate.grid.total {
             iterate = iterate.slower(near / iterate.grid.total);
         }
-        iterate = self.restore_feasibility_slower(&iterate, &mut working_set)?;
-        // At a given time the iterate need not be the shortest: all legs are first shortened alike.
-        if near > 0.0 || !self.chooses_times() {
-            iterate = self.descend(iterate, self.settings.descent.on_coarse_grid, near, &mut working_set);
-        }
-        let weights = self.settings.durations.cost_weights_on_coarse_grid;
-        match self.chooses_times() {
-            true => Some(self.optimise_durations(iterate, &weights, near, &mut working_set)),
-            false => Some(iterate),
-        }
+        let settings = self.settings.durations;
+        let weights = &settings.cost_weights_on_coarse_grid;
+        self.shorten(iterate, weights, settings.first_radius, near, &mut BTreeSet::new())
     }
 }

@@ -11,7 +11,7 @@ impl Transcription<'_> {
     fn minimum_snap_program(&self, chosen: &[RowAt]) -> QuadraticProgram {
         let mut builder = Builder::new(self.variables());
         let nothing = Affine::constant(0.0);
-        self.dynamics(&mut builder, &|_, _, _| Affine::default());
+        self.dynamics(&mut builder);
         self.rest(&mut builder);
         for &RowAt { row, instant } in chosen {
             if let Row::Limit(limit) = row {

@@ -85,7 +85,6 @@ impl ScpPlanner<'_, '_> {
             from: &iterate.states,
             wrenches: &linear.wrenches,
             time_sensitivities: &linear.time_sensitivities,
-            legs: &legs,
             curvature: &curvature,
             settings: &settings,
             proximal_weight: settings.sensitivity.proximal_weight,
@@ -101,7 +100,7 @@ impl ScpPlanner<'_, '_> {
         };
         let positions = self.positions(&iterate);
         let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
-        let form = form.about_states(Some(&iterate.states));
+        let form = form.about_states(Some(&iterate.states)).with_durations(&legs);
         let (program, _) = form.step_program(&step, &chosen);
         let solved = [false, true].into_iter().find_map(|scaled| {
             let (approached, effort) = solve_step(&program, scaled);
@@ -113,7 +112,7 @@ impl ScpPlanner<'_, '_> {
         let mut set = self.set.clone();
         set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset += SHARE);
         let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
-        let form = form.about_states(Some(&iterate.states));
+        let form = form.about_states(Some(&iterate.states)).with_durations(&legs);
         let form = form.of_statements(&mission, &set);
         let (wider, _) = form.step_program(&step, &chosen);
         let given = wider.slack(&x).into_iter().zip(program.slack(&x)).map(|(wide, narrow)| wide - narrow);

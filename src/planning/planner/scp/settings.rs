@@ -178,95 +178,85 @@ pub struct TighteningSettings {
     pub max_rounds: usize,
 }
 
-/// Durations of legs as variables, with a trust region on their relative changes. The fields apply to waypoint times
-/// that are free and, unless a field says otherwise, to legs that divide the time between two fixed times.
+/// Durations of legs as variables, with a trust region on their relative changes: steps to shorter times, and steps in
+/// which legs divide the time between two fixed times.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DurationSettings {
     /// Initial and smallest proximal weight.
     pub proximal_weight: f64,
-    /// Factor by which the proximal weight grows after a step that fails and falls after one that succeeds, where times
-    /// are free.
-    pub proximal_factor: f64,
-    /// Trust region: largest relative change of a duration in the first step, where times are free.
-    pub initial_radius: f64,
-    /// Trust region: largest relative change of a duration in the first step, where legs divide the time between fixed
-    /// times.
-    pub initial_radius_between_fixed_times: f64,
-    /// The largest radius, where times are free.
+    /// Factor of the proximal weight after a full step with a ratio of gains above `good_ratio`.
+    pub proximal_decrease: f64,
+    /// The ratio of actual to predicted gain above which the next step may be longer.
+    pub good_ratio: f64,
+    /// Trust region: largest relative change of a duration in the first step.
+    pub first_radius: f64,
+    /// The same on a finer grid or with another weight of the cost, unless the steps before ended with a larger one.
+    pub least_first_radius: f64,
+    /// The largest radius.
     pub max_radius: f64,
-    /// Factor by which the radius grows after a step that succeeds, where times are free.
+    /// Factor of the radius after a full step with a ratio of gains above `good_ratio`.
     pub radius_growth: f64,
+    /// Smallest factor of the radius after a step of which a share was taken; the proximal weight then grows by this
+    /// over the share.
+    pub radius_shrink: f64,
+    /// Steps end below this radius.
+    pub min_radius: f64,
+    /// Penalty weight of the violation in the subproblem, against the relative time: far above the multipliers, so that
+    /// steps do not trade time for a violation.
+    pub penalty: f64,
+    /// The violation's weight in the merit function: this many times the largest sum of multipliers of late.
+    pub price_factor: f64,
+    /// Factor by which that sum is forgotten from step to step.
+    pub price_decay: f64,
+    /// Line search: share of the predicted gain that a step has to reach.
+    pub sufficient_gain: f64,
+    /// Line search: the smallest share tried.
+    pub min_share: f64,
+    /// Relative weights of the cost, one after the other. Smooth trajectories come far in few steps, because they stay
+    /// away from attitudes at which the wrench is most curved; the shortest ones cost many times as much.
+    pub cost_weights: [f64; 3],
+    /// Those on the coarse grid, whose result is only the initial guess on a finer one.
+    pub cost_weights_on_coarse_grid: [f64; 2],
+    /// Those on the medium grid.
+    pub cost_weights_on_medium_grid: [f64; 2],
+    /// Those on the full grid after another grid, and from a warm start.
+    pub cost_weights_on_full_grid: [f64; 1],
+    /// A step is slow where the linear model predicts a smaller gain, as a share of the time.
+    pub min_gain: f64,
+    /// After more slow steps in a row than this the next weight's turn comes.
+    pub most_slow: usize,
+    /// After more steps in a row than this that leave most of a violation, which the linear model does not remove
+    /// either, the steps end.
+    pub most_hopeless: usize,
+    /// Most steps in all with the weights of one grid.
+    pub max_steps: usize,
+    /// Steps in which legs divide the time between two fixed times.
+    pub between_fixed_times: DivisionSettings,
+}
+
+/// Steps in which legs divide the time between two fixed times.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DivisionSettings {
+    /// Trust region: largest relative change of a duration in the first step.
+    pub first_radius: f64,
     /// Factor by which the radius shrinks after a step that fails.
     pub radius_shrink: f64,
     /// Steps end below this radius.
     pub min_radius: f64,
-    /// Penalty weight: the violation against the relative time. With a small one (2) steps trade time for a violation
-    /// that no trajectory of those durations is rid of.
-    pub penalty: f64,
-    /// Relative weights of the cost on the full grid, one after the other. Smooth trajectories come far in few steps,
-    /// because they stay away from attitudes at which the wrench is most curved; the shortest ones cost many times as
-    /// much.
-    pub cost_weights: [f64; 3],
-    /// Relative weights of the cost on the coarse grid, whose result is only the initial guess on the full one.
-    pub cost_weights_on_coarse_grid: [f64; 1],
-    /// Relative weights of the cost from a warm start, whose waypoint times are optimised already.
-    pub cost_weights_of_warm_start: [f64; 1],
-    /// Weight that follows where the weights after the first gained less than `min_gain` in all. Measured: without it
-    /// `ferry_octo` at 150 samples ended 1.6 % longer.
-    pub last_cost_weight: f64,
-    /// The next weight's turn comes where the linear model predicts a smaller gain, as a share of the time.
-    pub min_gain: f64,
-    /// Most steps in all, where times are free.
+    /// Most steps.
     pub max_steps: usize,
-    /// Most steps where legs divide the time between fixed times.
-    pub max_steps_between_fixed_times: usize,
 }
 
 impl DurationSettings {
-    /// The weights of the cost on the full grid; from a warm start only the last stage.
-    pub fn weights_from(&self, is_warm_start: bool) -> &[f64] {
-        if is_warm_start { &self.cost_weights_of_warm_start } else { &self.cost_weights }
+    /// The weights of the cost and the first radius on the full grid after another grid, and from a warm start.
+    pub fn on_full_grid(&self) -> (&[f64], f64) {
+        (&self.cost_weights_on_full_grid, self.least_first_radius)
     }
 }
 
-/// The relative steps towards shorter times on one grid.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TimeSteps {
-    /// The first and largest step.
-    pub first: f64,
-    /// The descent ends below this step; on the full grid also the relative resolution of the bisection after fixed
-    /// times.
-    pub min: f64,
-}
-
-/// Weights of a step that shortens all durations alike.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShorteningWeights {
-    /// Proximal weight.
-    pub proximal: f64,
-    /// Relative weight of the cost.
-    pub cost: f64,
-}
-
-/// Continuation in time: each shorter mission time starts from the plan of least cost at the last.
+/// Continuation in time: iterates that are feasible at another mission time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DescentSettings {
-    /// On the coarse grid.
-    pub on_coarse_grid: TimeSteps,
-    /// On the full grid.
-    pub on_full_grid: TimeSteps,
-    /// Factor of the step where no plan is found.
-    pub shrink: f64,
-    /// Factor of the step where one is found.
-    pub growth: f64,
-    /// A step counts as failed where the linear model allows less than this share of the smallest step.
-    pub worthwhile: f64,
-    /// Penalty weight of the violation.
-    pub penalty: f64,
-    /// Where the program chooses the duration.
-    pub free_duration: ShorteningWeights,
-    /// Where the duration is given.
-    pub given_duration: ShorteningWeights,
     /// An initial guess that cannot be restored at its own time is slowed down by these factors in turn.
     pub slowdowns: [f64; 10],
     /// Relative precision of the slowing down of a minimum-snap initial guess.
@@ -292,6 +282,8 @@ pub struct SearchSettings {
     pub late: [f64; 6],
     /// The relaxation is first solved at the first guess less this share of the flight after the last fixed time.
     pub first_proof: f64,
+    /// After the last fixed time: the relative resolution of the bisection.
+    pub resolution: f64,
     /// After the last fixed time: the first stride to longer times, as a share of the first guess of the flight.
     pub first_stride: f64,
     /// Factor by which this stride grows.
@@ -307,7 +299,10 @@ pub struct GridSettings {
     /// intervals. Restoration often fails between grids that differ more, and steps on a fine grid are expensive.
     /// Measured: from 60 to 300 intervals at once, `ferry_octo` took three times as long as by a grid of 150.
     pub refinement: f64,
-    /// On a new grid of the same size an iterate is slowed down by these factors in turn until it can be restored.
+    /// Factor from one grid to the next while the motion from rest to rest has too few intervals.
+    pub growth: f64,
+    /// On a new grid of the same size, and after steps to shorter times, an iterate is slowed down by these factors in
+    /// turn until it can be restored.
     pub slowdowns: [f64; 4],
 }
 
@@ -424,31 +419,35 @@ impl ScpSettings {
         tightening: TighteningSettings { margin: 1e-4, max_violation: 5e-5, parts: 4, factor: 1.5, max_rounds: 8 },
         durations: DurationSettings {
             proximal_weight: 0.1,
-            proximal_factor: 10.0,
-            initial_radius: 0.1,
-            initial_radius_between_fixed_times: 0.2,
+            proximal_decrease: 0.25,
+            good_ratio: 0.7,
+            first_radius: 0.1,
+            least_first_radius: 0.03,
             max_radius: 0.2,
             radius_growth: 1.5,
-            radius_shrink: 0.4,
-            min_radius: 0.01,
+            radius_shrink: 0.5,
+            min_radius: 0.002,
             penalty: 100.0,
+            price_factor: 1.5,
+            price_decay: 0.5,
+            sufficient_gain: 0.1,
+            min_share: 0.125,
             cost_weights: [0.05, 0.01, 0.002],
-            cost_weights_on_coarse_grid: [0.05],
-            cost_weights_of_warm_start: [0.002],
-            last_cost_weight: 0.0002,
+            cost_weights_on_coarse_grid: [0.05, 0.01],
+            cost_weights_on_medium_grid: [0.01, 0.002],
+            cost_weights_on_full_grid: [0.002],
             min_gain: 1e-3,
+            most_slow: 1,
+            most_hopeless: 2,
             max_steps: 40,
-            max_steps_between_fixed_times: 20,
+            between_fixed_times: DivisionSettings {
+                first_radius: 0.2,
+                radius_shrink: 0.4,
+                min_radius: 0.01,
+                max_steps: 20,
+            },
         },
         descent: DescentSettings {
-            on_coarse_grid: TimeSteps { first: 0.1, min: 0.02 },
-            on_full_grid: TimeSteps { first: 0.04, min: 0.0025 },
-            shrink: 0.3,
-            growth: 1.5,
-            worthwhile: 0.8,
-            penalty: 20.0,
-            free_duration: ShorteningWeights { proximal: 3.0, cost: 0.01 },
-            given_duration: ShorteningWeights { proximal: 1.0, cost: 0.05 },
             slowdowns: [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5],
             precision: 1e-4,
             bracket_growth: 1.5,
@@ -461,10 +460,11 @@ impl ScpSettings {
             ample: [1.0, 1.5, 2.5, 5.0],
             late: [0.0, 1.0, 2.0, 4.0, 8.0, 16.0],
             first_proof: 0.75,
+            resolution: 0.0025,
             first_stride: 0.25,
             stride_growth: 1.5,
         },
-        grids: GridSettings { medium: 100, refinement: 1.6, slowdowns: [1.0, 1.002, 1.005, 1.01] },
+        grids: GridSettings { medium: 100, refinement: 1.6, growth: 1.25, slowdowns: [1.0, 1.002, 1.005, 1.01] },
         sensitivity: SensitivitySettings { cost_weight: 0.05, penalty: 100.0, proximal_weight: 0.1, radius: 0.1 },
         stops: StopSettings {
             proximal_weight: 0.1,

@@ -48,20 +48,18 @@ impl ScpPlanner<'_, '_> {
         let warm_start = self.warm_start(initial_guesses, &mut working_set);
         let enough = larger.map_or(0.0, |larger| (1.0 + settings.search.short_enough) * larger - self.held());
         let rule = if larger.is_some() { settings.cost.medium } else { settings.cost.close };
-        let has_good_times = warm_start.is_some() || self.medium_grid().is_some();
         let guess = self.hover.guess();
-        let Some(mut iterate) = warm_start.or_else(|| self.first_feasible(0.0)) else {
-            return Err(self.none_at_all(guess));
+        let mut iterate = match warm_start {
+            Some(first) => {
+                let (weights, radius) = settings.durations.on_full_grid();
+                self.shorten(first.clone(), weights, radius, enough, &mut working_set).unwrap_or(first)
+            }
+            None => match self.first_feasible(0.0) {
+                Some(first) => first,
+                None => return Err(self.none_at_all(guess)),
+            },
         };
-        if iterate.grid.total > enough {
-            iterate = match self.chooses_times() {
-                true => {
-                    let weights = settings.durations.weights_from(has_good_times);
-                    self.optimise_durations(iterate, weights, enough, &mut working_set)
-                }
-                false => self.descend(iterate, settings.descent.on_full_grid, enough, &mut working_set),
-            };
-        }
+        iterate = self.on_its_own_grid(iterate, &mut working_set);
         self.rounded_up(&iterate, rule, &mut working_set)
     }
 
@@ -113,9 +111,15 @@ impl ScpPlanner<'_, '_> {
         }
         let Some((nth, planned)) = found else { return Err(not_found(tried[ample])) };
         let settings = self.settings;
-        let weights = settings.durations.weights_from(nth < of_other_sets);
+        let durations = &settings.durations;
+        let (weights, radius) = match nth < of_other_sets {
+            true => durations.on_full_grid(),
+            false => (&durations.cost_weights[..], durations.first_radius),
+        };
         let mut working_set = BTreeSet::new();
-        let iterate = self.optimise_durations(self.iterate_of(&planned), weights, 0.0, &mut working_set);
+        let first = self.iterate_of(&planned);
+        let iterate = self.shorten(first.clone(), weights, radius, 0.0, &mut working_set).unwrap_or(first);
+        let iterate = self.on_its_own_grid(iterate, &mut working_set);
         let shorter = self.rounded_up(&iterate, settings.cost.close, &mut working_set);
         match &shorter {
             Ok(found) if found.time < planned.grid.total => shorter,
@@ -148,7 +152,7 @@ impl ScpPlanner<'_, '_> {
     fn shortest_after_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
         let floor = earliest(self.hover.mission());
         let settings = self.settings.search;
-        let resolution = self.settings.descent.on_full_grid.min;
+        let resolution = settings.resolution;
         let mut low = floor;
         let mut stride = (settings.first_stride * (self.hover.guess() - floor)).max(GRID);
         let mut best: Option<(f64, Planned)> = None;

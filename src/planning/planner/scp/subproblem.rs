@@ -44,8 +44,6 @@ pub struct Step<'s> {
     /// The wrench per instant, and its change per relative change of the duration; where there are rows.
     pub wrenches: &'s [Wrench],
     pub time_sensitivities: &'s [Wrench],
-    /// Per leg the index of its epsilon; `None` where its duration is fixed.
-    pub legs: &'s [Option<usize>],
     /// Curvature of the Lagrangian: at each instant squares |factor . (s' - s)|^2 / 2 to be added to the objective.
     pub curvature: &'s [(usize, NodeState, Vec<FlatState>)],
     /// rho in (73): weight of the squared relative change of accelerations.
@@ -86,32 +84,14 @@ pub(super) fn without_wind<const N: usize>(state: &[[f64; N]; 4], environment: &
     in_air(state, &Environment { wind: [0.0; 3], ..*environment })
 }
 
-impl Step<'_> {
-    fn changes(&self) -> usize {
-        self.legs.iter().flatten().max().map_or(0, |most| most + 1)
-    }
-}
-
 impl Transcription<'_> {
-    /// The leg that an instant belongs to; at a waypoint the one that ends there.
-    pub(super) fn leg_of(&self, instant: usize) -> usize {
-        let interval = instant.saturating_sub(1) / self.parts;
-        let after = self.grid.segments.partition_point(|s| s.first_node <= interval);
-        self.grid.segments[after - 1].from
-    }
-
-    /// The change of the duration of an instant's leg.
-    pub(super) fn duration_change(&self, step: &Step, leg: usize) -> Affine {
-        step.legs[leg].map_or(Affine::default(), |i| Affine::term(self.variables() + 1 + i, 1.0))
-    }
-
     /// The subproblem with the rows `chosen` and, at all nodes, the set's equality rows. Also, for each facet in
     /// `chosen`, the index of its row in the program, on the wrench or the commanded wrench.
     pub(super) fn step_program(&self, step: &Step, chosen: &[RowAt]) -> (QuadraticProgram, Vec<Option<usize>>) {
         let sigma = self.variables();
         let violation = Affine::term(sigma, 1.0);
-        let mut builder = Builder::new(sigma + 1 + step.changes());
-        self.dynamics(&mut builder, &|node, axis, order| self.jump(step, node, axis, order));
+        let mut builder = Builder::new(sigma + 1 + self.changes());
+        self.dynamics(&mut builder);
         self.rest(&mut builder);
         self.waypoints(&mut builder, &Affine::constant(0.0));
         builder.nonnegative(violation.clone(), RowOrigin::Violation);
@@ -123,7 +103,7 @@ impl Transcription<'_> {
             let mut slack = wrench.along(&-row.normal).plus_constant(row.offset);
             let free = row.offset - row.normal.dot(&step.wrenches[instant]);
             let change = ORDER_OF_TIME * free - row.normal.dot(&step.time_sensitivities[instant]);
-            slack.add(&self.duration_change(step, self.leg_of(instant)), change);
+            slack.add(&self.duration_change(self.leg_of(instant)), change);
             slack
         };
         for (facet, row) in self.set.rows.iter().enumerate().filter(|(_, r)| r.equality) {
@@ -138,7 +118,7 @@ impl Transcription<'_> {
         let margin = step.settings.tightening.margin;
         let widening = |instant: usize, tightening: f64| {
             let free = violation.clone().plus_constant(-margin - tightening);
-            let change = self.duration_change(step, self.leg_of(instant));
+            let change = self.duration_change(self.leg_of(instant));
             Widening::by(&free).with_duration_change(&change).with_room(self.room(instant))
         };
         let mut places = Vec::with_capacity(chosen.len());
@@ -155,7 +135,7 @@ impl Transcription<'_> {
                     let free = step.tightening[facet] + local;
                     if let Some(core) = &self.set.rows[facet].core {
                         let free = violation.clone().plus_constant(-free);
-                        let change = self.duration_change(step, self.leg_of(instant));
+                        let change = self.duration_change(self.leg_of(instant));
                         let at = CoreAt { row: &self.set.rows[facet], core, facet, instant };
                         self.core(&mut builder, at, &free, Scaling { change: &change, order: ORDER_OF_TIME });
                         continue;
@@ -193,31 +173,15 @@ impl Transcription<'_> {
         (program, places)
     }
 
-    /// The jump (72) of a derivative at a waypoint, later side minus earlier side: in the new time both legs share one
-    /// trajectory, `D (1 - m epsilon) = D' (1 - m epsilon')` to first order.
-    pub(super) fn jump(&self, step: &Step, node: usize, axis: usize, order: usize) -> Affine {
-        if node == 0 || order == 0 {
-            return Affine::default();
-        }
-        let (before, after) = (self.leg_of(node * self.parts), self.leg_of(node * self.parts + 1));
-        if step.legs[before] == step.legs[after] {
-            return Affine::default();
-        }
-        let factor = order as f64 * step.from[node][axis][order];
-        let mut jump = self.duration_change(step, after).times(factor);
-        jump.add(&self.duration_change(step, before), -factor);
-        jump
-    }
-
     /// Durations change within the step's range, those of each span keep their sum, and where the objective is the time
     /// each counts by its share.
     fn durations(&self, builder: &mut Builder, step: &Step) {
         for segment in self.grid.segments.iter() {
             let leg = segment.from;
-            if step.legs[leg].is_none() || step.legs[..leg].contains(&step.legs[leg]) {
+            if self.durations[leg].is_none() || self.durations[..leg].contains(&self.durations[leg]) {
                 continue;
             }
-            let change = self.duration_change(step, leg);
+            let change = self.duration_change(leg);
             let (least, most) = (variable(step.range.0), variable(step.range.1));
             if least == most {
                 builder.zero(change.plus_constant(-least), RowOrigin::Duration { leg });
@@ -227,15 +191,15 @@ impl Transcription<'_> {
             }
         }
         let duration = |leg: usize| self.grid.segments[leg].duration;
-        for span in step.spans.iter().filter(|span| step.legs[(*span).clone()].iter().any(Option::is_some)) {
+        for span in step.spans.iter().filter(|span| self.durations[(*span).clone()].iter().any(Option::is_some)) {
             let whole: f64 = span.clone().map(duration).sum();
             let mut sum = Affine::constant(0.0);
-            span.clone().for_each(|leg| sum.add(&self.duration_change(step, leg), duration(leg) / whole));
+            span.clone().for_each(|leg| sum.add(&self.duration_change(leg), duration(leg) / whole));
             builder.zero(sum, RowOrigin::Duration { leg: span.end - 1 });
         }
         if step.objective == Objective::Time {
             for segment in &self.grid.segments {
-                for (variable, share) in self.duration_change(step, segment.from).terms {
+                for (variable, share) in self.duration_change(segment.from).terms {
                     builder.linear(variable, share * segment.duration / self.grid.total);
                 }
             }

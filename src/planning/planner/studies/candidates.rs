@@ -10,9 +10,9 @@ use crate::planner::working_set::WorkingSet;
 use crate::solve::Effort;
 
 impl Setting<'_> {
-    /// RIP's plan at one mission time, s. The initial guess is `rcp`, if given. Where candidates are shared, the joint
-    /// RCP's plan at that time, whose set lies inside RIP's, is the next if it costs less than RIP's or RIP has none;
-    /// if still no plan is found, the plan at RIP's shortest time (`own`, or a new search) if that is no longer.
+    /// RIP's plan at one mission time, s. The initial guess is `rcp`, if given. Where candidates are shared and no plan
+    /// is found, the next initial guesses are the joint RCP's plan at that time, whose set lies inside RIP's, and the
+    /// plan at RIP's shortest time (`own`, or a new search) if that is no longer.
     pub(super) fn rip_at(
         &self,
         name: &str,
@@ -22,30 +22,18 @@ impl Setting<'_> {
     ) -> (Decision, Effort) {
         let set = &self.sets.rip;
         let rip = |guess: Option<&Planned>| self.at(name, set, time, WorkingSet::default(), guess.as_slice());
-        if !self.shares_candidates() {
-            return rip(rcp);
-        }
-        let joint = || self.at("RCP", &self.sets.joint, time, WorkingSet::default(), &[]);
-        let ((mut decision, mut effort), joint) = match rcp.is_none() && !self.sets.names.is_empty() {
-            true => rayon::join(|| rip(None), || Some(joint())),
-            false => (rip(rcp), None),
-        };
-        if let Some((joint, spent)) = &joint {
-            effort += *spent;
-            let costs_less = |rcp: &&Planned| match &decision {
-                Decision::Feasible(rip) => rcp.objective < rip.objective,
-                Decision::Infeasible => false,
-                Decision::Inconclusive(_) => true,
-            };
-            if let Some(rcp) = joint.planned().filter(costs_less) {
+        let (mut decision, mut effort) = rip(rcp);
+        let is_open = |decision: &Decision| self.shares_candidates() && matches!(decision, Decision::Inconclusive(_));
+        if is_open(&decision) && rcp.is_none() && !self.sets.names.is_empty() {
+            let (joint, spent) = self.at("RCP", &self.sets.joint, time, WorkingSet::default(), &[]);
+            effort += spent;
+            if let Some(rcp) = joint.planned() {
                 let (again, spent) = rip(Some(rcp));
                 effort += spent;
-                if let Decision::Feasible(_) = again {
-                    decision = again;
-                }
+                decision = again;
             }
         }
-        if !matches!(decision, Decision::Inconclusive(_)) {
+        if !is_open(&decision) {
             return (decision, effort);
         }
         let searched = own.is_none().then(|| self.search(name, set, Hint::default(), WorkingSet::default()));
@@ -69,20 +57,9 @@ impl Setting<'_> {
         self.finds_local_optima() && (self.model().plan.chooses_times || !self.mission().leaves_times_free())
     }
 
-    /// RIP's shortest time. A search for waypoint times proves nothing and may end longer than RCP's, which RIP never
-    /// needs to be: the joint RCP is searched for in parallel.
+    /// RIP's shortest time.
     pub(super) fn rip_own(&self) -> Found {
-        let rip = || self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
-        if !self.shares_candidates() {
-            return rip();
-        }
-        let joint = || {
-            (!self.sets.names.is_empty())
-                .then(|| self.search("RCP", &self.sets.joint, Hint::default(), WorkingSet::default()))
-        };
-        let (mut rip, joint) = rayon::join(rip, joint);
-        rip.effort += joint.as_ref().map_or(Effort::default(), |found| found.effort);
-        self.at_most(rip, joint.as_ref().and_then(Found::planned))
+        self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default())
     }
 
     /// RSP's shortest time; `hint.initial_guesses` holds the RIP plan that selects, then plans that RSP's set allows.

@@ -10,13 +10,8 @@ impl Transcription<'_> {
     /// Exact steps under first-order hold: with m = r - i,
     /// `d_i(k+1) = sum_{j=i}^{r-1} h^(j-i)/(j-i)! d_j + h^m [(1/m! - 1/(m+1)!) u_k + u_{k+1}/(m+1)!]`.
     ///
-    /// If the leg that begins at a node may change its duration by another share than the one that ends there, the
-    /// derivatives `d_j` on its side differ by `jump` of (node, axis, j), in SI units (72).
-    pub(in crate::planning::planner) fn dynamics(
-        &self,
-        builder: &mut Builder,
-        jump: &dyn Fn(usize, usize, usize) -> Affine,
-    ) {
+    /// The derivatives `d_j` are those at the beginning of the interval ([`Self::jump`]).
+    pub(in crate::planning::planner) fn dynamics(&self, builder: &mut Builder) {
         if let Form::Splines(_) = self.form {
             return; // splines keep these rows by construction
         }
@@ -38,7 +33,7 @@ impl Transcription<'_> {
                             _ => power * (1.0 / FACTORIAL[m] - late),
                         };
                         row = row.plus(self.var(interval, axis, j), unit * factor * tau.powi(-(j as i32)));
-                        row.add(&jump(interval, axis, j), unit * factor);
+                        row.add(&self.jump(interval, axis, j), unit * factor);
                     }
                     row = row.plus(self.var(interval + 1, axis, r), unit * power * late * next.powi(-(r as i32)));
                     builder.zero(row, RowOrigin::Dynamics { interval, axis, derivative: i });
