@@ -21,7 +21,10 @@ thread_local! {
 
 /// Cancels runs. Clones cancel the same runs.
 #[derive(Debug, Clone, Default)]
-pub struct Cancel(Arc<AtomicBool>);
+pub struct Cancel {
+    cancelled: Arc<AtomicBool>,
+    enough: Arc<AtomicBool>,
+}
 
 /// A run was cancelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,11 +54,22 @@ impl Cancel {
 
     /// Cancels every run within this value, and those that begin later. Returns at once; the runs end soon after.
     pub fn cancel(&self) {
-        self.0.store(true, Ordering::Relaxed);
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Tells searches for a plan to end with the best that they have; those that have none end without a plan. Returns
+    /// at once.
+    pub fn enough(&self) {
+        self.enough.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether searches were told to end with what they have.
+    pub fn is_enough(&self) -> bool {
+        self.enough.load(Ordering::Relaxed)
     }
 
     pub fn is_cancelled(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
+        self.cancelled.load(Ordering::Relaxed)
     }
 
     /// Runs `work` on `threads` threads of its own, with stacks of `stack` bytes; 0 stands for a thread for each core.
@@ -95,6 +109,11 @@ impl Cancel {
 /// What may cancel the work of this thread.
 pub(crate) fn current() -> Option<Cancel> {
     CURRENT.with_borrow(Clone::clone)
+}
+
+/// Whether searches of this thread are to end with what they have.
+pub(crate) fn is_enough() -> bool {
+    CURRENT.with_borrow(|current| current.as_ref().is_some_and(Cancel::is_enough))
 }
 
 /// Ends the work of this thread if it is cancelled.

@@ -42,6 +42,8 @@ use clap::error::{ContextKind, ContextValue};
 
 /// Success; `analyze` ends with it whatever its verdicts.
 pub const FINE: u8 = 0;
+/// A search was cut short by Ctrl-C and its best plan was written: as shells report a process that SIGINT ended.
+pub const CUT_SHORT: u8 = 130;
 /// The spec has errors.
 pub const SPEC_ERRORS: u8 = 1;
 /// Wrong usage, or a file that cannot be read or written.
@@ -69,7 +71,7 @@ pub(crate) struct Options {
 
 /// Parses the arguments, runs the command and returns the exit code.
 pub fn run() -> u8 {
-    let cli = match Cli::try_parse() {
+    let mut cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(e) => {
             let mut e = without_disguise(e);
@@ -81,6 +83,7 @@ pub fn run() -> u8 {
             };
         }
     };
+    cli.command.set_effort();
     let options = Options { quiet: cli.quiet, timings: cli.timings };
     threads::limit(match &cli.command {
         Command::Campaign(args) => args.threads,

@@ -56,6 +56,9 @@ pub struct Effort {
     pub solves: usize,
     /// Iterations of the solver.
     pub iterations: usize,
+    /// Iterations, each times the entries of its program's matrices, rows and variables: proportional to the solver's
+    /// time within a factor of three (docs/performance.md), and the same on every machine.
+    pub work: u64,
     /// Initial guesses from which searches for a mission time started.
     pub starts: usize,
     /// Wall time inside the solver.
@@ -66,6 +69,7 @@ impl std::ops::AddAssign for Effort {
     fn add_assign(&mut self, other: Effort) {
         self.solves += other.solves;
         self.iterations += other.iterations;
+        self.work += other.work;
         self.starts += other.starts;
         self.time += other.time;
     }
@@ -254,7 +258,9 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Opti
     solver.solve();
     cancel::checkpoint();
     let iterations = solver.solution.iterations as usize;
-    let effort = Effort { solves: 1, iterations, starts: 0, time: begin.elapsed() };
+    let size = program.p.nzval.len() + program.a.nzval.len() + program.q.len() + program.b.len();
+    let work = (iterations * size) as u64;
+    let effort = Effort { solves: 1, iterations, work, starts: 0, time: begin.elapsed() };
     let found = solver.solution;
     (Some(Raw { status: found.status, x: found.x, z: found.z }), effort)
 }

@@ -63,8 +63,8 @@
   (#any-of? @constant.builtin
     ; words: values of fields
     "all" "always" "bounded" "box" "continue" "cylinder" "distance" "estimator" "exact" "geometric" "half_space"
-    "hold" "hover" "instant" "lagging" "land" "minimum" "never" "off" "optimal" "pd" "polygon" "proportional"
-    "pseudo_inverse" "rcp" "rip" "rsp" "sphere" "uniform" "where_needed"
+    "hold" "hover" "instant" "lagging" "land" "minimum" "never" "normal" "off" "optimal" "pd" "polygon" "proportional"
+    "pseudo_inverse" "quick" "rcp" "rip" "rsp" "sphere" "thorough" "uniform" "where_needed"
     ; end of words
   ))
 ((field value: (list (reference (name) @constant.builtin)))

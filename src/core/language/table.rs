@@ -404,6 +404,9 @@ group! {
         "`optimal`: the planner searches for the waypoint times of the shortest mission (a local optimum). \
          `proportional`: legs share the time as described under [mission](#mission). `uniform`: all legs take the same \
          time. `distance`: each leg takes time in proportion to its length, on curves too";
+    EFFORT "effort", Words(&["quick", "normal", "thorough"]), Written("normal", "how much work a search may take"),
+        "how much of the solver's work a search for a plan in the exact model may take, on whatever machine: `quick` a \
+         fifth of `normal`, `thorough` ten times as much";
     VEHICLE "vehicle", Names(&[]), Otherwise("the only one"), "the name of the vehicle to use, if the spec has several";
     MISSION "mission", Names(&[]), Otherwise("the spec's only one"),
         "the name of the mission to plan, if the spec has several";

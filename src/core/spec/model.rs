@@ -33,7 +33,7 @@ pub use limits::{Description, Quantity};
 pub use origin::Origin;
 pub use plan_settings::{
     CaptureHeight, MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH, MAX_WAYPOINTS, MissionTime, Plan, PlanModel,
-    PlanRotors, PlannerKind,
+    PlanRotors, PlannerKind, SearchEffort,
 };
 pub use problem::Problem;
 pub use volume::{Boundary, Side as VolumeSide, Volume};

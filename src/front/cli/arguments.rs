@@ -4,6 +4,7 @@ use super::campaign::CampaignArgs;
 use super::exports::FRAMES;
 use crate::MISSION_TEMPLATES;
 use crate::exchange::{flight, trajectory};
+use crate::model::SearchEffort;
 use crate::verify::cost::Budget;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -20,8 +21,12 @@ Exit codes:
   7  the certificate is accepted, but proves less than the spec requires
   8  checking the certificate would exceed the budget
   9  the integration of a simulated flight diverged
+  130  the search was cut short by Ctrl-C; its best plan was written
 
 SPEC may be `-` for standard input.";
+
+/// The words of `effort` in `plan { }`.
+const EFFORTS: [&str; 3] = [SearchEffort::Quick.name(), SearchEffort::Normal.name(), SearchEffort::Thorough.name()];
 
 #[derive(Parser)]
 #[command(
@@ -166,6 +171,18 @@ pub(super) struct AnalyzeArgs {
     pub capture: bool,
 }
 
+impl Command {
+    /// `--effort` sets the field of the spec.
+    pub fn set_effort(&mut self) {
+        let (effort, spec) = match self {
+            Command::Plan(args) => (&args.effort, &mut args.spec),
+            Command::Compare(args) => (&args.effort, &mut args.spec),
+            _ => return,
+        };
+        spec.set.extend(effort.iter().map(|effort| format!("plan.effort={effort}")));
+    }
+}
+
 #[derive(Args)]
 pub(super) struct PlanArgs {
     #[command(flatten)]
@@ -192,6 +209,12 @@ pub(super) struct PlanArgs {
     /// or just after it, with the last state; each waypoint is marked in the row nearest to it
     #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
     pub rate: Option<String>,
+    /// How much work the search may take: quick, normal, the default, or thorough
+    #[arg(long, value_name = "EFFORT", value_parser = EFFORTS)]
+    pub effort: Option<String>,
+    /// After Ctrl-C, which ends the search with the best plan that it has, exit with 0 instead of 130
+    #[arg(long)]
+    pub accept_best: bool,
     /// Write a certificate (JSON) for `mavc verify` to this file
     #[arg(long, value_name = "CERT.JSON")]
     pub certificate: Option<PathBuf>,
@@ -219,6 +242,9 @@ pub(super) struct VerifyArgs {
 pub(super) struct CompareArgs {
     #[command(flatten)]
     pub spec: SpecArgs,
+    /// How much work each search may take: quick, normal, the default, or thorough
+    #[arg(long, value_name = "EFFORT", value_parser = EFFORTS)]
+    pub effort: Option<String>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
     #[arg(long, value_name = "REPORT.JSON")]
     pub report: Option<PathBuf>,

@@ -3,14 +3,18 @@
 use super::exports::Export;
 use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
+use super::signals::Enough;
 use super::spec::{self, Start};
-use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, files};
+use super::{CUT_SHORT, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, files};
+use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::Diagnostic;
+use crate::model::MissionTime;
 use crate::observer::{Observer, timed};
-use crate::pipeline::{Task, certify};
+use crate::pipeline::{Planning, Task, certify};
 use crate::read::FlightBlocks;
 use crate::report::page::{self, Kind};
 use crate::verdict::Verdict;
+use std::panic::resume_unwind;
 
 pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let export = Export::of(args)?;
@@ -31,7 +35,8 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         Start::Ended(code) => return Ok(code),
     };
     export.fits(task.model())?;
-    let planning = task.plan(&watch);
+    let cancel = Cancel::new();
+    let planning = plan(&task, &cancel, &watch)?;
     let explained = task.explain(&planning, &watch).map_err(|e| e.to_string())?;
     let mut results = Results::new(&places);
     if places.certificate.is_some() {
@@ -67,7 +72,30 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         }
         results.note_page(options)
     })?;
+    if cancel.is_enough() {
+        files::eprint(match planning.plan() {
+            Some(_) => {
+                "mavc: the search was cut short: this is its best plan, and a longer search may find a shorter one\n"
+            }
+            None => "mavc: the search was cut short before it had a plan\n",
+        });
+        return Ok(if args.accept_best { code(planning.verdict()) } else { CUT_SHORT });
+    }
     Ok(code(planning.verdict()))
+}
+
+/// Bytes of stack of a thread that plans: as much as those of the main program.
+const STACK: usize = 8 << 20;
+
+/// Plans the mission. Where its time is searched for, the first Ctrl-C ends the search with the best plan that it has.
+fn plan(task: &Task, cancel: &Cancel, watch: &Watch) -> Result<Planning, Problem> {
+    let _enough = (task.model().plan.time == MissionTime::Minimum).then(|| Enough::new(cancel.clone()));
+    match cancel.within(rayon::current_num_threads(), STACK, || task.plan(watch)) {
+        Ok(planning) => Ok(planning),
+        Err(NoResult::Panicked(payload)) => resume_unwind(payload),
+        Err(NoResult::NoThreads(why)) => Err(why.into()),
+        Err(NoResult::Cancelled(cancelled)) => Err(cancelled.to_string().into()),
+    }
 }
 
 /// The exit code of a verdict.

@@ -96,14 +96,16 @@ impl Observer for Watch {
         if !self.timings {
             return;
         }
-        let Effort { solves, iterations, starts, .. } = effort;
+        let Effort { solves, iterations, starts, work, .. } = effort;
         let starts = match starts {
             0 => String::new(),
             1 => ", 1 start".into(),
             starts => format!(", {starts} starts"),
         };
         let milliseconds = effort.time.as_secs_f64() * 1e3;
-        let line = format!("{milliseconds:>9.2} ms in {solves} solves, {iterations} iterations{starts}");
+        let work = *work as f64 / 1e6;
+        let line =
+            format!("{milliseconds:>9.2} ms in {solves} solves, {iterations} iterations, work {work:.1}{starts}");
         files::eprint(&format!("{:<10} {line}\n", "  solver"));
     }
 

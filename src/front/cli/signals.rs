@@ -3,6 +3,7 @@
 //! Unix signals are not handled.
 
 use super::files;
+use crate::cancel::Cancel;
 use std::io::IsTerminal;
 use std::sync::{Mutex, PoisonError};
 
@@ -32,6 +33,26 @@ impl Drop for Saying {
     }
 }
 
+/// What Ctrl-C does first, while the work can end with what it has.
+static ENOUGH: Mutex<Option<Cancel>> = Mutex::new(None);
+
+/// While this value lives, the first Ctrl-C ends searches of `cancel` with the best that they have, and says so.
+pub struct Enough;
+
+impl Enough {
+    pub fn new(cancel: Cancel) -> Enough {
+        watch();
+        *ENOUGH.lock().unwrap_or_else(PoisonError::into_inner) = Some(cancel);
+        Enough
+    }
+}
+
+impl Drop for Enough {
+    fn drop(&mut self) {
+        *ENOUGH.lock().unwrap_or_else(PoisonError::into_inner) = None;
+    }
+}
+
 #[cfg(not(unix))]
 pub fn watch() {}
 
@@ -43,13 +64,29 @@ pub fn watch() {
     BEGUN.call_once(|| drop(unix::begin()));
 }
 
+/// Prints a message below a line of progress that may be on the screen.
+#[cfg(unix)]
+fn print(message: &str) {
+    let above = if std::io::stderr().is_terminal() { "\n" } else { "" };
+    files::eprint(&format!("{above}mavc: {message}\n"));
+}
+
+/// Whether Ctrl-C is answered by ending searches with what they have: the first time it is pressed.
+#[cfg(unix)]
+fn is_enough() -> bool {
+    let enough = ENOUGH.lock().unwrap_or_else(PoisonError::into_inner).take();
+    if let Some(cancel) = &enough {
+        cancel.enough();
+        print("the search ends with the best plan that it has; Ctrl-C again ends mavc at once");
+    }
+    enough.is_some()
+}
+
 #[cfg(unix)]
 fn say() {
     let farewell = FAREWELL.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(farewell) = farewell.as_ref() {
-        // A line of progress may be on the screen.
-        let above = if std::io::stderr().is_terminal() { "\n" } else { "" };
-        files::eprint(&format!("{above}mavc: {}\n", farewell()));
+        print(&farewell());
     }
 }
 
@@ -61,7 +98,7 @@ mod unix {
     use signal_hook::low_level::emulate_default_handler;
     use std::io::Result;
     use std::sync::Arc;
-    use std::sync::atomic::AtomicBool;
+    use std::sync::atomic::{AtomicBool, Ordering};
 
     pub fn begin() -> Result<()> {
         // Beyond a limit on file sizes, writing fails as on a full disk instead of ending the process.
@@ -71,13 +108,14 @@ mod unix {
         let ends: Vec<i32> = ends.collect();
         let again = Arc::new(AtomicBool::new(false));
         for &signal in &ends {
-            // A second signal ends the process even if the message cannot be printed.
+            // A signal after the one that ends the process ends it even if the message cannot be printed.
             register_conditional_default(signal, again.clone())?;
-            register(signal, again.clone())?;
         }
         let mut signals = Signals::new(ends)?;
         std::thread::Builder::new().name("signals".into()).spawn(move || {
-            if let Some(signal) = signals.forever().next() {
+            let ends = |signal: &i32| *signal != SIGINT || !super::is_enough();
+            if let Some(signal) = signals.forever().find(ends) {
+                again.store(true, Ordering::SeqCst);
                 super::super::temporary::remove_all();
                 super::say();
                 let _ = emulate_default_handler(signal);

@@ -7,6 +7,7 @@
 //! as variables (`durations`, `fixed_times`). Section 12 of `docs/method.md` lists these algorithms; [`settings`] holds
 //! their parameters.
 
+mod budget;
 mod commands;
 mod continuation;
 mod cost_phase;
@@ -55,6 +56,7 @@ use crate::planner::transcription::{Row, RowAt, Transcription, splines};
 use crate::solve::{Outcome, Solution, StepSolution, solve_graded, solve_step};
 use commands::Lag;
 use settings::ProximalSettings;
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -153,6 +155,8 @@ pub struct ScpPlanner<'e, 'a> {
     /// Numbers of intervals on which a program in spline coefficients was not solved: programs there are solved in
     /// stage variables at once.
     stiff: BTreeSet<usize>,
+    /// The work after which the search was told that what it has is enough.
+    told_at: Cell<Option<u64>>,
 }
 
 /// The solution of one subproblem.
@@ -217,6 +221,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             sides: BTreeMap::new(),
             splines: None,
             stiff: BTreeSet::new(),
+            told_at: Cell::new(None),
         }
     }
 
@@ -301,6 +306,9 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Stepped> {
         let settings = self.settings;
+        if self.has_spent(settings.budget.at_most) {
+            return None;
+        }
         working_set.extend(self.rows_at_nodes(iterate, -settings.subproblem.slack_of_working_set));
         working_set.extend(self.rows_everywhere(&iterate.grid));
         // Splines cannot have the jumps (72) that legs with different changes need, and stiff ones leave the solver no

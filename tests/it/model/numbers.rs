@@ -177,6 +177,7 @@ fn defaults_are_listed() {
             "plan.planner",
             "plan.model",
             "plan.rotors",
+            "plan.effort",
             "plan.against",
             "plan.time",
             "plan.samples",

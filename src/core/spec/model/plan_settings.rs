@@ -77,6 +77,25 @@ impl PlanRotors {
     }
 }
 
+/// How much work a search for a plan in the exact model may take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SearchEffort {
+    Quick,
+    Normal,
+    Thorough,
+}
+
+impl SearchEffort {
+    /// The word of the language.
+    pub const fn name(self) -> &'static str {
+        match self {
+            SearchEffort::Quick => "quick",
+            SearchEffort::Normal => "normal",
+            SearchEffort::Thorough => "thorough",
+        }
+    }
+}
+
 /// The time of the whole mission, including holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MissionTime {
@@ -112,6 +131,7 @@ pub struct Plan {
     /// The modes to tolerate, as indices into [`super::Model::modes`], in the order written, without repetitions.
     pub against: Vec<usize>,
     pub time: MissionTime,
+    pub effort: SearchEffort,
     /// Number of intervals of the whole mission.
     pub samples: usize,
     /// Share of each set kept for feedback, 0 <= reserve < 1.

@@ -16,7 +16,9 @@ use crate::language::Group;
 use crate::language::table::plan as table;
 use crate::model::grid::Spacing;
 use crate::model::legs::Timing;
-use crate::model::{AfterFault, GiveUpYaw, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
+use crate::model::{
+    AfterFault, GiveUpYaw, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, SearchEffort,
+};
 use crate::read::written::Written;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
@@ -138,11 +140,13 @@ impl<'a> Draft<'a> {
         const PLANNERS: [PlannerKind; 3] = [PlannerKind::Rip, PlannerKind::Rcp, PlannerKind::Rsp];
         const MODELS: [PlanModel; 2] = [PlanModel::Hover, PlanModel::Exact];
         const ROTORS: [PlanRotors; 2] = [PlanRotors::Instant, PlanRotors::Lagging];
+        const EFFORTS: [SearchEffort; 3] = [SearchEffort::Quick, SearchEffort::Normal, SearchEffort::Thorough];
         const WEIGHT: &str = "mavc::plan::weight";
         let span = self.span.unwrap_or(fallback);
         let planner = self.fields.choice_or(cx, &table::PLANNER, CHOICE, &PLANNERS, PlannerKind::Rsp);
         let model = self.fields.choice_or(cx, &table::MODEL, CHOICE, &MODELS, PlanModel::Exact);
         let rotors = self.fields.choice_or(cx, &table::ROTORS, CHOICE, &ROTORS, PlanRotors::Instant);
+        let effort = self.fields.choice_or(cx, &table::EFFORT, CHOICE, &EFFORTS, SearchEffort::Normal);
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
             None => Some(self.fields.default(&table::AGAINST, (0..modes.modes.len()).collect())),
@@ -194,6 +198,7 @@ impl<'a> Draft<'a> {
             chooses_times: self.chooses_times,
             against: against?,
             time: time?,
+            effort: effort?,
             samples: samples?,
             rounds: rounds?,
             require_risk: require_risk.optional()?,

@@ -28,6 +28,8 @@ pub struct ScpSettings {
     pub search: SearchSettings,
     /// Grids between the coarse and the full one.
     pub grids: GridSettings,
+    /// How much of the solver's work a search may take.
+    pub budget: BudgetSettings,
     /// The program whose multipliers give what limits the time.
     pub sensitivity: SensitivitySettings,
     /// Stops after a fault.
@@ -306,6 +308,30 @@ pub struct GridSettings {
     pub slowdowns: [f64; 4],
 }
 
+/// How much of the solver's work ([`crate::solve::Effort::work`]) one search may take, and when its parts end, as
+/// shares of that.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BudgetSettings {
+    /// `effort = quick`
+    pub quick: f64,
+    /// `effort = normal`
+    pub normal: f64,
+    /// `effort = thorough`
+    pub thorough: f64,
+    /// Other sides of volumes are tried up to this share.
+    pub until_other_sides: f64,
+    /// Steps to shorter times on the coarse grid end at this share.
+    pub until_coarse_grid: f64,
+    /// Those on the medium grid.
+    pub until_medium_grid: f64,
+    /// Those on the full grid.
+    pub until_full_grid: f64,
+    /// Steps of cost phases end at this share.
+    pub until_cost: f64,
+    /// No program is solved beyond this share: what is not found by then is not found.
+    pub at_most: f64,
+}
+
 /// The program that minimises the time about a plan, for its multipliers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensitivitySettings {
@@ -465,6 +491,17 @@ impl ScpSettings {
             stride_growth: 1.5,
         },
         grids: GridSettings { medium: 100, refinement: 1.6, growth: 1.25, slowdowns: [1.0, 1.002, 1.005, 1.01] },
+        budget: BudgetSettings {
+            quick: 2.6e7,
+            normal: 1.3e8,
+            thorough: 1.3e9,
+            until_other_sides: 0.15,
+            until_coarse_grid: 0.35,
+            until_medium_grid: 0.65,
+            until_full_grid: 0.85,
+            until_cost: 1.0,
+            at_most: 2.0,
+        },
         sensitivity: SensitivitySettings { cost_weight: 0.05, penalty: 100.0, proximal_weight: 0.1, radius: 0.1 },
         stops: StopSettings {
             proximal_weight: 0.1,

@@ -114,10 +114,11 @@ impl ScpPlanner<'_, '_> {
     fn shorten_with(&mut self, steps: &mut Shortening, cost_weight: f64, working_set: &mut BTreeSet<RowAt>) {
         let settings = self.settings.durations;
         let weights = Weights { objective: Objective::Time, penalty: settings.penalty, cost_weight, input_weight: 0.0 };
+        let share_of_budget = self.share_until(steps.at.grid.intervals());
         let mut violation = self.violation_by(&steps.at, working_set);
         let (mut slow, mut hopeless, mut was_repeated, mut price) = (0, 0, false, 0.0_f64);
         steps.pace.radius = steps.pace.radius.max(settings.least_first_radius);
-        while steps.pace.radius >= settings.min_radius && steps.left > 0 {
+        while steps.pace.radius >= settings.min_radius && steps.left > 0 && !self.has_spent(share_of_budget) {
             if violation <= 0.0 {
                 steps.feasible(&steps.at.clone());
                 if steps.at.grid.total <= steps.target {
@@ -160,9 +161,9 @@ impl ScpPlanner<'_, '_> {
                 (gained, left, next) = taken(share, self, working_set);
             }
             if share < 1.0 && has_new_rows && !was_repeated {
-                // The subproblem lacked rows that its step violates: it is solved once more with all of them.
-                working_set.extend(self.rows_at_nodes(&whole, 0.0));
-                working_set.extend(self.rows_between(&whole));
+                // The subproblem lacked rows that its step violates: it is solved once more with those of the share.
+                working_set.extend(self.rows_at_nodes(&next, 0.0));
+                working_set.extend(self.rows_between(&next));
                 was_repeated = true;
                 continue;
             }

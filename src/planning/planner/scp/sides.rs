@@ -14,6 +14,9 @@ impl ScpPlanner<'_, '_> {
         let first = self.coarse(shares, near);
         let mut found: Vec<(Iterate, Sides)> = first.map(|iterate| (iterate, self.sides.clone())).into_iter().collect();
         for sides in self.quicker_sides(shares, near) {
+            if !found.is_empty() && self.has_spent(self.settings.budget.until_other_sides) {
+                break;
+            }
             self.forget_multipliers();
             let kept = (self.input_weight, std::mem::replace(&mut self.sides, sides.clone()));
             found.extend(self.coarse(shares, near).map(|iterate| (iterate, sides)));

@@ -3,6 +3,7 @@
 
 use super::Setting;
 use super::found::Found;
+use crate::model::SearchEffort;
 use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::search::{Hint, Shortest};
@@ -57,9 +58,17 @@ impl Setting<'_> {
         self.finds_local_optima() && (self.model().plan.chooses_times || !self.mission().leaves_times_free())
     }
 
-    /// RIP's shortest time.
+    /// RIP's shortest time. With `effort = thorough` the joint RCP is searched for too: its set lies inside RIP's, and
+    /// where its plan is shorter RIP starts from it again.
     pub(super) fn rip_own(&self) -> Found {
-        self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default())
+        let mut rip = self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
+        let is_thorough = self.model().plan.effort == SearchEffort::Thorough;
+        if !is_thorough || !self.shares_candidates() || self.sets.names.is_empty() {
+            return rip;
+        }
+        let joint = self.search("RCP", &self.sets.joint, Hint::default(), WorkingSet::default());
+        rip.effort += joint.effort;
+        self.at_most(rip, joint.planned())
     }
 
     /// RSP's shortest time; `hint.initial_guesses` holds the RIP plan that selects, then plans that RSP's set allows.

@@ -1,0 +1,40 @@
+//! How much of the solver's work a search may take. Work is counted, not timed, so that results depend neither on the
+//! machine nor on what else it does.
+
+use super::*;
+use crate::model::SearchEffort;
+
+impl ScpPlanner<'_, '_> {
+    /// Whether a search has taken more than this share of its budget. Told that what it has is enough, it gets as much
+    /// as a quick search has after its coarse grid: a plan on the full grid has to be made of what it has.
+    pub(super) fn has_spent(&self, share: f64) -> bool {
+        let settings = self.settings.budget;
+        let budget = match self.hover.model().plan.effort {
+            SearchEffort::Quick => settings.quick,
+            SearchEffort::Normal => settings.normal,
+            SearchEffort::Thorough => settings.thorough,
+        };
+        let work = self.hover.effort.work;
+        if work as f64 > share * budget {
+            return true;
+        }
+        if !crate::cancel::is_enough() {
+            return false;
+        }
+        let told = self.told_at.get().unwrap_or(work);
+        self.told_at.set(Some(told));
+        (work - told) as f64 >= (share - settings.until_coarse_grid) * settings.quick
+    }
+
+    /// The share of the budget at which steps to shorter times end on a grid: finer grids come after it, and the cost
+    /// phase of the plan.
+    pub(super) fn share_until(&self, intervals: usize) -> f64 {
+        let settings = self.settings.budget;
+        let holds = self.hover.mission().waypoints.iter().filter(|w| w.hold > 0.0).count();
+        match intervals {
+            n if n + holds >= self.hover.model().plan.samples => settings.until_full_grid,
+            n if Some(n + holds) >= self.medium_grid() && self.medium_grid().is_some() => settings.until_medium_grid,
+            _ => settings.until_coarse_grid,
+        }
+    }
+}
