@@ -43,4 +43,9 @@ pub trait Oracle {
     /// A limit without bounds is no constraint, and neither is a waypoint whose tolerances are
     /// [`crate::planner::transcription::UNBOUNDED`] and whose weight is zero.
     fn ask(&mut self, problem: Problem, time: f64) -> Answer;
+
+    /// The solver's work so far ([`crate::solve::Effort::work`]).
+    fn work(&self) -> u64 {
+        0
+    }
 }

@@ -66,6 +66,10 @@ impl Sets {
 }
 
 impl Oracle for Planners<'_> {
+    fn work(&self) -> u64 {
+        self.effort.work
+    }
+
     fn ask(&mut self, problem: Problem, time: f64) -> Answer {
         let (model, mission) = (problem.model(), problem.mission());
         if let Some(on_progress) = &self.on_progress {

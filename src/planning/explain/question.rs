@@ -13,6 +13,10 @@ const LONG: f64 = 4.0;
 /// And this many times the time that the spec gives them. Chosen by hand.
 const LONGER: f64 = 1.5;
 
+/// The most of the solver's work for a conflict, and for changes: as much as a search with `effort = normal`, some ten
+/// seconds (docs/performance.md). Chosen by hand.
+const MOST_WORK: u64 = 130_000_000;
+
 /// The longest mission time of a query, s.
 const LONGEST: f64 = 100_000.0;
 
@@ -23,11 +27,14 @@ pub(super) struct Questions<'a> {
     answers: BTreeMap<BTreeSet<Statement>, Answer>,
     asked: usize,
     most: usize,
+    /// No query begins beyond this much of the solver's work.
+    most_work: u64,
 }
 
 impl<'a> Questions<'a> {
     pub fn new(problem: Problem<'a>, oracle: &'a mut dyn Oracle, most: usize) -> Self {
-        Questions { problem, oracle, answers: BTreeMap::new(), asked: 0, most }
+        let most_work = oracle.work() + MOST_WORK;
+        Questions { problem, oracle, answers: BTreeMap::new(), asked: 0, most, most_work }
     }
 
     pub fn asked(&self) -> usize {
@@ -37,6 +44,7 @@ impl<'a> Questions<'a> {
     /// Allows this many more queries from here on.
     pub fn allow(&mut self, more: usize) {
         self.most = self.asked + more;
+        self.most_work = self.oracle.work() + MOST_WORK;
     }
 
     /// A mission time that is long for a variant of the mission, s. It depends on the variant's fixed times and holds
@@ -115,9 +123,9 @@ impl<'a> Questions<'a> {
         self.answers.iter().find(implies).map(|(_, answer)| answer.clone())
     }
 
-    /// The oracle's answer for any variant; `None` if there were too many queries.
+    /// The oracle's answer for any variant; `None` if there were too many queries, or too much work in them.
     pub fn ask(&mut self, problem: Problem) -> Option<Answer> {
-        if self.asked >= self.most {
+        if self.asked >= self.most || self.oracle.work() > self.most_work {
             return None;
         }
         self.asked += 1;

@@ -80,7 +80,8 @@ fn legs_between_fixed_times_divide_their_time_anew() {
     let (arrivals, time) = shortest(&model);
     assert!(time < 10.0, "{time}");
     let (up, along) = (arrivals[2] - arrivals[1], arrivals[3] - arrivals[2]);
-    assert!(up > 1.2 * along, "{arrivals:?}");
+    // By lengths the climb would take a third of the time along.
+    assert!(up > along, "{arrivals:?}");
     model.plan.time = MissionTime::Fixed(11.0);
     assert_eq!(shortest(&model).1, 11.0);
     // The division by lengths, for the planner to keep.

@@ -108,14 +108,16 @@ impl ScpPlanner<'_, '_> {
         let flown = total - self.held();
         let mut working_set = BTreeSet::new();
         let mut iterate = first;
-        if iterate.grid.total > flown {
-            let settings = self.settings.durations;
+        let settings = self.settings.durations;
+        // Steps that end before the time is reached are taken up again with a wide trust region, while they gain.
+        while iterate.grid.total > (1.0 + ROUNDING) * flown {
+            let before = iterate.grid.total;
             iterate = self.shorten(iterate, &settings.cost_weights, settings.first_radius, flown, &mut working_set)?;
-            if iterate.grid.total > (1.0 + ROUNDING) * flown {
+            if iterate.grid.total > (1.0 + ROUNDING) * flown.max((1.0 - settings.min_gain) * before) {
                 return None;
             }
-            iterate = self.on_its_own_grid(iterate, &mut working_set);
         }
+        iterate = self.on_its_own_grid(iterate, &mut working_set);
         let lasting = self.lasting(&iterate, flown);
         self.restored_plan(lasting, total, self.settings.cost.close, &mut working_set)
     }

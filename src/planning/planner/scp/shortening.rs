@@ -18,8 +18,8 @@ struct Pace {
 }
 
 impl Pace {
-    /// After a step of which `share` was taken, and which changed durations by at most `largest` times that.
-    fn after(self, share: f64, ratio: f64, largest: f64, settings: &DurationSettings) -> Pace {
+    /// After a step of which `share` was taken, with this ratio of actual to predicted gain.
+    fn after(self, share: f64, ratio: f64, settings: &DurationSettings) -> Pace {
         let weight = self.proximal.weight;
         let (radius, weight) = match share {
             1.0 if ratio > settings.good_ratio => {
@@ -27,10 +27,9 @@ impl Pace {
                 ((settings.radius_growth * self.radius).min(settings.max_radius), less.max(settings.proximal_weight))
             }
             1.0 => (self.radius, weight),
-            _ => {
-                let smaller = self.radius * share.max(settings.radius_shrink);
-                (smaller.max(settings.radius_shrink * share * largest), settings.radius_shrink * weight / share)
-            }
+            // A share that is no smaller than the line search allows may not even have gained.
+            _ if share <= settings.min_share => (share * self.radius, settings.proximal_increase * weight / share),
+            _ => (share.sqrt() * self.radius, settings.proximal_increase * weight / share),
         };
         Pace { radius, proximal: ProximalWeight { weight } }
     }
@@ -46,6 +45,8 @@ struct Shortening {
     left: usize,
     /// The mission is not shortened below this flight, s.
     target: f64,
+    /// Whether the linear model has ceased to remove the violation.
+    is_hopeless: bool,
 }
 
 impl Shortening {
@@ -83,10 +84,14 @@ impl ScpPlanner<'_, '_> {
     ) -> Option<Iterate> {
         let settings = self.settings.durations;
         let pace = Pace { radius, proximal: ProximalWeight { weight: settings.proximal_weight } };
-        let mut steps = Shortening { at: iterate, best: None, pace, left: settings.max_steps, target };
+        let mut steps =
+            Shortening { at: iterate, best: None, pace, left: settings.max_steps, target, is_hopeless: false };
         self.forget_multipliers();
         for &weight in cost_weights {
             self.shorten_with(&mut steps, weight, working_set);
+            if steps.is_hopeless {
+                return steps.best;
+            }
         }
         self.restored_if_shorter(steps, working_set)
     }
@@ -130,7 +135,7 @@ impl ScpPlanner<'_, '_> {
             let durations = self.durations_to_shorten(steps.pace.radius);
             let stepped = self.step(&steps.at, &durations, steps.pace.proximal, weights, working_set);
             let Some(stepped) = stepped else {
-                steps.pace = steps.pace.after(settings.min_share, 0.0, 0.0, &settings);
+                steps.pace = steps.pace.after(settings.min_share, 0.0, &settings);
                 continue;
             };
             let at = &steps.at;
@@ -172,12 +177,14 @@ impl ScpPlanner<'_, '_> {
                 && left > self.settings.feasibility.nearly_feasible
                 && left > 0.5 * violation;
             hopeless = if is_hopeless { hopeless + 1 } else { 0 };
-            slow = if expected < settings.min_gain { slow + 1 } else { 0 };
-            if hopeless > settings.most_hopeless || expected <= 0.0 && violation <= 0.0 {
+            let saved = 1.0 - whole.grid.total.max(target) / at.grid.total;
+            let is_slow = saved < settings.min_gain && violation < self.settings.feasibility.nearly_feasible;
+            slow = if is_slow { slow + 1 } else { 0 };
+            steps.is_hopeless = hopeless > settings.most_hopeless;
+            if steps.is_hopeless || expected <= 0.0 && violation <= 0.0 {
                 return;
             }
-            let largest = stepped.changes.iter().fold(0.0, |most: f64, change| most.max(change.abs()));
-            steps.pace = steps.pace.after(share, gained / expected, largest, &settings);
+            steps.pace = steps.pace.after(share, gained / expected, &settings);
             if gained > 0.0 {
                 (steps.at, violation) = (next, left);
                 working_set.extend(self.rows_between(&steps.at));
