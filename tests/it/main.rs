@@ -13,6 +13,7 @@ mod codes;
 mod conflicts;
 mod controllability;
 mod drag_of_axes;
+mod effort;
 mod errors;
 mod exact;
 mod example_specs;
