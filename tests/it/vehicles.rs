@@ -55,7 +55,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             chooses_times: false,
             against: Vec::new(),
             time: MissionTime::Minimum,
-            effort: mavc::model::SearchEffort::Normal,
+            effort: SearchEffort::Normal,
             samples: 200,
             reserve: 0.0,
             snap_weight: 1e-4,

@@ -93,8 +93,8 @@ fn plan(task: &Task, cancel: &Cancel, watch: &Watch) -> Result<Planning, Problem
     match cancel.within(rayon::current_num_threads(), STACK, || task.plan(watch)) {
         Ok(planning) => Ok(planning),
         Err(NoResult::Panicked(payload)) => resume_unwind(payload),
-        Err(NoResult::NoThreads(why)) => Err(why.into()),
-        Err(NoResult::Cancelled(cancelled)) => Err(cancelled.to_string().into()),
+        Err(NoResult::NoThreads(why)) => Err(why),
+        Err(NoResult::Cancelled(cancelled)) => Err(cancelled.to_string()),
     }
 }
 
