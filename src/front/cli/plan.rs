@@ -10,7 +10,7 @@ use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::MissionTime;
 use crate::observer::{Observer, timed};
-use crate::pipeline::{Planning, Task, certify};
+use crate::pipeline::{Explained, Planning, Task, certify};
 use crate::read::FlightBlocks;
 use crate::report::page::{self, Kind};
 use crate::verdict::Verdict;
@@ -37,7 +37,11 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     export.fits(task.model())?;
     let cancel = Cancel::new();
     let planning = plan(&task, &cancel, &watch)?;
-    let explained = task.explain(&planning, &watch).map_err(|e| e.to_string())?;
+    // A search that was cut short shows nothing about statements.
+    let explained = match cancel.is_enough() && planning.plan().is_none() {
+        true => Explained::default(),
+        false => task.explain(&planning, &watch).map_err(|e| e.to_string())?,
+    };
     let mut results = Results::new(&places);
     if places.certificate.is_some() {
         watch.begins("making the certificate");

@@ -4,6 +4,7 @@ use super::oracle::{Answer, Oracle};
 use super::statement::Statement;
 use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::time_grid::{determined, earliest};
+use crate::planner::scp::ScpSettings;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A time is long for a mission if the legs after the last fixed time have this many times the time given by
@@ -13,9 +14,8 @@ const LONG: f64 = 4.0;
 /// And this many times the time that the spec gives them. Chosen by hand.
 const LONGER: f64 = 1.5;
 
-/// The most of the solver's work for a conflict, and for changes: as much as a search with `effort = normal`, some ten
-/// seconds (docs/performance.md). Chosen by hand.
-const MOST_WORK: u64 = 130_000_000;
+/// The most of the solver's work for a conflict, and for changes: as much as a search with `effort = normal`.
+const MOST_WORK: u64 = ScpSettings::DEFAULT.budget.normal as u64;
 
 /// The longest mission time of a query, s.
 const LONGEST: f64 = 100_000.0;

@@ -31,9 +31,10 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn share_until(&self, intervals: usize) -> f64 {
         let settings = self.settings.budget;
         let holds = self.hover.mission().waypoints.iter().filter(|w| w.hold > 0.0).count();
-        match intervals {
-            n if n + holds >= self.hover.model().plan.samples => settings.until_full_grid,
-            n if Some(n + holds) >= self.medium_grid() && self.medium_grid().is_some() => settings.until_medium_grid,
+        let samples = intervals + holds;
+        match self.medium_grid() {
+            _ if samples >= self.hover.model().plan.samples => settings.until_full_grid,
+            Some(medium) if samples >= medium => settings.until_medium_grid,
             _ => settings.until_coarse_grid,
         }
     }

@@ -31,7 +31,7 @@ impl ScpPlanner<'_, '_> {
     /// The smallest factor of a duration (s) for which `is_inside` holds, or the smallest that is sought. `None` if it
     /// holds for none up to [`MAX_MISSION_TIME`].
     pub(super) fn least_slowing(&self, duration: f64, is_inside: impl Fn(f64) -> bool) -> Option<f64> {
-        let settings = self.settings.descent;
+        let settings = self.settings.slowing;
         let (mut low, mut high) = (0.0, 1.0);
         while !is_inside(high) {
             (low, high) = (high, settings.bracket_growth * high);
@@ -52,14 +52,14 @@ impl ScpPlanner<'_, '_> {
         Some(high)
     }
 
-    /// The iterate slowed down by the first of [`settings::DescentSettings::slowdowns`] with which it can be restored,
+    /// The iterate slowed down by the first of [`settings::SlowingSettings::slowdowns`] with which it can be restored,
     /// after a short cost phase.
     pub(super) fn restore_feasibility_slower(
         &mut self,
         iterate: &Iterate,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Iterate> {
-        let slowdowns = self.settings.descent.slowdowns;
+        let slowdowns = self.settings.slowing.slowdowns;
         slowdowns.into_iter().find_map(|factor| self.restore_feasibility_at(iterate, factor, working_set))
     }
 
@@ -85,7 +85,7 @@ impl ScpPlanner<'_, '_> {
     ) -> Option<Iterate> {
         self.hover.effort.starts += initial_guesses.len();
         let iterates: Vec<Iterate> = initial_guesses.iter().map(|planned| self.iterate_of(planned)).collect();
-        let slowdowns = self.settings.descent.slowdowns;
+        let slowdowns = self.settings.slowing.slowdowns;
         slowdowns.into_iter().find_map(|factor| {
             iterates.iter().find_map(|iterate| self.restore_feasibility_at(iterate, factor, working_set))
         })

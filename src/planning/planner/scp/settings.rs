@@ -7,6 +7,8 @@
 //! measurement, this is what its value was chosen by; the other values were chosen by hand. The values themselves are
 //! in [`ScpSettings::DEFAULT`].
 
+mod values;
+
 /// Parameters of [`super::ScpPlanner`]. The planner's results depend on all of them. Their values are not checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScpSettings {
@@ -22,8 +24,8 @@ pub struct ScpSettings {
     pub tightening: TighteningSettings,
     /// Durations of legs as variables: waypoint times.
     pub durations: DurationSettings,
-    /// Continuation to shorter mission times.
-    pub descent: DescentSettings,
+    /// Slowing iterates down.
+    pub slowing: SlowingSettings,
     /// The search for the shortest mission time.
     pub search: SearchSettings,
     /// Grids between the coarse and the full one.
@@ -199,7 +201,8 @@ pub struct DurationSettings {
     /// Factor of the radius after a full step with a ratio of gains above `good_ratio`.
     pub radius_growth: f64,
     /// After a step of which a share was taken, the proximal weight grows by this over the share, and the radius
-    /// shrinks by the root of the share. Measured: with the share itself missions from rest to rest ended 3 % longer.
+    /// shrinks by the root of the share, by the share itself if it is the smallest. Measured: with the share itself
+    /// missions from rest to rest ended 3 % longer.
     pub proximal_increase: f64,
     /// Steps end below this radius.
     pub min_radius: f64,
@@ -256,9 +259,9 @@ impl DurationSettings {
     }
 }
 
-/// Continuation in time: iterates that are feasible at another mission time.
+/// Slowing iterates down until they are feasible.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DescentSettings {
+pub struct SlowingSettings {
     /// An initial guess that cannot be restored at its own time is slowed down by these factors in turn.
     pub slowdowns: [f64; 10],
     /// Relative precision of the slowing down of a minimum-snap initial guess.
@@ -391,141 +394,6 @@ pub struct GuidanceSettings {
     pub sides: usize,
     /// On how many of them, the quickest by their first motions, a coarse iterate is optimised.
     pub quicker_sides: usize,
-}
-
-impl ScpSettings {
-    /// The values in use.
-    pub const DEFAULT: ScpSettings = ScpSettings {
-        subproblem: SubproblemSettings {
-            slack_of_working_set: 0.1,
-            max_rows_of_volumes: 100_000,
-            max_stiffness: 1e10,
-            negligible_multiplier: 1e-4,
-            joined_within: 1e-5,
-        },
-        proximal: ProximalSettings {
-            max_weight: 1e5,
-            min_weight: 1e-6,
-            good_ratio: 0.7,
-            poor_ratio: 0.3,
-            decrease: 0.25,
-            increase: 4.0,
-            increase_after_share: (2.0, 16.0),
-            yaw_unit: 1.0,
-            min_acceleration: 0.05,
-            input_weight: 1e-3,
-        },
-        feasibility: FeasibilitySettings {
-            proximal_weight: 0.1,
-            max_steps: 12,
-            patience: 2,
-            required_fall: 0.4,
-            nearly_feasible: 1e-2,
-            max_predicted: 1e-2,
-            max_predicted_after_change: 0.3,
-            unavoidable: 2e-4,
-            steady_ratio: 0.9,
-            max_rejected: 3,
-            sufficient_decrease: 0.2,
-            min_share: 0.05,
-        },
-        cost: CostSettings {
-            proximal_weight: 0.03,
-            max_initial_proximal_weight: 1e3,
-            max_proximal_weight_after_restoration: 1.0,
-            penalty: 6.0,
-            penalty_growth: 5.0,
-            max_penalty: 1e4,
-            sufficient_gain: 0.3,
-            min_share: 0.05,
-            rough: StoppingRule { max_steps: 2, min_gain: 0.03 },
-            medium: StoppingRule { max_steps: 6, min_gain: 0.01 },
-            close: StoppingRule { max_steps: 12, min_gain: 2e-3 },
-        },
-        tightening: TighteningSettings { margin: 1e-4, max_violation: 5e-5, parts: 4, factor: 1.5, max_rounds: 8 },
-        durations: DurationSettings {
-            proximal_weight: 0.1,
-            proximal_decrease: 0.25,
-            good_ratio: 0.7,
-            first_radius: 0.1,
-            least_first_radius: 0.03,
-            max_radius: 0.2,
-            radius_growth: 1.5,
-            proximal_increase: 0.5,
-            min_radius: 0.002,
-            penalty: 100.0,
-            price_factor: 1.5,
-            price_decay: 0.5,
-            sufficient_gain: 0.1,
-            min_share: 0.125,
-            cost_weights: [0.05, 0.01, 0.002],
-            cost_weights_on_coarse_grid: [0.05, 0.01],
-            cost_weights_on_medium_grid: [0.01, 0.002],
-            cost_weights_on_full_grid: [0.002],
-            min_gain: 1e-3,
-            most_slow: 1,
-            most_hopeless: 2,
-            max_steps: 40,
-            between_fixed_times: DivisionSettings {
-                first_radius: 0.2,
-                radius_shrink: 0.4,
-                min_radius: 0.01,
-                max_steps: 20,
-            },
-        },
-        descent: DescentSettings {
-            slowdowns: [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5],
-            precision: 1e-4,
-            bracket_growth: 1.5,
-            bracket_shrink: 0.7,
-            min_factor: 1e-3,
-        },
-        search: SearchSettings {
-            max_multiple: 20.0,
-            short_enough: 3e-3,
-            ample: [1.0, 1.5, 2.5, 5.0],
-            late: [0.0, 1.0, 2.0, 4.0, 8.0, 16.0],
-            first_proof: 0.75,
-            resolution: 0.0025,
-            first_stride: 0.25,
-            stride_growth: 1.5,
-        },
-        grids: GridSettings { medium: 100, refinement: 1.6, growth: 1.25, slowdowns: [1.0, 1.002, 1.005, 1.01] },
-        budget: BudgetSettings {
-            quick: 2.6e7,
-            normal: 1.3e8,
-            thorough: 1.3e9,
-            until_other_sides: 0.15,
-            until_coarse_grid: 0.35,
-            until_medium_grid: 0.65,
-            until_full_grid: 0.85,
-            until_cost: 1.0,
-            at_most: 2.0,
-        },
-        sensitivity: SensitivitySettings { cost_weight: 0.05, penalty: 100.0, proximal_weight: 0.1, radius: 0.1 },
-        stops: StopSettings {
-            proximal_weight: 0.1,
-            proximal_weight_if_linear: 1e-5,
-            max_steps: 8,
-            patience: 2,
-            required_fall: 0.5,
-            sufficient_decrease: 0.2,
-            min_share: 0.1,
-            shares: [1.0, 2.0, 3.0, 2.0, 1.0],
-            intervals_per_part: 5,
-            min_duration: 0.4,
-        },
-        guidance: GuidanceSettings {
-            weight: 0.01,
-            min_distance: 100.0,
-            lengths: 3.0,
-            yaw: 20.0,
-            ways: 3,
-            instants: 4,
-            sides: 4,
-            quicker_sides: 2,
-        },
-    };
 }
 
 impl Default for ScpSettings {

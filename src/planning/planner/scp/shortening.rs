@@ -50,10 +50,10 @@ struct Shortening {
 }
 
 impl Shortening {
-    /// Notes an iterate without violation.
-    fn feasible(&mut self, iterate: &Iterate) {
-        if self.best.as_ref().is_none_or(|best| iterate.grid.total < best.grid.total) {
-            self.best = Some(iterate.clone());
+    /// Keeps the iterate, which has no violation, if it is the shortest so far.
+    fn keep(&mut self) {
+        if self.best.as_ref().is_none_or(|best| self.at.grid.total < best.grid.total) {
+            self.best = Some(self.at.clone());
         }
     }
 }
@@ -125,7 +125,7 @@ impl ScpPlanner<'_, '_> {
         steps.pace.radius = steps.pace.radius.max(settings.least_first_radius);
         while steps.pace.radius >= settings.min_radius && steps.left > 0 && !self.has_spent(share_of_budget) {
             if violation <= 0.0 {
-                steps.feasible(&steps.at.clone());
+                steps.keep();
                 if steps.at.grid.total <= steps.target {
                     return;
                 }
@@ -194,7 +194,7 @@ impl ScpPlanner<'_, '_> {
             }
         }
         if violation <= 0.0 {
-            steps.feasible(&steps.at.clone());
+            steps.keep();
         }
     }
 }

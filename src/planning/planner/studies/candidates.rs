@@ -1,5 +1,6 @@
 //! Which plans serve as initial guesses of a search. Every command uses the same ones, so that `plan`, `compare` and a
-//! campaign find the same plan for a planner at a time.
+//! campaign find the same plan for a planner at a time. (RIP's shortest time may be shorter in `compare`, which knows
+//! the plans of all other planners.)
 
 use super::Setting;
 use super::found::Found;
