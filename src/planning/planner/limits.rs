@@ -253,13 +253,16 @@ impl Transcription<'_> {
         covers_interval(limit, &self.grid.waypoint_nodes, interval)
     }
 
-    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion with an acceleration g
-    /// may move away from the line through two neighbouring instants, `g delta^2 / 8` with delta the time between them.
-    pub(super) fn room(&self, instant: usize) -> f64 {
+    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion like this state's may move
+    /// away from the line through two neighbouring instants, `a delta^2 / 8` with delta the time between them and a its
+    /// acceleration within delta, at most g.
+    pub(super) fn room(&self, instant: usize, state: &NodeState) -> f64 {
         let interval = (instant / self.parts).min(self.grid.intervals() - 1);
         let times = &self.grid.node_times;
         let apart = (times[interval + 1] - times[interval]) / self.parts as f64;
-        self.model.gravity * apart * apart / 4.0
+        let size = |order: usize| [X, Y, Z].iter().map(|&axis| state[axis][order].powi(2)).sum::<f64>().sqrt();
+        let acceleration = size(2) + apart * (size(3) + 0.5 * apart * size(4));
+        acceleration.min(self.model.gravity) * apart * apart / 4.0
     }
 
     /// Whether the jerk along z is the slope of an input, constant over an interval, and not a state.
