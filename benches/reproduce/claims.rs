@@ -5,7 +5,7 @@ use super::judgement::{STATEMENTS, agrees_if, differs, listed, statement};
 use super::markdown::{fixed, table};
 use super::specs;
 use mavc::admissible::allocation::Allocator;
-use mavc::admissible::verdict::{ModeAnalysis, Verdict, analyze_all};
+use mavc::admissible::verdict::{HoverVerdict, ModeAnalysis, analyze_all};
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::model::Model;
 
@@ -33,7 +33,7 @@ impl Studied {
     }
 
     fn tolerates_every_single(&self) -> bool {
-        self.losing(1).all(|m| m.verdict == Verdict::Controllable)
+        self.losing(1).all(|m| m.verdict == HoverVerdict::Controllable)
     }
 
     fn smallest_single_margin(&self) -> f64 {
@@ -122,7 +122,7 @@ fn empty(octos: &[Studied; 2]) -> Vec<String> {
 fn hexacopters(hexas: &[Studied; 2]) -> Vec<String> {
     let described = hexas.iter().map(|h| {
         let failing: Vec<String> =
-            h.losing(1).filter(|m| m.verdict != Verdict::Controllable).map(|m| m.name.clone()).collect();
+            h.losing(1).filter(|m| m.verdict != HoverVerdict::Controllable).map(|m| m.name.clone()).collect();
         let reach = match failing.as_slice() {
             [] => "hover reachable after every loss".to_string(),
             some => format!("hover not reachable after {}", listed(some)),

@@ -58,7 +58,7 @@ pub struct Builder {
     simulate: Vec<Line>,
     campaign: Vec<Line>,
     waypoints: usize,
-    problems: Vec<Problem>,
+    problems: Vec<BuildProblem>,
 }
 
 /// A statement, with the call of the builder that it comes from.
@@ -66,7 +66,7 @@ pub struct Builder {
 struct Line {
     path: String,
     text: String,
-    /// The call has a [`Problem`] already; what the compiler finds in its line is not reported again.
+    /// The call has a [`BuildProblem`] already; what the compiler finds in its line is not reported again.
     is_reported: bool,
 }
 
@@ -330,7 +330,7 @@ impl Builder {
     ///
     /// # Errors
     /// Those of [`Builder::build`].
-    pub fn build_with_warnings(self) -> Result<(Spec, Vec<Problem>), BuildError> {
+    pub fn build_with_warnings(self) -> Result<(Spec, Vec<BuildProblem>), BuildError> {
         let lines = self.lines();
         let text = self.text();
         let no_files = |_: &std::path::Path| Err(ErrorKind::NotFound.into());
@@ -343,7 +343,7 @@ impl Builder {
         let is_new = |d: &&Diagnostic| line_of(d).is_none_or(|line| !line.is_reported);
         let (errors, warnings): (Vec<_>, Vec<_>) =
             diagnostics.iter().filter(is_new).partition(|d| d.severity == Severity::Error);
-        let problem = |d: &Diagnostic| Problem {
+        let problem = |d: &Diagnostic| BuildProblem {
             field: line_of(d).map_or(String::new(), |line| line.path.clone()),
             code: d.code,
             message: d.message.clone(),
@@ -409,7 +409,7 @@ impl Builder {
     }
 
     fn problem(&mut self, field: &str, code: BuildCode, message: String, help: Option<String>) {
-        self.problems.push(Problem { field: field.into(), code: code.code(), message, label: None, help });
+        self.problems.push(BuildProblem { field: field.into(), code: code.code(), message, label: None, help });
     }
 
     /// The line of a call that began with `before` problems.
@@ -489,8 +489,8 @@ impl Builder {
     }
 }
 
-/// A number that the compiler rejects as too large. It replaces a value with a [`Problem`], so that its field is not
-/// missing.
+/// A number that the compiler rejects as too large. It replaces a value with a [`BuildProblem`], so that its field is
+/// not missing.
 const NOT_FINITE: &str = "1e999";
 
 /// A number with all its digits, so that reading it gives the same number.
@@ -576,7 +576,7 @@ impl BuildCode {
 
 /// One mistake in a built spec, or a warning about it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Problem {
+pub struct BuildProblem {
     /// The call that made it, such as `plan.samples` or `mission.waypoints[2]`; the block, if something is missing in
     /// it.
     pub field: String,
@@ -590,8 +590,11 @@ pub struct Problem {
     pub help: Option<String>,
 }
 
+#[deprecated = "renamed to `BuildProblem`"]
+pub type Problem = BuildProblem;
+
 /// `{field}: {message}: {label}; {help} ({code})`
-impl fmt::Display for Problem {
+impl fmt::Display for BuildProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.field, self.message)?;
         if let Some(label) = &self.label {
@@ -607,14 +610,14 @@ impl fmt::Display for Problem {
 /// The mistakes in a built spec.
 #[derive(Clone, PartialEq)]
 pub struct BuildError {
-    pub problems: Vec<Problem>,
+    pub problems: Vec<BuildProblem>,
     /// The text that was built.
     pub text: String,
 }
 
 impl fmt::Display for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.problems.iter().map(Problem::to_string).collect::<Vec<_>>().join("\n"))
+        f.write_str(&self.problems.iter().map(BuildProblem::to_string).collect::<Vec<_>>().join("\n"))
     }
 }
 

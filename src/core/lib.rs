@@ -3,7 +3,7 @@
 //! modules.
 //!
 //! ```text
-//! Source --syntax::parse--> SpecFile --read::elaborate--> Model --verify::decide(certificate)--> Verdict
+//! Source --syntax::parse--> SpecFile --read::elaborate--> Model --verify::decide(certificate)--> Accepted
 //! ```
 //!
 //! | room | what comes in | what goes out | what it does not know |

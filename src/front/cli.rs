@@ -129,10 +129,10 @@ fn without_escape(error: &mut clap::Error) {
     }
 }
 
-fn usage(problem: &Problem) -> u8 {
+fn usage(problem: &CommandError) -> u8 {
     files::eprint(&format!("mavc: {}\n", visible::line(problem)));
     USAGE
 }
 
 /// A problem with usage or files, reported on one line.
-pub(crate) type Problem = String;
+pub(crate) type CommandError = String;

@@ -194,7 +194,7 @@ impl Choices {
 /// trajectory does not fit the format.
 pub fn write(trajectory: &Trajectory, model: &Model, choices: &Choices) -> Result<Written, String> {
     choices.check()?;
-    let plan = Plan { trajectory, model };
+    let plan = Exported { trajectory, model };
     match choices.format {
         Format::Csv => csv::text(&plan, choices).map(Into::into),
         Format::Rows => rows::text(&plan, choices).map(Into::into),
@@ -226,12 +226,12 @@ pub fn bag_files(folder: &str, bytes: Vec<u8>) -> [(String, Vec<u8>); 2] {
 }
 
 /// What is written.
-struct Plan<'a> {
+struct Exported<'a> {
     trajectory: &'a Trajectory,
     model: &'a Model,
 }
 
-impl Plan<'_> {
+impl Exported<'_> {
     /// The rows of [`crate::report::trajectory_csv::rows`], for a text with `header`.
     fn instants(&self, rate: Option<f64>, header: &str) -> Result<Vec<Instant>, String> {
         few_enough("trajectory", count(self.trajectory, rate), header)?;

@@ -5,10 +5,10 @@ mod without_yaw;
 use super::battery;
 use super::terminal::vehicle_line;
 use crate::admissible::airspeed::{Airspeed, LimitedBy};
-use crate::admissible::edge::Place;
+use crate::admissible::edge::HoverPlace;
 use crate::admissible::interval::Certainty;
 use crate::admissible::parallel::{Parallel, least_angle};
-use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
 use crate::model::{Allocation, Model};
 use crate::number::{down, significant};
 use crate::text_table::Table;
@@ -90,7 +90,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     if has_airspeeds {
         out.push_str(if model.environment().is_isotropic() { AIRSPEED } else { AIRSPEED_OF_HEADINGS });
     }
-    if modes.iter().any(|m| m.edge_words() == Some(Place::OnEdge.word())) {
+    if modes.iter().any(|m| m.edge_words() == Some(HoverPlace::OnEdge.word())) {
         out.push_str(
             "the edge  hover can be reached, but in some direction no disturbance, however small, can be countered\n",
         );
@@ -139,7 +139,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         let both = |b: [f64; 2]| format!("{}/{}", significant(b[0], 3), significant(b[1], 3));
         match &m.headroom {
             Some(h) => table.row(vec![m.name.clone(), both(h.thrust), both(h.tau_x), both(h.tau_y), both(h.tau_z)]),
-            None if m.verdict == Verdict::Stabilizable => table.row(vec![m.name.clone(), "yaw is lost".into()]),
+            None if m.verdict == HoverVerdict::Stabilizable => table.row(vec![m.name.clone(), "yaw is lost".into()]),
             None => table.row(vec![m.name.clone(), "no hover".into()]),
         }
     }

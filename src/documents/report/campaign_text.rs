@@ -9,14 +9,14 @@ use super::terminal::vehicle_line;
 use crate::campaign::HEALTHY;
 use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
-use crate::campaign::design::{Design, Missing, Plan};
+use crate::campaign::design::{CampaignPlan, Design, Missing};
 use crate::campaign::run::AFTERMATH;
 use crate::campaign::statistics::{Share, wilson};
 use crate::campaign::tally::{Group, Tally};
 use crate::flight::Cause;
 use crate::flight::indistinguishable::listed;
 use crate::model::{Detection, LostYaw, Simulation};
-use crate::number::{fixed, number, part_of_all, percent, significant};
+use crate::number::{fixed, number, part_of_all, percent, plural, significant};
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use crate::text_table::Table;
 use std::cmp::Reverse;
@@ -47,16 +47,16 @@ fn head(design: &Design, shard: Shard, tally: &Tally) -> String {
         "{} in {} s, per plan: {} x {} x {} with a fault, and {} without\n",
         names.join(", "),
         number(design.time),
-        counted(cases.modes, "mode"),
-        counted(cases.times, "instant"),
-        counted(cases.seeds, "seed"),
-        counted(cases.seeds, "flight"),
+        plural(cases.modes, "mode"),
+        plural(cases.times, "instant"),
+        plural(cases.seeds, "seed"),
+        plural(cases.seeds, "flight"),
     ));
     let part = match shard {
         Shard::WHOLE => String::new(),
         _ => format!("; shard {}/{} has {}", shard.index + 1, shard.of, tally.flights()),
     };
-    out.push_str(&format!("campaign {}: {}{part}\n", design.id, counted(cases.count(), "flight")));
+    out.push_str(&format!("campaign {}: {}{part}\n", design.id, plural(cases.count(), "flight")));
     out + &flown_how(design) + &beyond_the_limit(design)
 }
 
@@ -117,12 +117,8 @@ fn off_heading(s: &Simulation) -> String {
     format!("heading {} degrees off for {} s or at the end, ", number(limit.to_degrees()), number(s.lost_yaw_after))
 }
 
-fn counted(n: usize, what: &str) -> String {
-    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
-}
-
 /// One planner: its flights by mode, and the map.
-fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
+fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> String {
     let against = match plan.against.as_slice() {
         [] => "no mode".to_string(),
         modes if modes.len() > 8 => format!("{} modes", modes.len()),
@@ -168,7 +164,7 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
         let text = format!(
             "Warning: {lost} of {} without a fault {} lost. The vehicle cannot fly this plan, so its losses say little \
              about faults: limit the tilt, or give the mission more time.",
-            counted(healthy.flights, "flight"),
+            plural(healthy.flights, "flight"),
             if lost == 1 { "was" } else { "were" }
         );
         out.push_str(&filled(&text));
@@ -176,11 +172,11 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
     let before: usize = (0..all).map(|m| tally.mode(p, m).lost_before).sum();
     if before > 0 {
         let were = if before == 1 { "was" } else { "were" };
-        out.push_str(&filled(&format!("{} {were} lost before the fault could strike.", counted(before, "flight"))));
+        out.push_str(&filled(&format!("{} {were} lost before the fault could strike.", plural(before, "flight"))));
     }
     let diverged = healthy.diverged + (0..all).map(|m| tally.mode(p, m).diverged).sum::<usize>();
     if diverged > 0 {
-        let flights = counted(diverged, "flight");
+        let flights = plural(diverged, "flight");
         out.push_str(&filled(&format!(
             "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). \
              What \

@@ -7,7 +7,7 @@ use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::headings::{self, HeadingRecord};
 use super::least_time;
-use super::terminal::counted;
+use super::terminal::violated_facets;
 use super::verdict_text::statement;
 use super::volumes::{self, VolumeRecord};
 use super::waypoints::yaw_error;
@@ -428,7 +428,7 @@ fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Plann
                 .zip(&comparison.provisions)
                 .map(|(((name, out), (&mode, &committed_s)), provision)| ModeRecord {
                     name: name.clone(),
-                    violated_facets: counted(solved, out),
+                    violated_facets: violated_facets(solved, out),
                     violated_rows: out.rows,
                     violated_nodes: out.positions,
                     max_violation: out.max_violation,

@@ -324,7 +324,7 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
 
 /// The number of facets of a mode that the plan violates, as RSP counts them: in the exact model at any instant,
 /// otherwise at nodes.
-pub(super) fn counted(solved: &MissionPlan, out: &Outside) -> usize {
+pub(super) fn violated_facets(solved: &MissionPlan, out: &Outside) -> usize {
     if solved.trajectory.model == WrenchModel::Exact { out.violated.len() } else { out.facets.len() }
 }
 
@@ -347,7 +347,7 @@ fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> T
             }
             Some(last) => vec![
                 name.clone(),
-                counted(solved, out).to_string(),
+                violated_facets(solved, out).to_string(),
                 out.positions.to_string(),
                 percent(out.max_violation),
                 format!("{} s", short_seconds(out.seconds)),

@@ -5,8 +5,8 @@ use super::agreement::Strength;
 use super::design::{Design, Standing};
 use super::statistics::{Contingency, brier};
 use super::tally::Tally;
-use crate::admissible::edge::Place;
-use crate::admissible::verdict::Verdict;
+use crate::admissible::edge::HoverPlace;
+use crate::admissible::verdict::HoverVerdict;
 use crate::admissible::without_yaw::YawFree;
 use crate::motion::{X, Y, Z};
 
@@ -68,10 +68,10 @@ impl Predictor {
 
 fn of_verdict(standing: &Standing) -> Class {
     let (word, lost) = match (standing.verdict, standing.gives_up_yaw) {
-        (Verdict::Controllable, _) => ("controllable", false),
-        (Verdict::Stabilizable, true) => ("stabilizable", false),
-        (Verdict::Stabilizable, false) => ("stabilizable, yaw kept", true),
-        (Verdict::Unstable, _) => ("unstable", true),
+        (HoverVerdict::Controllable, _) => ("controllable", false),
+        (HoverVerdict::Stabilizable, true) => ("stabilizable", false),
+        (HoverVerdict::Stabilizable, false) => ("stabilizable, yaw kept", true),
+        (HoverVerdict::Unstable, _) => ("unstable", true),
     };
     Class { word, lost }
 }
@@ -82,9 +82,9 @@ fn of_core(standing: &Standing) -> Class {
         return Class { word: standing.yaw_free.word(), lost };
     }
     let word = match standing.hover_all_axes {
-        Place::Inside => "inside, yaw kept",
-        Place::OnEdge => "on the edge, yaw kept",
-        Place::Outside => "outside, yaw kept",
+        HoverPlace::Inside => "inside, yaw kept",
+        HoverPlace::OnEdge => "on the edge, yaw kept",
+        HoverPlace::Outside => "outside, yaw kept",
     };
     Class { word, lost: !standing.is_inside() }
 }

@@ -3,7 +3,7 @@
 use super::HEALTHY;
 use super::cases::Case;
 use super::columns::{COLUMNS, Cell, Column};
-use super::design::{Design, Identity};
+use super::design::{CampaignId, Design};
 use crate::flight::{BrokenLimits, Cause, Damage, Flight, Outcome};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -44,7 +44,7 @@ fn checked() -> &'static [Column] {
 /// The result of one case.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Row {
-    pub campaign: Identity,
+    pub campaign: CampaignId,
     /// Number of cases of the whole campaign.
     pub cases: usize,
     pub case: usize,

@@ -9,7 +9,7 @@ mod places;
 
 use super::progress::Watch;
 use super::spec::{self, Start};
-use super::{DIVERGED, FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, plan};
+use super::{CommandError, DIVERGED, FINE, INCONCLUSIVE, NO_PLAN, Options, SPEC_ERRORS, SpecArgs, plan};
 use crate::pipeline::{Task, departure, missing_verdict};
 use crate::read::FlightBlocks;
 use crate::report::campaign_record::CampaignRecord;
@@ -19,7 +19,7 @@ use arguments::Action;
 pub use arguments::CampaignArgs;
 use places::Places;
 
-pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, CommandError> {
     if let Some(Action::Merge { output, rows }) = &args.action {
         return merge::run(output, rows, options);
     }

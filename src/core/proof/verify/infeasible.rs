@@ -23,7 +23,7 @@ use super::plan::Setting;
 use super::premise::{Premise, Premises};
 use super::schedule::{self, Grid};
 use super::sets::{Generators, Plane};
-use super::{Refusal, Rejection, Shown, Verdict, lag, required_whole};
+use super::{Accepted, Refusal, Rejection, Shown, lag, required_whole};
 use crate::certificate::{DynamicModel, FacetRecord, InfeasibleClaim};
 use crate::model::Problem;
 use crate::number::{number, plural};
@@ -52,7 +52,7 @@ pub(super) fn decide(
     kind: DynamicModel,
     claim: &InfeasibleClaim,
     budget: Budget,
-) -> Result<Verdict, Refusal> {
+) -> Result<Accepted, Refusal> {
     let (model, mission, premises) = (setting.model(), setting.mission(), setting.premises);
     let unsupported = |why: &str| Err(Rejection::new("the claim that there is no plan", why).into());
     let first = &mission.waypoints[0];
@@ -112,7 +112,7 @@ pub(super) fn decide(
         "one grid: motions whose nodes differ from those of {} samples are not excluded",
         model.plan.samples
     )];
-    Ok(Verdict { headline, shown: vec![proved], weaker, undecided: Vec::new() })
+    Ok(Accepted { headline, shown: vec![proved], weaker, undecided: Vec::new() })
 }
 
 /// The cost of deciding a claim.

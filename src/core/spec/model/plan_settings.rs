@@ -122,7 +122,7 @@ pub struct CaptureHeight {
 
 /// The `plan` block, or its defaults.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Plan {
+pub struct PlanSettings {
     pub planner: PlannerKind,
     pub model: PlanModel,
     pub rotors: PlanRotors,

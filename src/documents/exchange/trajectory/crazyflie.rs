@@ -2,7 +2,7 @@
 
 use super::px4::single;
 use super::refit::{Errors, Fit, refit};
-use super::{Choices, Plan, Written};
+use super::{Choices, Exported, Written};
 use crate::number::{down, number, plural, up};
 use std::fmt::Write;
 
@@ -16,7 +16,7 @@ const TOLERANCE: f64 = 0.01;
 ///
 /// # Errors
 /// The trajectory needs more pieces.
-pub(super) fn written(plan: &Plan, choices: &Choices) -> Result<Written, String> {
+pub(super) fn written(plan: &Exported, choices: &Choices) -> Result<Written, String> {
     let tolerance = choices.tolerance.unwrap_or(TOLERANCE);
     let fit = refit(plan.trajectory, MOST_PIECES, tolerance).map_err(|best| refused(&best, tolerance))?;
     let mut text = String::from("duration");

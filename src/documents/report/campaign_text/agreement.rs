@@ -1,11 +1,11 @@
 //! Whether the plans, and what is known of the modes, predict which flights are lost and what the path suffers.
 
-use super::{counted, filled};
+use super::filled;
 use crate::campaign::agreement::{Agreement, Scope, Strength};
 use crate::campaign::correlations::Correlation;
 use crate::campaign::predictors::{ClassCount, Forecast};
 use crate::campaign::statistics::{Contingency, FEWEST};
-use crate::number::{fixed, part_of_all};
+use crate::number::{fixed, part_of_all, plural};
 use crate::text_table::Table;
 
 pub(super) fn agreement(agreement: &Agreement) -> String {
@@ -24,8 +24,8 @@ pub(super) fn agreement(agreement: &Agreement) -> String {
             "No mode has hover inside its set or core, so no plan can keep a reserve against any mode.",
         ));
     } else {
-        out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
-        let n = counted(inside.modes, "mode");
+        out.push_str(&format!("\n  All {}\n{}", plural(all.modes, "mode"), scope(all)));
+        let n = plural(inside.modes, "mode");
         out.push_str(&format!(
             "\n  Only the {n} with hover inside their sets or cores: no plan can keep a reserve against the others\n"
         ));
@@ -61,7 +61,7 @@ fn scope(scope: &Scope) -> String {
     let safe = scope.planners.iter().filter(|(_, t)| t.hits + t.false_alarms == 0 && t.misses > 0);
     let called_safe: String = safe
         .map(|(planner, t)| {
-            let (name, all) = (planner.name().to_uppercase(), counted(t.total(), "struck flight"));
+            let (name, all) = (planner.name().to_uppercase(), plural(t.total(), "struck flight"));
             filled(&format!("{name} predicts no loss, yet {} of {all} were lost.", t.misses))
         })
         .collect();
@@ -112,7 +112,7 @@ fn by_mode(scope: &Scope) -> String {
         Strength::Strong => "longer violations correlate strongly with more losses",
     };
     let rho = rho.map_or(String::new(), |rho| fixed(rho, 2));
-    format!("Over {} of plan and mode, {what} (Spearman's rank correlation {rho}).", counted(scope.pairs, "pair"))
+    format!("Over {} of plan and mode, {what} (Spearman's rank correlation {rho}).", plural(scope.pairs, "pair"))
 }
 
 /// Every predictor against the flights, and the shares lost in its classes.

@@ -4,7 +4,7 @@ use super::MOST_MODES;
 use super::chart::precise;
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
-use crate::admissible::edge::Place;
+use crate::admissible::edge::HoverPlace;
 use crate::admissible::row::SetRow;
 use crate::admissible::without_yaw::planned::{Provision, Turning};
 use crate::model::Model;
@@ -49,7 +49,7 @@ pub struct SetContent {
     pub title: Option<String>,
     /// Where hover lies relative to the mode's whole set of full wrenches, as `mavc analyze` reports it; `None` if
     /// unknown.
-    pub hover: Option<Place>,
+    pub hover: Option<HoverPlace>,
     /// Whether plans are measured against it, so that it has a column of margins.
     pub planned: bool,
     /// `[n_T, n_x, n_y, n_z, e]`, made dimensionless by the healthy set's widths: `n . w <= e`.

@@ -2,8 +2,8 @@
 
 use super::motion::signed_percent;
 use super::prose::terms;
-use crate::admissible::edge::Place;
-use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::admissible::edge::HoverPlace;
+use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
 use crate::admissible::without_yaw::YawFree;
 use crate::model::Model;
 use crate::motion::outside::Outside;
@@ -70,7 +70,7 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     // Columns of dashes are omitted, and so is a column that repeats another: a mission that continues is committed to
     // a mode until its last violation.
     let columns = Columns {
-        without_yaw: analyses.iter().any(|a| a.verdict == Verdict::Stabilizable),
+        without_yaw: analyses.iter().any(|a| a.verdict == HoverVerdict::Stabilizable),
         airspeed: analyses.iter().any(|a| a.airspeed.is_some()),
         heading: !model.environment().is_isotropic(),
         of_plan: solved.is_some(),
@@ -168,7 +168,7 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
             ),
         ]);
     }
-    if analyses.iter().any(|a| a.verdict == Verdict::Stabilizable) {
+    if analyses.iter().any(|a| a.verdict == HoverVerdict::Stabilizable) {
         found.push((
             "Stabilizable without yaw",
             "the vehicle stays up and level while it turns about z. With yaw controlled too, as in the sets drawn \
@@ -207,13 +207,13 @@ struct Columns {
 fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
     let Row { analysis: a, title, mode, outside, committed } = row;
     let class = match (a.verdict, a.hover) {
-        (Verdict::Controllable, Place::Inside) => "good",
-        (Verdict::Controllable, _) | (Verdict::Stabilizable, Place::Inside) => "edge",
-        (Verdict::Stabilizable, _) if a.yaw_free == YawFree::Spinning => "edge",
-        (Verdict::Stabilizable, _) | (Verdict::Unstable, _) => "bad",
+        (HoverVerdict::Controllable, HoverPlace::Inside) => "good",
+        (HoverVerdict::Controllable, _) | (HoverVerdict::Stabilizable, HoverPlace::Inside) => "edge",
+        (HoverVerdict::Stabilizable, _) if a.yaw_free == YawFree::Spinning => "edge",
+        (HoverVerdict::Stabilizable, _) | (HoverVerdict::Unstable, _) => "bad",
     };
     let edge = a.edge_words().map_or_else(String::new, |words| format!(", {words}"));
-    let yaw = if a.verdict == Verdict::Stabilizable { " without yaw" } else { "" };
+    let yaw = if a.verdict == HoverVerdict::Stabilizable { " without yaw" } else { "" };
     let [seconds, last] = outside.map_or_else(|| [dash(), dash()], |o| violation_cells(o.seconds, o.last));
     let after =
         mode.filter(|m| model.plan.against.contains(m)).map_or_else(dash, |m| model.after_fault(m).name().into());

@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::volume::reach::Reach;
 use crate::model::volume::which;
 use crate::model::volume::{Side, corridor, passage};
-use crate::model::{Limit, Mission, Plan, PlanModel, Vehicle, Waypoint};
+use crate::model::{Limit, Mission, PlanModel, PlanSettings, Vehicle, Waypoint};
 use crate::number::significant;
 use crate::read::context::Context;
 use crate::source::Span;
@@ -120,7 +120,7 @@ fn keeps_waypoints(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint], s
 }
 
 /// Reports `keep_out` volumes in a plan of the hover model, whose programs are convex.
-pub fn only_in_the_exact_model(cx: &mut Context, plan: &Plan, mission: &Mission) -> bool {
+pub fn only_in_the_exact_model(cx: &mut Context, plan: &PlanSettings, mission: &Mission) -> bool {
     let Some(volume) = mission.volumes.iter().find(|v| v.side == Side::KeepOut) else { return true };
     if plan.model == PlanModel::Exact {
         return true;
