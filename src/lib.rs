@@ -1,12 +1,12 @@
 #![doc = include_str!("lib.md")]
 
-pub mod answers;
+mod answers;
 pub mod cancel;
-pub mod documents;
-pub mod flights;
-pub mod front;
-pub mod physics;
-pub mod planning;
+mod documents;
+mod flights;
+mod front;
+mod physics;
+mod planning;
 
 pub use answers::{builder, observer, pipeline};
 pub use documents::{exchange, import, report};

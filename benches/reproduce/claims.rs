@@ -150,7 +150,7 @@ fn octocopters(octos: &[Studied; 2]) -> Vec<String> {
     )
 }
 
-/// Which layout tolerates more double faults depends on the mass alone, and changes only at a mode's heaviest mass.
+/// Which layout tolerates more double faults depends on the mass alone, and changes only at a mode's largest mass.
 fn preferred([alternating, paired]: &[Studied; 2]) -> Vec<String> {
     let better = |mass: f64| paired.tolerated_at(mass) > alternating.tolerated_at(mass);
     let mut bounds: Vec<f64> =
@@ -158,7 +158,7 @@ fn preferred([alternating, paired]: &[Studied; 2]) -> Vec<String> {
     bounds.push(0.0);
     bounds.sort_by(f64::total_cmp);
     let mut ranges: Vec<[f64; 2]> = Vec::new();
-    // There is no range between heaviest masses that differ by rounding alone.
+    // There is no range between largest masses that differ by rounding alone.
     for pair in bounds.windows(2).filter(|p| p[1] - p[0] > 1e-9 && better(0.5 * (p[0] + p[1]))) {
         match ranges.last_mut() {
             Some(last) if pair[0] - last[1] <= 1e-9 => last[1] = pair[1],

@@ -13,10 +13,10 @@
 //! | [`spec`] | trees | a [`Spec`](spec::Spec): names resolved, SI units, every number in range | sets, planners |
 //! | [`proof`] | a spec and a certificate | a verdict | how the certificate was made |
 
-pub mod base;
+mod base;
 pub mod language;
 pub mod program;
-pub mod proof;
+mod proof;
 pub mod spec;
 
 pub use base::{body, diagnostic, geodesy, input, number, source, stages, text_table, tolerance, unit, verdict};

@@ -100,7 +100,7 @@ impl Spec {
 /// Two specs with the same identity are the same spec.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SpecIdentity {
-    /// Of all texts, including the overrides.
+    /// The hash of all texts, including the overrides.
     sha256: String,
     /// Instants and seeds, which `mavc campaign` can change without a text.
     campaign: (usize, usize),

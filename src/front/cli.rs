@@ -33,6 +33,7 @@ mod verify;
 mod watch;
 
 use crate::source::visible;
+use crate::verdict::Verdict;
 use arguments::{
     AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, EmitArgs, EmitFormat, FmtArgs, Format,
     ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs,
@@ -126,6 +127,15 @@ fn without_escape(error: &mut clap::Error) {
         if !tips.is_empty() {
             error.insert(ContextKind::Suggested, ContextValue::StyledStrs(tips));
         }
+    }
+}
+
+/// The exit code of a verdict.
+fn code_of(verdict: Verdict) -> u8 {
+    match verdict {
+        Verdict::Found => FINE,
+        Verdict::ProvedInfeasible => NO_PLAN,
+        Verdict::NotFound | Verdict::NotAttempted => INCONCLUSIVE,
     }
 }
 

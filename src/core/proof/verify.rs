@@ -317,7 +317,7 @@ pub fn decide(certificate: &Certificate, model: &Model, settings: Settings) -> R
 /// Decides a certificate at the nodes only: whether a motion is a plan, without checking rows between the nodes.
 ///
 /// # Errors
-/// As in [`decide`].
+/// The certificate does not prove its claim at the nodes, or costs more than the budget.
 pub fn decide_at_nodes(certificate: &Certificate, model: &Model, settings: Settings) -> Result<Accepted, Refusal> {
     decided(certificate, model, settings, false)
 }

@@ -11,6 +11,7 @@ mod rosbag2;
 mod rotorpy;
 mod rows;
 
+pub use super::Written;
 use super::frames::Frame;
 use super::mission;
 use crate::model::Model;
@@ -79,20 +80,6 @@ pub struct Choices {
     pub frame: Option<Frame>,
     /// Largest error of refitted positions, or distance from straight lines, m.
     pub tolerance: Option<f64>,
-}
-
-/// A written trajectory.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Written {
-    pub bytes: Vec<u8>,
-    /// What the format lost, in one line, if it is more than rounding.
-    pub remark: Option<String>,
-}
-
-impl From<String> for Written {
-    fn from(text: String) -> Self {
-        Written { bytes: text.into_bytes(), remark: None }
-    }
 }
 
 impl Format {

@@ -62,7 +62,7 @@ impl Json {
         if let JsonValue::Text(text) = &self.kind { Some(text) } else { None }
     }
 
-    /// As messages name it.
+    /// The kind of the value in messages: `a number`, `true or false`.
     pub fn what(&self) -> &'static str {
         match self.kind {
             JsonValue::Null => "null",

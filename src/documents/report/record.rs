@@ -7,7 +7,6 @@ use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::headings::{self, HeadingRecord};
 use super::least_time;
-use super::terminal::violated_facets;
 use super::verdict_text::statement;
 use super::volumes::{self, VolumeRecord};
 use super::waypoints::yaw_error;
@@ -15,7 +14,9 @@ use super::waypoints::{WaypointRecord, waypoints};
 use super::without_yaw::{self, WithoutYawRecord};
 use crate::certify::between::Between;
 use crate::model::{Mission, Model, Problem};
+use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
+use crate::motion::wrench_model::WrenchModel;
 use crate::planner::studies::protect::{Addition, Protection};
 use crate::planner::studies::rounds::Round;
 use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run, Verification};
@@ -377,6 +378,12 @@ impl CheckRecord {
             Verification::Undecided(why) => Some(CheckRecord { outcome: "not_decided", undecided: Some(why.clone()) }),
         }
     }
+}
+
+/// The number of facets of a mode that the plan violates, as RSP counts them: in the exact model at any instant,
+/// otherwise at nodes.
+pub(super) fn violated_facets(solved: &MissionPlan, out: &Outside) -> usize {
+    if solved.trajectory.model == WrenchModel::Exact { out.violated.len() } else { out.facets.len() }
 }
 
 fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {

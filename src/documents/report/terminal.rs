@@ -1,24 +1,22 @@
 //! Terminal output of `mavc plan`, and what other reports share with it.
 
-use super::analysis_text::airspeed;
 use super::battery;
 use super::binding;
 use super::caveats::caveats;
-use super::record::{errors, rates};
+use super::record::{errors, rates, violated_facets};
 use super::verdict_text::{self, statement};
 use super::waypoints;
 use super::without_yaw;
 use super::{headings, volumes};
 use crate::admissible::AdmissibleSet;
-use crate::admissible::airspeed::Airspeed;
+use crate::admissible::airspeed::{Airspeed, LimitedBy};
 use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
 use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
-use crate::motion::wrench_model::WrenchModel;
-use crate::number::{fixed, number, part_of_all, percent, short_seconds, significant};
+use crate::number::{down, fixed, number, part_of_all, percent, short_seconds, significant};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Protection;
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, label};
@@ -35,6 +33,12 @@ pub fn vehicle_line(model: &Model) -> String {
         format!("; rotors 1 to {} are motors {}", motors.len(), numbers.join(", "))
     });
     format!("{} ({layout}{} rotors, {} kg{motors})", v.name, v.rotors.len(), number(v.mass))
+}
+
+/// `23.1 m/s`, rounded down, with the limit on tilt if that is the reason; `none` if the mode cannot hover.
+pub(super) fn airspeed(airspeed: &Airspeed) -> String {
+    let tilt = if airspeed.limited_by == Some(LimitedBy::Tilt) { " (tilt)" } else { "" };
+    airspeed.largest_m_per_s.map_or("none".into(), |speed| format!("{} m/s{tilt}", down(speed, 4)))
 }
 
 /// The head of a report: mission, vehicle, fault modes and model.
@@ -320,12 +324,6 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
         percent(most),
         if model.plan.planner == PlannerKind::Rcp { "; try more samples" } else { "" }
     )
-}
-
-/// The number of facets of a mode that the plan violates, as RSP counts them: in the exact model at any instant,
-/// otherwise at nodes.
-pub(super) fn violated_facets(solved: &MissionPlan, out: &Outside) -> usize {
-    if solved.trajectory.model == WrenchModel::Exact { out.violated.len() } else { out.facets.len() }
 }
 
 fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> Table {

@@ -1,9 +1,8 @@
 //! What can be said before a flight about whether the vehicle is lost, compared with the flights (`docs/campaigns.md`,
 //! "Predicted against flown").
 
-use super::agreement::Strength;
 use super::design::{Design, Standing};
-use super::statistics::{Contingency, brier};
+use super::statistics::{Contingency, Strength, brier};
 use super::tally::Tally;
 use crate::admissible::edge::HoverPlace;
 use crate::admissible::verdict::HoverVerdict;

@@ -264,7 +264,7 @@ impl Row {
     }
 }
 
-/// Planner, mode and instant (s) as in rows.
+/// Planner, mode and instant (s) of a row, in the spelling of its columns.
 fn names<'a>(design: &'a Design, case: &Case) -> (&'a str, &'a str, Option<f64>) {
     let strike = design.strike(case);
     let mode = strike.map_or(HEALTHY, |(mode, _)| mode.name.as_str());

@@ -9,7 +9,7 @@ mod places;
 
 use super::progress::Watch;
 use super::spec::{self, Start};
-use super::{CommandError, DIVERGED, FINE, INCONCLUSIVE, NO_PLAN, Options, SPEC_ERRORS, SpecArgs, plan};
+use super::{CommandError, DIVERGED, FINE, INCONCLUSIVE, NO_PLAN, Options, SPEC_ERRORS, SpecArgs, code_of};
 use crate::pipeline::{Task, departure, missing_verdict};
 use crate::read::FlightBlocks;
 use crate::report::campaign_record::CampaignRecord;
@@ -48,7 +48,7 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, CommandError> {
             places.print_alone(campaign_text::left_out(&missing).trim_start())?;
             let record = CampaignRecord::without_flights(spec.model(), &missing, spec.sha256().into());
             places.write(spec, &findings, &record, options)?;
-            return Ok(plan::code(missing_verdict(&missing)));
+            return Ok(code_of(missing_verdict(&missing)));
         }
     };
     findings.eprint_new(departure(spec, design.time), options);

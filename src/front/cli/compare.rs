@@ -3,7 +3,7 @@
 use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::spec::{self, Start};
-use super::{CommandError, CompareArgs, Options, plan};
+use super::{CommandError, CompareArgs, Options, code_of};
 use crate::model::MAX_ROUNDS;
 use crate::pipeline::Task;
 use crate::read::FlightBlocks;
@@ -40,7 +40,7 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, CommandError> {
     results.charts(&subject(&task, &[]), &comparison)?;
     results.write()?;
     results.note_page(options)?;
-    Ok(plan::code(comparison.verdict(problem)))
+    Ok(code_of(comparison.verdict(problem)))
 }
 
 /// Reads `0..5` or `3`; both ends are included.

@@ -5,7 +5,7 @@ use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::signals::Enough;
 use super::spec::{self, Start};
-use super::{CUT_SHORT, CommandError, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, files};
+use super::{CUT_SHORT, CommandError, Options, PlanArgs, code_of, files};
 use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::MissionTime;
@@ -13,7 +13,6 @@ use crate::observer::{Observer, timed};
 use crate::pipeline::{Explained, Planning, Task, certify};
 use crate::read::FlightBlocks;
 use crate::report::page::{self, PageKind};
-use crate::verdict::Verdict;
 use std::panic::resume_unwind;
 
 pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
@@ -83,9 +82,9 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
             }
             None => "mavc: the search was cut short before it had a plan\n",
         });
-        return Ok(if args.accept_best { code(planning.verdict()) } else { CUT_SHORT });
+        return Ok(if args.accept_best { code_of(planning.verdict()) } else { CUT_SHORT });
     }
-    Ok(code(planning.verdict()))
+    Ok(code_of(planning.verdict()))
 }
 
 /// Bytes of stack of a thread that plans: as much as those of the main program.
@@ -99,14 +98,5 @@ fn plan(task: &Task, cancel: &Cancel, watch: &Watch) -> Result<Planning, Command
         Err(NoResult::Panicked(payload)) => resume_unwind(payload),
         Err(NoResult::NoThreads(why)) => Err(why),
         Err(NoResult::Cancelled(cancelled)) => Err(cancelled.to_string()),
-    }
-}
-
-/// The exit code of a verdict.
-pub fn code(verdict: Verdict) -> u8 {
-    match verdict {
-        Verdict::Found => FINE,
-        Verdict::ProvedInfeasible => NO_PLAN,
-        Verdict::NotFound | Verdict::NotAttempted => INCONCLUSIVE,
     }
 }

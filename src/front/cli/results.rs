@@ -3,7 +3,7 @@
 
 use super::spec::Findings;
 use super::target::{Target, cannot_write, write};
-use super::{CommandError, NO_PLAN, Options, files, plan};
+use super::{CommandError, NO_PLAN, Options, code_of, files};
 use crate::diagnostic::Diagnostic;
 use crate::pipeline::{Explained, Planning, Task};
 use crate::planner::studies::Comparison;
@@ -98,7 +98,7 @@ impl<'a> Places<'a> {
         results.print("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n")?;
         results.write()?;
         results.note_page(options)?;
-        Ok(plan::code(planning.verdict()))
+        Ok(code_of(planning.verdict()))
     }
 }
 

@@ -128,10 +128,5 @@ const MOST_COLUMNS: usize = 1000;
 /// Diagnostics for people who read them on `stream`.
 pub fn human(diagnostics: &[Diagnostic], sources: &SourceMap, stream: &impl IsTerminal) -> String {
     let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100).clamp(20, MOST_COLUMNS);
-    render_linked(diagnostics, sources, width, colored(stream), links::docs(stream).as_deref())
-}
-
-/// Colour where the stream is a terminal and NO_COLOR is not set.
-pub fn colored(stream: &impl IsTerminal) -> bool {
-    stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
+    render_linked(diagnostics, sources, width, links::colored(stream), links::docs(stream).as_deref())
 }

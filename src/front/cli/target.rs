@@ -11,7 +11,7 @@ use tempfile::NamedTempFile;
 
 /// The place of one result.
 pub struct Target {
-    /// As the user wrote it.
+    /// The user's spelling; `-` for standard output.
     name: PathBuf,
     place: Destination,
 }

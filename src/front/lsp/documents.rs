@@ -9,7 +9,7 @@ use url::Url;
 /// One open text.
 #[derive(Debug, Clone)]
 pub struct Document {
-    /// As the client spells it.
+    /// The client's spelling, which answers repeat.
     pub uri: Url,
     pub version: i32,
     pub text: String,

@@ -100,9 +100,9 @@ pub struct ModeAnalysis {
     pub acai: Option<f64>,
     /// The margin in (T, tau_x, tau_y), for the yaw-free set, N and N m.
     pub acai_yaw_free: Option<f64>,
-    /// Heaviest mass that can hover, kg; null if no mass can.
+    /// The largest mass that can hover, kg; null if no mass can.
     pub critical_mass_kg: Option<f64>,
-    /// Heaviest mass that can hover if yaw is given up, kg; null if no mass can.
+    /// The largest mass that can hover if yaw is given up, kg; null if no mass can.
     pub critical_mass_yaw_free_kg: Option<f64>,
     /// Lightest mass that can hover, kg; above 0 if rotors may not stop or are stuck. null if no mass can.
     pub least_mass_kg: Option<f64>,

@@ -139,7 +139,8 @@ pub enum Statement {
         relation: LimitRelation,
         span: Span,
     },
-    /// As [`Item::Broken`]: the block around it may have a field that seems to be missing.
+    /// A statement whose error has been reported, and which has no fix: the block around it may have a field that seems to
+    /// be missing.
     Broken(Span),
 }
 

@@ -255,7 +255,7 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
     Ok(())
 }
 
-/// As written in a spec: `speed <= 8 m/s`.
+/// The limit in the words of a spec: `speed <= 8 m/s`.
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Description { word: name, unit, unit_in_si, .. } = self.kind.describe();

@@ -99,7 +99,7 @@ impl SearchEffort {
 /// The time of the whole mission, including holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MissionTime {
-    /// As short as the planner can make it.
+    /// The shortest that the planner finds.
     Minimum,
     /// Fixed, s.
     Fixed(f64),

@@ -44,7 +44,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Air> {
     is_whole.then_some(air)
 }
 
-/// As [`standard_ratio`]; reports a height outside the troposphere.
+/// The density of the air at a height (m) as a share of the standard density; reports a height outside the troposphere.
 fn ratio_at(cx: &mut Context, altitude: f64, at: Span) -> Option<f64> {
     let ratio = standard_ratio(altitude);
     if ratio.is_none() {

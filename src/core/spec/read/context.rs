@@ -207,7 +207,8 @@ impl<'a> Context<'a> {
         self.unknown_among(what, name, span, known, |_| true);
     }
 
-    /// As [`Context::unknown`]; only the known names for which `open` holds are suggested.
+    /// Reports an unknown `name`, unless it may be declared where the text could not be parsed; suggests only those
+    /// `known` names for which `open` holds.
     pub fn unknown_among(&mut self, what: &str, name: &str, span: Span, known: &[&str], open: impl Fn(&str) -> bool) {
         if self.may_exist(name) {
             return;
@@ -263,8 +264,8 @@ pub(super) fn listed(words: &[&str]) -> String {
     joined(&words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>())
 }
 
-/// As [`listed`], but a run of names that differ only in their numbers is given by its first and last, and a long list
-/// is cut short.
+/// Names in backquotes; a run of names that differ only in their numbers is given by its first and last, and a list of
+/// more than twelve is cut short.
 fn in_runs(names: &[&str]) -> String {
     const SHOWN: usize = 12;
     let runs = names.chunk_by(|a, b| without_digits(a) == without_digits(b));

@@ -1,10 +1,10 @@
 //! Whether the plans, and what is known of the modes, predict which flights are lost and what the path suffers.
 
 use super::filled;
-use crate::campaign::agreement::{Agreement, Scope, Strength};
+use crate::campaign::agreement::{Agreement, Scope};
 use crate::campaign::correlations::Correlation;
 use crate::campaign::predictors::{ClassCount, Forecast};
-use crate::campaign::statistics::{Contingency, FEWEST};
+use crate::campaign::statistics::{Contingency, FEWEST, Strength};
 use crate::number::{fixed, part_of_all, plural};
 use crate::text_table::Table;
 

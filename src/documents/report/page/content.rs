@@ -153,7 +153,7 @@ impl Content {
         Content { runs, ..Content::of_sets(subject, shown, record) }.showing(first)
     }
 
-    /// The same with another run shown first.
+    /// The content with run `first`, counted from 0, shown when the page opens.
     pub fn showing(self, first: usize) -> Self {
         let opens = opening(self.runs.get(first), &self.sets);
         Content { first, opens, ..self }

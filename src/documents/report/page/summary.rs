@@ -175,7 +175,7 @@ pub fn refused(model: &Model, analyses: &[ModeAnalysis], diagnostics: &[Diagnost
     Found { headline: format!("Nothing was planned: {which}"), warnings: warnings.collect(), ..Found::default() }
 }
 
-/// The same text with its first letter in upper case.
+/// A text with its first letter in upper case.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())

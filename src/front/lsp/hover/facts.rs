@@ -127,12 +127,12 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
                 }
                 HoverVerdict::Controllable => "",
                 HoverVerdict::Stabilizable if one.yaw_free == YawFree::Spinning => {
-                    " (hovers while it spins; yaw is lost)"
+                    " (hovers while it spins; heading not held)"
                 }
                 HoverVerdict::Stabilizable if one.hover == HoverPlace::OnEdge => {
-                    " (hover lies on the edge of the set without yaw; yaw is lost)"
+                    " (hover lies on the edge of the set without yaw; heading not held)"
                 }
-                HoverVerdict::Stabilizable => " (hovers, but yaw is lost)",
+                HoverVerdict::Stabilizable => " (hovers, heading not held)",
                 HoverVerdict::Unstable => " (cannot hover)",
             };
             let uncertain = if model.vehicle.is_uncertain() { ", at the middle of the spec's intervals" } else { "" };
