@@ -24,6 +24,7 @@ mod spec;
 mod summary;
 mod survival;
 mod svg;
+mod table;
 mod verdicts;
 mod volumes;
 mod waypoint_table;

@@ -2,6 +2,7 @@
 
 use super::motion::signed_percent;
 use super::prose::terms;
+use super::table::{Frame, counts, numbers, table, words};
 use super::verdicts::violation_cells;
 use crate::number::{down, number, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run};
@@ -22,42 +23,34 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     };
     let found = record.planners.iter().filter(|planner| planner.time_s.is_some());
     let bound = { found }.find_map(|planner| planner.time_lower_bound_s);
+    let heads = || {
+        let mut heads = vec![words("Planner"), numbers("Time", "s")];
+        if has_modes {
+            heads.push(numbers("Smallest margin", "healthy widths"));
+            heads.extend(["Longest violation", "Last violation"].map(|name| numbers(name, "s")));
+        }
+        heads.extend([numbers("Sum of errors", "m"), numbers("Largest error", "cm"), numbers("Yaw errors", "rad")]);
+        heads.extend(["Objective", "Rows per node"].map(counts));
+        heads.extend(has_risk.then(|| counts("Risk")));
+        heads
+    };
+    let of_runs = |which: Run| {
+        let title = title(which);
+        let caption = Some(html! { (title) });
+        let frame = Frame { label: &title, terms: Some("planners-terms"), caption, ..Frame::default() };
+        let rows = html! {
+            @for (run, record) in runs.iter().filter(|(r, _)| r.run == which) {
+                (row(run, record, has_modes, has_risk))
+            }
+        };
+        table(frame, &heads(), rows)
+    };
     html! {
         h2 { (headline(comparison)) }
         @if let Some(bound) = bound {
             p.note { "No motion within the limits and at the fixed times takes less than " (down(bound, 4)) " s." }
         }
-        @for which in [Run::Common, Run::Own] {
-            @if has_solved(which) {
-                div.scroll tabindex="0" role="region" aria-label=(title(which)) {
-                    table aria-describedby="planners-terms" {
-                        caption { span { (title(which)) } }
-                        thead {
-                            tr {
-                                th scope="col" { "Planner" }
-                                th.n scope="col" { "Time" br; span.unit { "s" } }
-                                @if has_modes {
-                                    th.n scope="col" { "Smallest margin" br; span.unit { "healthy widths" } }
-                                    th.n scope="col" { "Longest violation" br; span.unit { "s" } }
-                                    th.n scope="col" { "Last violation" br; span.unit { "s" } }
-                                }
-                                th.n scope="col" { "Sum of errors" br; span.unit { "m" } }
-                                th.n scope="col" { "Largest error" br; span.unit { "cm" } }
-                                th.n scope="col" { "Yaw errors" br; span.unit { "rad" } }
-                                th.n scope="col" { "Objective" }
-                                th.n scope="col" { "Rows per node" }
-                                @if has_risk { th.n scope="col" { "Risk" } }
-                            }
-                        }
-                        tbody {
-                            @for (run, record) in runs.iter().filter(|(r, _)| r.run == which) {
-                                (row(run, record, has_modes, has_risk))
-                            }
-                        }
-                    }
-                }
-            }
-        }
+        @for which in [Run::Common, Run::Own] { @if has_solved(which) { (of_runs(which)) } }
         (terms("planners-terms", meanings(has_modes, has_risk)))
     }
 }

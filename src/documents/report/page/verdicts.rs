@@ -2,6 +2,7 @@
 
 use super::motion::signed_percent;
 use super::prose::terms;
+use super::table::{self, Frame, numbers, words};
 use crate::admissible::edge::HoverPlace;
 use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
 use crate::admissible::without_yaw::YawFree;
@@ -76,42 +77,24 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
         of_plan: solved.is_some(),
         after: solved.is_some() && holds(model),
     };
+    let mut heads = vec![words("Mode"), words("Verdict"), numbers("Hover margin", "N, N m"), numbers("Heaviest", "kg")];
+    heads.extend(columns.without_yaw.then(|| numbers("Without yaw", "disc, N m")));
+    heads.extend(columns.airspeed.then(|| numbers("Airspeed", "m/s")));
+    if columns.of_plan {
+        heads.push(numbers("Plan's margin", "healthy widths"));
+        heads.extend(["Violated for", "Last violation"].map(|name| numbers(name, "s")));
+    }
+    if columns.after {
+        heads.extend([words("After the fault"), numbers("Committed until", "s")]);
+    }
+    let caption = Some(html! {
+        "Control at hover"
+        @if let Some((label, _)) = solved { ", and violations by the plan (" (label) ")" }
+    });
+    let frame = Frame { label: "Table of modes", terms: Some("modes-terms"), caption, ..Frame::default() };
     html! {
         h2 { (headline(analyses)) }
-        div.scroll tabindex="0" role="region" aria-label="Table of modes" {
-            table aria-describedby="modes-terms" {
-                caption {
-                    span {
-                        "Control at hover"
-                        @if let Some((label, _)) = solved { ", and violations by the plan (" (label) ")" }
-                    }
-                }
-                thead {
-                    tr {
-                        th scope="col" { "Mode" }
-                        th scope="col" { "Verdict" }
-                        th.n scope="col" { "Hover margin" br; span.unit { "N, N m" } }
-                        th.n scope="col" { "Heaviest" br; span.unit { "kg" } }
-                        @if columns.without_yaw {
-                            th.n scope="col" { "Without yaw" br; span.unit { "disc, N m" } }
-                        }
-                        @if columns.airspeed {
-                            th.n scope="col" { "Airspeed" br; span.unit { "m/s" } }
-                        }
-                        @if columns.of_plan {
-                            th.n scope="col" { "Plan's margin" br; span.unit { "healthy widths" } }
-                            th.n scope="col" { "Violated for" br; span.unit { "s" } }
-                            th.n scope="col" { "Last violation" br; span.unit { "s" } }
-                        }
-                        @if columns.after {
-                            th scope="col" { "After the fault" }
-                            th.n scope="col" { "Committed until" br; span.unit { "s" } }
-                        }
-                    }
-                }
-                tbody { @for row in &rows { (cells(model, row, columns)) } }
-            }
-        }
+        (table::table(frame, &heads, html! { @for row in &rows { (cells(model, row, columns)) } }))
         @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are omitted \
             here; " code { "mavc analyze" } " lists all." } }
         (terms("modes-terms", meanings(columns, analyses)))
