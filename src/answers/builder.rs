@@ -105,70 +105,29 @@ pub enum Value {
     Points(Vec<[f64; 2]>),
 }
 
-impl From<f64> for Value {
-    fn from(number: f64) -> Self {
-        Value::Number(number)
-    }
+/// Values of other types, each with the expression that makes a [`Value`] of `given`.
+macro_rules! values {
+    ($($type:ty $([$n:ident])? => |$given:ident| $value:expr;)*) => {$(
+        impl $(<const $n: usize>)? From<$type> for Value {
+            fn from($given: $type) -> Self {
+                $value
+            }
+        }
+    )*};
 }
 
-impl From<i32> for Value {
-    fn from(number: i32) -> Self {
-        Value::Number(number.into())
-    }
-}
-
-impl From<u32> for Value {
-    fn from(number: u32) -> Self {
-        Value::Number(number.into())
-    }
-}
-
-impl From<usize> for Value {
-    fn from(number: usize) -> Self {
-        Value::Number(number as f64)
-    }
-}
-
-impl From<[f64; 3]> for Value {
-    fn from(vector: [f64; 3]) -> Self {
-        Value::Vector(vector)
-    }
-}
-
-impl From<&str> for Value {
-    fn from(word: &str) -> Self {
-        Value::Word(word.into())
-    }
-}
-
-impl From<String> for Value {
-    fn from(word: String) -> Self {
-        Value::Word(word)
-    }
-}
-
-impl<const N: usize> From<[&str; N]> for Value {
-    fn from(names: [&str; N]) -> Self {
-        Value::Names(names.map(String::from).into())
-    }
-}
-
-impl From<Vec<String>> for Value {
-    fn from(names: Vec<String>) -> Self {
-        Value::Names(names)
-    }
-}
-
-impl<const N: usize> From<[[f64; 2]; N]> for Value {
-    fn from(points: [[f64; 2]; N]) -> Self {
-        Value::Points(points.into())
-    }
-}
-
-impl From<Vec<[f64; 2]>> for Value {
-    fn from(points: Vec<[f64; 2]>) -> Self {
-        Value::Points(points)
-    }
+values! {
+    f64 => |number| Value::Number(number);
+    i32 => |number| Value::Number(number.into());
+    u32 => |number| Value::Number(number.into());
+    usize => |number| Value::Number(number as f64);
+    [f64; 3] => |vector| Value::Vector(vector);
+    &str => |word| Value::Word(word.into());
+    String => |word| Value::Word(word);
+    [&str; N] [N] => |names| Value::Names(names.map(String::from).into());
+    Vec<String> => |names| Value::Names(names);
+    [[f64; 2]; N] [N] => |points| Value::Points(points.into());
+    Vec<[f64; 2]> => |points| Value::Points(points);
 }
 
 impl Builder {

@@ -266,15 +266,3 @@ impl Sweep {
         out
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::documents::schemas::check;
-    use crate::report::analysis_record::AnalysisRecord;
-
-    #[test]
-    fn the_schema_is_current() {
-        check::<AnalysisRecord<Flip>>("analyze", "mavc analyze --format json");
-    }
-}

@@ -348,14 +348,3 @@ impl GroupRecord {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::documents::schemas::check;
-
-    #[test]
-    fn the_schema_is_current() {
-        check::<CampaignRecord>("campaign", "mavc campaign --report");
-    }
-}

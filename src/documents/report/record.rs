@@ -450,14 +450,3 @@ fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Plann
     }
     record
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::documents::schemas::check;
-
-    #[test]
-    fn the_schema_is_current() {
-        check::<Record>("report", "mavc plan --report, mavc compare --report");
-    }
-}

@@ -77,18 +77,16 @@ fn meanings(has_modes: bool, has_risk: bool) -> Vec<(&'static str, &'static str)
     found
 }
 
+/// The runs at their own times or at the common time that have a plan, each with its plan.
+pub fn solved_runs(comparison: &Comparison, which: Run) -> impl Iterator<Item = (&PlannerRun, &MissionPlan)> {
+    let runs = comparison.runs.iter().filter(move |run| run.run == which);
+    runs.filter_map(|run| Some((run, run.outcome.plan()?)))
+}
+
 /// The main result of the comparison.
 fn headline(comparison: &Comparison) -> String {
     let stays = |s: &MissionPlan| s.outside.iter().all(|o| o.last.is_none());
-    let common: Vec<(&PlannerRun, &MissionPlan)> = comparison
-        .runs
-        .iter()
-        .filter(|r| r.run == Run::Common)
-        .filter_map(|r| match &r.outcome {
-            PlanOutcome::Planned(s) => Some((r, s.as_ref())),
-            _ => None,
-        })
-        .collect();
+    let common: Vec<(&PlannerRun, &MissionPlan)> = solved_runs(comparison, Run::Common).collect();
     let inside = common.iter().filter(|(_, s)| stays(s)).count();
     match common.len() {
         0 => "No plan was found at a common time".into(),
