@@ -38,8 +38,7 @@ pub fn origin<'a>(model: &'a Model, format: &str) -> Result<(&'a Mission, Origin
     mission.origin.map(|origin| (mission, origin)).ok_or_else(|| {
         format!(
             "--format {format} has places on the Earth, and mission `{}` does not say where it is: give its \
-             `origin_latitude`, \
-             `origin_longitude` and `origin_altitude`",
+             `origin_latitude`, `origin_longitude` and `origin_altitude`",
             mission.name
         )
     })
@@ -114,8 +113,7 @@ pub fn wpl(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Re
 fn said(text: String, items: &Items, fences: String) -> Written {
     let remark = format!(
         "{} items; straight lines between them are within {} m of the plan; the times of the plan are lost: the \
-         autopilot chooses \
-         its own{}{fences}",
+         autopilot chooses its own{}{fences}",
         items.all.len(),
         significant(items.deviation, 3),
         if items.takes_off { "" } else { "; no take-off, since the plan does not begin with a climb above its origin" },

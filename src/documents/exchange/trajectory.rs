@@ -150,8 +150,7 @@ impl Choices {
         if self.tolerance.is_some() && self.format != Format::Crazyflie && !self.format.is_of_places() {
             return Err(format!(
                 "--format {name} does not refit the trajectory: leave --tolerance out, which is for crazyflie, \
-                 qgc-plan, wpl, \
-                 kml and geojson"
+                 qgc-plan, wpl, kml and geojson"
             ));
         }
         Ok(())

@@ -18,11 +18,8 @@ use crate::flight::indistinguishable::listed;
 use crate::model::{Detection, LostYaw, Simulation};
 use crate::number::{fixed, number, part_of_all, percent, plural, significant};
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
-use crate::text_table::Table;
+use crate::text_table::{Table, indented};
 use std::cmp::Reverse;
-
-/// Columns of running text.
-const WIDTH: usize = 110;
 
 /// Most modes that are listed one by one.
 const SHOWN: usize = 40;
@@ -70,10 +67,9 @@ fn beyond_the_limit(design: &Design) -> String {
     }
     let names: Vec<&str> = beyond.iter().map(|m| design.model.modes[*m].name.as_str()).collect();
     let height = beyond.iter().map(most).fold(0.0, f64::max);
-    filled(&format!(
+    indented(&format!(
         "Caught by its spin after {}, the vehicle falls by up to {} m, more than the {} m of `lost_beyond`: flights \
-         that go on \
-         count as lost.",
+         that go on count as lost.",
         listed(&names),
         significant(height, 3),
         number(limit)
@@ -167,17 +163,17 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> Str
             plural(healthy.flights, "flight"),
             if lost == 1 { "was" } else { "were" }
         );
-        out.push_str(&filled(&text));
+        out.push_str(&indented(&text));
     }
     let before: usize = (0..all).map(|m| tally.mode(p, m).lost_before).sum();
     if before > 0 {
         let were = if before == 1 { "was" } else { "were" };
-        out.push_str(&filled(&format!("{} {were} lost before the fault could strike.", plural(before, "flight"))));
+        out.push_str(&indented(&format!("{} {were} lost before the fault could strike.", plural(before, "flight"))));
     }
     let diverged = healthy.diverged + (0..all).map(|m| tally.mode(p, m).diverged).sum::<usize>();
     if diverged > 0 {
         let flights = plural(diverged, "flight");
-        out.push_str(&filled(&format!(
+        out.push_str(&indented(&format!(
             "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). \
              What \
              happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as survived."
@@ -264,9 +260,4 @@ pub fn left_out(missing: &[Missing]) -> String {
         out.push_str(&format!("\n{} is not flown; {verdict}: {why}\n", planner.name().to_uppercase()));
     }
     out
-}
-
-fn filled(text: &str) -> String {
-    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-    textwrap::fill(text, options) + "\n"
 }

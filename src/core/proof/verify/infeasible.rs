@@ -102,8 +102,7 @@ pub(super) fn decide(
     let kept = kept.map_or(String::new(), |height| format!(", if {} m above the ground are required", number(height)));
     let headline = format!(
         "proved infeasible on one grid: mission {} has no {planner} plan of {} s whose inputs are linear between the \
-         nodes of \
-         the spec's {pieces} pieces in flight{selected}{kept}",
+         nodes of the spec's {pieces} pieces in flight{selected}{kept}",
         mission.name,
         number(total),
     );

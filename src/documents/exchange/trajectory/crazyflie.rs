@@ -49,9 +49,8 @@ fn refused(best: &Fit, tolerance: f64) -> String {
     let [tolerance, position, enough] = [1e3 * tolerance, 1e3 * position, 1e3 * position.max(yaw)];
     format!(
         "the trajectory does not fit the {MOST_PIECES} pieces of a Crazyflie within {} mm (and {} mrad of yaw): with \
-         so many the \
-         position is up to {} mm off, at {} s, and the yaw up to {} mrad; use --tolerance {}mm, or plan a shorter \
-         mission",
+         so many the position is up to {} mm off, at {} s, and the yaw up to {} mrad; use --tolerance {}mm, or plan a \
+         shorter mission",
         number(tolerance),
         number(tolerance),
         down(position, 3),

@@ -31,8 +31,7 @@ pub fn section(mission: &Mission, planner: &PlannerRecord) -> Option<Section> {
         }
     };
     let body = html! {
-        h2 { (unbroken(&format!("Leg {}: relaxing {} by {} would save the most, {} \
-            s", leg.label(), first.statement, first.relaxed_by, significant(first.time_saved_s, 2)))) }
+        h2 { (unbroken(&format!("Leg {}: relaxing {} by {} would save the most, {} s", leg.label(), first.statement, first.relaxed_by, significant(first.time_saved_s, 2)))) }
         (table(frame, &heads, rows))
         @for note in notes(mission) { p.note { (unbroken(&note)) } }
         @if left_out > 0 { p.note { (left_out) " more legs are omitted here; " code { "--report" } " lists all." } }

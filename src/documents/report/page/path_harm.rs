@@ -18,9 +18,8 @@ pub fn tables(record: &CampaignRecord) -> Markup {
         h2 { "The path after the fault" }
         p.note {
             "Over all struck flights, lost ones included. Deviation: largest distance from the reference since the \
-             fault, mean and "
-            "largest. A limit is broken if it is exceeded by more than the tolerance of campaigns, the heading if it \
-             is more than "
+             fault, mean and largest. A limit is broken if it is exceeded by more than the tolerance of campaigns, the \
+             heading if it is more than "
             (number(HEADING_BROKEN.to_degrees())) " deg off before yaw is given up."
         }
         @for planner in flown() { (harm(planner)) }

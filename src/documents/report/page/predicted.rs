@@ -34,10 +34,8 @@ pub fn predictors(record: &CampaignRecord) -> Markup {
         h3 { "Predicted against flown" }
         p.note {
             "Over all modes and all distinct plans. Brier: mean squared error of the predicted probability of loss, 0 \
-             is best: of the "
-            "prediction as 0 or 1; of the share lost in the same class with the other modes; and of the share lost \
-             with the other "
-            "modes, which a predictor has to beat."
+             is best: of the prediction as 0 or 1; of the share lost in the same class with the other modes; and of \
+             the share lost with the other modes, which a predictor has to beat."
         }
         (table(Frame { label: "Predictors", ..Frame::default() }, &heads, rows))
     }
@@ -74,9 +72,8 @@ pub fn harm(record: &CampaignRecord) -> Markup {
         h3 { "Do worse plans do more harm?" }
         p.note {
             "Spearman's rank correlation over pairs of plan and mode, with its 95 % interval as if pairs were \
-             independent, which they "
-            "are not. Within modes: over ranks within each mode with hover inside its set, so that plans are compared \
-             and not modes."
+             independent, which they are not. Within modes: over ranks within each mode with hover inside its set, so \
+             that plans are compared and not modes."
         }
         (table(Frame { label: "Quality of plans and harm to the path", ..Frame::default() }, &heads, rows))
     }

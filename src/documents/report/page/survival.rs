@@ -230,9 +230,8 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
         h2 { "Do the plans predict which flights are lost?" }
         p.note {
             "Predicted lost: the fault strikes before the plan's last violation of the mode's set. phi: agreement of \
-             predicted and actual "
-            "losses, 1 for perfect agreement, 0 for no better than chance. Intervals and correlations treat flights \
-             as independent."
+             predicted and actual losses, 1 for perfect agreement, 0 for no better than chance. Intervals and \
+             correlations treat flights as independent."
         }
         @for a in &record.agreement {
             (by_planner(a, &modes(a)))

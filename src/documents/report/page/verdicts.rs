@@ -95,8 +95,7 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     html! {
         h2 { (headline(analyses)) }
         (table::table(frame, &heads, html! { @for row in &rows { (cells(model, row, columns)) } }))
-        @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are omitted \
-            here; " code { "mavc analyze" } " lists all." } }
+        @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are omitted here; " code { "mavc analyze" } " lists all." } }
         (terms("modes-terms", meanings(columns, analyses)))
     }
 }
@@ -122,9 +121,8 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
                     mission's limit on tilt."
                 }
                 true => {
-                    "the largest steady airspeed in level flight with the plan's reserve and the nose in the \
-                    worst direction, by \
-                         thrust or by the mission's limit on tilt."
+                    "the largest steady airspeed in level flight with the plan's reserve and the nose in the worst \
+                    direction, by thrust or by the mission's limit on tilt."
                 }
             },
         ));
@@ -146,8 +144,7 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
             (
                 "Committed until",
                 "a fault before this instant may cost the mission. With `continue` it is the plan's last violation; \
-                 with \
-                 `hold` the last instant from which no stop inside the set was found.",
+                 with `hold` the last instant from which no stop inside the set was found.",
             ),
         ]);
     }
@@ -155,8 +152,7 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
         found.push((
             "Stabilizable without yaw",
             "the vehicle stays up and level while it turns about z. With yaw controlled too, as in the sets drawn \
-             here, \
-             hover may be far outside.",
+             here, hover may be far outside.",
         ));
     }
     found

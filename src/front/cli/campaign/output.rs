@@ -194,8 +194,7 @@ fn unfit(path: &Path, error: &ScanError, design: &Design) -> CommandError {
         ScanError::Damaged { line, what } => format!("{name}, line {line}: {what}"),
         ScanError::Foreign => format!(
             "{name} holds rows of another campaign (this one is {}; it depends on the spec, --set, --times, --seeds \
-             and \
-             the version)",
+             and the version)",
             design.id
         ),
         ScanError::OutOfOrder { line, found, due: Some(due) } if found == due => {

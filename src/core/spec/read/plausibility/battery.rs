@@ -21,8 +21,7 @@ pub(in crate::spec::read) fn check(cx: &mut Context, vehicle: &Vehicle, battery:
         let percent = |share: f64| short(100.0 * share);
         let message = format!(
             "in hover the rotors of vehicle `{}` turn {} % of the electrical power into mechanical power, outside the \
-             usual \
-             range of {} to {} %",
+             usual range of {} to {} %",
             vehicle.name,
             percent(efficiency),
             percent(EFFICIENCY.low),

@@ -54,8 +54,7 @@ fn leaves_corridors(cx: &mut Context, mission: &Mission, size: f64) -> bool {
     let (kept, radius) = (significant(size, 3), significant(corridor.upper.unwrap_or(0.0), 3));
     cx.report(error.help(format!(
         "let the leg go around, by a waypoint beside the volume or without `straight` or `corridor`: it stays within \
-         {radius} m of its \
-         line, and the vehicle keeps {kept} m and the `clearance` from the boundary"
+         {radius} m of its line, and the vehicle keeps {kept} m and the `clearance` from the boundary"
     )));
     false
 }
