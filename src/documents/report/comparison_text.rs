@@ -221,7 +221,7 @@ fn common_time(problem: Problem, comparison: &Comparison) -> &'static str {
 }
 
 /// `RIP`, `RCP M1`, `RCP jointly`, `RSP`.
-fn name_of(run: &PlannerRun) -> String {
+pub fn name_of(run: &PlannerRun) -> String {
     match (run.planner, run.against.len()) {
         (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
         _ => label(run.planner, &run.against),

@@ -138,10 +138,10 @@ pub struct Forecast {
     /// Brier score of the prediction as 0 or 1: the share that it gets wrong.
     #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub brier: Option<f64>,
-    /// Of the share lost in the same class with the other modes, (lost + 1)/(struck + 2).
+    /// Brier score of predicting the share lost in the same class with the other modes, (lost + 1)/(struck + 2).
     #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub brier_by_class: Option<f64>,
-    /// Of the share lost with the other modes, whatever the class: the score to beat.
+    /// Brier score of predicting the share lost with the other modes, whatever the class: the score to beat.
     #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub brier_base: Option<f64>,
     /// The classes of flights that it distinguishes.

@@ -18,7 +18,7 @@ pub fn check(problem: Problem, comparison: &mut Comparison) {
     }
 }
 
-/// Checks the plans of every number of rounds, like [`check`].
+/// Checks the plans of every number of rounds. The outcome of one that fails becomes [`NotFound::Check`].
 pub fn check_rounds(problem: Problem, rounds: &mut [Round]) {
     let mut planned = problem.model().clone();
     planned.plan.planner = PlannerKind::Rsp;

@@ -104,7 +104,7 @@ fn measure(kind: &LimitKind) -> Measure {
     }
 }
 
-/// The length of a vector, as in [`length`].
+/// The length of a vector of series, with its rate of change.
 fn length_of(parts: &[Series]) -> Series {
     let zero = Series::constant(Interval::ZERO);
     let square = parts.iter().fold(zero, |sum, &p| sum + p * p);

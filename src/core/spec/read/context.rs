@@ -9,7 +9,7 @@ use super::expression::Value;
 use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
-use crate::syntax::ast::{Field, FieldValue, Name};
+use crate::syntax::ast::{Block, Field, FieldValue, Name};
 use crate::unit::{GRAVITY, Quantity};
 
 /// Evaluation steps one spec may take; a guard against hostile input.
@@ -257,6 +257,14 @@ pub(super) fn either(words: &[&str]) -> String {
         Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
         _ => quoted.concat(),
     }
+}
+
+/// The error for the second block of a kind of which only one is allowed, as `message` says.
+pub(super) fn second_block(message: String, second: &Block, first: &Block) -> Diagnostic {
+    Diagnostic::error("mavc::name::duplicate", second.keyword.span, message)
+        .here("second block")
+        .also(first.keyword.span, "first block")
+        .help("move its contents into the first block, then remove this one")
 }
 
 /// `a`, `b` and `c`, each in backquotes.

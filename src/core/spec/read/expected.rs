@@ -281,8 +281,8 @@ impl<'a> Context<'a> {
         Some(value)
     }
 
-    /// The value of `q` in SI units if it has the expected dimension, without a note for the editor: `q` may be a part of
-    /// what is read.
+    /// The value of `q` in SI units if it has the expected dimension, without a note for the editor: `q` may be a part
+    /// of what is read.
     fn fit(&mut self, due: Expected, q: Quantity, expr: &Expr) -> Option<f64> {
         let expected = due.dimension();
         if q.dimension == expected {

@@ -305,8 +305,8 @@ impl<'a> Fields<'a> {
         self.missing_or(cx, what, example, &format!("add `{example}`"));
     }
 
-    /// Reports that `what` is missing, with a fix that adds `example`, and with `help` where the example is not the only
-    /// way.
+    /// Reports that `what` is missing, with a fix that adds `example`, and with `help` where the example is not the
+    /// only way.
     pub fn missing_or(&self, cx: &mut Context<'a>, what: &str, example: &str, help: &str) {
         let message = format!("{} is missing {what}", self.owner);
         let error = Diagnostic::error("mavc::name::missing_field", self.span, message).here("required here").help(help);

@@ -61,7 +61,9 @@ const STYLES: [(&str, &str, u8, &str); 4] = [
 fn lines(out: &mut String, name: &str, description: &str, mode: &str, coordinates: &str) {
     let _ = writeln!(
         out,
-        "<Placemark><name>{name}</name><description>{description}</description><styleUrl>#{name}</styleUrl><LineString><tessellate>1</tessellate><altitudeMode>{mode}</altitudeMode><coordinates>{coordinates}</coordinates></LineString></Placemark>"
+        "<Placemark><name>{name}</name><description>{description}</description><styleUrl>#{name}</styleUrl><LineString>\
+         <tessellate>1</tessellate><altitudeMode>{mode}</altitudeMode><coordinates>{coordinates}</coordinates>\
+         </LineString></Placemark>"
     );
 }
 
@@ -99,7 +101,8 @@ fn face(out: &mut String, placed: &Placed, corners: &[[f64; 3]]) {
     let closed: Vec<[f64; 3]> = corners.iter().chain(corners.first()).copied().collect();
     let _ = write!(
         out,
-        "<Polygon><altitudeMode>absolute</altitudeMode><outerBoundaryIs><LinearRing><coordinates>{}</coordinates></LinearRing></outerBoundaryIs></Polygon>",
+        "<Polygon><altitudeMode>absolute</altitudeMode><outerBoundaryIs><LinearRing><coordinates>{}</coordinates>\
+         </LinearRing></outerBoundaryIs></Polygon>",
         coordinates(placed, &closed, true)
     );
 }

@@ -5,7 +5,8 @@ use crate::exchange::frames::{Frame, wrapped};
 use crate::exchange::trajectory::instant::Instant;
 use std::fmt::Write;
 
-const HEADER: &str = "timestamp,position[0],position[1],position[2],velocity[0],velocity[1],velocity[2],acceleration[0],acceleration[1],acceleration[2],jerk[0],jerk[1],jerk[2],yaw,yawspeed";
+const HEADER: &str = "timestamp,position[0],position[1],position[2],velocity[0],velocity[1],velocity[2],\
+                      acceleration[0],acceleration[1],acceleration[2],jerk[0],jerk[1],jerk[2],yaw,yawspeed";
 
 /// Microseconds since the start, then float32: position (m), velocity, acceleration, jerk in north, east, down; yaw
 /// (rad, clockwise from north, between -pi and pi) and its rate.

@@ -18,6 +18,13 @@ pub fn section(mission: &Mission, planner: &PlannerRecord) -> Option<Section> {
     let left_out = limited.len().saturating_sub(MOST_ROWS);
     let most = limited.iter().flat_map(|leg| leg.statements.iter().map(move |statement| (leg, statement)));
     let (leg, first) = most.max_by(|a, b| a.1.time_saved_s.total_cmp(&b.1.time_saved_s))?;
+    let headline = format!(
+        "Leg {}: relaxing {} by {} would save the most, {} s",
+        leg.label(),
+        first.statement,
+        first.relaxed_by,
+        significant(first.time_saved_s, 2)
+    );
     let heads = [table::words("Leg"), numbers("Time", "s"), table::words("Limited by")];
     let caption = Some(html! { (unbroken(HEADLINE)) });
     let frame = Frame { label: "Table of what limits the time", caption, ..Frame::default() };
@@ -31,7 +38,7 @@ pub fn section(mission: &Mission, planner: &PlannerRecord) -> Option<Section> {
         }
     };
     let body = html! {
-        h2 { (unbroken(&format!("Leg {}: relaxing {} by {} would save the most, {} s", leg.label(), first.statement, first.relaxed_by, significant(first.time_saved_s, 2)))) }
+        h2 { (unbroken(&headline)) }
         (table(frame, &heads, rows))
         @for note in notes(mission) { p.note { (unbroken(&note)) } }
         @if left_out > 0 { p.note { (left_out) " more legs are omitted here; " code { "--report" } " lists all." } }

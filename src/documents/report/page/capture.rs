@@ -222,7 +222,8 @@ fn table(captures: &CaptureRecord, exposed: &[ExposedRecord]) -> Markup {
                     tr {
                         th scope="col" { "Mode" }
                         @for case in modes.first().map_or(&[][..], |of| of) {
-                            th.n scope="col" { "At" br; span.unit { (unbroken(&format!("{} m/s", significant(case.speed_m_per_s, 3)))) } }
+                            @let speed = format!("{} m/s", significant(case.speed_m_per_s, 3));
+                            th.n scope="col" { "At" br; span.unit { (unbroken(&speed)) } }
                         }
                         th.n scope="col" { "Too low" br; span.unit { "s" } }
                         th.n scope="col" { "By up to" br; span.unit { "m" } }

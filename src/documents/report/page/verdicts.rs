@@ -95,7 +95,9 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     html! {
         h2 { (headline(analyses)) }
         (table::table(frame, &heads, html! { @for row in &rows { (cells(model, row, columns)) } }))
-        @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are omitted here; " code { "mavc analyze" } " lists all." } }
+        @if order.len() > rows.len() {
+            p.note { (order.len() - rows.len()) " more modes are omitted here; " code { "mavc analyze" } " lists all." }
+        }
         (terms("modes-terms", meanings(columns, analyses)))
     }
 }

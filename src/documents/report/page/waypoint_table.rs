@@ -25,7 +25,9 @@ pub fn section(planner: &PlannerRecord) -> Option<Section> {
     let body = html! {
         h2 { (unbroken(&headline(waypoints))) }
         (table(frame, &heads, html! { @for w in waypoints.iter().take(MOST_ROWS) { (row(w)) } }))
-        @if left_out > 0 { p.note { (left_out) " more waypoints are omitted here; " code { "--report" } " lists all." } }
+        @if left_out > 0 {
+            p.note { (left_out) " more waypoints are omitted here; " code { "--report" } " lists all." }
+        }
     };
     (!waypoints.is_empty()).then(|| Section::new("waypoints", "Waypoints", body))
 }

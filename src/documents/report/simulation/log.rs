@@ -64,7 +64,8 @@ impl Log {
     /// The names of the columns.
     pub fn header(rotors: usize) -> String {
         let mut csv = String::from(
-            "t,x,y,z,vx,vy,vz,roll,pitch,yaw,p,q,r,x_ref,y_ref,z_ref,yaw_ref,error,heading_error,tilt,thrust,tau_x,tau_y,tau_z,thrust_cmd,tau_x_cmd,tau_y_cmd,tau_z_cmd",
+            "t,x,y,z,vx,vy,vz,roll,pitch,yaw,p,q,r,x_ref,y_ref,z_ref,yaw_ref,error,heading_error,tilt,\
+             thrust,tau_x,tau_y,tau_z,thrust_cmd,tau_x_cmd,tau_y_cmd,tau_z_cmd",
         );
         for name in ["omega", "theta", "believed"] {
             (1..=rotors).for_each(|k| csv.push_str(&format!(",{name}_{k}")));

@@ -97,8 +97,8 @@ impl Setting<'_> {
         self.all_selecting(&claim.selected_by, without_yaw)
     }
 
-    /// The motions of `records`, after checking that each is a plan. There may be none: a claim that there is no plan may
-    /// select no facets.
+    /// The motions of `records`, after checking that each is a plan. There may be none: a claim that there is no plan
+    /// may select no facets.
     pub(in crate::proof::verify) fn selected_by(
         &self,
         records: &[MotionRecord],
