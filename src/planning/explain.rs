@@ -3,6 +3,7 @@
 //!
 //! Whether statements can hold together is decided by an [`Oracle`], the only interface to planners here.
 
+mod bound;
 pub mod diagnose;
 mod filter;
 mod grid;
@@ -49,6 +50,9 @@ pub struct Conflict {
     pub time: f64,
     /// None of them fixes the mission time: `time` is a time that is long for the mission.
     pub time_is_free: bool,
+    /// Where a lower bound on the time is the proof: the least time of motions that keep all statements, s, which is
+    /// above the required time and would not be without any one of them.
+    pub least_time: Option<f64>,
 }
 
 impl Conflict {
@@ -72,8 +76,12 @@ pub struct Explanation {
 ///
 /// Algorithm: the deletion filter of J. W. Chinneck, *Feasibility and Infeasibility in Optimization* (2008), over the
 /// statements of a spec: statements without rows first, the others by increasing weight in the multipliers that prove
-/// the remaining statements infeasible.
+/// the remaining statements infeasible. Where a lower bound on the time excludes the required time, the bound is asked
+/// in place of the oracle, and no change is sought.
 pub fn explain(problem: Problem, oracle: &mut dyn Oracle) -> Option<Explanation> {
+    if let Some(explanation) = bound::too_short(problem) {
+        return Some(explanation);
+    }
     let [most_questions, most_tries] = match problem.model().plan.model {
         PlanModel::Hover => [MOST_QUESTIONS, MOST_TRIES],
         PlanModel::Exact => MOST_ATTEMPTS,

@@ -27,6 +27,9 @@ pub struct ConflictRecord {
     pub time_s: f64,
     /// Whether none of the statements fixes the mission time; `time_s` is then a time that is long for the mission.
     pub time_is_free: bool,
+    /// Where a lower bound on the time is the proof: the least time of motions that keep all statements, s; otherwise
+    /// null. Without any one of the statements this bound is not above the required time.
+    pub least_time_s: Option<f64>,
     /// In the order of flight, then limits, modes, reserve and time.
     #[cfg_attr(test, schemars(length(min = 1)))]
     pub statements: Vec<StatementRecord>,
@@ -123,6 +126,7 @@ impl ConflictRecord {
             irreducible: conflict.irreducible,
             time_s: conflict.time,
             time_is_free: conflict.time_is_free,
+            least_time_s: conflict.least_time,
             statements: conflict.statements.iter().map(statement).collect(),
             fixes: explanation.fixes.iter().map(fix).collect(),
             searches: explanation.questions,

@@ -104,6 +104,13 @@ fn headline(explanation: &Explanation, places: usize, problem: Problem) -> Strin
 }
 
 fn help(explanation: &Explanation, problem: Problem, sources: &SourceMap) -> String {
+    if let (Some(least), Some(required)) = (explanation.conflict.least_time, required_time(problem)) {
+        let [least, required] = [least, required].map(number);
+        return format!(
+            "no motion that keeps these statements takes less than {least} s, and without any one of them this bound \
+             is not above {required} s; `time = minimum` asks for the shortest time"
+        );
+    }
     let mut fixes = explanation.fixes.iter().map(|fix| fix.change.instruction(problem, sources));
     let changes = match (fixes.next(), fixes.next()) {
         (None, _) if explanation.conflict.statements.len() == 1 => {

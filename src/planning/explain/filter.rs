@@ -51,8 +51,16 @@ pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Opt
     let kept: Vec<Statement> = statements.iter().copied().filter(|s| !left_out.contains(s)).collect();
     let variant = questions.variant(&left_out);
     let (time, time_is_free) = questions.time_of(Problem::of(&variant)?);
-    let conflict =
-        Conflict { statements: kept, proved, only_for_selection, only_for_samples, irreducible, time, time_is_free };
+    let conflict = Conflict {
+        statements: kept,
+        proved,
+        only_for_selection,
+        only_for_samples,
+        irreducible,
+        time,
+        time_is_free,
+        least_time: None,
+    };
     (!conflict.statements.is_empty()).then_some(conflict)
 }
 

@@ -1,8 +1,8 @@
 //! Mission times close to the required one at which the planner finds a plan after it found none at that time. If there
-//! is one, no statement of the spec is blamed.
+//! is one, no statement of the spec is blamed. The searches are quick ones whatever the spec's effort.
 
 use crate::certify;
-use crate::model::{MissionTime, Problem};
+use crate::model::{MissionTime, Problem, SearchEffort};
 use crate::motion::time_grid::determined;
 use crate::planner::scp::NOT_FOUND;
 use crate::planner::studies::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, Scope, compare};
@@ -47,6 +47,7 @@ pub fn nearby(problem: Problem, comparison: &Comparison, on_progress: &dyn Fn(f6
     let mut plan_at = |time: MissionTime| {
         let mut other = problem.model().clone();
         other.plan.time = time;
+        other.plan.effort = SearchEffort::Quick;
         let other = Problem::of(&other)?;
         let mut found = compare(other, Scope::Plan, None);
         effort += found.effort;

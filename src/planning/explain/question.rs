@@ -2,7 +2,7 @@
 
 use super::oracle::{Answer, Oracle};
 use super::statement::Statement;
-use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem};
+use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem, SearchEffort};
 use crate::motion::time_grid::{determined, earliest};
 use crate::planner::scp::ScpSettings;
 use std::collections::{BTreeMap, BTreeSet};
@@ -77,9 +77,10 @@ impl<'a> Questions<'a> {
         }
     }
 
-    /// The spec with some statements left out.
+    /// The spec with some statements left out, for quick searches.
     pub fn variant(&self, left_out: &BTreeSet<Statement>) -> Model {
         let mut model = self.problem.model().clone();
+        model.plan.effort = SearchEffort::Quick;
         left_out.iter().for_each(|s| s.leave_out(&mut model));
         model
     }

@@ -8,6 +8,7 @@ use super::statement::Statement;
 use crate::admissible::diagnose::diagnose;
 use crate::diagnostic::Severity;
 use crate::model::{Limit, LimitKind, MissionTime, Model, Problem};
+use std::collections::BTreeSet;
 
 /// A change to a spec. Numbers are SI and have two significant digits in the unit of the spec.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -203,7 +204,7 @@ fn less(statement: Statement) -> Option<Change> {
 
 /// Tries one change.
 fn attempt(questions: &mut Questions, change: Change) -> Option<Fix> {
-    let mut model = questions.problem.model().clone();
+    let mut model = questions.variant(&BTreeSet::new());
     change.apply(&mut model);
     if matches!(change, Change::Mass(_)) && diagnose(&model).iter().any(|d| d.severity == Severity::Error) {
         return None;

@@ -91,8 +91,60 @@ impl Widening {
 /// A violation of one unit of a distance from a body, m.
 const CLEARANCE_UNIT: f64 = 1.0;
 
-/// A violation of one unit of a yaw that follows from the motion, rad.
-const HEADING_UNIT: f64 = 1.0;
+/// A yaw that follows a vector, by the parts of that vector ahead and to the left of the vehicle: these change little
+/// where a short vector turns far, as the angle between both does not.
+struct FollowedYaw {
+    ahead: f64,
+    aside: f64,
+    /// The tangent of the largest angle.
+    tan: f64,
+    /// The length below which nothing is required.
+    least: f64,
+    /// A violation of one unit, m or m/s.
+    unit: f64,
+}
+
+/// Where the direction is not required, the vector stays below this share of the least length.
+const PAUSED: f64 = 0.999;
+
+/// About rest both conditions hold, and the cone is too narrow for a step's margin: below this width, m or m/s, a step
+/// keeps the vector short. Chosen by hand.
+const SHORT: f64 = 1e-3;
+
+/// Angles up to which a yaw may differ from the direction are treated as at most this, rad.
+const WIDEST: f64 = 1.4;
+
+impl FollowedYaw {
+    fn of(target: Target, upper: f64, state: &NodeState) -> FollowedYaw {
+        let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| state[axis][order]));
+        let [x, y] = target.vector(position, velocity);
+        let (sin, cos) = state[YAW][0].sin_cos();
+        FollowedYaw {
+            ahead: x * cos + y * sin,
+            aside: y * cos - x * sin,
+            tan: upper.min(WIDEST).tan(),
+            least: target.least(),
+            unit: x.hypot(y).max(1.0),
+        }
+    }
+
+    /// By how much the vector is outside the cone about the yaw, and by how much it is too long for no direction to be
+    /// required: one of the two has to be negative.
+    fn beyond(&self) -> [f64; 2] {
+        [self.aside.abs() - self.tan * self.ahead, self.ahead.hypot(self.aside) - PAUSED * self.least]
+    }
+
+    fn violation(&self) -> f64 {
+        let [follow, pause] = self.beyond();
+        follow.min(pause) / self.unit
+    }
+
+    /// Whether a step keeps the vector short, and not in the cone.
+    fn is_paused(&self) -> bool {
+        let [follow, pause] = self.beyond();
+        follow > -SHORT && pause < follow
+    }
+}
 
 /// A violation of one unit of a direction of arrival, m/s.
 const ARRIVAL_UNIT: f64 = 1.0;
@@ -207,25 +259,35 @@ impl Transcription<'_> {
             (_, LimitKind::Heading(target), Some(upper)) if self.plans(YAW) => {
                 let near = self.states.filter(|_| instant.is_multiple_of(self.parts));
                 let Some(near) = near.and_then(|states| states.get(instant / self.parts)) else { return };
-                let [position, velocity] = [0, 1].map(|order| [X, Y].map(|axis| near[axis][order]));
-                let Some([x, y]) = target.direction(position, velocity) else { return };
-                let Some(off) = target.error(position, velocity, near[YAW][0]) else { return };
-                let mut error = self.derivative(instant, YAW, 0).plus_constant(off - near[YAW][0]);
-                // The direction of (x, y) turns by (x dy - y dx) / (x^2 + y^2); towards a point, (x, y) is that minus
-                // the position.
-                let (order, from, sign) = match target {
-                    Target::Towards { .. } => (0, position, 1.0),
-                    Target::AlongPath => (1, velocity, -1.0),
+                let heading = FollowedYaw::of(*target, upper, near);
+                let (order, sign) = match target {
+                    Target::Towards { .. } => (0, -1.0),
+                    Target::AlongPath => (1, 1.0),
                 };
-                let square = x * x + y * y;
-                for (axis, from, weight) in [(X, from[0], -y), (Y, from[1], x)] {
-                    let change = self.derivative(instant, axis, order).plus_constant(-from);
-                    error.add(&change, sign * weight / square);
+                // The vector, of which the target's point is the constant.
+                let constant = target.vector([0.0; 2], [0.0; 2]);
+                let vector: Vec<Affine> = [X, Y]
+                    .iter()
+                    .zip(constant)
+                    .map(|(&axis, constant)| self.derivative(instant, axis, order).times(sign).plus_constant(constant))
+                    .collect();
+                if heading.is_paused() {
+                    let mut reach = widening.bound(PAUSED * target.least(), order, 1.0);
+                    reach.add(&widening.share, heading.unit);
+                    return cone(reach, vector);
                 }
+                let turn = self.derivative(instant, YAW, 0).plus_constant(-near[YAW][0]);
+                let (sin, cos) = near[YAW][0].sin_cos();
+                let mut ahead = vector[0].clone().times(cos);
+                ahead.add(&vector[1], sin);
+                ahead.add(&turn, heading.aside);
+                let mut aside = vector[1].clone().times(cos);
+                aside.add(&vector[0], -sin);
+                aside.add(&turn, -heading.ahead);
                 for side in [1.0, -1.0] {
-                    let mut row = Affine::constant(upper);
-                    row.add(&widening.share, HEADING_UNIT);
-                    row.add(&error, side);
+                    let mut row = ahead.clone().times(heading.tan);
+                    row.add(&widening.share, heading.unit);
+                    row.add(&aside, side);
                     builder.nonnegative(row, origin);
                 }
             }
@@ -253,13 +315,16 @@ impl Transcription<'_> {
         covers_interval(limit, &self.grid.waypoint_nodes, interval)
     }
 
-    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion with an acceleration g
-    /// may move away from the line through two neighbouring instants, `g delta^2 / 8` with delta the time between them.
-    pub(super) fn room(&self, instant: usize) -> f64 {
+    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion like this state's may move
+    /// away from the line through two neighbouring instants, `a delta^2 / 8` with delta the time between them and a its
+    /// acceleration within delta, at most g.
+    pub(super) fn room(&self, instant: usize, state: &NodeState) -> f64 {
         let interval = (instant / self.parts).min(self.grid.intervals() - 1);
         let times = &self.grid.node_times;
         let apart = (times[interval + 1] - times[interval]) / self.parts as f64;
-        self.model.gravity * apart * apart / 4.0
+        let size = |order: usize| [X, Y, Z].iter().map(|&axis| state[axis][order].powi(2)).sum::<f64>().sqrt();
+        let acceleration = size(2) + apart * (size(3) + 0.5 * apart * size(4));
+        acceleration.min(self.model.gravity) * apart * apart / 4.0
     }
 
     /// Whether the jerk along z is the slope of an input, constant over an interval, and not a state.
@@ -313,9 +378,7 @@ impl Transcription<'_> {
                 share(aside - upper.tan() * ahead, ARRIVAL_UNIT)
             }
             (_, LimitKind::Heading(target), Some(upper)) if self.plans(YAW) => {
-                let velocity = [state[X][1], state[Y][1]];
-                let error = target.error([position[0], position[1]], velocity, state[YAW][0]);
-                error.map_or(f64::NEG_INFINITY, |error| share(error.abs() - upper, HEADING_UNIT))
+                FollowedYaw::of(*target, upper, state).violation() - sigma
             }
             (_, LimitKind::Clearance(obstacle), None) if self.plans(X) => {
                 let short = limit.lower.map(|lower| lower - obstacle.body.separation(position).distance);

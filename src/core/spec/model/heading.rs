@@ -26,14 +26,26 @@ pub enum Target {
 }
 
 impl Target {
-    /// The vector (x, y) whose direction is followed, for a position (m) and a velocity (m/s); `None` where none is
-    /// required.
+    /// The vector (x, y) whose direction is followed, for a position (m) and a velocity (m/s).
+    pub fn vector(&self, position: [f64; 2], velocity: [f64; 2]) -> [f64; 2] {
+        match self {
+            Target::Towards { point, .. } => [point[0] - position[0], point[1] - position[1]],
+            Target::AlongPath => velocity,
+        }
+    }
+
+    /// The length from which on the vector's direction is required, m or m/s.
+    pub fn least(&self) -> f64 {
+        match self {
+            Target::Towards { nearest, .. } => *nearest,
+            Target::AlongPath => SLOWEST,
+        }
+    }
+
+    /// The vector where its direction is required.
     pub fn direction(&self, position: [f64; 2], velocity: [f64; 2]) -> Option<[f64; 2]> {
-        let (vector, least) = match self {
-            Target::Towards { point, nearest } => ([point[0] - position[0], point[1] - position[1]], *nearest),
-            Target::AlongPath => (velocity, SLOWEST),
-        };
-        (vector[0].hypot(vector[1]) >= least).then_some(vector)
+        let vector = self.vector(position, velocity);
+        (vector[0].hypot(vector[1]) >= self.least()).then_some(vector)
     }
 
     /// By how much a yaw is off that direction, from -pi to pi, rad.

@@ -119,7 +119,10 @@ impl Transcription<'_> {
         let widening = |instant: usize, tightening: f64| {
             let free = violation.clone().plus_constant(-margin - tightening);
             let change = self.duration_change(self.leg_of(instant));
-            Widening::by(&free).with_duration_change(&change).with_room(self.room(instant))
+            let first = instant / self.parts;
+            let beside = step.from[first..].iter().take(2);
+            let room = beside.map(|state| self.room(instant, state)).fold(0.0, f64::max);
+            Widening::by(&free).with_duration_change(&change).with_room(room)
         };
         let mut places = Vec::with_capacity(chosen.len());
         for (&RowAt { row, instant }, &local) in chosen.iter().zip(step.local_tightening) {

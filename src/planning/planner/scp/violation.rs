@@ -85,7 +85,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let local_tightening = self.local_tightening.get(&instant);
         let at = move |place: usize| local_tightening.and_then(|b| b.get(&place)).copied().unwrap_or(0.0);
         // Half of the room that rows keep: it covers what a motion does between instants.
-        let room = form.room(instant);
+        let room = form.room(instant, state);
         let of_volume = move |place: usize| 0.5 * self.limit_at(place).map_or(0.0, |limit| room_of(limit, room));
         let with_its_own = move |(place, violation)| (place, violation + at(place) + of_volume(place));
         let holds = move |limit: &Limit| form.covers(limit, instant);

@@ -13,8 +13,8 @@ use crate::solve::Effort;
 
 impl Setting<'_> {
     /// RIP's plan at one mission time, s. The initial guess is `rcp`, if given. Where candidates are shared and no plan
-    /// is found, the next initial guesses are the joint RCP's plan at that time, whose set lies inside RIP's, and the
-    /// plan at RIP's shortest time (`own`, or a new search) if that is no longer.
+    /// is found, the next initial guesses are the plan at RIP's shortest time (`own`) if that is no longer, and with
+    /// `effort = thorough` the joint RCP's plan at that time, whose set lies inside RIP's.
     pub(super) fn rip_at(
         &self,
         name: &str,
@@ -22,29 +22,29 @@ impl Setting<'_> {
         rcp: Option<&Planned>,
         own: Option<&Planned>,
     ) -> (Decision, Effort) {
-        let set = &self.sets.rip;
-        let rip = |guess: Option<&Planned>| self.at(name, set, time, WorkingSet::default(), guess.as_slice());
+        let rip =
+            |guess: Option<&Planned>| self.at(name, &self.sets.rip, time, WorkingSet::default(), guess.as_slice());
         let (mut decision, mut effort) = rip(rcp);
         let is_open = |decision: &Decision| self.shares_candidates() && matches!(decision, Decision::Inconclusive(_));
-        if is_open(&decision) && rcp.is_none() && !self.sets.names.is_empty() {
+        if let Some(own) = own.filter(|plan| plan.grid.total <= time && is_open(&decision)) {
+            let (found, spent) = rip(Some(own));
+            effort += spent;
+            decision = found;
+        }
+        if is_open(&decision) && rcp.is_none() && self.is_thorough() && !self.sets.names.is_empty() {
             let (joint, spent) = self.at("RCP", &self.sets.joint, time, WorkingSet::default(), &[]);
             effort += spent;
             if let Some(rcp) = joint.planned() {
-                let (again, spent) = rip(Some(rcp));
+                let (found, spent) = rip(Some(rcp));
                 effort += spent;
-                decision = again;
+                decision = found;
             }
         }
-        if !is_open(&decision) {
-            return (decision, effort);
-        }
-        let searched = own.is_none().then(|| self.search(name, set, Hint::default(), WorkingSet::default()));
-        effort += searched.as_ref().map_or(Effort::default(), |found| found.effort);
-        let own = own.or(searched.as_ref().and_then(Found::planned)).filter(|plan| plan.grid.total <= time);
-        let Some(own) = own else { return (decision, effort) };
-        let (found, spent) = rip(Some(own));
-        effort += spent;
-        (found, effort)
+        (decision, effort)
+    }
+
+    fn is_thorough(&self) -> bool {
+        self.model().plan.effort == SearchEffort::Thorough
     }
 
     /// The joint RCP's plan as an initial guess at T_d: only if T_d is its own time and not one that the spec fixes.
@@ -63,8 +63,7 @@ impl Setting<'_> {
     /// where its plan is shorter RIP starts from it again.
     pub(super) fn rip_own(&self) -> Found {
         let mut rip = self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
-        let is_thorough = self.model().plan.effort == SearchEffort::Thorough;
-        if !is_thorough || !self.shares_candidates() || self.sets.names.is_empty() {
+        if !self.is_thorough() || !self.shares_candidates() || self.sets.names.is_empty() {
             return rip;
         }
         let joint = self.search("RCP", &self.sets.joint, Hint::default(), WorkingSet::default());

@@ -5,6 +5,7 @@ use crate::model::Heading;
 use crate::motion::{X, Y, YAW, Z};
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
+use std::f64::consts::PI;
 
 impl Transcription<'_> {
     /// Exact steps under first-order hold: with m = r - i,
@@ -83,9 +84,15 @@ impl Transcription<'_> {
                 }
                 builder.cone(cone, RowOrigin::Waypoint { waypoint });
             }
-            if self.plans(YAW) && w.heading == Heading::Given && w.yaw_within < UNBOUNDED {
+            // The yaw of a start that follows from the motion is not whole turns away from where yaws are counted.
+            let (within, wider) = match (w.heading, waypoint) {
+                (Heading::Given, _) => (w.yaw_within, w.yaw_within / w.within),
+                (_, 0) => (PI, 0.0),
+                _ => (UNBOUNDED, 0.0),
+            };
+            if self.plans(YAW) && within < UNBOUNDED {
                 for sign in [1.0, -1.0] {
-                    let mut row = slack.clone().times(w.yaw_within / w.within).plus_constant(w.yaw_within);
+                    let mut row = slack.clone().times(wider).plus_constant(within);
                     row.add(&self.at_node(node, YAW, 0).plus_constant(-w.yaw), sign);
                     builder.nonnegative(row, RowOrigin::WaypointYaw { waypoint });
                 }
