@@ -1,12 +1,12 @@
 #![doc = include_str!("lib.md")]
 
-pub mod answers;
+mod answers;
 pub mod cancel;
-pub mod documents;
-pub mod flights;
-pub mod front;
-pub mod physics;
-pub mod planning;
+mod documents;
+mod flights;
+mod front;
+mod physics;
+mod planning;
 
 pub use answers::{builder, observer, pipeline};
 pub use documents::{exchange, import, report};
@@ -44,3 +44,20 @@ pub const MISSION_TEMPLATES: [(&str, &str); 4] = [
     ("survey", include_str!("template/survey.mav")),
     ("room", include_str!("template/room.mav")),
 ];
+
+#[cfg(test)]
+mod tests {
+    use crate::documents::schemas::check;
+    use crate::report::{analysis_record, campaign_record, model_record, record, simulation};
+
+    /// With `MAVC_UPDATE=1` they are written anew.
+    #[test]
+    fn the_schemas_of_the_records_are_current() {
+        check::<analysis_record::AnalysisRecord<crate::pipeline::Flip>>("analyze", "mavc analyze --format json");
+        check::<crate::pipeline::Program>("qp", "mavc emit qp --format json");
+        check::<model_record::ModelRecord>("model", "mavc emit model --format json");
+        check::<record::Record>("report", "mavc plan --report, mavc compare --report");
+        check::<simulation::FlightRecord>("simulate", "mavc simulate --report");
+        check::<campaign_record::CampaignRecord>("campaign", "mavc campaign --report");
+    }
+}

@@ -5,7 +5,7 @@ use super::judgement::{STATEMENTS, agrees_if, differs, listed, statement};
 use super::markdown::{fixed, table};
 use super::specs;
 use mavc::admissible::allocation::Allocator;
-use mavc::admissible::verdict::{ModeAnalysis, Verdict, analyze_all};
+use mavc::admissible::verdict::{HoverVerdict, ModeAnalysis, analyze_all};
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::model::Model;
 
@@ -33,7 +33,7 @@ impl Studied {
     }
 
     fn tolerates_every_single(&self) -> bool {
-        self.losing(1).all(|m| m.verdict == Verdict::Controllable)
+        self.losing(1).all(|m| m.verdict == HoverVerdict::Controllable)
     }
 
     fn smallest_single_margin(&self) -> f64 {
@@ -122,7 +122,7 @@ fn empty(octos: &[Studied; 2]) -> Vec<String> {
 fn hexacopters(hexas: &[Studied; 2]) -> Vec<String> {
     let described = hexas.iter().map(|h| {
         let failing: Vec<String> =
-            h.losing(1).filter(|m| m.verdict != Verdict::Controllable).map(|m| m.name.clone()).collect();
+            h.losing(1).filter(|m| m.verdict != HoverVerdict::Controllable).map(|m| m.name.clone()).collect();
         let reach = match failing.as_slice() {
             [] => "hover reachable after every loss".to_string(),
             some => format!("hover not reachable after {}", listed(some)),
@@ -150,7 +150,7 @@ fn octocopters(octos: &[Studied; 2]) -> Vec<String> {
     )
 }
 
-/// Which layout tolerates more double faults depends on the mass alone, and changes only at a mode's heaviest mass.
+/// Which layout tolerates more double faults depends on the mass alone, and changes only at a mode's largest mass.
 fn preferred([alternating, paired]: &[Studied; 2]) -> Vec<String> {
     let better = |mass: f64| paired.tolerated_at(mass) > alternating.tolerated_at(mass);
     let mut bounds: Vec<f64> =
@@ -158,7 +158,7 @@ fn preferred([alternating, paired]: &[Studied; 2]) -> Vec<String> {
     bounds.push(0.0);
     bounds.sort_by(f64::total_cmp);
     let mut ranges: Vec<[f64; 2]> = Vec::new();
-    // There is no range between heaviest masses that differ by rounding alone.
+    // There is no range between largest masses that differ by rounding alone.
     for pair in bounds.windows(2).filter(|p| p[1] - p[0] > 1e-9 && better(0.5 * (p[0] + p[1]))) {
         match ranges.last_mut() {
             Some(last) if pair[0] - last[1] <= 1e-9 => last[1] = pair[1],

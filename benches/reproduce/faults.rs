@@ -6,8 +6,8 @@ use super::markdown::{as_printed, fixed, none, paragraph, table, vector};
 use super::paper_faults::{Row, TABLES, Table};
 use super::specs;
 use mavc::admissible::AdmissibleSet;
-use mavc::admissible::edge::{EDGE, Place};
-use mavc::admissible::verdict::{ModeAnalysis, Verdict, analyze_all};
+use mavc::admissible::edge::{EDGE, HoverPlace};
+use mavc::admissible::verdict::{HoverVerdict, ModeAnalysis, analyze_all};
 use mavc::model::{Model, Spread, YawDrag};
 
 /// One unit of the paper's last digit, and rounding.
@@ -126,7 +126,7 @@ fn two_matrices(paper: &Table, geometry: &Study, printed: &Study) -> String {
 /// How many faults lose control, and how many lose hover altogether.
 fn totals<'a>(paper: &Table, of: &dyn Fn(&Row) -> &'a ModeAnalysis) -> String {
     let rows = paper.rows.len();
-    let compared = |lost: &dyn Fn(Verdict) -> bool| {
+    let compared = |lost: &dyn Fn(HoverVerdict) -> bool| {
         let printed = paper.rows.iter().filter(|r| lost(paper_verdict(r))).count();
         let here = paper.rows.iter().filter(|r| lost(of(r).verdict)).count();
         let share = |n: usize| format!("{n} of {rows} ({:.0} %)", 100.0 * n as f64 / rows as f64);
@@ -135,19 +135,19 @@ fn totals<'a>(paper: &Table, of: &dyn Fn(&Row) -> &'a ModeAnalysis) -> String {
     };
     paragraph(&format!(
         "Control lost: {} Unstable: {}",
-        compared(&|v| v != Verdict::Controllable),
-        compared(&|v| v == Verdict::Unstable)
+        compared(&|v| v != HoverVerdict::Controllable),
+        compared(&|v| v == HoverVerdict::Unstable)
     ))
 }
 
 /// Zeros with tau_z: controllable; zeros without: stabilizable. Table 1 prints no second residual, and the text
 /// calls its rows stabilizable.
-fn paper_verdict(row: &Row) -> Verdict {
+fn paper_verdict(row: &Row) -> HoverVerdict {
     let zero = |v: &[f64]| v.iter().all(|&x| x == 0.0);
     match row.yaw_free {
-        _ if zero(&row.full) => Verdict::Controllable,
-        Some(e) if !zero(&e) => Verdict::Unstable,
-        _ => Verdict::Stabilizable,
+        _ if zero(&row.full) => HoverVerdict::Controllable,
+        Some(e) if !zero(&e) => HoverVerdict::Unstable,
+        _ => HoverVerdict::Stabilizable,
     }
 }
 
@@ -184,7 +184,7 @@ fn other_verdict(row: &Row, found: &ModeAnalysis, model: &Model, printed_twelve:
         reason +=
             "; the verdict matches (12) with its third row as printed, in which rotors 2 and 6, and 3 and 5, coincide";
     }
-    if found.verdict == Verdict::Controllable {
+    if found.verdict == HoverVerdict::Controllable {
         if let Some((mass, left)) = mass_that_leaves(model, row.rotors, norm(&row.full)) {
             let apart = |sign: f64| row.full.iter().zip(&left).map(|(p, l)| (sign * p - l).abs()).fold(0.0, f64::max);
             // Rounding alone: a whole unit is as long as these vectors.
@@ -225,8 +225,10 @@ fn judged_numbers(row: &Row, found: &ModeAnalysis) -> String {
         }
     }
     let remark = match (found.hover, found.verdict) {
-        (Place::OnEdge, Verdict::Controllable) => "; hover lies on the boundary, which Du and Quan call uncontrollable",
-        (Place::OnEdge, Verdict::Stabilizable) => "; without tau_z hover lies on the boundary",
+        (HoverPlace::OnEdge, HoverVerdict::Controllable) => {
+            "; hover lies on the boundary, which Du and Quan call uncontrollable"
+        }
+        (HoverPlace::OnEdge, HoverVerdict::Stabilizable) => "; without tau_z hover lies on the boundary",
         _ => "",
     };
     let misprint = match row.rotors {

@@ -28,7 +28,7 @@ def analysis(found: Analysis) -> str:
     rows = (
         (mode.name, mode.verdict, mode.hover, _figure(mode.acai), _figure(mode.critical_mass)) for mode in found.modes
     )
-    names = ("mode", "verdict", "hover", "control authority, N m", "heaviest mass, kg")
+    names = ("mode", "verdict", "hover", "control authority, N m", "largest mass, kg")
     return _table(f"{found.vehicle}: {found.survived} of {len(found.faults)} faults survived", names, rows)
 
 

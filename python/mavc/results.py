@@ -54,7 +54,7 @@ class Mode:
     """The available control authority index, N m; its sign decides. NaN where the set has no interior."""
     acai_yaw_free: float
     critical_mass: float
-    """The heaviest mass that hovers, kg; NaN if none does."""
+    """The largest mass that hovers, kg; NaN if none does."""
     least_mass: float
     headroom: dict[str, tuple[float, float]] | None
     """How far thrust (N) and torques (N m) reach below and above hover."""

@@ -2,7 +2,7 @@
 
 use crate::job::detached;
 use crate::{Arguments, Value, object};
-use mavc::builder::{Builder, Problem, Value as Field};
+use mavc::builder::{BuildProblem, Builder, Value as Field};
 use mavc::language::{Entry, Group, Takes};
 use mavc::unit::parse_unit;
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -71,7 +71,7 @@ pub fn build(arguments: Arguments) -> Value {
         let text = builder.text();
         (text, builder.build().err().map_or(Vec::new(), |error| error.problems))
     })?;
-    let tuple = |Problem { field, code, message, label, help }: Problem| (field, code, message, label, help);
+    let tuple = |BuildProblem { field, code, message, label, help }: BuildProblem| (field, code, message, label, help);
     object(arguments.py(), (text, problems.into_iter().map(tuple).collect::<Vec<_>>()))
 }
 

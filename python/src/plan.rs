@@ -8,7 +8,7 @@ use crate::{Arguments, Value, object};
 use mavc::certify::between::Between;
 use mavc::diagnostic::{Diagnostic, sort};
 use mavc::pipeline::{Explained, NoFlight, Planning, Refusal, Task, certify};
-use mavc::report::page::{self, Kind, Subject};
+use mavc::report::page::{self, PageKind, Subject};
 use mavc::report::record::Record;
 use mavc::report::trajectory_csv;
 use mavc::source::SourceMap;
@@ -193,7 +193,7 @@ fn page_of(planned: &Planned) -> Result<String, String> {
     let record = task.report(&done.planning, &done.explained, done.between.clone());
     let subject = Subject { problem: task.problem(), sources: spec.sources(), diagnostics: &shown };
     let curves = task.capture_curves(&done.planning);
-    Ok(page::plans(Kind::Plan, &subject, done.planning.comparison(), &record, &curves))
+    Ok(page::plans(PageKind::Plan, &subject, done.planning.comparison(), &record, &curves))
 }
 
 /// `table(plan, job, rate)`: the trajectory with rows at a rate, Hz.

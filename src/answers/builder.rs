@@ -58,7 +58,7 @@ pub struct Builder {
     simulate: Vec<Line>,
     campaign: Vec<Line>,
     waypoints: usize,
-    problems: Vec<Problem>,
+    problems: Vec<BuildProblem>,
 }
 
 /// A statement, with the call of the builder that it comes from.
@@ -66,7 +66,7 @@ pub struct Builder {
 struct Line {
     path: String,
     text: String,
-    /// The call has a [`Problem`] already; what the compiler finds in its line is not reported again.
+    /// The call has a [`BuildProblem`] already; what the compiler finds in its line is not reported again.
     is_reported: bool,
 }
 
@@ -105,70 +105,29 @@ pub enum Value {
     Points(Vec<[f64; 2]>),
 }
 
-impl From<f64> for Value {
-    fn from(number: f64) -> Self {
-        Value::Number(number)
-    }
+/// Values of other types, each with the expression that makes a [`Value`] of `given`.
+macro_rules! values {
+    ($($type:ty $([$n:ident])? => |$given:ident| $value:expr;)*) => {$(
+        impl $(<const $n: usize>)? From<$type> for Value {
+            fn from($given: $type) -> Self {
+                $value
+            }
+        }
+    )*};
 }
 
-impl From<i32> for Value {
-    fn from(number: i32) -> Self {
-        Value::Number(number.into())
-    }
-}
-
-impl From<u32> for Value {
-    fn from(number: u32) -> Self {
-        Value::Number(number.into())
-    }
-}
-
-impl From<usize> for Value {
-    fn from(number: usize) -> Self {
-        Value::Number(number as f64)
-    }
-}
-
-impl From<[f64; 3]> for Value {
-    fn from(vector: [f64; 3]) -> Self {
-        Value::Vector(vector)
-    }
-}
-
-impl From<&str> for Value {
-    fn from(word: &str) -> Self {
-        Value::Word(word.into())
-    }
-}
-
-impl From<String> for Value {
-    fn from(word: String) -> Self {
-        Value::Word(word)
-    }
-}
-
-impl<const N: usize> From<[&str; N]> for Value {
-    fn from(names: [&str; N]) -> Self {
-        Value::Names(names.map(String::from).into())
-    }
-}
-
-impl From<Vec<String>> for Value {
-    fn from(names: Vec<String>) -> Self {
-        Value::Names(names)
-    }
-}
-
-impl<const N: usize> From<[[f64; 2]; N]> for Value {
-    fn from(points: [[f64; 2]; N]) -> Self {
-        Value::Points(points.into())
-    }
-}
-
-impl From<Vec<[f64; 2]>> for Value {
-    fn from(points: Vec<[f64; 2]>) -> Self {
-        Value::Points(points)
-    }
+values! {
+    f64 => |number| Value::Number(number);
+    i32 => |number| Value::Number(number.into());
+    u32 => |number| Value::Number(number.into());
+    usize => |number| Value::Number(number as f64);
+    [f64; 3] => |vector| Value::Vector(vector);
+    &str => |word| Value::Word(word.into());
+    String => |word| Value::Word(word);
+    [&str; N] [N] => |names| Value::Names(names.map(String::from).into());
+    Vec<String> => |names| Value::Names(names);
+    [[f64; 2]; N] [N] => |points| Value::Points(points.into());
+    Vec<[f64; 2]> => |points| Value::Points(points);
 }
 
 impl Builder {
@@ -330,7 +289,7 @@ impl Builder {
     ///
     /// # Errors
     /// Those of [`Builder::build`].
-    pub fn build_with_warnings(self) -> Result<(Spec, Vec<Problem>), BuildError> {
+    pub fn build_with_warnings(self) -> Result<(Spec, Vec<BuildProblem>), BuildError> {
         let lines = self.lines();
         let text = self.text();
         let no_files = |_: &std::path::Path| Err(ErrorKind::NotFound.into());
@@ -343,7 +302,7 @@ impl Builder {
         let is_new = |d: &&Diagnostic| line_of(d).is_none_or(|line| !line.is_reported);
         let (errors, warnings): (Vec<_>, Vec<_>) =
             diagnostics.iter().filter(is_new).partition(|d| d.severity == Severity::Error);
-        let problem = |d: &Diagnostic| Problem {
+        let problem = |d: &Diagnostic| BuildProblem {
             field: line_of(d).map_or(String::new(), |line| line.path.clone()),
             code: d.code,
             message: d.message.clone(),
@@ -409,7 +368,7 @@ impl Builder {
     }
 
     fn problem(&mut self, field: &str, code: BuildCode, message: String, help: Option<String>) {
-        self.problems.push(Problem { field: field.into(), code: code.code(), message, label: None, help });
+        self.problems.push(BuildProblem { field: field.into(), code: code.code(), message, label: None, help });
     }
 
     /// The line of a call that began with `before` problems.
@@ -489,8 +448,8 @@ impl Builder {
     }
 }
 
-/// A number that the compiler rejects as too large. It replaces a value with a [`Problem`], so that its field is not
-/// missing.
+/// A number that the compiler rejects as too large. It replaces a value with a [`BuildProblem`], so that its field is
+/// not missing.
 const NOT_FINITE: &str = "1e999";
 
 /// A number with all its digits, so that reading it gives the same number.
@@ -576,7 +535,7 @@ impl BuildCode {
 
 /// One mistake in a built spec, or a warning about it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Problem {
+pub struct BuildProblem {
     /// The call that made it, such as `plan.samples` or `mission.waypoints[2]`; the block, if something is missing in
     /// it.
     pub field: String,
@@ -590,8 +549,11 @@ pub struct Problem {
     pub help: Option<String>,
 }
 
+#[deprecated = "renamed to `BuildProblem`"]
+pub type Problem = BuildProblem;
+
 /// `{field}: {message}: {label}; {help} ({code})`
-impl fmt::Display for Problem {
+impl fmt::Display for BuildProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.field, self.message)?;
         if let Some(label) = &self.label {
@@ -607,14 +569,14 @@ impl fmt::Display for Problem {
 /// The mistakes in a built spec.
 #[derive(Clone, PartialEq)]
 pub struct BuildError {
-    pub problems: Vec<Problem>,
+    pub problems: Vec<BuildProblem>,
     /// The text that was built.
     pub text: String,
 }
 
 impl fmt::Display for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.problems.iter().map(Problem::to_string).collect::<Vec<_>>().join("\n"))
+        f.write_str(&self.problems.iter().map(BuildProblem::to_string).collect::<Vec<_>>().join("\n"))
     }
 }
 

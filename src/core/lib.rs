@@ -3,7 +3,7 @@
 //! modules.
 //!
 //! ```text
-//! Source --syntax::parse--> SpecFile --read::elaborate--> Model --verify::decide(certificate)--> Verdict
+//! Source --syntax::parse--> SpecFile --read::elaborate--> Model --verify::decide(certificate)--> Accepted
 //! ```
 //!
 //! | room | what comes in | what goes out | what it does not know |
@@ -13,10 +13,10 @@
 //! | [`spec`] | trees | a [`Spec`](spec::Spec): names resolved, SI units, every number in range | sets, planners |
 //! | [`proof`] | a spec and a certificate | a verdict | how the certificate was made |
 
-pub mod base;
+mod base;
 pub mod language;
 pub mod program;
-pub mod proof;
+mod proof;
 pub mod spec;
 
 pub use base::{body, diagnostic, geodesy, input, number, source, stages, text_table, tolerance, unit, verdict};

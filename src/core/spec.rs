@@ -84,9 +84,9 @@ impl Spec {
     }
 
     /// What distinguishes this spec from every other one.
-    pub fn identity(&self) -> Identity {
+    pub fn identity(&self) -> SpecIdentity {
         let campaign = &self.model.campaign;
-        Identity { sha256: self.sha256.clone(), campaign: (campaign.times, campaign.seeds) }
+        SpecIdentity { sha256: self.sha256.clone(), campaign: (campaign.times, campaign.seeds) }
     }
 
     /// This spec with another size of its campaign, within the bounds of `mavc::campaign::cases`.
@@ -99,8 +99,8 @@ impl Spec {
 
 /// Two specs with the same identity are the same spec.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Identity {
-    /// Of all texts, including the overrides.
+pub struct SpecIdentity {
+    /// The hash of all texts, including the overrides.
     sha256: String,
     /// Instants and seeds, which `mavc campaign` can change without a text.
     campaign: (usize, usize),

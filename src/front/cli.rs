@@ -33,6 +33,7 @@ mod verify;
 mod watch;
 
 use crate::source::visible;
+use crate::verdict::Verdict;
 use arguments::{
     AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, EmitArgs, EmitFormat, FmtArgs, Format,
     ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs,
@@ -129,10 +130,19 @@ fn without_escape(error: &mut clap::Error) {
     }
 }
 
-fn usage(problem: &Problem) -> u8 {
+/// The exit code of a verdict.
+fn code_of(verdict: Verdict) -> u8 {
+    match verdict {
+        Verdict::Found => FINE,
+        Verdict::ProvedInfeasible => NO_PLAN,
+        Verdict::NotFound | Verdict::NotAttempted => INCONCLUSIVE,
+    }
+}
+
+fn usage(problem: &CommandError) -> u8 {
     files::eprint(&format!("mavc: {}\n", visible::line(problem)));
     USAGE
 }
 
 /// A problem with usage or files, reported on one line.
-pub(crate) type Problem = String;
+pub(crate) type CommandError = String;

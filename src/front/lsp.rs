@@ -46,7 +46,7 @@ use server::Server;
 /// How a conversation has ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
-    /// As agreed: `shutdown`, then `exit`.
+    /// The editor sent `shutdown`, then `exit`.
     Agreed,
     /// The editor went away without `shutdown`.
     Abrupt,

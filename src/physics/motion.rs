@@ -141,7 +141,7 @@ impl Trajectory {
         OverWinds::of_wrench(self.model, vehicle, environment, state)
     }
 
-    /// The commanded wrench of a state within interval `k` in every wind of an interval, like [`Self::commanded`].
+    /// The commanded wrench `w + tau w'` (N and N m) of a state within interval `k`, in every wind of an interval.
     ///
     /// # Panics
     /// If there is no interval `k`.

@@ -20,7 +20,7 @@ use arguments::Arguments;
 use kinds::{Kind, Known};
 use mavc::certificate::Certificate;
 use mavc::verify::cost::Budget;
-use mavc::verify::{self, Premise, Premises, Read, Settings, Verdict};
+use mavc::verify::{self, Accepted, Premise, Premises, Read, Settings};
 use numbers::Numbers;
 use rayon::prelude::*;
 use specs::Spec;
@@ -147,7 +147,7 @@ fn decided(spec: &Spec, forgery: &Certificate, known: Known) -> Outcome {
 }
 
 /// Whether a verdict names what the certificate does not show.
-fn is_named(verdict: &Verdict, known: Known) -> bool {
+fn is_named(verdict: &Accepted, known: Known) -> bool {
     matches!(known, Known::Weaker(words) if verdict.weaker.iter().any(|why| why.contains(words)))
 }
 

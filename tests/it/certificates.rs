@@ -27,18 +27,18 @@ use mavc::diagnostic::Diagnostic;
 use mavc::model::{LimitKind, MissionTime, Model, PlannerKind, Problem};
 use mavc::planner::studies::{Comparison, Scope, compare};
 use mavc::source::FileId;
-use mavc::verify::{Refusal, Rejection, Settings, Verdict};
+use mavc::verify::{Accepted, Refusal, Rejection, Settings};
 
 /// The hash that certificates in these tests carry.
 const SHA: &str = "0123";
 
 /// Reads bytes and decides what they claim.
-fn verify(bytes: &[u8], model: &Model, sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
+fn verify(bytes: &[u8], model: &Model, sha256: &str) -> Result<Accepted, Box<Diagnostic>> {
     mavc::verify::verify(&mavc::verify::read(bytes, FileId::default())?, model, sha256, Settings::default())
 }
 
 /// Decides a certificate within the usual budget.
-fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejection> {
+fn decide(certificate: &Certificate, model: &Model) -> Result<Accepted, Rejection> {
     mavc::verify::decide(certificate, model, Settings::default()).map_err(|refusal| match refusal {
         Refusal::Rejected(rejection) => rejection,
         costly @ Refusal::Budget { .. } => panic!("{costly:?}"),

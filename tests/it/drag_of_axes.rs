@@ -254,7 +254,7 @@ fn compiled(text: &str) -> Spec {
     Compiler::new().text("dash.mav", text.as_bytes()).into_result().unwrap()
 }
 
-/// The thrust at rest is that of the iterated attitude at the yaw of the start, and the heaviest mass inverts it.
+/// The thrust at rest is that of the iterated attitude at the yaw of the start, and the largest mass inverts it.
 #[test]
 fn rest_in_wind_depends_on_the_yaw_of_the_start() {
     for (drag, yaw) in [("[0.3, 0.5, 0.2]", 30.0_f64), ("[0.3, 0.3, 0.2]", 0.0), ("[1.5, 0.5, 0.1]", 30.0)] {

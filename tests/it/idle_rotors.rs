@@ -2,7 +2,7 @@
 
 use crate::vehicles::{lost, mission, octocopter, waypoint};
 use mavc::actuation::{Actuation, Wrench};
-use mavc::admissible::verdict::{Verdict, analyze};
+use mavc::admissible::verdict::{HoverVerdict, analyze};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::{Allocation, FaultMode, Mission, Model, PlannerKind, Problem, RotorState};
@@ -94,9 +94,9 @@ fn the_lightest_mass_is_where_all_rotors_idle() {
     assert!((of(&model).least_mass_kg.unwrap() - lightest).abs() < 1e-9);
     assert_eq!(of(&octocopter("PPNNPPNN")).least_mass_kg, Some(0.0));
     model.vehicle.mass = lightest - 0.01;
-    assert_eq!(of(&model).verdict, Verdict::Unstable);
+    assert_eq!(of(&model).verdict, HoverVerdict::Unstable);
     model.vehicle.mass = lightest + 0.01;
-    assert_eq!(of(&model).verdict, Verdict::Controllable);
+    assert_eq!(of(&model).verdict, HoverVerdict::Controllable);
 }
 
 #[test]

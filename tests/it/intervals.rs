@@ -4,7 +4,7 @@ use crate::vehicles::{lost, octocopter, paper_case, quadcopter, ring_model};
 use mavc::actuation::Wrench;
 use mavc::admissible::diagnose::{NOT_ROBUST, diagnose};
 use mavc::admissible::interval::{Certainty, guaranteed, possible, robust};
-use mavc::admissible::verdict::{Verdict, analyze};
+use mavc::admissible::verdict::{HoverVerdict, analyze};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::model::RotorState;
 use mavc::model::{MissionTime, Model, PlannerKind, Problem, RotorSpread, Spread};
@@ -122,8 +122,8 @@ proptest! {
             let record = analyze(&other, &AdmissibleSet::of_mode(&other, 0));
             prop_assert!(record.robust.is_none());
             match robust.hover {
-                Certainty::Yes => prop_assert_eq!(record.verdict, Verdict::Controllable),
-                Certainty::No => prop_assert_ne!(record.verdict, Verdict::Controllable),
+                Certainty::Yes => prop_assert_eq!(record.verdict, HoverVerdict::Controllable),
+                Certainty::No => prop_assert_ne!(record.verdict, HoverVerdict::Controllable),
                 Certainty::Depends => {}
             }
             let Some(acai) = record.acai else { continue };

@@ -5,7 +5,7 @@ use mavc::actuation::Actuation;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::diagnose::{PARALLEL_ROWS, diagnose};
 use mavc::admissible::parallel::{least_angle, nearest_rows};
-use mavc::admissible::verdict::{Verdict, analyze};
+use mavc::admissible::verdict::{HoverVerdict, analyze};
 use mavc::diagnostic::Severity;
 use mavc::model::{Model, PlannerKind};
 use nalgebra::{DVector, Matrix2, Vector2};
@@ -88,7 +88,7 @@ fn plans_against_such_modes_are_warned_of() {
     (model.vehicle, model.modes) = (shape.vehicle, shape.modes);
     let record = analyze(&model, &AdmissibleSet::of_mode(&model, 0));
     let found = diagnose(&model);
-    assert_eq!((record.verdict, record.interior), (Verdict::Controllable, true));
+    assert_eq!((record.verdict, record.interior), (HoverVerdict::Controllable, true));
     assert_eq!(found.iter().map(|d| (d.code, d.severity)).collect::<Vec<_>>(), [(PARALLEL_ROWS, Severity::Warning)]);
     assert!(found[0].message.contains("tau_z") && found[0].message.contains("degrees"), "{}", found[0].message);
     // The paper's single losses are none of these.

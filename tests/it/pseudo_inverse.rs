@@ -2,7 +2,7 @@
 
 use crate::vehicles::{lost, mission, octocopter, paper_case, waypoint};
 use mavc::actuation::{Actuation, Wrench};
-use mavc::admissible::verdict::{Verdict, analyze, analyze_all};
+use mavc::admissible::verdict::{HoverVerdict, analyze, analyze_all};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::RotorState;
@@ -99,7 +99,7 @@ fn margins_are_those_of_the_formula() {
         assert!((mode.acai.unwrap() - 0.134).abs() < 5e-4, "{:?}", mode.acai);
         assert!((all.acai.unwrap() - 0.1956).abs() < 5e-5, "{:?}", all.acai);
         assert!(all.unreached_share.is_none());
-        assert_eq!(mode.verdict, Verdict::Controllable);
+        assert_eq!(mode.verdict, HoverVerdict::Controllable);
     }
 }
 
@@ -111,9 +111,9 @@ fn some_double_losses_hover_only_with_bounded_allocation() {
     model.modes = pairs.iter().map(|p| lost(&model, p)).collect();
     let unclipped = pseudo(model.clone());
     for (i, pair) in pairs.iter().enumerate() {
-        assert_eq!(analyze(&model, &AdmissibleSet::of_mode(&model, i)).verdict, Verdict::Controllable);
+        assert_eq!(analyze(&model, &AdmissibleSet::of_mode(&model, i)).verdict, HoverVerdict::Controllable);
         let record = analyze(&unclipped, &AdmissibleSet::of_mode(&unclipped, i));
-        assert_ne!(record.verdict, Verdict::Controllable, "{pair:?}");
+        assert_ne!(record.verdict, HoverVerdict::Controllable, "{pair:?}");
         assert!(record.acai.unwrap() < 0.0 && room(&unclipped, i, &hover(&unclipped)) < 0.0);
         assert!(record.residual4.iter().any(|e| *e != 0.0));
     }

@@ -5,8 +5,8 @@ use crate::vehicles::{lost, ring_model};
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::allocation::Allocator;
-use mavc::admissible::edge::Place;
-use mavc::admissible::verdict::{Verdict, analyze};
+use mavc::admissible::edge::HoverPlace;
+use mavc::admissible::verdict::{HoverVerdict, analyze};
 use mavc::flight::Outcome;
 use mavc::model::Model;
 use mavc::{Spec, certify, compile, fly, plan, verify};
@@ -34,13 +34,13 @@ fn the_set_is_scaled_and_shifted() {
 #[test]
 fn a_hexacopter_keeps_yaw_without_any_rotor() {
     for k in 1..=6 {
-        for (backwards, place) in [(0.0, Place::OnEdge), (0.4, Place::Inside)] {
+        for (backwards, place) in [(0.0, HoverPlace::OnEdge), (0.4, HoverPlace::Inside)] {
             let mut model = hexacopter(backwards);
             model.modes = vec![lost(&model, &[k])];
             let set = AdmissibleSet::of_mode(&model, 0);
             let analysis = analyze(&model, &set);
-            assert_eq!((analysis.verdict, analysis.hover), (Verdict::Controllable, place), "{k} {backwards}");
-            if place == Place::Inside {
+            assert_eq!((analysis.verdict, analysis.hover), (HoverVerdict::Controllable, place), "{k} {backwards}");
+            if place == HoverPlace::Inside {
                 let by_hand = margin_by_planes(&model, k - 1);
                 assert!((analysis.acai.unwrap() - by_hand).abs() < 1e-9, "{:?} {by_hand}", analysis.acai);
                 assert!(by_hand > 0.01);

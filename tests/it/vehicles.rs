@@ -48,7 +48,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
         },
         modes: Vec::new(),
         mission: None,
-        plan: Plan {
+        plan: PlanSettings {
             planner: PlannerKind::Rsp,
             model: PlanModel::Hover,
             rotors: PlanRotors::Instant,

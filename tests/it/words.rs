@@ -3,7 +3,7 @@
 
 use crate::cli::mavc_with;
 use mavc::admissible::AdmissibleSet;
-use mavc::admissible::edge::{EDGE, Place};
+use mavc::admissible::edge::{EDGE, HoverPlace};
 use mavc::admissible::verdict::analyze;
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, Problem};
 use mavc::planner::studies::{PlanOutcome, Proof, Run, Scope, compare};
@@ -160,10 +160,10 @@ fn the_edge_is_one_for_every_command() {
                 let set = AdmissibleSet::of_mode(&model, mode);
                 let found = analyze(&model, &set);
                 assert_eq!(set.has_hover_inside(), found.keeps_full_control(), "{layout} {arm} m: {found:?}");
-                assert_eq!(found.interior, found.hover == Place::Inside);
+                assert_eq!(found.interior, found.hover == HoverPlace::Inside);
                 let margin = set.polytope.margin(&set.hover);
-                edges += usize::from(found.hover_all_axes() == Place::OnEdge);
-                dust += usize::from(found.hover_all_axes() == Place::OnEdge && margin > 0.0 && margin < EDGE);
+                edges += usize::from(found.hover_all_axes() == HoverPlace::OnEdge);
+                dust += usize::from(found.hover_all_axes() == HoverPlace::OnEdge && margin > 0.0 && margin < EDGE);
             }
         }
     }

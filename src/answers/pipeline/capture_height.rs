@@ -57,9 +57,8 @@ pub(super) fn impose(model: &Model) -> Result<(Option<ImposedHeight>, Option<Dia
     };
     if let Some(case) = heights.hopeless() {
         let message = format!(
-            "no height is enough after mode {}: with the fault known after {} ms at {} m/s, {} of {} simulated \
-             flights regain \
-             level flight",
+            "no height is enough after mode {}: with the fault known after {} ms at {} m/s, {} of {} simulated flights \
+             regain level flight",
             case.mode,
             number(1e3 * case.delay_s),
             significant(case.speed_m_per_s, 3),

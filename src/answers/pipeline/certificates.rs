@@ -5,7 +5,7 @@ use crate::certificate::Certificate;
 use crate::certify as write;
 use crate::model::Problem;
 use crate::spec::Spec;
-use crate::verify::Verdict;
+use crate::verify::Accepted;
 use crate::verify::cost::Budget;
 use std::error::Error;
 use std::fmt;
@@ -78,6 +78,6 @@ impl Error for Uncertified {}
 /// assert_eq!(rejected.diagnostic.code, "mavc::verify::malformed");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn verify(certificate: &[u8], spec: &Spec) -> Result<Verdict, Rejected> {
+pub fn verify(certificate: &[u8], spec: &Spec) -> Result<Accepted, Rejected> {
     verify_within(Budget::default(), "<certificate>", certificate, spec)
 }

@@ -166,14 +166,3 @@ impl Task<'_> {
         Ok(Some(Program { schema: 1, time_s, program }))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::documents::schemas::check;
-
-    #[test]
-    fn the_schema_is_current() {
-        check::<Program>("qp", "mavc emit qp --format json");
-    }
-}

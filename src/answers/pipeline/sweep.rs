@@ -1,7 +1,7 @@
 //! The values of one field of a spec at which verdicts change (`mavc analyze --sweep`).
 
-use crate::admissible::edge::Place;
-use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_each};
+use crate::admissible::edge::HoverPlace;
+use crate::admissible::verdict::{HoverVerdict, ModeAnalysis, analyze_each};
 use crate::admissible::without_yaw::YawFree;
 use crate::diagnostic::{Diagnostic, Severity, nearest};
 use crate::language;
@@ -15,7 +15,7 @@ use crate::syntax::ast::Item;
 use serde::Serialize;
 
 /// Why a sweep cannot be made, in one sentence.
-type Problem = String;
+type SweepError = String;
 
 /// The code of a vehicle that weighs more than all its rotors lift.
 const TOO_HEAVY: &str = "mavc::vehicle::too_heavy";
@@ -29,15 +29,15 @@ pub struct Flip {
     /// Value of the swept field, in the unit of the sweep.
     at: f64,
     /// The verdict below the flip.
-    below: Verdict,
+    below: HoverVerdict,
     /// Where hover lies below the flip.
-    below_hover: Place,
+    below_hover: HoverPlace,
     /// How the mode hovers with yaw given up below the flip.
     below_yaw_free: YawFree,
     /// The verdict above the flip.
-    above: Verdict,
+    above: HoverVerdict,
     /// Where hover lies above the flip.
-    above_hover: Place,
+    above_hover: HoverPlace,
     /// How the mode hovers with yaw given up above the flip.
     above_yaw_free: YawFree,
 }
@@ -75,29 +75,30 @@ impl Flip {
 /// A mode's verdict, the place of hover, and how it hovers with yaw given up; a change of any of these is a flip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Standing {
-    verdict: Verdict,
-    hover: Place,
+    verdict: HoverVerdict,
+    hover: HoverPlace,
     yaw_free: YawFree,
 }
 
 impl Standing {
-    const TOO_HEAVY: Standing = Standing { verdict: Verdict::Unstable, hover: Place::Outside, yaw_free: YawFree::None };
+    const TOO_HEAVY: Standing =
+        Standing { verdict: HoverVerdict::Unstable, hover: HoverPlace::Outside, yaw_free: YawFree::None };
 
     /// `controllable`, `stabilizable, on the edge`, `stabilizable, spinning`
     fn words(self) -> String {
         match self.hover {
-            Place::OnEdge if self.verdict == Verdict::Stabilizable => {
+            HoverPlace::OnEdge if self.verdict == HoverVerdict::Stabilizable => {
                 format!("{}, {}", self.verdict.name(), self.yaw_free.word())
             }
-            Place::OnEdge => format!("{}, {}", self.verdict.name(), self.hover.word()),
-            Place::Inside | Place::Outside => self.verdict.name().into(),
+            HoverPlace::OnEdge => format!("{}, {}", self.verdict.name(), self.hover.word()),
+            HoverPlace::Inside | HoverPlace::Outside => self.verdict.name().into(),
         }
     }
 }
 
 /// The path of the override for a swept field: a field of the table's column `sweepable`, where `vehicle.` may be
 /// left out, or a `let`.
-fn path(field: &str, files: &FileSet) -> Result<String, Problem> {
+fn path(field: &str, files: &FileSet) -> Result<String, SweepError> {
     let short = |path: String| path.strip_prefix(VEHICLE).map(String::from).unwrap_or(path);
     let known: Vec<String> = language::sweepable().map(short).collect();
     let inner = field.strip_prefix(VEHICLE).unwrap_or(field);
@@ -160,7 +161,7 @@ struct Subject<'a> {
 
 impl Subject<'_> {
     /// Every mode's verdict with the field set to a value, in the order of the modes.
-    fn verdicts(&self, path: &str, value: f64, unit: &str) -> Result<Vec<Standing>, Problem> {
+    fn verdicts(&self, path: &str, value: f64, unit: &str) -> Result<Vec<Standing>, SweepError> {
         let standings = |spec: Spec| {
             let modes = analyze_each(spec.model());
             modes.iter().map(|m| Standing { verdict: m.verdict, hover: m.hover, yaw_free: m.yaw_free }).collect()
@@ -191,7 +192,7 @@ impl Sweep {
     ///
     /// # Errors
     /// The text has another form, no verdict depends on the field, or the spec has errors at a value of the field.
-    pub fn run(text: &str, spec: &Spec, modes: &[ModeAnalysis]) -> Result<Sweep, Problem> {
+    pub fn run(text: &str, spec: &Spec, modes: &[ModeAnalysis]) -> Result<Sweep, SweepError> {
         let subject = Subject { spec, modes };
         let fail = |why: String| format!("--sweep {text}: {why}");
         let Range { field, low, high, unit } =
@@ -213,7 +214,9 @@ impl Sweep {
                 // Hover is on the edge of a set within a tolerance, so it passes that state; only a lasting one is
                 // listed.
                 let is_passed = |flip: &Flip, at: f64| {
-                    flip.mode == mode.name && flip.above_hover == Place::OnEdge && at - flip.at <= 1e-4 * (high - low)
+                    flip.mode == mode.name
+                        && flip.above_hover == HoverPlace::OnEdge
+                        && at - flip.at <= 1e-4 * (high - low)
                 };
                 while left.1 != right.1[k] {
                     let (mut a, mut b, mut above) = (left.0, right.0, right.1[k]);
@@ -261,17 +264,5 @@ impl Sweep {
         }
         out.push_str(&format!("{} values were sampled; two changes within one step can be missed.\n", PARTS + 1));
         out
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::documents::schemas::check;
-    use crate::report::analysis_record::AnalysisRecord;
-
-    #[test]
-    fn the_schema_is_current() {
-        check::<AnalysisRecord<Flip>>("analyze", "mavc analyze --format json");
     }
 }

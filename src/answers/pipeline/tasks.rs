@@ -16,7 +16,7 @@ use crate::planner::studies::rounds::{Round, rounds};
 use crate::planner::studies::{
     Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Scope, compare as compare_planners,
 };
-use crate::spec::{Identity, Spec};
+use crate::spec::{Spec, SpecIdentity};
 use crate::verdict::Verdict;
 use std::cell::Cell;
 use std::error::Error;
@@ -191,7 +191,7 @@ pub struct Task<'s> {
 pub struct Planning {
     comparison: Comparison,
     /// The spec that was planned.
-    spec: Identity,
+    spec: SpecIdentity,
     /// The simulated height that its limits keep, m.
     pub(super) height: Option<f64>,
     /// The captures against which it is measured, once they are simulated.

@@ -52,7 +52,7 @@ impl<T> Spanned<T> {
 /// One file: its name, given by the user or by a `use`, and its text.
 #[derive(Debug, Clone)]
 pub struct Source {
-    /// As the user wrote it; `<stdin>` for `-`.
+    /// The user's spelling of the file; `<stdin>` for `-`.
     pub name: String,
     pub text: String,
     /// Byte offset of the start of each line; the first is 0.

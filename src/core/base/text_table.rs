@@ -1,7 +1,17 @@
-//! Aligned text tables.
+//! Text for the terminal: aligned tables, and paragraphs.
 
 /// The width of text for the terminal, columns.
 pub const WIDTH: usize = 110;
+
+/// A paragraph that is indented by two spaces, with a line break at its end.
+pub fn indented(text: &str) -> String {
+    textwrap::fill(text, textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ")) + "\n"
+}
+
+/// A paragraph with a line break at its end, whose lines after the first are indented by two spaces.
+pub fn hanging(text: &str) -> String {
+    textwrap::fill(text, textwrap::Options::new(WIDTH).subsequent_indent("  ")) + "\n"
+}
 
 /// Rows of cells under headings; the first column is aligned left, the others right.
 #[derive(Debug, Clone, Default)]

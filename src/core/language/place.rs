@@ -55,7 +55,7 @@ pub enum StatementKind {
 }
 
 impl Place {
-    /// As messages name it: "in a `mission`".
+    /// The phrase of messages for being here: "in a `mission`".
     pub fn phrase(self) -> &'static str {
         match self {
             Place::Top => "at the top level",
@@ -80,7 +80,7 @@ impl Place {
         }
     }
 
-    /// As messages name it after "of": "a `mission`".
+    /// The phrase of messages after "of": "a `mission`".
     pub fn phrase_alone(self) -> &'static str {
         let phrase = self.phrase();
         phrase.strip_prefix("in ").unwrap_or(phrase)

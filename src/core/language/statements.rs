@@ -139,8 +139,7 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
                 "waypoint",
                 "waypoint [NAME] at POSITION ...",
                 "a point to fly through; its clauses may be in any order, and limits of the [leg](#legs) that arrives \
-                 may follow \
-                 in braces",
+                 may follow in braces",
             ),
             statement(
                 "curve",

@@ -268,7 +268,7 @@ fn faults_may_add(model: &Model) -> bool {
 
 /// What an accepted certificate proves.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Verdict {
+pub struct Accepted {
     /// One sentence about the spec.
     pub headline: String,
     /// The statements that hold, and where.
@@ -278,6 +278,9 @@ pub struct Verdict {
     /// Conditions that could not be decided at all; `weaker` lists them too.
     pub undecided: Vec<String>,
 }
+
+#[deprecated = "renamed to `Accepted`"]
+pub type Verdict = Accepted;
 
 /// Budget and premises of a decision.
 #[derive(Debug, Clone, Copy, Default)]
@@ -290,7 +293,7 @@ pub struct Settings {
 ///
 /// # Errors
 /// The certificate was written for another spec, does not prove its claim, or costs more than the budget.
-pub fn verify(read: &Read, model: &Model, spec_sha256: &str, settings: Settings) -> Result<Verdict, Box<Diagnostic>> {
+pub fn verify(read: &Read, model: &Model, spec_sha256: &str, settings: Settings) -> Result<Accepted, Box<Diagnostic>> {
     let certificate = &read.certificate;
     if settings.premises.has(Premise::Spec) && certificate.spec_sha256 != spec_sha256 {
         // Enough digits to distinguish specs.
@@ -307,19 +310,19 @@ pub fn verify(read: &Read, model: &Model, spec_sha256: &str, settings: Settings)
 ///
 /// # Errors
 /// The certificate does not prove its claim, or costs more than the budget.
-pub fn decide(certificate: &Certificate, model: &Model, settings: Settings) -> Result<Verdict, Refusal> {
+pub fn decide(certificate: &Certificate, model: &Model, settings: Settings) -> Result<Accepted, Refusal> {
     decided(certificate, model, settings, true)
 }
 
 /// Decides a certificate at the nodes only: whether a motion is a plan, without checking rows between the nodes.
 ///
 /// # Errors
-/// As in [`decide`].
-pub fn decide_at_nodes(certificate: &Certificate, model: &Model, settings: Settings) -> Result<Verdict, Refusal> {
+/// The certificate does not prove its claim at the nodes, or costs more than the budget.
+pub fn decide_at_nodes(certificate: &Certificate, model: &Model, settings: Settings) -> Result<Accepted, Refusal> {
     decided(certificate, model, settings, false)
 }
 
-fn decided(certificate: &Certificate, model: &Model, settings: Settings, between: bool) -> Result<Verdict, Refusal> {
+fn decided(certificate: &Certificate, model: &Model, settings: Settings, between: bool) -> Result<Accepted, Refusal> {
     let model = &*capture_height::kept(certificate, model)?;
     let Some(problem) = Problem::of(model) else {
         return Err(Rejection::new("the mission", "the spec has none").into());
@@ -360,7 +363,7 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
             }
             let headline = plan_headline(problem, found.total, &claim.selected_by);
             let weaker = found.weaker.into_iter().chain(capture_height::weaker(model, false)).collect();
-            Ok(Verdict { headline, shown: found.shown, weaker, undecided: found.undecided })
+            Ok(Accepted { headline, shown: found.shown, weaker, undecided: found.undecided })
         }
         Claim::TooEarly(claim) => {
             let (estimate, budget) = (least_time::cost(problem), settings.budget);
@@ -371,7 +374,7 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
                 true => least_time::too_early(problem, claim)?,
                 false => String::new(),
             };
-            Ok(Verdict { headline, shown: Vec::new(), weaker: Vec::new(), undecided: Vec::new() })
+            Ok(Accepted { headline, shown: Vec::new(), weaker: Vec::new(), undecided: Vec::new() })
         }
         Claim::Infeasible(claim) => {
             let mut verdict = infeasible::decide(&setting, certificate.model, claim, settings.budget)?;

@@ -32,8 +32,8 @@ pub use lag::SLOWEST_SHARE;
 pub use limits::{Description, Quantity};
 pub use origin::Origin;
 pub use plan_settings::{
-    CaptureHeight, MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH, MAX_WAYPOINTS, MissionTime, Plan, PlanModel,
-    PlanRotors, PlannerKind, SearchEffort,
+    CaptureHeight, MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH, MAX_WAYPOINTS, MissionTime, PlanModel, PlanRotors,
+    PlanSettings, PlannerKind, SearchEffort,
 };
 pub use problem::Problem;
 pub use volume::{Boundary, Side as VolumeSide, Volume};
@@ -57,7 +57,7 @@ pub struct Model {
     /// The mission that the plan chooses; `None` if the spec has no mission.
     pub mission: Option<Mission>,
     /// The `plan` block, or its defaults.
-    pub plan: Plan,
+    pub plan: PlanSettings,
     /// How the plan is flown: the `simulate` block, or its defaults.
     pub simulation: Simulation,
     /// The `campaign` block, or its defaults.
@@ -65,6 +65,9 @@ pub struct Model {
     /// Every default that was used for something not written, for `check --explain-defaults`.
     pub defaults: Vec<DefaultUsed>,
 }
+
+#[deprecated = "renamed to `PlanSettings`"]
+pub type Plan = PlanSettings;
 
 /// A default that was used because a field is not written.
 #[derive(Debug, Clone, PartialEq)]

@@ -42,7 +42,7 @@ impl Bytes {
     ///
     /// # Panics
     /// If there are 4 GiB of them.
-    pub fn counted(&mut self, bytes: &[u8]) -> &mut Self {
+    pub fn with_length(&mut self, bytes: &[u8]) -> &mut Self {
         self.u32(u32::try_from(bytes.len()).expect("less than 4 GiB")).raw(bytes)
     }
 }

@@ -56,7 +56,7 @@ struct Row {
     wrench: [f64; 4],
     /// Those that the controller demands.
     demanded: [f64; 4],
-    /// Of each rotor: speed, capacity as estimated, capacity as the allocation believes.
+    /// Speed (rad/s), capacity as estimated and capacity as the allocation believes, of each rotor.
     rotors: Vec<[f64; 3]>,
     /// Rank and condition number of the estimator's regressor.
     regressor: Option<[f64; 2]>,

@@ -51,7 +51,7 @@ impl Writer {
     pub fn new(profile: &str) -> Self {
         let mut out = Bytes(MAGIC.to_vec());
         let mut header = Bytes::default();
-        header.counted(profile.as_bytes()).counted(concat!("mavc ", env!("CARGO_PKG_VERSION")).as_bytes());
+        header.with_length(profile.as_bytes()).with_length(concat!("mavc ", env!("CARGO_PKG_VERSION")).as_bytes());
         record(&mut out, kind::HEADER, &header);
         Writer {
             out,
@@ -76,17 +76,21 @@ impl Writer {
         let (name, encoding, text) = schema;
         self.schemas += 1;
         let mut content = Bytes::default();
-        content.u16(self.schemas).counted(name.as_bytes()).counted(encoding.as_bytes()).counted(text.as_bytes());
+        content
+            .u16(self.schemas)
+            .with_length(name.as_bytes())
+            .with_length(encoding.as_bytes())
+            .with_length(text.as_bytes());
         let mut records = Bytes::default();
         record(&mut records, kind::SCHEMA, &content);
         let mut pairs = Bytes::default();
         for (key, value) in metadata {
-            pairs.counted(key.as_bytes()).counted(value.as_bytes());
+            pairs.with_length(key.as_bytes()).with_length(value.as_bytes());
         }
         let id = self.counts.len();
         let mut content = Bytes::default();
-        content.u16(id as u16).u16(self.schemas).counted(topic.as_bytes()).counted(message.as_bytes());
-        record(&mut records, kind::CHANNEL, content.counted(&pairs.0));
+        content.u16(id as u16).u16(self.schemas).with_length(topic.as_bytes()).with_length(message.as_bytes());
+        record(&mut records, kind::CHANNEL, content.with_length(&pairs.0));
         self.out.raw(&records.0);
         self.known.raw(&records.0);
         self.counts.push(0);
@@ -116,7 +120,7 @@ impl Writer {
         let size = records.0.len() as u64;
         let begin = self.out.0.len() as u64;
         let mut content = Bytes::default();
-        content.u64(from).u64(to).u64(size).u32(crc32(&records.0)).counted(b"").u64(size).raw(&records.0);
+        content.u64(from).u64(to).u64(size).u32(crc32(&records.0)).with_length(b"").u64(size).raw(&records.0);
         record(&mut self.out, kind::CHUNK, &content);
         let end = self.out.0.len() as u64;
         let mut offsets = Bytes::default();
@@ -127,11 +131,11 @@ impl Writer {
                 pairs.u64(*number);
             });
             let mut content = Bytes::default();
-            record(&mut self.out, kind::MESSAGE_INDEX, content.u16(channel as u16).counted(&pairs.0));
+            record(&mut self.out, kind::MESSAGE_INDEX, content.u16(channel as u16).with_length(&pairs.0));
         }
         let mut content = Bytes::default();
-        content.u64(from).u64(to).u64(begin).u64(end - begin).counted(&offsets.0);
-        content.u64(self.out.0.len() as u64 - end).counted(b"").u64(size).u64(size);
+        content.u64(from).u64(to).u64(begin).u64(end - begin).with_length(&offsets.0);
+        content.u64(self.out.0.len() as u64 - end).with_length(b"").u64(size).u64(size);
         record(&mut self.index, kind::CHUNK_INDEX, &content);
         self.chunks += 1;
     }
@@ -150,7 +154,7 @@ impl Writer {
         }
         let mut content = Bytes::default();
         content.u64(self.counts.iter().sum()).u16(self.schemas).u32(self.counts.len() as u32);
-        content.u32(0).u32(0).u32(self.chunks).u64(from).u64(to).counted(&counts.0);
+        content.u32(0).u32(0).u32(self.chunks).u64(from).u64(to).with_length(&counts.0);
         record(&mut self.out, kind::STATISTICS, &content);
         // The check of the summary covers the footer up to itself.
         self.out.u8(kind::FOOTER).u64(20).u64(summary as u64).u64(0);

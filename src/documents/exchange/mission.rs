@@ -8,7 +8,7 @@ mod polyline;
 mod qgc_plan;
 mod wpl;
 
-use super::trajectory::Written;
+use super::Written;
 use crate::geodesy::{Geodetic, TangentPlane};
 use crate::model::{Mission, Model, Origin};
 use crate::motion::{Trajectory, X, Y, Z};
@@ -17,7 +17,7 @@ use items::Items;
 
 /// The largest distance (m) of the plan from the straight lines between items, unless it is given.
 pub const ITEMS_WITHIN: f64 = 0.5;
-/// The same for lines on maps.
+/// The largest distance (m) of the plan from lines on maps, unless it is given.
 pub const LINES_WITHIN: f64 = 0.1;
 
 /// A plan and its place on the Earth.
@@ -38,8 +38,7 @@ pub fn origin<'a>(model: &'a Model, format: &str) -> Result<(&'a Mission, Origin
     mission.origin.map(|origin| (mission, origin)).ok_or_else(|| {
         format!(
             "--format {format} has places on the Earth, and mission `{}` does not say where it is: give its \
-             `origin_latitude`, \
-             `origin_longitude` and `origin_altitude`",
+             `origin_latitude`, `origin_longitude` and `origin_altitude`",
             mission.name
         )
     })
@@ -102,7 +101,7 @@ pub fn qgc_plan(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) 
 /// A mission of MAVLink in plain text, `QGC WPL 110`.
 ///
 /// # Errors
-/// As [`qgc_plan()`].
+/// The mission does not say where it is, or needs too many items.
 pub fn wpl(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Result<Written, String> {
     let placed = Placed::new(trajectory, model, tolerance.unwrap_or(ITEMS_WITHIN), "wpl")?;
     let items = Items::of(&placed)?;
@@ -114,8 +113,7 @@ pub fn wpl(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Re
 fn said(text: String, items: &Items, fences: String) -> Written {
     let remark = format!(
         "{} items; straight lines between them are within {} m of the plan; the times of the plan are lost: the \
-         autopilot chooses \
-         its own{}{fences}",
+         autopilot chooses its own{}{fences}",
         items.all.len(),
         significant(items.deviation, 3),
         if items.takes_off { "" } else { "; no take-off, since the plan does not begin with a climb above its origin" },
@@ -134,7 +132,7 @@ pub fn kml(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Re
 /// A file of GeoJSON (RFC 7946).
 ///
 /// # Errors
-/// As [`kml()`].
+/// The mission does not say where it is, or its path has too many corners.
 pub fn geojson(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Result<Written, String> {
     on_a_map(trajectory, model, tolerance, "geojson", geojson::text)
 }

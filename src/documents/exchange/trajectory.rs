@@ -11,6 +11,7 @@ mod rosbag2;
 mod rotorpy;
 mod rows;
 
+pub use super::Written;
 use super::frames::Frame;
 use super::mission;
 use crate::model::Model;
@@ -81,20 +82,6 @@ pub struct Choices {
     pub tolerance: Option<f64>,
 }
 
-/// A written trajectory.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Written {
-    pub bytes: Vec<u8>,
-    /// What the format lost, in one line, if it is more than rounding.
-    pub remark: Option<String>,
-}
-
-impl From<String> for Written {
-    fn from(text: String) -> Self {
-        Written { bytes: text.into_bytes(), remark: None }
-    }
-}
-
 impl Format {
     /// The name that `--format` takes.
     pub fn name(self) -> &'static str {
@@ -163,8 +150,7 @@ impl Choices {
         if self.tolerance.is_some() && self.format != Format::Crazyflie && !self.format.is_of_places() {
             return Err(format!(
                 "--format {name} does not refit the trajectory: leave --tolerance out, which is for crazyflie, \
-                 qgc-plan, wpl, \
-                 kml and geojson"
+                 qgc-plan, wpl, kml and geojson"
             ));
         }
         Ok(())
@@ -194,7 +180,7 @@ impl Choices {
 /// trajectory does not fit the format.
 pub fn write(trajectory: &Trajectory, model: &Model, choices: &Choices) -> Result<Written, String> {
     choices.check()?;
-    let plan = Plan { trajectory, model };
+    let plan = Exported { trajectory, model };
     match choices.format {
         Format::Csv => csv::text(&plan, choices).map(Into::into),
         Format::Rows => rows::text(&plan, choices).map(Into::into),
@@ -226,12 +212,12 @@ pub fn bag_files(folder: &str, bytes: Vec<u8>) -> [(String, Vec<u8>); 2] {
 }
 
 /// What is written.
-struct Plan<'a> {
+struct Exported<'a> {
     trajectory: &'a Trajectory,
     model: &'a Model,
 }
 
-impl Plan<'_> {
+impl Exported<'_> {
     /// The rows of [`crate::report::trajectory_csv::rows`], for a text with `header`.
     fn instants(&self, rate: Option<f64>, header: &str) -> Result<Vec<Instant>, String> {
         few_enough("trajectory", count(self.trajectory, rate), header)?;

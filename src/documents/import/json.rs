@@ -19,12 +19,12 @@ pub const MOST_VALUES: usize = 1_000_000;
 /// A value and its place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Json {
-    pub kind: Kind,
+    pub kind: JsonValue,
     pub span: Range<usize>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub enum Kind {
+pub enum JsonValue {
     Null,
     Bool(bool),
     Number(f64),
@@ -45,32 +45,32 @@ impl Json {
     /// The member of an object.
     pub fn get(&self, key: &str) -> Option<&Json> {
         match &self.kind {
-            Kind::Object(members) => members.iter().find(|member| member.key == key).map(|member| &member.value),
+            JsonValue::Object(members) => members.iter().find(|member| member.key == key).map(|member| &member.value),
             _ => None,
         }
     }
 
     pub fn number(&self) -> Option<f64> {
-        if let Kind::Number(x) = self.kind { Some(x) } else { None }
+        if let JsonValue::Number(x) = self.kind { Some(x) } else { None }
     }
 
     pub fn list(&self) -> Option<&[Json]> {
-        if let Kind::List(all) = &self.kind { Some(all) } else { None }
+        if let JsonValue::List(all) = &self.kind { Some(all) } else { None }
     }
 
     pub fn text(&self) -> Option<&str> {
-        if let Kind::Text(text) = &self.kind { Some(text) } else { None }
+        if let JsonValue::Text(text) = &self.kind { Some(text) } else { None }
     }
 
-    /// As messages name it.
+    /// The kind of the value in messages: `a number`, `true or false`.
     pub fn what(&self) -> &'static str {
         match self.kind {
-            Kind::Null => "null",
-            Kind::Bool(_) => "true or false",
-            Kind::Number(_) => "a number",
-            Kind::Text(_) => "a text",
-            Kind::List(_) => "a list",
-            Kind::Object(_) => "an object",
+            JsonValue::Null => "null",
+            JsonValue::Bool(_) => "true or false",
+            JsonValue::Number(_) => "a number",
+            JsonValue::Text(_) => "a text",
+            JsonValue::List(_) => "a list",
+            JsonValue::Object(_) => "an object",
         }
     }
 }
@@ -109,16 +109,16 @@ impl<'t> Reader<'t> {
         let kind = match part.as_bytes()[0] {
             b'{' => {
                 let Members(members) = serde_json::from_str(part).map_err(refused)?;
-                Kind::Object(self.members(members, depth)?)
+                JsonValue::Object(self.members(members, depth)?)
             }
             b'[' => {
                 let all: Vec<&RawValue> = serde_json::from_str(part).map_err(refused)?;
-                Kind::List(all.into_iter().map(|raw| self.value(raw, depth + 1)).collect::<Result<_, _>>()?)
+                JsonValue::List(all.into_iter().map(|raw| self.value(raw, depth + 1)).collect::<Result<_, _>>()?)
             }
-            b'"' => Kind::Text(serde_json::from_str(part).map_err(refused)?),
-            b't' | b'f' => Kind::Bool(part == "true"),
-            b'n' => Kind::Null,
-            _ => Kind::Number(serde_json::from_str(part).map_err(refused)?),
+            b'"' => JsonValue::Text(serde_json::from_str(part).map_err(refused)?),
+            b't' | b'f' => JsonValue::Bool(part == "true"),
+            b'n' => JsonValue::Null,
+            _ => JsonValue::Number(serde_json::from_str(part).map_err(refused)?),
         };
         Ok(Json { kind, span })
     }
@@ -195,12 +195,12 @@ mod tests {
     /// The value without its places, by the reader that everybody uses.
     fn plain(json: &Json) -> serde_json::Value {
         match &json.kind {
-            Kind::Null => serde_json::Value::Null,
-            Kind::Bool(b) => (*b).into(),
-            Kind::Number(x) => (*x).into(),
-            Kind::Text(t) => t.clone().into(),
-            Kind::List(all) => all.iter().map(plain).collect(),
-            Kind::Object(members) => {
+            JsonValue::Null => serde_json::Value::Null,
+            JsonValue::Bool(b) => (*b).into(),
+            JsonValue::Number(x) => (*x).into(),
+            JsonValue::Text(t) => t.clone().into(),
+            JsonValue::List(all) => all.iter().map(plain).collect(),
+            JsonValue::Object(members) => {
                 serde_json::Value::Object(members.iter().map(|m| (m.key.clone(), plain(&m.value))).collect())
             }
         }

@@ -42,9 +42,8 @@ mod tests {
 
     #[test]
     fn every_path_can_be_set() {
-        let text = "let arm = ?\nvehicle v \
-            {\n    layout = \"PPNN\"\n    arm = arm\n    mass = ?\n    inertia = [0.01, 0.01, 0.02] kg*m^2\n    \
-                    rotor { max_thrust = 8 N; torque_per_thrust = ?; max_speed = ? }\n}\n";
+        let text = "let arm = ?\nvehicle v {\n    layout = \"PPNN\"\n    arm = arm\n    mass = ?\n    inertia = [0.01, \
+            0.01, 0.02] kg*m^2\n    rotor { max_thrust = 8 N; torque_per_thrust = ?; max_speed = ? }\n}\n";
         let found = paths(text);
         assert_eq!(found, ["arm", "vehicle.mass", "vehicle.rotor.torque_per_thrust", "vehicle.rotor.max_speed"]);
         let figures = ["0.2 m", "1 kg", "15 mm", "900 rad/s"];

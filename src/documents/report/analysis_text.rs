@@ -3,12 +3,11 @@
 mod without_yaw;
 
 use super::battery;
-use super::terminal::vehicle_line;
-use crate::admissible::airspeed::{Airspeed, LimitedBy};
-use crate::admissible::edge::Place;
+use super::terminal::{airspeed, vehicle_line};
+use crate::admissible::edge::HoverPlace;
 use crate::admissible::interval::Certainty;
 use crate::admissible::parallel::{Parallel, least_angle};
-use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
 use crate::model::{Allocation, Model};
 use crate::number::{down, significant};
 use crate::text_table::Table;
@@ -28,7 +27,7 @@ const AIRSPEED: &str = "\
 airspeed  the largest steady airspeed in level flight with the plan's reserve; (tilt): the mission limits the tilt
 ";
 
-/// The same with a drag for each axis of the body.
+/// Meaning of the column of airspeeds of a vehicle with a drag for each axis of its body.
 const AIRSPEED_OF_HEADINGS: &str = "\
 airspeed  the largest steady airspeed in level flight with the plan's reserve, with the nose in the worst direction; \
 (tilt): the mission limits the tilt
@@ -90,7 +89,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     if has_airspeeds {
         out.push_str(if model.environment().is_isotropic() { AIRSPEED } else { AIRSPEED_OF_HEADINGS });
     }
-    if modes.iter().any(|m| m.edge_words() == Some(Place::OnEdge.word())) {
+    if modes.iter().any(|m| m.edge_words() == Some(HoverPlace::OnEdge.word())) {
         out.push_str(
             "the edge  hover can be reached, but in some direction no disturbance, however small, can be countered\n",
         );
@@ -139,16 +138,12 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         let both = |b: [f64; 2]| format!("{}/{}", significant(b[0], 3), significant(b[1], 3));
         match &m.headroom {
             Some(h) => table.row(vec![m.name.clone(), both(h.thrust), both(h.tau_x), both(h.tau_y), both(h.tau_z)]),
-            None if m.verdict == Verdict::Stabilizable => table.row(vec![m.name.clone(), "yaw is lost".into()]),
+            None if m.verdict == HoverVerdict::Stabilizable => {
+                table.row(vec![m.name.clone(), "heading not held".into()])
+            }
             None => table.row(vec![m.name.clone(), "no hover".into()]),
         }
     }
     out.push_str(&table.render(0));
     out
-}
-
-/// `23.1 m/s`, rounded down, with the limit on tilt if that is the reason; `none` if the mode cannot hover.
-pub(super) fn airspeed(airspeed: &Airspeed) -> String {
-    let tilt = if airspeed.limited_by == Some(LimitedBy::Tilt) { " (tilt)" } else { "" };
-    airspeed.largest_m_per_s.map_or("none".into(), |speed| format!("{} m/s{tilt}", down(speed, 4)))
 }

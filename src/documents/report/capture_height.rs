@@ -1,13 +1,12 @@
 //! The height that a fault without control of yaw costs, and how long a plan flies lower. The heights are simulated.
 
 use super::caveats::{Caveat, CaveatKind};
-use super::terminal::WIDTH;
 use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::Exposed;
 use crate::flight::capture::heights::CaptureHeights;
 use crate::model::Model;
 use crate::number::{fixed, number, significant};
-use crate::text_table::Table;
+use crate::text_table::{Table, indented};
 use serde::Serialize;
 
 /// The height that a fault without control of yaw costs, by simulation.
@@ -131,8 +130,7 @@ pub fn caveat(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<Cavea
     };
     let message = format!(
         "If mode {} strikes {}, the plan is too low to regain level flight above the ground, {}; simulated, not \
-         proved.{others} Add \
-         `require capture_height {{ }}` to `plan`, or fly higher.",
+         proved.{others} Add `require capture_height {{ }}` to `plan`, or fly higher.",
         worst.mode,
         worst.when(),
         worst.by()
@@ -157,10 +155,7 @@ pub fn text(record: &CaptureRecord, exposed: &[ExposedRecord]) -> String {
          simulated, not proved",
         record.headline()
     );
-    let wrap = |text: &str| {
-        let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-        format!("\n{}\n", textwrap::fill(text, options))
-    };
+    let wrap = |text: &str| format!("\n{}", indented(text));
     let mut out = wrap(&head);
     let modes: Vec<&[Capture]> = record.captures.chunk_by(|a, b| a.mode == b.mode).collect();
     let speeds = modes.first().map_or(&[][..], |of_mode| of_mode);

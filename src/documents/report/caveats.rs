@@ -97,8 +97,7 @@ fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     let speed = peak(&solved.trajectory, speed);
     let message = format!(
         "The plan reaches {} m/s at {} s; multirotors usually stay below {} m/s, and the mission does not limit the \
-         speed. \
-         Add `limits {{ speed <= ... }}`.",
+         speed. Add `limits {{ speed <= ... }}`.",
         significant(speed.value, 3),
         fixed(speed.at, 2),
         significant(USUAL_SPEED, 3)
@@ -189,8 +188,7 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             at_s: s.least_thrust.at,
             message: format!(
                 "Outside the linear model's range: thrust falls {falls} at {} s, and a vehicle without thrust cannot \
-                 be \
-                 steered by tilting it; limit the descent or the vertical acceleration.",
+                 be steered by tilting it; limit the descent or the vertical acceleration.",
                 fixed(s.least_thrust.at, 2)
             ),
         }

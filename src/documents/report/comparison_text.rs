@@ -12,7 +12,7 @@ use crate::number::{fixed, number, percent, significant};
 use crate::planner::studies::rounds::Round;
 use crate::planner::studies::{Comparison, PlanOutcome, PlannerRun, Proof, Run, label};
 use crate::planner::timing::kinematics::least_time_within;
-use crate::text_table::Table;
+use crate::text_table::{Table, indented};
 use crate::verdict::Verdict;
 use fold::{Fold, folded};
 
@@ -20,7 +20,6 @@ use fold::{Fold, folded};
 const CHEAPER: f64 = 1e-3;
 
 /// The tables of the paper's section 5.4, for any spec.
-///
 pub fn compare(problem: Problem, comparison: &Comparison) -> String {
     let (model, mission) = (problem.model(), problem.mission());
     let mut out = head(problem, comparison);
@@ -141,13 +140,11 @@ fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
         }
         (true, false) => {
             "  risk: the probability that some mode with a rate strikes before its last violation, if the mission \
-             continues;\n  \
-             modes are treated as independent.\n"
+             continues;\n  modes are treated as independent.\n"
         }
         (true, true) => {
             "  risk: the probability that some mode with a rate strikes before its last violation or, if the mission \
-             holds,\n  \
-             before the last node from which no stop was found; modes are treated as independent.\n"
+             holds,\n  before the last node from which no stop was found; modes are treated as independent.\n"
         }
     }
 }
@@ -172,8 +169,7 @@ fn own_note(problem: Problem, comparison: &Comparison) -> String {
     if text.is_empty() {
         return String::new();
     }
-    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-    format!("{}\n", textwrap::fill(&text.join(" "), options))
+    indented(&text.join(" "))
 }
 
 /// The plan at T_d whose cost exceeds that of a more constrained plan by the largest factor. Searches are local, so
@@ -201,15 +197,13 @@ fn local_optima(comparison: &Comparison) -> String {
     };
     let text = format!(
         "At T_d, {} ({}) costs more than {} ({}), although its set admits that plan too. Each plan is the cheapest \
-         that its \
-         own search found; none is proved to be the cheapest.",
+         that its own search found; none is proved to be the cheapest.",
         name_of(outer),
         number(*dear),
         name_of(inner),
         number(*cheap)
     );
-    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-    format!("{}\n", textwrap::fill(&text, options))
+    indented(&text)
 }
 
 /// The origin of T_d.
@@ -227,7 +221,7 @@ fn common_time(problem: Problem, comparison: &Comparison) -> &'static str {
 }
 
 /// `RIP`, `RCP M1`, `RCP jointly`, `RSP`.
-fn name_of(run: &PlannerRun) -> String {
+pub fn name_of(run: &PlannerRun) -> String {
     match (run.planner, run.against.len()) {
         (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
         _ => label(run.planner, &run.against),

@@ -261,14 +261,3 @@ fn gains(gains: &Gains) -> GainsRecord {
         yaw_rate_per_s: gains.yaw_rate,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::documents::schemas::check;
-
-    #[test]
-    fn the_schema_is_current() {
-        check::<ModelRecord>("model", "mavc emit model --format json");
-    }
-}

@@ -24,6 +24,7 @@ mod spec;
 mod summary;
 mod survival;
 mod svg;
+mod table;
 mod verdicts;
 mod volumes;
 mod waypoint_table;
@@ -55,21 +56,27 @@ pub struct Subject<'a> {
 
 /// The command that a page reports on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum PageKind {
     Plan,
     Compare,
 }
 
 /// The page of `mavc plan` or `mavc compare`; `record` is the JSON report, and `captures` are those that are drawn over
 /// delays. Complete HTML, the same for the same input.
-pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Record, captures: &[Capture]) -> String {
+pub fn plans(
+    kind: PageKind,
+    subject: &Subject,
+    comparison: &Comparison,
+    record: &Record,
+    captures: &[Capture],
+) -> String {
     let problem = subject.problem;
     let (model, mission) = (problem.model(), problem.mission());
     let analyses = analyze_each(model);
     let shown = sets::shown(model, comparison);
     let content = Content::of_plans(subject, comparison, &shown, record).with_places(&analyses);
     let mut sections = vec![Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses))];
-    if kind == Kind::Plan {
+    if kind == PageKind::Plan {
         sections.extend(record.planners.last().and_then(waypoint_table::section));
         sections.extend(record.planners.last().and_then(|planner| volumes::section(problem, planner)));
         sections.extend(record.planners.last().and_then(|planner| binding_table::section(mission, planner)));
@@ -84,8 +91,8 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
     }
     sections.push(Section::new("spec", "Spec", spec::section(subject)));
     let found = match kind {
-        Kind::Plan => summary::plan(problem, comparison, record),
-        Kind::Compare => summary::compare(mission, comparison),
+        PageKind::Plan => summary::plan(problem, comparison, record),
+        PageKind::Compare => summary::compare(mission, comparison),
     };
     Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
 }

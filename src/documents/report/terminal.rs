@@ -1,28 +1,26 @@
 //! Terminal output of `mavc plan`, and what other reports share with it.
 
-use super::analysis_text::airspeed;
 use super::battery;
 use super::binding;
 use super::caveats::caveats;
-use super::record::{errors, rates};
+use super::record::{errors, rates, violated_facets};
 use super::verdict_text::{self, statement};
 use super::waypoints;
 use super::without_yaw;
 use super::{headings, volumes};
 use crate::admissible::AdmissibleSet;
-use crate::admissible::airspeed::Airspeed;
+use crate::admissible::airspeed::{Airspeed, LimitedBy};
 use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
 use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
-use crate::motion::wrench_model::WrenchModel;
-use crate::number::{fixed, number, part_of_all, percent, short_seconds, significant};
+use crate::number::{down, fixed, number, part_of_all, percent, short_seconds, significant};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Protection;
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, label};
-use crate::text_table::Table;
+use crate::text_table::{Table, hanging, indented};
 
 pub use crate::text_table::WIDTH;
 
@@ -35,6 +33,12 @@ pub fn vehicle_line(model: &Model) -> String {
         format!("; rotors 1 to {} are motors {}", motors.len(), numbers.join(", "))
     });
     format!("{} ({layout}{} rotors, {} kg{motors})", v.name, v.rotors.len(), number(v.mass))
+}
+
+/// `23.1 m/s`, rounded down, with the limit on tilt if that is the reason; `none` if the mode cannot hover.
+pub(super) fn airspeed(airspeed: &Airspeed) -> String {
+    let tilt = if airspeed.limited_by == Some(LimitedBy::Tilt) { " (tilt)" } else { "" };
+    airspeed.largest_m_per_s.map_or("none".into(), |speed| format!("{} m/s{tilt}", down(speed, 4)))
 }
 
 /// The head of a report: mission, vehicle, fault modes and model.
@@ -84,7 +88,7 @@ fn airspeeds(model: &Model) -> String {
         "Largest steady airspeed in level flight{heading} with the reserve: {}",
         each.collect::<Vec<_>>().join(", ")
     );
-    format!("{}\n", textwrap::fill(&text, textwrap::Options::new(WIDTH).subsequent_indent("  ")))
+    hanging(&text)
 }
 
 /// `, in 5 planes`: the number of planes imposed, if some of the facets that RSP guards lie in the same plane.
@@ -116,8 +120,7 @@ pub fn plan(problem: Problem, comparison: &Comparison) -> String {
             1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s violates\n", number(time)),
             n if model.plan.rounds > 1 => format!(
                 "RSP guards {n} facets of the fault sets{planes}: those violated at {} s by the RIP plan or a plan of \
-                 up to {} \
-                 further rounds\n",
+                 up to {} further rounds\n",
                 number(time),
                 model.plan.rounds - 1
             ),
@@ -153,9 +156,7 @@ pub fn plan(problem: Problem, comparison: &Comparison) -> String {
 
 /// Other times at which plans were found after a run that found none, as a paragraph.
 pub fn elsewhere(model: &Model, found_at: &[f64]) -> String {
-    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-    verdict_text::elsewhere(model, found_at)
-        .map_or(String::new(), |text| format!("{}\n", textwrap::fill(&text, options)))
+    verdict_text::elsewhere(model, found_at).map_or(String::new(), |text| indented(&text))
 }
 
 /// Mission time and risk after each addition of the greedy choice.
@@ -181,7 +182,7 @@ fn trade_off(comparison: &Comparison, bound: f64) -> String {
 fn solved_run(problem: Problem, comparison: &Comparison, run: &PlannerRun, solved: &MissionPlan) -> String {
     let (model, mission) = (problem.model(), problem.mission());
     let text = format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run));
-    let mut out = format!("{}\n", textwrap::fill(&text, textwrap::Options::new(WIDTH).subsequent_indent("  ")));
+    let mut out = hanging(&text);
     let (e, waypoints) = (errors(mission, solved), waypoints::waypoints(mission, solved));
     out.push_str(&format!("  {}\n{}", waypoints::headline(&waypoints), waypoints::table(&waypoints, 4)));
     let [position, yaw] = [significant(e.position, 4), significant(e.yaw, 3)];
@@ -207,8 +208,7 @@ fn solved_run(problem: Problem, comparison: &Comparison, run: &PlannerRun, solve
         ));
     }
     for caveat in caveats(model, solved) {
-        let text = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-        out.push_str(&format!("\n{}\n", textwrap::fill(&caveat.message, text)));
+        out.push_str(&format!("\n{}", indented(&caveat.message)));
     }
     out
 }
@@ -227,12 +227,10 @@ fn unguarded(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> St
     let sets = without_yaw::sets_of(comparison, &left);
     let text = format!(
         "RSP guards the selected facets, not whole sets: this plan leaves {sets}, by up to {}. A larger `rounds` \
-         selects more \
-         facets; RCP stays in every set.",
+         selects more facets; RCP stays in every set.",
         percent(most)
     );
-    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-    format!("\n{}\n", textwrap::fill(&text, options))
+    format!("\n{}", indented(&text))
 }
 
 /// Whether the mission holds after some of the faults planned against.
@@ -260,18 +258,14 @@ fn risk_lines(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> S
         (true, _) if rates.contains(&Some(0.0)) => "the plan never violates the set of a mode with a rate above zero.",
         (true, _) => "the plan never violates the set of a mode with a rate.",
         (false, false) => {
-            "the probability that some mode strikes before its last violation, so that the mission meets the \
-             violation if \
-             it continues. Modes are treated as independent."
+            "the probability that some mode strikes before its last violation, so that the mission meets the violation \
+             if it continues. Modes are treated as independent."
         }
         (false, true) => {
             "the probability that some mode strikes while the mission is committed to it: if the mission continues, \
-             before \
-             the mode's last violation; if it holds, before the last instant from which no stop inside the mode's set \
-             was \
-             found. Stops are searched for at the nodes; a stop that was not found may exist, but is not counted. \
-             Modes \
-             are treated as independent."
+             before the mode's last violation; if it holds, before the last instant from which no stop inside the \
+             mode's set was found. Stops are searched for at the nodes; a stop that was not found may exist, but is \
+             not counted. Modes are treated as independent."
         }
     };
     let text = format!(
@@ -280,8 +274,7 @@ fn risk_lines(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> S
         between_samples(model, &rates, comparison, solved),
         not_looked_at(model)
     );
-    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-    format!("\n{}\n", textwrap::fill(&text, options))
+    format!("\n{}", indented(&text))
 }
 
 /// A note on modes with a rate that are not planned against: they may strike too, and their sets were not considered.
@@ -322,12 +315,6 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
     )
 }
 
-/// The number of facets of a mode that the plan violates, as RSP counts them: in the exact model at any instant,
-/// otherwise at nodes.
-pub(super) fn counted(solved: &MissionPlan, out: &Outside) -> usize {
-    if solved.trajectory.model == WrenchModel::Exact { out.violated.len() } else { out.facets.len() }
-}
-
 fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> Table {
     let mut headings = vec!["mode", "facets", "nodes", "worst", "duration", "last violation"];
     let holds = holds(model);
@@ -347,7 +334,7 @@ fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> T
             }
             Some(last) => vec![
                 name.clone(),
-                counted(solved, out).to_string(),
+                violated_facets(solved, out).to_string(),
                 out.positions.to_string(),
                 percent(out.max_violation),
                 format!("{} s", short_seconds(out.seconds)),

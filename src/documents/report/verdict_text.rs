@@ -74,13 +74,11 @@ pub fn elsewhere(model: &Model, found_at: &[f64]) -> Option<String> {
     match (shorter.copied().map(number), longer.copied().map(number)) {
         (Some(shorter), Some(longer)) => Some(format!(
             "Plans were found at {shorter} s and at {longer} s. At {required} s none was found, and nothing in the \
-             spec was \
-             shown to rule one out: the planner may have missed it. Try one of these times."
+             spec was shown to rule one out: the planner may have missed it. Try one of these times."
         )),
         (None, Some(longer)) => Some(format!(
             "A plan was found at {longer} s. At {required} s none was found; whether one exists is open. Try {longer} \
-             s, or \
-             `time = minimum`."
+             s, or `time = minimum`."
         )),
         _ => None,
     }

@@ -138,7 +138,7 @@ pub fn worst(waypoints: &[WaypointRecord]) -> Option<&WaypointRecord> {
 }
 
 /// `21 waypoints met`, or `2 of 21 waypoints missed`.
-pub fn counted(waypoints: &[WaypointRecord]) -> String {
+pub fn met_or_missed(waypoints: &[WaypointRecord]) -> String {
     let all = waypoints.len();
     match waypoints.iter().filter(|w| !w.met).count() {
         0 => format!("{all} waypoints met"),
@@ -149,7 +149,7 @@ pub fn counted(waypoints: &[WaypointRecord]) -> String {
 /// `21 waypoints met: largest error 5 cm of 5 cm allowed (100 %), at waypoint 7`
 pub fn headline(waypoints: &[WaypointRecord]) -> String {
     let largest = |w: &WaypointRecord| format!(": largest error {}, at waypoint {}", w.largest(), w.label());
-    format!("{}{}", counted(waypoints), worst(waypoints).map_or(String::new(), largest))
+    format!("{}{}", met_or_missed(waypoints), worst(waypoints).map_or(String::new(), largest))
 }
 
 /// The waypoints that a table lists, in the order of flight: all, or of many the `WORST`; and for the others their

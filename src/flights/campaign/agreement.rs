@@ -14,13 +14,6 @@ use super::statistics::{Contingency, spearman};
 use super::tally::Tally;
 use crate::model::PlannerKind;
 
-/// A phi coefficient or rank correlation below this is no better than chance.
-const CHANCE: f64 = 0.1;
-/// From here on it is moderate.
-const MODERATE: f64 = 0.3;
-/// From here on it is strong.
-const STRONG: f64 = 0.5;
-
 /// Over all declared modes, and over those with hover inside their sets.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Agreement {
@@ -43,39 +36,6 @@ pub struct Scope {
     pub pairs: usize,
     /// Whether worse plans do more harm to the path.
     pub harm: Vec<Correlation>,
-}
-
-/// The strength of an agreement.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Strength {
-    /// Predictions or observations are all the same.
-    Undefined,
-    /// From -0.1 down: the opposite of the prediction happens more often than by chance.
-    Opposite,
-    /// Below 0.1.
-    Chance,
-    /// Below 0.3.
-    Weak,
-    /// Below 0.5.
-    Moderate,
-    /// From 0.5 up.
-    Strong,
-}
-
-impl Strength {
-    /// The class of a phi coefficient or rank correlation; `None` if it is undefined.
-    pub fn of(measure: Option<f64>) -> Strength {
-        match measure {
-            None => Strength::Undefined,
-            Some(m) if m <= -CHANCE => Strength::Opposite,
-            Some(m) if m < CHANCE => Strength::Chance,
-            Some(m) if m < MODERATE => Strength::Weak,
-            Some(m) if m < STRONG => Strength::Moderate,
-            Some(_) => Strength::Strong,
-        }
-    }
 }
 
 impl Agreement {

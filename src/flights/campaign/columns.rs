@@ -12,7 +12,7 @@ pub struct Column {
     pub name: &'static str,
     /// The unit of its numbers; empty if they have none.
     pub unit: &'static str,
-    pub kind: Kind,
+    pub kind: ColumnKind,
     /// Whether its cells may be empty.
     pub is_optional: bool,
     /// The meaning, in Markdown.
@@ -28,7 +28,7 @@ pub struct Column {
 
 /// The type of a column's values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ColumnKind {
     Text,
     Count,
     Number,
@@ -122,7 +122,7 @@ macro_rules! column {
         Column {
             name: $name,
             unit: $unit,
-            kind: Kind::$kind,
+            kind: ColumnKind::$kind,
             is_optional: $optional,
             meaning: $meaning,
             value: $value,

@@ -1,7 +1,7 @@
 //! The design of a campaign: plans at one mission time, and the violations of every declared mode's set by each plan.
 
 use super::cases::{Case, Cases, fault_time};
-use crate::admissible::edge::Place;
+use crate::admissible::edge::HoverPlace;
 use crate::admissible::row::{SetRow, row};
 use crate::admissible::without_yaw::YawFree;
 use crate::admissible::without_yaw::planned::Provision;
@@ -19,7 +19,7 @@ use std::str::FromStr;
 
 /// One planner's plan.
 #[derive(Debug, Clone)]
-pub struct Plan {
+pub struct CampaignPlan {
     pub planner: PlannerKind,
     /// Names of the modes it plans against.
     pub against: Vec<String>,
@@ -32,12 +32,12 @@ pub struct Plan {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Standing {
     /// The paper's verdict.
-    pub verdict: admissible::verdict::Verdict,
+    pub verdict: admissible::verdict::HoverVerdict,
     /// Where hover lies relative to the set of the verdict, as `mavc analyze` reports it.
-    pub hover: Place,
+    pub hover: HoverPlace,
     /// Where it lies relative to the set of full wrenches. A plan can keep a reserve only against modes with hover
     /// inside.
-    pub hover_all_axes: Place,
+    pub hover_all_axes: HoverPlace,
     /// How the mode hovers in the words of all reports, such as `on the edge, yaw free`.
     pub words: String,
     /// How the mode hovers with yaw given up.
@@ -53,7 +53,7 @@ pub struct Standing {
 impl Standing {
     /// Whether hover lies inside the set of full wrenches.
     pub fn is_inside(&self) -> bool {
-        self.hover_all_axes == Place::Inside
+        self.hover_all_axes == HoverPlace::Inside
     }
 
     /// Whether a plan can keep a reserve against the mode: hover lies inside its set, or inside the core by which it is
@@ -83,32 +83,32 @@ impl Missing {
 pub struct Design<'a> {
     pub model: &'a Model,
     /// In the order of the spec's planners; never empty.
-    pub plans: Vec<Plan>,
+    pub plans: Vec<CampaignPlan>,
     pub missing: Vec<Missing>,
     /// For each declared mode what is known of it without a flight.
     pub modes: Vec<Standing>,
     /// T_d, s.
     pub time: f64,
     pub cases: Cases,
-    pub id: Identity,
+    pub id: CampaignId,
 }
 
 /// A hash that identifies a campaign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Identity(pub u64);
+pub struct CampaignId(pub u64);
 
-impl fmt::Display for Identity {
+impl fmt::Display for CampaignId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:016x}", self.0)
     }
 }
 
-impl FromStr for Identity {
+impl FromStr for CampaignId {
     type Err = ();
 
     /// Sixteen lower-case hexadecimal digits.
     fn from_str(text: &str) -> Result<Self, ()> {
-        let id = u64::from_str_radix(text, 16).map(Identity).map_err(|_| ())?;
+        let id = u64::from_str_radix(text, 16).map(CampaignId).map_err(|_| ())?;
         if id.to_string() == text { Ok(id) } else { Err(()) }
     }
 }
@@ -126,7 +126,7 @@ impl<'a> Design<'a> {
             let run = comparison.runs.iter().find(|r| r.planner == planner);
             match run.map(|r| (&r.outcome, &r.against)) {
                 Some((PlanOutcome::Planned(solved), against)) => {
-                    plans.push(Plan {
+                    plans.push(CampaignPlan {
                         planner,
                         against: against.clone(),
                         outside: Vec::new(),
@@ -141,13 +141,13 @@ impl<'a> Design<'a> {
         let cases =
             Cases { planners: plans.len(), modes: model.modes.len(), times: campaign.times, seeds: campaign.seeds };
         let modes = judge(model, &mut plans);
-        let mut design = Design { model, plans, missing, modes, time, cases, id: Identity(0) };
+        let mut design = Design { model, plans, missing, modes, time, cases, id: CampaignId(0) };
         design.id = design.identity(origin);
         Ok(design)
     }
 
     /// Hash of the spec, the program, the mission time, the planners and the dimensions of the campaign.
-    fn identity(&self, origin: &str) -> Identity {
+    fn identity(&self, origin: &str) -> CampaignId {
         let Cases { planners, modes, times, seeds } = self.cases;
         let mut hash = Sha256::new();
         hash.update(origin.as_bytes());
@@ -158,7 +158,7 @@ impl<'a> Design<'a> {
         hash.update(self.time.to_le_bytes());
         self.plans.iter().for_each(|plan| hash.update(plan.planner.name().as_bytes()));
         let bytes = hash.finalize();
-        Identity(bytes.iter().take(8).fold(0, |id, byte| id << 8 | u64::from(*byte)))
+        CampaignId(bytes.iter().take(8).fold(0, |id, byte| id << 8 | u64::from(*byte)))
     }
 
     /// Whether a plan before this one is the same motion: it counts once where plans are compared.
@@ -168,7 +168,7 @@ impl<'a> Design<'a> {
     }
 
     /// The plan that a case flies.
-    pub fn plan(&self, case: &Case) -> &Plan {
+    pub fn plan(&self, case: &Case) -> &CampaignPlan {
         &self.plans[case.planner]
     }
 
@@ -186,7 +186,7 @@ impl<'a> Design<'a> {
 /// The standing of each declared mode ([`crate::admissible::edge`]), and the violations of each plan. Sets with hover
 /// inside are shrunk by the reserve; the others cannot be shrunk about hover. Only one set is in memory at a time:
 /// those of all modes may not fit.
-fn judge(model: &Model, plans: &mut [Plan]) -> Vec<Standing> {
+fn judge(model: &Model, plans: &mut [CampaignPlan]) -> Vec<Standing> {
     let healthy = AdmissibleSet::healthy(model);
     let mut modes = Vec::new();
     for mode in 0..model.modes.len() {

@@ -1,7 +1,7 @@
 //! Merging the rows of shards: every case exactly once, in order, byte for byte as a single run writes them.
 
 use super::cases::MAX_FLIGHTS;
-use super::design::Identity;
+use super::design::CampaignId;
 use super::rows::{Row, header, read_line};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -23,7 +23,7 @@ pub enum MergeError {
 /// The merged campaign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Merged {
-    pub campaign: Identity,
+    pub campaign: CampaignId,
     pub cases: usize,
 }
 

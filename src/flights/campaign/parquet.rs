@@ -1,6 +1,6 @@
 //! Rows as Parquet: the columns of the CSV, typed, in row groups of bounded size. Empty cells are nulls.
 
-use super::columns::{COLUMNS, Kind, Value};
+use super::columns::{COLUMNS, ColumnKind, Value};
 use super::rows::{Row, header};
 use parquet::basic::Compression;
 use parquet::data_type::{BoolType, ByteArrayType, DataType, DoubleType, Int64Type};
@@ -19,10 +19,10 @@ fn schema() -> String {
     let columns = COLUMNS.iter().map(|column| {
         let presence = if column.is_optional { "optional" } else { "required" };
         let (kind, note) = match column.kind {
-            Kind::Text => ("byte_array", " (UTF8)"),
-            Kind::Count => ("int64", ""),
-            Kind::Number => ("double", ""),
-            Kind::Truth => ("boolean", ""),
+            ColumnKind::Text => ("byte_array", " (UTF8)"),
+            ColumnKind::Count => ("int64", ""),
+            ColumnKind::Number => ("double", ""),
+            ColumnKind::Truth => ("boolean", ""),
         };
         format!("{presence} {kind} {}{note};", column.name)
     });
@@ -66,10 +66,12 @@ fn group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, rows: &[Row]) ->
         let levels = column.is_optional.then_some(&levels[..]);
         let values = cells.into_iter().flatten();
         match column.kind {
-            Kind::Text => write::<ByteArrayType, _>(&mut group, values.map(|v| v.to_string().as_str().into()), levels)?,
-            Kind::Count => write::<Int64Type, _>(&mut group, values.filter_map(count), levels)?,
-            Kind::Number => write::<DoubleType, _>(&mut group, values.filter_map(number), levels)?,
-            Kind::Truth => write::<BoolType, _>(&mut group, values.filter_map(truth), levels)?,
+            ColumnKind::Text => {
+                write::<ByteArrayType, _>(&mut group, values.map(|v| v.to_string().as_str().into()), levels)?
+            }
+            ColumnKind::Count => write::<Int64Type, _>(&mut group, values.filter_map(count), levels)?,
+            ColumnKind::Number => write::<DoubleType, _>(&mut group, values.filter_map(number), levels)?,
+            ColumnKind::Truth => write::<BoolType, _>(&mut group, values.filter_map(truth), levels)?,
         }
     }
     group.close().map(drop)

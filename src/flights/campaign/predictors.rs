@@ -1,12 +1,11 @@
 //! What can be said before a flight about whether the vehicle is lost, compared with the flights (`docs/campaigns.md`,
 //! "Predicted against flown").
 
-use super::agreement::Strength;
 use super::design::{Design, Standing};
-use super::statistics::{Contingency, brier};
+use super::statistics::{Contingency, Strength, brier};
 use super::tally::Tally;
-use crate::admissible::edge::Place;
-use crate::admissible::verdict::Verdict;
+use crate::admissible::edge::HoverPlace;
+use crate::admissible::verdict::HoverVerdict;
 use crate::admissible::without_yaw::YawFree;
 use crate::motion::{X, Y, Z};
 
@@ -68,10 +67,10 @@ impl Predictor {
 
 fn of_verdict(standing: &Standing) -> Class {
     let (word, lost) = match (standing.verdict, standing.gives_up_yaw) {
-        (Verdict::Controllable, _) => ("controllable", false),
-        (Verdict::Stabilizable, true) => ("stabilizable", false),
-        (Verdict::Stabilizable, false) => ("stabilizable, yaw kept", true),
-        (Verdict::Unstable, _) => ("unstable", true),
+        (HoverVerdict::Controllable, _) => ("controllable", false),
+        (HoverVerdict::Stabilizable, true) => ("stabilizable", false),
+        (HoverVerdict::Stabilizable, false) => ("stabilizable, yaw kept", true),
+        (HoverVerdict::Unstable, _) => ("unstable", true),
     };
     Class { word, lost }
 }
@@ -82,9 +81,9 @@ fn of_core(standing: &Standing) -> Class {
         return Class { word: standing.yaw_free.word(), lost };
     }
     let word = match standing.hover_all_axes {
-        Place::Inside => "inside, yaw kept",
-        Place::OnEdge => "on the edge, yaw kept",
-        Place::Outside => "outside, yaw kept",
+        HoverPlace::Inside => "inside, yaw kept",
+        HoverPlace::OnEdge => "on the edge, yaw kept",
+        HoverPlace::Outside => "outside, yaw kept",
     };
     Class { word, lost: !standing.is_inside() }
 }
@@ -139,10 +138,10 @@ pub struct Forecast {
     /// Brier score of the prediction as 0 or 1: the share that it gets wrong.
     #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub brier: Option<f64>,
-    /// Of the share lost in the same class with the other modes, (lost + 1)/(struck + 2).
+    /// Brier score of predicting the share lost in the same class with the other modes, (lost + 1)/(struck + 2).
     #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub brier_by_class: Option<f64>,
-    /// Of the share lost with the other modes, whatever the class: the score to beat.
+    /// Brier score of predicting the share lost with the other modes, whatever the class: the score to beat.
     #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub brier_base: Option<f64>,
     /// The classes of flights that it distinguishes.

@@ -3,7 +3,7 @@
 use super::HEALTHY;
 use super::cases::Case;
 use super::columns::{COLUMNS, Cell, Column};
-use super::design::{Design, Identity};
+use super::design::{CampaignId, Design};
 use crate::flight::{BrokenLimits, Cause, Damage, Flight, Outcome};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -44,7 +44,7 @@ fn checked() -> &'static [Column] {
 /// The result of one case.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Row {
-    pub campaign: Identity,
+    pub campaign: CampaignId,
     /// Number of cases of the whole campaign.
     pub cases: usize,
     pub case: usize,
@@ -264,7 +264,7 @@ impl Row {
     }
 }
 
-/// Planner, mode and instant (s) as in rows.
+/// Planner, mode and instant (s) of a row, in the spelling of its columns.
 fn names<'a>(design: &'a Design, case: &Case) -> (&'a str, &'a str, Option<f64>) {
     let strike = design.strike(case);
     let mode = strike.map_or(HEALTHY, |(mode, _)| mode.name.as_str());

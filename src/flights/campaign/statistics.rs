@@ -5,6 +5,13 @@ use serde::Serialize;
 /// The standard normal distribution's 97.5 % point.
 const Z: f64 = 1.959_963_984_540_054;
 
+/// A phi coefficient or rank correlation below this is no better than chance.
+const CHANCE: f64 = 0.1;
+/// From here on it is moderate.
+const MODERATE: f64 = 0.3;
+/// From here on it is strong.
+const STRONG: f64 = 0.5;
+
 /// A share with its 95 % confidence interval by Wilson.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -34,6 +41,39 @@ pub fn wilson(successes: usize, of: usize) -> Option<Share> {
     let low = if successes == 0 { 0.0 } else { (center - half).max(0.0) };
     let high = if successes == of { 1.0 } else { (center + half).min(1.0) };
     Some(Share { share, low, high })
+}
+
+/// The strength of an agreement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Strength {
+    /// Predictions or observations are all the same.
+    Undefined,
+    /// From -0.1 down: the opposite of the prediction happens more often than by chance.
+    Opposite,
+    /// Below 0.1.
+    Chance,
+    /// Below 0.3.
+    Weak,
+    /// Below 0.5.
+    Moderate,
+    /// From 0.5 up.
+    Strong,
+}
+
+impl Strength {
+    /// The class of a phi coefficient or rank correlation; `None` if it is undefined.
+    pub fn of(measure: Option<f64>) -> Strength {
+        match measure {
+            None => Strength::Undefined,
+            Some(m) if m <= -CHANCE => Strength::Opposite,
+            Some(m) if m < CHANCE => Strength::Chance,
+            Some(m) if m < MODERATE => Strength::Weak,
+            Some(m) if m < STRONG => Strength::Moderate,
+            Some(_) => Strength::Strong,
+        }
+    }
 }
 
 /// Mean, standard deviation and maximum of a stream of values.

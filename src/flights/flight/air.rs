@@ -33,7 +33,7 @@ struct Gusts {
     decay: f64,
     fresh: f64,
     longitudinal: f64,
-    /// Of the second-order filters: state transition, and Cholesky factor of the covariance of the noise.
+    /// The second-order filters: their state transition, and the Cholesky factor of the covariance of their noise.
     transition: Matrix2<f64>,
     noise: Matrix2<f64>,
     lateral: Vector2<f64>,

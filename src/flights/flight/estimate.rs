@@ -1,5 +1,5 @@
 //! Estimation of rotor capacities by regularised recursive least squares on the body's angular motion, (32) to (42).
-//! See `docs/flight.md`, section 4.
+//! The formulas are in `docs/flight.md`, section 4.
 //!
 //! The paper's (40) has three equations a sample for n capacities, so at constant speeds most directions are not
 //! observable. Plain recursive least squares with a forgetting factor drifts along these directions until the vehicle

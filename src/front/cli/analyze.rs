@@ -2,14 +2,14 @@
 
 use super::progress::Watch;
 use super::results::compact_json;
-use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files, spec};
+use super::{AnalyzeArgs, CommandError, FINE, Format, Options, SPEC_ERRORS, files, spec};
 use crate::observer::timed;
 use crate::pipeline::{Sweep, analyze, capture};
 use crate::read::FlightBlocks;
 use crate::report::analysis_record::AnalysisRecord;
 use crate::report::{analysis_text, capture_text};
 
-pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, CommandError> {
     let watch = Watch::new(options);
     let (spec, mut findings) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
     findings.eprint(options);

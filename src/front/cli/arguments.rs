@@ -52,7 +52,7 @@ pub(super) struct Cli {
 pub(super) enum Command {
     /// Check specs: every mistake, and the fault modes that the plan must tolerate but cannot
     Check(CheckArgs),
-    /// Report verdict, margins, heaviest mass and headroom of each fault mode
+    /// Report verdict, margins, largest mass and headroom of each fault mode
     Analyze(AnalyzeArgs),
     /// Plan the mission and write the trajectory
     Plan(PlanArgs),

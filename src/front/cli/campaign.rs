@@ -9,7 +9,7 @@ mod places;
 
 use super::progress::Watch;
 use super::spec::{self, Start};
-use super::{DIVERGED, FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, plan};
+use super::{CommandError, DIVERGED, FINE, INCONCLUSIVE, NO_PLAN, Options, SPEC_ERRORS, SpecArgs, code_of};
 use crate::pipeline::{Task, departure, missing_verdict};
 use crate::read::FlightBlocks;
 use crate::report::campaign_record::CampaignRecord;
@@ -19,7 +19,7 @@ use arguments::Action;
 pub use arguments::CampaignArgs;
 use places::Places;
 
-pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, CommandError> {
     if let Some(Action::Merge { output, rows }) = &args.action {
         return merge::run(output, rows, options);
     }
@@ -48,7 +48,7 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
             places.print_alone(campaign_text::left_out(&missing).trim_start())?;
             let record = CampaignRecord::without_flights(spec.model(), &missing, spec.sha256().into());
             places.write(spec, &findings, &record, options)?;
-            return Ok(plan::code(missing_verdict(&missing)));
+            return Ok(code_of(missing_verdict(&missing)));
         }
     };
     findings.eprint_new(departure(spec, design.time), options);

@@ -4,7 +4,7 @@ mod tally;
 
 use super::progress::Watch;
 use super::spec::{self, Findings};
-use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs};
+use super::{CheckArgs, CheckFormat, CommandError, Deny, FINE, NO_PLAN, Options, SPEC_ERRORS, SpecArgs};
 use super::{files, specs, usage, watch};
 use crate::diagnostic::sort;
 use crate::import::{MAX_BYTES, mission};
@@ -15,7 +15,7 @@ use crate::spec::{Compiler, Spec};
 use std::path::Path;
 use tally::{Count, Tally};
 
-pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, CommandError> {
     if args.explain_defaults && args.format != CheckFormat::Human {
         return Err("--explain-defaults prints a table for people and cannot be combined with --format".into());
     }
@@ -31,7 +31,7 @@ pub struct Round {
 }
 
 /// Checks every spec once and prints the diagnostics. Those of a file that several specs use are printed once.
-pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, Problem> {
+pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, CommandError> {
     let found = specs::find(&args.specs);
     let mut tally = Tally::new(found.problems.len());
     let mut code = found.eprint();
@@ -50,7 +50,7 @@ pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, Problem> {
 }
 
 /// Checks one spec.
-fn one(name: &str, args: &CheckArgs, options: &Options, tally: &mut Tally) -> Result<u8, Problem> {
+fn one(name: &str, args: &CheckArgs, options: &Options, tally: &mut Tally) -> Result<u8, CommandError> {
     let (spec, mut findings) = read(name, args, options)?;
     tally.used.extend(findings.files.names());
     let count = Count::of(&findings.diagnostics);
@@ -74,7 +74,7 @@ fn one(name: &str, args: &CheckArgs, options: &Options, tally: &mut Tally) -> Re
 }
 
 /// The spec, if it has no errors, and everything that is wrong with it.
-fn read(name: &str, args: &CheckArgs, options: &Options) -> Result<(Option<Spec>, Findings), Problem> {
+fn read(name: &str, args: &CheckArgs, options: &Options) -> Result<(Option<Spec>, Findings), CommandError> {
     let watch = Watch::new(options);
     let Some(vehicle) = &args.vehicle else {
         let args = SpecArgs { spec: name.into(), set: args.set.clone() };

@@ -3,14 +3,14 @@
 use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::spec::{self, Start};
-use super::{CompareArgs, Options, Problem, plan};
+use super::{CommandError, CompareArgs, Options, code_of};
 use crate::model::MAX_ROUNDS;
 use crate::pipeline::Task;
 use crate::read::FlightBlocks;
 use crate::report::comparison_text;
-use crate::report::page::{self, Kind};
+use crate::report::page::{self, PageKind};
 
-pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, CommandError> {
     let wanted = args.rounds.as_deref().map(parse_rounds).transpose()?;
     let places = Places::new(Names {
         report: args.report.as_deref(),
@@ -32,7 +32,7 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let record = task.comparison_report(&comparison, rounds.as_deref());
     let mut results = Results::new(&places);
     results.report(&record)?;
-    results.page(|| page::plans(Kind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record, &[]));
+    results.page(|| page::plans(PageKind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record, &[]));
     results.print(&comparison_text::compare(problem, &comparison))?;
     if let Some(rounds) = &rounds {
         results.print(&comparison_text::rounds(problem, &comparison, rounds))?;
@@ -40,11 +40,11 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     results.charts(&subject(&task, &[]), &comparison)?;
     results.write()?;
     results.note_page(options)?;
-    Ok(plan::code(comparison.verdict(problem)))
+    Ok(code_of(comparison.verdict(problem)))
 }
 
 /// Reads `0..5` or `3`; both ends are included.
-fn parse_rounds(text: &str) -> Result<(usize, usize), Problem> {
+fn parse_rounds(text: &str) -> Result<(usize, usize), CommandError> {
     let (first, last) = text.split_once("..").unwrap_or((text, text));
     let whole = |t: &str| t.trim().parse::<usize>().ok().filter(|n| *n <= MAX_ROUNDS);
     match (whole(first), whole(last)) {

@@ -3,7 +3,7 @@
 use super::progress::Watch;
 use super::results::compact_json;
 use super::spec::{self, Findings, Start};
-use super::{EmitArgs, EmitFormat, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, Stage, USAGE, files};
+use super::{CommandError, EmitArgs, EmitFormat, FINE, NO_PLAN, Options, SPEC_ERRORS, Stage, USAGE, files};
 use crate::diagnostic::sort;
 use crate::observer::Silent;
 use crate::pipeline::{NotPrinted, Task, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
@@ -11,7 +11,7 @@ use crate::read::FlightBlocks;
 use crate::source::visible;
 use crate::spec::Spec;
 
-pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, CommandError> {
     if !args.has_format() {
         return Err("--format json is for the stages model and qp, --format mps for qp".into());
     }
@@ -40,7 +40,7 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
 }
 
 /// The stage that needs only syntax.
-fn ast(mut findings: Findings, options: &Options) -> Result<u8, Problem> {
+fn ast(mut findings: Findings, options: &Options) -> Result<u8, CommandError> {
     sort(&mut findings.diagnostics);
     findings.eprint(options);
     let code = if findings.has_errors() { SPEC_ERRORS } else { FINE };
@@ -51,7 +51,7 @@ fn ast(mut findings: Findings, options: &Options) -> Result<u8, Problem> {
 }
 
 /// The stages that need the planner's choice of rows and a mission time.
-fn planned(args: &EmitArgs, spec: &Spec, findings: &mut Findings, options: &Options) -> Result<u8, Problem> {
+fn planned(args: &EmitArgs, spec: &Spec, findings: &mut Findings, options: &Options) -> Result<u8, CommandError> {
     let task = match findings.start(Some(spec), Task::new, options) {
         Start::Task(task) => task,
         Start::Refused => return Ok(NO_PLAN),

@@ -1,10 +1,10 @@
 //! `mavc explain`: prints the page of a diagnostic code, or lists codes.
 
-use super::{FINE, Problem, USAGE, files};
+use super::{CommandError, FINE, USAGE, files};
 use crate::diagnostic::{codes, nearest};
 use crate::source::visible;
 
-pub fn run(code: Option<&str>) -> Result<u8, Problem> {
+pub fn run(code: Option<&str>) -> Result<u8, CommandError> {
     let Some(code) = code else {
         files::print(&listed(codes::all()))?;
         return Ok(FINE);

@@ -1,7 +1,7 @@
 //! The options `--format`, `--frame` and `--tolerance` of `mavc plan`, and the file that they describe.
 
 use super::results::{Results, is_folder};
-use super::{Options, PlanArgs, Problem, files, rate};
+use super::{CommandError, Options, PlanArgs, files, rate};
 use crate::exchange::frames::Frame;
 use crate::exchange::trajectory::{Choices, FORMATS, Format, TOLERANCES, bag_files, write};
 use crate::model::Model;
@@ -20,7 +20,7 @@ pub struct Export<'a> {
 impl<'a> Export<'a> {
     /// # Errors
     /// The options do not go together.
-    pub fn of(args: &'a PlanArgs) -> Result<Self, Problem> {
+    pub fn of(args: &'a PlanArgs) -> Result<Self, CommandError> {
         let format = args.format.as_deref().and_then(|name| FORMATS.iter().find(|(_, n)| *n == name));
         let choices = Choices {
             format: format.map(|(format, _)| *format).unwrap_or_default(),
@@ -42,7 +42,7 @@ impl<'a> Export<'a> {
     }
 
     /// Whether the format can carry plans of this model; known before anything is planned.
-    pub fn fits(&self, model: &Model) -> Result<(), Problem> {
+    pub fn fits(&self, model: &Model) -> Result<(), CommandError> {
         self.choices.fit(model)
     }
 
@@ -53,7 +53,7 @@ impl<'a> Export<'a> {
         trajectory: &Trajectory,
         task: &Task,
         options: &Options,
-    ) -> Result<(), Problem> {
+    ) -> Result<(), CommandError> {
         let Some(output) = self.output else { return Ok(()) };
         let written = write(trajectory, task.model(), &self.choices)?;
         if let Some(remark) = written.remark.filter(|_| !options.quiet) {
@@ -74,7 +74,7 @@ const NED: &str = "ned-frd";
 pub const FRAMES: [&str; 2] = ["enu-flu", NED];
 
 /// Reads `5mm`, `1 cm` or `0.1m`; m.
-fn tolerance(text: &str) -> Result<f64, Problem> {
+fn tolerance(text: &str) -> Result<f64, CommandError> {
     let trimmed = text.trim();
     let unit = [("mm", 1e-3), ("cm", 1e-2), ("m", 1.0)].into_iter().find(|(unit, _)| trimmed.ends_with(unit));
     let number = unit.and_then(|(unit, factor)| {

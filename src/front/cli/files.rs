@@ -1,6 +1,6 @@
 //! Reading specs, and printing to standard output and standard error.
 
-use super::Problem;
+use super::CommandError;
 use crate::input;
 pub use crate::input::reason;
 use crate::source::visible;
@@ -8,7 +8,7 @@ use std::io::{Error, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 
 /// The bytes of a spec or a certificate ([`input::given`]), at most one more than `most`.
-pub fn read_spec(name: &str, most: usize) -> Result<Vec<u8>, Problem> {
+pub fn read_spec(name: &str, most: usize) -> Result<Vec<u8>, CommandError> {
     input::given(name, most).map_err(|e| cannot_read(Path::new(name), &e))
 }
 
@@ -17,18 +17,18 @@ pub fn shown(path: &Path) -> String {
     visible::line(&path.display().to_string()).into_owned()
 }
 
-pub fn cannot_read(path: &Path, e: &Error) -> Problem {
+pub fn cannot_read(path: &Path, e: &Error) -> CommandError {
     format!("cannot read {}: {}", path.display(), reason(e))
 }
 
 /// Prints a text for people to standard output, disguised characters as escapes.
-pub fn print(text: &str) -> Result<(), Problem> {
+pub fn print(text: &str) -> Result<(), CommandError> {
     print_as_it_is(&visible::text(text))
 }
 
 /// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes, and
 /// bytes that are no text are refused.
-pub fn print_result(bytes: &[u8]) -> Result<(), Problem> {
+pub fn print_result(bytes: &[u8]) -> Result<(), CommandError> {
     if std::io::stdout().is_terminal() {
         return match std::str::from_utf8(bytes) {
             Ok(text) => print(text),
@@ -40,13 +40,13 @@ pub fn print_result(bytes: &[u8]) -> Result<(), Problem> {
 }
 
 /// Prints a text without disguised characters, with its colours and links.
-pub fn print_as_it_is(text: &str) -> Result<(), Problem> {
+pub fn print_as_it_is(text: &str) -> Result<(), CommandError> {
     let mut stream = anstream::stdout().lock();
     written(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
 }
 
 /// Whether standard output took the text; a reader that has gone away is not an error.
-pub fn written(outcome: std::io::Result<()>) -> Result<(), Problem> {
+pub fn written(outcome: std::io::Result<()>) -> Result<(), CommandError> {
     unless_gone(outcome).map_err(|e| format!("cannot write to standard output: {}", reason(&e)))
 }
 

@@ -1,7 +1,7 @@
 //! `mavc fmt`: formats each file by itself. One that has errors is left as it is and does not stop the others.
 
 use super::target::{Target, write};
-use super::{FINE, FmtArgs, Options, Problem, SPEC_ERRORS, files, spec, specs, usage};
+use super::{CommandError, FINE, FmtArgs, Options, SPEC_ERRORS, files, spec, specs, usage};
 use crate::diagnostic::{Checked, Severity};
 use crate::format::format;
 use crate::input::MAX_FILE_BYTES;
@@ -9,14 +9,14 @@ use crate::source::{Source, SourceMap};
 use crate::syntax::not_utf8;
 use std::path::Path;
 
-pub fn run(args: &FmtArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &FmtArgs, options: &Options) -> Result<u8, CommandError> {
     let found = specs::find(&args.specs);
     let bad = found.eprint();
     let each = found.specs.iter().map(|name| one(name, args.check, options).unwrap_or_else(|problem| usage(&problem)));
     Ok(specs::worst(each.chain([bad])))
 }
 
-fn one(name: &str, check: bool, options: &Options) -> Result<u8, Problem> {
+fn one(name: &str, check: bool, options: &Options) -> Result<u8, CommandError> {
     let bytes = files::read_spec(name, MAX_FILE_BYTES)?;
     let mut sources = SourceMap::default();
     let formatted = match Source::from_bytes(spec::name(name), &bytes) {

@@ -2,12 +2,12 @@
 
 use super::spec::{human, shown};
 use super::target::{Target, write};
-use super::{FINE, ImportArgs, ImportCommand, ImportMissionArgs, Options, Problem, SPEC_ERRORS, files};
+use super::{CommandError, FINE, ImportArgs, ImportCommand, ImportMissionArgs, Options, SPEC_ERRORS, files};
 use crate::diagnostic::Severity;
 use crate::import::{Imported, MAX_BYTES, mission, vehicle};
 use std::path::{Component, Path, PathBuf};
 
-pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, Problem> {
+pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, CommandError> {
     match what {
         ImportCommand::Vehicle(args) => one(args, vehicle::import, options),
         ImportCommand::Mission(ImportMissionArgs { import, vehicle }) => {
@@ -17,7 +17,7 @@ pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, Problem> {
     }
 }
 
-fn one(args: &ImportArgs, read: impl Fn(&str, &[u8]) -> Imported, options: &Options) -> Result<u8, Problem> {
+fn one(args: &ImportArgs, read: impl Fn(&str, &[u8]) -> Imported, options: &Options) -> Result<u8, CommandError> {
     let target = args.output.as_deref().map(Target::new).transpose()?;
     if let Some((target, path)) = target.as_ref().zip(args.output.as_deref()) {
         target.must_spare([args.file.as_str()])?;
@@ -71,7 +71,7 @@ fn remarks(imported: &Imported, args: &ImportArgs) -> String {
 
 /// The path of the spec `used` as a spec at `output` names it: relative to the folder of `output`, or to the present
 /// one without an output.
-fn relative(used: &Path, output: Option<&Path>) -> Result<String, Problem> {
+fn relative(used: &Path, output: Option<&Path>) -> Result<String, CommandError> {
     let whole = used.canonicalize().map_err(|e| files::cannot_read(used, &e))?;
     let folder = match output.filter(|path| path.as_os_str() != "-").and_then(Path::parent) {
         Some(folder) if folder.as_os_str().is_empty() => Path::new("."),

@@ -1,6 +1,5 @@
 //! Links from diagnostic codes to their pages, in terminals that show links.
 
-use super::spec::colored;
 use std::io::IsTerminal;
 use std::path::Path;
 
@@ -20,6 +19,11 @@ pub fn docs(stream: &impl IsTerminal) -> Option<String> {
         Err(_) if std::env::var_os("SSH_CONNECTION").is_some() => None,
         Err(_) => checkout(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/docs"))),
     }
+}
+
+/// Colour where the stream is a terminal and NO_COLOR is not set.
+pub fn colored(stream: &impl IsTerminal) -> bool {
+    stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
 }
 
 fn checkout(docs: &Path) -> Option<String> {

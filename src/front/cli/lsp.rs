@@ -1,9 +1,9 @@
 //! `mavc lsp`: runs the language server.
 
-use super::{FINE, Problem, USAGE, files};
+use super::{CommandError, FINE, USAGE, files};
 use crate::lsp::{Ending, serve_stdio};
 
-pub fn run() -> Result<u8, Problem> {
+pub fn run() -> Result<u8, CommandError> {
     match serve_stdio() {
         Ok(Ending::Agreed) => Ok(FINE),
         Ok(Ending::Abrupt) => Ok(USAGE),

@@ -2,11 +2,11 @@
 
 use super::files::shown;
 use super::target::{Target, write};
-use super::{FINE, Options, Problem, files};
+use super::{CommandError, FINE, Options, files};
 use std::path::Path;
 
 /// Writes the template, or with a `mission` that of this kind (a name in [`crate::MISSION_TEMPLATES`]).
-pub fn run(file: &Path, mission: Option<&str>, options: &Options) -> Result<u8, Problem> {
+pub fn run(file: &Path, mission: Option<&str>, options: &Options) -> Result<u8, CommandError> {
     let name = shown(file);
     if file.as_os_str() != "-" && file.symlink_metadata().is_ok() {
         return Err(format!("{name} exists already; nothing was written"));

@@ -5,18 +5,17 @@ use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::signals::Enough;
 use super::spec::{self, Start};
-use super::{CUT_SHORT, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, files};
+use super::{CUT_SHORT, CommandError, Options, PlanArgs, code_of, files};
 use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::MissionTime;
 use crate::observer::{Observer, timed};
 use crate::pipeline::{Explained, Planning, Task, certify};
 use crate::read::FlightBlocks;
-use crate::report::page::{self, Kind};
-use crate::verdict::Verdict;
+use crate::report::page::{self, PageKind};
 use std::panic::resume_unwind;
 
-pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
     let export = Export::of(args)?;
     let places = Places::new(Names {
         table: export.file(),
@@ -61,7 +60,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         let shown: Vec<Diagnostic> = findings.diagnostics.iter().chain(&conflict).cloned().collect();
         let comparison = planning.comparison();
         results.page(|| {
-            page::plans(Kind::Plan, &subject(&task, &shown), comparison, &record, &task.capture_curves(&planning))
+            page::plans(PageKind::Plan, &subject(&task, &shown), comparison, &record, &task.capture_curves(&planning))
         });
         let text = task.text(&planning, &explained, between.as_deref());
         results.print(&text)?;
@@ -83,30 +82,21 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
             }
             None => "mavc: the search was cut short before it had a plan\n",
         });
-        return Ok(if args.accept_best { code(planning.verdict()) } else { CUT_SHORT });
+        return Ok(if args.accept_best { code_of(planning.verdict()) } else { CUT_SHORT });
     }
-    Ok(code(planning.verdict()))
+    Ok(code_of(planning.verdict()))
 }
 
 /// Bytes of stack of a thread that plans: as much as those of the main program.
 const STACK: usize = 8 << 20;
 
 /// Plans the mission. Where its time is searched for, the first Ctrl-C ends the search with the best plan that it has.
-fn plan(task: &Task, cancel: &Cancel, watch: &Watch) -> Result<Planning, Problem> {
+fn plan(task: &Task, cancel: &Cancel, watch: &Watch) -> Result<Planning, CommandError> {
     let _enough = (task.model().plan.time == MissionTime::Minimum).then(|| Enough::new(cancel.clone()));
     match cancel.within(rayon::current_num_threads(), STACK, || task.plan(watch)) {
         Ok(planning) => Ok(planning),
         Err(NoResult::Panicked(payload)) => resume_unwind(payload),
         Err(NoResult::NoThreads(why)) => Err(why),
         Err(NoResult::Cancelled(cancelled)) => Err(cancelled.to_string()),
-    }
-}
-
-/// The exit code of a verdict.
-pub fn code(verdict: Verdict) -> u8 {
-    match verdict {
-        Verdict::Found => FINE,
-        Verdict::ProvedInfeasible => NO_PLAN,
-        Verdict::NotFound | Verdict::NotAttempted => INCONCLUSIVE,
     }
 }

@@ -1,10 +1,10 @@
 //! The option `--rate 100Hz`.
 
-use super::Problem;
+use super::CommandError;
 use crate::report::trajectory_csv::RATES;
 
 /// Reads `100Hz`, `100 Hz` or `0.5kHz`; the rate in Hz.
-pub fn parse(text: &str) -> Result<f64, Problem> {
+pub fn parse(text: &str) -> Result<f64, CommandError> {
     let trimmed = text.trim();
     let (digits, factor) = match (trimmed.strip_suffix("kHz"), trimmed.strip_suffix("Hz")) {
         (Some(d), _) => (d, 1e3),

@@ -3,11 +3,11 @@
 
 use super::spec::Findings;
 use super::target::{Target, cannot_write, write};
-use super::{NO_PLAN, Options, Problem, files, plan};
+use super::{CommandError, NO_PLAN, Options, code_of, files};
 use crate::diagnostic::Diagnostic;
 use crate::pipeline::{Explained, Planning, Task};
 use crate::planner::studies::Comparison;
-use crate::report::page::{self, Kind, Subject};
+use crate::report::page::{self, PageKind, Subject};
 use crate::report::record::Record;
 use crate::source::{SourceMap, visible};
 use crate::spec::Spec;
@@ -39,7 +39,7 @@ pub struct Places<'a> {
 
 impl<'a> Places<'a> {
     /// Finds every place before minutes of work, and refuses one place for two results.
-    pub fn new(names: Names<'a>) -> Result<Self, Problem> {
+    pub fn new(names: Names<'a>) -> Result<Self, CommandError> {
         let target = |name: Option<&Path>| name.map(Target::new).transpose();
         let (table, report) = (target(names.table)?, target(names.report)?);
         if let (Some(a), Some(b)) = (&table, &report)
@@ -61,13 +61,13 @@ impl<'a> Places<'a> {
     }
 
     /// Refuses places at which a result would replace a file of the spec.
-    pub fn spare(&self, findings: &Findings) -> Result<(), Problem> {
+    pub fn spare(&self, findings: &Findings) -> Result<(), CommandError> {
         let read = || findings.files.sources.iter().map(|(_, source)| source.name.as_str());
         self.all().try_for_each(|target| target.must_spare(read()))
     }
 
     /// Writes the report of a mission that was not planned, because a mode that the plan must tolerate cannot hover.
-    pub fn refuse(&self, spec: Option<&Spec>, findings: &Findings, options: &Options) -> Result<u8, Problem> {
+    pub fn refuse(&self, spec: Option<&Spec>, findings: &Findings, options: &Options) -> Result<u8, CommandError> {
         let Some(spec) = spec else { return Ok(NO_PLAN) };
         let record = Record::refused(spec.model(), spec.sha256().into());
         let mut results = Results::new(self);
@@ -88,17 +88,17 @@ impl<'a> Places<'a> {
         planning: &Planning,
         findings: &Findings,
         options: &Options,
-    ) -> Result<u8, Problem> {
+    ) -> Result<u8, CommandError> {
         let comparison = planning.comparison();
         let record = task.report(planning, &Explained::default(), None);
         let mut results = Results::new(self);
         results.report(&record)?;
-        results.page(|| page::plans(Kind::Plan, &subject(task, &findings.diagnostics), comparison, &record, &[]));
+        results.page(|| page::plans(PageKind::Plan, &subject(task, &findings.diagnostics), comparison, &record, &[]));
         results.print(&task.text(planning, &Explained::default(), None))?;
         results.print("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n")?;
         results.write()?;
         results.note_page(options)?;
-        Ok(plan::code(planning.verdict()))
+        Ok(code_of(planning.verdict()))
     }
 }
 
@@ -123,13 +123,13 @@ impl<'p> Results<'p> {
         self.made.extend(self.places.layout.as_ref().map(|target| (target, text.into_bytes())));
     }
 
-    pub fn report(&mut self, record: &impl Serialize) -> Result<(), Problem> {
+    pub fn report(&mut self, record: &impl Serialize) -> Result<(), CommandError> {
         let Some(target) = &self.places.report else { return Ok(()) };
         self.made.push((target, json(record)?.into_bytes()));
         Ok(())
     }
 
-    pub fn certificate(&mut self, record: &impl Serialize) -> Result<(), Problem> {
+    pub fn certificate(&mut self, record: &impl Serialize) -> Result<(), CommandError> {
         let Some(target) = &self.places.certificate else { return Ok(()) };
         self.made.push((target, json(record)?.into_bytes()));
         Ok(())
@@ -140,7 +140,7 @@ impl<'p> Results<'p> {
     }
 
     /// Draws the charts into a folder.
-    pub fn charts(&mut self, subject: &Subject, comparison: &Comparison) -> Result<(), Problem> {
+    pub fn charts(&mut self, subject: &Subject, comparison: &Comparison) -> Result<(), CommandError> {
         let Some(folder) = self.places.names.charts else { return Ok(()) };
         let drawn = page::figures(subject, comparison).map_err(|e| format!("cannot draw the charts: {e}"))?;
         let files = drawn.into_iter().map(|(name, text)| (name, text.into_bytes()));
@@ -156,7 +156,7 @@ impl<'p> Results<'p> {
         folder: &Path,
         files: impl IntoIterator<Item = (String, Vec<u8>)>,
         read: &SourceMap,
-    ) -> Result<(), Problem> {
+    ) -> Result<(), CommandError> {
         std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
         let placed = |(name, bytes): (String, Vec<u8>)| {
             let target = Target::within(folder, &name)?;
@@ -172,7 +172,7 @@ impl<'p> Results<'p> {
                 false => Ok((target, bytes)),
             }
         };
-        let placed = files.into_iter().map(placed).collect::<Result<Vec<_>, Problem>>()?;
+        let placed = files.into_iter().map(placed).collect::<Result<Vec<_>, CommandError>>()?;
         self.within.extend(placed);
         Ok(())
     }
@@ -183,14 +183,14 @@ impl<'p> Results<'p> {
     }
 
     /// Writes everything: files appear together, or none does.
-    pub fn write(&self) -> Result<(), Problem> {
+    pub fn write(&self) -> Result<(), CommandError> {
         let made = self.made.iter().map(|(target, bytes)| (*target, bytes.as_slice()));
         let within = self.within.iter().map(|(target, bytes)| (target, bytes.as_slice()));
         write(&made.chain(within).collect::<Vec<_>>())
     }
 
     /// Prints the text for people, unless standard output takes a result.
-    pub fn print(&self, text: &str) -> Result<(), Problem> {
+    pub fn print(&self, text: &str) -> Result<(), CommandError> {
         if self.take_stdout() { Ok(()) } else { files::print(text) }
     }
 
@@ -202,24 +202,29 @@ impl<'p> Results<'p> {
     }
 
     /// Prints a hint at what to do next after the text for people, unless quiet.
-    pub fn hint(&self, text: &str, options: &Options) -> Result<(), Problem> {
+    pub fn hint(&self, text: &str, options: &Options) -> Result<(), CommandError> {
         if self.take_stdout() || options.quiet { Ok(()) } else { files::print(text) }
     }
 
     /// Prints where a result is, after the text for people, unless quiet.
-    pub fn note(&self, what: &str, name: Option<&Path>, options: &Options) -> Result<(), Problem> {
+    pub fn note(&self, what: &str, name: Option<&Path>, options: &Options) -> Result<(), CommandError> {
         name.map_or(Ok(()), |name| self.hint(&format!("{what} written to {}\n", files::shown(name)), options))
     }
 
     /// Prints where the page and the charts are.
-    pub fn note_page(&self, options: &Options) -> Result<(), Problem> {
+    pub fn note_page(&self, options: &Options) -> Result<(), CommandError> {
         self.note("Page", self.places.names.page, options)?;
         self.note("Figures", self.places.names.charts, options)
     }
 }
 
 /// Refuses one place for two results. `called` is the result that `option` names.
-pub fn apart(called: &str, option: &str, result: &Option<Target>, others: &[&Option<Target>]) -> Result<(), Problem> {
+pub fn apart(
+    called: &str,
+    option: &str,
+    result: &Option<Target>,
+    others: &[&Option<Target>],
+) -> Result<(), CommandError> {
     let Some(result) = result else { return Ok(()) };
     match others.iter().copied().flatten().any(|other| result.is_same(other)) {
         true => Err(format!("{called} and another result have the same place: give {option} its own name")),
@@ -228,7 +233,7 @@ pub fn apart(called: &str, option: &str, result: &Option<Target>, others: &[&Opt
 }
 
 /// Refuses a folder that cannot be created because its name, or a part of it, is a file.
-pub fn is_folder(name: &Path) -> Result<(), Problem> {
+pub fn is_folder(name: &Path) -> Result<(), CommandError> {
     let there = name.ancestors().find(|a| a.as_os_str().is_empty() || a.symlink_metadata().is_ok());
     match there.filter(|a| !a.as_os_str().is_empty()) {
         Some(place) if !place.is_dir() => Err(cannot_write(name, &ErrorKind::NotADirectory.into())),
@@ -236,13 +241,13 @@ pub fn is_folder(name: &Path) -> Result<(), Problem> {
     }
 }
 
-pub fn json(record: &impl Serialize) -> Result<String, Problem> {
+pub fn json(record: &impl Serialize) -> Result<String, CommandError> {
     let text = serde_json::to_string_pretty(record).map_err(|e| format!("cannot write the report: {e}"))?;
     Ok(visible::json(text) + "\n")
 }
 
 /// A record as JSON on one line.
-pub fn compact_json(record: &impl Serialize) -> Result<String, Problem> {
+pub fn compact_json(record: &impl Serialize) -> Result<String, CommandError> {
     let text = serde_json::to_string(record).map_err(|e| e.to_string())?;
     Ok(visible::json(text) + "\n")
 }

@@ -1,7 +1,7 @@
 //! Completions for shells and manual pages, which clap generates from the arguments.
 
 use super::target::{Target, cannot_write, write};
-use super::{Cli, FINE, Problem, files};
+use super::{Cli, CommandError, FINE, files};
 use crate::diagnostic::codes;
 use clap::CommandFactory;
 use clap::builder::PossibleValuesParser;
@@ -10,7 +10,7 @@ use clap_mangen::Man;
 use std::path::Path;
 
 /// `mavc completions`
-pub fn completions(shell: Shell) -> Result<u8, Problem> {
+pub fn completions(shell: Shell) -> Result<u8, CommandError> {
     // The list of codes is part of the arguments here only: `explain` reports an unknown code better than clap.
     let codes: PossibleValuesParser = codes::all().iter().map(|page| page.code).into();
     let mut command = Cli::command().mut_subcommand("explain", |c| c.mut_arg("code", |code| code.value_parser(codes)));
@@ -40,7 +40,7 @@ fn codes_for_fish() -> String {
 
 /// `mavc man`: prints the page of mavc, or writes it and a page for each command into a folder, which is created if
 /// missing.
-pub fn man(folder: Option<&Path>) -> Result<u8, Problem> {
+pub fn man(folder: Option<&Path>) -> Result<u8, CommandError> {
     let mut command = Cli::command().disable_help_subcommand(true);
     command.build();
     let Some(folder) = folder else {
@@ -56,7 +56,7 @@ pub fn man(folder: Option<&Path>) -> Result<u8, Problem> {
 }
 
 /// The file name and the text of a command's page.
-fn page(command: &clap::Command) -> Result<(String, String), Problem> {
+fn page(command: &clap::Command) -> Result<(String, String), CommandError> {
     let man = Man::new(command.clone());
     let mut text = Vec::new();
     man.render(&mut text).map_err(|e| format!("cannot write a manual page: {}", files::reason(&e)))?;

@@ -4,7 +4,7 @@ use super::flight_log::FlightLog;
 use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::spec::{self, Start};
-use super::{DIVERGED, FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
+use super::{CommandError, DIVERGED, FINE, LOST, Options, SPEC_ERRORS, SimulateArgs, files};
 use crate::exchange::flight::Recorder;
 use crate::flight::{Outcome, Sample};
 use crate::pipeline::{Task, departure, fly_plan, indistinguishable};
@@ -13,7 +13,7 @@ use crate::report::page::{self, Track};
 use crate::report::simulation::{FlightRecord, Flown, text};
 use crate::report::volumes::Nearest;
 
-pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, CommandError> {
     let described = FlightLog::of(args)?;
     let places = Places::new(Names {
         table: args.output.as_deref(),

@@ -1,7 +1,7 @@
 //! Reading specs for commands, and printing the diagnostics found in them.
 
 use super::progress::Watch;
-use super::{Options, Problem, SPEC_ERRORS, SpecArgs, files, links};
+use super::{CommandError, Options, SPEC_ERRORS, SpecArgs, files, links};
 use crate::diagnostic::{Diagnostic, Severity, render_linked, render_short, sort, to_json_line};
 use crate::input::MAX_FILE_BYTES;
 use crate::pipeline::{Refusal, Task};
@@ -42,14 +42,14 @@ fn compiler<'a>(args: &SpecArgs, watch: &'a Watch) -> Compiler<'a> {
 }
 
 /// Reads and parses a spec, without the diagnostics of later stages.
-pub fn parse(args: &SpecArgs, watch: &Watch) -> Result<Findings, Problem> {
+pub fn parse(args: &SpecArgs, watch: &Watch) -> Result<Findings, CommandError> {
     let bytes = files::read_spec(&args.spec, MAX_FILE_BYTES)?;
     let Parsed { files, diagnostics, .. } = compiler(args, watch).parse(name(&args.spec), &bytes);
     Ok(Findings { files: Arc::new(files), diagnostics })
 }
 
 /// Reads and compiles a spec; `flights` says whether the command flies. The spec is `None` if it has errors.
-pub fn read(args: &SpecArgs, flights: FlightBlocks, watch: &Watch) -> Result<(Option<Spec>, Findings), Problem> {
+pub fn read(args: &SpecArgs, flights: FlightBlocks, watch: &Watch) -> Result<(Option<Spec>, Findings), CommandError> {
     let bytes = files::read_spec(&args.spec, MAX_FILE_BYTES)?;
     let compiler = match flights {
         FlightBlocks::Used => compiler(args, watch),
@@ -128,10 +128,5 @@ const MOST_COLUMNS: usize = 1000;
 /// Diagnostics for people who read them on `stream`.
 pub fn human(diagnostics: &[Diagnostic], sources: &SourceMap, stream: &impl IsTerminal) -> String {
     let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100).clamp(20, MOST_COLUMNS);
-    render_linked(diagnostics, sources, width, colored(stream), links::docs(stream).as_deref())
-}
-
-/// Colour where the stream is a terminal and NO_COLOR is not set.
-pub fn colored(stream: &impl IsTerminal) -> bool {
-    stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
+    render_linked(diagnostics, sources, width, links::colored(stream), links::docs(stream).as_deref())
 }

@@ -1,7 +1,7 @@
 //! Finding the specs that a command line names: files, and folders that are searched.
 
 use super::files::reason;
-use super::{Problem, usage};
+use super::{CommandError, usage};
 use crate::input::FileKind;
 use std::io::{Error, ErrorKind};
 use std::path::Path;
@@ -18,7 +18,7 @@ pub struct Found {
     /// Every spec, each once: a file as it is named, a folder's `*.mav` in order of their paths.
     pub specs: Vec<String>,
     /// Names and entries that cannot be read.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<CommandError>,
 }
 
 impl Found {
@@ -84,7 +84,7 @@ fn is_spec(path: &Path) -> bool {
 
 /// The message for an entry that cannot be read. Hidden entries have none, nor have dangling links without a spec's
 /// name.
-fn bad_entry(folder: &str, error: &walkdir::Error) -> Option<Problem> {
+fn bad_entry(folder: &str, error: &walkdir::Error) -> Option<CommandError> {
     let path = error.path().unwrap_or(Path::new(folder));
     let name = path.file_name().unwrap_or_default();
     let is_dangling = path.symlink_metadata().is_ok_and(|there| there.is_symlink()) && !path.exists();

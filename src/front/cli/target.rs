@@ -1,6 +1,6 @@
 //! The place that a result goes to: a file, which appears whole or not at all; a pipe; or standard output.
 
-use super::Problem;
+use super::CommandError;
 use super::files::{print_result, reason, unless_gone};
 use super::temporary::{self, folder};
 use crate::input::Refused;
@@ -11,12 +11,12 @@ use tempfile::NamedTempFile;
 
 /// The place of one result.
 pub struct Target {
-    /// As the user wrote it.
+    /// The user's spelling; `-` for standard output.
     name: PathBuf,
-    place: Place,
+    place: Destination,
 }
 
-enum Place {
+enum Destination {
     Stdout,
     /// The file behind all links; it appears whole, by a temporary file beside it and a rename.
     File(PathBuf),
@@ -26,8 +26,8 @@ enum Place {
 
 impl Target {
     /// Finds the place, and fails before minutes of work if a result cannot be written there.
-    pub fn new(name: &Path) -> Result<Target, Problem> {
-        let place = if name.as_os_str() == "-" { Ok(Place::Stdout) } else { place(name) };
+    pub fn new(name: &Path) -> Result<Target, CommandError> {
+        let place = if name.as_os_str() == "-" { Ok(Destination::Stdout) } else { place(name) };
         let place = place.map_err(|e| cannot_write(name, &e))?;
         Ok(Target { name: name.into(), place })
     }
@@ -38,12 +38,12 @@ impl Target {
     }
 
     pub fn is_stdout(&self) -> bool {
-        matches!(self.place, Place::Stdout)
+        matches!(self.place, Destination::Stdout)
     }
 
     /// The place of a file that mavc names, in a folder that the user names. A link of that name is not followed: the
     /// file replaces it.
-    pub fn within(folder: &Path, name: &str) -> Result<Target, Problem> {
+    pub fn within(folder: &Path, name: &str) -> Result<Target, CommandError> {
         let path = folder.join(name);
         let cannot = |e: Error| cannot_write(&path, &e);
         match path.symlink_metadata() {
@@ -56,8 +56,8 @@ impl Target {
     }
 
     /// Refuses to replace a file that is read, or one that standard input or output is connected to.
-    pub fn must_spare<'a>(&self, read: impl IntoIterator<Item = &'a str>) -> Result<(), Problem> {
-        let Place::File(path) = &self.place else { return Ok(()) };
+    pub fn must_spare<'a>(&self, read: impl IntoIterator<Item = &'a str>) -> Result<(), CommandError> {
+        let Destination::File(path) = &self.place else { return Ok(()) };
         // A file that does not exist yet is not among the files that were read.
         let Some(own) = own_identity(path) else { return Ok(()) };
         let refuse = |what: &str| Err(format!("{} is {what}: write to another file", self.name.display()));
@@ -78,17 +78,19 @@ impl Target {
     /// The file behind all links; `None` for streams.
     pub fn file(&self) -> Option<&Path> {
         match &self.place {
-            Place::File(path) => Some(path),
+            Destination::File(path) => Some(path),
             _ => None,
         }
     }
 
     /// Starts to write a result piece by piece.
-    pub fn begin(&self) -> Result<Pieces<'_>, Problem> {
+    pub fn begin(&self) -> Result<Pieces<'_>, CommandError> {
         let sink = match &self.place {
-            Place::Stdout => Ok(Sink::Stream(Box::new(std::io::stdout()))),
-            Place::Stream => OpenOptions::new().write(true).open(&self.name).map(|file| Sink::Stream(Box::new(file))),
-            Place::File(path) => prepared(path).map(|file| Sink::File(file, path)),
+            Destination::Stdout => Ok(Sink::Stream(Box::new(std::io::stdout()))),
+            Destination::Stream => {
+                OpenOptions::new().write(true).open(&self.name).map(|file| Sink::Stream(Box::new(file)))
+            }
+            Destination::File(path) => prepared(path).map(|file| Sink::File(file, path)),
         };
         let sink = sink.map_err(|e| cannot_write(&self.name, &e))?;
         Ok(Pieces { name: &self.name, sink })
@@ -97,8 +99,10 @@ impl Target {
     /// Whether two results have the same place.
     pub fn is_same(&self, other: &Target) -> bool {
         match (&self.place, &other.place) {
-            (Place::Stdout, Place::Stdout) => true,
-            (Place::File(a), Place::File(b)) => a == b || identity(a).is_some_and(|id| identity(b) == Some(id)),
+            (Destination::Stdout, Destination::Stdout) => true,
+            (Destination::File(a), Destination::File(b)) => {
+                a == b || identity(a).is_some_and(|id| identity(b) == Some(id))
+            }
             _ => false,
         }
     }
@@ -132,7 +136,7 @@ impl Write for Pieces<'_> {
 }
 
 impl Pieces<'_> {
-    pub fn finish(self) -> Result<(), Problem> {
+    pub fn finish(self) -> Result<(), CommandError> {
         let finished = match self.sink {
             Sink::Stream(mut stream) => stream.flush(),
             Sink::File(file, path) => file.as_file().sync_all().and_then(|()| temporary::persist(file, path)),
@@ -142,16 +146,16 @@ impl Pieces<'_> {
 }
 
 /// Writes results. Files appear together, after each of them and everything else has been written.
-pub fn write(results: &[(&Target, &[u8])]) -> Result<(), Problem> {
+pub fn write(results: &[(&Target, &[u8])]) -> Result<(), CommandError> {
     let mut whole = Vec::new();
     for (target, bytes) in results {
         let attempt = match &target.place {
-            Place::Stdout => {
+            Destination::Stdout => {
                 print_result(bytes)?;
                 Ok(())
             }
-            Place::File(path) => beside(path, bytes).map(|file| whole.push((target, path, file))),
-            Place::Stream => {
+            Destination::File(path) => beside(path, bytes).map(|file| whole.push((target, path, file))),
+            Destination::Stream => {
                 let open = OpenOptions::new().write(true).open(&target.name);
                 unless_gone(open.and_then(|mut stream| stream.write_all(bytes)))
             }
@@ -164,14 +168,14 @@ pub fn write(results: &[(&Target, &[u8])]) -> Result<(), Problem> {
     Ok(())
 }
 
-pub fn cannot_write(name: &Path, e: &Error) -> Problem {
+pub fn cannot_write(name: &Path, e: &Error) -> CommandError {
     format!("cannot write {}: {}", name.display(), reason(e))
 }
 
-fn place(name: &Path) -> IoResult<Place> {
+fn place(name: &Path) -> IoResult<Destination> {
     match std::fs::metadata(name) {
         Ok(there) if there.is_dir() => Err(ErrorKind::IsADirectory.into()),
-        Ok(there) if !there.is_file() => Ok(Place::Stream),
+        Ok(there) if !there.is_file() => Ok(Destination::Stream),
         Ok(_) => {
             OpenOptions::new().write(true).open(name)?;
             checked(name.canonicalize()?)
@@ -192,9 +196,9 @@ fn place(name: &Path) -> IoResult<Place> {
 }
 
 /// Checks that the folder takes a temporary file.
-fn checked(path: PathBuf) -> IoResult<Place> {
+fn checked(path: PathBuf) -> IoResult<Destination> {
     temporary::beside(&path)?;
-    Ok(Place::File(path))
+    Ok(Destination::File(path))
 }
 
 /// A temporary file beside `path`, with its bytes, and with its permissions and owner where it exists.
@@ -223,30 +227,30 @@ fn prepared(path: &Path) -> IoResult<NamedTempFile> {
 
 /// What identifies a file, whatever its name.
 #[cfg(unix)]
-type Identity = (u64, u64);
+type FileIdentity = (u64, u64);
 #[cfg(not(unix))]
-type Identity = PathBuf;
+type FileIdentity = PathBuf;
 
 #[cfg(unix)]
-fn identity(path: &Path) -> Option<Identity> {
+fn identity(path: &Path) -> Option<FileIdentity> {
     use std::os::unix::fs::MetadataExt;
     path.metadata().ok().map(|there| (there.dev(), there.ino()))
 }
 
 /// The identity of the link itself, if it is one.
 #[cfg(unix)]
-fn own_identity(path: &Path) -> Option<Identity> {
+fn own_identity(path: &Path) -> Option<FileIdentity> {
     use std::os::unix::fs::MetadataExt;
     path.symlink_metadata().ok().map(|there| (there.dev(), there.ino()))
 }
 
 #[cfg(not(unix))]
-fn identity(path: &Path) -> Option<Identity> {
+fn identity(path: &Path) -> Option<FileIdentity> {
     path.canonicalize().ok()
 }
 
 #[cfg(not(unix))]
-fn own_identity(path: &Path) -> Option<Identity> {
+fn own_identity(path: &Path) -> Option<FileIdentity> {
     let there = path.symlink_metadata().ok()?;
     let name = path.file_name().filter(|_| there.is_symlink());
     name.map_or_else(|| path.canonicalize().ok(), |name| Some(folder(path).canonicalize().ok()?.join(name)))
@@ -254,7 +258,7 @@ fn own_identity(path: &Path) -> Option<Identity> {
 
 /// The files that standard input and standard output are connected to.
 #[cfg(unix)]
-fn streams() -> [(&'static str, Option<Identity>); 2] {
+fn streams() -> [(&'static str, Option<FileIdentity>); 2] {
     use std::os::fd::AsFd;
     use std::os::unix::fs::MetadataExt;
     let identity = |stream: std::os::fd::BorrowedFd| {
@@ -268,6 +272,6 @@ fn streams() -> [(&'static str, Option<Identity>); 2] {
 }
 
 #[cfg(not(unix))]
-fn streams() -> [(&'static str, Option<Identity>); 0] {
+fn streams() -> [(&'static str, Option<FileIdentity>); 0] {
     []
 }

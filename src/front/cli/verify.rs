@@ -1,7 +1,7 @@
 //! `mavc verify`: checks a certificate.
 
 use super::progress::Watch;
-use super::{FINE, OVER_BUDGET, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, WEAKER, files, spec};
+use super::{CommandError, FINE, OVER_BUDGET, Options, REJECTED, SPEC_ERRORS, VerifyArgs, WEAKER, files, spec};
 use crate::certificate::MAX_BYTES;
 use crate::observer::timed;
 use crate::read::FlightBlocks;
@@ -9,7 +9,7 @@ use crate::source::FileId;
 use crate::verify::text::verification;
 use crate::verify::{Rejected, TOO_COSTLY, read, verify_within};
 
-pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, CommandError> {
     let name = args.certificate.display().to_string();
     if name == "-" && args.spec.spec == "-" {
         return Err("only one of the certificate and the spec can be standard input".into());

@@ -1,7 +1,7 @@
 //! `mavc check --watch`: checks again whenever a file that was read changes, appears or goes away.
 
 use super::check::round;
-use super::{CheckArgs, CheckFormat, Options, Problem, files, usage};
+use super::{CheckArgs, CheckFormat, CommandError, Options, files, usage};
 use crate::input::FileKind;
 use notify::event::{EventKind, ModifyKind};
 use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher};
@@ -15,7 +15,7 @@ use std::time::Duration;
 const CLEARED: &str = "\u{1b}[2J\u{1b}[3J\u{1b}[H";
 
 /// Runs until the process ends, on Ctrl-C.
-pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
+pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, CommandError> {
     if args.specs.iter().any(|name| name == "-") {
         return Err("--watch is for files: standard input is read once".into());
     }
@@ -48,7 +48,7 @@ struct Watched {
 }
 
 impl Watched {
-    pub fn new() -> Result<Self, Problem> {
+    pub fn new() -> Result<Self, CommandError> {
         let (sender, changes) = channel();
         let watcher = notify::recommended_watcher(sender).map_err(|e| format!("cannot watch files: {e}"))?;
         Ok(Watched { watcher, changes, folders: HashSet::new(), files: HashSet::new() })
@@ -56,7 +56,7 @@ impl Watched {
 
     /// Watches folders at any depth, and for a file its folder: editors replace the old file by a new one, and the file
     /// may not exist yet. Nothing is ever unwatched, since a file that went away may come back.
-    pub fn add(&mut self, names: &[String]) -> Result<(), Problem> {
+    pub fn add(&mut self, names: &[String]) -> Result<(), CommandError> {
         for name in names {
             let path = std::path::absolute(name).map_err(|e| format!("cannot watch {name}: {}", files::reason(&e)))?;
             let is_folder = path.is_dir();
@@ -77,7 +77,7 @@ impl Watched {
     }
 
     /// Returns when a change has happened that matters, and no more changes follow within [`SETTLED`].
-    pub fn wait(&self) -> Result<(), Problem> {
+    pub fn wait(&self) -> Result<(), CommandError> {
         let gone = |_| "cannot watch files any longer".to_string();
         while !self.matters(&self.changes.recv().map_err(gone)?) {}
         loop {

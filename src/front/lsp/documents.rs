@@ -1,15 +1,15 @@
 //! The texts that are open in the editor.
 
+use crate::read::resolve;
 use crate::source::Source;
 use gen_lsp_types::{Position, Range, TextDocumentContentChangeEvent};
 use std::collections::BTreeMap;
-use std::path::{Component, Path, PathBuf};
 use url::Url;
 
 /// One open text.
 #[derive(Debug, Clone)]
 pub struct Document {
-    /// As the client spells it.
+    /// The client's spelling, which answers repeat.
     pub uri: Url,
     pub version: i32,
     pub text: String,
@@ -66,22 +66,9 @@ impl Documents {
 /// The name that a compilation gives to the text of a URI: the path of a file, anything else as it is.
 pub fn name_of(uri: &Url) -> String {
     match uri.to_file_path() {
-        Ok(path) => normal(&path).display().to_string(),
+        Ok(path) => resolve("", &path.to_string_lossy()).display().to_string(),
         Err(()) => uri.to_string(),
     }
-}
-
-/// The path without `.` and resolvable `..`, as `use` resolves paths.
-fn normal(path: &Path) -> PathBuf {
-    let mut result = PathBuf::new();
-    for part in path.components() {
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir => drop(result.pop()),
-            part => result.push(part),
-        }
-    }
-    result
 }
 
 /// The byte offset of a position; see [`Source::offset_utf16`].

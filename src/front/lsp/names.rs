@@ -37,9 +37,9 @@ impl NameKind {
 pub struct Definition {
     pub kind: NameKind,
     pub name: String,
-    /// Of the name.
+    /// The span of the name.
     pub span: Span,
-    /// Of the whole statement.
+    /// The span of the whole statement.
     pub statement: Span,
     pub doc: Option<String>,
     pub title: Option<String>,

@@ -2,10 +2,10 @@
 
 mod without_yaw;
 
-use super::edge::{self, Place};
+use super::edge::{self, HoverPlace};
 use super::interval::{Certainty, Robust};
 use super::parallel::{Parallel, least_angle};
-use super::verdict::{ModeAnalysis, Verdict, analyze};
+use super::verdict::{HoverVerdict, ModeAnalysis, analyze};
 use super::{AdmissibleSet, HEALTHY};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::Model;
@@ -197,7 +197,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
     let at_heaviest = mode.critical_mass_kg.is_some_and(|most| most <= model.vehicle.mass * (1.0 + 1e-6));
     let answer = |severity, code, what, label, help| Some(Answer::new(severity, code, span, what, label, help));
     match (mode.verdict, mode.hover) {
-        (Verdict::Controllable, Place::Inside) => {
+        (HoverVerdict::Controllable, HoverPlace::Inside) => {
             let sure = |r: &Robust| {
                 r.hover == Certainty::Yes
                     && (model.plan.reserve == 0.0
@@ -219,7 +219,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             };
             answer(Severity::Error, NOT_ROBUST, "hover is not guaranteed over the spec's intervals", label, help)
         }
-        (Verdict::Controllable, _) if model.plan.reserve > 0.0 => {
+        (HoverVerdict::Controllable, _) if model.plan.reserve > 0.0 => {
             let share = number(100.0 * model.plan.reserve);
             let error = answer(
                 Severity::Error,
@@ -235,7 +235,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             error.map(|error| Answer { reserve: true, ..error })
         }
         // Roll, pitch and thrust cannot be controlled independently with fewer than three dimensions.
-        (Verdict::Controllable, _) if mode.rank < 3 => answer(
+        (HoverVerdict::Controllable, _) if mode.rank < 3 => answer(
             Severity::Warning,
             HOVER_ON_EDGE,
             "the vehicle cannot be steered, although thrust and torques balance in hover",
@@ -245,7 +245,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
                 false => "leave the mode out of `against`, or change the vehicle's layout",
             },
         ),
-        (Verdict::Controllable, _) => answer(
+        (HoverVerdict::Controllable, _) => answer(
             Severity::Warning,
             HOVER_ON_EDGE,
             "hover lies on the edge of the admissible set",
@@ -274,7 +274,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
                 Possible::Never => "no mass makes it possible".to_string(),
             };
             let what = match verdict {
-                Verdict::Stabilizable => "the vehicle cannot hold its yaw",
+                HoverVerdict::Stabilizable => "the vehicle cannot hold its yaw",
                 _ => "the vehicle cannot hover",
             };
             let is_stuck = mode.stuck.iter().any(Option::is_some);

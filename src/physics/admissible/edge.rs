@@ -15,7 +15,7 @@ pub fn width(hover: &Wrench) -> f64 {
 /// Where hover lies relative to a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub enum Place {
+pub enum HoverPlace {
     /// Inside by more than the width of the edge.
     #[serde(rename = "inside")]
     Inside,
@@ -27,13 +27,16 @@ pub enum Place {
     Outside,
 }
 
-impl Place {
+#[deprecated = "renamed to `HoverPlace`"]
+pub type Place = HoverPlace;
+
+impl HoverPlace {
     /// The word that reports print: `inside`, `on the edge` or `outside`.
     pub const fn word(self) -> &'static str {
         match self {
-            Place::Inside => "inside",
-            Place::OnEdge => "on the edge",
-            Place::Outside => "outside",
+            HoverPlace::Inside => "inside",
+            HoverPlace::OnEdge => "on the edge",
+            HoverPlace::Outside => "outside",
         }
     }
 
@@ -41,9 +44,9 @@ impl Place {
     /// inside) and the distance `residual` to the set. Both are in N and N m, like the [`width`] of the edge.
     pub fn new(margin: Option<f64>, residual: f64, width: f64) -> Self {
         match margin {
-            _ if residual >= width => Place::Outside,
-            Some(margin) if margin > width => Place::Inside,
-            _ => Place::OnEdge,
+            _ if residual >= width => HoverPlace::Outside,
+            Some(margin) if margin > width => HoverPlace::Inside,
+            _ => HoverPlace::OnEdge,
         }
     }
 }
@@ -62,9 +65,9 @@ mod tests {
     #[test]
     fn the_edge_is_as_wide_on_both_sides() {
         let places = [(2.0 * EDGE, 0.0), (0.5 * EDGE, 0.0), (-0.5 * EDGE, 0.5 * EDGE), (-2.0 * EDGE, 2.0 * EDGE)];
-        let words = places.map(|(margin, residual)| Place::new(Some(margin), residual, EDGE).word());
+        let words = places.map(|(margin, residual)| HoverPlace::new(Some(margin), residual, EDGE).word());
         assert_eq!(words, ["inside", "on the edge", "on the edge", "outside"]);
-        assert_eq!(Place::new(None, 0.0, EDGE), Place::OnEdge);
+        assert_eq!(HoverPlace::new(None, 0.0, EDGE), HoverPlace::OnEdge);
         let hovers = [0.001, 1.0, 20.0].map(|weight| width(&Wrench::new(weight, 0.0, 0.0, 0.0)));
         assert_eq!(hovers, [0.001 * EDGE, EDGE, EDGE]);
     }

@@ -1,7 +1,7 @@
 //! The paper's verdicts (its section 3.2) with margins: whether a mode can hover. See `docs/method.md`, section 3.
 
 use super::airspeed::Airspeed;
-use super::edge::{self, Place};
+use super::edge::{self, HoverPlace};
 use super::interval::{Robust, robust};
 use super::parallel::{Parallel, nearest_rows};
 use super::without_yaw::{self, WithoutYaw, YawFree};
@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-9;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
-pub enum Verdict {
+pub enum HoverVerdict {
     /// Hover is in the set.
     Controllable,
     /// Hover is in the projection of the set on (T, tau_x, tau_y), that is, if yaw is given up.
@@ -29,13 +29,16 @@ pub enum Verdict {
     Unstable,
 }
 
-impl Verdict {
+#[deprecated = "renamed to `HoverVerdict`"]
+pub type Verdict = HoverVerdict;
+
+impl HoverVerdict {
     /// The word that reports print.
     pub fn name(self) -> &'static str {
         match self {
-            Verdict::Controllable => "controllable",
-            Verdict::Stabilizable => "stabilizable",
-            Verdict::Unstable => "unstable",
+            HoverVerdict::Controllable => "controllable",
+            HoverVerdict::Stabilizable => "stabilizable",
+            HoverVerdict::Unstable => "unstable",
         }
     }
 }
@@ -78,12 +81,12 @@ pub struct ModeAnalysis {
     #[cfg_attr(test, schemars(inner(range(min = 0, max = 1))))]
     pub stuck: Vec<Option<f64>>,
     /// Whether hover can be reached.
-    pub verdict: Verdict,
+    pub verdict: HoverVerdict,
     /// How the mode hovers with yaw given up.
     pub yaw_free: YawFree,
     /// Where hover lies relative to the set that the verdict is about: that of the full wrench, or of (T, tau_x,
     /// tau_y) where the verdict is stabilizable.
-    pub hover: Place,
+    pub hover: HoverPlace,
     /// Whether hover lies inside that set.
     pub interior: bool,
     /// Dimension of the set of wrenches.
@@ -97,9 +100,9 @@ pub struct ModeAnalysis {
     pub acai: Option<f64>,
     /// The margin in (T, tau_x, tau_y), for the yaw-free set, N and N m.
     pub acai_yaw_free: Option<f64>,
-    /// Heaviest mass that can hover, kg; null if no mass can.
+    /// The largest mass that can hover, kg; null if no mass can.
     pub critical_mass_kg: Option<f64>,
-    /// Heaviest mass that can hover if yaw is given up, kg; null if no mass can.
+    /// The largest mass that can hover if yaw is given up, kg; null if no mass can.
     pub critical_mass_yaw_free_kg: Option<f64>,
     /// Lightest mass that can hover, kg; above 0 if rotors may not stop or are stuck. null if no mass can.
     pub least_mass_kg: Option<f64>,
@@ -128,18 +131,18 @@ pub struct ModeAnalysis {
 impl ModeAnalysis {
     /// Whether hover is controllable and strictly inside the set. Only such modes can keep a reserve.
     pub fn keeps_full_control(&self) -> bool {
-        self.verdict == Verdict::Controllable && self.hover == Place::Inside
+        self.verdict == HoverVerdict::Controllable && self.hover == HoverPlace::Inside
     }
 
     /// Where hover lies relative to the mode's set with all four axes controlled, yaw included.
-    pub fn hover_all_axes(&self) -> Place {
-        if self.verdict == Verdict::Controllable { self.hover } else { Place::Outside }
+    pub fn hover_all_axes(&self) -> HoverPlace {
+        if self.verdict == HoverVerdict::Controllable { self.hover } else { HoverPlace::Outside }
     }
 
     /// Where hover lies, in the words of all reports: for example `inside`, `on the edge, yaw free` or
     /// `spinning, yaw free`.
     pub(crate) fn hover_words(&self) -> String {
-        let free = if self.verdict == Verdict::Stabilizable { ", yaw free" } else { "" };
+        let free = if self.verdict == HoverVerdict::Stabilizable { ", yaw free" } else { "" };
         format!("{}{free}", self.edge_words().unwrap_or(self.hover.word()))
     }
 
@@ -147,8 +150,8 @@ impl ModeAnalysis {
     /// controllable. `None` elsewhere.
     pub(crate) fn edge_words(&self) -> Option<&'static str> {
         match (self.hover, self.verdict) {
-            (Place::OnEdge, Verdict::Stabilizable) => Some(self.yaw_free.word()),
-            (Place::OnEdge, _) => Some(self.hover.word()),
+            (HoverPlace::OnEdge, HoverVerdict::Stabilizable) => Some(self.yaw_free.word()),
+            (HoverPlace::OnEdge, _) => Some(self.hover.word()),
             _ => None,
         }
     }
@@ -181,20 +184,20 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
     let residual4 = clean(nearest - u_ref, edge);
     let residual3 = clean(nearest3 - u_ref3, edge);
     let verdict = if residual4.norm() < edge {
-        Verdict::Controllable
+        HoverVerdict::Controllable
     } else if residual3.norm() < edge {
-        Verdict::Stabilizable
+        HoverVerdict::Stabilizable
     } else {
-        Verdict::Unstable
+        HoverVerdict::Unstable
     };
     let size = set.zonotope.scale()[0];
     let acai = signed_margin(&set.polytope, &u_ref, edge);
     let acai_yaw_free = signed_margin(&yaw_free, &u_ref3, edge);
-    let place_yaw_free = Place::new(acai_yaw_free, residual3.norm(), edge);
+    let place_yaw_free = HoverPlace::new(acai_yaw_free, residual3.norm(), edge);
     let hover = match verdict {
-        Verdict::Controllable => Place::new(acai, residual4.norm(), edge),
-        Verdict::Stabilizable => place_yaw_free,
-        Verdict::Unstable => Place::Outside,
+        HoverVerdict::Controllable => HoverPlace::new(acai, residual4.norm(), edge),
+        HoverVerdict::Stabilizable => place_yaw_free,
+        HoverVerdict::Unstable => HoverPlace::Outside,
     };
     let (word, figures) = without_yaw::analyze(model, set, &yaw_free, place_yaw_free);
     ModeAnalysis {
@@ -205,7 +208,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         verdict,
         yaw_free: word,
         hover,
-        interior: hover == Place::Inside,
+        interior: hover == HoverPlace::Inside,
         rank: set.rank,
         facets: set.polytope.equalities.is_empty().then_some(set.polytope.facets.len()),
         acai,
@@ -217,7 +220,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         without_yaw: figures,
         residual4: residual4.into(),
         residual3: residual3.into(),
-        headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),
+        headroom: (verdict == HoverVerdict::Controllable).then(|| headroom(set, &u_ref, size)),
         unreached_share: unreached_share(set),
         nearest_rows: nearest_rows(set),
         robust: robust(model, set),

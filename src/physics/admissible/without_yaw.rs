@@ -6,7 +6,7 @@ pub mod core;
 pub mod planned;
 pub mod relaxed_hover;
 
-use super::edge::{self, Place};
+use super::edge::{self, HoverPlace};
 use super::verdict::lift;
 use super::{AdmissibleSet, hover};
 use crate::actuation::Wrench;
@@ -40,7 +40,7 @@ impl YawFree {
     pub const fn word(self) -> &'static str {
         match self {
             YawFree::Interior => "interior",
-            YawFree::OnEdge => Place::OnEdge.word(),
+            YawFree::OnEdge => HoverPlace::OnEdge.word(),
             YawFree::Spinning => "spinning",
             YawFree::None => "none",
         }
@@ -70,9 +70,9 @@ pub struct WithoutYaw {
 }
 
 /// The two together: the word, and the figures unless the word is `none`.
-pub(super) fn analyze(model: &Model, set: &AdmissibleSet, yaw_free: &Polytope<3, ()>, place: Place) -> Analysis {
+pub(super) fn analyze(model: &Model, set: &AdmissibleSet, yaw_free: &Polytope<3, ()>, place: HoverPlace) -> Analysis {
     match Slice::of(model, set, yaw_free) {
-        Some(slice) if place != Place::Outside => (slice.word(place), Some(slice.figures(place))),
+        Some(slice) if place != HoverPlace::Outside => (slice.word(place), Some(slice.figures(place))),
         _ => (YawFree::None, None),
     }
 }
@@ -112,11 +112,11 @@ impl<'a> Slice<'a> {
         Some([fast[0].min(slow[0]), fast[1].max(slow[1])])
     }
 
-    fn word(&self, place: Place) -> YawFree {
+    fn word(&self, place: HoverPlace) -> YawFree {
         match place {
-            Place::Inside => YawFree::Interior,
-            Place::Outside => YawFree::None,
-            Place::OnEdge => {
+            HoverPlace::Inside => YawFree::Interior,
+            HoverPlace::Outside => YawFree::None,
+            HoverPlace::OnEdge => {
                 let hover = hover(self.model);
                 let rows = core::directions(self.yaw_free, &hover.fixed_rows::<3>(0).into_owned(), edge::width(&hover));
                 let inertia = self.model.vehicle.inertia;
@@ -129,7 +129,7 @@ impl<'a> Slice<'a> {
         }
     }
 
-    fn figures(&self, place: Place) -> WithoutYaw {
+    fn figures(&self, place: HoverPlace) -> WithoutYaw {
         let Slice { model, set, yaw_free, torques } = *self;
         let hover = hover(model);
         let disc = core::disc(yaw_free, hover[0], [0.0; 2], edge::width(&hover)).unwrap_or(0.0);
@@ -145,13 +145,13 @@ impl<'a> Slice<'a> {
         }
     }
 
-    fn equilibria(&self, place: Place) -> Vec<RelaxedHover> {
+    fn equilibria(&self, place: HoverPlace) -> Vec<RelaxedHover> {
         let Slice { model, set, yaw_free, .. } = *self;
         let Some(drag) = model.vehicle.yaw_drag else { return Vec::new() };
         let system = relaxed_hover::System::new(model, set, yaw_free, drag);
         let about_z = Vector3::new(0.0, 0.0, drag.spin(self.least_torque()));
         let level = system.at(&about_z);
-        let tilted = if place == Place::OnEdge { system.widest() } else { None };
+        let tilted = if place == HoverPlace::OnEdge { system.widest() } else { None };
         level.into_iter().chain(tilted).collect()
     }
 }

@@ -50,7 +50,7 @@ impl OverWinds {
         OverWinds { turning: Some(turning), ..self }
     }
 
-    /// The commanded wrench of rotors with a lag of time constant `lag`, s, likewise.
+    /// The commanded wrench of rotors with a lag of time constant `lag`, s, in each wind of an interval.
     pub fn of_commands(
         model: WrenchModel,
         vehicle: &Vehicle,

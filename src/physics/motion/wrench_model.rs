@@ -170,7 +170,8 @@ impl WrenchModel {
         }
     }
 
-    /// The linearisation of the commanded wrench at a state, as in [`Self::linearised`].
+    /// The linearisation of the commanded wrench at a state s, as an affine function of a state s~:
+    /// `c(s) + (dc/ds) (s~ - s)`.
     pub fn commanded_linearised(
         self,
         vehicle: &Vehicle,
@@ -204,8 +205,9 @@ impl WrenchModel {
         }
     }
 
-    /// The convex part of the curvature of n.c, as in [`Self::curvature`]. The entries of a factor are in the order of
-    /// [`COMMAND_DERIVATIVES`].
+    /// The convex part of the curvature of n.c at a state s, as a sum of squares of `factor.(s~ - s)`, each halved. The
+    /// entries of a factor are in the order of [`COMMAND_DERIVATIVES`]. Empty for the models about hover, which are
+    /// linear.
     pub fn commanded_curvature(
         self,
         vehicle: &Vehicle,

@@ -14,7 +14,7 @@ use crate::verify::cost::{OF_EXACT_WRENCH, WorkLeft};
 use crate::verify::interval::Interval;
 use crate::verify::motion::Motion;
 use crate::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT, POINTS_OF_A_GRID, Setting, wrench_family};
-use crate::verify::proof::throughout;
+use crate::verify::proof::{Family, throughout};
 use crate::verify::sets::Plane;
 use crate::verify::wrench::{Dynamics, Held};
 use serde::Serialize;
@@ -134,16 +134,30 @@ fn kept_facets(
     let family = wrench_family(dynamics, held, planes.iter().collect());
     // A state in every wind of an interval counts as many in one.
     let winds = (family.overhead / OF_EXACT_WRENCH).max(1);
-    let mut purse = WorkLeft(winds * WORK.max(WORK_EACH * (planes.len() * trajectory.intervals()) as u64));
-    let proved = throughout(&family, motion, MOST_OUTSIDE, &mut purse).into_iter().filter(|&proved| proved).count();
-    let (shown, points, violation) = match proved == planes.len() {
+    kept_family(rows, &family, planes.len(), winds, motion, trajectory, violation)
+}
+
+/// The result for the members of a family of rows, of which `imposed` are imposed: how many are proved, by `share`
+/// times the usual work, and otherwise the largest `violation` on a grid.
+fn kept_family(
+    rows: String,
+    family: &Family,
+    imposed: usize,
+    share: u64,
+    motion: &Motion,
+    trajectory: &Trajectory,
+    violation: impl Fn(usize, &NodeState) -> f64,
+) -> Between {
+    let mut left = WorkLeft(share * WORK.max(WORK_EACH * (imposed * trajectory.intervals()) as u64));
+    let proved = throughout(family, motion, MOST_OUTSIDE, &mut left).into_iter().filter(|&proved| proved).count();
+    let (shown, points, violation) = match proved == imposed {
         true => (Shown::Proved, None, MOST_OUTSIDE),
         false => (Shown::Checked, Some(GRID), seen(trajectory, violation)),
     };
-    Between { rows, shown, points, imposed: planes.len(), proved, violation }
+    Between { rows, shown, points, imposed, proved, violation }
 }
 
-/// The result for rows of cores, like [`kept_facets`].
+/// The result for rows of cores.
 fn kept_cores(
     dynamics: &Dynamics,
     motion: &Motion,
@@ -159,19 +173,13 @@ fn kept_cores(
         Some(Member { thrust, torque, offset, inertia, unevenness, momentum, spin })
     };
     let family = core::family(dynamics, rows.iter().filter_map(member).collect(), None);
-    let mut purse = WorkLeft(WORK.max(WORK_EACH * (rows.len() * trajectory.intervals()) as u64));
-    let proved = throughout(&family, motion, MOST_OUTSIDE, &mut purse).into_iter().filter(|&proved| proved).count();
     let environment = model.environment();
     let violation = |_: usize, state: &NodeState| {
         let turning = trajectory.model.turning(&model.vehicle, &environment, state);
         let of = |row: &&SetRow| row.normal[0] * turning[0] - row.offset + row.of_core(Some(&turning));
         rows.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
     };
-    let (shown, points, violation) = match proved == rows.len() {
-        true => (Shown::Proved, None, MOST_OUTSIDE),
-        false => (Shown::Checked, Some(GRID), seen(trajectory, violation)),
-    };
-    Between { rows: CORES.into(), shown, points, imposed: rows.len(), proved, violation }
+    kept_family(CORES.into(), &family, rows.len(), 1, motion, trajectory, violation)
 }
 
 /// The result for a limit: the first bound of [`PAST`] that is proved, otherwise what a grid shows.

@@ -1,7 +1,7 @@
 //! The check of plans: every trajectory found is verified at the nodes before it is called a plan.
 
 use super::witness::certificate;
-use crate::model::{MissionTime, Model, Plan, PlannerKind, Problem};
+use crate::model::{MissionTime, Model, PlanSettings, PlannerKind, Problem};
 use crate::motion::Trajectory;
 use crate::planner::studies::rounds::Round;
 use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run, Verification};
@@ -25,7 +25,7 @@ pub fn check(problem: Problem, comparison: &mut Comparison) {
     }
 }
 
-/// Checks the plans of every number of rounds, like [`check`].
+/// Checks the plans of every number of rounds. The outcome of one that fails becomes [`NotFound::Check`].
 pub fn check_rounds(problem: Problem, rounds: &mut [Round]) {
     let mut planned = problem.model().clone();
     planned.plan.planner = PlannerKind::Rsp;
@@ -33,7 +33,8 @@ pub fn check_rounds(problem: Problem, rounds: &mut [Round]) {
     for round in rounds {
         planned.plan.rounds = round.rounds;
         decide(&planned, &mut round.common, &round.common_selected_by);
-        let open = Model { plan: Plan { time: MissionTime::Minimum, ..planned.plan.clone() }, ..planned.clone() };
+        let open =
+            Model { plan: PlanSettings { time: MissionTime::Minimum, ..planned.plan.clone() }, ..planned.clone() };
         decide(&open, &mut round.own, &round.own_selected_by);
     }
 }

@@ -25,8 +25,7 @@ use crate::verify::{self, Settings};
 
 /// Why there is no certificate for a mission in which yaw changes.
 const YAW_FIRST: &str = "in the hover model a yaw that changes is planned first, so infeasibility is shown for that \
-    yaw \
-                         alone; with `model = exact` it may be shown for every yaw";
+    yaw alone; with `model = exact` it may be shown for every yaw";
 
 const TOO_MANY: &str = "it has more rows than a certificate may hold";
 

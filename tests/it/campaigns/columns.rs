@@ -1,6 +1,6 @@
 //! What is written by hand about the columns of rows, against their table (`src/flights/campaign/columns.rs`).
 
-use mavc::campaign::columns::{COLUMNS, Column, Kind, table};
+use mavc::campaign::columns::{COLUMNS, Column, ColumnKind, table};
 
 const PAGE: &str = "docs/campaigns.md";
 
@@ -37,7 +37,7 @@ fn names_end_in_their_units() {
     for Column { name, unit, kind, .. } in &COLUMNS {
         let suffix = if unit.is_empty() { String::new() } else { format!("_{unit}") };
         assert!(name.ends_with(&suffix), "{name}");
-        assert_eq!(unit.is_empty(), *kind != Kind::Number, "{name}");
+        assert_eq!(unit.is_empty(), *kind != ColumnKind::Number, "{name}");
     }
 }
 
@@ -45,15 +45,15 @@ fn names_end_in_their_units() {
 #[test]
 fn python_knows_the_types_of_the_columns() {
     let text = std::fs::read_to_string(path("python/mavc/table.py")).unwrap();
-    let listed = |kind: Kind, is_optional: Option<bool>| {
+    let listed = |kind: ColumnKind, is_optional: Option<bool>| {
         let own = COLUMNS.iter().filter(|c| c.kind == kind && is_optional.is_none_or(|is| c.is_optional == is));
         own.map(|c| format!("\"{}\"", c.name)).collect::<Vec<_>>().join(", ")
     };
     for line in [
-        format!("_TEXTS = ({})", listed(Kind::Text, None)),
-        format!("_COUNTS = ({})", listed(Kind::Count, Some(false))),
-        format!("_MISSING_COUNTS = ({})", listed(Kind::Count, Some(true))),
-        format!("if name == {}:", listed(Kind::Truth, None)),
+        format!("_TEXTS = ({})", listed(ColumnKind::Text, None)),
+        format!("_COUNTS = ({})", listed(ColumnKind::Count, Some(false))),
+        format!("_MISSING_COUNTS = ({})", listed(ColumnKind::Count, Some(true))),
+        format!("if name == {}:", listed(ColumnKind::Truth, None)),
     ] {
         assert!(text.contains(&line), "{line}");
     }

@@ -214,7 +214,7 @@ fn infeasible(certificate: &mut Certificate) -> &mut InfeasibleClaim {
 fn a_time_too_short_for_lagging_rotors_is_certified() {
     let instant = planning(shuttle(), PlanModel::Hover, MissionTime::Minimum);
     let fixed = |time: f64| Model {
-        plan: mavc::model::Plan { time: MissionTime::Fixed(time), ..instant.plan.clone() },
+        plan: mavc::model::PlanSettings { time: MissionTime::Fixed(time), ..instant.plan.clone() },
         ..instant.clone()
     };
     let time = 1.03 * shortest(&instant);

@@ -132,7 +132,7 @@ fn the_analysis_says_what_its_words_mean() {
     let [one, free, left] = &row("near")[..] else { panic!("{text}") };
     assert!(one.starts_with("near stabilizable inside, yaw free"), "{one}");
     assert!(free.starts_with("near interior ") && free.ends_with(" unknown"), "{free}");
-    assert_eq!(left, "near yaw is lost");
+    assert_eq!(left, "near heading not held");
     let [one, free, left] = &row("half")[..] else { panic!("{text}") };
     assert!(one.starts_with("half unstable outside"), "{one}");
     assert_eq!(free, "half none");

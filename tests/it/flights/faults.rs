@@ -4,7 +4,7 @@ use super::{quiet, sortie, staying, strike};
 use crate::vehicles::{hexacopter, lost, octocopter, quadcopter};
 use mavc::actuation::Actuation;
 use mavc::admissible::AdmissibleSet;
-use mavc::admissible::verdict::{Verdict, analyze};
+use mavc::admissible::verdict::{HoverVerdict, analyze};
 use mavc::flight::{Sortie, fly};
 use mavc::model::{Detection, LostYaw, Model, RotorState};
 use nalgebra::Vector3;
@@ -18,10 +18,10 @@ fn with_pairs(mut model: Model) -> Model {
 }
 
 /// Verdict and margin: of the whole wrench, or without yaw where yaw is what is lost.
-fn margin(model: &Model, mode: usize) -> (Verdict, f64) {
+fn margin(model: &Model, mode: usize) -> (HoverVerdict, f64) {
     let record = analyze(model, &AdmissibleSet::of_mode(model, mode));
     let margin = match record.verdict {
-        Verdict::Controllable => record.acai,
+        HoverVerdict::Controllable => record.acai,
         _ => record.acai_yaw_free,
     };
     (record.verdict, margin.unwrap_or(0.0))
@@ -53,7 +53,7 @@ fn octocopters_with_a_margin_survive_known_double_losses() {
         assert_eq!(model.modes.len(), 28);
         for mode in 0..28 {
             let (verdict, margin) = margin(&model, mode);
-            assert!(verdict != Verdict::Unstable && margin > ENOUGH);
+            assert!(verdict != HoverVerdict::Unstable && margin > ENOUGH);
             assert!(survives(&model, mode, 1), "{layout} {}: {verdict:?} {margin}", model.modes[mode].name);
         }
     }
@@ -82,7 +82,7 @@ fn the_unstable_fall_and_those_with_a_margin_do_not() {
             let survives = survives(&model, mode, 1);
             let name = format!("{:?} {}: {verdict:?} {margin}", model.vehicle.layout, model.modes[mode].name);
             match verdict {
-                Verdict::Unstable => {
+                HoverVerdict::Unstable => {
                     assert!(!survives, "{name}");
                     fell += 1;
                 }
@@ -119,7 +119,7 @@ fn by_the_estimator_alone_double_losses_that_are_felt_are_survived() {
     assert_eq!(names, ["M1_5", "M2_6", "M3_7", "M4_8"]);
     for mode in (0..28).filter(|mode| !hidden.contains(mode)) {
         let (verdict, margin) = margin(&model, mode);
-        assert!(verdict != Verdict::Unstable && margin > 0.1, "all have more than this");
+        assert!(verdict != HoverVerdict::Unstable && margin > 0.1, "all have more than this");
         for seed in 1..=3 {
             assert!(survives(&model, mode, seed), "{} seed {seed}: {verdict:?} {margin}", model.modes[mode].name);
         }

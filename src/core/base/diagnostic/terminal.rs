@@ -11,8 +11,8 @@ pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usiz
     render_linked(diagnostics, sources, width, color, None)
 }
 
-/// As [`render_human`], with each code linked (OSC 8) to its page under `docs`, the address of the documentation's
-/// folder.
+/// Renders one report for each diagnostic, separated by blank lines, at most `width` columns wide. Each code links
+/// (OSC 8) to its page under `docs`, the address of the documentation's folder.
 pub fn render_linked(
     diagnostics: &[Diagnostic],
     sources: &SourceMap,

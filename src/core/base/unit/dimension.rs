@@ -206,7 +206,7 @@ const NAMED: &[(&str, &str, [i8; 5])] = &[
 ];
 
 impl fmt::Display for Dimension {
-    /// As a unit in base units: `kg*m^2/s^2`, `1/s`, `1`.
+    /// The dimension as a unit in base units: `kg*m^2/s^2`, `1/s`, `1`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let part = |negative: bool| {
             let factors = Base::ALL.iter().filter_map(|&base| {

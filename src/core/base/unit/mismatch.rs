@@ -25,7 +25,7 @@ pub fn mismatch(expected: Dimension, found: Dimension) -> Mismatch {
     compare(["expected", "found"], expected, found)
 }
 
-/// As [`mismatch`], with other names for the two sides.
+/// The table of the factors in which two dimensions differ; `names` are the titles of the two rows.
 pub fn compare(names: [&str; 2], expected: Dimension, found: Dimension) -> Mismatch {
     let factor = expected.over(found).unwrap_or(Dimension::PLAIN);
     let (missing, surplus) = differences(expected, found);

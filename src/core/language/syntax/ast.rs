@@ -139,7 +139,8 @@ pub enum Statement {
         relation: LimitRelation,
         span: Span,
     },
-    /// As [`Item::Broken`]: the block around it may have a field that seems to be missing.
+    /// A statement whose error has been reported, and which has no fix: the block around it may have a field that seems
+    /// to be missing.
     Broken(Span),
 }
 
@@ -183,7 +184,7 @@ impl Statement {
 pub struct Clauses {
     pub name: Option<Name>,
     pub clauses: Vec<Clause>,
-    /// Of a waypoint: the limits in its braces.
+    /// The limits in the braces of a waypoint.
     pub body: Vec<Statement>,
     pub doc: Option<String>,
     pub span: Span,
@@ -201,7 +202,7 @@ impl Clauses {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clause {
     pub word: Name,
-    /// Of `arrive from [0, 0, 1]` the word `from`, of `yaw along path` the words `along path`.
+    /// The words between name and value: `from` in `arrive from [0, 0, 1]`, `along path` in `yaw along path`.
     pub how: Option<Name>,
     pub value: Option<Expr>,
 }

@@ -220,7 +220,7 @@ fn print_unit(f: &mut Formatter<'_>, unit: &Option<UnitText>) -> fmt::Result {
 }
 
 impl Operator {
-    /// As it is written.
+    /// The sign in a spec.
     pub fn symbol(self) -> char {
         match self {
             Operator::Add => '+',

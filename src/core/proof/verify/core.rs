@@ -479,7 +479,7 @@ impl Row {
         }
     }
 
-    /// As `rho <= slope T + height`; `None` for a bound on the thrust.
+    /// `(slope, height)` of the row written as `rho <= slope T + height`; `None` for a bound on the thrust.
     fn line(&self) -> Option<(f64, f64)> {
         let [a, b, e] = [self.thrust, self.torque, self.offset].map(Interval::middle);
         (b > 1e-9 * a.abs()).then(|| (-a / b, e / b))

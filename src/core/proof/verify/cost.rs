@@ -15,7 +15,7 @@ pub const COST_PER_ROW: u64 = 1;
 
 /// Units of one state of a motion with its wrench in the hover model.
 pub const OF_HOVER_WRENCH: u64 = 20;
-/// The same in the exact model.
+/// Units of one state of a motion with its wrench in the exact model.
 pub const OF_EXACT_WRENCH: u64 = 100;
 /// Units of one state of a motion for a limit.
 pub const COST_PER_LIMIT: u64 = 10;

@@ -1,7 +1,7 @@
 //! Decides the bytes of a certificate's file for a spec.
 
 use super::cost::Budget;
-use super::{Settings, Verdict, read, verify};
+use super::{Accepted, Settings, read, verify};
 use crate::diagnostic::{Diagnostic, render_human};
 use crate::source::{Source, SourceMap, visible};
 use crate::spec::Spec;
@@ -19,7 +19,7 @@ const MOST_ESCAPED: usize = 1 << 20;
 /// # Errors
 /// The bytes are not a certificate; it was written for another spec; it does not hold; or deciding it would exceed the
 /// budget.
-pub fn verify_within(budget: Budget, name: &str, certificate: &[u8], spec: &Spec) -> Result<Verdict, Rejected> {
+pub fn verify_within(budget: Budget, name: &str, certificate: &[u8], spec: &Spec) -> Result<Accepted, Rejected> {
     let mut sources = spec.sources().clone();
     let mut text = Source::from_bytes(name, certificate).unwrap_or_else(|broken| broken.source);
     if text.text.len() > MOST_ESCAPED

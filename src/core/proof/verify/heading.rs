@@ -5,8 +5,8 @@
 //! L)`, and 1 where e - L is more than a right angle. Where |d| is below its least size, nothing is required.
 
 use super::interval::Interval;
-use super::limits::outside_cone;
 use super::motion::{Motion, State, X, Y, YAW};
+use super::series::outside_cone;
 use crate::model::{SLOWEST, Target};
 use std::ops::RangeInclusive;
 

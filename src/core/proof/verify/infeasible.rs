@@ -23,7 +23,7 @@ use super::plan::Setting;
 use super::premise::{Premise, Premises};
 use super::schedule::{self, Grid};
 use super::sets::{Generators, Plane};
-use super::{Refusal, Rejection, Shown, Verdict, lag, required_whole};
+use super::{Accepted, Refusal, Rejection, Shown, lag, required_whole};
 use crate::certificate::{DynamicModel, FacetRecord, InfeasibleClaim};
 use crate::model::Problem;
 use crate::number::{number, plural};
@@ -52,7 +52,7 @@ pub(super) fn decide(
     kind: DynamicModel,
     claim: &InfeasibleClaim,
     budget: Budget,
-) -> Result<Verdict, Refusal> {
+) -> Result<Accepted, Refusal> {
     let (model, mission, premises) = (setting.model(), setting.mission(), setting.premises);
     let unsupported = |why: &str| Err(Rejection::new("the claim that there is no plan", why).into());
     let first = &mission.waypoints[0];
@@ -102,8 +102,7 @@ pub(super) fn decide(
     let kept = kept.map_or(String::new(), |height| format!(", if {} m above the ground are required", number(height)));
     let headline = format!(
         "proved infeasible on one grid: mission {} has no {planner} plan of {} s whose inputs are linear between the \
-         nodes of \
-         the spec's {pieces} pieces in flight{selected}{kept}",
+         nodes of the spec's {pieces} pieces in flight{selected}{kept}",
         mission.name,
         number(total),
     );
@@ -112,7 +111,7 @@ pub(super) fn decide(
         "one grid: motions whose nodes differ from those of {} samples are not excluded",
         model.plan.samples
     )];
-    Ok(Verdict { headline, shown: vec![proved], weaker, undecided: Vec::new() })
+    Ok(Accepted { headline, shown: vec![proved], weaker, undecided: Vec::new() })
 }
 
 /// The cost of deciding a claim.

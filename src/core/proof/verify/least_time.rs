@@ -376,9 +376,8 @@ pub(super) fn too_early(problem: Problem, claim: &TooEarlyClaim) -> Result<Strin
         return Err(Rejection::new(name, why));
     }
     Ok(format!(
-        "mission {} has no plan: waypoint {} is due at {} s, but motions within the limits take at least {} s to \
-         reach it, \
-         however the time is divided",
+        "mission {} has no plan: waypoint {} is due at {} s, but motions within the limits take at least {} s to reach \
+         it, however the time is divided",
         mission.name,
         claim.waypoint,
         number(due),

@@ -4,6 +4,7 @@ use super::cost::{COST_PER_CORNER, COST_PER_LIMIT};
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
+use super::series::outside_cone;
 use super::wrench::thrust_over_mass;
 use super::{heading, volumes};
 use crate::model::{Body, Environment, Limit, LimitKind, Obstacle};
@@ -103,7 +104,7 @@ fn measure(kind: &LimitKind) -> Measure {
     }
 }
 
-/// The length of a vector, as in [`length`].
+/// The length of a vector of series, with its rate of change.
 fn length_of(parts: &[Series]) -> Series {
     let zero = Series::constant(Interval::ZERO);
     let square = parts.iter().fold(zero, |sum, &p| sum + p * p);
@@ -129,26 +130,7 @@ fn length(state: &State, axes: &[usize], order: usize) -> Series {
     Series::of_derivatives(&[value, rate])
 }
 
-/// The distance of a vector from the cone of those at an angle of at most `angle` (rad, below pi/2) to an axis: `ahead`
-/// is its component along the axis, `aside` the length of the rest. Beyond a right angle to the cone's side the apex is
-/// nearest, so that the distance is the whole length: its sine alone would fall to zero again for a vector that points
-/// backwards.
-pub(super) fn outside_cone(aside: Series, ahead: Series, angle: f64) -> Series {
-    let (sine, cosine) = Interval::point(angle).sin_cos();
-    let from_side = aside.times(cosine) - ahead.times(sine);
-    let along_side = ahead.value() * cosine + aside.value() * sine;
-    if along_side.low >= 0.0 {
-        return from_side;
-    }
-    let length = |of: fn(&Series) -> Interval| (of(&aside).square() + of(&ahead).square()).sqrt();
-    let from_apex = length(Series::value);
-    // No distance changes faster than the vector does.
-    let steepest = Interval::around_zero(length(Series::slope).high);
-    let nearest = if along_side.high < 0.0 { from_apex.low } else { from_side.value().low.min(from_apex.low) };
-    Series::of_derivatives(&[Interval::new(nearest, from_apex.high), steepest])
-}
-
-/// At an instant; the rate is not bounded.
+/// The violation at an instant; the rate is not bounded.
 fn arrival_violation(direction: [f64; 3], state: &State, angle: f64) -> Series {
     let direction = direction.map(Interval::point);
     let velocity = [X, Y, Z].map(|axis| state[axis][1]);

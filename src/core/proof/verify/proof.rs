@@ -55,7 +55,7 @@ impl Measure {
         format!("{} {}", number(x * self.factor), self.unit)
     }
 
-    /// The same, rounded up.
+    /// An upper bound of a number, with its unit.
     pub fn at_most(self, x: f64) -> String {
         format!("{} {}", up(x * self.factor, 6), self.unit)
     }

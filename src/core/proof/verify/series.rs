@@ -177,3 +177,22 @@ pub fn unit<const N: usize, S: Scalar>(a: &Vector<N, S>) -> Vector<N, S> {
     let length = dot(a, a).sqrt();
     [a[0].over(&length), a[1].over(&length), a[2].over(&length)]
 }
+
+/// The distance of a vector from the cone of those at an angle of at most `angle` (rad, below pi/2) to an axis: `ahead`
+/// is its component along the axis, `aside` the length of the rest. Beyond a right angle to the cone's side the apex is
+/// nearest, so that the distance is the whole length: its sine alone would fall to zero again for a vector that points
+/// backwards.
+pub fn outside_cone(aside: Series<2>, ahead: Series<2>, angle: f64) -> Series<2> {
+    let (sine, cosine) = Interval::point(angle).sin_cos();
+    let from_side = aside.times(cosine) - ahead.times(sine);
+    let along_side = ahead.value() * cosine + aside.value() * sine;
+    if along_side.low >= 0.0 {
+        return from_side;
+    }
+    let length = |of: fn(&Series<2>) -> Interval| (of(&aside).square() + of(&ahead).square()).sqrt();
+    let from_apex = length(Series::value);
+    // No distance changes faster than the vector does.
+    let steepest = Interval::around_zero(length(Series::slope).high);
+    let nearest = if along_side.high < 0.0 { from_apex.low } else { from_side.value().low.min(from_apex.low) };
+    Series::of_derivatives(&[Interval::new(nearest, from_apex.high), steepest])
+}

@@ -487,9 +487,9 @@ fn absolute(values: impl Iterator<Item = Dyadic>) -> Dyadic {
 /// A facet as certificates print it, and its half-space.
 #[derive(Debug, Clone)]
 pub struct Facet {
-    /// Of length 1 in N and N m.
+    /// The outward normal, of length 1 in N and N m.
     pub normal: [Interval; 4],
-    /// Before the reserve.
+    /// The offset before the reserve, N and N m.
     pub offset: Interval,
     pub plane: Plane,
 }

@@ -1,12 +1,12 @@
 //! Terminal text: what an accepted certificate shows.
 
 use super::plan::POINTS_OF_A_GRID;
-use super::{Reach, Scope, Verdict};
+use super::{Accepted, Reach, Scope};
 use crate::text_table::{Table, WIDTH};
 
 /// The output of `mavc verify` for an accepted certificate `name`: what is shown, then where it is weaker than the spec
 /// requires.
-pub fn verification(name: &str, verdict: &Verdict) -> String {
+pub fn verification(name: &str, verdict: &Accepted) -> String {
     let mut table = Table::new(&["shown", "where"]);
     for shown in &verdict.shown {
         table.row(vec![shown.statement.clone(), shown.reach.map_or("proved".into(), words)]);

@@ -8,7 +8,7 @@ use super::GiveUpYaw;
 use super::Heading;
 use super::{
     AfterFault, Air, Campaign, Description, Detection, FaultMode, Limit, LostYaw, Mission, MissionTime, Model, Origin,
-    Plan, PlanRotors, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
+    PlanRotors, PlanSettings, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
 };
 use crate::number::{fixed, number};
 
@@ -255,7 +255,7 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
     Ok(())
 }
 
-/// As written in a spec: `speed <= 8 m/s`.
+/// The limit in the words of a spec: `speed <= 8 m/s`.
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Description { word: name, unit, unit_in_si, .. } = self.kind.describe();
@@ -272,7 +272,7 @@ impl fmt::Display for Limit {
     }
 }
 
-fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Result {
+fn plan(f: &mut fmt::Formatter<'_>, p: &PlanSettings, modes: &[FaultMode]) -> fmt::Result {
     writeln!(f, "plan")?;
     writeln!(f, "  planner {}, model {}", p.planner.name(), p.model.name())?;
     if p.rotors != PlanRotors::Instant {

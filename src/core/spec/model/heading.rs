@@ -21,7 +21,7 @@ pub enum Heading {
 pub enum Target {
     /// To a point (x, y), m, where it is at least as far as `nearest` (m) horizontally.
     Towards { point: [f64; 2], nearest: f64 },
-    /// Of the horizontal velocity, where it is at least [`SLOWEST`].
+    /// The direction of the horizontal velocity, where it is at least [`SLOWEST`].
     AlongPath,
 }
 

@@ -99,7 +99,7 @@ impl SearchEffort {
 /// The time of the whole mission, including holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MissionTime {
-    /// As short as the planner can make it.
+    /// The shortest that the planner finds.
     Minimum,
     /// Fixed, s.
     Fixed(f64),
@@ -122,7 +122,7 @@ pub struct CaptureHeight {
 
 /// The `plan` block, or its defaults.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Plan {
+pub struct PlanSettings {
     pub planner: PlannerKind,
     pub model: PlanModel,
     pub rotors: PlanRotors,

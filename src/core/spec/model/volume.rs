@@ -42,7 +42,7 @@ pub struct Volume {
 /// The volume or corridor to which a limit belongs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Boundary {
-    /// As messages name it: `keep_in field`, `corridor to waypoint 3`.
+    /// The name in messages: `keep_in field`, `corridor to waypoint 3`.
     pub name: String,
     /// Half the width of a corridor, m; `None` for a volume, which has none.
     pub half_width: Option<f64>,
@@ -172,7 +172,7 @@ impl Limit {
         }
     }
 
-    /// As messages name it: the volume or corridor, or the limited quantity, and its leg if it holds on one.
+    /// The name in messages: the volume or corridor, or the limited quantity, with its leg if it holds on one.
     pub fn name(&self) -> &str {
         match (&self.volume, &self.leg) {
             (Some(volume), _) => &volume.name,
@@ -192,7 +192,7 @@ impl Vehicle {
     }
 }
 
-/// As messages name a waypoint with its index.
+/// The name of a waypoint in messages: its own, `the start` for index 0, otherwise its number from 1.
 pub fn which(index: usize, waypoint: &Waypoint) -> String {
     match &waypoint.name {
         Some(name) => format!("waypoint `{name}`"),

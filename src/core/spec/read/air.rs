@@ -6,7 +6,7 @@ use super::fields::Fields;
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::air as table;
-use crate::model::{Air, LimitKind, Mission, Plan, PlanModel, STANDARD_DENSITY, Vehicle};
+use crate::model::{Air, LimitKind, Mission, PlanModel, PlanSettings, STANDARD_DENSITY, Vehicle};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind};
@@ -44,7 +44,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Air> {
     is_whole.then_some(air)
 }
 
-/// As [`standard_ratio`]; reports a height outside the troposphere.
+/// The density of the air at a height (m) as a share of the standard density; reports a height outside the troposphere.
 fn ratio_at(cx: &mut Context, altitude: f64, at: Span) -> Option<f64> {
     let ratio = standard_ratio(altitude);
     if ratio.is_none() {
@@ -110,7 +110,7 @@ pub(super) fn impose(vehicle: &mut Vehicle, air: &Air) {
 }
 
 /// Reports air that this plan cannot take into account; whether there is none.
-pub(super) fn check(cx: &mut Context, plan: &Plan, mission: Option<&Mission>, vehicle: &Vehicle) -> bool {
+pub(super) fn check(cx: &mut Context, plan: &PlanSettings, mission: Option<&Mission>, vehicle: &Vehicle) -> bool {
     let Some(mission) = mission else { return true };
     let air = &mission.air;
     let is_moving = air.wind.iter().chain(&air.wind_spread).any(|v| *v != 0.0) || air.gusts > 0.0;

@@ -54,7 +54,8 @@ impl<'a> Context<'a> {
         self.report(error.also(value.span, format!("`{name}` is {fact}")));
     }
 
-    /// As [`Context::report_of_let`], for two values that must have the same dimension.
+    /// Reports two values that must have the same dimension and have not: at the `let` behind one of them, if there is
+    /// one, once for all its uses.
     pub(super) fn report_of_sides(&mut self, [a, b]: [(&Expr, Quantity); 2], error: Diagnostic) {
         let (side, other) = if self.let_behind(a.0).is_some() { (a, b) } else { (b, a) };
         let (due, fact) = (other.1.dimension.to_string(), side.1.dimension.describe());

@@ -1,6 +1,6 @@
 //! The top level of a spec: collects the blocks of all files and the statements that could not be parsed.
 
-use super::context::{Context, duplicate};
+use super::context::{Context, duplicate, second_block};
 use super::fields::elsewhere;
 use super::flight_blocks::FlightBlocks;
 use crate::diagnostic::{Diagnostic, nearest};
@@ -107,9 +107,7 @@ fn only_one(cx: &mut Context, blocks: &[&Block]) {
     let [first, rest @ ..] = spelt.as_slice() else { return };
     for block in rest {
         let message = format!("a spec may have only one `{}` block", block.keyword.value);
-        let error = Diagnostic::error("mavc::name::duplicate", block.keyword.span, message);
-        let error = error.here("second block").also(first.keyword.span, "first block");
-        cx.report(error.help("move its contents into the first block, then remove this one"));
+        cx.report(second_block(message, block, first));
     }
 }
 

@@ -9,7 +9,7 @@ use super::expression::Value;
 use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
-use crate::syntax::ast::{Field, FieldValue, Name};
+use crate::syntax::ast::{Block, Field, FieldValue, Name};
 use crate::unit::{GRAVITY, Quantity};
 
 /// Evaluation steps one spec may take; a guard against hostile input.
@@ -207,7 +207,8 @@ impl<'a> Context<'a> {
         self.unknown_among(what, name, span, known, |_| true);
     }
 
-    /// As [`Context::unknown`]; only the known names for which `open` holds are suggested.
+    /// Reports an unknown `name`, unless it may be declared where the text could not be parsed; suggests only those
+    /// `known` names for which `open` holds.
     pub fn unknown_among(&mut self, what: &str, name: &str, span: Span, known: &[&str], open: impl Fn(&str) -> bool) {
         if self.may_exist(name) {
             return;
@@ -258,13 +259,21 @@ pub(super) fn either(words: &[&str]) -> String {
     }
 }
 
+/// The error for the second block of a kind of which only one is allowed, as `message` says.
+pub(super) fn second_block(message: String, second: &Block, first: &Block) -> Diagnostic {
+    Diagnostic::error("mavc::name::duplicate", second.keyword.span, message)
+        .here("second block")
+        .also(first.keyword.span, "first block")
+        .help("move its contents into the first block, then remove this one")
+}
+
 /// `a`, `b` and `c`, each in backquotes.
 pub(super) fn listed(words: &[&str]) -> String {
     joined(&words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>())
 }
 
-/// As [`listed`], but a run of names that differ only in their numbers is given by its first and last, and a long list
-/// is cut short.
+/// Names in backquotes; a run of names that differ only in their numbers is given by its first and last, and a list of
+/// more than twelve is cut short.
 fn in_runs(names: &[&str]) -> String {
     const SHOWN: usize = 12;
     let runs = names.chunk_by(|a, b| without_digits(a) == without_digits(b));

@@ -32,12 +32,14 @@ pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     elaborate_for(files, overrides, FlightBlocks::Used)
 }
 
-/// As [`elaborate`], for a command that may not use the flight blocks.
+/// The model for a command that may not use the flight blocks, with the diagnostics that [`elaborate`] reports: their
+/// errors are warnings if `flights` says that they are not used.
 pub fn elaborate_for(files: &FileSet, overrides: &[Override], flights: FlightBlocks) -> Checked<Model> {
     understand_for(files, overrides, flights).checked
 }
 
-/// As [`elaborate`], with everything that was understood, errors or not.
+/// Everything that was understood of a spec, whether it has errors or not: the model of [`elaborate`], and the meaning
+/// of names and expressions.
 pub fn understand(files: &FileSet, overrides: &[Override]) -> Understanding {
     understand_for(files, overrides, FlightBlocks::Used)
 }

@@ -56,7 +56,7 @@ impl<'a> Context<'a> {
         self.lower(due, q, expr)
     }
 
-    /// As [`Context::number`], above zero; `code` is the error code for any other value.
+    /// A quantity of the expected dimension above zero, in SI units; `code` is the error code for any other value.
     pub fn positive(&mut self, due: Expected, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(due, expr)?;
         if value > 0.0 {
@@ -65,7 +65,7 @@ impl<'a> Context<'a> {
         self.wrong_sign(due, "must be greater than zero", value, expr, code)
     }
 
-    /// As [`Context::number`], zero or above.
+    /// A quantity of the expected dimension, zero or above, in SI units; `code` is the error code for a negative value.
     pub fn not_negative(&mut self, due: Expected, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(due, expr)?;
         if value >= 0.0 {
@@ -147,7 +147,7 @@ impl<'a> Context<'a> {
         self.whole_value(what, value, expr.span, range, code)
     }
 
-    /// As [`Context::whole`], of a number already evaluated.
+    /// Checks that a number already evaluated is whole and within `range`; reports `code` at `span` if not.
     pub fn whole_value(
         &mut self,
         what: &str,
@@ -281,7 +281,8 @@ impl<'a> Context<'a> {
         Some(value)
     }
 
-    /// As [`Context::lower`], of a part of what is read.
+    /// The value of `q` in SI units if it has the expected dimension, without a note for the editor: `q` may be a part
+    /// of what is read.
     fn fit(&mut self, due: Expected, q: Quantity, expr: &Expr) -> Option<f64> {
         let expected = due.dimension();
         if q.dimension == expected {

@@ -61,7 +61,7 @@ pub(super) fn elsewhere(word: &str) -> Option<String> {
 
 /// The fields or clauses of one block or statement, by name.
 pub(super) struct Fields<'a> {
-    /// As messages name it: "vehicle `octo`".
+    /// The name of the block in messages: "vehicle `octo`".
     pub owner: String,
     /// Where a missing field is reported.
     pub span: Span,
@@ -289,7 +289,8 @@ impl<'a> Fields<'a> {
         expr
     }
 
-    /// As [`Fields::demand`], for a value that only the user knows.
+    /// The field `name`, whose value only the user knows; where it is missing, reports that, and the help says that the
+    /// example needs the values of the user's vehicle.
     pub fn demand_own(&self, cx: &mut Context<'a>, name: &str, example: &str) -> Option<&'a Expr> {
         let expr = self.get(name);
         if expr.is_none() && !self.may_have(name) {
@@ -304,7 +305,8 @@ impl<'a> Fields<'a> {
         self.missing_or(cx, what, example, &format!("add `{example}`"));
     }
 
-    /// As [`Fields::missing`], with its own help where the example is not the only way.
+    /// Reports that `what` is missing, with a fix that adds `example`, and with `help` where the example is not the
+    /// only way.
     pub fn missing_or(&self, cx: &mut Context<'a>, what: &str, example: &str, help: &str) {
         let message = format!("{} is missing {what}", self.owner);
         let error = Diagnostic::error("mavc::name::missing_field", self.span, message).here("required here").help(help);

@@ -6,7 +6,9 @@ use super::fields::Fields;
 use super::written::Written;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::waypoint as table;
-use crate::model::{Heading, Limit, LimitKind, Mission, OnLeg, Part, Plan, PlanModel, Target, Vehicle, Waypoint};
+use crate::model::{
+    Heading, Limit, LimitKind, Mission, OnLeg, Part, PlanModel, PlanSettings, Target, Vehicle, Waypoint,
+};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{ExprKind, Name};
@@ -153,7 +155,7 @@ pub(super) fn impose(mission: &mut Mission, vehicle: &Vehicle) {
 }
 
 /// Reports a yaw that follows from the motion in a plan of the hover model, which plans yaw first.
-pub(super) fn only_in_the_exact_model(cx: &mut Context, plan: &Plan, mission: &Mission) -> bool {
+pub(super) fn only_in_the_exact_model(cx: &mut Context, plan: &PlanSettings, mission: &Mission) -> bool {
     let follows = |w: &&Waypoint| w.heading != Heading::Given;
     let Some(waypoint) = mission.waypoints.iter().find(follows) else { return true };
     if plan.model == PlanModel::Exact {

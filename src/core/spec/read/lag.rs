@@ -2,10 +2,10 @@
 
 use super::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Plan, PlanRotors, Rotor, Vehicle};
+use crate::model::{PlanRotors, PlanSettings, Rotor, Vehicle};
 
 /// Whether every rotor has a time constant, where the plan needs one; reports an error otherwise.
-pub(super) fn check(cx: &mut Context, plan: &Plan, vehicle: &Vehicle) -> bool {
+pub(super) fn check(cx: &mut Context, plan: &PlanSettings, vehicle: &Vehicle) -> bool {
     let silent = |rotor: &Rotor| rotor.time_constant.is_none();
     if plan.rotors == PlanRotors::Instant || !vehicle.rotors.iter().any(silent) {
         return true;
@@ -22,7 +22,7 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, vehicle: &Vehicle) -> bool {
 
 /// Whether the plan takes no lag into account or no rotor may reverse; reports an error otherwise: the time constant of
 /// (87) is that of speeds above zero.
-pub(super) fn none_reverses(cx: &mut Context, plan: &Plan, vehicle: &Vehicle) -> bool {
+pub(super) fn none_reverses(cx: &mut Context, plan: &PlanSettings, vehicle: &Vehicle) -> bool {
     if plan.rotors == PlanRotors::Instant || !vehicle.rotors.iter().any(Rotor::is_reversible) {
         return true;
     }

@@ -8,7 +8,7 @@ const RADIANS: [(&str, &str); 3] = [("deg", "rad"), ("deg/s", "rad/s"), ("deg/s^
 /// The largest number that may be an angle in radians: a full turn, rounded up.
 const TURN: f64 = 6.4;
 
-/// The same for a tilt: a quarter turn, rounded up.
+/// The largest number that may be a tilt in radians: a quarter turn, rounded up.
 const QUARTER: f64 = 1.6;
 
 /// The likely units of a plain number of this size, the likeliest first: at least one, and more than one where only the

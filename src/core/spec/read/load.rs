@@ -69,8 +69,9 @@ pub fn load(
     load_among(root_name, root_bytes, read, &|_| Vec::new())
 }
 
-/// As [`load`]; `list` gives the contents of a folder ([`super::near_files::entries`]), so that the error for a missing
-/// file can suggest a similar name.
+/// Parses the root file and everything it uses, each file once, with paths relative to the folder of `root_name`.
+/// `list` gives the contents of a folder ([`super::near_files::entries`]), so that the error for a missing file can
+/// suggest a similar name.
 pub fn load_among(
     root_name: &str,
     root_bytes: &[u8],

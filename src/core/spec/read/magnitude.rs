@@ -16,7 +16,7 @@ const CODE: &str = "mavc::unit::magnitude";
 /// Smallest nonzero and largest magnitude, in SI units; zero is handled by the checks of signs.
 type Bounds = (f64, f64);
 
-/// Of a row without bounds: products of smaller numbers underflow.
+/// The bounds of a row that gives none: products of smaller numbers underflow.
 const ANY: Bounds = (1e-100, 1e12);
 const fn of_row(entry: &Entry) -> Bounds {
     match entry.bounds {
@@ -25,7 +25,7 @@ const fn of_row(entry: &Entry) -> Bounds {
     }
 }
 
-/// Of one rotor at full speed, N: from a millionth of the smallest rotor's to more than a helicopter's.
+/// The thrust of one rotor at full speed, N: from a millionth of the smallest rotor's to more than a helicopter's.
 const THRUST: Bounds = of_row(&rotor::MAX_THRUST);
 const TORQUE: Bounds = of_row(&rotor::TORQUE_PER_THRUST);
 

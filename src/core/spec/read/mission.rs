@@ -12,7 +12,7 @@ use super::written::Written;
 use crate::model::MAX_WAYPOINTS;
 use std::collections::BTreeMap;
 
-use super::context::Context;
+use super::context::{Context, second_block};
 use super::expected::Expected;
 use super::fields::Fields;
 use super::load::FileSet;
@@ -223,11 +223,11 @@ impl<'a> Body<'a> {
             self.volumes.push(inner);
         } else if air::is_one(inner) {
             match self.air {
-                Some(first) => second_block(cx, "one `air`", first, inner),
+                Some(first) => cx.report(second_block("a mission may have only one `air` block".into(), inner, first)),
                 None => self.air = Some(inner),
             }
         } else if let Some(first) = self.limit_block {
-            second_block(cx, "one `limits`", first, inner);
+            cx.report(second_block("a mission may have only one `limits` block".into(), inner, first));
         } else {
             self.limit_block = Some(inner);
             let (limits, whole) = limits::read(cx, &inner.body);
@@ -365,14 +365,6 @@ fn ground<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, route: &Route) -> Writt
             None => Some(ground),
         }
     })
-}
-
-/// Reports the second block of a kind of which a mission may have one.
-fn second_block(cx: &mut Context, kind: &str, first: &Block, second: &Block) {
-    let message = format!("a mission may have only {kind} block");
-    let error = Diagnostic::error("mavc::name::duplicate", second.keyword.span, message);
-    let error = error.here("second block").also(first.keyword.span, "first block");
-    cx.report(error.help("move its contents into the first block, then remove this one"));
 }
 
 const TOLERANCE: &str = "mavc::mission::tolerance";

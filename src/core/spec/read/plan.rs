@@ -17,7 +17,7 @@ use crate::language::table::plan as table;
 use crate::model::grid::Spacing;
 use crate::model::legs::Timing;
 use crate::model::{
-    AfterFault, GiveUpYaw, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, SearchEffort,
+    AfterFault, GiveUpYaw, Mission, MissionTime, PlanModel, PlanRotors, PlanSettings, PlannerKind, SearchEffort,
 };
 use crate::read::written::Written;
 use crate::source::{Span, Spanned};
@@ -136,7 +136,7 @@ impl<'a> Draft<'a> {
         modes_incomplete: bool,
         mission: Option<&Mission>,
         fallback: Span,
-    ) -> Option<Plan> {
+    ) -> Option<PlanSettings> {
         const PLANNERS: [PlannerKind; 3] = [PlannerKind::Rip, PlannerKind::Rcp, PlannerKind::Rsp];
         const MODELS: [PlanModel; 2] = [PlanModel::Hover, PlanModel::Exact];
         const ROTORS: [PlanRotors; 2] = [PlanRotors::Instant, PlanRotors::Lagging];
@@ -191,7 +191,7 @@ impl<'a> Draft<'a> {
         if !self.is_whole || self.capture_height.is_faulty() {
             return None;
         }
-        Some(Plan {
+        Some(PlanSettings {
             planner: planner?,
             model: model?,
             rotors: rotors?,

@@ -41,6 +41,11 @@ impl Usual {
         (self.low..=self.high).contains(&value)
     }
 
+    /// `found`, in words, and that it is outside this range.
+    fn outside(self, found: String, unit: &str) -> String {
+        format!("{found}, outside the usual range of {}", self.text(unit))
+    }
+
     /// "0.02 to 2 m"
     fn text(self, unit: &str) -> String {
         let blank = if unit.is_empty() { "" } else { " " };
@@ -77,8 +82,7 @@ pub(super) fn gravity(cx: &mut Context, gravity: f64, span: Span) {
     if GRAVITY.has(gravity) {
         return;
     }
-    let message =
-        format!("`gravity` is {} m/s^2, outside the usual range of {}", short(gravity), GRAVITY.text("m/s^2"));
+    let message = GRAVITY.outside(format!("`gravity` is {} m/s^2", short(gravity)), "m/s^2");
     let warning = warning("mavc::sense::gravity", span, message, "check the number and its unit");
     cx.report(warning.here("on Earth it is 9.81 m/s^2"));
 }

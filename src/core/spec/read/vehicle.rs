@@ -7,7 +7,7 @@ mod whole;
 
 use std::f64::consts::PI;
 
-use super::context::Context;
+use super::context::{Context, second_block};
 use super::defaulted::Defaulted;
 use super::expected::Expected;
 use super::fields::Fields;
@@ -79,9 +79,7 @@ impl<'a> Parts<'a> {
             match slot {
                 Some(first) => {
                     let message = format!("a vehicle may have only one `{}` block", inner.keyword.value);
-                    let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
-                    let error = error.here("second block").also(first.keyword.span, "first block");
-                    cx.report(error.help("move its contents into the first block, then remove this one"));
+                    cx.report(second_block(message, inner, first));
                     *twice = true;
                 }
                 None => *slot = Some(inner),

@@ -2,7 +2,7 @@
 
 use super::px4::single;
 use super::refit::{Errors, Fit, refit};
-use super::{Choices, Plan, Written};
+use super::{Choices, Exported, Written};
 use crate::number::{down, number, plural, up};
 use std::fmt::Write;
 
@@ -16,7 +16,7 @@ const TOLERANCE: f64 = 0.01;
 ///
 /// # Errors
 /// The trajectory needs more pieces.
-pub(super) fn written(plan: &Plan, choices: &Choices) -> Result<Written, String> {
+pub(super) fn written(plan: &Exported, choices: &Choices) -> Result<Written, String> {
     let tolerance = choices.tolerance.unwrap_or(TOLERANCE);
     let fit = refit(plan.trajectory, MOST_PIECES, tolerance).map_err(|best| refused(&best, tolerance))?;
     let mut text = String::from("duration");
@@ -49,9 +49,8 @@ fn refused(best: &Fit, tolerance: f64) -> String {
     let [tolerance, position, enough] = [1e3 * tolerance, 1e3 * position, 1e3 * position.max(yaw)];
     format!(
         "the trajectory does not fit the {MOST_PIECES} pieces of a Crazyflie within {} mm (and {} mrad of yaw): with \
-         so many the \
-         position is up to {} mm off, at {} s, and the yaw up to {} mrad; use --tolerance {}mm, or plan a shorter \
-         mission",
+         so many the position is up to {} mm off, at {} s, and the yaw up to {} mrad; use --tolerance {}mm, or plan a \
+         shorter mission",
         number(tolerance),
         number(tolerance),
         down(position, 3),

@@ -1,11 +1,11 @@
 //! mavc's table, in either frame.
 
-use super::{Choices, Plan};
+use super::{Choices, Exported};
 use crate::exchange::frames::Frame;
 use crate::report::trajectory_csv::{push_row, table};
 
 /// The table; north, east, down with the same names of columns.
-pub(super) fn text(plan: &Plan, choices: &Choices) -> Result<String, String> {
+pub(super) fn text(plan: &Exported, choices: &Choices) -> Result<String, String> {
     let text = table(plan.trajectory, plan.model, choices.rate)?;
     Ok(match choices.frame() {
         Frame::EnuFlu => text,

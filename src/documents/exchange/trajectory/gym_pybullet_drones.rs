@@ -1,7 +1,7 @@
 //! A Python module with targets at the control rate, as the examples of gym-pybullet-drones hand them to
 //! `computeControlFromState`.
 
-use super::{Choices, Plan, list};
+use super::{Choices, Exported, list};
 use crate::number::shortest;
 
 const TEMPLATE: &str = include_str!("../../../../assets/exchange/gym_pybullet_drones.py");
@@ -15,7 +15,7 @@ const TITLE: &str = "A PLAN";
 const COLUMNS: &str = "x,y,z,roll,pitch,yaw,vx,vy,vz,yaw_rate";
 
 /// Rows at the control rate: position, roll, pitch and yaw of the exact attitude, velocity, yaw rate.
-pub(super) fn text(plan: &Plan, choices: &Choices) -> Result<String, String> {
+pub(super) fn text(plan: &Exported, choices: &Choices) -> Result<String, String> {
     let rate = choices.rate().unwrap_or_default();
     let mut data = format!("CONTROL_FREQ_HZ = {}\nROWS = [\n", shortest(rate));
     for instant in plan.instants(choices.rate(), COLUMNS)? {

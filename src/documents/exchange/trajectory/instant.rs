@@ -56,8 +56,7 @@ impl Instant {
             let time = number(row.time);
             return Err(format!(
                 "the attitude is not defined at {time} s, where the plan needs no thrust or a roll of 90 degrees: \
-                 --format csv has \
-                 the motion alone"
+                 --format csv has the motion alone"
             ));
         }
         Ok(Instant {

@@ -1,7 +1,7 @@
 //! Scripts in Python that carry a plan and play it to an autopilot.
 
 use super::px4::{heading, single, world};
-use super::{Choices, Plan};
+use super::{Choices, Exported};
 
 const PX4_OFFBOARD: &str = include_str!("../../../../assets/exchange/px4_offboard.py");
 const ARDUPILOT_GUIDED: &str = include_str!("../../../../assets/exchange/ardupilot_guided.py");
@@ -15,16 +15,16 @@ const TITLE: &str = "A PLAN";
 const COLUMNS: &str = "t,n,e,d,vn,ve,vd,an,ae,ad,yaw,yawspeed";
 
 /// For MAVSDK: `set_position_velocity_acceleration_ned`.
-pub(super) fn px4_offboard(plan: &Plan, choices: &Choices) -> Result<String, String> {
+pub(super) fn px4_offboard(plan: &Exported, choices: &Choices) -> Result<String, String> {
     script(PX4_OFFBOARD, plan, choices)
 }
 
 /// For pymavlink: `SET_POSITION_TARGET_LOCAL_NED` in GUIDED mode.
-pub(super) fn ardupilot_guided(plan: &Plan, choices: &Choices) -> Result<String, String> {
+pub(super) fn ardupilot_guided(plan: &Exported, choices: &Choices) -> Result<String, String> {
     script(ARDUPILOT_GUIDED, plan, choices)
 }
 
-fn script(template: &str, plan: &Plan, choices: &Choices) -> Result<String, String> {
+fn script(template: &str, plan: &Exported, choices: &Choices) -> Result<String, String> {
     let mut rows = String::from("SETPOINTS = [\n");
     for instant in plan.instants(choices.rate(), COLUMNS)? {
         let vectors = [instant.position, instant.velocity, instant.acceleration].map(world).concat();

@@ -1,6 +1,6 @@
 //! A table of PX4's `TrajectorySetpoint`, with the names of its fields as pyulog writes them.
 
-use super::{Choices, Plan};
+use super::{Choices, Exported};
 use crate::exchange::frames::{Frame, wrapped};
 use crate::exchange::trajectory::instant::Instant;
 use std::fmt::Write;
@@ -10,7 +10,7 @@ const HEADER: &str = "timestamp,position[0],position[1],position[2],velocity[0],
 
 /// Microseconds since the start, then float32: position (m), velocity, acceleration, jerk in north, east, down; yaw
 /// (rad, clockwise from north, between -pi and pi) and its rate.
-pub(super) fn text(plan: &Plan, choices: &Choices) -> Result<String, String> {
+pub(super) fn text(plan: &Exported, choices: &Choices) -> Result<String, String> {
     let mut out = format!("{HEADER}\n");
     for instant in plan.instants(choices.rate(), HEADER)? {
         let _ = write!(out, "{}", (instant.time * 1e6).round());

@@ -1,6 +1,6 @@
 //! A ROS 2 bag, in MCAP storage, with one `trajectory_msgs/msg/MultiDOFJointTrajectory`.
 
-use super::{Choices, Plan};
+use super::{Choices, Exported};
 use crate::exchange::cdr::Message;
 use crate::exchange::frames::Frame;
 use crate::exchange::mcap::Writer;
@@ -14,7 +14,7 @@ const DEFINITION: &str = include_str!("../../../../assets/exchange/MultiDOFJoint
 const COLUMNS: &str = "x,y,z,qx,qy,qz,qw,vx,vy,vz,p,q,r,ax,ay,az,p1,q1,r1,t";
 
 /// The only message is at time 0, and so are start and end of the bag.
-pub(super) fn mcap(plan: &Plan, choices: &Choices) -> Result<Vec<u8>, String> {
+pub(super) fn mcap(plan: &Exported, choices: &Choices) -> Result<Vec<u8>, String> {
     let instants = plan.instants(choices.rate(), COLUMNS)?;
     let mut message = Message::new();
     message.time(0.0).text("world");

@@ -1,6 +1,6 @@
 //! A Python module with a trajectory class as RotorPy expects it: `update(t)` returns the flat outputs.
 
-use super::{Plan, list};
+use super::{Exported, list};
 use crate::motion::{Trajectory, X, Y, YAW, Z};
 use std::fmt::Write;
 
@@ -12,7 +12,7 @@ const PLACE: &str = "TIMES, PIECES = [], []  # the plan\n";
 const TITLE: &str = "A PLAN";
 
 /// The plan's own polynomials, without loss.
-pub(super) fn text(plan: &Plan) -> String {
+pub(super) fn text(plan: &Exported) -> String {
     let pieces = plan.pieces();
     let mut data = format!("TIMES = {}\nPIECES = [\n", list(plan.trajectory.times.iter().copied()));
     for piece in &pieces {
@@ -29,7 +29,7 @@ const COEFFICIENTS: usize = 6;
 /// One polynomial for each of x, y, z and yaw on an interval, in ascending powers of the time since its start.
 type Piece = [[f64; COEFFICIENTS]; 4];
 
-impl Plan<'_> {
+impl Exported<'_> {
     /// The pieces between nodes, without loss.
     fn pieces(&self) -> Vec<Piece> {
         (0..self.trajectory.intervals()).map(|k| piece(self.trajectory, k)).collect()

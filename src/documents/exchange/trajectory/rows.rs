@@ -1,12 +1,12 @@
 //! Rows with the whole state of a vehicle that follows the plan.
 
-use super::{Choices, Plan};
+use super::{Choices, Exported};
 use crate::report::trajectory_csv::push_row;
 
 const HEADER: &str = "t,x,y,z,vx,vy,vz,ax,ay,az,jx,jy,jz,qw,qx,qy,qz,p,q,r,thrust,thrust_share,yaw,yawspeed,waypoint";
 
 /// The table. The last column is empty in rows that mark no waypoint.
-pub(super) fn text(plan: &Plan, choices: &Choices) -> Result<String, String> {
+pub(super) fn text(plan: &Exported, choices: &Choices) -> Result<String, String> {
     let frame = choices.frame();
     let mut out = format!("{HEADER}\n");
     for instant in plan.instants(choices.rate(), HEADER)? {

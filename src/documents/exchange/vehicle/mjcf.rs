@@ -20,11 +20,9 @@ pub fn text(model: &Model) -> String {
     let vehicle = &model.vehicle;
     let mut out = format!(
         "<mujoco model=\"{}\">\n  <!-- Controls are thrusts in newtons. Drag, yaw drag, the lag of rotors and faults \
-         are left to the \
-         simulation. The path is drawn as straight legs between the waypoints. -->\n  <compiler angle=\"radian\" \
-         inertiafromgeom=\"false\"/>\n  <option timestep=\"{}\" gravity=\"0 0 {}\" integrator=\"RK4\"/>\n  \
-         <worldbody>\n    \
-         <light pos=\"0 0 100\" directional=\"true\"/>\n",
+         are left to the simulation. The path is drawn as straight legs between the waypoints. -->\n  <compiler \
+         angle=\"radian\" inertiafromgeom=\"false\"/>\n  <option timestep=\"{}\" gravity=\"0 0 {}\" \
+         integrator=\"RK4\"/>\n  <worldbody>\n    <light pos=\"0 0 100\" directional=\"true\"/>\n",
         escaped(&vehicle.name),
         shortest(1.0 / model.simulation.rate),
         shortest(-model.gravity)
@@ -80,8 +78,7 @@ fn body(model: &Model, place: [f64; 3], yaw: f64, out: &mut String) {
     let _ = write!(
         out,
         "    <body name=\"vehicle\" pos=\"{}\" quat=\"{}\">\n      <freejoint name=\"vehicle\"/>\n      <inertial \
-         pos=\"0 0 0\" mass=\"{}\" \
-         diaginertia=\"{}\"/>\n",
+         pos=\"0 0 0\" mass=\"{}\" diaginertia=\"{}\"/>\n",
         list(&place),
         list(&[cos, 0.0, 0.0, sin]),
         shortest(vehicle.mass),

@@ -5,7 +5,7 @@ use super::items::{Setting, place, refuse};
 use super::qgc_plan::{listed, numeric};
 use crate::diagnostic::Diagnostic;
 use crate::geodesy::TangentPlane;
-use crate::import::json::{Json, Kind};
+use crate::import::json::{Json, JsonValue};
 use crate::import::{SYNTAX, UNSUPPORTED, at};
 
 type Read<T> = Result<T, Box<Diagnostic>>;
@@ -44,7 +44,7 @@ pub fn read(fences: &Json, setting: &Setting, draft: &mut Draft) -> Read<()> {
 
 fn one(fence: &Json, number: usize, plane: &TangentPlane, draft: &mut Draft) -> Read<()> {
     let inclusion = need(fence, "inclusion")?;
-    let Kind::Bool(is_inside) = inclusion.kind else {
+    let JsonValue::Bool(is_inside) = inclusion.kind else {
         return refuse(SYNTAX, &inclusion.span, "`inclusion` must be true or false", inclusion.what());
     };
     let mark = Mark { name: format!("fence {number}"), span: inclusion.span.clone() };

@@ -4,7 +4,7 @@ use super::draft::{Draft, Home, Mark, Speeds};
 use super::items::{Item, Setting, follow, place, refuse};
 use super::{LEFT_OUT, fence};
 use crate::diagnostic::Diagnostic;
-use crate::import::json::{Json, Kind, parse};
+use crate::import::json::{Json, JsonValue, parse};
 use crate::import::{FORMAT, SYNTAX, UNSUPPORTED, at};
 use crate::source::Source;
 use std::ops::Range;
@@ -69,7 +69,7 @@ fn drop_rest(plan: &Json, mission: &Json, draft: &mut Draft) {
 fn member<'j>(object: &'j Json, key: &str) -> Read<&'j Json> {
     match (object.get(key), &object.kind) {
         (Some(value), _) => Ok(value),
-        (None, Kind::Object(_)) => {
+        (None, JsonValue::Object(_)) => {
             let start = object.span.start;
             refuse(SYNTAX, &(start..start + 1), &format!("the object has no `{key}`"), &format!("needs `{key}`"))
         }
@@ -179,7 +179,7 @@ fn simple(item: &Json, number: usize) -> Read<Item> {
     for (k, param) in list.iter().enumerate() {
         spans[k] = param.span.clone();
         values[k] = match param.kind {
-            Kind::Null => None,
+            JsonValue::Null => None,
             _ => Some(numeric(param, "params")?),
         };
     }

@@ -23,6 +23,9 @@ const MOST_ATTRIBUTES: usize = 1_000;
 /// Products of inertia above this share of the smallest moment are named: a spec has none.
 const MOST_PRODUCT: f64 = 0.02;
 
+/// Why a file is not read as a vehicle, with the place in it.
+type RobotError = Box<Diagnostic>;
+
 /// Whether a text is XML.
 pub fn is_one(text: &str) -> bool {
     text.trim_start().starts_with('<')

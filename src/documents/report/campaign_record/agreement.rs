@@ -1,8 +1,8 @@
 //! Predictions against flights, and plans against what the path suffers.
 
-use crate::campaign::agreement::{Scope, Strength};
+use crate::campaign::agreement::Scope;
 use crate::campaign::correlations::Correlation;
-use crate::campaign::statistics::Contingency;
+use crate::campaign::statistics::{Contingency, Strength};
 use serde::Serialize;
 
 /// Whether the plans predict which flights are lost.

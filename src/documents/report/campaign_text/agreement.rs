@@ -1,16 +1,15 @@
 //! Whether the plans, and what is known of the modes, predict which flights are lost and what the path suffers.
 
-use super::{counted, filled};
-use crate::campaign::agreement::{Agreement, Scope, Strength};
+use crate::campaign::agreement::{Agreement, Scope};
 use crate::campaign::correlations::Correlation;
 use crate::campaign::predictors::{ClassCount, Forecast};
-use crate::campaign::statistics::{Contingency, FEWEST};
-use crate::number::{fixed, part_of_all};
-use crate::text_table::Table;
+use crate::campaign::statistics::{Contingency, FEWEST, Strength};
+use crate::number::{fixed, part_of_all, plural};
+use crate::text_table::{Table, indented};
 
 pub(super) fn agreement(agreement: &Agreement) -> String {
     let mut out = String::from("\nDo the plans predict which flights are lost?\n");
-    out.push_str(&filled(
+    out.push_str(&indented(
         "Predicted lost: the fault strikes before the plan's last violation of the mode's set, or of its core where \
          yaw is given up. Only flights that were \
          still flying when the fault struck are counted. A plan that several planners share is counted once.",
@@ -20,12 +19,12 @@ pub(super) fn agreement(agreement: &Agreement) -> String {
         out.push_str(&scope(all));
     } else if inside.modes == 0 {
         out.push_str(&scope(all));
-        out.push_str(&filled(
+        out.push_str(&indented(
             "No mode has hover inside its set or core, so no plan can keep a reserve against any mode.",
         ));
     } else {
-        out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
-        let n = counted(inside.modes, "mode");
+        out.push_str(&format!("\n  All {}\n{}", plural(all.modes, "mode"), scope(all)));
+        let n = plural(inside.modes, "mode");
         out.push_str(&format!(
             "\n  Only the {n} with hover inside their sets or cores: no plan can keep a reserve against the others\n"
         ));
@@ -34,7 +33,7 @@ pub(super) fn agreement(agreement: &Agreement) -> String {
     out.push_str(&predictors(forecasts));
     out.push_str(&harm(&all.harm, &inside.harm));
     out.push('\n');
-    out.push_str(&filled(
+    out.push_str(&indented(
         "Intervals treat flights as independent. Flights struck at the same instant differ only in their noise, so \
          the true uncertainty is larger; more instants help more than more seeds.",
     ));
@@ -61,11 +60,11 @@ fn scope(scope: &Scope) -> String {
     let safe = scope.planners.iter().filter(|(_, t)| t.hits + t.false_alarms == 0 && t.misses > 0);
     let called_safe: String = safe
         .map(|(planner, t)| {
-            let (name, all) = (planner.name().to_uppercase(), counted(t.total(), "struck flight"));
-            filled(&format!("{name} predicts no loss, yet {} of {all} were lost.", t.misses))
+            let (name, all) = (planner.name().to_uppercase(), plural(t.total(), "struck flight"));
+            indented(&format!("{name} predicts no loss, yet {} of {all} were lost.", t.misses))
         })
         .collect();
-    table.render(2) + &filled(&by_flight(&scope.total)) + &called_safe + &filled(&by_mode(scope))
+    table.render(2) + &indented(&by_flight(&scope.total)) + &called_safe + &indented(&by_mode(scope))
 }
 
 /// The interpretation of phi.
@@ -112,7 +111,7 @@ fn by_mode(scope: &Scope) -> String {
         Strength::Strong => "longer violations correlate strongly with more losses",
     };
     let rho = rho.map_or(String::new(), |rho| fixed(rho, 2));
-    format!("Over {} of plan and mode, {what} (Spearman's rank correlation {rho}).", counted(scope.pairs, "pair"))
+    format!("Over {} of plan and mode, {what} (Spearman's rank correlation {rho}).", plural(scope.pairs, "pair"))
 }
 
 /// Every predictor against the flights, and the shares lost in its classes.
@@ -144,7 +143,7 @@ fn predictors(forecasts: &[Forecast]) -> String {
         table.row(cells);
     }
     out.push_str(&table.render(2));
-    out.push_str(&filled(
+    out.push_str(&indented(
         "Brier: mean squared error of the predicted probability of loss, 0 is best. First the prediction as 0 or 1; by \
          class: the share lost in the same class with the other modes; base rate: the share lost with the other modes, \
          which a predictor has to beat.",
@@ -155,7 +154,7 @@ fn predictors(forecasts: &[Forecast]) -> String {
             format!("{} ({predicted}): {} of {} lost, {}", c.class, c.lost, c.struck, share(c.lost, c.struck))
         };
         let classes: Vec<String> = classes.iter().map(class).collect();
-        out.push_str(&filled(&format!("{}: {}.", predictor.words(), classes.join("; "))));
+        out.push_str(&indented(&format!("{}: {}.", predictor.words(), classes.join("; "))));
     }
     out
 }
@@ -176,14 +175,11 @@ fn harm(all: &[Correlation], inside: &[Correlation]) -> String {
         table.row(vec![quality, harm, over(a), over(i), value(i.within_modes), i.modes.to_string()]);
     }
     out.push_str(&table.render(2));
-    out.push_str(&filled(&format!(
-        "Each pair has the mean over its struck flights, lost ones included. Within modes: over ranks within each \
-         mode with \
-         hover inside its set or core, so that plans are compared and not modes; modes: those in which both vary. \
-         Pairs are not \
-         independent, since plans and modes resemble each other, and fewer than {FEWEST} pairs have no interval: a \
-         small \
-         correlation of few pairs means nothing."
+    out.push_str(&indented(&format!(
+        "Each pair has the mean over its struck flights, lost ones included. Within modes: over ranks within each mode \
+         with hover inside its set or core, so that plans are compared and not modes; modes: those in which both vary. \
+         Pairs are not independent, since plans and modes resemble each other, and fewer than {FEWEST} pairs have no \
+         interval: a small correlation of few pairs means nothing."
     )));
     out
 }

@@ -4,7 +4,7 @@ use super::name_of;
 use crate::model::PlannerKind;
 use crate::motion::outside::Outside;
 use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run};
-use crate::report::terminal::WIDTH;
+use crate::text_table::indented;
 
 /// Longest name in the first column; longer ones are written out in a note below the table.
 const LONGEST_NAME: usize = 36;
@@ -107,8 +107,7 @@ impl Fold<'_> {
         if whole == short {
             return String::new();
         }
-        let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-        format!("{}\n", textwrap::fill(&format!("{short}: {whole}."), options))
+        indented(&format!("{short}: {whole}."))
     }
 
     /// The number of rows at each node, which may differ between runs with the same plan: `52`, `52 to 60`.

@@ -26,8 +26,7 @@ pub fn section(record: &Record, curves: &[Capture]) -> Option<Section> {
         h2 { (unbroken(&headline(captures, exposed))) }
         p.note {
             "After such a fault the vehicle gives up yaw and falls until it flies level again. The heights are \
-             simulated, not proved: "
-            "another controller, or another course of events, may lose more or less."
+             simulated, not proved: another controller, or another course of events, may lose more or less."
         }
         div.pair {
             @if !curves.is_empty() { (figure(captures, curves)) }
@@ -124,8 +123,8 @@ fn figure(captures: &CaptureRecord, drawn: &[Capture]) -> Markup {
             }
             figcaption.note {
                 "Simulated: the median of " (flights) " flights with different noise and gusts, and their range as a \
-                 band. A line ends where not "
-                "every flight regains level flight. The dotted line is the delay of the table."
+                 band. A line ends where not \
+                every flight regains level flight. The dotted line is the delay of the table."
                 @if captures.captures.iter().any(|case| !modes.contains(&case.mode.as_str())) { " Modes that cost \
                     less are not drawn." }
             }
@@ -223,8 +222,8 @@ fn table(captures: &CaptureRecord, exposed: &[ExposedRecord]) -> Markup {
                     tr {
                         th scope="col" { "Mode" }
                         @for case in modes.first().map_or(&[][..], |of| of) {
-                            th.n scope="col" { "At" br; span.unit { (unbroken(&format!("{} \
-                                m/s", significant(case.speed_m_per_s, 3)))) } }
+                            @let speed = format!("{} m/s", significant(case.speed_m_per_s, 3));
+                            th.n scope="col" { "At" br; span.unit { (unbroken(&speed)) } }
                         }
                         th.n scope="col" { "Too low" br; span.unit { "s" } }
                         th.n scope="col" { "By up to" br; span.unit { "m" } }

@@ -22,7 +22,7 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// The same with a headline that does not break between a number and its unit.
+    /// The chart with a headline that does not break between a number and its unit.
     pub fn set(mut self) -> Self {
         self.headline = super::prose::unbroken(&self.headline);
         self

@@ -7,10 +7,11 @@ use super::volumes::{self, NearestContent, VolumeContent};
 use super::{Subject, motion, shown_first};
 use crate::admissible::verdict::ModeAnalysis;
 use crate::admissible::{AdmissibleSet, hover};
-use crate::model::{Model, PlannerKind};
+use crate::model::Model;
 use crate::motion::nearness::nearness;
 use crate::number::number;
-use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run, label};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run};
+use crate::report::comparison_text::name_of;
 use serde::Serialize;
 
 /// Cells of a heat strip.
@@ -153,7 +154,7 @@ impl Content {
         Content { runs, ..Content::of_sets(subject, shown, record) }.showing(first)
     }
 
-    /// The same with another run shown first.
+    /// The content with run `first`, counted from 0, shown when the page opens.
     pub fn showing(self, first: usize) -> Self {
         let opens = opening(self.runs.get(first), &self.sets);
         Content { first, opens, ..self }
@@ -198,7 +199,7 @@ fn extents(model: &Model) -> [[f64; 2]; 4] {
 /// `RSP, own time 16 s`, `RCP jointly, at T_d = 16.4 s`; for a single plan `RSP, 16 s`.
 pub fn run_label(comparison: &Comparison, index: usize, time: f64) -> String {
     let run = &comparison.runs[index];
-    let name = planner_name(run);
+    let name = name_of(run);
     match run.run {
         _ if comparison.runs.len() == 1 => format!("{name}, {} s", number(time)),
         Run::Own => format!("{name}, own time {} s", number(time)),
@@ -206,21 +207,14 @@ pub fn run_label(comparison: &Comparison, index: usize, time: f64) -> String {
     }
 }
 
-fn planner_name(run: &PlannerRun) -> String {
-    match run.against.len() {
-        n if n > 1 && run.planner == PlannerKind::Rcp => "RCP jointly".to_string(),
-        _ => label(run.planner, &run.against),
-    }
-}
-
-/// Of several plans, only those at the common time are drawn, because they can be compared; all if there is no such
-/// time.
+/// The end of the names of a run's figures; `None` if it has none: of several plans only those at the common time are
+/// drawn, because they can be compared, or all if there is no such time.
 fn figures_of(run: &PlannerRun, among: &[(usize, &PlannerRun, &MissionPlan)]) -> Option<String> {
     let is_common = |run: &PlannerRun| run.run == Run::Common;
     match among {
         [_] => Some(String::new()),
         _ if is_common(run) || !among.iter().any(|(_, run, _)| is_common(run)) => {
-            Some(format!("-{}", planner_name(run).replace(' ', "-")))
+            Some(format!("-{}", name_of(run).replace(' ', "-")))
         }
         _ => None,
     }

@@ -72,8 +72,7 @@ impl Document<'_> {
                         noscript {
                             p.warning {
                                 "This browser does not run scripts, so the path, the sets and the charts are not \
-                                 drawn. Text, tables and "
-                                "the spec follow below."
+                                 drawn. Text, tables and the spec follow below."
                             }
                         }
                     }
@@ -85,8 +84,8 @@ impl Document<'_> {
                     footer {
                         p {
                             "Written by mavc " (env!("CARGO_PKG_VERSION")) ". Lengths in m, times in s, SI units \
-                             except angles in degrees. "
-                            "Charts by uPlot and three.js (MIT); the source of this page contains their licences."
+                             except angles in degrees. \
+                            Charts by uPlot and three.js (MIT); the source of this page contains their licences."
                         }
                     }
                     script #content type="application/json" { (PreEscaped(embed::json(&self.content))) }
@@ -165,9 +164,8 @@ pub fn drawn(has_modes: bool) -> Vec<Section> {
     let charts = html! {
         h2 { "The trajectory and its limits over time" }
         p.note {
-            "Dashed lines are limits. Shaded bands in the charts of thrust and torques: the range of that component \
-             in the set of the mode "
-            "selected above, with the other three components fixed at their values at that instant."
+            "Dashed lines are limits. Shaded bands in the charts of thrust and torques: the range of that component in \
+             the set of the mode selected above, with the other three components fixed at their values at that instant."
         }
         div #charts { }
     };

@@ -3,6 +3,7 @@
 use super::chart::{Bound, Chart, Columns, Line, column};
 use super::content::{DIVERGED as DIVERGED_AT, LOST, Mark, Phase, RunContent};
 use super::motion::WRENCH;
+use super::table::{Frame, numbers, table, words};
 use crate::admissible::hover;
 use crate::flight::{Sample, Sortie};
 use crate::model::Model;
@@ -267,6 +268,28 @@ fn estimates(record: &FlightRecord) -> String {
 /// The table of faults.
 pub fn section(record: &FlightRecord) -> Markup {
     let after = |t: Option<f64>| t.map_or("never".to_string(), |t| significant(1e3 * t, 3));
+    let heads = [
+        words("Mode"),
+        numbers("Strikes", "s"),
+        numbers("Ends", "s"),
+        numbers("Detected after", "ms"),
+        numbers("Isolated after", "ms"),
+    ];
+    let caption = html! {
+        "Detection: " (detection(record.detection, record.detection_delay_s)) "; after a fault: " (record.after_fault)
+    };
+    let rows = html! {
+        @for fault in &record.faults {
+            tr {
+                th scope="row" { (fault.mode) }
+                td.n { (number(fault.at_s)) }
+                td.n { (fault.until_s.map_or("never".into(), number)) }
+                td.n { @if fault.struck { (after(fault.detected_after_s)) } @else { "not struck" } }
+                td.n { @if fault.struck { (after(fault.isolated_after_s)) } @else { "not struck" } }
+            }
+        }
+    };
+    let frame = Frame { label: "Table of faults", class: Some("compact"), caption: Some(caption), ..Frame::default() };
     html! {
         h2 {
             @match struck(record).count() {
@@ -275,35 +298,6 @@ pub fn section(record: &FlightRecord) -> Markup {
                 n => { (n) " faults strike in this flight" }
             }
         }
-        div.scroll tabindex="0" role="region" aria-label="Table of faults" {
-            table.compact {
-                caption {
-                    span {
-                        "Detection: " (detection(record.detection, record.detection_delay_s))
-                        "; after a fault: " (record.after_fault)
-                    }
-                }
-                thead {
-                    tr {
-                        th scope="col" { "Mode" }
-                        th.n scope="col" { "Strikes" br; span.unit { "s" } }
-                        th.n scope="col" { "Ends" br; span.unit { "s" } }
-                        th.n scope="col" { "Detected after" br; span.unit { "ms" } }
-                        th.n scope="col" { "Isolated after" br; span.unit { "ms" } }
-                    }
-                }
-                tbody {
-                    @for fault in &record.faults {
-                        tr {
-                            th scope="row" { (fault.mode) }
-                            td.n { (number(fault.at_s)) }
-                            td.n { (fault.until_s.map_or("never".into(), number)) }
-                            td.n { @if fault.struck { (after(fault.detected_after_s)) } @else { "not struck" } }
-                            td.n { @if fault.struck { (after(fault.isolated_after_s)) } @else { "not struck" } }
-                        }
-                    }
-                }
-            }
-        }
+        (table(frame, &heads, rows))
     }
 }

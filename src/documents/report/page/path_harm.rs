@@ -1,7 +1,8 @@
 //! A campaign: what the faults do to the path, by mode, and by mode and instant of the fault.
 
 use super::prose::true_minus;
-use super::survival::{CLASSES, class_of, columns};
+use super::survival::{CLASSES, class_of, map};
+use super::table::{Frame, counts, numbers, table, words};
 use crate::flight::damage::HEADING_BROKEN;
 use crate::number::{number, part_of_all, significant};
 use crate::report::campaign_record::{CampaignRecord, CellRecord, ModeRecord, PathRecord, PlannerRecord};
@@ -17,12 +18,11 @@ pub fn tables(record: &CampaignRecord) -> Markup {
         h2 { "The path after the fault" }
         p.note {
             "Over all struck flights, lost ones included. Deviation: largest distance from the reference since the \
-             fault, mean and "
-            "largest. A limit is broken if it is exceeded by more than the tolerance of campaigns, the heading if it \
-             is more than "
+             fault, mean and largest. A limit is broken if it is exceeded by more than the tolerance of campaigns, the \
+             heading if it is more than "
             (number(HEADING_BROKEN.to_degrees())) " deg off before yaw is given up."
         }
-        @for planner in flown() { (table(planner)) }
+        @for planner in flown() { (harm(planner)) }
         p.note { "Maps: mean deviation in m; colour: share of the due waypoints missed; columns: instant of the fault \
             in s." }
         div.legend {
@@ -30,7 +30,7 @@ pub fn tables(record: &CampaignRecord) -> Markup {
                 span.entry { span.swatch.{ "lost" (k) } aria-hidden="true" { } (name) }
             }
         }
-        div.maps { @for planner in flown() { div { (map(planner)) } } }
+        div.maps { @for planner in flown() { div { (map(planner, &worst(planner).0, "deviations", None, cell)) } } }
     }
 }
 
@@ -46,32 +46,27 @@ fn worst(planner: &PlannerRecord) -> (Vec<&ModeRecord>, usize) {
     (modes, left_out)
 }
 
-fn table(planner: &PlannerRecord) -> Markup {
+fn harm(planner: &PlannerRecord) -> Markup {
     let name = planner.name.to_uppercase();
     let (modes, left_out) = worst(planner);
+    let heads = [
+        words("Mode"),
+        words("Hover"),
+        counts("Flights"),
+        numbers("Deviation", "m, mean"),
+        numbers("Largest", "m"),
+        numbers("Below reference", "m, largest"),
+        counts("Waypoints missed"),
+        counts("Heading broken"),
+        words("Limits broken"),
+    ];
+    let rows = html! {
+        @if let Some(healthy) = &planner.healthy { (row("healthy", "", &healthy.path)) }
+        @for mode in &modes { (row(&mode.name, &mode.hover_words, &mode.flights.path)) }
+    };
     html! {
         h3 { (name) }
-        div.scroll tabindex="0" role="region" aria-label={ "Path after the fault, " (name) } {
-            table {
-                thead {
-                    tr {
-                        th scope="col" { "Mode" }
-                        th scope="col" { "Hover" }
-                        th.n scope="col" { "Flights" }
-                        th.n scope="col" { "Deviation" br; span.unit { "m, mean" } }
-                        th.n scope="col" { "Largest" br; span.unit { "m" } }
-                        th.n scope="col" { "Below reference" br; span.unit { "m, largest" } }
-                        th.n scope="col" { "Waypoints missed" }
-                        th.n scope="col" { "Heading broken" }
-                        th scope="col" { "Limits broken" }
-                    }
-                }
-                tbody {
-                    @if let Some(healthy) = &planner.healthy { (row("healthy", "", &healthy.path)) }
-                    @for mode in &modes { (row(&mode.name, &mode.hover_words, &mode.flights.path)) }
-                }
-            }
-        }
+        (table(Frame { label: &format!("Path after the fault, {name}"), ..Frame::default() }, &heads, rows))
         @if left_out > 0 { p.note { (left_out) " modes with less deviation are omitted." } }
     }
 }
@@ -94,34 +89,7 @@ fn row(name: &str, hover: &str, path: &PathRecord) -> Markup {
     }
 }
 
-fn map(planner: &PlannerRecord) -> Markup {
-    let (modes, _) = worst(planner);
-    let times = planner.modes.first().map_or(&[][..], |m| &m.times);
-    let parts = columns(times.len());
-    let name = planner.name.to_uppercase();
-    html! {
-        h3 { (name) }
-        div.scroll tabindex="0" role="region" aria-label={ "Map of deviations, " (name) } {
-            table.map {
-                thead {
-                    tr {
-                        th scope="col" { "Mode" }
-                        @for part in &parts { th.n scope="col" { (significant(times[part.start].fault_time_s, 3)) } }
-                    }
-                }
-                tbody {
-                    @for mode in &modes {
-                        tr {
-                            th scope="row" { (mode.name) }
-                            @for part in &parts { (cell(&mode.times[part.clone()])) }
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
+/// The mean deviation of the struck flights of a cell, m, coloured by the share of the due waypoints missed.
 fn cell(cells: &[CellRecord]) -> Markup {
     let sum = |of: fn(&CellRecord) -> usize| cells.iter().map(of).sum::<usize>();
     let struck = sum(|c| c.struck);

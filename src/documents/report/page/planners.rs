@@ -2,6 +2,7 @@
 
 use super::motion::signed_percent;
 use super::prose::terms;
+use super::table::{Frame, counts, numbers, table, words};
 use super::verdicts::violation_cells;
 use crate::number::{down, number, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run};
@@ -22,42 +23,34 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     };
     let found = record.planners.iter().filter(|planner| planner.time_s.is_some());
     let bound = { found }.find_map(|planner| planner.time_lower_bound_s);
+    let heads = || {
+        let mut heads = vec![words("Planner"), numbers("Time", "s")];
+        if has_modes {
+            heads.push(numbers("Smallest margin", "healthy widths"));
+            heads.extend(["Longest violation", "Last violation"].map(|name| numbers(name, "s")));
+        }
+        heads.extend([numbers("Sum of errors", "m"), numbers("Largest error", "cm"), numbers("Yaw errors", "rad")]);
+        heads.extend(["Objective", "Rows per node"].map(counts));
+        heads.extend(has_risk.then(|| counts("Risk")));
+        heads
+    };
+    let of_runs = |which: Run| {
+        let title = title(which);
+        let caption = Some(html! { (title) });
+        let frame = Frame { label: &title, terms: Some("planners-terms"), caption, ..Frame::default() };
+        let rows = html! {
+            @for (run, record) in runs.iter().filter(|(r, _)| r.run == which) {
+                (row(run, record, has_modes, has_risk))
+            }
+        };
+        table(frame, &heads(), rows)
+    };
     html! {
         h2 { (headline(comparison)) }
         @if let Some(bound) = bound {
             p.note { "No motion within the limits and at the fixed times takes less than " (down(bound, 4)) " s." }
         }
-        @for which in [Run::Common, Run::Own] {
-            @if has_solved(which) {
-                div.scroll tabindex="0" role="region" aria-label=(title(which)) {
-                    table aria-describedby="planners-terms" {
-                        caption { span { (title(which)) } }
-                        thead {
-                            tr {
-                                th scope="col" { "Planner" }
-                                th.n scope="col" { "Time" br; span.unit { "s" } }
-                                @if has_modes {
-                                    th.n scope="col" { "Smallest margin" br; span.unit { "healthy widths" } }
-                                    th.n scope="col" { "Longest violation" br; span.unit { "s" } }
-                                    th.n scope="col" { "Last violation" br; span.unit { "s" } }
-                                }
-                                th.n scope="col" { "Sum of errors" br; span.unit { "m" } }
-                                th.n scope="col" { "Largest error" br; span.unit { "cm" } }
-                                th.n scope="col" { "Yaw errors" br; span.unit { "rad" } }
-                                th.n scope="col" { "Objective" }
-                                th.n scope="col" { "Rows per node" }
-                                @if has_risk { th.n scope="col" { "Risk" } }
-                            }
-                        }
-                        tbody {
-                            @for (run, record) in runs.iter().filter(|(r, _)| r.run == which) {
-                                (row(run, record, has_modes, has_risk))
-                            }
-                        }
-                    }
-                }
-            }
-        }
+        @for which in [Run::Common, Run::Own] { @if has_solved(which) { (of_runs(which)) } }
         (terms("planners-terms", meanings(has_modes, has_risk)))
     }
 }
@@ -84,18 +77,16 @@ fn meanings(has_modes: bool, has_risk: bool) -> Vec<(&'static str, &'static str)
     found
 }
 
+/// The runs at their own times or at the common time that have a plan, each with its plan.
+pub fn solved_runs(comparison: &Comparison, which: Run) -> impl Iterator<Item = (&PlannerRun, &MissionPlan)> {
+    let runs = comparison.runs.iter().filter(move |run| run.run == which);
+    runs.filter_map(|run| Some((run, run.outcome.plan()?)))
+}
+
 /// The main result of the comparison.
 fn headline(comparison: &Comparison) -> String {
     let stays = |s: &MissionPlan| s.outside.iter().all(|o| o.last.is_none());
-    let common: Vec<(&PlannerRun, &MissionPlan)> = comparison
-        .runs
-        .iter()
-        .filter(|r| r.run == Run::Common)
-        .filter_map(|r| match &r.outcome {
-            PlanOutcome::Planned(s) => Some((r, s.as_ref())),
-            _ => None,
-        })
-        .collect();
+    let common: Vec<(&PlannerRun, &MissionPlan)> = solved_runs(comparison, Run::Common).collect();
     let inside = common.iter().filter(|(_, s)| stays(s)).count();
     match common.len() {
         0 => "No plan was found at a common time".into(),

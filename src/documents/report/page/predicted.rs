@@ -1,7 +1,9 @@
 //! A campaign: everything that predicts losses against the flights, and plans against what the path suffers.
 
 use super::prose::true_minus;
+use super::table::{Frame, counts, table, words};
 use crate::campaign::predictors::{ClassCount, Forecast};
+use crate::campaign::statistics::Interval;
 use crate::number::{fixed, part_of_all};
 use crate::report::campaign_record::CampaignRecord;
 use maud::{Markup, html};
@@ -9,49 +11,33 @@ use maud::{Markup, html};
 /// Predictors with phi and Brier scores, and the classes that they distinguish.
 pub fn predictors(record: &CampaignRecord) -> Markup {
     let score = |score: Option<f64>| score.map_or("\u{2013}".into(), |s| true_minus(&fixed(s, 3)));
+    let measured = ["Hits", "Misses", "False alarms", "Correct negatives", "phi", "Brier", "by class", "base rate"];
+    let heads: Vec<_> =
+        [words("Predictor")].into_iter().chain(measured.map(counts)).chain([words("Lost, by class")]).collect();
+    let rows = html! {
+        @for p in &record.predictors {
+            tr {
+                th scope="row" { (p.predictor.words()) }
+                td.n { (p.counts.hits) }
+                td.n { (p.counts.misses) }
+                td.n { (p.counts.false_alarms) }
+                td.n { (p.counts.correct_negatives) }
+                td.n { (p.phi.map_or("\u{2013}".into(), |phi| true_minus(&fixed(phi, 2)))) }
+                td.n { (score(p.brier)) }
+                td.n { (score(p.brier_by_class)) }
+                td.n { (score(p.brier_base)) }
+                td { (classes(p)) }
+            }
+        }
+    };
     html! {
         h3 { "Predicted against flown" }
         p.note {
             "Over all modes and all distinct plans. Brier: mean squared error of the predicted probability of loss, 0 \
-             is best: of the "
-            "prediction as 0 or 1; of the share lost in the same class with the other modes; and of the share lost \
-             with the other "
-            "modes, which a predictor has to beat."
+             is best: of the prediction as 0 or 1; of the share lost in the same class with the other modes; and of \
+             the share lost with the other modes, which a predictor has to beat."
         }
-        div.scroll tabindex="0" role="region" aria-label="Predictors" {
-            table {
-                thead {
-                    tr {
-                        th scope="col" { "Predictor" }
-                        th.n scope="col" { "Hits" }
-                        th.n scope="col" { "Misses" }
-                        th.n scope="col" { "False alarms" }
-                        th.n scope="col" { "Correct negatives" }
-                        th.n scope="col" { "phi" }
-                        th.n scope="col" { "Brier" }
-                        th.n scope="col" { "by class" }
-                        th.n scope="col" { "base rate" }
-                        th scope="col" { "Lost, by class" }
-                    }
-                }
-                tbody {
-                    @for p in &record.predictors {
-                        tr {
-                            th scope="row" { (p.predictor.words()) }
-                            td.n { (p.counts.hits) }
-                            td.n { (p.counts.misses) }
-                            td.n { (p.counts.false_alarms) }
-                            td.n { (p.counts.correct_negatives) }
-                            td.n { (p.phi.map_or("\u{2013}".into(), |phi| true_minus(&fixed(phi, 2)))) }
-                            td.n { (score(p.brier)) }
-                            td.n { (score(p.brier_by_class)) }
-                            td.n { (score(p.brier_base)) }
-                            td { (classes(p)) }
-                        }
-                    }
-                }
-            }
-        }
+        (table(Frame { label: "Predictors", ..Frame::default() }, &heads, rows))
     }
 }
 
@@ -67,45 +53,28 @@ fn classes(predictor: &Forecast) -> String {
 pub fn harm(record: &CampaignRecord) -> Markup {
     let value = |r: Option<f64>| r.map_or("\u{2013}".into(), |r| true_minus(&fixed(r, 2)));
     let (Some(all), Some(inside)) = (record.agreement.first(), record.agreement.last()) else { return html! {} };
+    let measured = ["All modes", "95 % interval", "Hover inside", "Within modes"];
+    let heads: Vec<_> = [words("Quality"), words("Harm")].into_iter().chain(measured.map(counts)).collect();
+    let interval = |range: Interval| true_minus(&format!("{} to {}", fixed(range.low, 2), fixed(range.high, 2)));
+    let rows = html! {
+        @for (a, i) in all.harm.iter().zip(&inside.harm) {
+            tr {
+                th scope="row" { (a.quality.words()) }
+                td { (a.harm.words()) }
+                td.n { (value(a.rank_correlation)) }
+                td.n { (a.interval.map_or("\u{2013}".into(), interval)) }
+                td.n { (value(i.rank_correlation)) }
+                td.n { (value(i.within_modes)) }
+            }
+        }
+    };
     html! {
         h3 { "Do worse plans do more harm?" }
         p.note {
             "Spearman's rank correlation over pairs of plan and mode, with its 95 % interval as if pairs were \
-             independent, which they "
-            "are not. Within modes: over ranks within each mode with hover inside its set, so that plans are compared \
-             and not modes."
+             independent, which they are not. Within modes: over ranks within each mode with hover inside its set, so \
+             that plans are compared and not modes."
         }
-        div.scroll tabindex="0" role="region" aria-label="Quality of plans and harm to the path" {
-            table {
-                thead {
-                    tr {
-                        th scope="col" { "Quality" }
-                        th scope="col" { "Harm" }
-                        th.n scope="col" { "All modes" }
-                        th.n scope="col" { "95 % interval" }
-                        th.n scope="col" { "Hover inside" }
-                        th.n scope="col" { "Within modes" }
-                    }
-                }
-                tbody {
-                    @for (a, i) in all.harm.iter().zip(&inside.harm) {
-                        tr {
-                            th scope="row" { (a.quality.words()) }
-                            td { (a.harm.words()) }
-                            td.n { (value(a.rank_correlation)) }
-                            td.n {
-                                @match a.interval {
-                                    Some(range) => { (true_minus(&fixed(range.low, 2))) " \
-                                        to " (true_minus(&fixed(range.high, 2))) }
-                                    None => { "\u{2013}" }
-                                }
-                            }
-                            td.n { (value(i.rank_correlation)) }
-                            td.n { (value(i.within_modes)) }
-                        }
-                    }
-                }
-            }
-        }
+        (table(Frame { label: "Quality of plans and harm to the path", ..Frame::default() }, &heads, rows))
     }
 }

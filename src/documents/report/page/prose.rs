@@ -27,7 +27,7 @@ pub fn prose(text: &str) -> Markup {
     }
 }
 
-/// The same text without line breaks between a number and its unit.
+/// The text with no line break between a number and its unit.
 pub fn unbroken(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut joins = false;
@@ -44,7 +44,7 @@ pub fn unbroken(text: &str) -> String {
     out
 }
 
-/// The same text with a minus sign in place of a hyphen before a negative number.
+/// The text with a minus sign in place of the hyphen before each negative number.
 pub fn true_minus(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut before = ' ';

@@ -4,7 +4,7 @@ use super::MOST_MODES;
 use super::chart::precise;
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
-use crate::admissible::edge::Place;
+use crate::admissible::edge::HoverPlace;
 use crate::admissible::row::SetRow;
 use crate::admissible::without_yaw::planned::{Provision, Turning};
 use crate::model::Model;
@@ -49,12 +49,12 @@ pub struct SetContent {
     pub title: Option<String>,
     /// Where hover lies relative to the mode's whole set of full wrenches, as `mavc analyze` reports it; `None` if
     /// unknown.
-    pub hover: Option<Place>,
+    pub hover: Option<HoverPlace>,
     /// Whether plans are measured against it, so that it has a column of margins.
     pub planned: bool,
     /// `[n_T, n_x, n_y, n_z, e]`, made dimensionless by the healthy set's widths: `n . w <= e`.
     pub rows: Vec<[f64; 5]>,
-    /// The same with `=`.
+    /// `[n_T, n_x, n_y, n_z, e]`, made dimensionless likewise, of a flat set: `n . w = e`.
     pub equalities: Vec<[f64; 5]>,
     /// The core by which plans are measured where they give up yaw: `[a, b, e]`, thrusts T and torques of size rho
     /// about x and y with `a T + b rho <= e`. Empty where yaw is kept.
@@ -130,7 +130,7 @@ pub fn declared(model: &Model) -> Vec<ShownSet> {
     within_reason(std::iter::once(whole(model, &healthy)).chain(modes))
 }
 
-/// As many as fit, the first always.
+/// The first set, and the sets after it as long as all have at most [`MOST_ROWS`] rows together.
 fn within_reason(sets: impl Iterator<Item = ShownSet>) -> Vec<ShownSet> {
     let mut rows = 0;
     let fits = |s: &ShownSet| {

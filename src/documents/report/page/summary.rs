@@ -2,6 +2,7 @@
 
 use super::flown::headline;
 use super::motion::{nearest, signed_percent};
+use super::planners::solved_runs;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::admissible::without_yaw::planned::Provision;
 use crate::certify::between::Shown;
@@ -88,15 +89,7 @@ pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found
 
 /// For `mavc compare`.
 pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
-    let solved: Vec<(&PlannerRun, &MissionPlan)> = comparison
-        .runs
-        .iter()
-        .filter(|r| r.run == Run::Own)
-        .filter_map(|r| match &r.outcome {
-            PlanOutcome::Planned(s) => Some((r, s.as_ref())),
-            _ => None,
-        })
-        .collect();
+    let solved: Vec<(&PlannerRun, &MissionPlan)> = solved_runs(comparison, Run::Own).collect();
     let times: Vec<String> = solved
         .iter()
         .filter(|(r, _)| r.against.len() != 1 || comparison.modes.len() == 1)
@@ -175,7 +168,7 @@ pub fn refused(model: &Model, analyses: &[ModeAnalysis], diagnostics: &[Diagnost
     Found { headline: format!("Nothing was planned: {which}"), warnings: warnings.collect(), ..Found::default() }
 }
 
-/// The same text with its first letter in upper case.
+/// A text with its first letter in upper case.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())

@@ -3,6 +3,7 @@
 use super::predicted;
 use super::prose::true_minus;
 use super::summary::{Figure, Found};
+use super::table::{self, Frame, counts, numbers, words};
 use crate::campaign::statistics::{Share, wilson};
 use crate::number::{number, part_of_all, significant};
 use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord, ModeRecord, PlannerRecord};
@@ -75,48 +76,42 @@ fn with_interval(share: Option<Share>) -> String {
 pub fn table(record: &CampaignRecord) -> Markup {
     let lost = |p: &PlannerRecord, of: fn(&ModeRecord) -> usize| p.modes.iter().map(of).sum::<usize>();
     let diverged: usize = record.planners.iter().map(|p| lost(p, |m| m.flights.diverged)).sum();
-    html! {
-        h2 { "Flights lost, planner by planner" }
-        div.scroll tabindex="0" role="region" aria-label="Table of planners" {
-            table {
-                caption {
-                    span {
-                        "Detection: " (detection(record.detection, record.detection_delay_s))
-                        "; after a fault: " (record.after_fault) "; controller: " (record.controller)
-                    }
-                }
-                thead {
-                    tr {
-                        th scope="col" { "Planner" }
-                        th scope="col" { "Plan" }
-                        th.n scope="col" { "Flights with a fault" }
-                        th.n scope="col" { "Survived" br; span.unit { "%, 95 % interval" } }
-                        th.n scope="col" { "Lost by position" }
-                        th.n scope="col" { "Upside down" }
-                        th.n scope="col" { "To the ground" }
-                        th.n scope="col" { "By heading" }
-                        @if diverged > 0 { th.n scope="col" { "Diverged" } }
-                        th.n scope="col" { "Healthy survived" br; span.unit { "%, 95 % interval" } }
-                    }
-                }
-                tbody {
-                    @for p in &record.planners {
-                        tr {
-                            th scope="row" { (p.name.to_uppercase()) }
-                            td { (p.verdict) }
-                            td.n { (lost(p, |m| m.flights.flights)) }
-                            td.n { (with_interval(survival(p))) }
-                            td.n { (lost(p, |m| m.flights.lost_by_position)) }
-                            td.n { (lost(p, |m| m.flights.lost_upside_down)) }
-                            td.n { (lost(p, |m| m.flights.lost_to_ground)) }
-                            td.n { (lost(p, |m| m.flights.lost_by_heading)) }
-                            @if diverged > 0 { td.n { (lost(p, |m| m.flights.diverged)) } }
-                            td.n { (with_interval(p.healthy.as_ref().and_then(|h| h.survival))) }
-                        }
-                    }
-                }
+    let mut heads = vec![
+        words("Planner"),
+        words("Plan"),
+        counts("Flights with a fault"),
+        numbers("Survived", "%, 95 % interval"),
+        counts("Lost by position"),
+        counts("Upside down"),
+        counts("To the ground"),
+        counts("By heading"),
+    ];
+    heads.extend((diverged > 0).then(|| counts("Diverged")));
+    heads.push(numbers("Healthy survived", "%, 95 % interval"));
+    let caption = html! {
+        "Detection: " (detection(record.detection, record.detection_delay_s))
+        "; after a fault: " (record.after_fault) "; controller: " (record.controller)
+    };
+    let rows = html! {
+        @for p in &record.planners {
+            tr {
+                th scope="row" { (p.name.to_uppercase()) }
+                td { (p.verdict) }
+                td.n { (lost(p, |m| m.flights.flights)) }
+                td.n { (with_interval(survival(p))) }
+                td.n { (lost(p, |m| m.flights.lost_by_position)) }
+                td.n { (lost(p, |m| m.flights.lost_upside_down)) }
+                td.n { (lost(p, |m| m.flights.lost_to_ground)) }
+                td.n { (lost(p, |m| m.flights.lost_by_heading)) }
+                @if diverged > 0 { td.n { (lost(p, |m| m.flights.diverged)) } }
+                td.n { (with_interval(p.healthy.as_ref().and_then(|h| h.survival))) }
             }
         }
+    };
+    let frame = Frame { label: "Table of planners", caption: Some(caption), ..Frame::default() };
+    html! {
+        h2 { "Flights lost, planner by planner" }
+        (table::table(frame, &heads, rows))
     }
 }
 
@@ -131,13 +126,13 @@ pub fn maps(record: &CampaignRecord) -> Markup {
             span.entry { span.swatch.before aria-hidden="true" { } "lost before the fault" }
         }
         div.maps {
-            @for planner in record.planners.iter().filter(|p| !p.modes.is_empty()) { div { (map(planner)) } }
+            @for planner in record.planners.iter().filter(|p| !p.modes.is_empty()) { div { (losses(planner)) } }
         }
     }
 }
 
 /// The instants of each column of a map.
-pub(super) fn columns(times: usize) -> Vec<Range<usize>> {
+fn columns(times: usize) -> Vec<Range<usize>> {
     let columns = times.min(MOST_COLUMNS);
     (0..columns).map(|c| c * times / columns..(c + 1) * times / columns).collect()
 }
@@ -147,39 +142,47 @@ pub(super) fn class_of(share: f64) -> usize {
     CLASSES.iter().position(|(_, most)| share <= *most).unwrap_or(CLASSES.len() - 1)
 }
 
-fn map(planner: &PlannerRecord) -> Markup {
+fn losses(planner: &PlannerRecord) -> Markup {
     let mut modes: Vec<&ModeRecord> = planner.modes.iter().collect();
     if modes.len() > MOST_MODES {
         modes.sort_by_key(|m| std::cmp::Reverse(m.flights.lost));
         modes.truncate(MOST_MODES);
     }
-    let times = planner.modes.first().map_or(&[][..], |m| &m.times);
-    let parts = columns(times.len());
-    let name = planner.name.to_uppercase();
     html! {
-        h3 { (name) }
-        div.scroll tabindex="0" role="region" aria-label={ "Map of survival, " (name) } {
-            table.map {
-                caption { span { "Lost/struck flights; columns: instant of the fault in s" } }
-                thead {
-                    tr {
-                        th scope="col" { "Mode" }
-                        @for part in &parts { th.n scope="col" { (significant(times[part.start].fault_time_s, 3)) } }
-                    }
-                }
-                tbody {
-                    @for mode in &modes {
-                        tr {
-                            th scope="row" { (mode.name) }
-                            @for part in &parts { (cell(&mode.times[part.clone()])) }
-                        }
-                    }
-                }
-            }
-        }
+        (map(planner, &modes, "survival", Some("Lost/struck flights; columns: instant of the fault in s"), cell))
         @if planner.modes.len() > modes.len() {
             p.note { (planner.modes.len() - modes.len()) " modes with fewer losses are omitted." }
         }
+    }
+}
+
+/// A map of the flights of a planner: a row for each mode, and a column for the instants of the fault that it shows
+/// together.
+pub(super) fn map(
+    planner: &PlannerRecord,
+    modes: &[&ModeRecord],
+    of: &str,
+    caption: Option<&str>,
+    cell: fn(&[CellRecord]) -> Markup,
+) -> Markup {
+    let times = planner.modes.first().map_or(&[][..], |m| &m.times);
+    let parts = columns(times.len());
+    let name = planner.name.to_uppercase();
+    let instants = parts.iter().map(|part| counts(significant(times[part.start].fault_time_s, 3)));
+    let heads: Vec<_> = [words("Mode")].into_iter().chain(instants).collect();
+    let rows = html! {
+        @for mode in modes {
+            tr {
+                th scope="row" { (mode.name) }
+                @for part in &parts { (cell(&mode.times[part.clone()])) }
+            }
+        }
+    };
+    let caption = caption.map(|text| html! { (text) });
+    let frame = Frame { label: &format!("Map of {of}, {name}"), class: Some("map"), caption, ..Frame::default() };
+    html! {
+        h3 { (name) }
+        (table::table(frame, &heads, rows))
     }
 }
 
@@ -198,6 +201,25 @@ fn cell(cells: &[CellRecord]) -> Markup {
     html! { td.{ "lost" (class_of(lost as f64 / struck as f64)) } { (lost) "/" (struck) } }
 }
 
+fn by_planner(agreement: &AgreementRecord, modes: &str) -> Markup {
+    let heads = [words("Planner"), numbers("Share lost", "%"), counts("phi")];
+    let caption = html! {
+        "Over " (modes) "; rank correlation of violation duration and share lost: "
+        (agreement.rank_correlation.map_or("none".into(), |r| true_minus(&significant(r, 3))))
+    };
+    let rows = html! {
+        @for t in &agreement.by_flight {
+            tr {
+                th scope="row" { (t.planner.map_or("all".into(), str::to_uppercase)) }
+                td.n { (t.base_rate.map_or("\u{2013}".into(), part_of_all)) }
+                td.n { (t.phi.map_or("\u{2013}".into(), |r| true_minus(&significant(r, 3)))) }
+            }
+        }
+    };
+    let (label, caption) = (&*format!("Agreement over {modes}"), Some(caption));
+    table::table(Frame { label, class: Some("compact"), caption, ..Frame::default() }, &heads, rows)
+}
+
 /// Whether the plans predict which flights are lost.
 pub fn agreement(record: &CampaignRecord) -> Markup {
     let modes = |a: &AgreementRecord| match a.modes {
@@ -208,37 +230,11 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
         h2 { "Do the plans predict which flights are lost?" }
         p.note {
             "Predicted lost: the fault strikes before the plan's last violation of the mode's set. phi: agreement of \
-             predicted and actual "
-            "losses, 1 for perfect agreement, 0 for no better than chance. Intervals and correlations treat flights \
-             as independent."
+             predicted and actual losses, 1 for perfect agreement, 0 for no better than chance. Intervals and \
+             correlations treat flights as independent."
         }
         @for a in &record.agreement {
-            div.scroll tabindex="0" role="region" aria-label={ "Agreement over " (modes(a)) } {
-                table.compact {
-                    caption {
-                        span {
-                            "Over " (modes(a)) "; rank correlation of violation duration and share lost: "
-                            (a.rank_correlation.map_or("none".into(), |r| true_minus(&significant(r, 3))))
-                        }
-                    }
-                    thead {
-                        tr {
-                            th scope="col" { "Planner" }
-                            th.n scope="col" { "Share lost" br; span.unit { "%" } }
-                            th.n scope="col" { "phi" }
-                        }
-                    }
-                    tbody {
-                        @for t in &a.by_flight {
-                            tr {
-                                th scope="row" { (t.planner.map_or("all".into(), str::to_uppercase)) }
-                                td.n { (t.base_rate.map_or("\u{2013}".into(), part_of_all)) }
-                                td.n { (t.phi.map_or("\u{2013}".into(), |r| true_minus(&significant(r, 3)))) }
-                            }
-                        }
-                    }
-                }
-            }
+            (by_planner(a, &modes(a)))
             @if let Some(all) = a.by_flight.first() { p.note { (true_minus(&by_flight(&all.counts))) } }
         }
         @if !record.predictors.is_empty() { (predicted::predictors(record)) (predicted::harm(record)) }

@@ -2,8 +2,9 @@
 
 use super::motion::signed_percent;
 use super::prose::terms;
-use crate::admissible::edge::Place;
-use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use super::table::{self, Frame, numbers, words};
+use crate::admissible::edge::HoverPlace;
+use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
 use crate::admissible::without_yaw::YawFree;
 use crate::model::Model;
 use crate::motion::outside::Outside;
@@ -70,50 +71,33 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     // Columns of dashes are omitted, and so is a column that repeats another: a mission that continues is committed to
     // a mode until its last violation.
     let columns = Columns {
-        without_yaw: analyses.iter().any(|a| a.verdict == Verdict::Stabilizable),
+        without_yaw: analyses.iter().any(|a| a.verdict == HoverVerdict::Stabilizable),
         airspeed: analyses.iter().any(|a| a.airspeed.is_some()),
         heading: !model.environment().is_isotropic(),
         of_plan: solved.is_some(),
         after: solved.is_some() && holds(model),
     };
+    let mut heads = vec![words("Mode"), words("Verdict"), numbers("Hover margin", "N, N m"), numbers("Heaviest", "kg")];
+    heads.extend(columns.without_yaw.then(|| numbers("Without yaw", "disc, N m")));
+    heads.extend(columns.airspeed.then(|| numbers("Airspeed", "m/s")));
+    if columns.of_plan {
+        heads.push(numbers("Plan's margin", "healthy widths"));
+        heads.extend(["Violated for", "Last violation"].map(|name| numbers(name, "s")));
+    }
+    if columns.after {
+        heads.extend([words("After the fault"), numbers("Committed until", "s")]);
+    }
+    let caption = Some(html! {
+        "Control at hover"
+        @if let Some((label, _)) = solved { ", and violations by the plan (" (label) ")" }
+    });
+    let frame = Frame { label: "Table of modes", terms: Some("modes-terms"), caption, ..Frame::default() };
     html! {
         h2 { (headline(analyses)) }
-        div.scroll tabindex="0" role="region" aria-label="Table of modes" {
-            table aria-describedby="modes-terms" {
-                caption {
-                    span {
-                        "Control at hover"
-                        @if let Some((label, _)) = solved { ", and violations by the plan (" (label) ")" }
-                    }
-                }
-                thead {
-                    tr {
-                        th scope="col" { "Mode" }
-                        th scope="col" { "Verdict" }
-                        th.n scope="col" { "Hover margin" br; span.unit { "N, N m" } }
-                        th.n scope="col" { "Heaviest" br; span.unit { "kg" } }
-                        @if columns.without_yaw {
-                            th.n scope="col" { "Without yaw" br; span.unit { "disc, N m" } }
-                        }
-                        @if columns.airspeed {
-                            th.n scope="col" { "Airspeed" br; span.unit { "m/s" } }
-                        }
-                        @if columns.of_plan {
-                            th.n scope="col" { "Plan's margin" br; span.unit { "healthy widths" } }
-                            th.n scope="col" { "Violated for" br; span.unit { "s" } }
-                            th.n scope="col" { "Last violation" br; span.unit { "s" } }
-                        }
-                        @if columns.after {
-                            th scope="col" { "After the fault" }
-                            th.n scope="col" { "Committed until" br; span.unit { "s" } }
-                        }
-                    }
-                }
-                tbody { @for row in &rows { (cells(model, row, columns)) } }
-            }
+        (table::table(frame, &heads, html! { @for row in &rows { (cells(model, row, columns)) } }))
+        @if order.len() > rows.len() {
+            p.note { (order.len() - rows.len()) " more modes are omitted here; " code { "mavc analyze" } " lists all." }
         }
-        @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are omitted \
-            here; " code { "mavc analyze" } " lists all." } }
         (terms("modes-terms", meanings(columns, analyses)))
     }
 }
@@ -139,9 +123,8 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
                     mission's limit on tilt."
                 }
                 true => {
-                    "the largest steady airspeed in level flight with the plan's reserve and the nose in the \
-                    worst direction, by \
-                         thrust or by the mission's limit on tilt."
+                    "the largest steady airspeed in level flight with the plan's reserve and the nose in the worst \
+                    direction, by thrust or by the mission's limit on tilt."
                 }
             },
         ));
@@ -163,17 +146,15 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
             (
                 "Committed until",
                 "a fault before this instant may cost the mission. With `continue` it is the plan's last violation; \
-                 with \
-                 `hold` the last instant from which no stop inside the set was found.",
+                 with `hold` the last instant from which no stop inside the set was found.",
             ),
         ]);
     }
-    if analyses.iter().any(|a| a.verdict == Verdict::Stabilizable) {
+    if analyses.iter().any(|a| a.verdict == HoverVerdict::Stabilizable) {
         found.push((
             "Stabilizable without yaw",
             "the vehicle stays up and level while it turns about z. With yaw controlled too, as in the sets drawn \
-             here, \
-             hover may be far outside.",
+             here, hover may be far outside.",
         ));
     }
     found
@@ -207,13 +188,13 @@ struct Columns {
 fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
     let Row { analysis: a, title, mode, outside, committed } = row;
     let class = match (a.verdict, a.hover) {
-        (Verdict::Controllable, Place::Inside) => "good",
-        (Verdict::Controllable, _) | (Verdict::Stabilizable, Place::Inside) => "edge",
-        (Verdict::Stabilizable, _) if a.yaw_free == YawFree::Spinning => "edge",
-        (Verdict::Stabilizable, _) | (Verdict::Unstable, _) => "bad",
+        (HoverVerdict::Controllable, HoverPlace::Inside) => "good",
+        (HoverVerdict::Controllable, _) | (HoverVerdict::Stabilizable, HoverPlace::Inside) => "edge",
+        (HoverVerdict::Stabilizable, _) if a.yaw_free == YawFree::Spinning => "edge",
+        (HoverVerdict::Stabilizable, _) | (HoverVerdict::Unstable, _) => "bad",
     };
     let edge = a.edge_words().map_or_else(String::new, |words| format!(", {words}"));
-    let yaw = if a.verdict == Verdict::Stabilizable { " without yaw" } else { "" };
+    let yaw = if a.verdict == HoverVerdict::Stabilizable { " without yaw" } else { "" };
     let [seconds, last] = outside.map_or_else(|| [dash(), dash()], |o| violation_cells(o.seconds, o.last));
     let after =
         mode.filter(|m| model.plan.against.contains(m)).map_or_else(dash, |m| model.after_fault(m).name().into());

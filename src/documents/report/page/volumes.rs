@@ -4,6 +4,7 @@ use super::chart::{Bound, Chart, Line, rounded};
 use super::document::Section;
 use super::outline::{Outline, View, outline};
 use super::prose::unbroken;
+use super::table::{Frame, numbers, table, words};
 use crate::body::Body;
 use crate::model::{Problem, Volume, VolumeSide};
 use crate::motion::NodeState;
@@ -169,32 +170,23 @@ pub fn section(problem: Problem, planner: &PlannerRecord) -> Option<Section> {
         significant(problem.model().vehicle.radius(), 3)
     );
     let left_out = records.len().saturating_sub(MOST_ROWS);
-    let body = html! {
-        h2 { (unbroken(&headline)) }
-        div.scroll tabindex="0" role="region" aria-label="Table of volumes" {
-            table {
-                caption { span { (unbroken(&caption)) } }
-                thead {
-                    tr {
-                        th scope="col" { "Volume" }
-                        @for (name, unit) in COLUMNS {
-                            th.n scope="col" { (name) br; span.unit { (unit) } }
-                        }
-                    }
-                }
-                tbody {
-                    @for record in records.iter().take(MOST_ROWS) {
-                        tr {
-                            th scope="row" { (record.side) " " (record.name) }
-                            td.n.bad[is_short(record)] { (significant(record.distance_m, 3)) }
-                            td.n { (significant(record.required_m, 3)) }
-                            td.n { (fixed(record.at_s, 2)) }
-                            @for x in record.position_m { td.n { (fixed(x, 2)) } }
-                        }
-                    }
-                }
+    let columns = COLUMNS.map(|(name, unit)| numbers(name, unit));
+    let heads: Vec<_> = [words("Volume")].into_iter().chain(columns).collect();
+    let frame = Frame { label: "Table of volumes", caption: Some(html! { (unbroken(&caption)) }), ..Frame::default() };
+    let rows = html! {
+        @for record in records.iter().take(MOST_ROWS) {
+            tr {
+                th scope="row" { (record.side) " " (record.name) }
+                td.n.bad[is_short(record)] { (significant(record.distance_m, 3)) }
+                td.n { (significant(record.required_m, 3)) }
+                td.n { (fixed(record.at_s, 2)) }
+                @for x in record.position_m { td.n { (fixed(x, 2)) } }
             }
         }
+    };
+    let body = html! {
+        h2 { (unbroken(&headline)) }
+        (table(frame, &heads, rows))
         @if left_out > 0 { p.note { (left_out) " more volumes are omitted here; " code { "--report" } " lists all." } }
     };
     Some(Section::new("volumes", "Volumes", body))

@@ -2,6 +2,7 @@
 
 use super::document::Section;
 use super::prose::unbroken;
+use super::table::{Frame, counts, numbers, table, words};
 use crate::number::fixed;
 use crate::report::record::PlannerRecord;
 use crate::report::waypoints::{WaypointRecord, headline};
@@ -14,25 +15,19 @@ const MOST_ROWS: usize = 200;
 pub fn section(planner: &PlannerRecord) -> Option<Section> {
     let waypoints = &planner.waypoints;
     let left_out = waypoints.len().saturating_sub(MOST_ROWS);
+    let shares = ["Error", "Allowed", "Share", "Yaw error", "Allowed", "Share"].map(counts);
+    let heads: Vec<_> = [words("Waypoint"), numbers("At", "s")].into_iter().chain(shares).collect();
+    let frame = Frame {
+        label: "Table of waypoints",
+        caption: Some(html! { "Errors at the waypoints, their tolerances, and the errors as shares of these" }),
+        ..Frame::default()
+    };
     let body = html! {
         h2 { (unbroken(&headline(waypoints))) }
-        div.scroll tabindex="0" role="region" aria-label="Table of waypoints" {
-            table {
-                caption { span { "Errors at the waypoints, their tolerances, and the errors as shares of these" } }
-                thead {
-                    tr {
-                        th scope="col" { "Waypoint" }
-                        th.n scope="col" { "At" br; span.unit { "s" } }
-                        @for name in ["Error", "Allowed", "Share", "Yaw error", "Allowed", "Share"] {
-                            th.n scope="col" { (name) }
-                        }
-                    }
-                }
-                tbody { @for w in waypoints.iter().take(MOST_ROWS) { (row(w)) } }
-            }
+        (table(frame, &heads, html! { @for w in waypoints.iter().take(MOST_ROWS) { (row(w)) } }))
+        @if left_out > 0 {
+            p.note { (left_out) " more waypoints are omitted here; " code { "--report" } " lists all." }
         }
-        @if left_out > 0 { p.note { (left_out) " more waypoints are omitted here; " code { "--report" } " lists \
-            all." } }
     };
     (!waypoints.is_empty()).then(|| Section::new("waypoints", "Waypoints", body))
 }

@@ -265,14 +265,3 @@ fn faults(model: &Model, strikes: &[Strike], flight: &Flight) -> Vec<FaultRecord
     };
     strikes.iter().enumerate().map(record).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::documents::schemas::check;
-
-    #[test]
-    fn the_schema_is_current() {
-        check::<FlightRecord>("simulate", "mavc simulate --report");
-    }
-}

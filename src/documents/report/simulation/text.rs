@@ -5,9 +5,9 @@ use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Allocation, Controller, Detection, LimitKind, LostYaw, Model};
 use crate::number::{fixed, number, significant};
 use crate::report::battery;
-use crate::report::terminal::{WIDTH, vehicle_line};
+use crate::report::terminal::vehicle_line;
 use crate::report::volumes::table;
-use crate::text_table::Table;
+use crate::text_table::{Table, indented};
 use crate::verdict::SIMULATED;
 
 /// The output of `mavc simulate`.
@@ -56,8 +56,7 @@ pub fn text(flown: &Flown) -> String {
         if matches!(record.outcome, OutcomeRecord::Lost { cause: "position", at_s, .. } if at_s > at) {
             out.push_str(&format!(
                 "  a vehicle falls before it is caught by its spin (`mavc analyze --capture`): with a `lost_beyond` \
-                 above that\n  \
-                 height, here {} m, it does not count as lost for it\n",
+                 above that\n  height, here {} m, it does not count as lost for it\n",
                 number(model.simulation.lost_beyond)
             ));
         }
@@ -98,10 +97,7 @@ pub fn text(flown: &Flown) -> String {
             significant(r.median_condition, 3)
         ));
     }
-    let fill = |text: &str| {
-        let manner = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-        format!("\n{}\n", textwrap::fill(text, manner))
-    };
+    let fill = |text: &str| format!("\n{}", indented(text));
     match flown.indistinguishable {
         [] => {}
         groups => {

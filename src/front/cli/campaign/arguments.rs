@@ -1,7 +1,7 @@
 //! The arguments of `mavc campaign`.
 
 use crate::campaign::cases::Shard;
-use crate::cli::Problem;
+use crate::cli::CommandError;
 use crate::pipeline::sized;
 use crate::spec::Spec;
 use clap::{Args, Subcommand};
@@ -63,7 +63,7 @@ pub enum Action {
 
 impl CampaignArgs {
     /// The part that `--shard` names, `3/16` counted from 1; the whole campaign without it.
-    pub fn shard(&self) -> Result<Shard, Problem> {
+    pub fn shard(&self) -> Result<Shard, CommandError> {
         let Some(text) = &self.shard else { return Ok(Shard::WHOLE) };
         let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
         match numbers {
@@ -73,7 +73,7 @@ impl CampaignArgs {
     }
 
     /// The spec with the instants and seeds that `--times` and `--seeds` give.
-    pub fn size(&self, spec: &Spec) -> Result<Spec, Problem> {
+    pub fn size(&self, spec: &Spec) -> Result<Spec, CommandError> {
         let own = &spec.model().campaign;
         let size = |set: Option<u64>, own: usize| set.map_or(own, |n| n as usize);
         sized(spec, size(self.times, own.times), size(self.seeds, own.seeds)).map_err(|e| e.to_string())

@@ -8,14 +8,19 @@ use crate::campaign::tally::Tally;
 use crate::cli::progress::Flights;
 use crate::cli::signals::Saying;
 use crate::cli::target::Target;
-use crate::cli::{Options, Problem, files};
+use crate::cli::{CommandError, Options, files};
 use crate::source::visible;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// Flies the cases that have no row yet. `None`: the reader of the rows has gone away.
-pub fn fly(design: &Design, shard: Shard, rows: Option<&Target>, options: &Options) -> Result<Option<Tally>, Problem> {
+pub fn fly(
+    design: &Design,
+    shard: Shard,
+    rows: Option<&Target>,
+    options: &Options,
+) -> Result<Option<Tally>, CommandError> {
     let (mut output, mut tally) = Output::open(rows, design, shard)?;
     // Rows of an earlier run do not count towards the speed.
     let begin = Instant::now();
@@ -42,7 +47,7 @@ pub fn fly(design: &Design, shard: Shard, rows: Option<&Target>, options: &Optio
     match flown.and_then(|()| output.finish()) {
         Ok(()) => {}
         Err(Stop::ReaderGone) => return Ok(None),
-        Err(Stop::Problem(problem)) => return Err(problem),
+        Err(Stop::Failed(problem)) => return Err(problem),
     }
     if options.timings {
         files::eprint(&format!("{:<10} {:>9.2} ms\n", "fly", begin.elapsed().as_secs_f64() * 1e3));

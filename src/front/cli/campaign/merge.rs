@@ -2,14 +2,14 @@
 
 use super::super::files::{self, cannot_read, reason};
 use super::super::target::Target;
-use super::super::{FINE, Options, Problem};
+use super::super::{CommandError, FINE, Options};
 use super::parquet;
 use crate::campaign::merge::{MergeError, merge};
 use crate::input::open_regular;
 use std::io::{BufReader, BufWriter, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-pub fn run(output: &Path, rows: &[PathBuf], options: &Options) -> Result<u8, Problem> {
+pub fn run(output: &Path, rows: &[PathBuf], options: &Options) -> Result<u8, CommandError> {
     parquet::is_possible(output)?;
     let target = Target::new(output)?;
     for path in rows {
@@ -19,7 +19,7 @@ pub fn run(output: &Path, rows: &[PathBuf], options: &Options) -> Result<u8, Pro
         let file = open_regular(path).map_err(|e| cannot_read(path, &e))?;
         Ok((path.display().to_string(), BufReader::new(file)))
     };
-    let sources = rows.iter().map(open).collect::<Result<Vec<_>, Problem>>()?;
+    let sources = rows.iter().map(open).collect::<Result<Vec<_>, CommandError>>()?;
     let problem = |e: MergeError| match e {
         MergeError::Read(name, e) => format!("cannot read {name}: {}", reason(&e)),
         MergeError::Write(e) => format!("cannot write {}: {}", output.display(), reason(&e)),

@@ -3,7 +3,7 @@
 
 use super::super::files::{cannot_read, reason};
 use super::super::target::{Pieces, Target, cannot_write};
-use super::{Problem, parquet};
+use super::{CommandError, parquet};
 use crate::campaign::cases::Shard;
 use crate::campaign::design::Design;
 use crate::campaign::rows::header;
@@ -15,10 +15,10 @@ use std::io::{BufRead, BufReader, Error, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 pub struct Output<'a> {
-    place: Place<'a>,
+    place: RowDestination<'a>,
 }
 
-enum Place<'a> {
+enum RowDestination<'a> {
     /// The rows are not kept.
     Nowhere,
     /// Standard output, a pipe or a device.
@@ -37,7 +37,7 @@ enum Place<'a> {
 pub enum Stop {
     /// Nobody reads the rows any more.
     ReaderGone,
-    Problem(Problem),
+    Failed(CommandError),
 }
 
 /// The file that rows are appended to: `rows.csv.part`.
@@ -49,19 +49,19 @@ pub fn part_of(path: &Path) -> PathBuf {
 
 impl<'a> Output<'a> {
     /// Opens the place and tallies the rows that it holds already.
-    pub fn open(target: Option<&'a Target>, design: &Design, shard: Shard) -> Result<(Self, Tally), Problem> {
+    pub fn open(target: Option<&'a Target>, design: &Design, shard: Shard) -> Result<(Self, Tally), CommandError> {
         let empty = || Tally::new(design.cases);
-        let Some(target) = target else { return Ok((Output { place: Place::Nowhere }, empty())) };
+        let Some(target) = target else { return Ok((Output { place: RowDestination::Nowhere }, empty())) };
         let Some(path) = target.file() else {
             let mut stream = target.begin()?;
             // If the reader has gone away already, the first rows report it.
             let _ = writeln!(stream, "{}", header());
-            return Ok((Output { place: Place::Stream(stream) }, empty()));
+            return Ok((Output { place: RowDestination::Stream(stream) }, empty()));
         };
         // Parquet is not read back; it is made anew.
         let whole = if parquet::is_wanted(path) { None } else { complete(path, design, shard) };
         if let Some(tally) = whole {
-            return Ok((Output { place: Place::Complete(path) }, tally));
+            return Ok((Output { place: RowDestination::Complete(path) }, tally));
         }
         if holds_rows(path) {
             return Err(format!(
@@ -72,25 +72,25 @@ impl<'a> Output<'a> {
         }
         let part = part_of(path);
         let (file, tally) = resume(&part, design, shard)?;
-        Ok((Output { place: Place::Part { file, part, path, target } }, tally))
+        Ok((Output { place: RowDestination::Part { file, part, path, target } }, tally))
     }
 
     pub fn is_complete(&self) -> bool {
-        matches!(self.place, Place::Complete(_))
+        matches!(self.place, RowDestination::Complete(_))
     }
 
     /// The file of rows that an interrupted campaign continues from.
     pub fn part(&self) -> Option<&Path> {
         match &self.place {
-            Place::Part { part, .. } => Some(part),
+            RowDestination::Part { part, .. } => Some(part),
             _ => None,
         }
     }
 
     pub fn name(&self) -> String {
         match &self.place {
-            Place::Part { part, .. } => part.display().to_string(),
-            Place::Complete(path) => path.display().to_string(),
+            RowDestination::Part { part, .. } => part.display().to_string(),
+            RowDestination::Complete(path) => path.display().to_string(),
             _ => "rows".into(),
         }
     }
@@ -98,26 +98,26 @@ impl<'a> Output<'a> {
     /// Appends whole lines, which are handed to the operating system when this returns.
     pub fn add(&mut self, lines: &str) -> Result<(), Stop> {
         match &mut self.place {
-            Place::Nowhere | Place::Complete(_) => Ok(()),
-            Place::Stream(stream) => {
+            RowDestination::Nowhere | RowDestination::Complete(_) => Ok(()),
+            RowDestination::Stream(stream) => {
                 stream.write_all(lines.as_bytes()).and_then(|()| stream.flush()).map_err(|e| match e.kind() {
                     ErrorKind::BrokenPipe => Stop::ReaderGone,
-                    _ => Stop::Problem(format!("cannot write the rows: {}", reason(&e))),
+                    _ => Stop::Failed(format!("cannot write the rows: {}", reason(&e))),
                 })
             }
-            Place::Part { file, part, .. } => {
-                file.write_all(lines.as_bytes()).map_err(|e| Stop::Problem(cannot_write(part, &e)))
+            RowDestination::Part { file, part, .. } => {
+                file.write_all(lines.as_bytes()).map_err(|e| Stop::Failed(cannot_write(part, &e)))
             }
         }
     }
 
     /// Renames the file of all rows to its final name.
     pub fn finish(self) -> Result<(), Stop> {
-        let Place::Part { mut file, part, path, target } = self.place else { return Ok(()) };
-        let cannot = |e: Error| Stop::Problem(cannot_write(path, &e));
+        let RowDestination::Part { mut file, part, path, target } = self.place else { return Ok(()) };
+        let cannot = |e: Error| Stop::Failed(cannot_write(path, &e));
         if parquet::is_wanted(path) {
             file.seek(SeekFrom::Start(0)).map_err(cannot)?;
-            parquet::convert(BufReader::new(&file), target).map_err(Stop::Problem)?;
+            parquet::convert(BufReader::new(&file), target).map_err(Stop::Failed)?;
             return std::fs::remove_file(&part).map_err(cannot);
         }
         if let Ok(there) = path.metadata() {
@@ -149,7 +149,7 @@ fn is_whole(scan: &Scan, design: &Design, shard: Shard) -> bool {
 }
 
 /// Opens the file of rows after its last complete line, and tallies the rows that it holds.
-fn resume(part: &Path, design: &Design, shard: Shard) -> Result<(File, Tally), Problem> {
+fn resume(part: &Path, design: &Design, shard: Shard) -> Result<(File, Tally), CommandError> {
     let cannot = |e: Error| cannot_write(part, &e);
     let mut options = OpenOptions::new();
     options.read(true).write(true).create(true).truncate(false);
@@ -174,7 +174,7 @@ fn resume(part: &Path, design: &Design, shard: Shard) -> Result<(File, Tally), P
 }
 
 /// The tally of rows that were flown before (`--rows`).
-pub fn tally(path: &Path, design: &Design, shard: Shard) -> Result<Tally, Problem> {
+pub fn tally(path: &Path, design: &Design, shard: Shard) -> Result<Tally, CommandError> {
     let input = open_regular(path).map_err(|e| cannot_read(path, &e))?;
     let mut tally = Tally::new(design.cases);
     let found = scan(design, shard, BufReader::new(input), |case, row| tally.add(case, row));
@@ -187,15 +187,14 @@ pub fn tally(path: &Path, design: &Design, shard: Shard) -> Result<Tally, Proble
 }
 
 /// Why a file does not hold the rows of this campaign or shard.
-fn unfit(path: &Path, error: &ScanError, design: &Design) -> Problem {
+fn unfit(path: &Path, error: &ScanError, design: &Design) -> CommandError {
     let name = path.display();
     match error {
         ScanError::Read(e) => format!("cannot read {name}: {}", reason(e)),
         ScanError::Damaged { line, what } => format!("{name}, line {line}: {what}"),
         ScanError::Foreign => format!(
             "{name} holds rows of another campaign (this one is {}; it depends on the spec, --set, --times, --seeds \
-             and \
-             the version)",
+             and the version)",
             design.id
         ),
         ScanError::OutOfOrder { line, found, due: Some(due) } if found == due => {

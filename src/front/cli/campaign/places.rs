@@ -4,7 +4,7 @@ use super::{CampaignArgs, output, parquet};
 use crate::cli::results::{self, apart};
 use crate::cli::spec::Findings;
 use crate::cli::target::{Target, write};
-use crate::cli::{Options, Problem, files};
+use crate::cli::{CommandError, Options, files};
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::page::{self, Subject};
 use crate::spec::Spec;
@@ -22,7 +22,7 @@ pub struct Places<'a> {
 
 impl<'a> Places<'a> {
     /// Finds every place before minutes of work.
-    pub fn new(args: &'a CampaignArgs) -> Result<Self, Problem> {
+    pub fn new(args: &'a CampaignArgs) -> Result<Self, CommandError> {
         let target = |name: Option<&Path>| name.map(Target::new).transpose();
         let (rows, report) = (target(args.output.as_deref())?, target(args.report.as_deref())?);
         args.output.as_deref().map_or(Ok(()), parquet::is_possible)?;
@@ -34,7 +34,7 @@ impl<'a> Places<'a> {
     }
 
     /// Refuses places at which a result would replace a file that is read.
-    pub fn spare(&self, findings: &Findings) -> Result<(), Problem> {
+    pub fn spare(&self, findings: &Findings) -> Result<(), CommandError> {
         let read = || findings.files.sources.iter().map(|(_, source)| source.name.as_str());
         [&self.rows, &self.report, &self.page].into_iter().flatten().try_for_each(|t| t.must_spare(read()))?;
         let rows = self.read.and_then(Path::to_str);
@@ -47,7 +47,7 @@ impl<'a> Places<'a> {
 
     /// Prints the text for people: to standard error if standard output takes rows or a page, not at all if it takes
     /// the report.
-    pub fn print(&self, text: &str) -> Result<(), Problem> {
+    pub fn print(&self, text: &str) -> Result<(), CommandError> {
         match (Self::is_stdout(&self.report), Self::is_stdout(&self.page) || Self::is_stdout(&self.rows)) {
             (true, _) => Ok(()),
             (false, true) => {
@@ -59,7 +59,7 @@ impl<'a> Places<'a> {
     }
 
     /// Prints the text for people, unless standard output takes the report or the page.
-    pub fn print_alone(&self, text: &str) -> Result<(), Problem> {
+    pub fn print_alone(&self, text: &str) -> Result<(), CommandError> {
         match Self::is_stdout(&self.report) || Self::is_stdout(&self.page) {
             true => Ok(()),
             false => files::print(text),
@@ -73,9 +73,9 @@ impl<'a> Places<'a> {
         findings: &Findings,
         record: &CampaignRecord,
         options: &Options,
-    ) -> Result<(), Problem> {
+    ) -> Result<(), CommandError> {
         let report =
-            self.report.as_ref().map(|target| Ok::<_, Problem>((target, results::json(record)?))).transpose()?;
+            self.report.as_ref().map(|target| Ok::<_, CommandError>((target, results::json(record)?))).transpose()?;
         let page = self.page.as_ref().zip(spec.problem()).map(|(target, problem)| {
             let subject = Subject { problem, sources: spec.sources(), diagnostics: &findings.diagnostics };
             (target, page::campaign(&subject, record))
@@ -91,7 +91,7 @@ impl<'a> Places<'a> {
 }
 
 /// Refuses one place for the rows, or their `.part`, and another result.
-fn rows_apart(rows: &Option<Target>, other: &Option<Target>) -> Result<(), Problem> {
+fn rows_apart(rows: &Option<Target>, other: &Option<Target>) -> Result<(), CommandError> {
     let (Some(rows), Some(other)) = (rows, other) else { return Ok(()) };
     let part = rows.file().map(output::part_of);
     if rows.is_same(other) || part.is_some() && part.as_deref() == other.file() {

@@ -1,7 +1,7 @@
 //! Counts of errors and warnings, of one spec and of several.
 
 use crate::cli::spec::{self, Findings};
-use crate::cli::{Options, Problem, files};
+use crate::cli::{CommandError, Options, files};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::number::plural;
 use std::collections::HashSet;
@@ -35,12 +35,12 @@ impl fmt::Display for Count {
 }
 
 /// Where a diagnostic is and what it says: file, first and last byte, code, message and label.
-type Identity = (PathBuf, u32, u32, &'static str, [String; 2]);
+type DiagnosticKey = (PathBuf, u32, u32, &'static str, [String; 2]);
 
 /// Counts over several specs. A diagnostic that several specs share counts once.
 #[derive(Default)]
 pub struct Tally {
-    printed: HashSet<Identity>,
+    printed: HashSet<DiagnosticKey>,
     count: Count,
     with_problems: usize,
     pub unreadable: usize,
@@ -96,7 +96,13 @@ impl Tally {
 impl Findings {
     /// Prints the diagnostics for people and, unless quiet, a line that counts them; `repeated` of `count` were printed
     /// for an earlier spec.
-    pub fn print_human(&self, name: &str, count: Count, repeated: usize, options: &Options) -> Result<(), Problem> {
+    pub fn print_human(
+        &self,
+        name: &str,
+        count: Count,
+        repeated: usize,
+        options: &Options,
+    ) -> Result<(), CommandError> {
         files::print_as_it_is(&self.human(&std::io::stdout()))?;
         if options.quiet {
             return Ok(());

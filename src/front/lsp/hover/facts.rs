@@ -3,8 +3,8 @@
 use super::Spec;
 use crate::actuation::Wrench;
 use crate::admissible::allocation::Allocator;
-use crate::admissible::edge::Place;
-use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::admissible::edge::HoverPlace;
+use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
 use crate::admissible::without_yaw::YawFree;
 use crate::lsp::names::NameKind;
 use crate::model::{FaultMode, Model, Rotor, RotorState};
@@ -122,23 +122,25 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
             let mass = one.critical_mass_kg.filter(|m| *m > 0.0);
             let heaviest = mass.map_or(String::new(), |m| format!(", hovers up to {} kg", down(m, 4)));
             let axes = match one.verdict {
-                Verdict::Controllable if one.hover == Place::OnEdge => {
+                HoverVerdict::Controllable if one.hover == HoverPlace::OnEdge => {
                     " (hover lies on the edge of the admissible set)"
                 }
-                Verdict::Controllable => "",
-                Verdict::Stabilizable if one.yaw_free == YawFree::Spinning => " (hovers while it spins; yaw is lost)",
-                Verdict::Stabilizable if one.hover == Place::OnEdge => {
-                    " (hover lies on the edge of the set without yaw; yaw is lost)"
+                HoverVerdict::Controllable => "",
+                HoverVerdict::Stabilizable if one.yaw_free == YawFree::Spinning => {
+                    " (hovers while it spins; heading not held)"
                 }
-                Verdict::Stabilizable => " (hovers, but yaw is lost)",
-                Verdict::Unstable => " (cannot hover)",
+                HoverVerdict::Stabilizable if one.hover == HoverPlace::OnEdge => {
+                    " (hover lies on the edge of the set without yaw; heading not held)"
+                }
+                HoverVerdict::Stabilizable => " (hovers, heading not held)",
+                HoverVerdict::Unstable => " (cannot hover)",
             };
             let uncertain = if model.vehicle.is_uncertain() { ", at the middle of the spec's intervals" } else { "" };
             format!("**{}**{axes}, margin **{}**{heaviest}{uncertain}", one.verdict.name(), margin(one))
         }
         all => {
             let edge = |a: &ModeAnalysis| match a.hover {
-                Place::OnEdge => format!(", {}", a.hover_words()),
+                HoverPlace::OnEdge => format!(", {}", a.hover_words()),
                 _ => String::new(),
             };
             let row = |a: &ModeAnalysis| format!("| {} | {}{} | {} |", a.name, a.verdict.name(), edge(a), margin(a));
@@ -152,7 +154,7 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
 /// The distance from hover to the boundary of the set (ACAI), N and N m alike.
 fn margin(analysis: &ModeAnalysis) -> String {
     let of = match analysis.verdict {
-        Verdict::Stabilizable => analysis.acai_yaw_free.map(|a| (a, " without yaw")),
+        HoverVerdict::Stabilizable => analysis.acai_yaw_free.map(|a| (a, " without yaw")),
         _ => analysis.acai.map(|a| (a, "")),
     };
     of.map_or("none".into(), |(acai, which)| format!("{}{which}", significant(acai, 3)))

@@ -11,8 +11,8 @@
 //! Elimination has a row for each pair of facets, a million for the sets of 32 rotors; here the work is that of the
 //! rows and vertices of the projection, about 2,000, times the number of facets.
 
-use super::shadow::Row;
-use nalgebra::{Matrix3, Vector3};
+use super::Facet;
+use nalgebra::{Matrix3, Vector3, Vector4};
 use std::collections::HashMap;
 
 /// A vertex is in the projection if the ray to it leaves at least at this share of its length.
@@ -26,6 +26,35 @@ const MOVED: f64 = 1e-11;
 
 /// More rows than this are not searched for.
 const MOST_ROWS: usize = 20_000;
+
+/// The row `head.v + last t <= offset`, scaled so that its largest coefficient in units of `scale` is 1.
+#[derive(Clone, Copy)]
+pub(super) struct Row {
+    pub head: Vector3<f64>,
+    pub last: f64,
+    pub offset: f64,
+}
+
+impl Row {
+    pub fn new(normal: &Vector4<f64>, offset: f64, scale: &Vector4<f64>) -> Self {
+        let size = normal.component_mul(scale).amax();
+        Row { head: normal.fixed_rows::<3>(0) / size, last: normal[3] / size, offset: offset / size }
+    }
+
+    /// The sum of this row and `times` the other one.
+    pub fn plus(&self, other: &Row, times: f64) -> Row {
+        Row {
+            head: self.head + other.head * times,
+            last: self.last + other.last * times,
+            offset: self.offset + other.offset * times,
+        }
+    }
+
+    pub fn as_facet(&self) -> Facet<3, ()> {
+        let length = self.head.norm();
+        Facet { normal: self.head / length, offset: self.offset / length, origin: () }
+    }
+}
 
 /// A vertex of the outer approximation: the three rows that meet in it.
 struct Vertex {

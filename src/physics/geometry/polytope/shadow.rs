@@ -1,40 +1,12 @@
 //! The projection ("shadow") of a polytope along its last axis, by [`rays`], or for a flat set by Fourier-Motzkin
 //! elimination (Ziegler, *Lectures on Polytopes*, section 1.2).
 
-use super::{Equality, Facet, Polytope, intersect, rays};
+use super::rays::{self, Row};
+use super::{Equality, Facet, Polytope, intersect};
 use nalgebra::{SVector, Vector3, Vector4};
 
 /// A coefficient of a row, scaled so that the largest is 1, counts as zero at or below this.
 const NONE: f64 = 1e-12;
-
-/// The row `head.v + last t <= offset`, scaled so that its largest coefficient in units of `scale` is 1.
-#[derive(Clone, Copy)]
-pub(super) struct Row {
-    pub head: Vector3<f64>,
-    pub last: f64,
-    pub offset: f64,
-}
-
-impl Row {
-    fn new(normal: &Vector4<f64>, offset: f64, scale: &Vector4<f64>) -> Self {
-        let size = normal.component_mul(scale).amax();
-        Row { head: normal.fixed_rows::<3>(0) / size, last: normal[3] / size, offset: offset / size }
-    }
-
-    /// The sum of this row and `times` the other one.
-    pub fn plus(&self, other: &Row, times: f64) -> Row {
-        Row {
-            head: self.head + other.head * times,
-            last: self.last + other.last * times,
-            offset: self.offset + other.offset * times,
-        }
-    }
-
-    fn as_facet(&self) -> Facet<3, ()> {
-        let length = self.head.norm();
-        Facet { normal: self.head / length, offset: self.offset / length, origin: () }
-    }
-}
 
 impl<O: Clone> Polytope<4, O> {
     /// The projection on the first three axes: all (w_1, w_2, w_3) such that (w_1, w_2, w_3, w_4) is in the set for

@@ -4,7 +4,7 @@ use super::*;
 use crate::model::{Leg, Mission};
 use crate::motion::time_grid::{has_fixed_times, time_grid};
 use crate::planner::hover::Decision;
-use crate::planner::scp::relaxation::Verdict;
+use crate::planner::scp::relaxation::RelaxationOutcome;
 use crate::planner::timing::kinematics;
 use settings::StoppingRule;
 
@@ -79,8 +79,8 @@ impl ScpPlanner<'_, '_> {
         // A proof for one division of the time is not one for all. A proof costs less than continuation from a slower
         // motion, and without one the relaxation's own solution, which keeps every limit, is an initial guess.
         match self.relaxed(&full.flown()) {
-            Verdict::Infeasible if !self.chooses_times() => return Decision::Infeasible,
-            Verdict::Feasible(Some(iterate)) => {
+            RelaxationOutcome::Infeasible if !self.chooses_times() => return Decision::Infeasible,
+            RelaxationOutcome::Feasible(Some(iterate)) => {
                 if let Some(planned) = self.plan_from_relaxation(iterate, total) {
                     return Decision::Feasible(Box::new(planned));
                 }
@@ -110,9 +110,9 @@ impl ScpPlanner<'_, '_> {
         let flown = full.flown();
         let relaxed = match self.relaxed(&flown) {
             // A proof for one division of the time is not one for all.
-            Verdict::Infeasible if self.chooses_times() => return Decision::Inconclusive(NOT_FOUND.into()),
-            Verdict::Infeasible => return Decision::Infeasible,
-            Verdict::Feasible(iterate) => iterate,
+            RelaxationOutcome::Infeasible if self.chooses_times() => return Decision::Inconclusive(NOT_FOUND.into()),
+            RelaxationOutcome::Infeasible => return Decision::Infeasible,
+            RelaxationOutcome::Feasible(iterate) => iterate,
         };
         let rough = self.settings.cost.rough;
         let quickly = if minimised { rough } else { StoppingRule::NO_STEPS };

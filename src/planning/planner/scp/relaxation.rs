@@ -28,7 +28,7 @@ pub struct Relaxed {
 }
 
 /// The outcome of the relaxation over a time grid.
-pub(super) enum Verdict {
+pub(super) enum RelaxationOutcome {
     /// Proved infeasible by multipliers that are checked in plain arithmetic; they are left in
     /// [`HoverPlanner::weights`] by row.
     Infeasible,
@@ -38,11 +38,11 @@ pub(super) enum Verdict {
 
 impl ScpPlanner<'_, '_> {
     /// Solves the relaxation over a time grid (without holds).
-    pub(super) fn relaxed(&mut self, grid: &TimeGrid) -> Verdict {
+    pub(super) fn relaxed(&mut self, grid: &TimeGrid) -> RelaxationOutcome {
         self.hover.weights.clear();
         let thrust = self.most_thrust().newtons;
         if !self.environment.has_drag() && self.out_of_reach(grid, thrust) {
-            return Verdict::Infeasible;
+            return RelaxationOutcome::Infeasible;
         }
         let form = self.transcription(grid, &[]);
         let rows: BTreeSet<RowAt> = self.limits_at_nodes(grid, |_| true).collect();
@@ -53,14 +53,14 @@ impl ScpPlanner<'_, '_> {
             Outcome::Infeasible { .. } if self.environment.has_drag() => None,
             Outcome::Infeasible { certificate } => {
                 self.hover.weights = program.weights(&certificate);
-                return Verdict::Infeasible;
+                return RelaxationOutcome::Infeasible;
             }
             Outcome::Solved(Solution { x, .. }) => {
                 Some(Iterate { grid: grid.clone(), states: form.states(&x), model: self.wrench })
             }
             Outcome::Inconclusive { .. } => None,
         };
-        Verdict::Feasible(iterate)
+        RelaxationOutcome::Feasible(iterate)
     }
 
     /// The relaxation over a time grid (without holds) that minimises by how much waypoints are overshot, m, plus

@@ -4,7 +4,7 @@ use super::*;
 use crate::motion::time_grid::{determined, earliest, has_fixed_times};
 use crate::planner::hover::Decision;
 use crate::planner::scp::given_time::NOT_FOUND;
-use crate::planner::scp::relaxation::Verdict;
+use crate::planner::scp::relaxation::RelaxationOutcome;
 use crate::planner::timing::kinematics;
 use crate::planner::timing::search::{GRID, NoTime, Shortest};
 use settings::StoppingRule;
@@ -135,7 +135,7 @@ impl ScpPlanner<'_, '_> {
         let mut proved = Vec::new();
         while !self.chooses_times() {
             let Some(full) = self.lay_out(None, at, samples) else { break };
-            if !matches!(self.relaxed(&full.flown()), Verdict::Infeasible) {
+            if !matches!(self.relaxed(&full.flown()), RelaxationOutcome::Infeasible) {
                 break;
             }
             proved.push(at);

@@ -220,8 +220,7 @@ impl Checked<'_> {
                 let at = reach.beyond.map_or(String::new(), |beyond| format!(", at {} s", number(beyond.at)));
                 found.weaker.push(format!(
                     "limit on tilt: it is not shown that the thrust stays above a tenth of the weight{at}; a thrust \
-                     that nearly \
-                     vanishes satisfies any limit on its direction within the tolerance"
+                     that nearly vanishes satisfies any limit on its direction within the tolerance"
                 ));
             }
         }

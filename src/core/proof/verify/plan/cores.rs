@@ -75,7 +75,7 @@ impl Setting<'_> {
         any
     }
 
-    /// The same for one motion, found once.
+    /// For each member of each core whether one motion violates it; kept in `selecting` when it was first found.
     pub(super) fn core_members_of<'s>(&self, selecting: &'s Selecting, without_yaw: &WithoutYaw) -> &'s [Vec<bool>] {
         let found = |core: &Core| self.members_over(&core.family(&self.dynamics), &selecting.motion);
         selecting.of_cores.get_or_init(|| without_yaw.cores.iter().map(found).collect())

@@ -32,7 +32,7 @@ pub(super) struct Selecting {
     pub motion: Motion,
     /// For each plane of [`Selectable`] whether the motion violates it: found when it is first needed, and once.
     pub violates: OnceLock<Vec<bool>>,
-    /// The same for each member of each core.
+    /// For each member of each core whether the motion violates it: found when it is first needed, and once.
     pub of_cores: OnceLock<Vec<Vec<bool>>>,
 }
 
@@ -97,7 +97,8 @@ impl Setting<'_> {
         self.all_selecting(&claim.selected_by, without_yaw)
     }
 
-    /// The same for any claim; a claim that there is no plan may select no facets.
+    /// The motions of `records`, after checking that each is a plan. There may be none: a claim that there is no plan
+    /// may select no facets.
     pub(in crate::proof::verify) fn selected_by(
         &self,
         records: &[MotionRecord],

@@ -12,7 +12,7 @@ pub struct Reach {
 }
 
 impl Reach {
-    /// Of a limit that keeps out of a body; `None` for any other.
+    /// The reach of a limit that keeps out of a body; `None` for any other limit.
     pub fn of(limit: &Limit) -> Option<Self> {
         let LimitKind::Clearance(obstacle) = &limit.kind else { return None };
         let margin = limit.lower?;

@@ -40,7 +40,7 @@ pub(in crate::spec::read) fn check(
     }
     if !GUST_LENGTH.has(simulation.gust_length) {
         let length = short(simulation.gust_length);
-        let message = format!("`gust_length` is {length} m, outside the usual range of {}", GUST_LENGTH.text("m"));
+        let message = GUST_LENGTH.outside(format!("`gust_length` is {length} m"), "m");
         let slip = "check the number and its unit";
         cx.report(warning("mavc::sense::gusts", at("gust_length"), message, slip).here("length scale of the gusts"));
     }

@@ -21,8 +21,7 @@ pub(in crate::spec::read) fn check(cx: &mut Context, vehicle: &Vehicle, battery:
         let percent = |share: f64| short(100.0 * share);
         let message = format!(
             "in hover the rotors of vehicle `{}` turn {} % of the electrical power into mechanical power, outside the \
-             usual \
-             range of {} to {} %",
+             usual range of {} to {} %",
             vehicle.name,
             percent(efficiency),
             percent(EFFICIENCY.low),
@@ -34,12 +33,8 @@ pub(in crate::spec::read) fn check(cx: &mut Context, vehicle: &Vehicle, battery:
     }
     let minutes = battery.energy() / battery.hover_power / 60.0;
     if !HOVER_TIME.has(minutes) {
-        let message = format!(
-            "the battery of vehicle `{}` lasts {} min in hover, outside the usual range of {}",
-            vehicle.name,
-            short(minutes),
-            HOVER_TIME.text("min")
-        );
+        let found = format!("the battery of vehicle `{}` lasts {} min in hover", vehicle.name, short(minutes));
+        let message = HOVER_TIME.outside(found, "min");
         let slip = "look for `A*h` in place of `mA*h`, or the other way round, and check `voltage` and `hover_power`";
         let here = format!("{} W*h with {} V", short(battery.energy() / 3600.0), short(battery.voltage));
         let warning = warning("mavc::sense::hover_time", place("capacity"), message, slip).here(here);

@@ -21,7 +21,7 @@ pub(in crate::spec::read) fn check(cx: &mut Context, simulation: &Simulation, fi
     if let Detection::After(delay) = simulation.detection
         && !DELAY.has(delay)
     {
-        let message = format!("`detection` takes {} s, outside the usual range of {}", short(delay), DELAY.text("s"));
+        let message = DELAY.outside(format!("`detection` takes {} s", short(delay)), "s");
         let warning = warning(code, place("detection"), message, "look for `s` in place of `ms`");
         cx.report(warning.here("most flights are lost or saved by then"));
     }

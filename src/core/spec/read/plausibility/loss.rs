@@ -26,7 +26,7 @@ pub(in crate::spec::read) fn check(cx: &mut Context, simulation: &Simulation, fi
         ("lost_yaw_after", simulation.lost_yaw_after, SECONDS, "s"),
     ];
     for (name, limit, usual, unit) in limits.into_iter().chain(yaw).filter(|(_, limit, usual, _)| !usual.has(*limit)) {
-        let message = format!("`{name}` is {} {unit}, outside the usual range of {}", short(limit), usual.text(unit));
+        let message = usual.outside(format!("`{name}` is {} {unit}", short(limit)), unit);
         let here = match limit > usual.high {
             true => "hardly any flight would count as lost",
             false => "nearly every flight would count as lost",

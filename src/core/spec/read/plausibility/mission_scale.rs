@@ -45,8 +45,7 @@ pub(in crate::spec::read) fn limits(cx: &mut Context, limits: &[Limit]) {
         let Some((name, usual, unit, scale)) = usual(&limit.kind) else { continue };
         let ends = [limit.lower, limit.upper].into_iter().flatten().map(|end| end.abs() / scale);
         let Some(odd) = ends.into_iter().find(|end| *end > 0.0 && !usual.has(*end)) else { continue };
-        let message =
-            format!("the limit on {name} is {} {unit}, outside the usual range of {}", short(odd), usual.text(unit));
+        let message = usual.outside(format!("the limit on {name} is {} {unit}", short(odd)), unit);
         let here = if odd > usual.high { "no multirotor reaches it" } else { "allows hardly any motion" };
         cx.report(warning("mavc::sense::limit", limit.span, message, "check the number and its unit").here(here));
     }
@@ -56,11 +55,7 @@ pub(in crate::spec::read) fn limits(cx: &mut Context, limits: &[Limit]) {
 pub(in crate::spec::read) fn mission(cx: &mut Context, name: &str, span: Span, waypoints: &[Waypoint]) {
     let path: f64 = waypoints.windows(2).map(|pair| distance(pair[0].position, pair[1].position)).sum();
     if path > 0.0 && !PATH.has(path) {
-        let message = format!(
-            "the path of mission `{name}` is {} m long, outside the usual range of {}",
-            short(path),
-            PATH.text("m")
-        );
+        let message = PATH.outside(format!("the path of mission `{name}` is {} m long", short(path)), "m");
         let slip = match path > PATH.high {
             true => "look for `m` in place of `cm` or `mm`",
             false => "look for `mm` in place of `m`",
@@ -72,11 +67,7 @@ pub(in crate::spec::read) fn mission(cx: &mut Context, name: &str, span: Span, w
     let turned = waypoints.iter().find(|w| !YAW_WITHIN.has(degrees(w) * (1.0 - 1e-9)));
     let turned = turned.map(|w| (w, degrees(w), YAW_WITHIN, "deg"));
     for (waypoint, value, usual, unit) in metres.into_iter().chain(turned) {
-        let message = format!(
-            "a waypoint has a tolerance of {} {unit}, outside the usual range of {}",
-            short(value),
-            usual.text(unit)
-        );
+        let message = usual.outside(format!("a waypoint has a tolerance of {} {unit}", short(value)), unit);
         let here = if value > usual.high { "met almost anywhere" } else { "smaller than anyone can measure" };
         let slip = match unit {
             "m" => "look for `km` or `m` in place of `cm`, here or in `plan`",
@@ -130,11 +121,7 @@ pub(in crate::spec::read) fn pace(cx: &mut Context, waypoints: &[Waypoint], tota
 
 fn odd_pace(cx: &mut Context, way: f64, flown: f64, span: Span, to: Span) {
     let speed = way / flown;
-    let message = format!(
-        "the times require a mean speed of {} m/s, outside the usual range of {}",
-        short(speed),
-        PACE.text("m/s")
-    );
+    let message = PACE.outside(format!("the times require a mean speed of {} m/s", short(speed)), "m/s");
     let slip = match speed > PACE.high {
         true => "look for `ms` in place of `s`, and for `m` in place of `cm` or `mm`",
         false => "look for `s` in place of `ms`, and for `mm` in place of `m`",

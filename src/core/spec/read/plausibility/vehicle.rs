@@ -88,13 +88,12 @@ fn yaw_drag(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     if FULL_SPIN.has(spin) {
         return;
     }
-    let message = format!(
-        "vehicle `{}` would turn at {} rad/s if all rotors that carry it turned in one direction, outside the usual \
-         range of {}",
+    let found = format!(
+        "vehicle `{}` would turn at {} rad/s if all rotors that carry it turned in one direction",
         vehicle.name,
-        short(spin),
-        FULL_SPIN.text("rad/s")
+        short(spin)
     );
+    let message = FULL_SPIN.outside(found, "rad/s");
     let slip = match spin > FULL_SPIN.high {
         true => "look for an exponent that is too small, and for `mN` in place of `N`",
         false => "look for an exponent that is too large or lost",
@@ -111,12 +110,8 @@ fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans)
     if THRUST_TO_WEIGHT.has(ratio) || ratio <= 1.0 {
         return;
     }
-    let message = format!(
-        "the rotors of vehicle `{}` lift {} times its weight, outside the usual range of {}",
-        vehicle.name,
-        short(ratio),
-        THRUST_TO_WEIGHT.text("times")
-    );
+    let found = format!("the rotors of vehicle `{}` lift {} times its weight", vehicle.name, short(ratio));
+    let message = THRUST_TO_WEIGHT.outside(found, "times");
     let slip = match ratio > THRUST_TO_WEIGHT.high {
         true => {
             "look for `g` in place of `kg` in the mass, for `N` in place of `gf` and for a thrust coefficient without \
@@ -143,12 +138,8 @@ fn inertia(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     let ratio = |axis: usize| vehicle.inertia[axis] / unit;
     let Some(axis) = (0..3).find(|&axis| !INERTIA.has(ratio(axis))) else { return };
     let name = ["x", "y", "z"][axis];
-    let message = format!(
-        "the inertia of vehicle `{}` about {name} is {} m R^2, outside the usual range of {}",
-        vehicle.name,
-        short(ratio(axis)),
-        INERTIA.text("m R^2")
-    );
+    let found = format!("the inertia of vehicle `{}` about {name} is {} m R^2", vehicle.name, short(ratio(axis)));
+    let message = INERTIA.outside(found, "m R^2");
     let slip = match ratio(axis) > INERTIA.high {
         true => "look for `g` in place of `kg` in the mass, and check inertia and arm with their units",
         false => "look for a wrong prefix in the inertia (`g*m^2`, `kg*cm^2`), and check mass and arm with their units",
@@ -166,12 +157,9 @@ fn inertia(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
 fn tip_speed(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) -> bool {
     let Some(k) = vehicle.rotors.iter().position(|rotor| !TIP_SPEED.has(rotor.tip_speed())) else { return false };
     let rotor = &vehicle.rotors[k];
-    let message = format!(
-        "the propeller tips of vehicle `{}` move at about {} m/s, outside the usual range of {}",
-        vehicle.name,
-        short(rotor.tip_speed()),
-        TIP_SPEED.text("m/s")
-    );
+    let found =
+        format!("the propeller tips of vehicle `{}` move at about {} m/s", vehicle.name, short(rotor.tip_speed()));
+    let message = TIP_SPEED.outside(found, "m/s");
     let slip = match rotor.tip_speed() > TIP_SPEED.high {
         true => "look for `rad/s` in place of `rpm`, for `N` in place of `gf` and for a coefficient without its e-6",
         false => "look for `rpm` in place of `rad/s`, for `gf` in place of `N` and for an exponent too large",
@@ -194,13 +182,12 @@ fn arm(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     if ARM.has(ratio) {
         return;
     }
-    let message = format!(
-        "the rotors of vehicle `{}` are {} propeller diameters from its centre of gravity, outside the usual range of \
-         {}",
+    let found = format!(
+        "the rotors of vehicle `{}` are {} propeller diameters from its centre of gravity",
         vehicle.name,
-        short(ratio),
-        ARM.text("diameters")
+        short(ratio)
     );
+    let message = ARM.outside(found, "diameters");
     let at = written.rotors[k];
     let warning =
         warning("mavc::sense::arm", at.place, message, "look for `m` in place of `cm` or `mm`, or the other way round");
@@ -213,12 +200,9 @@ fn torque_ratio(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     let Some((k, Odd { usual, diameter })) = odd else { return };
     let rotor = &vehicle.rotors[k];
     let ratio = rotor.drag_coefficient / rotor.thrust_coefficient;
-    let message = format!(
-        "the rotors of vehicle `{}` have a drag torque of {} m times their thrust, outside the usual range of {}",
-        vehicle.name,
-        short(ratio),
-        usual.text("m")
-    );
+    let found =
+        format!("the rotors of vehicle `{}` have a drag torque of {} m times their thrust", vehicle.name, short(ratio));
+    let message = usual.outside(found, "m");
     let slip = match ratio > usual.high {
         true => "look for `m` in place of `mm` or `cm`, and for a drag coefficient without its e-7",
         false => "look for `mm` in place of `cm`, and for an exponent of the drag coefficient that is too small",
@@ -253,12 +237,8 @@ fn time_constant(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
     let lags = vehicle.rotors.iter().map(|rotor| rotor.time_constant);
     let odd = lags.enumerate().find_map(|(k, lag)| lag.filter(|lag| !TIME_CONSTANT.has(*lag)).map(|lag| (k, lag)));
     let Some((k, lag)) = odd else { return };
-    let message = format!(
-        "the rotors of vehicle `{}` have a time constant of {} ms, outside the usual range of {}",
-        vehicle.name,
-        short(1e3 * lag),
-        Usual::new(1e3 * TIME_CONSTANT.low, 1e3 * TIME_CONSTANT.high).text("ms")
-    );
+    let found = format!("the rotors of vehicle `{}` have a time constant of {} ms", vehicle.name, short(1e3 * lag));
+    let message = Usual::new(1e3 * TIME_CONSTANT.low, 1e3 * TIME_CONSTANT.high).outside(found, "ms");
     let warning: Diagnostic = warning(
         "mavc::sense::time_constant",
         written.rotors[k].time_constant,

@@ -65,7 +65,8 @@ pub fn past_the_end(model: &Model, end: f64) -> Vec<Diagnostic> {
     errors.map(|error| error.also(model.plan.time_span, takes.clone())).collect()
 }
 
-/// The error for a flight of `end` seconds that takes too many steps; used like [`past_the_end`].
+/// The error for a flight of `end` seconds that takes too many steps, for plans whose time is known only after
+/// planning.
 pub fn too_many_steps(model: &Model, end: f64) -> Option<Diagnostic> {
     steps(end, model.simulation.rate, model.simulation.rate_span)
 }

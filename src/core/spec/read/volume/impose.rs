@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::volume::reach::Reach;
 use crate::model::volume::which;
 use crate::model::volume::{Side, corridor, passage};
-use crate::model::{Limit, Mission, Plan, PlanModel, Vehicle, Waypoint};
+use crate::model::{Limit, Mission, PlanModel, PlanSettings, Vehicle, Waypoint};
 use crate::number::significant;
 use crate::read::context::Context;
 use crate::source::Span;
@@ -54,8 +54,7 @@ fn leaves_corridors(cx: &mut Context, mission: &Mission, size: f64) -> bool {
     let (kept, radius) = (significant(size, 3), significant(corridor.upper.unwrap_or(0.0), 3));
     cx.report(error.help(format!(
         "let the leg go around, by a waypoint beside the volume or without `straight` or `corridor`: it stays within \
-         {radius} m of its \
-         line, and the vehicle keeps {kept} m and the `clearance` from the boundary"
+         {radius} m of its line, and the vehicle keeps {kept} m and the `clearance` from the boundary"
     )));
     false
 }
@@ -120,7 +119,7 @@ fn keeps_waypoints(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint], s
 }
 
 /// Reports `keep_out` volumes in a plan of the hover model, whose programs are convex.
-pub fn only_in_the_exact_model(cx: &mut Context, plan: &Plan, mission: &Mission) -> bool {
+pub fn only_in_the_exact_model(cx: &mut Context, plan: &PlanSettings, mission: &Mission) -> bool {
     let Some(volume) = mission.volumes.iter().find(|v| v.side == Side::KeepOut) else { return true };
     if plan.model == PlanModel::Exact {
         return true;

@@ -3,16 +3,14 @@
 //! `default`.
 
 use super::xml::{attribute, child, children, symmetric, tag};
-use super::{Part, Robot, RobotRotor};
+use super::{Part, Robot, RobotError, RobotRotor};
 use crate::diagnostic::Diagnostic;
 use crate::import::UNSUPPORTED;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use roxmltree::{Node, NodeId};
 use std::collections::HashMap;
 
-type Problem = Box<Diagnostic>;
-
-pub fn read(root: Node) -> Result<Robot, Problem> {
+pub fn read(root: Node) -> Result<Robot, RobotError> {
     let mut robot = Robot { name: root.attribute("model").map(String::from), format: "MJCF", ..Robot::default() };
     let Some(actuators) = child(root, "actuator") else { return Ok(robot) };
     let mut body: Option<Node> = None;
@@ -112,7 +110,7 @@ impl<'a, 'i> Defaults<'a, 'i> {
     }
 }
 
-fn motor(defaults: &Defaults, actuator: Node, site: Node, number: usize) -> Result<RobotRotor, Problem> {
+fn motor(defaults: &Defaults, actuator: Node, site: Node, number: usize) -> Result<RobotRotor, RobotError> {
     let of = |name: &'static str| defaults.inherited(actuator, name);
     let gear = of("gear").map(|owner| attribute::<6>(owner, "gear")).transpose()?.flatten().unwrap_or_default();
     let range = of("ctrlrange").map(|owner| attribute::<2>(owner, "ctrlrange")).transpose()?.flatten();
@@ -147,7 +145,7 @@ fn motor(defaults: &Defaults, actuator: Node, site: Node, number: usize) -> Resu
 }
 
 /// The body's `inertial`; `None` where masses follow from its shapes.
-fn part(body: Node) -> Result<Option<Part>, Problem> {
+fn part(body: Node) -> Result<Option<Part>, RobotError> {
     let Some(inertial) = child(body, "inertial") else { return Ok(None) };
     let Some([mass]) = attribute::<1>(inertial, "mass")? else { return Ok(None) };
     let centre = attribute::<3>(inertial, "pos")?.map_or_else(Vector3::zeros, Vector3::from);

@@ -2,16 +2,14 @@
 //! specification of SDFormat, `pose` and `inertial`; Furrer et al., "RotorS", 2016, for the elements of the plugin.
 
 use super::xml::{child, children, content, is_upright, pose, symmetric, tag, text, turned};
-use super::{Part, Robot, RobotRotor};
+use super::{Part, Robot, RobotError, RobotRotor};
 use crate::diagnostic::Diagnostic;
 use crate::import::{SYNTAX, UNSUPPORTED};
 use nalgebra::Isometry3;
 use roxmltree::Node;
 use std::collections::HashMap;
 
-type Problem = Box<Diagnostic>;
-
-pub fn read(root: Node) -> Result<Robot, Problem> {
+pub fn read(root: Node) -> Result<Robot, RobotError> {
     let model = child(root, "model").or_else(|| child(root, "world").and_then(|world| child(world, "model")));
     let Some(model) = model else {
         let error = Diagnostic::error(UNSUPPORTED, tag(root), "the file has no model").here("no `model` in it");
@@ -33,7 +31,7 @@ pub fn read(root: Node) -> Result<Robot, Problem> {
 }
 
 /// The pose of every link in the frame of the model; links may be placed relative to links before them.
-fn poses<'a>(model: Node<'a, '_>) -> Result<HashMap<&'a str, Isometry3<f64>>, Problem> {
+fn poses<'a>(model: Node<'a, '_>) -> Result<HashMap<&'a str, Isometry3<f64>>, RobotError> {
     let mut poses: HashMap<&str, Isometry3<f64>> = HashMap::new();
     for link in children(model, "link") {
         let own = content::<6>(link, "pose")?.map_or_else(Isometry3::identity, pose);
@@ -59,7 +57,7 @@ fn poses<'a>(model: Node<'a, '_>) -> Result<HashMap<&'a str, Isometry3<f64>>, Pr
     Ok(poses)
 }
 
-fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<Part>, Problem> {
+fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<Part>, RobotError> {
     let Some(inertial) = child(link, "inertial") else { return Ok(None) };
     let own = content::<6>(inertial, "pose")?.map_or_else(Isometry3::identity, pose);
     let whole = at * own;
@@ -75,7 +73,11 @@ fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<Part>, Problem> {
 }
 
 /// A rotor of a plugin; `None` for a plugin that is no motor model.
-pub fn motor(plugin: Node, poses: &HashMap<&str, Isometry3<f64>>, whole: Node) -> Result<Option<RobotRotor>, Problem> {
+pub fn motor(
+    plugin: Node,
+    poses: &HashMap<&str, Isometry3<f64>>,
+    whole: Node,
+) -> Result<Option<RobotRotor>, RobotError> {
     let Some(constant) = content::<1>(plugin, "motorConstant")? else { return Ok(None) };
     let link = text(plugin, "linkName").unwrap_or_default();
     let Some(pose) = poses.get(link) else {

@@ -5,7 +5,7 @@
 
 use super::sdf::motor;
 use super::xml::{attribute, child, children, pose, required, symmetric, tag, turned};
-use super::{Part, Robot, RobotRotor};
+use super::{Part, Robot, RobotError, RobotRotor};
 use crate::diagnostic::Diagnostic;
 use crate::import::{UNSUPPORTED, at};
 use crate::source::Source;
@@ -14,15 +14,13 @@ use roxmltree::Node;
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
-type Problem = Box<Diagnostic>;
-
 /// rad/s
 const RPM: f64 = PI / 30.0;
 
 /// m/s^2, as in gym-pybullet-drones.
 const GRAVITY: f64 = 9.8;
 
-pub fn read(source: &Source, root: Node) -> Result<Robot, Problem> {
+pub fn read(source: &Source, root: Node) -> Result<Robot, RobotError> {
     if let Some(macros) =
         root.descendants().find(|node| node.tag_name().namespace().is_some_and(|n| n.contains("xacro")))
     {
@@ -53,7 +51,7 @@ pub fn read(source: &Source, root: Node) -> Result<Robot, Problem> {
 }
 
 /// `xyz` and `rpy` of an origin.
-fn origin(node: Node) -> Result<Isometry3<f64>, Problem> {
+fn origin(node: Node) -> Result<Isometry3<f64>, RobotError> {
     let Some(origin) = child(node, "origin") else { return Ok(Isometry3::identity()) };
     let [x, y, z] = attribute::<3>(origin, "xyz")?.unwrap_or_default();
     let [roll, pitch, yaw] = attribute::<3>(origin, "rpy")?.unwrap_or_default();
@@ -61,7 +59,7 @@ fn origin(node: Node) -> Result<Isometry3<f64>, Problem> {
 }
 
 /// The pose of every link in the frame of the root link.
-fn poses<'a>(source: &Source, root: Node<'a, '_>) -> Result<HashMap<&'a str, Isometry3<f64>>, Problem> {
+fn poses<'a>(source: &Source, root: Node<'a, '_>) -> Result<HashMap<&'a str, Isometry3<f64>>, RobotError> {
     let mut joints: HashMap<&str, (&str, Isometry3<f64>)> = HashMap::new();
     for joint in children(root, "joint") {
         let end = |name| child(joint, name).and_then(|node| node.attribute("link")).unwrap_or_default();
@@ -97,7 +95,7 @@ fn circle(_: &Source, link: Node) -> Diagnostic {
 }
 
 /// A link's mass, and its centre in the frame of the whole.
-fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<(Part, Isometry3<f64>)>, Problem> {
+fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<(Part, Isometry3<f64>)>, RobotError> {
     let Some(inertial) = child(link, "inertial") else { return Ok(None) };
     let whole = at * origin(inertial)?;
     let mass = child(inertial, "mass").map(|mass| required(mass, "value")).transpose()?.unwrap_or(0.0);
@@ -117,7 +115,7 @@ fn of_properties(
     root: Node,
     properties: Node,
     poses: &HashMap<&str, Isometry3<f64>>,
-) -> Result<Vec<RobotRotor>, Problem> {
+) -> Result<Vec<RobotRotor>, RobotError> {
     let [kf, km] = [required(properties, "kf")?, required(properties, "km")?];
     if kf <= 0.0 || km <= 0.0 {
         let error = Diagnostic::error(UNSUPPORTED, at(properties.range()), "`kf` and `km` must be above zero");

@@ -1,5 +1,6 @@
 //! Elements, attributes and lists of numbers of an XML file, each with its place.
 
+use super::RobotError;
 use crate::diagnostic::Diagnostic;
 use crate::import::{SYNTAX, at};
 use crate::source::Span;
@@ -72,7 +73,7 @@ pub fn text<'a>(node: Node<'a, '_>, name: &'static str) -> Option<&'a str> {
 }
 
 /// Numbers in a text: exactly `N`, finite.
-fn numbers<const N: usize>(text: &str, span: Span, what: &str) -> Result<[f64; N], Box<Diagnostic>> {
+fn numbers<const N: usize>(text: &str, span: Span, what: &str) -> Result<[f64; N], RobotError> {
     let mut found = [0.0; N];
     let mut words = text.split_whitespace();
     let is_whole = found.iter_mut().all(|slot| {
@@ -88,13 +89,13 @@ fn numbers<const N: usize>(text: &str, span: Span, what: &str) -> Result<[f64; N
 }
 
 /// The numbers of an attribute, if it is there.
-pub fn attribute<const N: usize>(node: Node, name: &str) -> Result<Option<[f64; N]>, Box<Diagnostic>> {
+pub fn attribute<const N: usize>(node: Node, name: &str) -> Result<Option<[f64; N]>, RobotError> {
     let found = node.attributes().find(|attribute| attribute.name() == name);
     found.map(|attribute| numbers(attribute.value(), at(attribute.range_value()), name)).transpose()
 }
 
 /// The number of an attribute that must be there.
-pub fn required(node: Node, name: &str) -> Result<f64, Box<Diagnostic>> {
+pub fn required(node: Node, name: &str) -> Result<f64, RobotError> {
     attribute::<1>(node, name)?.map(|[value]| value).ok_or_else(|| {
         let element = node.tag_name().name();
         let error = Diagnostic::error(SYNTAX, tag(node), format!("`{element}` has no `{name}`"));
@@ -103,7 +104,7 @@ pub fn required(node: Node, name: &str) -> Result<f64, Box<Diagnostic>> {
 }
 
 /// The numbers in a child element, if it is there.
-pub fn content<const N: usize>(node: Node, name: &'static str) -> Result<Option<[f64; N]>, Box<Diagnostic>> {
+pub fn content<const N: usize>(node: Node, name: &'static str) -> Result<Option<[f64; N]>, RobotError> {
     child(node, name).map(|found| numbers(found.text().unwrap_or_default(), tag(found), name)).transpose()
 }
 
