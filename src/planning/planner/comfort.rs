@@ -1,9 +1,10 @@
 //! What a pilot expects beside least snap: legs flown near their straight lines, and a yaw that turns no more than the
 //! waypoints ask.
 
-use crate::model::{Heading, Mission};
+use crate::model::{Heading, Mission, Waypoint};
 use crate::motion::{NodeState, X, Y, YAW, Z};
-use crate::planner::transcription::Transcription;
+use crate::planner::transcription::{Transcription, UNBOUNDED};
+use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 
 /// The weights of squares that are added to the cost (48), each integrated over the flight.
@@ -27,14 +28,18 @@ struct Square {
 }
 
 /// The yaw that a leg keeps: that of both its waypoints, rad.
-pub fn kept_yaw(mission: &Mission, leg: usize) -> Option<f64> {
+fn kept_yaw(mission: &Mission, leg: usize) -> Option<f64> {
     let (from, to) = (&mission.waypoints[leg], &mission.waypoints[leg + 1]);
-    let is_given = from.heading == Heading::Given && to.heading == Heading::Given;
-    (is_given && from.yaw == to.yaw).then_some(to.yaw)
+    (are_given(from, to) && from.yaw == to.yaw).then_some(to.yaw)
+}
+
+/// Whether both yaws are angles that the spec gives.
+fn are_given(from: &Waypoint, to: &Waypoint) -> bool {
+    from.heading == Heading::Given && to.heading == Heading::Given
 }
 
 /// The direction of a leg, a unit vector; zero for a leg without length, whose line is a point.
-pub fn direction(mission: &Mission, leg: usize) -> [f64; 3] {
+fn direction(mission: &Mission, leg: usize) -> [f64; 3] {
     let (from, to) = (mission.waypoints[leg].position, mission.waypoints[leg + 1].position);
     let apart: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
     let length = apart.iter().map(|d| d * d).sum::<f64>().sqrt();
@@ -42,6 +47,24 @@ pub fn direction(mission: &Mission, leg: usize) -> [f64; 3] {
 }
 
 impl Transcription<'_> {
+    /// Rows at the nodes of legs between two given yaws: the yaw stays between both, to within the larger tolerance of
+    /// the two waypoints. The spec does not require this, so no proof has these rows.
+    pub(super) fn turns_no_further(&self, builder: &mut Builder) {
+        for segment in &self.grid.segments {
+            let (from, to) = (&self.mission.waypoints[segment.from], &self.mission.waypoints[segment.from + 1]);
+            let within = from.yaw_within.max(to.yaw_within);
+            if !are_given(from, to) || within >= UNBOUNDED || !self.plans(YAW) {
+                continue;
+            }
+            for node in segment.first_node + 1..segment.first_node + segment.intervals {
+                let origin = RowOrigin::WaypointYaw { waypoint: segment.from + 1 };
+                let yaw = self.at_node(node, YAW, 0);
+                builder.nonnegative(yaw.clone().plus_constant(within - from.yaw.min(to.yaw)), origin);
+                builder.nonnegative(yaw.times(-1.0).plus_constant(within + from.yaw.max(to.yaw)), origin);
+            }
+        }
+    }
+
     /// The squares at the nodes, each weighted by the time around its node.
     fn squares(&self, comfort: &Comfort) -> Vec<Square> {
         let mut all = Vec::new();

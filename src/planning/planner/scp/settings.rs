@@ -346,6 +346,12 @@ pub struct ComfortSettings {
     pub yaw: f64,
     /// That of the yaw rate, rad/s.
     pub yaw_rate: f64,
+    /// Each counts at most this many times as much as the cost (48).
+    pub most: f64,
+    /// Passes, each from the plan of the last.
+    pub passes: usize,
+    /// A pass that gains less than this share ends them.
+    pub least_gain: f64,
 }
 
 /// The program that minimises the time about a plan, for its multipliers.
