@@ -186,8 +186,11 @@ pub(crate) struct StepSolution {
 
 /// A point that satisfies the rows of a program to [`PRIMAL_TOLERANCE`], with its multipliers; `None` if the solver
 /// reaches none. `scaled` switches the solver's equilibration of rows and columns on.
-pub(crate) fn solve_step(program: &QuadraticProgram, scaled: bool) -> (Option<StepSolution>, Effort) {
-    let (raw, effort) = call(program, scaled, STEP);
+///
+/// The solver gets the program in the differences from a point near the solution: its tolerances are relative, and
+/// large terms that cancel would leave it no digits.
+pub(crate) fn solve_step(program: &QuadraticProgram, scaled: bool, near: &[f64]) -> (Option<StepSolution>, Effort) {
+    let (raw, effort) = call(program, scaled, STEP, near);
     let Some(Raw { status, x, z }) = raw else { return (None, effort) };
     let is_optimal = matches!(status, SolverStatus::Solved | SolverStatus::AlmostSolved);
     let stopped = matches!(
@@ -211,7 +214,7 @@ struct Raw {
 
 /// One checked call of the solver, with or without its equilibration.
 fn attempt(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Outcome, Effort) {
-    match call(program, scaled, tolerance) {
+    match call(program, scaled, tolerance, &[]) {
         (Some(Raw { status, x, z }), effort) => (judge(program, status, x, z), effort),
         (None, effort) => {
             let status = "the program contains a number that is not finite, or the solver rejected it".into();
@@ -220,10 +223,17 @@ fn attempt(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (O
     }
 }
 
-/// One call of the solver; `None` if the program contains a number that is not finite or the solver rejects it.
-fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Option<Raw>, Effort) {
+/// One call of the solver, on the program in the differences from `near` unless that is empty; `None` if the program
+/// contains a number that is not finite or the solver rejects it.
+fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance, near: &[f64]) -> (Option<Raw>, Effort) {
     let finite = |v: &[f64]| v.iter().all(|x| x.is_finite());
-    if ![&program.p.nzval[..], &program.q, &program.a.nzval, &program.b].into_iter().all(finite) {
+    // P (near + d) + q and b - A (near + d)
+    let (mut q, mut b) = (program.q.clone(), program.b.clone());
+    if !near.is_empty() {
+        q.iter_mut().zip(program.hessian_times(near)).for_each(|(q, px)| *q += px);
+        b = program.slack(near);
+    }
+    if ![&program.p.nzval[..], &q, &program.a.nzval, &b].into_iter().all(finite) {
         return (None, Effort::default());
     }
     let cones: Vec<SupportedConeT<f64>> = program
@@ -250,7 +260,7 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Opti
         ..DefaultSettings::default()
     };
     let begin = Instant::now();
-    let solver = DefaultSolver::new(&matrix(&program.p), &program.q, &matrix(&program.a), &program.b, &cones, settings);
+    let solver = DefaultSolver::new(&matrix(&program.p), &q, &matrix(&program.a), &b, &cones, settings);
     let Ok(mut solver) = solver else { return (None, Effort::default()) };
     if let Some(cancel) = cancel::current() {
         solver.set_termination_callback(move |_| cancel.is_cancelled());
@@ -261,7 +271,8 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Opti
     let size = program.p.nzval.len() + program.a.nzval.len() + program.q.len() + program.b.len();
     let work = (iterations * size) as u64;
     let effort = Effort { solves: 1, iterations, work, starts: 0, time: begin.elapsed() };
-    let found = solver.solution;
+    let mut found = solver.solution;
+    found.x.iter_mut().zip(near).for_each(|(x, near)| *x += near);
     (Some(Raw { status: found.status, x: found.x, z: found.z }), effort)
 }
 

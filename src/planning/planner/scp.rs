@@ -361,7 +361,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let mut price = weights.penalty;
         for (form, scaled) in ways {
             let (program, places) = form.step_program(&step, &chosen);
-            let (approached, effort) = solve_step(&program, scaled);
+            let near = form.padded_variables_of(&iterate.states, &program);
+            let (approached, effort) = solve_step(&program, scaled, &near);
             self.hover.effort += effort;
             let Some(StepSolution { solution: Solution { x, z, .. }, is_optimal }) = approached else { continue };
             if is_optimal || found.is_none() {

@@ -13,7 +13,8 @@ pub type Weights = Vec<(usize, f64)>;
 pub struct NodeSpline {
     /// `weights[node][order]`
     weights: Vec<Vec<Weights>>,
-    coefficients: usize,
+    knots: Vec<f64>,
+    degree: usize,
 }
 
 impl NodeSpline {
@@ -29,12 +30,43 @@ impl NodeSpline {
                 (0..=order).map(|m| derivative(&knots, degree, span, times[node], m)).collect()
             })
             .collect();
-        NodeSpline { weights, coefficients: intervals + degree }
+        NodeSpline { weights, knots, degree }
     }
 
     /// The number of coefficients of one axis.
     pub fn coefficients(&self) -> usize {
-        self.coefficients
+        self.knots.len() - self.degree - 1
+    }
+
+    /// The coefficients of a motion with these derivatives at the nodes, by the dual functionals of de Boor and Fix:
+    /// `c_i = sum_r (-1)^(p-r) psi_i^(p-r)(t) f^(r)(t) / p!` with `psi_i(t) = (t_{i+1} - t) .. (t_{i+p} - t)`, for any t
+    /// in the support of the i-th B-spline. `derivative(node, order)` gives them up to the input's.
+    pub fn coefficients_of(&self, derivative: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+        let (p, last) = (self.degree, self.weights.len() - 2);
+        let factorial = |n: usize| (1..=n).map(|i| i as f64).product::<f64>();
+        let coefficient = |i: usize| {
+            // The beginning of an interval in the middle of the support.
+            let span = (i + p / 2).clamp(p, p + last);
+            let (node, t) = (span - p, self.knots[span]);
+            // psi_i(t + x) by powers of x.
+            let mut psi = vec![1.0];
+            for knot in &self.knots[i + 1..=i + p] {
+                let mut next = vec![0.0; psi.len() + 1];
+                for (power, c) in psi.iter().enumerate() {
+                    next[power] += c * (knot - t);
+                    next[power + 1] -= c;
+                }
+                psi = next;
+            }
+            let of_order = |r: usize| match r {
+                r if r < p => derivative(node, r),
+                _ => (derivative(node + 1, p - 1) - derivative(node, p - 1)) / (self.knots[span + 1] - t),
+            };
+            let sign = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
+            let terms = (0..=p).map(|r| sign(p - r) * factorial(p - r) * psi[p - r] * of_order(r));
+            terms.sum::<f64>() / factorial(p)
+        };
+        (0..self.coefficients()).map(coefficient).collect()
     }
 
     /// The largest weight of a coefficient in the input at any node; it is proportional to the shortest step to the
@@ -120,6 +152,20 @@ mod tests {
                         "{order} {k} {i}: {found} {expected}"
                     );
                 }
+            }
+        }
+    }
+
+    /// Coefficients found from derivatives at the nodes are those that gave them.
+    #[test]
+    fn coefficients_come_back() {
+        let times = [0.0, 0.5, 0.7, 1.5, 2.0, 2.9];
+        for order in [2, 4] {
+            let spline = NodeSpline::new(&times, order);
+            let c: Vec<f64> = (0..spline.coefficients()).map(|i| ((i * 37 % 11) as f64).sin()).collect();
+            let value = |node: usize, m: usize| spline.at(node, m).iter().map(|&(i, w)| w * c[i]).sum::<f64>();
+            for (found, c) in spline.coefficients_of(value).into_iter().zip(c) {
+                assert!((found - c).abs() < 1e-9, "{order}: {found} {c}");
             }
         }
     }

@@ -477,6 +477,32 @@ impl<'a> Transcription<'a> {
         builder.finish()
     }
 
+    /// [`Self::variables_of`] with zeros for a program's other variables.
+    pub(super) fn padded_variables_of(&self, states: &[NodeState], program: &QuadraticProgram) -> Vec<f64> {
+        let mut variables = self.variables_of(states);
+        variables.resize(program.q.len(), 0.0);
+        variables
+    }
+
+    /// The variables at which the nodes have these states, for a motion whose pieces join.
+    pub(super) fn variables_of(&self, states: &[NodeState]) -> Vec<f64> {
+        match &self.form {
+            Form::Stages => {
+                let of_node = |(node, state): (usize, &NodeState)| {
+                    let tau = self.tau_at(node);
+                    let orders = self.axes.iter().flat_map(|&axis| (0..=self.orders[axis]).map(move |m| (axis, m)));
+                    orders.map(|(axis, m)| state[axis][m] * tau.powi(m as i32)).collect::<Vec<_>>()
+                };
+                states.iter().enumerate().flat_map(of_node).collect()
+            }
+            Form::Splines(splines) => {
+                let of_axis =
+                    |&axis: &usize| self.spline(splines, axis).coefficients_of(|node, order| states[node][axis][order]);
+                self.axes.iter().flat_map(of_axis).collect()
+            }
+        }
+    }
+
     /// The derivatives at every node, SI units; axes not planned here are left zero.
     pub fn states(&self, x: &[f64]) -> Vec<NodeState> {
         let mut states = vec![NodeState::default(); self.nodes()];
