@@ -63,7 +63,9 @@ impl ScpPlanner<'_, '_> {
         let (settings, proximal_settings) = (self.settings.cost, self.settings.proximal);
         let durations = self.fixed_durations();
         let (mut at, mut violation) = (best.1.clone(), 0.0);
-        while *left > 0 && !self.has_spent(self.settings.budget.until_cost) {
+        let budget = self.settings.budget;
+        let share_of_budget = if self.comfort.is_some() { budget.of_comfort } else { budget.until_cost };
+        while *left > 0 && !self.has_spent(share_of_budget) {
             *left -= 1;
             let here = self.cost(&at);
             let Some(stepped) = self.step(&at, &durations, *proximal, *weights, working_set) else { break };

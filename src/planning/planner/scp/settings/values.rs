@@ -109,6 +109,7 @@ impl ScpSettings {
             until_medium_grid: 0.65,
             until_full_grid: 0.85,
             until_cost: 1.0,
+            of_comfort: 0.15,
             at_most: 2.0,
         },
         comfort: ComfortSettings { distance: 0.15, yaw: 0.02, yaw_rate: 0.1, most: 10.0, passes: 3, least_gain: 0.05 },
