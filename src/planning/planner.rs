@@ -4,6 +4,7 @@
 //! programs are convex, and [`scp::ExactPlanner`] for the exact model, whose sequential convex programming finds local
 //! optima.
 
+pub mod comfort;
 pub mod commands;
 mod cores;
 mod cost;
@@ -69,6 +70,10 @@ pub trait Planner {
         hint: Hint,
         working_set: &mut WorkingSet,
     ) -> Result<Shortest, NoTime>;
+
+    /// A plan at the durations of another of the same set that a pilot would rather fly ([`comfort`]); `None` in the
+    /// hover model, and where none was found.
+    fn more_comfortable(&mut self, planned: &Planned, set: &PlanningSet) -> Option<Planned>;
 
     /// What the solver has done so far.
     fn effort(&self) -> Effort;

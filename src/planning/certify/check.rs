@@ -8,13 +8,20 @@ use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run
 use crate::verify::{self, Refusal, Settings};
 
 /// Checks every plan of a comparison. A trajectory that fails is not a plan: the outcome of its run becomes
-/// [`NotFound::Check`] with the reason.
+/// [`NotFound::Check`] with the reason. If that is the plan of a second pass, the plan before it takes its place.
 pub fn check(problem: Problem, comparison: &mut Comparison) {
     let risk_required = !comparison.trade_off.is_empty();
     for run in &mut comparison.runs {
         let planned = as_planned(problem, run, risk_required);
         let selected_by = if run.planner == PlannerKind::Rsp { &comparison.selected_by[..] } else { &[] };
         decide(&planned, &mut run.outcome, selected_by);
+    }
+    if let (Some(run), Some(plainer)) = (comparison.runs.last_mut(), comparison.plainer.take())
+        && run.outcome.plan().is_none()
+    {
+        run.outcome = PlanOutcome::Planned(plainer);
+        let selected_by = if run.planner == PlannerKind::Rsp { &comparison.selected_by[..] } else { &[] };
+        decide(&as_planned(problem, run, risk_required), &mut run.outcome, selected_by);
     }
 }
 

@@ -14,8 +14,8 @@ const LONG: f64 = 4.0;
 /// And this many times the time that the spec gives them. Chosen by hand.
 const LONGER: f64 = 1.5;
 
-/// The most of the solver's work for a conflict, and for changes: as much as a search with `effort = normal`.
-const MOST_WORK: u64 = ScpSettings::DEFAULT.budget.normal as u64;
+/// The most of the solver's work for a conflict, and for changes: half as much as a search with `effort = normal`.
+const MOST_WORK: u64 = ScpSettings::DEFAULT.budget.normal as u64 / 2;
 
 /// The longest mission time of a query, s.
 const LONGEST: f64 = 100_000.0;

@@ -99,11 +99,12 @@ impl Statement {
             Statement::RestAtEnd => mission.end_at_rest = false,
             Statement::Limit(i) => {
                 let (span, of_leg) = (mission.limits[i].span, mission.limits[i].leg.is_some());
-                for (index, limit) in mission.limits.iter_mut().enumerate() {
-                    if index == i || of_leg && limit.span == span {
-                        (limit.lower, limit.upper) = (None, None);
-                    }
-                }
+                // The limits that one statement gives a leg follow one another.
+                let same = |limit: &&mut Limit| of_leg && limit.span == span;
+                let (before, from) = mission.limits.split_at_mut(i);
+                let (this, after) = from.split_at_mut(1);
+                let others = before.iter_mut().rev().take_while(same).chain(after.iter_mut().take_while(same));
+                this.iter_mut().chain(others).for_each(|limit| (limit.lower, limit.upper) = (None, None));
             }
             Statement::Mode(mode) => plan.against.retain(|&other| other != mode),
             Statement::Reserve => plan.reserve = 0.0,

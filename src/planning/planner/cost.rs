@@ -15,10 +15,13 @@ const GAUSS: [(f64, f64); 4] = [
 ];
 
 impl Transcription<'_> {
-    /// (48) times `factor`, with exact integrals: over a step h, the integral of u^2 is h (u0^2 + u0 u1 + u1^2) / 3.
+    /// (48) times `factor`, and comfort where it counts, with exact integrals: over a step h, the integral of u^2 is h (u0^2 + u0 u1 + u1^2) / 3.
     ///
     /// Where z is a quadruple integrator both its input and its acceleration count, each with its own weight.
     pub(super) fn cost(&self, builder: &mut Builder, factor: f64) {
+        if let Some(comfort) = &self.comfort {
+            self.add_comfort(builder, comfort, factor);
+        }
         let plan = &self.model.plan;
         for (k, step) in self.grid.steps().enumerate() {
             for &axis in self.axes {
@@ -47,10 +50,10 @@ impl Transcription<'_> {
         }
     }
 
-    /// The value of (48) for the derivatives at every node.
+    /// The value of (48), and of comfort where it counts, for the derivatives at every node.
     pub(super) fn cost_of(&self, states: &[NodeState]) -> f64 {
         let plan = &self.model.plan;
-        let mut sum = 0.0;
+        let mut sum = self.comfort.as_ref().map_or(0.0, |comfort| self.comfort_of(comfort, states));
         for (k, step) in self.grid.steps().enumerate() {
             let (left, right) = (&states[k], &states[k + 1]);
             for &axis in self.axes {

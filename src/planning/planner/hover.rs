@@ -84,6 +84,10 @@ impl Planner for HoverPlanner<'_> {
         self.shortest(set, hint, working_set)
     }
 
+    fn more_comfortable(&mut self, _: &Planned, _: &PlanningSet) -> Option<Planned> {
+        None
+    }
+
     fn effort(&self) -> Effort {
         self.effort
     }

@@ -8,6 +8,7 @@
 //! their parameters.
 
 mod budget;
+mod comfort;
 mod commands;
 mod continuation;
 mod cost_phase;
@@ -48,6 +49,7 @@ use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};
 use crate::motion::winds::OverWinds;
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::planner::comfort::Comfort;
 use crate::planner::hover::{ACCEPTED, HoverPlanner, Planned};
 use crate::planner::limits::{covers, place, room_of};
 use crate::planner::selection::PlanningSet;
@@ -157,6 +159,8 @@ pub struct ScpPlanner<'e, 'a> {
     stiff: BTreeSet<usize>,
     /// The work after which the search was told that what it has is enough.
     told_at: Cell<Option<u64>>,
+    /// What counts beside (48) in the cost of a second pass.
+    comfort: Option<Comfort>,
 }
 
 /// The solution of one subproblem.
@@ -222,6 +226,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             splines: None,
             stiff: BTreeSet::new(),
             told_at: Cell::new(None),
+            comfort: None,
         }
     }
 
@@ -231,7 +236,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         'e: 's,
     {
         let form = Transcription::new(self.hover.problem, grid, self.set, maps, &ALL_AXES);
-        form.with_orders(self.wrench.orders(), PARTS).stopping_from(self.hover.struck)
+        form.with_orders(self.wrench.orders(), PARTS).stopping_from(self.hover.struck).with_comfort(self.comfort)
     }
 
     /// The wrench linearised about an iterate (70), at the instants of `working_set` and, where the set is flat, at the

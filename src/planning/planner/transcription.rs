@@ -14,6 +14,7 @@ use crate::model::{Environment, Mission, Model, Problem};
 use crate::motion::hover_map::{ORDER, WrenchMap};
 use crate::motion::time_grid::TimeGrid;
 use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::planner::comfort::Comfort;
 use crate::planner::commands::{CommandAt, CommandMaps, Slope};
 use crate::planner::cores::{CoreAt, Scaling};
 use crate::planner::limits::{Widening, is_of_yaw};
@@ -95,6 +96,8 @@ pub struct Transcription<'a> {
     pub states: Option<&'a [NodeState]>,
     /// By leg the index of the variable of its duration; `None` where that is fixed. Empty where all are.
     pub(super) durations: &'a [Option<usize>],
+    /// What counts beside (48).
+    pub(super) comfort: Option<Comfort>,
     /// Unit of time of the scaled variables at each node, s.
     taus: Vec<f64>,
     form: Form,
@@ -137,6 +140,7 @@ impl<'a> Transcription<'a> {
             winds: problem.model().environment().corners(),
             states: None,
             durations: &[],
+            comfort: None,
             taus: units::units_of_time(grid),
             form: Form::Stages,
         }
@@ -170,6 +174,11 @@ impl<'a> Transcription<'a> {
     /// This transcription with durations of legs that may change: by leg the index of its variable.
     pub(super) fn with_durations(self, durations: &'a [Option<usize>]) -> Self {
         Transcription { durations, ..self }
+    }
+
+    /// This transcription with comfort in its cost.
+    pub(super) fn with_comfort(self, comfort: Option<Comfort>) -> Self {
+        Transcription { comfort, ..self }
     }
 
     /// This transcription for other bounds: limits and tolerances of `mission`, rows of `set`, each as many as before.

@@ -62,6 +62,10 @@ impl Planner for ExactPlanner<'_> {
         self.against(set).shortest(&guesses, hint.larger)
     }
 
+    fn more_comfortable(&mut self, planned: &Planned, set: &PlanningSet) -> Option<Planned> {
+        self.against(set).more_comfortable(planned)
+    }
+
     fn effort(&self) -> Effort {
         self.hover.effort
     }

@@ -32,6 +32,8 @@ pub struct ScpSettings {
     pub grids: GridSettings,
     /// How much of the solver's work a search may take.
     pub budget: BudgetSettings,
+    /// The second pass over a plan.
+    pub comfort: ComfortSettings,
     /// The program whose multipliers give what limits the time.
     pub sensitivity: SensitivitySettings,
     /// Stops after a fault.
@@ -333,6 +335,17 @@ pub struct BudgetSettings {
     pub until_cost: f64,
     /// No program is solved beyond this share: what is not found by then is not found.
     pub at_most: f64,
+}
+
+/// What counts as much as the whole cost (48) in the second pass over a plan. All chosen by hand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ComfortSettings {
+    /// Root mean square of the distance from the legs' lines, m.
+    pub distance: f64,
+    /// That of the difference from the yaw of legs that keep it, rad.
+    pub yaw: f64,
+    /// That of the yaw rate, rad/s.
+    pub yaw_rate: f64,
 }
 
 /// The program that minimises the time about a plan, for its multipliers.

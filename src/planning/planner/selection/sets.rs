@@ -73,6 +73,16 @@ impl PlanningSets {
         }
     }
 
+    /// A set with the facets of the modes' sets that a plan keeps.
+    pub fn kept(&self, model: &Model, planned: &Planned, set: &PlanningSet) -> PlanningSet {
+        let violated = self.violated(model, planned);
+        if violated.is_empty() {
+            return self.joint.clone();
+        }
+        let kept = self.modes.iter().flat_map(|mode| &mode.rows).filter(|row| !violated.contains(row));
+        PlanningSet { rows: set.rows.iter().chain(kept).cloned().collect() }
+    }
+
     /// Step (e) of section 5.3 of the paper: the facets of the modes' sets that a plan violates at some node, in the
     /// exact model at some instant, because its rows are imposed at instants too.
     pub fn violated(&self, model: &Model, planned: &Planned) -> Vec<SetRow> {

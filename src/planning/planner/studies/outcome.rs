@@ -207,6 +207,8 @@ pub struct Comparison {
     /// The plans of RIP and of the tightest RCP at their own shortest times, if they were sought: initial guesses of
     /// further plans.
     pub known: Vec<Planned>,
+    /// The plan of the last run before its second pass, until plans are checked.
+    pub plainer: Option<Box<MissionPlan>>,
     pub effort: Effort,
 }
 

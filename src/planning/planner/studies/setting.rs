@@ -125,6 +125,28 @@ impl<'a> Setting<'a> {
         }
     }
 
+    /// The outcome with the plan of a second pass, and the plan before it; see [`Planner::more_comfortable`].
+    pub fn with_comfort(
+        &self,
+        outcome: PlanOutcome,
+        planned: Option<&Planned>,
+        set: &PlanningSet,
+    ) -> (PlanOutcome, Option<Box<MissionPlan>>, Effort) {
+        let (PlanOutcome::Planned(plainer), Some(planned)) = (&outcome, planned) else {
+            return (outcome, None, Effort::default());
+        };
+        let (found, effort) = self.with_planner("second pass", |planner| planner.more_comfortable(planned, set));
+        let Some(found) = found else { return (outcome, None, effort) };
+        let solved = MissionPlan {
+            binding: plainer.binding.clone(),
+            infeasible_at: plainer.infeasible_at,
+            infeasible_above: plainer.infeasible_above.clone(),
+            ..self.solved(plainer.time, &found)
+        };
+        let plainer = plainer.clone();
+        (PlanOutcome::Planned(Box::new(solved)), Some(plainer), effort)
+    }
+
     /// A plan with what is reported of it.
     pub fn solved(&self, time: f64, planned: &Planned) -> MissionPlan {
         let trajectory = planned.trajectory();
@@ -210,6 +232,7 @@ impl<'a> Setting<'a> {
             selected: Vec::new(),
             selected_by: Vec::new(),
             trade_off: Vec::new(),
+            plainer: None,
             known: Vec::new(),
             effort: Effort::default(),
         }

@@ -41,18 +41,18 @@ impl Setting<'_> {
             None if kind == PlannerKind::Rip => self.rip_at(name, time, None, None),
             None => self.at(name, &set, time, WorkingSet::default(), &guesses),
         };
-        let (run, outcome, effort) = match self.fixed_time() {
+        let (run, outcome, planned, effort) = match self.fixed_time() {
             Some(time) => {
                 let (decision, effort) = at(time);
-                (Run::Common, self.common(time, &decision), effort)
+                (Run::Common, self.common(time, &decision), decision.planned().cloned(), effort)
             }
             None if kind == PlannerKind::Rip => {
                 let found = self.rip_own();
-                (Run::Own, self.own_with_binding(&found, &set), found.effort)
+                (Run::Own, self.own_with_binding(&found, &set), found.planned().cloned(), found.effort)
             }
             None if nothing_selected && !initial_guesses.is_empty() => {
                 let found = nothing_selected_at(&initial_guesses[0]);
-                (Run::Own, self.own_with_binding(&found, &set), found.effort)
+                (Run::Own, self.own_with_binding(&found, &set), found.planned().cloned(), found.effort)
             }
             None => {
                 // The SCP planner starts from RCP's plan, which RSP's set allows; the hover planner's search uses the
@@ -73,9 +73,19 @@ impl Setting<'_> {
                     Hint { initial_guesses: initial_guesses.clone(), ..hint },
                     WorkingSet::default(),
                 );
-                (Run::Own, self.own_with_binding(&found, &set), found.effort)
+                (Run::Own, self.own_with_binding(&found, &set), found.planned().cloned(), found.effort)
             }
         };
+        out.effort += effort;
+        let (outcome, plainer, effort) = match (kind, &planned) {
+            // What RSP's plan keeps of the modes' sets beyond the selected facets, the second pass keeps too.
+            (PlannerKind::Rsp, Some(plan)) => {
+                let kept = self.sets.kept(self.model(), plan, &set);
+                self.with_comfort(outcome, planned.as_ref(), &kept)
+            }
+            _ => self.with_comfort(outcome, planned.as_ref(), &set),
+        };
+        out.plainer = plainer;
         out.effort += effort;
         out.runs.push(self.run(kind, against, run, outcome, &set));
         out

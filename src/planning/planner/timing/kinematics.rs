@@ -116,18 +116,14 @@ enum Sense {
 }
 
 impl LegRateBounds {
-    /// The bounds that hold throughout some legs of a mission under its vehicle's full thrust, with intervals at the
-    /// ends that allow most. Each limit is widened by `past`, in its SI unit, and by the tolerance of the check of
-    /// plans ([`tolerance`]).
-    fn of(problem: Problem, past: &[f64], legs: Range<usize>) -> Self {
-        let (model, mission) = (problem.model(), problem.mission());
+    /// The bounds that limits set under the vehicle's full thrust, with intervals at the ends that allow most. Each
+    /// limit is widened by the number beside it, in its SI unit, and by the tolerance of the check of plans
+    /// ([`tolerance`]).
+    fn of(problem: Problem, limits: &[(&Limit, f64)]) -> Self {
+        let model = problem.model();
         let turning = |kind: LimitKind, sense: Sense| {
-            let of_kind = mission
-                .limits
-                .iter()
-                .zip(past)
-                .filter(|(limit, _)| limit.kind == kind && legs.clone().all(|leg| limit.concerns(leg)));
-            let bound = |(limit, past): (&Limit, &f64)| {
+            let of_kind = limits.iter().filter(|(limit, _)| limit.kind == kind);
+            let bound = |(limit, past): &(&Limit, f64)| {
                 let side = match sense {
                     Sense::Upwards => limit.upper?,
                     Sense::Downwards => -limit.lower?,
@@ -275,9 +271,20 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
     let mission = problem.mission();
     let points = &mission.waypoints;
     let last = points.len().saturating_sub(1);
-    // All legs have the same bounds unless some limit is of one leg.
-    let general = mission.limits.iter().all(Limit::is_general).then(|| LegRateBounds::of(problem, past, 0..last));
-    let paces = |legs: Range<usize>| general.unwrap_or_else(|| LegRateBounds::of(problem, past, legs));
+    let widened = || mission.limits.iter().zip(past.iter().copied());
+    let of_all: Vec<(&Limit, f64)> = widened().filter(|(limit, _)| limit.is_general()).collect();
+    let mut of_legs: Vec<Vec<(&Limit, f64)>> = vec![Vec::new(); last];
+    for (limit, past) in widened() {
+        if let Some(leg) = limit.leg.as_ref().and_then(|on| of_legs.get_mut(on.leg)) {
+            leg.push((limit, past));
+        }
+    }
+    // Legs without limits of their own, and legs together, have the bounds of the mission.
+    let general = LegRateBounds::of(problem, &of_all);
+    let paces = |legs: Range<usize>| match &of_legs[legs.start][..] {
+        own if legs.len() == 1 && !own.is_empty() => LegRateBounds::of(problem, &[&of_all[..], own].concat()),
+        _ => general,
+    };
     let rests = |i: usize| mission.rests_at(i);
     let mut legs = vec![LeastLeg { seconds: 0.0, along: Along::Line }; last];
     let mut from = 0;

@@ -111,6 +111,7 @@ impl ScpSettings {
             until_cost: 1.0,
             at_most: 2.0,
         },
+        comfort: ComfortSettings { distance: 0.15, yaw: 0.02, yaw_rate: 0.1 },
         sensitivity: SensitivitySettings { cost_weight: 0.05, penalty: 100.0, proximal_weight: 0.1, radius: 0.1 },
         stops: StopSettings {
             proximal_weight: 0.1,
