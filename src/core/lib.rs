@@ -8,10 +8,10 @@
 //!
 //! | room | what comes in | what goes out | what it does not know |
 //! |---|---|---|---|
-//! | [`base`] | bytes, numbers | texts with places, diagnostics, quantities, tolerances | the language |
+//! | `base` | bytes, numbers | texts with places, diagnostics, quantities, tolerances | the language |
 //! | [`language`] | texts | trees; the table of all fields | vehicles |
 //! | [`spec`] | trees | a [`Spec`](spec::Spec): names resolved, SI units, every number in range | sets, planners |
-//! | [`proof`] | a spec and a certificate | a verdict | how the certificate was made |
+//! | `proof` | a spec and a certificate | a verdict | how the certificate was made |
 
 mod base;
 pub mod language;

@@ -7,7 +7,7 @@ use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::{Exposed, exposed};
 use crate::flight::capture::heights::CaptureHeights;
 use crate::model::capture_height::LOW;
-use crate::model::{Detection, GiveUpYaw, Mission, Model};
+use crate::model::{GiveUpYaw, Mission, Model};
 use crate::motion::{Trajectory, X, Y};
 use crate::number::{number, significant};
 use crate::planner::studies::{Comparison, PlannerRun};
@@ -93,10 +93,7 @@ pub(super) fn is_about(diagnostic: &Diagnostic) -> bool {
 /// the plans' own speeds.
 pub(super) fn at_speeds_of(model: &Model, plans: &[&Trajectory]) -> Option<CaptureHeights> {
     model.mission.as_ref()?.ground?;
-    let delay = match model.simulation.detection {
-        Detection::After(delay) => delay,
-        Detection::Never | Detection::Estimator => USUAL_DELAY,
-    };
+    let delay = model.simulation.detection.delay().unwrap_or(USUAL_DELAY);
     let speeds = plans.iter().flat_map(|plan| plan.nodes.iter()).map(|node| node[X][1].hypot(node[Y][1]));
     let top = speeds.reduce(f64::max)?;
     CaptureHeights::simulate(model, delay, top.max(1.0), MOST_MODES)

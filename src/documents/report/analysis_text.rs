@@ -139,7 +139,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         match &m.headroom {
             Some(h) => table.row(vec![m.name.clone(), both(h.thrust), both(h.tau_x), both(h.tau_y), both(h.tau_z)]),
             None if m.verdict == HoverVerdict::Stabilizable => {
-                table.row(vec![m.name.clone(), "heading not held".into()])
+                table.row(vec![m.name.clone(), "heading not held".into()]);
             }
             None => table.row(vec![m.name.clone(), "no hover".into()]),
         }

@@ -16,7 +16,7 @@ use crate::campaign::predictors::Forecast;
 use crate::campaign::statistics::{Share, Summary, wilson};
 use crate::campaign::tally::{Cell, Group, Tally};
 use crate::flight::capture::CaptureHeight;
-use crate::model::{Detection, Model};
+use crate::model::Model;
 use crate::verdict::Verdict;
 use serde::Serialize;
 
@@ -262,11 +262,6 @@ impl CampaignRecord {
     /// The record where no planner has a plan, or none was run.
     pub fn without_flights(model: &Model, left_out: &[Missing], spec_sha256: String) -> Self {
         let simulation = &model.simulation;
-        let (detection, detection_delay_s) = match simulation.detection {
-            Detection::Never => ("never", None),
-            Detection::After(delay) => ("after", Some(delay)),
-            Detection::Estimator => ("estimator", None),
-        };
         CampaignRecord {
             schema: SCHEMA,
             spec_sha256,
@@ -280,8 +275,8 @@ impl CampaignRecord {
             flights: 0,
             controller: simulation.controller.name(),
             allocation: model.vehicle.allocation.name(),
-            detection,
-            detection_delay_s,
+            detection: simulation.detection.name(),
+            detection_delay_s: simulation.detection.delay(),
             after_fault: simulation.after_fault.name(),
             planners: left_out.iter().map(missing).collect(),
             agreement: Vec::new(),

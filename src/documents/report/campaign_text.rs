@@ -175,8 +175,8 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> Str
         let flights = plural(diverged, "flight");
         out.push_str(&indented(&format!(
             "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). \
-             What \
-             happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as survived."
+             What happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as \
+             survived."
         )));
     }
     if !modes.is_empty() {

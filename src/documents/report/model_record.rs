@@ -3,7 +3,7 @@
 //! Unlike the text of `mavc emit model`, numbers have all their digits: another simulator computes with what mavc
 //! computes with.
 
-use crate::model::{Detection, FaultMode, Gains, Model, Rotor, Simulation, Spin, Vehicle};
+use crate::model::{FaultMode, Gains, Model, Rotor, Simulation, Spin, Vehicle};
 use serde::Serialize;
 
 /// Version of this record; raised when a field or the meaning of its values changes.
@@ -233,10 +233,7 @@ fn simulate<'a>(simulation: &Simulation, modes: &'a [FaultMode]) -> SimulateReco
         rate_hz: simulation.rate,
         control_rate_hz: simulation.control_rate,
         controller: simulation.controller.name(),
-        detection_s: match simulation.detection {
-            Detection::After(delay) => Some(delay),
-            Detection::Never | Detection::Estimator => None,
-        },
+        detection_s: simulation.detection.delay(),
         after_fault: simulation.after_fault.name(),
         gains: gains(&simulation.gains),
         gyroscope_range_rad_per_s: simulation.gyroscope_range,

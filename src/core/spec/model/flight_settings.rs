@@ -59,6 +59,22 @@ pub enum Detection {
     Estimator,
 }
 
+impl Detection {
+    /// The word of records.
+    pub fn name(self) -> &'static str {
+        match self {
+            Detection::Never => "never",
+            Detection::After(_) => "after",
+            Detection::Estimator => "estimator",
+        }
+    }
+
+    /// The delay after which a mode is known, s; `None` unless it is fixed.
+    pub fn delay(self) -> Option<f64> {
+        if let Detection::After(delay) = self { Some(delay) } else { None }
+    }
+}
+
 /// Whether a heading error loses the vehicle in a flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LostYaw {

@@ -33,8 +33,8 @@ fn written(expr: &Expr) -> Option<Written<'_>> {
 }
 
 impl<'a> Context<'a> {
-    /// A quantity above zero in SI units, with the relative or absolute interval around it if one is written; `code` is
-    /// the error code of a value or an interval that does not lie above zero.
+    /// A quantity above zero in SI units, and the interval around it as factors of it, if one is written; `code` is the
+    /// error code of a value or an interval that does not lie above zero.
     pub(super) fn interval(&mut self, due: Expected, expr: &'a Expr, code: &'static str) -> Option<(f64, Spread)> {
         let Some(Written { value, by, unit }) = written(expr) else {
             return self.positive(due, expr, code).map(|value| (value, Spread::NONE));

@@ -11,8 +11,8 @@ pub(super) fn agreement(agreement: &Agreement) -> String {
     let mut out = String::from("\nDo the plans predict which flights are lost?\n");
     out.push_str(&indented(
         "Predicted lost: the fault strikes before the plan's last violation of the mode's set, or of its core where \
-         yaw is given up. Only flights that were \
-         still flying when the fault struck are counted. A plan that several planners share is counted once.",
+         yaw is given up. Only flights that were still flying when the fault struck are counted. A plan that several \
+         planners share is counted once.",
     ));
     let Agreement { all, inside, forecasts } = agreement;
     if inside.modes == all.modes {

@@ -123,8 +123,8 @@ fn figure(captures: &CaptureRecord, drawn: &[Capture]) -> Markup {
             }
             figcaption.note {
                 "Simulated: the median of " (flights) " flights with different noise and gusts, and their range as a \
-                 band. A line ends where not \
-                every flight regains level flight. The dotted line is the delay of the table."
+                 band. A line ends where not every flight regains level flight. The dotted line is the delay of the \
+                 table."
                 @if captures.captures.iter().any(|case| !modes.contains(&case.mode.as_str())) { " Modes that cost \
                     less are not drawn." }
             }

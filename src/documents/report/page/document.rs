@@ -84,8 +84,8 @@ impl Document<'_> {
                     footer {
                         p {
                             "Written by mavc " (env!("CARGO_PKG_VERSION")) ". Lengths in m, times in s, SI units \
-                             except angles in degrees. \
-                            Charts by uPlot and three.js (MIT); the source of this page contains their licences."
+                             except angles in degrees. Charts by uPlot and three.js (MIT); the source of this page \
+                             contains their licences."
                         }
                     }
                     script #content type="application/json" { (PreEscaped(embed::json(&self.content))) }

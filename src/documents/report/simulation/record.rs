@@ -3,7 +3,7 @@
 #[cfg(test)]
 use crate::flight::Cause;
 use crate::flight::{Flight, Outcome};
-use crate::model::{Detection, Model, Strike};
+use crate::model::{Model, Strike};
 use crate::planner::studies::MissionPlan;
 use crate::report::caveats::{Caveat, caveats};
 use crate::report::volumes::VolumeRecord;
@@ -198,11 +198,6 @@ impl FlightRecord {
     pub fn new(flown: &Flown, spec_sha256: String) -> Self {
         let Flown { model, solved, strikes, flight, indistinguishable, volumes } = flown;
         let s = &model.simulation;
-        let (detection, delay) = match s.detection {
-            Detection::Never => ("never", None),
-            Detection::After(delay) => ("after", Some(delay)),
-            Detection::Estimator => ("estimator", None),
-        };
         FlightRecord {
             schema: SCHEMA,
             verdict: SIMULATED,
@@ -211,8 +206,8 @@ impl FlightRecord {
             plan_time_s: solved.time,
             controller: s.controller.name(),
             allocation: model.vehicle.allocation.name(),
-            detection,
-            detection_delay_s: delay,
+            detection: s.detection.name(),
+            detection_delay_s: s.detection.delay(),
             after_fault: s.after_fault.name(),
             rate_hz: s.rate,
             seed: s.seed,
