@@ -89,7 +89,7 @@ pub fn compare(spec: &Spec) -> Result<Comparison, Refusal> {
 /// let spec = compiler.text("roof.mav", mavc::TEMPLATE.as_bytes()).into_result()?;
 /// let planning = mavc::plan(&spec)?;
 /// let conflict = mavc::explain(&spec, &planning)?.conflict.expect("6 s are too short");
-/// assert!(conflict.conflict.proved && !conflict.fixes.is_empty());
+/// assert!(conflict.conflict.proved && conflict.conflict.least_time.is_some());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn explain(spec: &Spec, planning: &Planning) -> Result<Explained, Unexplained> {

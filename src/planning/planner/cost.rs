@@ -15,7 +15,8 @@ const GAUSS: [(f64, f64); 4] = [
 ];
 
 impl Transcription<'_> {
-    /// (48) times `factor`, and comfort where it counts, with exact integrals: over a step h, the integral of u^2 is h (u0^2 + u0 u1 + u1^2) / 3.
+    /// (48) times `factor`, and comfort where it counts, with exact integrals: over a step h, the integral of u^2 is h
+    /// (u0^2 + u0 u1 + u1^2) / 3.
     ///
     /// Where z is a quadruple integrator both its input and its acceleration count, each with its own weight.
     pub(super) fn cost(&self, builder: &mut Builder, factor: f64) {

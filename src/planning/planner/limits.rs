@@ -315,9 +315,9 @@ impl Transcription<'_> {
         covers_interval(limit, &self.grid.waypoint_nodes, interval)
     }
 
-    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion like this state's may move
-    /// away from the line through two neighbouring instants, `a delta^2 / 8` with delta the time between them and a its
-    /// acceleration within delta, at most g.
+    /// By how much more the rows of a step keep volumes at an instant, m: twice what a motion like this state's may
+    /// move away from the line through two neighbouring instants, `a delta^2 / 8` with delta the time between them and
+    /// a its acceleration within delta, at most g.
     pub(super) fn room(&self, instant: usize, state: &NodeState) -> f64 {
         let interval = (instant / self.parts).min(self.grid.intervals() - 1);
         let times = &self.grid.node_times;

@@ -311,7 +311,11 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Stepped> {
         let settings = self.settings;
-        if self.has_spent(settings.budget.at_most) {
+        let at_most = match self.comfort {
+            Some(_) => 2.0 * settings.budget.of_comfort,
+            None => settings.budget.at_most,
+        };
+        if self.has_spent(at_most) {
             return None;
         }
         working_set.extend(self.rows_at_nodes(iterate, -settings.subproblem.slack_of_working_set));

@@ -39,8 +39,8 @@ impl NodeSpline {
     }
 
     /// The coefficients of a motion with these derivatives at the nodes, by the dual functionals of de Boor and Fix:
-    /// `c_i = sum_r (-1)^(p-r) psi_i^(p-r)(t) f^(r)(t) / p!` with `psi_i(t) = (t_{i+1} - t) .. (t_{i+p} - t)`, for any t
-    /// in the support of the i-th B-spline. `derivative(node, order)` gives them up to the input's.
+    /// `c_i = sum_r (-1)^(p-r) psi_i^(p-r)(t) f^(r)(t) / p!` with `psi_i(t) = (t_{i+1} - t) .. (t_{i+p} - t)`, for any
+    /// t in the support of the i-th B-spline. `derivative(node, order)` gives them up to the input's.
     pub fn coefficients_of(&self, derivative: impl Fn(usize, usize) -> f64) -> Vec<f64> {
         let (p, last) = (self.degree, self.weights.len() - 2);
         let factorial = |n: usize| (1..=n).map(|i| i as f64).product::<f64>();

@@ -333,7 +333,8 @@ pub struct BudgetSettings {
     pub until_full_grid: f64,
     /// Steps of cost phases end at this share.
     pub until_cost: f64,
-    /// Second passes have a budget of their own, of this share.
+    /// Second passes have a budget of their own: their steps end at this share, and no program is solved beyond twice
+    /// this share.
     pub of_comfort: f64,
     /// No program is solved beyond this share: what is not found by then is not found.
     pub at_most: f64,

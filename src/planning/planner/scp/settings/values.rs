@@ -110,7 +110,7 @@ impl ScpSettings {
             until_full_grid: 0.85,
             until_cost: 1.0,
             of_comfort: 0.15,
-            at_most: 2.0,
+            at_most: 1.5,
         },
         comfort: ComfortSettings { distance: 0.15, yaw: 0.02, yaw_rate: 0.1, most: 10.0, passes: 3, least_gain: 0.05 },
         sensitivity: SensitivitySettings { cost_weight: 0.05, penalty: 100.0, proximal_weight: 0.1, radius: 0.1 },
