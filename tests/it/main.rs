@@ -21,6 +21,7 @@ mod exchange;
 mod fixes;
 mod flights;
 mod formatting;
+mod generated;
 mod geometry_properties;
 mod hostile;
 mod idle_rotors;

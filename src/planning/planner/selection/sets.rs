@@ -73,14 +73,12 @@ impl PlanningSets {
         }
     }
 
-    /// A set with the facets of the modes' sets that a plan keeps.
+    /// A set with the facets of RCP's set that a plan keeps.
     pub fn kept(&self, model: &Model, planned: &Planned, set: &PlanningSet) -> PlanningSet {
         let violated = self.violated(model, planned);
-        if violated.is_empty() {
-            return self.joint.clone();
-        }
-        let kept = self.modes.iter().flat_map(|mode| &mode.rows).filter(|row| !violated.contains(row));
-        PlanningSet { rows: set.rows.iter().chain(kept).cloned().collect() }
+        let same = |a: &SetRow, b: &SetRow| (a.normal - b.normal).amax() < 1e-9 && (a.offset - b.offset).abs() < 1e-9;
+        let kept = self.joint.rows.iter().filter(|row| !violated.iter().any(|other| same(row, other)));
+        set.with(kept.cloned().collect())
     }
 
     /// Step (e) of section 5.3 of the paper: the facets of the modes' sets that a plan violates at some node, in the

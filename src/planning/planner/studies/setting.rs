@@ -13,6 +13,7 @@ use crate::planner::timing::search::{Hint, NoTime};
 use crate::planner::working_set::WorkingSet;
 use crate::planner::{Planner, finds_local_optima, planner};
 use crate::solve::Effort;
+use crate::tolerance::MOST_OUTSIDE;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -128,6 +129,7 @@ impl<'a> Setting<'a> {
     /// The outcome with the plan of a second pass, and the plan before it; see [`Planner::more_comfortable`].
     pub fn with_comfort(
         &self,
+        kind: PlannerKind,
         outcome: PlanOutcome,
         planned: Option<&Planned>,
         set: &PlanningSet,
@@ -137,12 +139,17 @@ impl<'a> Setting<'a> {
         };
         let (found, effort) = self.with_planner("second pass", |planner| planner.more_comfortable(planned, set));
         let Some(found) = found else { return (outcome, None, effort) };
+        let further = |(new, old): (&Outside, &Outside)| new.max_violation > old.max_violation.max(0.0) + MOST_OUTSIDE;
         let solved = MissionPlan {
             binding: plainer.binding.clone(),
             infeasible_at: plainer.infeasible_at,
             infeasible_above: plainer.infeasible_above.clone(),
             ..self.solved(plainer.time, &found)
         };
+        // RSP's plan may leave no mode's set further than before.
+        if kind == PlannerKind::Rsp && solved.outside.iter().zip(&plainer.outside).any(further) {
+            return (outcome, None, effort);
+        }
         let plainer = plainer.clone();
         (PlanOutcome::Planned(Box::new(solved)), Some(plainer), effort)
     }

@@ -81,9 +81,9 @@ impl Setting<'_> {
             // What RSP's plan keeps of the modes' sets beyond the selected facets, the second pass keeps too.
             (PlannerKind::Rsp, Some(plan)) => {
                 let kept = self.sets.kept(self.model(), plan, &set);
-                self.with_comfort(outcome, planned.as_ref(), &kept)
+                self.with_comfort(kind, outcome, planned.as_ref(), &kept)
             }
-            _ => self.with_comfort(outcome, planned.as_ref(), &set),
+            _ => self.with_comfort(kind, outcome, planned.as_ref(), &set),
         };
         out.plainer = plainer;
         out.effort += effort;

@@ -1,0 +1,52 @@
+//! Missions of `benches/missions/generate.py`: each has a plan that the checker accepts.
+
+use crate::cli::{code, err, folder, mavc, text};
+use serde_json::Value;
+
+/// Plans a mission with these options for `plan` and checks its certificate; the time found, s.
+fn planned(spec: &str, planner: &str, effort: &str) -> f64 {
+    let dir = folder();
+    let (proof, report) = (dir.path().join("proof.json"), dir.path().join("report.json"));
+    let planner = format!("plan.planner={planner}");
+    let plan = ["plan", spec, "--set", &planner, "--effort", effort];
+    let written = ["--certificate", text(&proof), "--report", text(&report)];
+    let ran = mavc(&[&plan[..], &written].concat());
+    assert_eq!(code(&ran), 0, "{spec} {planner}: {}", err(&ran));
+    // The effort is no part of what was shown.
+    let checked = mavc(&["verify", text(&proof), spec, "--set", &planner]);
+    assert_eq!(code(&checked), 0, "{spec} {planner}: {}", err(&checked));
+    let report: Value = serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap();
+    report["planners"][0]["time_s"].as_f64().unwrap()
+}
+
+fn spec(seed: &str) -> String {
+    format!("tests/specs/generated/{seed}.mav")
+}
+
+#[test]
+fn a_survey_and_windows_are_planned_quickly() {
+    planned(&spec("001"), "rcp", "quick");
+    planned(&spec("003"), "rip", "quick");
+}
+
+#[test]
+fn a_slalom_and_a_ring_are_planned_quickly() {
+    planned(&spec("008"), "rcp", "quick");
+    planned(&spec("012"), "rip", "quick");
+}
+
+#[test]
+fn a_pick_and_another_slalom_are_planned_quickly() {
+    planned(&spec("018"), "rip", "quick");
+    planned(&spec("024"), "rcp", "quick");
+}
+
+/// A yaw along the path on every leg, from a start that turns on the spot.
+#[test]
+#[ignore = "long"]
+fn a_yaw_along_the_path_does_not_stop_a_slalom() {
+    for planner in ["rip", "rcp"] {
+        let time = planned(&spec("000"), planner, "normal");
+        assert!(time < 25.0, "{planner}: {time}");
+    }
+}
