@@ -51,6 +51,7 @@ mod risk;
 mod rounds;
 mod schemas;
 mod several;
+mod shape;
 mod simulate;
 mod stages;
 mod stops;

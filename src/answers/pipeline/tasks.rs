@@ -385,8 +385,8 @@ impl<'s> Task<'s> {
         Ok(Explained { nearby, conflict })
     }
 
-    /// Tries statements that forbid the detours of the plan, if it has some and one quick search is cheap; what is found
-    /// is in later reports of `planning`, which otherwise name statements without values. Returns the detours.
+    /// Tries statements that forbid the detours of the plan, if it has some and one quick search is cheap; what is
+    /// found is in later reports of `planning`, which otherwise name statements without values. Returns the detours.
     ///
     /// # Errors
     /// `planning` is the outcome for another spec.

@@ -1,5 +1,5 @@
-//! The shape of a plan: greatest height, largest deviation from the straight legs, turning of the yaw; and remarks where
-//! it climbs or strays although no volume is in the way.
+//! The shape of a plan: greatest height, largest deviation from the straight legs, turning of the yaw; and remarks
+//! where it climbs or strays although no volume is in the way.
 
 use super::caveats::{Caveat, CaveatKind};
 use crate::explain::detour::{Detour, DetourKind, Forbids};
@@ -257,7 +257,8 @@ fn price(problem: Problem, solved: &MissionPlan, detour: &Detour, all: &[Detour]
         (2.., _) if !matches!(detour.forbids, Forbids::Altitude(_)) => "with such a statement for each of these legs",
         _ => "with it",
     };
-    let is_fixed = matches!(problem.model().plan.time, MissionTime::Fixed(_)) || determined(problem.mission()).is_some();
+    let is_fixed =
+        matches!(problem.model().plan.time, MissionTime::Fixed(_)) || determined(problem.mission()).is_some();
     let longer = (100.0 * (time - solved.time)).round() / 100.0;
     let found = match longer {
         _ if is_fixed => "a plan at the same time".to_string(),

@@ -50,7 +50,7 @@ pub struct LegShape {
     pub climb: Peak,
     /// The largest distance from the segment between its waypoints, m.
     pub deviation: Peak,
-    /// The same in the horizontal plane, m.
+    /// The same with heights above the higher waypoint taken as its height, m: what a limit on height leaves.
     pub aside: Peak,
 }
 
@@ -104,15 +104,15 @@ fn place(trajectory: &Trajectory, mission: &Mission, at: f64) -> Place {
 fn leg_shape(trajectory: &Trajectory, mission: &Mission, leg: usize) -> LegShape {
     let [from, to] = [leg, leg + 1].map(|waypoint| mission.waypoints[waypoint].position);
     let position = |state: &NodeState| [X, Y, Z].map(|axis| state[axis][0]);
-    let flat = |[x, y, _]: [f64; 3]| [x, y, 0.0];
-    let over = |quantity: &dyn Fn(&NodeState) -> f64| {
-        peak_over(trajectory, leg_intervals(trajectory, mission, leg), quantity)
-    };
+    let highest = from[Z].max(to[Z]);
+    let capped = |[x, y, z]: [f64; 3]| [x, y, z.min(highest)];
+    let over =
+        |quantity: &dyn Fn(&NodeState) -> f64| peak_over(trajectory, leg_intervals(trajectory, mission, leg), quantity);
     LegShape {
         length: distance(from, to),
-        climb: over(&|state| state[Z][0] - from[Z].max(to[Z])),
+        climb: over(&|state| state[Z][0] - highest),
         deviation: over(&|state| distance_from_segment(position(state), [from, to])),
-        aside: over(&|state| distance_from_segment(flat(position(state)), [from, to].map(flat))),
+        aside: over(&|state| distance_from_segment(capped(position(state)), [from, to])),
     }
 }
 

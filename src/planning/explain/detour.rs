@@ -1,6 +1,7 @@
 //! Legs on which a plan climbs or strays although no volume is in the way, with a statement that forbids it, and what
 //! that statement costs: the time of a plan with it, found by one quick search.
 
+use crate::cancel;
 use crate::certify;
 use crate::model::legs::distance;
 use crate::model::volume::{corridor, passage};
@@ -134,9 +135,8 @@ pub fn detours(problem: Problem, solved: &MissionPlan) -> Vec<Detour> {
         apart.value > usual_deviation(mission, leg) + SLACK && takes_clauses(mission, leg)
     };
     let straying: Vec<usize> = free.iter().copied().filter(|&leg| strays(leg)).collect();
-    let worst = |legs: &[usize], by: &dyn Fn(usize) -> f64| {
-        legs.iter().rev().copied().max_by(|&a, &b| by(a).total_cmp(&by(b)))
-    };
+    let worst =
+        |legs: &[usize], by: &dyn Fn(usize) -> f64| legs.iter().rev().copied().max_by(|&a, &b| by(a).total_cmp(&by(b)));
     let climbing = worst(&climbing, &climb).map(|leg| Detour {
         kind: DetourKind::Climb,
         leg,
@@ -179,7 +179,9 @@ pub fn try_statements(problem: Problem, detours: &mut [Detour]) -> Effort {
     let Some(other) = Problem::of(&other) else { return Effort::default() };
     let mut found = compare(other, Scope::Plan, None);
     certify::check(other, &mut found);
-    let time = found.runs.last().and_then(|run| run.outcome.plan()).map(|plan| plan.time);
+    // A search that was ended early says little about the price.
+    let plan = found.runs.last().and_then(|run| run.outcome.plan()).filter(|_| !cancel::is_enough());
+    let time = plan.map(|plan| plan.time);
     detours.iter_mut().for_each(|detour| detour.tried = time);
     found.effort
 }
