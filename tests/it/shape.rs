@@ -87,6 +87,19 @@ fn an_arc_is_measured_at_its_vertex() {
     assert_eq!(Shape::of(&arc, &mission).yaw, None);
 }
 
+/// Above the line of a steep leg, but not above its higher waypoint: a limit on height does not forbid it.
+#[test]
+fn a_deviation_below_the_higher_waypoint_is_no_climb() {
+    let steep = motion(&[0.0, 1.0, 2.0], &[0, 2], |t| match t < 1.0 {
+        true => [[0.0; 5], [0.0; 5], parabola(0.0, 4.0, 0.0, t), [0.0; 5]],
+        false => [parabola(0.0, 3.0, 0.0, t - 1.0), [0.0; 5], [4.0, 0.0, 0.0, 0.0, 0.0], [0.0; 5]],
+    });
+    let shape = Shape::of(&steep, &mission(vec![waypoint([0.0; 3], 0.0), waypoint([3.0, 0.0, 4.0], 0.0)]));
+    // The corner [0, 0, 4] is 3 * 4 / 5 from the line.
+    let leg = shape.legs[0];
+    assert!(near(leg.climb.value, 0.0) && near(leg.deviation.value, 2.4) && near(leg.aside.value, 2.4), "{leg:?}");
+}
+
 #[test]
 fn a_hold_belongs_to_its_waypoint() {
     let rest = motion(&[0.0, 1.0, 4.0, 5.0], &[0, 1, 3], |t| {

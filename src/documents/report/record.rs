@@ -215,8 +215,8 @@ pub struct PlannerRecord {
     pub risk: Option<f64>,
     /// How high the plan rises, how far it strays from the straight legs, and how far it turns; null without a plan.
     pub shape: Option<ShapeRecord>,
-    /// In `mavc plan`: legs on which the plan climbs or strays by more than usual although no volume is in the way, with
-    /// statements that forbid it; empty if there are none.
+    /// In `mavc plan`: legs on which the plan climbs or strays by more than usual although no volume is in the way,
+    /// with statements that forbid it; empty if there are none.
     #[cfg_attr(test, schemars(length(max = 2)))]
     pub detours: Vec<DetourRecord>,
     /// Caveats of the plan; empty without a plan.

@@ -1,5 +1,5 @@
-//! The corridor of a leg: the limits that it imposes, and whether a body to keep out of closes it, since a `straight` leg
-//! has no way around.
+//! The corridor of a leg: the limits that it imposes, and whether a body to keep out of closes it, since a `straight`
+//! leg has no way around.
 //!
 //! A path along a corridor passes every cross-section between its ends, to within the ends' tolerances. If one
 //! cross-section lies whole in what a body and its margin forbid, no path exists. The distance from a convex body is
