@@ -1,7 +1,7 @@
 //! The shape of a motion: how high it rises, how far it strays from the straight legs, and how far the yaw turns.
 //!
 //! Heights and distances are sampled in ten steps an interval, and the largest sample is refined
-//! ([`peak`](super::checks::peak)). A peak that all samples miss exceeds the value given by at most `a s^2 / 8`, where
+//! ([`peak`]). A peak that all samples miss exceeds the value given by at most `a s^2 / 8`, where
 //! `s` is the step and `a` the largest second derivative of the quantity: by 1 mm for intervals of 0.2 s and 20 m/s^2.
 //! The yaw is monotone between the roots of its rate, so that its total variation is a sum of differences, exact where
 //! the rate changes its sign at most once in a step.
