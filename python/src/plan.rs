@@ -106,7 +106,7 @@ fn refused(of: &Arc<Compiled>, diagnostics: Vec<Diagnostic>) -> (Planned, Texts)
     (planned, Texts { verdict, json: json(&record), text: String::new(), csv: None })
 }
 
-/// Plans, and unless `flies` explains and proves what the report of a plan states.
+/// Plans, and unless `flies` explains, tries and proves what the report of a plan states.
 fn planned(
     of: &Arc<Compiled>,
     (task, diagnostics): (&Task, Vec<Diagnostic>),
@@ -118,6 +118,7 @@ fn planned(
         true => (Explained::default(), None),
         false => {
             let explained = task.explain(&planning, reports).map_err(|e| e.to_string())?;
+            task.detours(&planning, reports).map_err(|e| e.to_string())?;
             (explained, planning.between(task, reports).map_err(|e| e.to_string())?)
         }
     };

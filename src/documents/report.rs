@@ -19,6 +19,7 @@ pub mod model_record;
 #[cfg(feature = "report")]
 pub mod page;
 pub mod record;
+pub mod shape;
 pub mod simulation;
 pub mod terminal;
 pub mod trajectory_csv;

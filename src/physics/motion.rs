@@ -7,6 +7,7 @@ mod joined;
 pub mod nearness;
 pub mod outside;
 pub mod risk;
+pub mod shape;
 pub mod time_grid;
 pub mod turning;
 pub mod winds;

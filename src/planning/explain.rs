@@ -4,6 +4,7 @@
 //! Whether statements can hold together is decided by an [`Oracle`], the only interface to planners here.
 
 mod bound;
+pub mod detour;
 pub mod diagnose;
 mod filter;
 mod grid;

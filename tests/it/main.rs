@@ -52,6 +52,7 @@ mod risk;
 mod rounds;
 mod schemas;
 mod several;
+mod shape;
 mod simulate;
 mod stages;
 mod stops;

@@ -24,6 +24,9 @@ impl Task<'_> {
         let mut record = self.with_captures(record, planning.comparison(), self.capture_heights(planning).as_deref());
         if let Some(planner) = record.planners.last_mut() {
             planner.between_nodes = between;
+            if let Some(plan) = planning.plan() {
+                planner.add_detours(problem, plan, &self.known_detours(planning));
+            }
         }
         record
     }
@@ -31,6 +34,9 @@ impl Task<'_> {
     /// The report of a plan for people: the text of `mavc plan`.
     pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>) -> String {
         let mut text = terminal::plan(self.problem(), planning.comparison());
+        if let Some(plan) = planning.plan() {
+            text.push_str(&terminal::detours(self.problem(), plan, &self.known_detours(planning)));
+        }
         text.push_str(&terminal::elsewhere(self.model(), &explained.nearby.times().collect::<Vec<_>>()));
         if let Some(heights) = self.capture_heights(planning)
             && let Some(record) = CaptureRecord::new(self.model(), &heights)

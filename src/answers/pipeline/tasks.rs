@@ -5,6 +5,7 @@ use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certify;
 use crate::certify::between::{Between, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
+use crate::explain::detour::{self, Detour};
 use crate::explain::nearby::{self, Nearby};
 use crate::explain::planners::Planners;
 use crate::explain::{self, Explanation};
@@ -196,6 +197,8 @@ pub struct Planning {
     pub(super) height: Option<f64>,
     /// The captures against which it is measured, once they are simulated.
     pub(super) capture_heights: OnceLock<Option<Arc<CaptureHeights>>>,
+    /// The detours of its plan, once statements against them were tried.
+    detours: OnceLock<Vec<Detour>>,
 }
 
 impl Planning {
@@ -331,6 +334,7 @@ impl<'s> Task<'s> {
             spec: self.spec.identity(),
             height,
             capture_heights: OnceLock::new(),
+            detours: OnceLock::new(),
         }
     }
 
@@ -379,6 +383,33 @@ impl<'s> Task<'s> {
             || !planning.comparison.trade_off.is_empty();
         let conflict = if needs_no_conflict { None } else { self.conflict(observer) };
         Ok(Explained { nearby, conflict })
+    }
+
+    /// Tries statements that forbid the detours of the plan, if it has some and one quick search is cheap; what is
+    /// found is in later reports of `planning`, which otherwise name statements without values. Returns the detours.
+    ///
+    /// # Errors
+    /// `planning` is the outcome for another spec.
+    pub fn detours<'p>(&self, planning: &'p Planning, observer: &dyn Observer) -> Result<&'p [Detour], OtherSpec> {
+        planning.check_spec(self.spec)?;
+        Ok(planning.detours.get_or_init(|| {
+            let mut detours = self.untried(planning);
+            if !detours.is_empty() && detour::is_cheap(self.problem()) {
+                observer.begins("the plan climbs or strays from its legs; trying statements that forbid it");
+                let effort = timed(observer, "detours", || detour::try_statements(self.problem(), &mut detours));
+                observer.asked(None, &effort);
+            }
+            detours
+        }))
+    }
+
+    /// The detours of the plan with what was tried.
+    pub(super) fn known_detours(&self, planning: &Planning) -> Vec<Detour> {
+        planning.detours.get().cloned().unwrap_or_else(|| self.untried(planning))
+    }
+
+    fn untried(&self, planning: &Planning) -> Vec<Detour> {
+        planning.plan().map_or(Vec::new(), |plan| detour::detours(self.problem(), plan))
     }
 
     fn nearby(&self, planning: &Planning, observer: &dyn Observer) -> Nearby {

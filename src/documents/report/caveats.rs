@@ -23,7 +23,7 @@ pub struct Caveat {
     pub limit: Option<String>,
     /// SI: by how much the limit is exceeded; the number of legs with fewer pieces; the highest speed, m/s; the
     /// largest tilt, rad; the smallest thrust, N; the share of the charge that is left; the time during which the
-    /// plan is too low, s.
+    /// plan is too low, s; how far the plan climbs or strays, m.
     pub value: f64,
     /// The worst instant, s since the start.
     #[cfg_attr(test, schemars(range(min = 0)))]
@@ -53,6 +53,10 @@ pub enum CaveatKind {
     Charge,
     /// The plan is too low to regain level flight after a fault, as simulated.
     CaptureHeight,
+    /// The plan climbs above both waypoints of a leg although no volume is in the way.
+    Climb,
+    /// The plan strays from a straight leg although no volume is in the way.
+    Deviation,
 }
 
 /// The limits that a plan exceeds between its nodes by more than the check of plans tolerates, in the spec's order.

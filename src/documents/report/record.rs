@@ -7,12 +7,14 @@ use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::headings::{self, HeadingRecord};
 use super::least_time;
+use super::shape::{self, DetourRecord, ShapeRecord};
 use super::verdict_text::statement;
 use super::volumes::{self, VolumeRecord};
 use super::waypoints::yaw_error;
 use super::waypoints::{WaypointRecord, waypoints};
 use super::without_yaw::{self, WithoutYawRecord};
 use crate::certify::between::Between;
+use crate::explain::detour::Detour;
 use crate::model::{Mission, Model, Problem};
 use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
@@ -211,6 +213,12 @@ pub struct PlannerRecord {
     /// one, or without a plan.
     #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     pub risk: Option<f64>,
+    /// How high the plan rises, how far it strays from the straight legs, and how far it turns; null without a plan.
+    pub shape: Option<ShapeRecord>,
+    /// In `mavc plan`: legs on which the plan climbs or strays by more than usual although no volume is in the way,
+    /// with statements that forbid it; empty if there are none.
+    #[cfg_attr(test, schemars(length(max = 2)))]
+    pub detours: Vec<DetourRecord>,
     /// Caveats of the plan; empty without a plan.
     pub warnings: Vec<Caveat>,
     /// Result of the check that every trajectory must pass to be called a plan; null without a plan.
@@ -359,6 +367,14 @@ impl Record {
     }
 }
 
+impl PlannerRecord {
+    /// Adds the detours of the plan, and the remarks about them.
+    pub fn add_detours(&mut self, problem: Problem, solved: &MissionPlan, detours: &[Detour]) {
+        self.detours = shape::detour_records(problem, detours);
+        self.warnings.extend(shape::caveats(problem, solved, detours));
+    }
+}
+
 /// Result of the check that every trajectory must pass to be called a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -422,6 +438,7 @@ fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Plann
             record.yaw_error_rad = Some(e.yaw);
             record.max_waypoint_error_m = Some(e.largest);
             record.risk = rated_risk(&rates(model), &solved.committed);
+            record.shape = Some(shape::record(problem, solved));
             record.warnings = caveats(model, solved);
             record.limited_by = binding::records(problem, solved);
             record.volumes = volumes::records(problem, solved);

@@ -7,11 +7,12 @@ use super::record::{errors, rates, violated_facets};
 use super::verdict_text::{self, statement};
 use super::waypoints;
 use super::without_yaw;
-use super::{headings, volumes};
+use super::{headings, shape, volumes};
 use crate::admissible::AdmissibleSet;
 use crate::admissible::airspeed::{Airspeed, LimitedBy};
 use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
+use crate::explain::detour::Detour;
 use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::outside::Outside;
@@ -154,6 +155,12 @@ pub fn plan(problem: Problem, comparison: &Comparison) -> String {
     out
 }
 
+/// The remarks about the detours of a plan, as paragraphs.
+pub fn detours(problem: Problem, solved: &MissionPlan, detours: &[Detour]) -> String {
+    let caveats = shape::caveats(problem, solved, detours);
+    caveats.iter().map(|caveat| format!("\n{}", indented(&caveat.message))).collect()
+}
+
 /// Other times at which plans were found after a run that found none, as a paragraph.
 pub fn elsewhere(model: &Model, found_at: &[f64]) -> String {
     verdict_text::elsewhere(model, found_at).map_or(String::new(), |text| indented(&text))
@@ -188,6 +195,7 @@ fn solved_run(problem: Problem, comparison: &Comparison, run: &PlannerRun, solve
     let [position, yaw] = [significant(e.position, 4), significant(e.yaw, 3)];
     out.push_str(&format!("  sum of position errors {position} m, of yaw errors {yaw} rad\n"));
     out.push_str(&format!("  objective {}\n", number(solved.objective)));
+    out.push_str(&shape::text(problem, solved));
     out.push_str(&battery::text(model, &solved.trajectory));
     out.push_str(&volumes::text(problem, solved));
     out.push_str(&headings::text(problem, solved));

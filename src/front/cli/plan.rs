@@ -36,6 +36,9 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
     export.fits(task.model())?;
     let cancel = Cancel::new();
     let planning = plan(&task, &cancel, &watch)?;
+    if !cancel.is_enough() && planning.plan().is_some() {
+        try_statements(&task, &planning, &watch)?;
+    }
     // A search that was cut short shows nothing about statements.
     let explained = match cancel.is_enough() && planning.plan().is_none() {
         true => Explained::default(),
@@ -90,11 +93,24 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
 /// Bytes of stack of a thread that plans: as much as those of the main program.
 const STACK: usize = 8 << 20;
 
+/// Tries statements against the detours of a plan. The first Ctrl-C ends this search alone: the plan is there.
+fn try_statements(task: &Task, planning: &Planning, watch: &Watch) -> Result<(), CommandError> {
+    let cancel = Cancel::new();
+    let _enough = Enough::new(cancel.clone());
+    let tried = within(&cancel, || task.detours(planning, watch).map(|_| ()))?;
+    tried.map_err(|e| e.to_string())
+}
+
 /// Plans the mission. Where its time is searched for, the first Ctrl-C ends the search with the best plan that it has.
 fn plan(task: &Task, cancel: &Cancel, watch: &Watch) -> Result<Planning, CommandError> {
     let _enough = (task.model().plan.time == MissionTime::Minimum).then(|| Enough::new(cancel.clone()));
-    match cancel.within(rayon::current_num_threads(), STACK, || task.plan(watch)) {
-        Ok(planning) => Ok(planning),
+    within(cancel, || task.plan(watch))
+}
+
+/// Runs a search that `cancel` can end.
+fn within<T: Send>(cancel: &Cancel, search: impl FnOnce() -> T + Send) -> Result<T, CommandError> {
+    match cancel.within(rayon::current_num_threads(), STACK, search) {
+        Ok(found) => Ok(found),
         Err(NoResult::Panicked(payload)) => resume_unwind(payload),
         Err(NoResult::NoThreads(why)) => Err(why),
         Err(NoResult::Cancelled(cancelled)) => Err(cancelled.to_string()),

@@ -8,7 +8,7 @@ use crate::motion::{NodeState, X, Y, YAW, Z};
 use std::ops::Range;
 
 /// Steps per interval in which a quantity is sampled before its largest value is refined.
-const STEPS: usize = 10;
+pub(super) const STEPS: usize = 10;
 
 /// The largest value of a quantity along a trajectory.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +37,11 @@ pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Pe
 }
 
 /// The largest value of a quantity over some intervals.
-fn peak_over(trajectory: &Trajectory, intervals: Range<usize>, quantity: impl Fn(&NodeState) -> f64) -> Peak {
+pub(super) fn peak_over(
+    trajectory: &Trajectory,
+    intervals: Range<usize>,
+    quantity: impl Fn(&NodeState) -> f64,
+) -> Peak {
     let mut best_interval = intervals.start;
     let mut best = Peak { value: f64::NEG_INFINITY, at: trajectory.times[best_interval] };
     for k in intervals {

@@ -14,6 +14,7 @@ use crate::read::OVERRIDE;
 use crate::report::battery::BatteryRecord;
 use crate::report::least_time;
 use crate::report::record::{PlannerRecord, Record};
+use crate::report::shape::ShapeRecord;
 use crate::report::simulation::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
 use crate::report::terminal::{in_planes, not_looked_at};
 use crate::report::verdict_text::{elsewhere, statement};
@@ -70,6 +71,7 @@ pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found
             figures.extend(margin(comparison, solved));
             figures.extend(stays(comparison, solved));
             figures.extend(waypoint_error(planner));
+            figures.extend(planner.shape.iter().flat_map(|shape| shape_figures(problem.mission(), planner, shape)));
             figures.extend(planner.risk.map(|r| {
                 let others = not_looked_at(model);
                 let text = format!("probability that a fault strikes while the mission is committed to it.{others}");
@@ -268,6 +270,20 @@ fn waypoint_error(planner: &PlannerRecord) -> Option<Figure> {
         Figure::new("Largest waypoint error", percent(worst.share()), note)
             .bad_if(planner.waypoints.iter().any(|w| !w.met)),
     )
+}
+
+/// Greatest height, largest deviation from a leg, and how far the yaw turns; bad where there is a remark.
+fn shape_figures(mission: &Mission, planner: &PlannerRecord, shape: &ShapeRecord) -> Vec<Figure> {
+    let ShapeRecord { height, deviation, yaw } = shape;
+    let is_remarked = |kind: &str| planner.detours.iter().any(|detour| detour.kind == kind);
+    let note = format!("{} ({})", height.relation(), height.place(mission));
+    let mut figures = vec![
+        Figure::new("Greatest height", height.value(), note).bad_if(is_remarked("climb")),
+        Figure::new("Largest deviation from a leg", deviation.value(), deviation.place(mission))
+            .bad_if(is_remarked("deviation")),
+    ];
+    figures.extend(yaw.as_ref().map(|yaw| Figure::new("Yaw turned", yaw.value(), yaw.relation())));
+    figures
 }
 
 fn charge(battery: &BatteryRecord) -> Figure {

@@ -1,4 +1,5 @@
-//! Whether a body to keep out of closes the corridor of a leg: a `straight` leg has no way around.
+//! The corridor of a leg: the limits that it imposes, and whether a body to keep out of closes it, since a `straight`
+//! leg has no way around.
 //!
 //! A path along a corridor passes every cross-section between its ends, to within the ends' tolerances. If one
 //! cross-section lies whole in what a body and its margin forbid, no path exists. The distance from a convex body is
@@ -6,11 +7,39 @@
 //! corners is concave along the leg, so that its largest value is found by a search over one interval. The converse
 //! does not hold: bodies that close a corridor only together are not found.
 
+use super::Boundary;
 use super::passage::slack;
 use super::reach::Reach;
-use crate::model::{DistanceFrom, Limit, LimitKind, Waypoint};
+use crate::model::legs::distance;
+use crate::model::{DistanceFrom, Limit, LimitKind, OnLeg, Part, Waypoint};
+use crate::source::Span;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// The limits that keep a leg within `radius` (m) of the line between its waypoints, which are not at one place, and no
+/// further than that past either of them. `name` is that of the corridor in messages.
+pub fn limits([from, to]: [&Waypoint; 2], leg: usize, radius: f64, name: &str, span: Span) -> [Limit; 3] {
+    let [from, to] = [from.position, to.position];
+    let length = distance(from, to);
+    let along: [f64; 3] = std::array::from_fn(|i| (to[i] - from[i]) / length);
+    let volume = Arc::new(Boundary { name: name.to_string(), half_width: Some(radius) });
+    let leg = Arc::new(OnLeg { leg, part: Part::Whole, name: name.to_string() });
+    let bound = |kind, upper| Limit {
+        kind,
+        lower: None,
+        upper: Some(upper),
+        span,
+        volume: Some(volume.clone()),
+        leg: Some(leg.clone()),
+    };
+    let ahead = |p: [f64; 3]| (0..3).map(|i| along[i] * p[i]).sum::<f64>();
+    [
+        bound(LimitKind::Distance(DistanceFrom::Line { point: from, along }), radius),
+        bound(LimitKind::Face(along), ahead(to) + radius),
+        bound(LimitKind::Face(along.map(|part| -part)), radius - ahead(from)),
+    ]
+}
 
 /// Corners of the polygon about a cross-section.
 const CORNERS: usize = 16;

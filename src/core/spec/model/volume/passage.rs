@@ -77,6 +77,13 @@ pub fn closed_off(limits: &[Limit], volumes: &[Volume], waypoints: &[Waypoint]) 
     Some(ClosedOff { waypoint: to, by })
 }
 
+/// Whether the straight line between two waypoints keeps clear of every body, as far as some points of it show.
+pub fn is_open(limits: &[Limit], ends: &[Waypoint]) -> bool {
+    let bodies = limits.iter().filter(|limit| limit.kind.is_clearance());
+    let bodies: Vec<(&Limit, Option<Reach>)> = bodies.map(|limit| (limit, Reach::of(limit))).collect();
+    is_straight_free(&bodies, ends)
+}
+
 /// The bounds of each statement: those of one volume belong together.
 fn statements(limits: &[Limit], bounds: &[usize]) -> Vec<Vec<usize>> {
     let mut found: Vec<(Span, Vec<usize>)> = Vec::new();

@@ -4,7 +4,8 @@ use super::super::limits as reader;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::waypoint as table;
 use crate::model::legs::distance;
-use crate::model::{Boundary, DistanceFrom, Limit, LimitKind, OnLeg, Part, Waypoint};
+use crate::model::volume::corridor;
+use crate::model::{Limit, LimitKind, OnLeg, Part, Waypoint};
 use crate::number::number;
 use crate::read::context::Context;
 use crate::read::expected::Expected;
@@ -150,28 +151,12 @@ pub fn limits(cx: &mut Context, legs: &[LegClauses], waypoints: &[Waypoint], end
         let on = |name: String, part: Part| Some(Arc::new(OnLeg { leg: leg.to - 1, part, name }));
         if let Some((shape, span)) = leg.shape {
             match line(cx, from, to, shape, span) {
-                Some((along, radius)) => {
+                Some(radius) => {
                     let name = match shape {
                         Shape::Corridor(_) => format!("corridor to {at}"),
                         _ => format!("{} leg to {at}", shape.word()),
                     };
-                    let bound = |kind, upper| {
-                        let volume = Some(Arc::new(Boundary { name: name.clone(), half_width: Some(radius) }));
-                        Limit {
-                            kind,
-                            lower: None,
-                            upper: Some(upper),
-                            span,
-                            volume,
-                            leg: on(name.clone(), Part::Whole),
-                        }
-                    };
-                    let ahead = |p: [f64; 3]| (0..3).map(|i| along[i] * p[i]).sum::<f64>();
-                    let point = from.position;
-                    found.push(bound(LimitKind::Distance(DistanceFrom::Line { point, along }), radius));
-                    found.push(bound(LimitKind::Face(along), ahead(to.position) + radius));
-                    let back = along.map(|part| -part);
-                    found.push(bound(LimitKind::Face(back), radius - ahead(from.position)));
+                    found.extend(corridor::limits([from, to], leg.to - 1, radius, &name, span));
                 }
                 None => whole = false,
             }
@@ -223,8 +208,8 @@ fn agrees(cx: &mut Context, leg: &LegClauses, to: &Waypoint, rests: bool, moves:
     true
 }
 
-/// The direction of a leg's line, of unit length, and how far the leg may stray from it, m.
-fn line(cx: &mut Context, from: &Waypoint, to: &Waypoint, shape: Shape, span: Span) -> Option<([f64; 3], f64)> {
+/// How far a leg may stray from its line, m; `None` with an error for a leg that has no such line.
+fn line(cx: &mut Context, from: &Waypoint, to: &Waypoint, shape: Shape, span: Span) -> Option<f64> {
     let length = distance(from.position, to.position);
     let word = shape.word();
     if length <= SAME_PLACE {
@@ -234,8 +219,7 @@ fn line(cx: &mut Context, from: &Waypoint, to: &Waypoint, shape: Shape, span: Sp
         cx.report(error.help("remove it, or move one of the waypoints"));
         return None;
     }
-    let apart: [f64; 3] = std::array::from_fn(|i| to.position[i] - from.position[i]);
-    let aside = apart[0].hypot(apart[1]);
+    let aside = (to.position[0] - from.position[0]).hypot(to.position[1] - from.position[1]);
     if matches!(shape, Shape::Vertical) && aside > SAME_PLACE {
         let message = format!("the leg is not vertical: its ends are {} m apart horizontally", number(aside));
         let error =
@@ -243,9 +227,8 @@ fn line(cx: &mut Context, from: &Waypoint, to: &Waypoint, shape: Shape, span: Sp
         cx.report(error.help("write `straight`, or give both waypoints the same x and y"));
         return None;
     }
-    let radius = match shape {
+    Some(match shape {
         Shape::Corridor(radius) => radius,
         Shape::Straight | Shape::Vertical => from.within.max(to.within),
-    };
-    Some((apart.map(|part| part / length), radius))
+    })
 }
