@@ -73,12 +73,21 @@ impl PlanningSets {
         }
     }
 
-    /// A set with the facets of RCP's set that a plan keeps.
+    /// A set with the facets of the modes' sets as far as a plan keeps them: those of RCP's set that it keeps, and
+    /// those that it violates with the largest violation of their mode's set added to the bound.
     pub fn kept(&self, model: &Model, planned: &Planned, set: &PlanningSet) -> PlanningSet {
-        let violated = self.violated(model, planned);
+        let trajectory = planned.trajectory();
+        let mut violated = Vec::new();
+        for mode in &self.modes {
+            let found = outside(&trajectory, &model.vehicle, &model.environment(), &mode.rows);
+            let rows = found.violated.iter().map(|&row| &mode.rows[row]).filter(|row| !row.equality);
+            violated.extend(rows.map(|row| (row.clone(), found.max_violation)));
+        }
         let same = |a: &SetRow, b: &SetRow| (a.normal - b.normal).amax() < 1e-9 && (a.offset - b.offset).abs() < 1e-9;
-        let kept = self.joint.rows.iter().filter(|row| !violated.iter().any(|other| same(row, other)));
-        set.with(kept.cloned().collect())
+        let is_kept = |row: &&SetRow| !violated.iter().any(|(other, _)| same(row, other));
+        let mut rows: Vec<SetRow> = self.joint.rows.iter().filter(is_kept).cloned().collect();
+        rows.extend(violated.into_iter().map(|(row, by)| SetRow { offset: row.offset + by, ..row }));
+        set.with(rows)
     }
 
     /// Step (e) of section 5.3 of the paper: the facets of the modes' sets that a plan violates at some node, in the

@@ -129,7 +129,6 @@ impl<'a> Setting<'a> {
     /// The outcome with the plan of a second pass, and the plan before it; see [`Planner::more_comfortable`].
     pub fn with_comfort(
         &self,
-        kind: PlannerKind,
         outcome: PlanOutcome,
         planned: Option<&Planned>,
         set: &PlanningSet,
@@ -146,8 +145,8 @@ impl<'a> Setting<'a> {
             infeasible_above: plainer.infeasible_above.clone(),
             ..self.solved(plainer.time, &found)
         };
-        // RSP's plan may leave no mode's set further than before.
-        if kind == PlannerKind::Rsp && solved.outside.iter().zip(&plainer.outside).any(further) {
+        // The plan may leave no mode's set further than before.
+        if solved.outside.iter().zip(&plainer.outside).any(further) {
             return (outcome, None, effort);
         }
         let plainer = plainer.clone();

@@ -78,12 +78,12 @@ impl Setting<'_> {
         };
         out.effort += effort;
         let (outcome, plainer, effort) = match (kind, &planned) {
-            // What RSP's plan keeps of the modes' sets beyond the selected facets, the second pass keeps too.
-            (PlannerKind::Rsp, Some(plan)) => {
+            // What the plan keeps of the modes' sets, imposed or not, the second pass keeps too.
+            (PlannerKind::Rip | PlannerKind::Rsp, Some(plan)) => {
                 let kept = self.sets.kept(self.model(), plan, &set);
-                self.with_comfort(kind, outcome, planned.as_ref(), &kept)
+                self.with_comfort(outcome, planned.as_ref(), &kept)
             }
-            _ => self.with_comfort(kind, outcome, planned.as_ref(), &set),
+            _ => self.with_comfort(outcome, planned.as_ref(), &set),
         };
         out.plainer = plainer;
         out.effort += effort;
