@@ -117,7 +117,8 @@ impl ScpPlanner<'_, '_> {
                 return None;
             }
         }
-        iterate = self.on_its_own_grid(iterate, &mut working_set);
+        // How a leg's intervals are graded depends on its duration.
+        iterate = self.on_its_own_grid(self.lasting(&iterate, flown), &mut working_set);
         let lasting = self.lasting(&iterate, flown);
         self.restored_plan(lasting, total, self.settings.cost.close, &mut working_set)
     }

@@ -35,6 +35,16 @@ impl ScpPlanner<'_, '_> {
                 return inside;
             }
         }
-        iterate
+        // Steps with free durations reach feasible iterates that restoration at fixed durations does not.
+        let settings = self.settings.durations;
+        let (weights, radius) = settings.on_full_grid();
+        let mut known = BTreeSet::new();
+        match self.shorten(there, weights, radius, iterate.grid.total, &mut known) {
+            Some(inside) if inside.grid.total <= settings.longest_on_its_own_grid * iterate.grid.total => {
+                *working_set = known;
+                inside
+            }
+            _ => iterate,
+        }
     }
 }

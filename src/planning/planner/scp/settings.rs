@@ -188,6 +188,8 @@ pub struct TighteningSettings {
 /// which legs divide the time between two fixed times.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DurationSettings {
+    /// A change to the grid of the new durations may lengthen the flight up to this factor. Chosen by hand.
+    pub longest_on_its_own_grid: f64,
     /// Initial and smallest proximal weight.
     pub proximal_weight: f64,
     /// Factor of the proximal weight after a full step with a ratio of gains above `good_ratio`.

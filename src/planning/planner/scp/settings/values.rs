@@ -54,6 +54,7 @@ impl ScpSettings {
         tightening: TighteningSettings { margin: 1e-4, max_violation: 5e-5, parts: 4, factor: 1.5, max_rounds: 8 },
         durations: DurationSettings {
             proximal_weight: 0.1,
+            longest_on_its_own_grid: 1.02,
             proximal_decrease: 0.25,
             good_ratio: 0.7,
             first_radius: 0.1,
