@@ -41,6 +41,23 @@ fn a_pick_and_another_slalom_are_planned_quickly() {
     planned(&spec("024"), "rcp", "quick");
 }
 
+/// The second pass: between waypoints at 25 m the plan stays near their height and its lanes, with every planner.
+#[test]
+fn a_survey_flies_its_lanes_at_their_height() {
+    let dir = folder();
+    let report = dir.path().join("report.json");
+    for planner in ["rip", "rcp", "rsp"] {
+        let set = format!("plan.planner={planner}");
+        let ran = mavc(&["plan", "examples/survey_hexa.mav", "--set", &set, "--report", text(&report)]);
+        assert_eq!(code(&ran), 0, "{planner}: {}", err(&ran));
+        let report: Value = serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap();
+        let shape = &report["planners"][0]["shape"];
+        let figure = |of: &str, name: &str| shape[of][name].as_f64().unwrap();
+        assert!(figure("height", "z_m") < 26.0, "{planner}: {shape}");
+        assert!(figure("deviation", "distance_m") < 1.0, "{planner}: {shape}");
+    }
+}
+
 /// A yaw along the path on every leg, from a start that turns on the spot.
 #[test]
 #[ignore = "long"]

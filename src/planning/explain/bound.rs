@@ -9,7 +9,7 @@ use crate::planner::timing::kinematics::least_time_within;
 /// Most statements times limits times legs that all queries together look at. Chosen by hand: about a second.
 const MOST_LOOKS: usize = 1_000_000_000;
 
-/// The lower bound on a mission's time, which proves that there is no plan or knows nothing.
+/// The lower bound on a mission's time as an oracle: it can only prove infeasibility.
 struct Bound;
 
 impl Oracle for Bound {
@@ -34,14 +34,11 @@ pub(super) fn too_short(problem: Problem) -> Option<Explanation> {
     let looks = mission.legs.len() * (1 + mission.limits.len());
     let mut bound = Bound;
     let mut questions = Questions::new(problem, &mut bound, (MOST_LOOKS / looks.max(1)).clamp(10, 1000));
-    let conflict = filter::filter(&mut questions, &statement::statements(problem))?;
-    let mut kept = questions.variant(&left_out(problem, &conflict));
+    let statements = statement::statements(problem);
+    let conflict = filter::filter(&mut questions, &statements)?;
+    let left_out = statements.into_iter().filter(|statement| !conflict.statements.contains(statement)).collect();
+    let mut kept = questions.variant(&left_out);
     kept.plan.time = MissionTime::Fixed(time);
     let least_time = Some(least_time_within(Problem::of(&kept)?).seconds);
     Some(Explanation { conflict: Conflict { least_time, ..conflict }, fixes: Vec::new(), questions: questions.asked() })
-}
-
-/// The statements of a spec that a conflict does without.
-fn left_out(problem: Problem, conflict: &Conflict) -> std::collections::BTreeSet<statement::Statement> {
-    statement::statements(problem).into_iter().filter(|s| !conflict.statements.contains(s)).collect()
 }

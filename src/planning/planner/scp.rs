@@ -365,7 +365,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let mut price = weights.penalty;
         for (form, scaled) in ways {
             let (program, places) = form.step_program(&step, &chosen);
-            let near = form.padded_variables_of(&iterate.states, &program);
+            let near = form.variables_of(&iterate.states, &program);
             let (approached, effort) = solve_step(&program, scaled, &near);
             self.hover.effort += effort;
             let Some(StepSolution { solution: Solution { x, z, .. }, is_optimal }) = approached else { continue };

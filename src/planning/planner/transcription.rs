@@ -477,16 +477,10 @@ impl<'a> Transcription<'a> {
         builder.finish()
     }
 
-    /// [`Self::variables_of`] with zeros for a program's other variables.
-    pub(super) fn padded_variables_of(&self, states: &[NodeState], program: &QuadraticProgram) -> Vec<f64> {
-        let mut variables = self.variables_of(states);
-        variables.resize(program.q.len(), 0.0);
-        variables
-    }
-
-    /// The variables at which the nodes have these states, for a motion whose pieces join.
-    pub(super) fn variables_of(&self, states: &[NodeState]) -> Vec<f64> {
-        match &self.form {
+    /// The variables of a program at which the nodes have these states, for a motion whose pieces join; zero for those
+    /// that are no derivatives.
+    pub(super) fn variables_of(&self, states: &[NodeState], program: &QuadraticProgram) -> Vec<f64> {
+        let mut variables: Vec<f64> = match &self.form {
             Form::Stages => {
                 let of_node = |(node, state): (usize, &NodeState)| {
                     let tau = self.tau_at(node);
@@ -500,7 +494,9 @@ impl<'a> Transcription<'a> {
                     |&axis: &usize| self.spline(splines, axis).coefficients_of(|node, order| states[node][axis][order]);
                 self.axes.iter().flat_map(of_axis).collect()
             }
-        }
+        };
+        variables.resize(program.q.len(), 0.0);
+        variables
     }
 
     /// The derivatives at every node, SI units; axes not planned here are left zero.

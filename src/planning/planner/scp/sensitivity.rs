@@ -103,8 +103,7 @@ impl ScpPlanner<'_, '_> {
         let form = form.about_states(Some(&iterate.states)).with_durations(&legs);
         let (program, _) = form.step_program(&step, &chosen);
         let solved = [false, true].into_iter().find_map(|scaled| {
-            let (approached, effort) =
-                solve_step(&program, scaled, &form.padded_variables_of(&iterate.states, &program));
+            let (approached, effort) = solve_step(&program, scaled, &form.variables_of(&iterate.states, &program));
             self.hover.effort += effort;
             approached.filter(|approached| approached.is_optimal)
         });
