@@ -22,8 +22,13 @@ impl<'a> Export<'a> {
     /// The options do not go together.
     pub fn of(args: &'a PlanArgs) -> Result<Self, CommandError> {
         let format = args.format.as_deref().and_then(|name| FORMATS.iter().find(|(_, n)| *n == name));
+        let format = match (format, args.output.as_deref()) {
+            (Some((format, _)), _) => *format,
+            (None, Some(path)) => by_ending(path)?,
+            (None, None) => Format::default(),
+        };
         let choices = Choices {
-            format: format.map(|(format, _)| *format).unwrap_or_default(),
+            format,
             rate: args.rate.as_deref().map(rate::parse).transpose()?,
             frame: args.frame.as_deref().map(|name| if name == NED { Frame::NedFrd } else { Frame::EnuFlu }),
             tolerance: args.tolerance.as_deref().map(tolerance).transpose()?,
@@ -65,6 +70,41 @@ impl<'a> Export<'a> {
         }
         let name = output.file_name().map_or("plan".into(), |name| name.to_string_lossy());
         results.folder("a file of the bag", "-o", output, bag_files(&name, written.bytes), task.spec().sources())
+    }
+}
+
+/// Endings of names that say the format.
+const ENDINGS: [(&str, Format); 6] = [
+    ("plan", Format::QgcPlan),
+    ("waypoints", Format::Wpl),
+    ("kml", Format::Kml),
+    ("geojson", Format::GeoJson),
+    ("mcap", Format::Rosbag2),
+    ("csv", Format::Csv),
+];
+
+/// Endings of files that a table is not, and what to write in place of the option.
+const OTHERS: [(&[&str], &str); 6] = [
+    (&["py"], "name the script: --format px4-offboard, ardupilot-guided or rotorpy; or --format csv"),
+    (&["json"], "write --report for a report, --certificate for a certificate, or --format geojson"),
+    (&["html", "htm"], "write --html for a page"),
+    (&["svg", "png", "pdf"], "write --svg for charts"),
+    (&["bag", "db3"], "a ROS 2 bag is --format rosbag2, an MCAP file or a folder"),
+    (&["mav", "params", "param", "xml", "sdf", "urdf", "ulg", "bin"], "a trajectory is no such file: name a `.csv`"),
+];
+
+/// The format of a file by the ending of its name; mavc's table for names that say nothing.
+///
+/// # Errors
+/// The ending says that a table is not meant.
+fn by_ending(path: &Path) -> Result<Format, CommandError> {
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
+    if let Some((_, format)) = ENDINGS.iter().find(|(of, _)| *of == ending) {
+        return Ok(*format);
+    }
+    match OTHERS.iter().find(|(of, _)| of.contains(&ending.as_str())) {
+        Some((_, help)) => Err(format!("-o {}: {help}", files::shown(path))),
+        None => Ok(Format::Csv),
     }
 }
 

@@ -34,6 +34,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         Start::Ended(code) => return Ok(code),
     };
     export.fits(task.model())?;
+    watch.wants(task.model().plan.planner);
     let cancel = Cancel::new();
     let planning = plan(&task, &cancel, &watch)?;
     if !cancel.is_enough() && planning.plan().is_some() {
