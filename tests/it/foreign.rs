@@ -27,7 +27,7 @@ fn files() -> Vec<(String, &'static str)> {
 fn every_command_names_the_one_that_reads_the_file() {
     for (name, command) in files() {
         let path = format!("{FILES}/{name}");
-        for run in ["plan", "analyze", "simulate"] {
+        for run in ["plan", "analyze", "simulate", "fmt"] {
             let ran = mavc(&[run, &path]);
             let said = err(&ran);
             assert_eq!((ran.status.code(), said.matches(" × ").count()), (Some(1), 1), "{run} {name}: {said}");

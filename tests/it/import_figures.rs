@@ -129,6 +129,35 @@ fn masses_and_inertias_are_read() {
     assert!(kilogram.contains("mass    = 1 kg") && kilogram.contains("[0.011, 0.01, 0.02] kg*m^2"), "{kilogram}");
 }
 
+/// The vehicle of PX4's simulator in hardware.
+#[test]
+fn simulated_vehicles_are_read() {
+    let all = [
+        ("SIH_MASS", 1.2),
+        ("SIH_IXX", 0.02),
+        ("SIH_IYY", 0.022),
+        ("SIH_IZZ", 0.04),
+        ("SIH_T_MAX", 6.0),
+        ("SIH_Q_MAX", 0.12),
+    ];
+    let km: Vec<(String, f64)> =
+        (0..4).map(|i| (format!("CA_ROTOR{i}_KM"), if i < 2 { 0.05 } else { -0.05 })).collect();
+    let km: Vec<(&str, f64)> = km.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let imported = px4(&[&all[..], &km].concat());
+    assert_eq!(imported.dropped, Vec::<String>::new());
+    let spec = filled(&imported, &REST);
+    let vehicle = &spec.model().vehicle;
+    assert_eq!((vehicle.mass, vehicle.inertia), (1.2, [0.02, 0.022, 0.04]));
+    let rotor = &vehicle.rotors[0];
+    assert!((rotor.max_thrust() - 6.0).abs() < 1e-12, "{}", rotor.max_thrust());
+    assert!((rotor.drag_coefficient / rotor.thrust_coefficient - 0.02).abs() < 1e-9);
+    // A vehicle of its own has the simulator's defaults in the same file.
+    let defaults = [("SIH_MASS", 1.0), ("SIH_IXX", 0.025), ("SIH_T_MAX", 5.0)];
+    let imported = px4(&defaults);
+    assert_eq!(imported.dropped, ["SIH_IXX", "SIH_MASS", "SIH_T_MAX"]);
+    assert!(imported.text.unwrap().contains("mass    = ?"));
+}
+
 #[test]
 fn batteries_are_read() {
     let spec = filled(&file("px4_defaults.params"), &[&REST[..], &[("mass", "2.9 kg")]].concat());

@@ -88,32 +88,38 @@ fn template(start: &str) -> Option<&'static str> {
     }
 }
 
-/// Whose parameters the lines of a text set.
+/// Whose parameters the lines of a text set: a script sets them anywhere, a saved file from its first line that is no
+/// comment.
 fn parameters(text: &str) -> Option<&'static str> {
     let is_name = |word: &str| {
         word.starts_with(|c: char| c.is_ascii_uppercase())
             && word.bytes().all(|b| b.is_ascii_uppercase() || b.is_ascii_digit() || b == b'_')
     };
     let is_number = |word: &str| word.parse::<f64>().is_ok();
-    text.lines().take(LINES).find_map(|line| {
-        let words: Vec<&str> = line.split([' ', '\t', ',', '\r']).filter(|word| !word.is_empty()).collect();
-        match words[..] {
-            ["param", "set" | "set-default", ..] | [".", ..] if line.contains("init.d") || words.len() > 2 => {
-                Some("an airframe of PX4")
-            }
-            [vehicle, component, name, value, _]
-                if line.contains('\t')
-                    && is_name(name)
-                    && [vehicle, component, value].iter().all(|word| is_number(word)) =>
-            {
-                Some("parameters of an autopilot, saved by QGroundControl")
-            }
-            [name, value] if name.len() > 3 && is_name(name) && is_number(value) && !line.contains('=') => {
-                Some("parameters of ArduPilot")
-            }
-            _ => None,
+    let lines = || text.lines().take(LINES).map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let is_script = |line: &str| {
+        let mut words = line.split_whitespace();
+        match words.next() {
+            Some("param") => matches!(words.next(), Some("set" | "set-default")),
+            Some(".") => line.contains("init.d"),
+            _ => false,
         }
-    })
+    };
+    if lines().any(is_script) {
+        return Some("an airframe of PX4");
+    }
+    let words: Vec<&str> = lines().next()?.split([' ', '\t', ',']).filter(|word| !word.is_empty()).collect();
+    match words[..] {
+        [vehicle, component, name, value, _]
+            if is_name(name) && [vehicle, component, value].iter().all(|word| is_number(word)) =>
+        {
+            Some("parameters of an autopilot, saved by QGroundControl")
+        }
+        [name, value] if (name.contains('_') || name == "FRAME") && is_name(name) && is_number(value) => {
+            Some("parameters of ArduPilot")
+        }
+        _ => None,
+    }
 }
 
 impl Foreign {
@@ -190,6 +196,8 @@ mod tests {
             ("{\"schema\": 1}", Some(Result("a report of mavc"))),
             ("vehicle v {{{ }", None),
             ("let A = 1\nMASS = 2\n", None),
+            ("vehicle v {\n    MAX_MASS 2\n}\n", None),
+            ("MASS 2\n", None),
             ("", None),
             ("<<<<<<< HEAD\nvehicle v {}\n", None),
         ] {

@@ -15,6 +15,8 @@ pub struct Export<'a> {
     output: Option<&'a Path>,
     /// Whether `output` is the folder of a bag.
     is_bag: bool,
+    /// Why the name of `output` says that a table is not meant.
+    misnamed: Option<CommandError>,
 }
 
 impl<'a> Export<'a> {
@@ -22,10 +24,10 @@ impl<'a> Export<'a> {
     /// The options do not go together.
     pub fn of(args: &'a PlanArgs) -> Result<Self, CommandError> {
         let format = args.format.as_deref().and_then(|name| FORMATS.iter().find(|(_, n)| *n == name));
-        let format = match (format, args.output.as_deref()) {
-            (Some((format, _)), _) => *format,
-            (None, Some(path)) => by_ending(path)?,
-            (None, None) => Format::default(),
+        let (format, misnamed) = match (format, args.output.as_deref()) {
+            (Some((format, _)), _) => (*format, None),
+            (None, Some(path)) => by_ending(path).map_or_else(|why| (Format::default(), Some(why)), |f| (f, None)),
+            (None, None) => (Format::default(), None),
         };
         let choices = Choices {
             format,
@@ -38,7 +40,13 @@ impl<'a> Export<'a> {
         let is_file = |path: &Path| path.as_os_str() == "-" || path.extension().is_some_and(|e| e == "mcap");
         let is_bag = choices.format == Format::Rosbag2 && output.is_some_and(|path| !is_file(path));
         output.filter(|_| is_bag).map_or(Ok(()), is_folder)?;
-        Ok(Export { choices, output, is_bag })
+        Ok(Export { choices, output, is_bag, misnamed })
+    }
+
+    /// # Errors
+    /// No format is named, and the ending of the output is that of a file that a table is not.
+    pub fn is_named_well(&self) -> Result<(), CommandError> {
+        self.misnamed.clone().map_or(Ok(()), Err)
     }
 
     /// The file, unless the trajectory is written into a folder.

@@ -137,6 +137,26 @@ fn a_region_of_interest_and_turns_become_yaws() {
     assert_eq!((towards(&ended), spec("a.txt", &ended).matches("yaw free").count()), (1, 2));
 }
 
+/// ArduCopter takes no speed of zero or below, and PX4 its default for -2.
+#[test]
+fn speeds_that_say_nothing_change_nothing() {
+    let text = HOME.to_string()
+        + &line(1, 3, 22, [0.0; 4], [0.0, 0.0, 20.0])
+        + &line(2, 0, 178, [1.0, 0.0, 0.0, 0.0], [0.0; 3])
+        + &line(3, 0, 178, [1.0, 4.0, 0.0, 0.0], [0.0; 3])
+        + &line(4, 0, 178, [1.0, -2.0, 0.0, 0.0], [0.0; 3])
+        + &line(5, 3, 16, [0.0; 4], [47.401, 8.54, 20.0]);
+    assert!(spec("a.txt", &text).contains("straight { speed_horizontal <= 4 m/s }"), "{}", spec("a.txt", &text));
+}
+
+/// `use` would read no other file.
+#[test]
+fn a_vehicle_must_be_a_spec() {
+    let imported = mavc::import::mission::import("a.csv", file("pause.csv").as_bytes(), Some("v.params"));
+    let error = imported.diagnostics.last().unwrap();
+    assert!(imported.text.is_none() && error.help.as_ref().unwrap().contains("mavc import vehicle"), "{error:?}");
+}
+
 #[test]
 fn a_first_line_that_takes_off_is_no_home() {
     let text = file("take_off_first.txt");

@@ -31,11 +31,13 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("hold", "is a statement of a `mission`, written `hold 3 s`"),
     (
         "wind",
-        "goes into `air { wind = [6, 0, 0] m/s }` of the mission, for plans and flights; `simulate` takes it for flights alone",
+        "goes into `air { wind = [6, 0, 0] m/s }` of the mission, for plans and flights; `simulate` takes it for \
+         flights alone",
     ),
     (
         "gusts",
-        "goes into `air { gusts = 1 m/s }` of the mission, for plans and flights; `simulate` takes it for flights alone",
+        "goes into `air { gusts = 1 m/s }` of the mission, for plans and flights; `simulate` takes it for flights \
+         alone",
     ),
     ("density", "goes into `air { density = 1.1 kg/m^3 }` of the mission"),
 ];

@@ -1,7 +1,7 @@
 //! MAVLink's plain text of missions, `QGC WPL 110`: twelve columns between tabs, the planned home first.
 //!
-//! ArduCopter takes no heading from an item: `CONDITION_YAW` before it turns the vehicle on the way, until the next item
-//! (`mode_auto.cpp` of 4.5, `verify_yaw`). It keeps heights in centimetres and takes 0 for the present height
+//! ArduCopter takes no heading from an item: `CONDITION_YAW` before it turns the vehicle on the way, until the next
+//! item (`mode_auto.cpp` of 4.5, `verify_yaw`). It keeps heights in centimetres and takes 0 for the present height
 //! (`loc_from_cmd`).
 
 use super::Placed;

@@ -453,6 +453,8 @@ impl Follow<'_> {
         };
         match item.params[1] {
             None | Some(-1.0) => {}
+            // ArduCopter, `do_change_speed`: only speeds above zero.
+            Some(speed) if self.setting.is_ardupilot && speed <= 0.0 => {}
             Some(-2.0) => *kind = default,
             Some(speed) if speed > 0.0 => *kind = Some((speed, item.mark.clone())),
             Some(_) => return refuse(SYNTAX, &item.spans[1], "a speed must be above zero", "not above zero"),

@@ -3,9 +3,11 @@
 use super::draft::{Draft, Mark, Shape, Speeds, Stop, Volume, Way, Yaw};
 use crate::diagnostic::Diagnostic;
 use crate::import::{FORMAT, at};
+use crate::input::FileKind;
 use crate::number::fixed;
 use crate::source::{Source, visible};
 use std::fmt::Write;
+use std::path::Path;
 
 /// Digits after the point of lengths in m: a millimetre.
 const MILLIMETRES: usize = 3;
@@ -50,6 +52,10 @@ pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>, mission: &str
             let error = Diagnostic::error(FORMAT, at(0..0), "the path of the vehicle cannot stand in a spec");
             return Err(Box::new(error.help("rename it without quotes and control characters")));
         }
+        if FileKind::of(Path::new(path)) != Some(FileKind::Spec) {
+            let error = Diagnostic::error(FORMAT, at(0..0), "`use` reads only files whose names end in `.mav`");
+            return Err(Box::new(error.help("make a spec of the vehicle first: `mavc import vehicle FILE -o v.mav`")));
+        }
         writer.line(&format!("use \"{path}\""), None);
     }
     writer.line("", None);
@@ -80,7 +86,7 @@ pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>, mission: &str
 
 /// The name of the mission: that of the file, as far as a spec can have it, and none of `taken`.
 pub(super) fn name(path: &str, taken: &[String]) -> String {
-    let stem = std::path::Path::new(path).file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+    let stem = Path::new(path).file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
     let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let name: String = stem.chars().take(40).map(letter).collect();
     let name = name.trim_matches('_');

@@ -1,6 +1,6 @@
 //! Multirotors of ArduPilot: the frame by `FRAME_CLASS` and `FRAME_TYPE`; its parameters give neither arms nor masses.
-//! Full thrust follows from the mass by `MOT_THST_HOVER`, which the autopilot learns in flight, unless it is the default.
-//! Sources: `AP_MotorsMulticopter.cpp` and `AP_BattMonitor_Params.cpp` of ArduPilot 4.5.
+//! Full thrust follows from the mass by `MOT_THST_HOVER`, which the autopilot learns in flight, unless it is the
+//! default. Sources: `AP_MotorsMulticopter.cpp` and `AP_BattMonitor_Params.cpp` of ArduPilot 4.5.
 
 use super::draft::{Draft, Field, Figure, Rotor, battery, full_thrust_from_hover, name_from_file};
 use super::frames::{FRAMES, Frame, Motors, OTHER_CLASSES};

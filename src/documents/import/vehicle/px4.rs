@@ -246,6 +246,9 @@ impl Reader<'_, '_> {
     }
 
     fn warn_of_thrust_from_hover(&self, rotors: &[Px4Rotor], figures: &Figures, found: &mut Vec<Diagnostic>) {
+        if figures.thrust.is_some() {
+            return;
+        }
         let Some(hover) = self.parameters.get("MPC_THR_HOVER").filter(|_| figures.hover.is_some()) else { return };
         if rotors.iter().any(|rotor| rotor.thrust.is_none()) {
             let message = "full thrust is computed from the mass and the thrust with which the vehicle hovers";
@@ -297,7 +300,11 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>, known: &Figures) -> Draft {
     let newtons = |thrust: Option<f32>| thrust.map_or(Figure::Unknown, |thrust| Figure::single(thrust, "N"));
     let mut shared = Vec::new();
     let (mass, binding) = known.mass();
-    match (thrust, known.hover) {
+    match (thrust, known.hover.filter(|_| known.thrust.is_none())) {
+        (Some(None), None) if known.thrust.is_some() => {
+            let figure = known.thrust.map_or(Figure::Unknown, |thrust| Figure::single(thrust as f32, "N"));
+            shared.push(Field::new("max_thrust", figure).remark("SIH_T_MAX"));
+        }
         (Some(None), Some(share)) => {
             let (figure, remark) = full_thrust_from_hover(rotors.len(), share, "MPC_THR_HOVER");
             shared.push(Field::new("max_thrust", figure).remark(remark));
@@ -312,7 +319,11 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>, known: &Figures) -> Draft {
             (false, true) => "KM; where the file gives none, PX4's default, which nobody measured",
             _ => "KM",
         };
-        shared.push(Field::new("torque_per_thrust", ratio(torque.unwrap_or(0.0))).remark(remark));
+        let (figure, remark) = match known.ratio.filter(|_| is_unmeasured) {
+            Some(ratio) => (Figure::single(ratio as f32, "m"), "SIH_Q_MAX/SIH_T_MAX"),
+            None => (ratio(torque.unwrap_or(0.0)), remark),
+        };
+        shared.push(Field::new("torque_per_thrust", figure).remark(remark));
     }
     shared.push(Field::new("max_speed", Figure::Unknown).remark("at full thrust"));
     let rotor = |(i, rotor): (usize, &Px4Rotor)| {

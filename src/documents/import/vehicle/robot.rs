@@ -54,7 +54,7 @@ fn turning_arm(link: &str, joints: &HashMap<String, Joint>, rotor: Node) -> Resu
             let error = Diagnostic::error(UNSUPPORTED, xml::tag(rotor), message).here("a motor");
             let kind: String = joint.kind.chars().take(20).collect();
             return Err(Box::new(error.help(format!(
-                "its joint is `{kind}`: a spec has rotors with fixed axes only; make it `fixed` if the arm does not move"
+                "its joint is `{kind}`: a spec has rotors with fixed axes only; make it `fixed` if the arm never moves"
             ))));
         }
         passed += 1;

@@ -134,8 +134,8 @@ fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
         let message = "no statement begins with `motor`";
         let error = Diagnostic::error("mavc::syntax::unknown_statement", span, message).here("did you mean `rotor`?");
         return Some(error.help(
-            "write `rotor` with its place in the list of the vehicle, from 1: where the rotors have a `motor` number, it \
-             may be another",
+            "write `rotor` with its place in the list of the vehicle, from 1: where the rotors have a `motor` number, \
+             it may be another",
         ));
     }
     let at = if matches!(meant, "start" | "waypoint") && rest.starts_with('[') { " at" } else { "" };

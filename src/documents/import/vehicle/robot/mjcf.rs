@@ -65,9 +65,9 @@ fn whole(
         let message =
             format!("the file has `{}`, which adds parts that it does not have itself", other.tag_name().name());
         let error = Diagnostic::error(UNSUPPORTED, tag(other), message).here("another part");
-        return Err(Box::new(error.help(
-            "name a file with all parts, such as MuJoCo saves: `mujoco.MjSpec.from_file(path).to_xml()` after `compile()`",
-        )));
+        return Err(Box::new(
+            error.help("name a file with all parts, such as MuJoCo saves: `to_xml()` of a compiled `mujoco.MjSpec`"),
+        ));
     }
     let mut masses = mass::Masses { settings, defaults, unknown: None, inner_joint: None };
     masses.add(vehicle, &Isometry3::identity(), true, &mut robot.parts)?;
@@ -172,7 +172,7 @@ fn motor(
     // `motor` fixes the gain at 1, without bias or dynamics.
     if actuator.tag_name().name() == "general" {
         let word = |name| of(name).and_then(|owner| owner.attribute(name));
-        let first = |name| of(name).map(|owner| upto::<10>(owner, name)).transpose().map(|list| list.flatten());
+        let first = |name| of(name).map(|owner| upto::<10>(owner, name)).transpose().map(Option::flatten);
         if word("gaintype").is_some_and(|kind| kind != "fixed") || word("biastype").is_some_and(|kind| kind != "none") {
             return refuse("a motor has a gain or bias that depends on its motion".into(), "`gaintype` or `biastype`");
         }

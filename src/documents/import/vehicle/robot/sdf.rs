@@ -112,11 +112,11 @@ fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<Part>, RobotError> {
     Ok(Some(Part { mass, centre: whole.translation.vector, inertia: turned(&whole, symmetric(inertia)) }))
 }
 
+/// The pose of a link in the whole; `None` if there is no such link.
+type Found = Result<Option<Isometry3<f64>>, RobotError>;
+
 /// A rotor of a plugin; `None` for a plugin that is no motor model. `find` gives the pose of a link.
-pub fn motor(
-    plugin: Node,
-    find: &dyn Fn(&str) -> Result<Option<Isometry3<f64>>, RobotError>,
-) -> Result<Option<RobotRotor>, RobotError> {
+pub fn motor(plugin: Node, find: &dyn Fn(&str) -> Found) -> Result<Option<RobotRotor>, RobotError> {
     let Some(constant) = content::<1>(plugin, "motorConstant")? else { return Ok(None) };
     let link = text(plugin, "linkName").unwrap_or_default();
     let Some(pose) = find(link)? else {

@@ -1,5 +1,5 @@
-//! The default classes of a file, each with what it gives, itself or by a class around it: read once, as there may be as
-//! many classes as motors.
+//! The default classes of a file, each with what it gives, itself or by a class around it: read once, as there may be
+//! as many classes as motors.
 
 use roxmltree::{Node, NodeId};
 use std::collections::HashMap;

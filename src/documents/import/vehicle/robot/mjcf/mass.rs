@@ -24,6 +24,9 @@ pub struct Masses<'d, 'a, 'i> {
     pub inner_joint: Option<Node<'a, 'i>>,
 }
 
+/// Mass (kg), pose and moments about its own axes (kg m^2) of a shape.
+type Solid = (f64, Isometry3<f64>, Vector3<f64>);
+
 /// A body or frame that is still to be added, with the pose of the elements around it.
 struct Open<'a, 'i> {
     node: Node<'a, 'i>,
@@ -107,11 +110,7 @@ impl<'a, 'i> Masses<'_, 'a, 'i> {
     }
 
     /// Mass, pose and moments of a shape; `None` if they are not known.
-    fn geom(
-        &self,
-        geom: Node<'a, 'i>,
-        class: Option<&str>,
-    ) -> Result<Option<(f64, Isometry3<f64>, Vector3<f64>)>, RobotError> {
+    fn geom(&self, geom: Node<'a, 'i>, class: Option<&str>) -> Result<Option<Solid>, RobotError> {
         let of = |name: &'static str| self.defaults.of_geom(geom, class, name);
         let number = |name: &'static str| {
             of(name).map(|owner| attribute::<1>(owner, name)).transpose().map(|n| n.flatten().map(|[n]| n))

@@ -1,6 +1,6 @@
-//! The frames of a model: links, joints, frames and models within it, each placed relative to another. Source: SDFormat,
-//! "Pose Frame Semantics" (1.7 and later). In older versions every pose is relative to the model, or for a joint to its
-//! child, which is the same without attributes.
+//! The frames of a model: links, joints, frames and models within it, each placed relative to another. Source:
+//! SDFormat, "Pose Frame Semantics" (1.7 and later). In older versions every pose is relative to the model, or for a
+//! joint to its child, which is the same without attributes.
 
 use super::super::RobotError;
 use super::super::xml::{children, sdf_pose, tag, text};
