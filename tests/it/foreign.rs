@@ -154,6 +154,18 @@ fn the_ending_of_the_output_says_the_format() {
         assert_eq!((ran.status.code(), Path::new(&path(name)).exists()), (Some(2), false), "{name}");
         assert!(err(&ran).contains(words), "{name}: {}", err(&ran));
     }
+    // Flight logs too.
+    std::fs::write(path("hop.mav"), HOP).unwrap();
+    for (name, begin) in [("f.ulg", &b"ULog"[..]), ("f.mcap", b"\x89MCAP"), ("f.csv", b"t,")] {
+        let ran = mavc(&["simulate", &path("hop.mav"), "-q", "-o", &path(name)]);
+        assert_eq!(ran.status.code(), Some(0), "{name}: {}", err(&ran));
+        assert!(std::fs::read(path(name)).unwrap().starts_with(begin), "{name}");
+    }
+    for (name, words) in [("g.plan", "`mavc plan -o`"), ("g.bin", "--format mcap or ulog"), ("g.html", "--html")] {
+        let ran = mavc(&["simulate", &path("hop.mav"), "-o", &path(name)]);
+        assert_eq!((ran.status.code(), Path::new(&path(name)).exists()), (Some(2), false), "{name}");
+        assert!(err(&ran).contains(words), "{name}: {}", err(&ran));
+    }
     // Whoever names a format gets it.
     let ran = mavc(&["plan", spec, "-q", "-o", &path("c.json"), "--format", "csv"]);
     assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));

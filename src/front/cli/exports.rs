@@ -1,5 +1,6 @@
 //! The options `--format`, `--frame` and `--tolerance` of `mavc plan`, and the file that they describe.
 
+use super::endings::{Others, format_of};
 use super::results::{Results, is_folder};
 use super::{CommandError, Options, PlanArgs, files, rate};
 use crate::exchange::frames::Frame;
@@ -26,7 +27,9 @@ impl<'a> Export<'a> {
         let format = args.format.as_deref().and_then(|name| FORMATS.iter().find(|(_, n)| *n == name));
         let (format, misnamed) = match (format, args.output.as_deref()) {
             (Some((format, _)), _) => (*format, None),
-            (None, Some(path)) => by_ending(path).map_or_else(|why| (Format::default(), Some(why)), |f| (f, None)),
+            (None, Some(path)) => {
+                format_of(path, &ENDINGS, OTHERS).map_or_else(|why| (Format::default(), Some(why)), |f| (f, None))
+            }
             (None, None) => (Format::default(), None),
         };
         let choices = Choices {
@@ -92,7 +95,7 @@ const ENDINGS: [(&str, Format); 6] = [
 ];
 
 /// Endings of files that a table is not, and what to write in place of the option.
-const OTHERS: [(&[&str], &str); 6] = [
+const OTHERS: &Others = &[
     (&["py"], "name the script: --format px4-offboard, ardupilot-guided or rotorpy; or --format csv"),
     (&["json"], "write --report for a report, --certificate for a certificate, or --format geojson"),
     (&["html", "htm"], "write --html for a page"),
@@ -100,21 +103,6 @@ const OTHERS: [(&[&str], &str); 6] = [
     (&["bag", "db3"], "a ROS 2 bag is --format rosbag2, an MCAP file or a folder"),
     (&["mav", "params", "param", "xml", "sdf", "urdf", "ulg", "bin"], "a trajectory is no such file: name a `.csv`"),
 ];
-
-/// The format of a file by the ending of its name; mavc's table for names that say nothing.
-///
-/// # Errors
-/// The ending says that a table is not meant.
-fn by_ending(path: &Path) -> Result<Format, CommandError> {
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
-    if let Some((_, format)) = ENDINGS.iter().find(|(of, _)| *of == ending) {
-        return Ok(*format);
-    }
-    match OTHERS.iter().find(|(of, _)| of.contains(&ending.as_str())) {
-        Some((_, help)) => Err(format!("-o {}: {help}", files::shown(path))),
-        None => Ok(Format::Csv),
-    }
-}
 
 /// The word for north, east, down.
 const NED: &str = "ned-frd";
