@@ -1,5 +1,6 @@
 //! Figures in parameters of autopilots: read where somebody measured or set them, and open where they are defaults.
 
+use crate::cli::{mavc_with, out};
 use mavc::import::Imported;
 use mavc::import::vehicle::import;
 use mavc::{Spec, compile};
@@ -26,14 +27,18 @@ fn ardupilot(more: &str) -> Imported {
 
 /// The spec with these figures in place of each `?`, by the name before it.
 fn filled(imported: &Imported, figures: &[(&str, &str)]) -> Spec {
+    let text = filled_text(imported, figures);
+    compile(&text).into_result().unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+fn filled_text(imported: &Imported, figures: &[(&str, &str)]) -> String {
     let text = imported.text.as_deref().unwrap_or_else(|| panic!("{:?}", imported.diagnostics));
     let line = |line: &str| {
         let name = line.trim_start().split(['=', ' ']).find(|word| !matches!(*word, "" | "let")).unwrap_or_default();
         let figure = figures.iter().find(|(of, _)| *of == name).map_or("?", |(_, figure)| figure);
         line.replacen('?', figure, 1) + "\n"
     };
-    let text: String = text.lines().map(line).collect();
-    compile(&text).into_result().unwrap_or_else(|e| panic!("{e}\n{text}"))
+    text.lines().map(line).collect()
 }
 
 fn warns(imported: &Imported, words: &str) -> bool {
@@ -108,6 +113,34 @@ fn thrust_follows_from_the_mass_and_the_thrust_of_hover() {
         ("CA_ROTOR3_CT", 9.0),
     ]);
     assert!(known.text.unwrap().contains("max_thrust        = 9 N"));
+}
+
+/// Verdict and place of hover of every mode, as `mavc analyze` prints them.
+fn verdicts(text: &str) -> Vec<String> {
+    let ran = mavc_with(&["analyze", "-"], &format!("{text}faults {{ every 1 rotor lost as M }}\n"));
+    let shown = out(&ran);
+    // Other tables follow, with a row for each mode too.
+    let rows = shown.lines().filter(|line| line.starts_with('M') || line.starts_with("healthy")).take(7);
+    rows.map(|row| row.split_whitespace().skip(1).take_while(|word| word.parse::<f64>().is_err()).collect::<String>())
+        .collect()
+}
+
+/// A hexacopter of 2.9 kg, whose motors give 1850 gf and 17.5 mm: with PX4's defaults for them every loss would count as
+/// unstable.
+#[test]
+fn verdicts_do_not_follow_from_defaults() {
+    let imported = file("px4_defaults.params");
+    let own = [("mass", "2.9 kg"), ("inertia", "[0.085, 0.085, 0.16] kg*m^2"), ("torque_per_thrust", "17.5 mm")];
+    let figures = [&own[..], &[("max_speed", "6100 rpm"), ("hover_power", "330 W")]].concat();
+    let text = filled_text(&imported, &figures);
+    let from = text.find("max_thrust").unwrap();
+    let thrust = text[from..].lines().next().unwrap();
+    let with = |line: &str| verdicts(&text.replace(thrust, line));
+    let (read, measured) = (verdicts(&text), with("max_thrust = 1850 gf"));
+    assert_eq!((read.len(), &read), (7, &measured), "{read:?}");
+    let default = verdicts(&text.replace(thrust, "max_thrust = 6.5 N").replace("17.5 mm", "0.05 m"));
+    assert!(default[1..].iter().all(|row| row.starts_with("unstable")), "{default:?}");
+    assert!(read[1..].iter().all(|row| row.starts_with("controllable")), "{read:?}");
 }
 
 /// The vehicle model of PX4, unless all of it is the default.

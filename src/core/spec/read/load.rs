@@ -14,7 +14,7 @@ use crate::source::{FileId, Source, SourceMap, Span, Spanned, visible};
 use crate::syntax::ast::{Item, SpecFile, Statement};
 use crate::syntax::{not_utf8, parse, too_large};
 
-/// Bytes at the beginning of a file that tell a log.
+/// Bytes at the beginning of a file that identify a log.
 const LONGEST_MAGIC: usize = 32;
 
 /// The most spec files, and the most tables, of one file set.

@@ -1,7 +1,7 @@
 //! Where the vehicle points. PX4 takes a heading from parameter 4 of an item. ArduCopter does not: its
 //! `MAV_CMD_CONDITION_YAW` turns on the way to the next place, after which `WP_YAW_BEHAVIOR` decides again
 //! (`ArduCopter/mode_auto.cpp`, `do_yaw`, `verify_yaw` and `do_nav_wp`, 4.5). A region of interest holds in both until
-//! another or none is set, or ArduCopter turns (`PX4: MIS_MNT_YAW_CTL` = 0).
+//! another or none is set, or ArduCopter turns (in PX4 if `MIS_MNT_YAW_CTL` is 0, its default).
 
 use super::{Follow, Item, Read, Yaw};
 use crate::import::mission::{ASSUMED, LEFT_OUT};
@@ -22,7 +22,7 @@ impl Follow<'_> {
         }
         match (self.turn.take(), self.region, heading) {
             (Some(yaw), ..) => {
-                // The turn ends what the region asked for.
+                // The turn replaces the region.
                 self.region = None;
                 Yaw::Angle(yaw)
             }
