@@ -4,7 +4,7 @@
 use roxmltree::{Node, NodeId};
 use std::collections::HashMap;
 
-/// What a class can give, in the order of [`ATTRIBUTES`].
+/// The kinds of elements whose attributes a class can give.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Actuator,
