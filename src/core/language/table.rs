@@ -470,7 +470,7 @@ group! {
         Value(0.95, "0.95", "forgetting factor of the estimator per sample"),
         "the forgetting factor of the estimator per sample, between 0 and 1";
     THRESHOLD "threshold", Quantity("1", Positive),
-        Value(4.0, "4", "standard deviations beyond which the estimator uses a sample"),
+        Value(6.0, "6", "standard deviations beyond which the estimator uses a sample"),
         "the estimator uses a sample whose residual is beyond this many standard deviations of the torque noise, and \
          those that follow".bounds(1e-3, 1e6);
     GYROSCOPE_NOISE "gyroscope_noise", Quantity("rad/s", NotNegative),

@@ -195,13 +195,10 @@ fn estimator(design: &Design, tally: &Tally, p: usize) -> String {
     if design.model.simulation.detection != Detection::Estimator {
         return String::new();
     }
-    let groups = || std::iter::once(tally.healthy(p)).chain((0..design.cases.modes).map(|m| tally.mode(p, m)));
-    let (alarms, seconds) = groups().fold((0, 0.0), |(n, s), group| (n + group.false_alarms, s + group.seconds));
-    if seconds == 0.0 {
-        return String::new();
-    }
+    let healthy = tally.healthy(p);
+    let Some(per_hour) = healthy.alarms_per_hour() else { return String::new() };
     let mut isolation = Delays::default();
-    groups().for_each(|group| isolation.join(&group.isolation));
+    (0..design.cases.modes).for_each(|m| isolation.join(&tally.mode(p, m).isolation));
     let within = |share: f64| {
         let of = format!("{} % ", number(100.0 * share));
         isolation.quantile(share).map_or(format!("{of}never"), |s| format!("{of}{} s", fixed(s, 2)))
@@ -210,12 +207,11 @@ fn estimator(design: &Design, tally: &Tally, p: usize) -> String {
         true => String::new(),
         false => format!("; faults are isolated within: {}", QUANTILES.map(within).join(", ")),
     };
-    let hours = seconds / 3600.0;
     indented(&format!(
-        "The estimator raised {} in {} h of flight, {} an hour{isolated}.",
-        plural(alarms, "false alarm"),
-        significant(hours, 3),
-        significant(alarms as f64 / hours, 3)
+        "The estimator raised {} in {} h of healthy flight, {} an hour{isolated}.",
+        plural(healthy.false_alarms, "false alarm"),
+        significant(healthy.seconds / 3600.0, 3),
+        significant(per_hour, 3)
     ))
 }
 
@@ -236,8 +232,8 @@ fn uncovered(design: &Design, tally: &Tally, p: usize) -> String {
     let reserve = number(100.0 * design.model.plan.reserve);
     indented(&format!(
         "{lost} of {} that struck were not survived although the plan never leaves the sets of their modes: its \
-         reserve of {reserve} % is a share of the sets of the modelled vehicle. It covers neither gusts nor a thrust below the \
-         modelled one, nor the time until the fault is known.",
+         reserve of {reserve} % is a share of the sets of the modelled vehicle. It covers neither gusts nor a thrust \
+         below the modelled one, nor the time until the fault is known.",
         plural(struck, "fault")
     ))
 }

@@ -37,7 +37,7 @@ const WHOLE: &str = "simulate {
     gusts = 1 m/s
     gust_length = 40 m
     seed = 7
-    threshold = 6
+    threshold = 5
     assumed_gyroscope_noise = 0.5 deg/s
     attitude = estimated
     torque_gusts = 0.1 N*m
@@ -76,7 +76,7 @@ fn every_field_is_read() {
     assert_eq!([g.position, g.velocity, g.altitude, g.climb], [5.0, 6.0, 7.0, 8.0]);
     assert_eq!([g.attitude, g.attitude_rate, g.yaw, g.yaw_rate], [90.0, 10.0, 11.0, 12.0]);
     assert_eq!((s.forgetting, s.gyroscope_noise, s.position_noise), (0.9, 1f64.to_radians(), 0.02));
-    assert_eq!(s.threshold, 6.0);
+    assert_eq!(s.threshold, 5.0);
     assert_eq!((s.attitude, s.spread), (Attitude::Estimated, FlownVehicle::Drawn));
     assert_eq!((s.assumed_gyroscope_noise, s.torque_gusts, s.centre_offset), (Some(0.5f64.to_radians()), 0.1, 4e-3));
     assert!((s.gyroscope_range - 1000_f64.to_radians()).abs() < 1e-12);
