@@ -16,8 +16,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 # Vehicle, m g arm in N m, arm in m.
 VEHICLES = [("octo_ppnnppnn", 1.8 * 9.81 * 0.211, 0.211), ("octo_pnpnpnpn", 1.8 * 9.81 * 0.211, 0.211), ("hexa_ppnnpn", 1.54 * 9.81 * 0.211, 0.211)]
-FORGETTING = [0.9, 0.95, 0.98]
-THRESHOLDS = [4, 5, 6, 8]
+FORGETTING = [0.9, 0.95]
+THRESHOLDS = [4, 5, 6]
 SPEC = """use "{root}/specs/vehicles/{vehicle}.mav"
 faults {{ {faults} }}
 mission legs {{
