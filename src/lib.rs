@@ -16,8 +16,8 @@ pub use front::cli;
 #[cfg(feature = "lsp")]
 pub use front::lsp;
 pub use mavc_verify::{
-    body, certificate, diagnostic, format, geodesy, input, language, model, number, read, source, spec, syntax,
-    text_table, tolerance, unit, verdict, verify,
+    body, certificate, diagnostic, foreign, format, geodesy, input, language, model, number, read, source, spec,
+    syntax, text_table, tolerance, unit, verdict, verify,
 };
 pub use physics::{actuation, admissible, energy, flatness, geometry, motion};
 pub use planning::{certify, explain, planner, qp, solve};

@@ -22,6 +22,8 @@ PLACED = [
 PORT = 14671
 # Commands without a place of their own.
 CHANGE_SPEED = 178
+CONDITION_YAW = 115
+NO_PLACE = (CHANGE_SPEED, CONDITION_YAW)
 
 
 def local(places):
@@ -53,11 +55,49 @@ def wpl(plan):
     reader = "wpl, pymavlink"
     home, *items = wpl_items(plan)
     yield reader, "home, deg", max(abs(home.x - ORIGIN[0]), abs(home.y - ORIGIN[1])), 1e-9
-    places = [(item.x, item.y, ORIGIN[2] + item.z) for item in items if item.command != CHANGE_SPEED]
+    places = [(item.x, item.y, ORIGIN[2] + item.z) for item in items if item.command not in NO_PLACE]
     corners = local(places)
     start = plan.exact.at([0.0], 0)[:, :3]
     yield reader, "plan from the lines, m", deviation(plan, np.vstack([start, corners])), 0.51
     yield reader, "indices in order", sum(item.seq != k + 1 for k, item in enumerate(items)), 0
+    flown, headings = as_copter_flies(items)
+    yield reader, "places as ArduCopter flies, m", np.abs(local(flown) - corners).max(), 0.02
+    yield reader, "turns as ArduCopter flies, deg", headings_off(plan, local(flown), headings), 3.0
+
+
+def as_copter_flies(items):
+    """Places (latitude, longitude, height above sea) and headings of a mission by ArduCopter 4.5: heights in whole centimetres, of which 0 is
+    the present height (`mode_auto.cpp`, `loc_from_cmd`), and headings by CONDITION_YAW alone, for the next place (`do_nav_wp`)."""
+    places, headings, height, turn = [], [], 0.0, None
+    for item in items:
+        if item.command == CONDITION_YAW:
+            turn = item.param1
+        if item.command in NO_PLACE:
+            continue
+        centimetres = int(item.z * 100)
+        if item.command == MAVLINK.MAV_CMD_NAV_LAND:
+            height = item.z
+        elif centimetres != 0:
+            height = centimetres / 100
+        places.append((item.x, item.y, ORIGIN[2] + height))
+        headings.append(None if item.command == MAVLINK.MAV_CMD_NAV_TAKEOFF else turn)
+        turn = None
+    return places, headings
+
+
+def headings_off(plan, places, headings):
+    """The largest difference of headings from the plan where it is nearest to their place, deg."""
+    times = np.linspace(0, plan.exact.times[-1], 4001)
+    states = plan.exact.at(times, 0)
+    worst = 0.0
+    for place, heading in zip(places, headings):
+        if heading is None:
+            continue
+        # A plan may be twice at one place.
+        off = np.linalg.norm(states[:, :3] - place, axis=1)
+        near = states[off < off.min() + 0.05, 3]
+        worst = max(worst, np.abs((90 - np.degrees(near) - heading + 180) % 360 - 180).min())
+    return worst
 
 
 class Heartbeat(threading.Thread):
@@ -98,16 +138,20 @@ def imported(plan_text, wpl_text):
 def by_mavsdk(plan):
     text = plan.write("plan.plan", "--format", "qgc-plan", *PLACED).read_text()
     same = wpl_items(plan)
+    # A heading of the plan is a turn before its place in the plain text.
+    without_turns = [item for item in same[1:] if item.command != CONDITION_YAW]
     items, others = imported(text, (plan.folder / "plan.waypoints").read_text())
     # Of the plain text MAVSDK keeps the home that comes first.
-    for reader, items, due in (("qgc-plan, MAVSDK", items, same[1:]), ("wpl, MAVSDK", others, same)):
-        yield reader, "items that are missing", abs(len(due) - len(items)), 0
-        yield reader, "commands unlike pymavlink", sum(a.command != b.command for a, b in zip(items, due)), 0
-        pairs = [(a, b) for a, b in zip(items, due) if b.command != CHANGE_SPEED]
+    for reader, read, due in (("qgc-plan, MAVSDK", items, without_turns), ("wpl, MAVSDK", others, same)):
+        yield reader, "items that are missing", abs(len(due) - len(read)), 0
+        yield reader, "commands unlike pymavlink", sum(a.command != b.command for a, b in zip(read, due)), 0
+        pairs = [(a, b) for a, b in zip(read, due) if b.command not in NO_PLACE]
         # MAVSDK keeps whole 1e-7 degrees and heights of 32 bits.
         yield reader, "places, deg", max(max(abs(a.x * 1e-7 - b.x), abs(a.y * 1e-7 - b.y)) for a, b in pairs), 1.01e-7
         yield reader, "heights, m", max(abs(a.z - b.z) for a, b in pairs), 1e-4
-        yield reader, "headings, deg", max(abs((a.param4 - b.param4 + 180) % 360 - 180) for a, b in pairs), 1e-3
+    turns = dict(zip((item.seq + 1 for item in same if item.command == CONDITION_YAW), (i.param1 for i in same if i.command == CONDITION_YAW)))
+    pairs = [(a.param4, turns[b.seq]) for a, b in zip(items, without_turns) if b.seq in turns]
+    yield "qgc-plan, MAVSDK", "headings, deg", max(abs((a - b + 180) % 360 - 180) for a, b in pairs), 1e-3
 
 
 def line_of_kml(features):

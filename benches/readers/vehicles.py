@@ -18,6 +18,7 @@ import sys
 ARM = 0.25
 FIGURES = {
     "mass": "2 kg",
+    "let mass": "2 kg",
     "inertia": "[0.02, 0.02, 0.04] kg*m^2",
     "max_thrust": "9 N",
     "torque_per_thrust": "15 mm",

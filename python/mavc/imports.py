@@ -64,7 +64,10 @@ def import_mission(
     compiled. The other arguments and the errors are those of `import_vehicle`.
     """
     name, data = source_of(source, name, _MARKS, "<imported>")
-    used = None if vehicle is None else _seen(Path(vehicle).resolve(strict=True), Path(folder).resolve(strict=True))
+    used = None
+    if vehicle is not None:
+        path = Path(vehicle).resolve(strict=True)
+        used = (_seen(path, Path(folder).resolve(strict=True)), str(path))
     return _imported(_mavc.import_mission(name, data, used), warn)
 
 

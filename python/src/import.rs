@@ -3,6 +3,7 @@
 use crate::compile::{Shown, shown};
 use crate::job::detached;
 use crate::{Arguments, Value, object};
+use mavc::Compiler;
 use mavc::import::{self, Imported, unknown};
 use pyo3::prelude::*;
 
@@ -12,11 +13,15 @@ pub fn vehicle(arguments: Arguments) -> Value {
     answer(arguments, move || import::vehicle::import(&name, &bytes))
 }
 
-/// `import_mission(name, bytes, vehicle or None)`: as of a vehicle. `vehicle` is the path of a spec as the new one
-/// names it.
+/// `import_mission(name, bytes, (vehicle, path) or None)`: as of a vehicle. `vehicle` is the path of a spec as the new
+/// one names it, `path` where it is now.
 pub fn mission(arguments: Arguments) -> Value {
-    let (name, bytes, vehicle): (String, Vec<u8>, Option<String>) = arguments.extract()?;
-    answer(arguments, move || import::mission::import(&name, &bytes, vehicle.as_deref()))
+    let (name, bytes, vehicle): (String, Vec<u8>, Option<(String, String)>) = arguments.extract()?;
+    answer(arguments, move || {
+        let taken = vehicle.as_ref().map_or(Vec::new(), |(_, path)| import::mission::names_in(path, &Compiler::new()));
+        let used = vehicle.as_ref().map(|(used, _)| used.as_str());
+        import::mission::import_beside(&name, &bytes, used, &taken)
+    })
 }
 
 fn answer(arguments: Arguments, read: impl FnOnce() -> Imported + Send) -> Value {

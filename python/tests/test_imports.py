@@ -133,6 +133,25 @@ def test_a_mission_names_its_vehicle(command, write):
         mavc.import_mission(name, vehicle="missing.mav")
 
 
+def test_a_mission_beside_another_of_its_name(command, write):
+    filled = mavc.compile(mavc.import_vehicle(HEXA), set=FIGURES, warn=False).text.replace("?", "1 m")
+    write("quad.mav", filled + "mission field {\n    start at [0, 0, 2] m\n    waypoint at [9, 0, 2] m\n}\n")
+    name = write("field.waypoints", MISSION)
+    command("import", "mission", name, "--vehicle", "quad.mav", "-o", "field.mav")
+    found = mavc.import_mission(name, vehicle="quad.mav", warn=False)
+    assert found == command.read("field.mav") and "mission field_2 {" in found
+    with pytest.raises(mavc.SpecError, match="mavc import vehicle"):
+        mavc.import_mission(name, vehicle=write("hexa.params", HEXA))
+
+
+@pytest.mark.parametrize("file, text, kind", [("a.params", HEXA, "vehicle"), ("a.param", COPTER, "vehicle"), ("a.txt", MISSION, "mission")])
+def test_a_file_of_another_tool_names_the_import(write, file, text, kind):
+    for source in (write(file, text), text):
+        with pytest.raises(mavc.SpecError, match=f"mavc import {kind}") as caught:
+            mavc.compile(source)
+        assert [found.code for found in caught.value.diagnostics] == ["mavc::file::foreign"]
+
+
 def test_a_mission_with_its_vehicle_is_planned(write):
     write("hexa.params", HEXA)
     write("hexa.mav", mavc.import_vehicle("hexa.params"))

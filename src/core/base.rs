@@ -3,6 +3,7 @@
 
 pub mod body;
 pub mod diagnostic;
+pub mod foreign;
 pub mod geodesy;
 pub mod input;
 pub mod number;

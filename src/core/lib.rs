@@ -19,7 +19,9 @@ pub mod program;
 mod proof;
 pub mod spec;
 
-pub use base::{body, diagnostic, geodesy, input, number, source, stages, text_table, tolerance, unit, verdict};
+pub use base::{
+    body, diagnostic, foreign, geodesy, input, number, source, stages, text_table, tolerance, unit, verdict,
+};
 pub use language::{format, syntax};
 pub use proof::{certificate, verify};
 pub use spec::{model, read};

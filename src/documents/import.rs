@@ -9,6 +9,7 @@ pub mod unknown;
 pub mod vehicle;
 
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::foreign::{self, Foreign};
 use crate::source::{FileId, Source, SourceMap, Span};
 
 /// The largest file that is read, in bytes: 16 MiB.
@@ -68,6 +69,10 @@ pub fn import(name: &str, bytes: &[u8], read: impl FnOnce(&Source, &mut Vec<Diag
 }
 
 fn decoded(name: &str, bytes: &[u8], read: impl FnOnce(&Source) -> Outcome) -> (Source, Outcome) {
+    if let Some(log @ Foreign::Log(what)) = foreign::of_bytes(bytes.get(..64).unwrap_or(bytes)) {
+        let error = Diagnostic::error(FORMAT, Span::default(), format!("this is {what}")).help(log.help(name));
+        return (Source::new(name, ""), Err(Box::new(error)));
+    }
     if bytes.len() > MAX_BYTES {
         let error =
             Diagnostic::error(FORMAT, Span::default(), format!("the file is larger than {} MiB", MAX_BYTES >> 20));
@@ -86,6 +91,29 @@ fn decoded(name: &str, bytes: &[u8], read: impl FnOnce(&Source) -> Outcome) -> (
             (bad.source, Err(Box::new(error)))
         }
     }
+}
+
+/// Whether a text is a spec of mavc already.
+fn is_spec(source: &Source) -> bool {
+    if source.text.len() > crate::input::MAX_FILE_BYTES {
+        return false;
+    }
+    let tree = crate::syntax::parse(FileId(0), source);
+    let is_clean = tree.diagnostics.iter().all(|d| d.severity != Severity::Error);
+    is_clean && tree.value.is_some_and(|tree| !tree.items.is_empty())
+}
+
+/// The error for a file that neither import reads, although it is known what it is; a spec if `kind` is `None`.
+fn other(source: &Source, kind: Option<Foreign>) -> Diagnostic {
+    let (what, help) = match kind {
+        Some(kind) => (kind.what(), kind.help(&source.name)),
+        None => {
+            let name = crate::source::visible::line(&source.name);
+            ("a spec of mavc already".into(), format!("check it as it is: `mavc check {name}`"))
+        }
+    };
+    let code = if matches!(kind, Some(Foreign::Template(_))) { UNSUPPORTED } else { FORMAT };
+    Diagnostic::error(code, at(source.line(1)), format!("this is {what}")).here("the first line").help(help)
 }
 
 /// A place in the file that is read.

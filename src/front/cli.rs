@@ -7,6 +7,7 @@ mod campaign;
 mod check;
 mod compare;
 mod emit;
+mod endings;
 mod explain;
 mod exports;
 mod files;

@@ -2,6 +2,7 @@
 //! `benches/readers/missions.py` has the written ones read by the tools themselves.
 
 mod checked;
+mod flown;
 mod hostile;
 mod places;
 mod read;

@@ -9,7 +9,7 @@ use mavc::{Compiler, Diagnostic, Severity};
 use std::path::{Path, PathBuf};
 
 /// What takes the place of a word, beside numbers.
-pub const WORDS: [&str; 40] = [
+pub const WORDS: [&str; 66] = [
     "CA_ROTOR0_PX",
     "CA_ROTOR_COUNT",
     "CA_AIRFRAME",
@@ -49,13 +49,39 @@ pub const WORDS: [&str; 40] = [
     "ComplexItem",
     "\t",
     "16",
+    "19",
+    "21",
+    "22",
+    "115",
     "177",
+    "178",
+    "201",
+    "VM_MASS",
+    "MPC_THR_HOVER",
+    "BAT1_CAPACITY",
+    "MOT_THST_HOVER",
+    "Q_FRAME_CLASS",
+    "frame",
+    "model",
+    "relative_to",
+    "attached_to",
+    "degrees",
+    "rotation_format",
+    "inertial",
+    "default",
+    "geom",
+    "fromto",
+    "euler",
+    "general",
+    "gainprm",
+    "settotalmass",
+    "revolute",
 ];
 
 const VEHICLES: [&str; 6] = ["quad_script.sh", "hexa.params", "octa.param", "quad.sdf", "nano.urdf", "hexa.xml"];
 const MISSIONS: [&str; 3] = ["field.waypoints", "table.csv", "../../../examples/field.plan"];
 
-/// The texts that are changed: one file of each format that `mavc import` reads.
+/// The texts that are changed: one file of each format that `mavc import` reads, and those with which it was once wrong.
 pub fn corpus() -> Vec<(PathBuf, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mutants/files");
     let read = |name: &&str| {
@@ -63,7 +89,19 @@ pub fn corpus() -> Vec<(PathBuf, String)> {
         let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         (path, text)
     };
-    VEHICLES.iter().chain(&MISSIONS).map(read).collect()
+    let mut found: Vec<(PathBuf, String)> = VEHICLES.iter().chain(&MISSIONS).map(read).collect();
+    let findings = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/findings/files");
+    let entries = std::fs::read_dir(&findings).unwrap_or_else(|e| panic!("{}: {e}", findings.display()));
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    found.extend(paths.into_iter().map(|path| (path.clone(), std::fs::read_to_string(path).unwrap())));
+    found
+}
+
+/// Whether the file at a path is a mission.
+fn is_mission(path: &Path) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    matches!(ending, Some("waypoints" | "csv" | "plan" | "txt"))
 }
 
 /// What the commands do with a file; whether a spec came of it.
@@ -73,14 +111,14 @@ pub fn check(path: &Path, bytes: &[u8]) -> bool {
     let imported = vehicle::import(name, bytes);
     let is_vehicle = looked_at(&imported);
     let imported = mission::import(name, bytes, Some("../v.mav"));
-    let is_mission = looked_at(&imported);
-    if MISSIONS.iter().any(|name| path.ends_with(name.trim_start_matches("../"))) {
+    let has_mission = looked_at(&imported);
+    if is_mission(path) {
         let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs/vehicles/octo_ppnnppnn.mav");
         let joined = mission::join(name, bytes, &beside.display().to_string(), &Compiler::new(), mavc::check);
         shown(&joined.diagnostics, &joined.files.sources);
         assert!(joined.spec.is_some() || has_error(&joined.diagnostics));
     }
-    is_vehicle || is_mission
+    is_vehicle || has_mission
 }
 
 /// Every diagnostic has a place and can be shown, and a spec is one; whether there is one.

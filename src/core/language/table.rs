@@ -339,8 +339,9 @@ group! {
     /// The fields of `mission { }`, beside its statements.
     mission:
     GROUND "ground", Quantity("m", Any), Otherwise("unknown"),
-        "the height of the ground, below every waypoint. [`require capture_height`](#capture-height) counts from it, \
-         and flights have it unless `simulate` gives another";
+        "the height of the ground, not above any waypoint; if a waypoint is on it, flights have it 1 m lower. \
+         [`require capture_height`](#capture-height) counts from it, and flights have it unless `simulate` gives \
+         another";
     ORIGIN_LATITUDE "origin_latitude", Quantity("deg", Any), Otherwise("unknown"),
         "the latitude of the point `[0, 0, 0] m` on the ellipsoid WGS 84, north positive; needs the other two. \
          Missions for [ground stations](missions.md) are written from it, and it changes no plan";

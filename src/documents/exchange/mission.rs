@@ -95,7 +95,7 @@ pub fn qgc_plan(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) 
     let placed = Placed::new(trajectory, model, tolerance.unwrap_or(ITEMS_WITHIN), "qgc-plan")?;
     let items = Items::of(&placed)?;
     let (text, fences) = qgc_plan::text(&placed, &items);
-    Ok(said(text, &items, fences))
+    Ok(said(text, items.all.len(), &items, fences))
 }
 
 /// A mission of MAVLink in plain text, `QGC WPL 110`.
@@ -107,14 +107,15 @@ pub fn wpl(trajectory: &Trajectory, model: &Model, tolerance: Option<f64>) -> Re
     let items = Items::of(&placed)?;
     let volumes = placed.mission.volumes.len();
     let fences = if volumes > 0 { "; volumes are lost, since the format has no fences" } else { "" };
-    Ok(said(wpl::text(&placed, &items), &items, fences.into()))
+    let (text, count) = wpl::text(&placed, &items);
+    Ok(said(text, count, &items, fences.into()))
 }
 
-fn said(text: String, items: &Items, fences: String) -> Written {
+fn said(text: String, count: usize, items: &Items, fences: String) -> Written {
     let remark = format!(
         "{} items; straight lines between them are within {} m of the plan; the times of the plan are lost: the \
          autopilot chooses its own{}{fences}",
-        items.all.len(),
+        count,
         significant(items.deviation, 3),
         if items.takes_off { "" } else { "; no take-off, since the plan does not begin with a climb above its origin" },
     );

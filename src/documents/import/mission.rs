@@ -8,6 +8,7 @@
 //! 3. `write` makes the text of the spec, and keeps for each of its lines the item that it came from.
 //! 4. `join` compiles this text with a vehicle, and reports each mistake at the item.
 
+mod autopilot;
 mod commands;
 mod draft;
 mod fence;
@@ -19,11 +20,12 @@ mod table;
 mod wpl;
 mod write;
 
-pub use join::{Joined, join};
+pub use join::{Joined, join, names_in};
 pub use write::Written;
 
 use super::{ASSUMED, FORMAT, Imported, at};
 use crate::diagnostic::Diagnostic;
+use crate::foreign::{self, Foreign};
 use crate::source::Source;
 use draft::Draft;
 
@@ -43,9 +45,14 @@ pub fn is_one(text: &str) -> bool {
 /// Reads the file of a mission. The spec begins with `use` of `vehicle`, the path of a spec as the new one names it, if
 /// it is given.
 pub fn import(name: &str, bytes: &[u8], vehicle: Option<&str>) -> Imported {
+    import_beside(name, bytes, vehicle, &[])
+}
+
+/// As [`import`]; the mission gets none of the names `taken`, which those of the vehicle's spec are ([`names_in`]).
+pub fn import_beside(name: &str, bytes: &[u8], vehicle: Option<&str>, taken: &[String]) -> Imported {
     super::import(name, bytes, |source, found| {
         let draft = read(source, found)?;
-        let Written { text, .. } = write::text(source, &draft, vehicle)?;
+        let Written { text, .. } = write::text(source, &draft, vehicle, &write::name(&source.name, taken))?;
         let laid_out = crate::format::format(crate::source::FileId(0), &Source::new(name, text.as_str()));
         match laid_out.value {
             Some(text) => Ok((text, draft.dropped)),
@@ -62,6 +69,10 @@ fn too_large() -> Box<Diagnostic> {
 /// What the file says; warnings are added to `found`.
 fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Result<Draft, Box<Diagnostic>> {
     let start = source.text.trim_start();
+    let kind = foreign::of_text(&source.text);
+    if let Some(Foreign::Template(_) | Foreign::Certificate | Foreign::Result(_)) = kind {
+        return Err(Box::new(super::other(source, kind)));
+    }
     if start.starts_with('{') {
         return qgc_plan::read(source, found);
     }
@@ -72,6 +83,9 @@ fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Result<Draft, Box<Diagn
         return table::read(source, found);
     }
     let first = source.line(1);
+    if super::is_spec(source) {
+        return Err(Box::new(super::other(source, None)));
+    }
     if super::vehicle::seems_one(&source.text) {
         let error = Diagnostic::error(FORMAT, at(first), "this is a vehicle and no mission").here("the first line");
         return Err(Box::new(error.help("read it by `mavc import vehicle`, or name the file of a mission")));

@@ -9,6 +9,7 @@ mod robot;
 
 use super::{FORMAT, Imported, Outcome, at};
 use crate::diagnostic::Diagnostic;
+use crate::foreign::{self, Foreign};
 use crate::source::Source;
 
 /// Reads the file of a vehicle: parameters of PX4 (`CA_ROTORi_*`, of an airframe script or as QGroundControl saves
@@ -23,10 +24,17 @@ pub fn seems_one(text: &str) -> bool {
 }
 
 fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
+    let kind = foreign::of_text(&source.text);
+    if let Some(Foreign::Template(_) | Foreign::Certificate | Foreign::Result(_)) = kind {
+        return Err(Box::new(super::other(source, kind)));
+    }
     if robot::is_one(&source.text) {
         return robot::vehicle(source, found);
     }
     let parameters = parameters::read(source)?;
+    if let Some(what) = ardupilot::other_vehicle(&parameters) {
+        return Err(Box::new(what));
+    }
     if parameters.is_of("FRAME_CLASS") {
         return ardupilot::vehicle(source, &parameters, found);
     }
@@ -39,6 +47,9 @@ fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
     if super::mission::is_one(&source.text) {
         let error = Diagnostic::error(FORMAT, at(source.line(1)), "this is a mission").here("the first line");
         return Err(Box::new(error.help("read it by `mavc import mission`, or name the file of a vehicle")));
+    }
+    if super::is_spec(source) {
+        return Err(Box::new(super::other(source, None)));
     }
     Err(Box::new(px4::without_geometry(source, parameters.first()).unwrap_or_else(|| {
         Diagnostic::error(FORMAT, at(0..0), "no vehicle was found in the file").help(

@@ -190,7 +190,8 @@ pub(super) struct PlanArgs {
     /// Write the trajectory to this file; `-` for standard output
     #[arg(short, long, value_name = "TRAJ.CSV")]
     pub output: Option<PathBuf>,
-    /// Write the trajectory of -o for another tool (docs/exchange.md); without this mavc's table, csv
+    /// Write the trajectory of -o for another tool (docs/exchange.md); without this the ending decides: mavc's table,
+    /// csv, unless it is .plan, .waypoints, .kml, .geojson or .mcap
     #[arg(long, value_name = "FORMAT", requires = "output", value_parser = trajectory::FORMATS.map(|(_, name)| name))]
     pub format: Option<String>,
     /// Write csv or rows in these frames of world and body: east, north, up and forward, left, up, the default, or

@@ -7,6 +7,7 @@ use super::spec::{self, Findings};
 use super::{CheckArgs, CheckFormat, CommandError, Deny, FINE, NO_PLAN, Options, SPEC_ERRORS, SpecArgs};
 use super::{files, specs, usage, watch};
 use crate::diagnostic::sort;
+use crate::foreign::{self, Foreign};
 use crate::import::{MAX_BYTES, mission};
 use crate::pipeline::{self, defaults_text, is_intolerable};
 use crate::read::FlightBlocks;
@@ -79,7 +80,8 @@ fn read(name: &str, args: &CheckArgs, options: &Options) -> Result<(Option<Spec>
     let Some(vehicle) = &args.vehicle else {
         let args = SpecArgs { spec: name.into(), set: args.set.clone() };
         let (spec, mut findings) = spec::read(&args, FlightBlocks::Used, &watch)?;
-        if findings.has_errors() && mission::is_one(&findings.files.sources.get(FileId(0)).text) {
+        let text = &findings.files.sources.get(FileId(0)).text;
+        if findings.has_errors() && matches!(foreign::of_text(text), Some(Foreign::Mission(_))) {
             let name = spec::shown(name);
             return Err(format!(
                 "{name} is a mission of a ground station: name the spec of its vehicle by --vehicle v.mav"
@@ -96,6 +98,7 @@ fn read(name: &str, args: &CheckArgs, options: &Options) -> Result<(Option<Spec>
     if Path::new(vehicle).file_name().is_none() || vehicle == "-" {
         return Err(format!("--vehicle names a file, not {}", crate::source::visible::line(vehicle)));
     }
+    spec::must_be_one(vehicle)?;
     let bytes = files::read_spec(name, MAX_BYTES)?;
     let compiler = args.set.iter().fold(Compiler::new().observed_by(&watch), Compiler::set);
     let joined = mission::join(spec::name(name), &bytes, vehicle, &compiler, pipeline::check);

@@ -1,5 +1,6 @@
 //! The options `--format`, `--frame` and `--tolerance` of `mavc plan`, and the file that they describe.
 
+use super::endings::{Others, format_of};
 use super::results::{Results, is_folder};
 use super::{CommandError, Options, PlanArgs, files, rate};
 use crate::exchange::frames::Frame;
@@ -15,6 +16,8 @@ pub struct Export<'a> {
     output: Option<&'a Path>,
     /// Whether `output` is the folder of a bag.
     is_bag: bool,
+    /// Why the name of `output` says that a table is not meant.
+    misnamed: Option<CommandError>,
 }
 
 impl<'a> Export<'a> {
@@ -22,8 +25,15 @@ impl<'a> Export<'a> {
     /// The options do not go together.
     pub fn of(args: &'a PlanArgs) -> Result<Self, CommandError> {
         let format = args.format.as_deref().and_then(|name| FORMATS.iter().find(|(_, n)| *n == name));
+        let (format, misnamed) = match (format, args.output.as_deref()) {
+            (Some((format, _)), _) => (*format, None),
+            (None, Some(path)) => {
+                format_of(path, &ENDINGS, OTHERS).map_or_else(|why| (Format::default(), Some(why)), |f| (f, None))
+            }
+            (None, None) => (Format::default(), None),
+        };
         let choices = Choices {
-            format: format.map(|(format, _)| *format).unwrap_or_default(),
+            format,
             rate: args.rate.as_deref().map(rate::parse).transpose()?,
             frame: args.frame.as_deref().map(|name| if name == NED { Frame::NedFrd } else { Frame::EnuFlu }),
             tolerance: args.tolerance.as_deref().map(tolerance).transpose()?,
@@ -33,7 +43,13 @@ impl<'a> Export<'a> {
         let is_file = |path: &Path| path.as_os_str() == "-" || path.extension().is_some_and(|e| e == "mcap");
         let is_bag = choices.format == Format::Rosbag2 && output.is_some_and(|path| !is_file(path));
         output.filter(|_| is_bag).map_or(Ok(()), is_folder)?;
-        Ok(Export { choices, output, is_bag })
+        Ok(Export { choices, output, is_bag, misnamed })
+    }
+
+    /// # Errors
+    /// No format is named, and the ending of the output is that of a file that a table is not.
+    pub fn is_named_well(&self) -> Result<(), CommandError> {
+        self.misnamed.clone().map_or(Ok(()), Err)
     }
 
     /// The file, unless the trajectory is written into a folder.
@@ -67,6 +83,26 @@ impl<'a> Export<'a> {
         results.folder("a file of the bag", "-o", output, bag_files(&name, written.bytes), task.spec().sources())
     }
 }
+
+/// Endings of names that say the format.
+const ENDINGS: [(&str, Format); 6] = [
+    ("plan", Format::QgcPlan),
+    ("waypoints", Format::Wpl),
+    ("kml", Format::Kml),
+    ("geojson", Format::GeoJson),
+    ("mcap", Format::Rosbag2),
+    ("csv", Format::Csv),
+];
+
+/// Endings of files that a table is not, and what to write in place of the option.
+const OTHERS: &Others = &[
+    (&["py"], "name the script: --format px4-offboard, ardupilot-guided or rotorpy; or --format csv"),
+    (&["json"], "write --report for a report, --certificate for a certificate, or --format geojson"),
+    (&["html", "htm"], "write --html for a page"),
+    (&["svg", "png", "pdf"], "write --svg for charts"),
+    (&["bag", "db3"], "a ROS 2 bag is --format rosbag2, an MCAP file or a folder"),
+    (&["mav", "params", "param", "xml", "sdf", "urdf", "ulg", "bin"], "a trajectory is no such file: name a `.csv`"),
+];
 
 /// The word for north, east, down.
 const NED: &str = "ned-frd";

@@ -1,5 +1,6 @@
 //! The options `--format` and `--layout` of `mavc simulate`.
 
+use super::endings::{Others, format_of};
 use super::{CommandError, SimulateArgs};
 use crate::exchange::flight::{FORMATS, Format, Recorder, layout};
 use crate::flight::longest;
@@ -10,19 +11,49 @@ pub struct FlightLog {
     format: Format,
     rate: Option<f64>,
     has_layout: bool,
+    /// Why the name of the output says that no flight log is meant.
+    misnamed: Option<CommandError>,
 }
+
+/// Endings of names that say the format.
+const ENDINGS: [(&str, Format); 4] =
+    [("csv", Format::Csv), ("mcap", Format::Mcap), ("ulg", Format::Ulog), ("ulog", Format::Ulog)];
+
+/// Endings of files that a flight log is not, and what to write in place of the option.
+const OTHERS: &Others = &[
+    (&["plan", "waypoints", "kml", "geojson", "py"], "a flight log is no such file: `mavc plan -o` writes it"),
+    (&["json"], "write --report for a report, or --format mcap"),
+    (&["html", "htm"], "write --html for a page"),
+    (&["bag", "db3", "bin"], "write --format mcap or ulog"),
+    (
+        &["mav", "params", "param", "xml", "sdf", "urdf", "svg", "png", "pdf"],
+        "a flight log is no such file: name a `.csv`",
+    ),
+];
 
 impl FlightLog {
     /// # Errors
     /// The options do not go together.
     pub fn of(args: &SimulateArgs) -> Result<Self, CommandError> {
         let format = args.format.as_deref().and_then(|name| FORMATS.iter().find(|(_, n)| *n == name));
-        let format = format.map(|(format, _)| *format).unwrap_or_default();
+        let (format, misnamed) = match (format, args.output.as_deref()) {
+            (Some((format, _)), _) => (*format, None),
+            (None, Some(path)) => {
+                format_of(path, &ENDINGS, OTHERS).map_or_else(|why| (Format::default(), Some(why)), |f| (f, None))
+            }
+            (None, None) => (Format::default(), None),
+        };
         let has_layout = args.layout.is_some();
         if has_layout {
             layout(format, 0)?;
         }
-        Ok(FlightLog { format, rate: args.rate.as_deref().map(super::rate::parse).transpose()?, has_layout })
+        Ok(FlightLog { format, rate: args.rate.as_deref().map(super::rate::parse).transpose()?, has_layout, misnamed })
+    }
+
+    /// # Errors
+    /// No format is named, and the ending of the output is that of a file that a flight log is not.
+    pub fn is_named_well(&self) -> Result<(), CommandError> {
+        self.misnamed.clone().map_or(Ok(()), Err)
     }
 
     /// A log of a flight along a plan of `time` s.

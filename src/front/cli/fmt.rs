@@ -3,6 +3,7 @@
 use super::target::{Target, write};
 use super::{CommandError, FINE, FmtArgs, Options, SPEC_ERRORS, files, spec, specs, usage};
 use crate::diagnostic::{Checked, Severity};
+use crate::foreign;
 use crate::format::format;
 use crate::input::MAX_FILE_BYTES;
 use crate::source::{Source, SourceMap};
@@ -22,7 +23,11 @@ fn one(name: &str, check: bool, options: &Options) -> Result<u8, CommandError> {
     let formatted = match Source::from_bytes(spec::name(name), &bytes) {
         Ok(source) => {
             let file = sources.add(source);
-            format(file, sources.get(file))
+            let formatted = format(file, sources.get(file));
+            match foreign::of_text(&sources.get(file).text).filter(|_| formatted.value.is_none()) {
+                Some(kind) => Checked { value: None, diagnostics: vec![kind.error(file, sources.get(file))] },
+                None => formatted,
+            }
         }
         Err(broken) => {
             let file = sources.add(broken.source.clone());

@@ -5,6 +5,8 @@ use super::target::{Target, write};
 use super::{CommandError, FINE, ImportArgs, ImportCommand, ImportMissionArgs, Options, SPEC_ERRORS, files};
 use crate::diagnostic::Severity;
 use crate::import::{Imported, MAX_BYTES, mission, vehicle};
+use crate::input::FileKind;
+use crate::spec::Compiler;
 use std::path::{Component, Path, PathBuf};
 
 pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, CommandError> {
@@ -12,7 +14,9 @@ pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, CommandError> 
         ImportCommand::Vehicle(args) => one(args, vehicle::import, options),
         ImportCommand::Mission(ImportMissionArgs { import, vehicle }) => {
             let used = vehicle.as_deref().map(|path| relative(path, import.output.as_deref())).transpose()?;
-            one(import, |name, bytes| mission::import(name, bytes, used.as_deref()), options)
+            let path = vehicle.as_deref().map(|path| path.display().to_string());
+            let taken = path.map_or(Vec::new(), |path| mission::names_in(&path, &Compiler::new()));
+            one(import, |name, bytes| mission::import_beside(name, bytes, used.as_deref(), &taken), options)
         }
     }
 }
@@ -73,6 +77,10 @@ fn remarks(imported: &Imported, args: &ImportArgs) -> String {
 /// one without an output.
 fn relative(used: &Path, output: Option<&Path>) -> Result<String, CommandError> {
     let whole = used.canonicalize().map_err(|e| files::cannot_read(used, &e))?;
+    super::spec::must_be_one(&used.display().to_string())?;
+    if FileKind::of(used) != Some(FileKind::Spec) {
+        return Err(format!("--vehicle {}: `use` reads only files whose names end in `.mav`", files::shown(used)));
+    }
     let folder = match output.filter(|path| path.as_os_str() != "-").and_then(Path::parent) {
         Some(folder) if folder.as_os_str().is_empty() => Path::new("."),
         Some(folder) => folder,

@@ -28,12 +28,14 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
     let watch = Watch::new(options);
     let (spec, mut findings) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
     places.spare(&findings)?;
+    export.is_named_well()?;
     let task = match findings.start(spec.as_ref(), Task::new, options) {
         Start::Task(task) => task,
         Start::Refused => return places.refuse(spec.as_ref(), &findings, options),
         Start::Ended(code) => return Ok(code),
     };
     export.fits(task.model())?;
+    watch.wants(task.model().plan.planner);
     let cancel = Cancel::new();
     let planning = plan(&task, &cancel, &watch)?;
     if !cancel.is_enough() && planning.plan().is_some() {

@@ -5,6 +5,7 @@ mod lines;
 
 use super::{Options, files};
 use crate::flight::Flight;
+use crate::model::PlannerKind;
 use crate::number::number;
 use crate::observer::{Observer, Stages};
 use crate::solve::Effort;
@@ -13,7 +14,7 @@ use lines::Lines;
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 /// The form in which progress is shown.
@@ -48,17 +49,36 @@ pub struct Watch {
     timings: bool,
     /// `None` between stages.
     shown: Mutex<Option<Shown>>,
+    /// The planner whose plan is wanted.
+    wanted: OnceLock<&'static str>,
 }
 
 impl Watch {
     pub fn new(options: &Options) -> Self {
-        Watch { quiet: options.quiet, timings: options.timings, shown: Mutex::new(None) }
+        Watch { quiet: options.quiet, timings: options.timings, shown: Mutex::new(None), wanted: OnceLock::new() }
+    }
+
+    /// Questions name this planner (`RSP`), for whose plan those of others are made.
+    pub fn wants(&self, planner: PlannerKind) {
+        let name = PLANNERS.into_iter().find(|name| name.eq_ignore_ascii_case(planner.name()));
+        name.into_iter().for_each(|name| self.wanted.set(name).unwrap_or_default());
     }
 
     fn shown(&self) -> MutexGuard<'_, Option<Shown>> {
         self.shown.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
+
+/// The question whether a time is enough; a plan of another planner on the way to the one that is wanted is called so.
+fn question(wanted: Option<&str>, planner: &str, time: f64) -> String {
+    let other = wanted.filter(|wanted| *wanted != planner && PLANNERS.contains(&planner));
+    match other {
+        Some(wanted) => format!("{wanted}: is {time:.2} s enough? A plan of {planner} first"),
+        None => format!("{planner}: is {time:.2} s enough?"),
+    }
+}
+
+const PLANNERS: [&str; 3] = ["RIP", "RCP", "RSP"];
 
 impl Stages for Watch {
     fn ended(&self, stage: &str, took: Duration) {
@@ -89,7 +109,7 @@ impl Observer for Watch {
     }
 
     fn tries(&self, planner: &str, time: f64) {
-        self.begins(&format!("{planner}: is {time:.2} s enough?"));
+        self.begins(&question(self.wanted.get().copied(), planner, time));
     }
 
     fn solved(&self, effort: &Effort) {
@@ -190,6 +210,14 @@ fn pace(before: usize, done: usize, all: usize, elapsed: Duration) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn questions_name_the_planner_that_is_wanted() {
+        assert_eq!(question(Some("RSP"), "RSP", 35.0), "RSP: is 35.00 s enough?");
+        assert_eq!(question(Some("RSP"), "RCP", 35.0), "RSP: is 35.00 s enough? A plan of RCP first");
+        assert_eq!(question(Some("RSP"), "round 2", 35.0), "round 2: is 35.00 s enough?");
+        assert_eq!(question(None, "RCP", 35.0), "RCP: is 35.00 s enough?");
+    }
 
     #[test]
     fn a_resumed_campaign_is_as_fast_as_it_flies_now() {

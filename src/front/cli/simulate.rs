@@ -25,6 +25,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, CommandError> {
     let watch = Watch::new(options);
     let (spec, mut findings) = spec::read(&args.spec, FlightBlocks::Used, &watch)?;
     places.spare(&findings)?;
+    described.is_named_well()?;
     let task = match findings.start(spec.as_ref(), Task::new, options) {
         Start::Task(task) => task,
         Start::Refused => return places.refuse(spec.as_ref(), &findings, options),

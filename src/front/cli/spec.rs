@@ -3,6 +3,7 @@
 use super::progress::Watch;
 use super::{CommandError, Options, SPEC_ERRORS, SpecArgs, files, links};
 use crate::diagnostic::{Diagnostic, Severity, render_linked, render_short, sort, to_json_line};
+use crate::foreign;
 use crate::input::MAX_FILE_BYTES;
 use crate::pipeline::{Refusal, Task};
 use crate::read::{FileSet, FlightBlocks};
@@ -35,6 +36,20 @@ pub fn name(spec: &str) -> &str {
 /// The spec's name, on one line of a terminal.
 pub fn shown(spec: &str) -> Cow<'_, str> {
     visible::line(name(spec))
+}
+
+/// Refuses the file of another tool where a command line names the spec of a vehicle.
+///
+/// # Errors
+/// The file cannot be read, or is not a spec; the message names the command that makes one of it.
+pub fn must_be_one(vehicle: &str) -> Result<(), CommandError> {
+    let bytes = files::read_spec(vehicle, MAX_FILE_BYTES)?;
+    match foreign::of_bytes(&bytes) {
+        Some(kind) => {
+            Err(format!("expected a spec, found {} in {}: {}", kind.what(), shown(vehicle), kind.help(vehicle)))
+        }
+        None => Ok(()),
+    }
 }
 
 fn compiler<'a>(args: &SpecArgs, watch: &'a Watch) -> Compiler<'a> {

@@ -66,6 +66,27 @@ fn errors(rows: &[Vec<f64>], trajectory: &Trajectory) -> [f64; 2] {
     worst
 }
 
+/// A tolerance that a message proposes is one that the same plan reaches.
+#[test]
+fn a_proposed_tolerance_is_enough() {
+    let planned = turn();
+    let mut refused = 0;
+    for count in [40, 90, 150] {
+        let trajectory = rough(count);
+        for tolerance in [1e-6, 1e-4, 3e-3, 1e-2] {
+            let Err(message) = refitted(planned, &trajectory, tolerance) else { continue };
+            refused += 1;
+            let proposed = message.split("use --tolerance ").nth(1).unwrap().split("mm").next().unwrap();
+            let proposed = 1e-3 * proposed.parse::<f64>().unwrap();
+            assert!(proposed > tolerance, "{message}");
+            let (rows, _) = refitted(planned, &trajectory, proposed).unwrap_or_else(|e| panic!("{message}\n{e}"));
+            let [position, yaw] = errors(&rows, &trajectory);
+            assert!(position <= 1.01 * proposed && yaw <= 1.01 * proposed, "{proposed} {position} {yaw}");
+        }
+    }
+    assert!(refused >= 6, "{refused}");
+}
+
 #[test]
 fn the_refit_is_within_the_tolerance() {
     let planned = turn();

@@ -184,7 +184,7 @@ fn charts_replace_links_and_spare_what_is_read() {
     assert!(said(&ran).contains("which is read") && !at("t.csv").exists(), "{}", said(&ran));
     // Nor does a chart take the place of another result.
     let clash = format!("fresh/{}", names[0]);
-    let ran = run(dir.path(), &["plan", "hop.mav", "-o", &clash, "--svg", "fresh"]);
+    let ran = run(dir.path(), &["plan", "hop.mav", "-o", &clash, "--format", "csv", "--svg", "fresh"]);
     assert!(ran.status.code() == Some(2) && said(&ran).contains("another result"), "{}", said(&ran));
     // A pipe in the folder would be waited for.
     fs::create_dir(at("pipes")).unwrap();

@@ -155,8 +155,39 @@ fn plain_text_has_the_columns_of_its_readers() {
     for (k, line) in text.lines().skip(1).enumerate() {
         let cells: Vec<f64> = line.split('\t').map(|cell| cell.parse().unwrap()).collect();
         assert_eq!((cells.len(), cells[0]), (12, k as f64));
-        assert!(k == 0 || cells[3] == 178.0 || cells[7] > 0.0, "{line}");
+        assert_eq!(cells[7], 0.0, "ArduCopter takes no heading from it: {line}");
     }
+}
+
+/// The items of a spec's plan as `QGC WPL`, without the home: twelve numbers each.
+fn items_of(spec: &str) -> Vec<Vec<f64>> {
+    let spec = Compiler::new().file(spec).unwrap().into_result().unwrap();
+    let planning = mavc::plan(&spec).unwrap();
+    let PlanOutcome::Planned(plan) = planning.outcome() else { panic!("no plan") };
+    let text = String::from_utf8(wpl(&plan.trajectory, spec.model(), None).unwrap().bytes).unwrap();
+    let cells = |line: &str| line.split('\t').map(|cell| cell.parse().unwrap()).collect();
+    text.lines().skip(2).map(cells).collect()
+}
+
+/// Every place but the take-off is reached with its heading, which a turn before it sets.
+#[test]
+fn turns_are_written_as_ardupilot_reads_them() {
+    let items = items_of("tests/specs/findings/turns_at_corners.mav");
+    let places: Vec<usize> = (0..items.len()).filter(|k| items[*k][3] == 16.0).collect();
+    assert!(places.len() >= 2 && places.iter().all(|k| items[k - 1][3] == 115.0), "{items:?}");
+    let heading = |k: usize| items[places[k] - 1][4];
+    // Yaws of 0 and 180 deg are east and west.
+    assert!((heading(0) - 90.0).abs() < 2.0 && (heading(places.len() - 1) - 270.0).abs() < 2.0, "{items:?}");
+    assert!(items.iter().enumerate().all(|(k, item)| item[0] == (k + 1) as f64));
+}
+
+/// 0 cm would be the present height.
+#[test]
+fn no_waypoint_is_written_at_zero_height() {
+    let items = items_of("tests/specs/findings/low_waypoints.mav");
+    let heights: Vec<f64> = items.iter().filter(|item| item[3] == 16.0).map(|item| item[10]).collect();
+    assert!(heights.iter().all(|z| (100.0 * z).trunc() != 0.0), "{heights:?}");
+    assert!(heights.iter().filter(|z| z.abs() < 0.05).count() >= 2, "{heights:?}");
 }
 
 fn point(numbers: &[f64]) -> [f64; 3] {

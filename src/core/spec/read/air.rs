@@ -3,6 +3,7 @@
 use super::context::Context;
 use super::expected::Expected;
 use super::fields::Fields;
+use super::plausibility::check_strong_air;
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::air as table;
@@ -40,6 +41,9 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Air> {
         (None, None) => 1.0,
     };
     let (wind, wind_spread) = wind?;
+    let strongest = wind.iter().zip(wind_spread).map(|(w, s)| (w.abs() + s).powi(2)).sum::<f64>().sqrt();
+    let given = |name: &str, value: Option<f64>| value.zip(fields.span_of(name));
+    check_strong_air(cx, given("wind", Some(strongest)), given("gusts", gusts));
     let air = Air { wind, wind_spread, gusts: gusts?, density_ratio, span };
     is_whole.then_some(air)
 }

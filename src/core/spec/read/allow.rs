@@ -15,10 +15,12 @@ const IDLE: &str = "mavc::allow::idle";
 
 /// The warnings that `allow` can suppress: those about what is written. The results of an analysis (`mavc::analysis`)
 /// and errors cannot be suppressed.
-const WARNINGS: [&str; 36] = [
+const WARNINGS: [&str; 38] = [
     "mavc::sense::thrust_to_weight",
     "mavc::sense::inertia",
     "mavc::sense::arm",
+    "mavc::sense::propeller",
+    "mavc::sense::coincident",
     "mavc::sense::torque_ratio",
     "mavc::sense::tip_speed",
     "mavc::sense::time_constant",

@@ -29,6 +29,17 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("waypoints", "is a statement of a `mission`, written `waypoint at [10, 0, 5] m` for each of them"),
     ("goal", "is the last waypoint of a `mission`, written `waypoint goal at [10, 0, 5] m`"),
     ("hold", "is a statement of a `mission`, written `hold 3 s`"),
+    (
+        "wind",
+        "goes into `air { wind = [6, 0, 0] m/s }` of the mission, for plans and flights; `simulate` takes it for \
+         flights alone",
+    ),
+    (
+        "gusts",
+        "goes into `air { gusts = 1 m/s }` of the mission, for plans and flights; `simulate` takes it for flights \
+         alone",
+    ),
+    ("density", "goes into `air { density = 1.1 kg/m^3 }` of the mission"),
 ];
 
 /// The owners of the groups of fields, as messages name them.

@@ -6,12 +6,16 @@ use std::path::{Component, Path, PathBuf};
 
 use super::near_files::List;
 use super::unreadable::{refused_by_name, unreadable};
-use crate::diagnostic::{Diagnostic, sort};
+use crate::diagnostic::{Diagnostic, Severity, sort};
+use crate::foreign::{self, Foreign};
 use crate::input::MAX_FILE_BYTES;
 use crate::input::{FileKind, MAX_TABLE_BYTES};
 use crate::source::{FileId, Source, SourceMap, Span, Spanned, visible};
 use crate::syntax::ast::{Item, SpecFile, Statement};
 use crate::syntax::{not_utf8, parse, too_large};
+
+/// Bytes at the beginning of a file that identify a log.
+const LONGEST_MAGIC: usize = 32;
 
 /// The most spec files, and the most tables, of one file set.
 pub const MAX_FILES: usize = 256;
@@ -107,6 +111,12 @@ impl Loader<'_> {
         let path = normal(Path::new(&name));
         self.seen.insert(path.clone(), ());
         let id = FileId(self.set.sources.iter().count() as u32);
+        if let Some(log @ Foreign::Log(_)) = foreign::of_bytes(bytes.get(..LONGEST_MAGIC).unwrap_or(bytes)) {
+            let source = Source::new(&name, "");
+            self.fail(log.error(id, &source));
+            self.set.sources.add(source);
+            return;
+        }
         if bytes.len() > MAX_FILE_BYTES {
             self.set.sources.add(Source::new(&name, ""));
             let span = used_at.unwrap_or(Span::new(id, 0, 0));
@@ -126,6 +136,15 @@ impl Loader<'_> {
             }
         };
         let checked = parse(id, self.set.sources.get(id));
+        let has_errors = checked.diagnostics.iter().any(|d| d.severity == Severity::Error);
+        if let Some(kind) = foreign::of_text(&self.set.sources.get(id).text).filter(|_| has_errors) {
+            let error = kind.error(id, self.set.sources.get(id));
+            self.fail(match used_at {
+                Some(span) => error.also(span, "named here"),
+                None => error,
+            });
+            return;
+        }
         self.diagnostics.extend(checked.diagnostics);
         let Some(tree) = checked.value else {
             self.set.incomplete = true;

@@ -342,10 +342,17 @@ pub(super) fn lowest(waypoints: &[Waypoint]) -> Option<(f64, Span)> {
     heights.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// The error for a ground (m) that is not below the lowest waypoint, of which the height (m) and place are given.
-pub(super) fn ground_too_high(code: &'static str, at: Span, ground: f64, lowest: (f64, Span)) -> Diagnostic {
+/// The error for a ground (m) that is above the lowest waypoint, or not below it, of which the height (m) and place are
+/// given; `rule` says which.
+pub(super) fn ground_too_high(
+    code: &'static str,
+    rule: &str,
+    at: Span,
+    ground: f64,
+    lowest: (f64, Span),
+) -> Diagnostic {
     let (z, span) = lowest;
-    let message = format!("`ground` must be below every waypoint, not at {} m", number(ground));
+    let message = format!("`ground` must {rule}, not at {} m", number(ground));
     let error = Diagnostic::error(code, at, message).here("too high");
     let error = error.also(span, format!("the lowest waypoint is at {} m", number(z)));
     error.help(format!("write a height below {} m, such as `{} m`", number(z), number(z - 1.0)))
@@ -357,9 +364,10 @@ fn ground<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, route: &Route) -> Writt
     fields.written("ground", |expr| {
         let ground = cx.quantity(&of_mission::GROUND, expr, CODE)?;
         let lowest = lowest(&route.waypoints).filter(|_| !route.broken);
-        match lowest.filter(|(z, _)| *z <= ground) {
+        // A mission may begin and end on the ground.
+        match lowest.filter(|(z, _)| *z < ground) {
             Some(lowest) => {
-                cx.report(ground_too_high(CODE, expr.span, ground, lowest));
+                cx.report(ground_too_high(CODE, "not be above a waypoint", expr.span, ground, lowest));
                 None
             }
             None => Some(ground),

@@ -24,6 +24,18 @@ pub struct Override {
     pub field: Field,
 }
 
+/// Statements that look like fields, each as it is written.
+const STATEMENTS: [(&str, &str); 8] = [
+    ("fault", "simulate { fault M1 at 5 s }"),
+    ("start", "start at [0, 0, 2] m"),
+    ("waypoint", "waypoint at [10, 0, 5] m"),
+    ("hold", "hold 3 s"),
+    ("mode", "mode M1 { rotor 1 lost }"),
+    ("every", "every 1 rotor lost as M"),
+    ("keep_in", "keep_in field { shape = box; from = [0, 0, 0] m; to = [9, 9, 9] m }"),
+    ("keep_out", "keep_out wall { shape = box; from = [0, 0, 0] m; to = [9, 9, 9] m }"),
+];
+
 /// Reads `plan.time=20s`, `vehicle.mass=2 kg`, `vehicle.rotor.max_speed=700rad/s`, `plan.against=[M1]`,
 /// `simulate.rate=2kHz`, `campaign.seeds=3`,
 /// `mission.limits.tilt=20deg`, `gravity=1.62 m/s^2`, or `a=5 m` for a `let`. The text is added to `sources` under the
@@ -51,6 +63,13 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
         }
         names.push(Spanned::new(name.to_string(), Span::new(file, at, at + word.len())));
         at += word.len() + 1;
+    }
+    let field = path[dot..].trim();
+    if let Some((_, statement)) = STATEMENTS.iter().find(|(name, _)| dot > 0 && *name == field) {
+        let message = format!("`--set` sets fields, and `{field}` is a statement");
+        let at = Span::new(file, dot, path.len());
+        let error = Diagnostic::error(CODE, at, message).here("not a field");
+        return Err(error.help(format!("write it in the spec: `{statement}`")));
     }
     // The path is replaced by blanks, so that the spans of the field are right.
     let field_alone = " ".repeat(dot) + &text[dot..];

@@ -11,7 +11,7 @@ mod mission_scale;
 mod noise;
 mod vehicle;
 
-pub(super) use air::check as check_air;
+pub(super) use air::{check as check_air, strong as check_strong_air};
 pub(super) use battery::check as check_battery;
 pub(super) use estimator::check as check_estimator;
 pub(super) use gains::check as check_gains;

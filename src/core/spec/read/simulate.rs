@@ -70,7 +70,7 @@ pub(super) fn elaborate<'a>(
 ) -> (Option<Simulation>, Vec<DefaultUsed>) {
     let Some(block) = block else {
         let ground = own_ground(around.mission).unwrap_or_else(|| {
-            lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(table::GROUND.value(), |(z, _)| z - 1.0)
+            lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(table::GROUND.value(), |(z, _)| z - BELOW)
         });
         let rate_span = campaign.unwrap_or(around.fallback);
         let simulation = Simulation {
@@ -107,10 +107,15 @@ fn lowest(mission: Option<&Mission>) -> Option<(f64, Span)> {
     super::mission::lowest(&mission?.waypoints)
 }
 
-/// The ground of the mission, if that gives it.
+/// The ground of the mission, if that gives it, m. Where the mission begins or ends on it, flights have it
+/// [`BELOW`] that: a vehicle whose centre of gravity is at the ground is down.
 fn own_ground(mission: Option<&Mission>) -> Option<f64> {
-    mission.and_then(|mission| mission.ground)
+    let ground = mission?.ground?;
+    Some(if lowest(mission).is_some_and(|(z, _)| z <= ground) { ground - BELOW } else { ground })
 }
+
+/// How far the ground of flights is below a waypoint on the ground, m.
+const BELOW: f64 = 1.0;
 
 /// The seed of the random noise: a plain whole number.
 pub(super) fn seed<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<u64> {
@@ -332,10 +337,10 @@ impl<'a> Reader<'a> {
                 Some((z, _)) => {
                     self.fields.used.push(DefaultUsed {
                         field: "simulate.ground".into(),
-                        value: format!("{} m", number(z - 1.0)),
+                        value: format!("{} m", number(z - BELOW)),
                         reason: "1 m below the lowest waypoint".into(),
                     });
-                    z - 1.0
+                    z - BELOW
                 }
                 None => self.fields.default(&table::GROUND, table::GROUND.value()),
             });
@@ -343,7 +348,13 @@ impl<'a> Reader<'a> {
         let ground = cx.quantity(&table::GROUND, expr, POSITIVE)?;
         match lowest.filter(|(z, _)| *z <= ground) {
             Some(lowest) => {
-                cx.report(ground_too_high("mavc::simulate::ground", expr.span, ground, lowest));
+                cx.report(ground_too_high(
+                    "mavc::simulate::ground",
+                    "be below every waypoint",
+                    expr.span,
+                    ground,
+                    lowest,
+                ));
                 None
             }
             None => Some(ground),

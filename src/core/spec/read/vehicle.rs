@@ -160,6 +160,7 @@ impl<'a> Reader<'a> {
             mass: vehicle.mass_span,
             inertia: self.fields.span_of("inertia").unwrap_or(vehicle.span),
             yaw_drag: self.fields.span_of("yaw_drag").unwrap_or(vehicle.span),
+            propeller_radius: self.fields.span_of("propeller_radius"),
             rotors,
         };
         let mut fits = cx.has_magnitude(vehicle, |k| [spans.rotors[k].thrust, spans.rotors[k].torque]);

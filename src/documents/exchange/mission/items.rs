@@ -9,6 +9,7 @@ use crate::motion::YAW;
 pub const WAYPOINT: u16 = 16;
 pub const LAND: u16 = 21;
 pub const TAKE_OFF: u16 = 22;
+pub const CONDITION_YAW: u16 = 115;
 pub const CHANGE_SPEED: u16 = 178;
 
 /// A plan that ends at most this far above the ground lands, m.

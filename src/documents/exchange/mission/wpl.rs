@@ -1,36 +1,49 @@
 //! MAVLink's plain text of missions, `QGC WPL 110`: twelve columns between tabs, the planned home first.
+//!
+//! ArduCopter takes no heading from an item: `CONDITION_YAW` before it turns the vehicle on the way, until the next
+//! item (`mode_auto.cpp` of 4.5, `verify_yaw`). It keeps heights in centimetres and takes 0 for the present height
+//! (`loc_from_cmd`).
 
 use super::Placed;
-use super::items::{CHANGE_SPEED, Item, Items, WAYPOINT};
+use super::items::{CHANGE_SPEED, CONDITION_YAW, Item, Items, LAND, TAKE_OFF, WAYPOINT};
 use super::qgc_plan::{NO_PLACE, RELATIVE};
 use crate::number::{fixed, shortest};
 use std::fmt::Write;
 
-/// A heading of 0 means none to ArduPilot's ground stations.
-const NORTH: f64 = 360.0;
+/// The least height above home of a waypoint, m: a millimetre more than the centimetre that is left when an autopilot
+/// truncates.
+const LOWEST: f64 = 0.011;
 
-pub fn text(placed: &Placed, items: &Items) -> String {
+/// The text, and the number of its items.
+pub fn text(placed: &Placed, items: &Items) -> (String, usize) {
     let home = placed.home();
-    let mut out = String::from("QGC WPL 110\n");
     let place = |latitude: f64, longitude: f64, height: f64| {
         format!("{}\t{}\t{}", fixed(latitude, 9), fixed(longitude, 9), fixed(height, 3))
     };
     let at_home = place(home.latitude, home.longitude, home.height);
-    let _ = writeln!(out, "0\t1\t0\t{WAYPOINT}\t0\t0\t0\t0\t{at_home}\t1");
-    for (k, item) in items.all.iter().enumerate() {
-        let number = k + 1;
-        let _ = match item {
+    let mut lines = vec![format!("1\t0\t{WAYPOINT}\t0\t0\t0\t0\t{at_home}")];
+    for item in &items.all {
+        match item {
             Item::Speed(speed) => {
-                writeln!(out, "{number}\t0\t{NO_PLACE}\t{CHANGE_SPEED}\t1\t{}\t-1\t0\t0\t0\t0\t1", shortest(*speed))
+                lines.push(format!("0\t{NO_PLACE}\t{CHANGE_SPEED}\t1\t{}\t-1\t0\t0\t0\t0", shortest(*speed)));
             }
             Item::Place { command, spot, hold, heading } => {
-                let seconds = if *command == WAYPOINT { *hold } else { 0.0 };
-                let heading = if *heading == 0.0 { NORTH } else { *heading };
-                let there = place(spot.latitude, spot.longitude, spot.height - home.height);
-                let [seconds, heading] = [seconds, heading].map(shortest);
-                writeln!(out, "{number}\t0\t{RELATIVE}\t{command}\t{seconds}\t0\t0\t{heading}\t{there}\t1")
+                if *command != TAKE_OFF {
+                    // By the shorter way, with the autopilot's own rate.
+                    let heading = shortest(*heading);
+                    lines.push(format!("0\t{NO_PLACE}\t{CONDITION_YAW}\t{heading}\t0\t0\t0\t0\t0\t0"));
+                }
+                let seconds = shortest(if *command == WAYPOINT { *hold } else { 0.0 });
+                let height = spot.height - home.height;
+                let height = if *command != LAND && height.abs() < LOWEST { LOWEST } else { height };
+                let there = place(spot.latitude, spot.longitude, height);
+                lines.push(format!("0\t{RELATIVE}\t{command}\t{seconds}\t0\t0\t0\t{there}"));
             }
-        };
+        }
     }
-    out
+    let mut out = String::from("QGC WPL 110\n");
+    for (number, line) in lines.iter().enumerate() {
+        let _ = writeln!(out, "{number}\t{line}\t1");
+    }
+    (out, lines.len() - 1)
 }

@@ -40,9 +40,13 @@ pub(super) struct Errors {
     pub(super) yaw: f64,
 }
 
-/// Instants of each interval between nodes at which errors are taken while pieces are searched, and in the end.
-const SEARCHED: usize = 4;
+/// Instants of each interval between nodes at which errors are taken: as many while pieces are searched as in the end,
+/// so that what is found is what is measured.
 const MEASURED: usize = 16;
+
+/// The tolerance, m and rad, from which the smallest that some pieces reach is sought by doubling: the same for every
+/// tolerance of the user, so that one proposed to the user is reached.
+const FINEST: f64 = 1e-6;
 
 /// Halvings of the range, a factor of 2^20, in which the smallest tolerance is sought for a number of pieces.
 const HALVINGS: usize = 12;
@@ -53,19 +57,26 @@ const RANGE: f64 = 20.0;
 /// # Errors
 /// That needs more pieces; the best fit with `most` pieces.
 pub(super) fn refit(trajectory: &Trajectory, most: usize, tolerance: f64) -> Result<Fit, Fit> {
-    // Between the instants of the search an error may be larger; below what float32 takes there is no fit.
-    for sought in [1.0, 0.9, 0.8, 0.5].map(|share| share * tolerance) {
-        let Some(nodes) = nodes_within(trajectory, most, sought) else { break };
-        let fit = best(trajectory, nodes.len() - 1, sought);
-        if fit.errors.position <= tolerance && fit.errors.yaw <= tolerance {
+    if let Some(nodes) = nodes_within(trajectory, most, tolerance) {
+        let fit = best(trajectory, nodes.len() - 1, tolerance);
+        if fit.is_within(tolerance) {
             return Ok(fit);
         }
     }
-    let mut enough = tolerance;
+    let mut enough = FINEST;
     while nodes_within(trajectory, most, enough).is_none() {
         enough *= 2.0;
     }
-    Err(best(trajectory, most, enough))
+    // A piece of a single interval is taken whatever its error, so that this one may reach the tolerance too.
+    let fit = best(trajectory, most, enough);
+    if fit.is_within(tolerance) { Ok(fit) } else { Err(fit) }
+}
+
+impl Fit {
+    /// Whether positions (m) and yaw (rad) are within a tolerance.
+    fn is_within(&self, tolerance: f64) -> bool {
+        self.errors.position <= tolerance && self.errors.yaw <= tolerance
+    }
 }
 
 /// The fit with at most `count` pieces and the smallest error, from a tolerance that so many reach.
@@ -107,7 +118,7 @@ fn nodes_within(trajectory: &Trajectory, most: usize, tolerance: f64) -> Option<
         }
         let is_within = |to: usize| {
             let piece = Piece::new(trajectory, [trajectory.times[from], trajectory.times[to]]);
-            let errors = piece.errors(trajectory, SEARCHED);
+            let errors = piece.errors(trajectory, MEASURED);
             errors.position <= tolerance && errors.yaw <= tolerance
         };
         // A single interval always fits, up to rounding: the plan has a lower degree there.

@@ -23,6 +23,8 @@ pub struct Draft {
 pub struct Home {
     pub place: Geodetic,
     pub span: Range<usize>,
+    /// Whether its height above sea is that of the file: otherwise it is taken as 0 m, and stands as `?`.
+    pub has_height: bool,
 }
 
 /// What a line of the spec came from.
@@ -38,6 +40,8 @@ pub struct Mark {
 pub enum Yaw {
     /// deg, counter-clockwise from east.
     Angle(f64),
+    /// Towards a point: x and y, m.
+    Towards([f64; 2]),
     /// The autopilot's settings decide.
     Free,
     /// The file has no word for yaw: nothing is written.

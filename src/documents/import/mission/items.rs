@@ -1,5 +1,9 @@
-//! MAVLink's mission items (the commands of `MAV_CMD`, common.xml) as waypoints.
+//! MAVLink's mission items (the commands of `MAV_CMD`, common.xml) as waypoints, as the autopilot flies them: PX4 1.15,
+//! `src/modules/navigator`, or ArduCopter 4.5, `mode_auto.cpp`.
 
+mod turns;
+
+use super::autopilot::{ARDUPILOT, Autopilot, PX4};
 use super::commands;
 use super::draft::{Draft, Home, Mark, Speeds, Stop, Way, Yaw};
 use super::{ASSUMED, LEFT_OUT};
@@ -29,16 +33,32 @@ pub struct Item {
 /// What holds for all items of a file.
 pub struct Setting {
     pub home: Home,
-    /// The autopilot is ArduPilot: a yaw of 0 is none.
+    /// The autopilot is ArduPilot, otherwise PX4.
     pub is_ardupilot: bool,
     /// Speeds before the first item.
     pub speeds: Speeds,
+}
+
+impl Setting {
+    /// The speeds of the autopilot that flies the mission.
+    pub fn of(home: Home, is_ardupilot: bool) -> Self {
+        let speeds = autopilot(is_ardupilot).speeds(&home.span);
+        Setting { home, is_ardupilot, speeds }
+    }
+}
+
+fn autopilot(is_ardupilot: bool) -> &'static Autopilot {
+    if is_ardupilot { &ARDUPILOT } else { &PX4 }
 }
 
 /// How far an item may be from home, m: the bound of a spec, less what rounding adds.
 const FARTHEST: f64 = 999e3;
 /// Heights of items, m.
 const HEIGHTS: (f64, f64) = (-10e3, 100e3);
+/// `MAV_FRAME` of heights above sea, home or the terrain, and of items without a place.
+const FRAMES: [f64; 7] = [0.0, 2.0, 3.0, 5.0, 6.0, 10.0, 11.0];
+/// m
+const CENTIMETRE: f64 = 0.01;
 /// A take-off or landing nearer than this to the place above or below it is vertical, m.
 const SAME_PLACE: f64 = 0.5;
 
@@ -53,14 +73,38 @@ struct Follow<'f> {
     ended: Option<Mark>,
     /// The last waypoint is of a spline, on which the vehicle leaves too.
     was_spline: bool,
+    /// The yaw (deg, counter-clockwise from east) of the next place, which `MAV_CMD_CONDITION_YAW` sets.
+    turn: Option<f64>,
+    /// The region of interest: x and y, m.
+    region: Option<[f64; 2]>,
 }
 
-type Step = Result<(), Box<Diagnostic>>;
+type Read<T> = Result<T, Box<Diagnostic>>;
+type Step = Read<()>;
+
+/// Errors that are all reported, the last of them as the outcome.
+#[derive(Default)]
+pub struct Faults(Vec<Diagnostic>);
+
+impl Faults {
+    /// The value, or `None` after an error that is kept.
+    pub fn take<T>(&mut self, read: Read<T>) -> Option<T> {
+        read.map_err(|fault| self.0.push(*fault)).ok()
+    }
+
+    /// # Errors
+    /// The last that was kept; those before it are added to `found`.
+    pub fn end(mut self, found: &mut Vec<Diagnostic>) -> Step {
+        let last = self.0.pop();
+        found.extend(self.0);
+        last.map_or(Ok(()), |last| Err(Box::new(last)))
+    }
+}
 
 /// Adds the waypoints of the items to the draft; items that a spec cannot say are left out with a warning in `found`.
 ///
 /// # Errors
-/// An item without which the flight would be another one.
+/// An item without which the flight would be another one; if there are several, all but the last are added to `found`.
 pub fn follow(items: &[Item], setting: &Setting, draft: &mut Draft, found: &mut Vec<Diagnostic>) -> Step {
     let plane = TangentPlane::at(setting.home.place);
     let mut follow = Follow {
@@ -71,9 +115,13 @@ pub fn follow(items: &[Item], setting: &Setting, draft: &mut Draft, found: &mut 
         found,
         ended: None,
         was_spline: false,
+        turn: None,
+        region: None,
     };
+    let mut faults = Faults::default();
     for item in items {
-        follow.item(item)?;
+        let step = follow.item(item);
+        faults.take(step);
         if follow.stops.len() > MAX_WAYPOINTS {
             let error = Diagnostic::error(UNSUPPORTED, at(item.mark.span.clone()), "the mission has too many items");
             let error = error.here(format!("a mission may have at most {MAX_WAYPOINTS} waypoints"));
@@ -81,7 +129,7 @@ pub fn follow(items: &[Item], setting: &Setting, draft: &mut Draft, found: &mut 
         }
     }
     draft.stops = follow.stops;
-    Ok(())
+    faults.end(found)
 }
 
 impl Follow<'_> {
@@ -122,6 +170,15 @@ impl Follow<'_> {
             21 => self.land(item),
             22 => self.take_off(item),
             178 => self.speed(item),
+            80 | 195 | 201 => self.look_at(item),
+            197 => {
+                self.region = None;
+                Ok(())
+            }
+            115 => {
+                self.condition_yaw(item);
+                Ok(())
+            }
             177 if item.params[1] == Some(0.0) => Ok(()),
             other => self.other(item, other),
         }
@@ -130,6 +187,12 @@ impl Follow<'_> {
     fn warn(&mut self, code: &'static str, item: &Item, message: &str, here: &str) {
         let message = format!("{}: {message}", item.mark.name);
         self.found.push(Diagnostic::warning(code, at(item.mark.span.clone()), message).here(here));
+    }
+
+    fn warn_with(&mut self, code: &'static str, item: &Item, message: &str, here: &str, help: &str) {
+        self.warn(code, item, message, here);
+        let warning = self.found.pop().map(|warning| warning.help(help));
+        self.found.extend(warning);
     }
 
     /// A command that this module does not follow.
@@ -173,7 +236,11 @@ impl Follow<'_> {
     /// Height above the ellipsoid, by the item's frame, m.
     fn height(&mut self, item: &Item) -> Result<f64, Box<Diagnostic>> {
         let home = self.setting.home.place.height;
-        let given = item.params[6];
+        // ArduCopter keeps heights in centimetres and takes 0 for the present one (`loc_from_cmd`).
+        let is_present = |height: f64| {
+            self.setting.is_ardupilot && height.abs() < CENTIMETRE && !matches!(item.command, 21.0 | 22.0)
+        };
+        let given = item.params[6].filter(|height| !is_present(*height));
         let height = match (item.frame, given) {
             (0.0 | 5.0, Some(height)) => height,
             (3.0 | 6.0, Some(height)) => home + height,
@@ -193,14 +260,11 @@ impl Follow<'_> {
                 }
             },
             // Where it is left open, the present height.
-            (0.0 | 2.0 | 3.0 | 5.0 | 6.0 | 10.0 | 11.0, _) => {
+            (frame, _) if FRAMES.contains(&frame) => {
                 let last = self.stops.last().map_or([0.0; 3], |stop| stop.position);
                 self.plane.place(last).height
             }
-            _ => {
-                let message = format!("{}: a spec has no word for frame {}", item.mark.name, number(item.frame));
-                return refuse(UNSUPPORTED, &item.frame_span, &message, "not a frame of heights above sea or home");
-            }
+            _ => return self.refuse_frame(item),
         };
         if !(HEIGHTS.0..=HEIGHTS.1).contains(&height) {
             let message =
@@ -212,15 +276,6 @@ impl Follow<'_> {
             self.warn(ASSUMED, item, &message, "below the ground at home");
         }
         Ok(height)
-    }
-
-    /// The yaw of an item, whose parameter 4 is a heading in degrees clockwise from north.
-    fn yaw(&self, item: &Item) -> Yaw {
-        match item.params[3] {
-            // ArduPilot takes no yaw from a waypoint, and its ground stations write 0.
-            Some(heading) if !(self.setting.is_ardupilot && heading == 0.0) => Yaw::Angle(90.0 - heading),
-            _ => Yaw::Free,
-        }
     }
 
     fn push(&mut self, item: &Item, position: [f64; 3], remark: &'static str) -> &mut Stop {
@@ -244,7 +299,7 @@ impl Follow<'_> {
     fn waypoint(&mut self, item: &Item, hold: Option<f64>) -> Step {
         let position = self.position(item)?;
         let is_waypoint = matches!(item.command, 16.0 | 82.0);
-        let yaw = if item.command == 16.0 { self.yaw(item) } else { Yaw::Free };
+        let yaw = self.yaw(item);
         if is_waypoint && item.params[2].is_some_and(|radius| radius != 0.0) {
             self.warn(LEFT_OUT, item, "parameter 3, by which it is passed at a distance, is left out", "left out");
         }
@@ -283,7 +338,8 @@ impl Follow<'_> {
     /// The planned home as the start, straight up, and on to the item's place.
     fn take_off(&mut self, item: &Item) -> Step {
         if self.stops.is_empty() {
-            let home = Mark { name: "planned home".into(), span: self.setting.home.span.clone() };
+            let name = if self.setting.home.has_height { "planned home" } else { "below the take-off" };
+            let home = Mark { name: name.into(), span: self.setting.home.span.clone() };
             self.push(item, [0.0; 3], "").mark = home;
         }
         let [x, y] = self.stops.last().map_or([0.0; 2], |last| [last.position[0], last.position[1]]);
@@ -292,8 +348,10 @@ impl Follow<'_> {
         let above = self.plane.place([x, y, 0.0]);
         let up = self.plane.local(&Geodetic { height: self.plane.place(there).height, ..above })[2];
         let yaw = self.yaw(item);
+        let climb = self.autopilot().marked(self.autopilot().take_off, &item.mark.span);
         let stop = self.push(item, [x, y, up], "take-off");
         (stop.yaw, stop.way) = (yaw, Way::Vertical);
+        stop.speeds.climb = slower(stop.speeds.climb.take(), climb);
         if apart > SAME_PLACE && self.setting.is_ardupilot {
             self.warn(
                 LEFT_OUT,
@@ -307,35 +365,77 @@ impl Follow<'_> {
         Ok(())
     }
 
-    /// To above the place at the present height, and straight down.
+    fn refuse_frame<T>(&self, item: &Item) -> Read<T> {
+        let message = format!("{}: a spec has no word for frame {}", item.mark.name, number(item.frame));
+        refuse(UNSUPPORTED, &item.frame_span, &message, "not a frame of heights above sea or home")
+    }
+
+    fn autopilot(&self) -> &'static Autopilot {
+        autopilot(self.setting.is_ardupilot)
+    }
+
+    /// To above the place at the present height, and straight down to the ground, whatever the item's altitude is.
     fn land(&mut self, item: &Item) -> Step {
-        let there = self.position(item)?;
-        self.down(item, there, self.yaw(item), "land")
+        let home = self.setting.home.place.height;
+        if !FRAMES.contains(&item.frame) {
+            return self.refuse_frame(item);
+        }
+        let given = match (item.frame, item.params[6]) {
+            (0.0 | 5.0, Some(height)) if height != 0.0 => Some(height),
+            (3.0 | 6.0, Some(height)) => Some(home + height),
+            (10.0 | 11.0, _) => item.above_sea,
+            _ => None,
+        };
+        // Above home it may be the height of the flight; below home it can only be that of the ground.
+        let ground = given.filter(|height| *height < home || matches!(item.frame, 10.0 | 11.0)).unwrap_or(home);
+        if let Some(height) = given.filter(|height| (height - ground).abs() > CENTIMETRE) {
+            let message = format!(
+                "it lands on the ground, for which the spec takes the height of the planned home, not its altitude, {} \
+                 m above home",
+                number(height - home)
+            );
+            self.warn(ASSUMED, item, &message, "autopilots descend to the ground");
+        }
+        let mut on_ground = Item { frame: 0.0, ..item.clone() };
+        on_ground.params[6] = Some(ground);
+        let there = self.position(&on_ground)?;
+        let yaw = self.yaw(item);
+        self.down(item, there, yaw, "land")
     }
 
     fn down(&mut self, item: &Item, there: [f64; 3], yaw: Yaw, remark: &'static str) -> Step {
-        if let Some(last) = self.stops.last().map(|stop| stop.position) {
-            if (there[0] - last[0]).hypot(there[1] - last[1]) > SAME_PLACE {
-                self.push(item, [there[0], there[1], last[2]], "to above the landing").yaw = yaw;
-            } else {
-                let last = self.stops.len() - 1;
-                // The vehicle lands below where it is: its own place differs by centimetres of rounding.
-                let [x, y, _] = self.stops[last].position;
-                let stop = self.push(item, [x, y, there[2]], remark);
-                (stop.yaw, stop.way, stop.stops) = (yaw, Way::Vertical, true);
-                return Ok(());
-            }
+        let Some(last) = self.stops.last().map(|stop| stop.position) else {
+            let stop = self.push(item, there, remark);
+            (stop.yaw, stop.way, stop.stops) = (yaw, Way::Any, true);
+            return Ok(());
+        };
+        let mut below = there;
+        if (there[0] - last[0]).hypot(there[1] - last[1]) > SAME_PLACE {
+            self.push(item, [there[0], there[1], last[2]], "to above the landing").yaw = yaw;
+        } else {
+            // The vehicle lands below where it is: its own place differs by centimetres of rounding.
+            below = [last[0], last[1], there[2]];
         }
-        let is_down = !self.stops.is_empty();
-        let stop = self.push(item, there, remark);
-        (stop.yaw, stop.way, stop.stops) = (yaw, if is_down { Way::Vertical } else { Way::Any }, true);
+        let slow = there[2] + self.autopilot().slows_at;
+        if last[2] > slow + SAME_PLACE {
+            let stop = self.push(item, [below[0], below[1], slow], "slows down");
+            (stop.yaw, stop.way) = (yaw, Way::Vertical);
+        }
+        let descent = self.autopilot().marked(self.autopilot().land, &item.mark.span);
+        let stop = self.push(item, below, remark);
+        (stop.yaw, stop.way, stop.stops) = (yaw, Way::Vertical, true);
+        stop.speeds.descent = slower(stop.speeds.descent.take(), descent);
         Ok(())
     }
 
     fn back_home(&mut self, item: &Item) -> Step {
-        let message =
-            "the height of the return is a parameter of the autopilot; the spec returns at the present height";
-        self.warn(ASSUMED, item, message, "no height given");
+        let Autopilot { name, returns_at: (height, parameter), .. } = self.autopilot();
+        let message = format!(
+            "the spec returns at the present height; {name} first climbs to {parameter}, by default {} m, if it is \
+             lower",
+            number(*height)
+        );
+        self.warn(ASSUMED, item, &message, "no height given");
         self.down(item, [0.0; 3], Yaw::Free, "land at home")?;
         self.ended = Some(item.mark.clone());
         Ok(())
@@ -344,20 +444,28 @@ impl Follow<'_> {
     /// Parameter 1 the kind of speed (0 air, 1 ground, 2 climb, 3 descent), 2 the speed, m/s; -1 no change, -2 the
     /// default.
     fn speed(&mut self, item: &Item) -> Step {
-        let kind = match item.params[0].unwrap_or(0.0) {
-            0.0 | 1.0 => &mut self.speeds.horizontal,
-            2.0 => &mut self.speeds.climb,
-            3.0 => &mut self.speeds.descent,
+        let default = self.autopilot().speeds(&item.mark.span);
+        let (kind, default) = match item.params[0].unwrap_or(0.0) {
+            0.0 | 1.0 => (&mut self.speeds.horizontal, default.horizontal),
+            2.0 => (&mut self.speeds.climb, default.climb),
+            3.0 => (&mut self.speeds.descent, default.descent),
             _ => return refuse(SYNTAX, &item.spans[0], "the kind of a speed is 0 to 3", "no kind of speed"),
         };
         match item.params[1] {
             None | Some(-1.0) => {}
-            Some(-2.0) => *kind = None,
+            // ArduCopter, `do_change_speed`: only speeds above zero.
+            Some(speed) if self.setting.is_ardupilot && speed <= 0.0 => {}
+            Some(-2.0) => *kind = default,
             Some(speed) if speed > 0.0 => *kind = Some((speed, item.mark.clone())),
             Some(_) => return refuse(SYNTAX, &item.spans[1], "a speed must be above zero", "not above zero"),
         }
         Ok(())
     }
+}
+
+/// The slower of two speeds.
+fn slower(set: Option<(f64, Mark)>, own: (f64, Mark)) -> Option<(f64, Mark)> {
+    Some(set.filter(|(speed, _)| *speed <= own.0).unwrap_or(own))
 }
 
 pub(super) fn refuse<T>(

@@ -8,6 +8,7 @@ use crate::import::MAX_BYTES;
 use crate::read::FileSet;
 use crate::source::{FileId, Source, SourceMap, Span};
 use crate::spec::{Compiled, Compiler, Spec};
+use crate::syntax::ast::Item;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -31,11 +32,12 @@ pub fn join(
 ) -> Joined {
     let mut found = Vec::new();
     let mut made = None;
+    let chosen = write::name(name, &names_in(vehicle, compiler));
     let imported = crate::import::import(name, bytes, |source, warnings| {
         let draft = read(source, warnings)?;
         let path = Path::new(vehicle);
         let file = path.file_name().and_then(|file| file.to_str()).unwrap_or(vehicle);
-        made = Some((write::text(source, &draft, Some(file))?, draft));
+        made = Some((write::text(source, &draft, Some(file), &chosen)?, draft));
         Ok((String::new(), Vec::new()))
     });
     found.extend(imported.diagnostics);
@@ -47,7 +49,7 @@ pub fn join(
     let folder = Path::new(vehicle).parent().unwrap_or(Path::new(""));
     let beside = folder.join(MISSION);
     // The spec may have a mission of its own, and its `plan` may name it.
-    let compiler = compiler.clone().set(format!("plan.mission={}", write::name(name)));
+    let compiler = compiler.clone().set(format!("plan.mission={chosen}"));
     let Compiled { spec, mut diagnostics, files } =
         compiler.text(&beside.display().to_string(), written.text.as_bytes());
     if let Some(spec) = &spec {
@@ -60,6 +62,18 @@ pub fn join(
     let sources = with_first(imported.sources.get(FileId(0)).clone(), &files.sources);
     let files = Arc::new(FileSet { sources, ..FileSet::clone(&files) });
     Joined { spec, files, diagnostics: found }
+}
+
+/// The names that a spec and the files that it uses declare, so that a mission beside them can have another; none of a
+/// file that cannot be read.
+pub fn names_in(spec: &str, compiler: &Compiler) -> Vec<String> {
+    let Ok(bytes) = crate::input::given(spec, crate::input::MAX_FILE_BYTES) else { return Vec::new() };
+    let files = compiler.parse(spec, &bytes).files.files;
+    let blocks = files.into_iter().flat_map(|file| file.items).filter_map(|item| match item {
+        Item::Block(block) => block.name.map(|name| name.value),
+        _ => None,
+    });
+    blocks.collect()
 }
 
 /// The name under which the text is compiled: no file can have it.

@@ -1,7 +1,7 @@
 //! Plans of QGroundControl, JSON of `"fileType": "Plan"` (version 1 with a mission of version 2).
 
-use super::draft::{Draft, Home, Mark, Speeds};
-use super::items::{Item, Setting, follow, place, refuse};
+use super::draft::{Draft, Home, Mark};
+use super::items::{Faults, Item, Setting, follow, place, refuse};
 use super::{LEFT_OUT, fence};
 use crate::diagnostic::Diagnostic;
 use crate::import::json::{Json, JsonValue, parse};
@@ -34,15 +34,21 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     let home = home(mission)?;
     let firmware = mission.get("firmwareType").and_then(Json::number);
     check_vehicle(mission, found);
-    let speeds = hover_speed(mission)?;
+    let mut setting = Setting::of(home.clone(), firmware == Some(ARDUPILOT));
+    if let Some(speed) = hover_speed(mission)? {
+        setting.speeds.horizontal = Some(speed);
+    }
     let mut items = Vec::new();
     let list = member(mission, "items")?;
+    let mut faults = Faults::default();
     for item in listed(list, "items")? {
-        collect(item, &mut items, found)?;
+        let collected = collect(item, &mut items, found);
+        faults.take(collected);
     }
-    let mut draft = Draft { format: "a plan of QGroundControl", home: Some(home.clone()), ..Draft::default() };
-    let setting = Setting { home, is_ardupilot: firmware == Some(ARDUPILOT), speeds };
-    follow(&items, &setting, &mut draft, found)?;
+    let mut draft = Draft { format: "a plan of QGroundControl", home: Some(home), ..Draft::default() };
+    let followed = follow(&items, &setting, &mut draft, found);
+    faults.take(followed);
+    faults.end(found)?;
     if draft.stops.len() < 2 {
         let message = "the mission has fewer than two places to fly to";
         let error = Diagnostic::error(UNSUPPORTED, at(list.span.clone()), message).here("the items");
@@ -117,8 +123,9 @@ fn home(mission: &Json) -> Read<Home> {
         );
     }
     let degrees = [Some(numeric(latitude, "plannedHomePosition")?), Some(numeric(longitude, "plannedHomePosition")?)];
+    super::wpl::is_there(degrees, &(latitude.span.start..longitude.span.end))?;
     let place = place(degrees, height, [&latitude.span, &longitude.span])?;
-    Ok(Home { place, span: latitude.span.clone() })
+    Ok(Home { place, span: latitude.span.clone(), has_height: true })
 }
 
 fn check_vehicle(mission: &Json, found: &mut Vec<Diagnostic>) {
@@ -131,12 +138,11 @@ fn check_vehicle(mission: &Json, found: &mut Vec<Diagnostic>) {
 }
 
 /// The speed with which QGroundControl plans multirotors, until an item changes it.
-fn hover_speed(mission: &Json) -> Read<Speeds> {
-    let Some(speed) = mission.get("hoverSpeed") else { return Ok(Speeds::default()) };
+fn hover_speed(mission: &Json) -> Read<Option<(f64, Mark)>> {
+    let Some(speed) = mission.get("hoverSpeed") else { return Ok(None) };
     let mark = Mark { name: "hoverSpeed".into(), span: speed.span.clone() };
     let value = numeric(speed, "hoverSpeed")?;
-    let horizontal = (value > 0.0).then_some((value, mark));
-    Ok(Speeds { horizontal, ..Speeds::default() })
+    Ok((value > 0.0).then_some((value, mark)))
 }
 
 /// Adds an item, or those that a survey consists of.

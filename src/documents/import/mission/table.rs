@@ -52,15 +52,18 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
         rows.next();
         columns = name(header, found)?;
     }
-    let mut first_time = None;
+    let (mut first_time, mut row) = (None, 0);
     for (line, span) in rows {
         let cells = split(line, span.start);
         if cells.len() != count {
             let here = format!("{} values", cells.len());
             return refuse(SYNTAX, &span, &format!("a row of this table must have {count} values"), &here);
         }
-        let stop = stop(&cells, &columns, draft.stops.len() + 1, span.clone(), &mut first_time)?;
-        draft.stops.push(stop);
+        row += 1;
+        let stop = stop(&cells, &columns, row, span.clone(), &mut first_time)?;
+        if !pauses(draft.stops.last_mut(), &stop) {
+            draft.stops.push(stop);
+        }
         if draft.stops.len() > MAX_WAYPOINTS {
             let message = format!("a mission may have at most {MAX_WAYPOINTS} waypoints");
             return refuse(UNSUPPORTED, &span, &message, "the first too many");
@@ -76,6 +79,18 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
         found.push(Diagnostic::warning(ASSUMED, at(span), message).here("the file does not give its unit or zero"));
     }
     Ok(draft)
+}
+
+/// Whether a row only says that the vehicle is still where the row before was, which then holds until that time.
+fn pauses(before: Option<&mut Stop>, row: &Stop) -> bool {
+    let Some((before, (from, until))) = before.and_then(|b| Some((b.time?, row.time?)).map(|times| (b, times))) else {
+        return false;
+    };
+    let is_same = before.position == row.position && before.yaw == row.yaw && until > from;
+    if is_same {
+        before.hold = Some((until - from, row.mark.clone()));
+    }
+    is_same
 }
 
 /// The column of each of [`NAMES`].

@@ -1,10 +1,10 @@
 //! MAVLink's plain text of missions, `QGC WPL 110`: a line for each item with twelve columns between tabs or blanks,
 //! the first of which is the planned home.
 
-use super::draft::{Draft, Home, Mark, Speeds};
+use super::draft::{Draft, Home, Mark};
 use super::items::{Item, Setting, follow, place, refuse};
 use crate::diagnostic::Diagnostic;
-use crate::import::{FORMAT, SYNTAX, UNSUPPORTED};
+use crate::import::{ASSUMED, FORMAT, SYNTAX, UNSUPPORTED, at};
 use crate::source::Source;
 use std::ops::Range;
 
@@ -38,11 +38,15 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     let Some((first, rest)) = items.split_first() else {
         return refuse(SYNTAX, &span, "the file has no items", "nothing follows");
     };
-    let home = home(first)?;
+    // Some writers begin with the take-off, as if there were no home.
+    let (home, rest) = match first.command {
+        TAKE_OFF => (under_take_off(first, &items, found)?, &items[..]),
+        _ => (home(first)?, rest),
+    };
     let mut draft =
         Draft { format: "a mission of MAVLink (`QGC WPL 110`)", home: Some(home.clone()), ..Draft::default() };
-    // Files of this format are ArduPilot's: its ground stations write 0 for a yaw that is not given.
-    follow(rest, &Setting { home, is_ardupilot: true, speeds: Speeds::default() }, &mut draft, found)?;
+    // Files of this format are ArduPilot's.
+    follow(rest, &Setting::of(home, true), &mut draft, found)?;
     if draft.stops.len() < 2 {
         return refuse(
             UNSUPPORTED,
@@ -87,17 +91,41 @@ fn home(item: &Item) -> Read<Home> {
             "no height",
         );
     }
-    if item.params[4] == Some(0.0) && item.params[5] == Some(0.0) {
-        let span = item.spans[4].start..item.spans[5].end;
-        return refuse(
-            UNSUPPORTED,
-            &span,
-            "the first item, the planned home, is at 0, 0: the file has no home",
-            "no home",
-        );
-    }
+    let span = item.spans[4].start..item.spans[5].end;
+    is_there([item.params[4], item.params[5]], &span)?;
     let place = place([item.params[4], item.params[5]], height, [&item.spans[4], &item.spans[5]])?;
-    Ok(Home { place, span: item.mark.span.clone() })
+    Ok(Home { place, span: item.mark.span.clone(), has_height: true })
+}
+
+/// A home below a take-off in the first line. Its height above sea is in no such file, and so no item can be above sea.
+fn under_take_off(item: &Item, items: &[Item], found: &mut Vec<Diagnostic>) -> Read<Home> {
+    let span = item.spans[4].start..item.spans[5].end;
+    is_there([item.params[4], item.params[5]], &span)?;
+    let place = place([item.params[4], item.params[5]], 0.0, [&item.spans[4], &item.spans[5]])?;
+    let has_place = |item: &&Item| matches!(item.command, 16.0 | 17.0 | 19.0 | 21.0 | 22.0 | 82.0);
+    if let Some(above_sea) = items.iter().filter(has_place).find(|item| matches!(item.frame, 0.0 | 5.0)) {
+        let message = format!("{}: its height is above sea, and the file has no home", above_sea.mark.name);
+        return refuse(UNSUPPORTED, &above_sea.frame_span, &message, "not a height above home");
+    }
+    let message = "the first item is a take-off: the file has no planned home, and the spec takes the ground below it";
+    let warning = Diagnostic::warning(ASSUMED, at(item.mark.span.clone()), message).here("in place of the home");
+    found.push(warning.help("ArduPilot would take this line for the home: write the home into the first line"));
+    Ok(Home { place, span: item.mark.span.clone(), has_height: false })
+}
+
+/// `MAV_CMD_NAV_TAKEOFF`
+const TAKE_OFF: f64 = 22.0;
+
+/// Refuses a home at latitude and longitude 0, which ground stations write where none was set.
+pub(super) fn is_there(degrees: [Option<f64>; 2], span: &Range<usize>) -> Read<()> {
+    if degrees.iter().any(|x| x.is_some_and(|x| x != 0.0)) {
+        return Ok(());
+    }
+    let error = Diagnostic::error(UNSUPPORTED, at(span.clone()), "the planned home is at 0, 0: the file has no home");
+    Err(Box::new(error.here("no home").help(
+        "set the home in the ground station and save the mission again, or write the latitude, longitude and altitude \
+         of the take-off here",
+    )))
 }
 
 /// `index current frame command param1 .. param4 latitude longitude altitude autocontinue`

@@ -3,9 +3,11 @@
 use super::draft::{Draft, Mark, Shape, Speeds, Stop, Volume, Way, Yaw};
 use crate::diagnostic::Diagnostic;
 use crate::import::{FORMAT, at};
+use crate::input::FileKind;
 use crate::number::fixed;
 use crate::source::{Source, visible};
 use std::fmt::Write;
+use std::path::Path;
 
 /// Digits after the point of lengths in m: a millimetre.
 const MILLIMETRES: usize = 3;
@@ -37,11 +39,11 @@ impl Writer {
     }
 }
 
-/// The spec of a draft; it uses the spec `vehicle` if one is given.
+/// The spec of a draft with the name `mission`; it uses the spec `vehicle` if one is given.
 ///
 /// # Errors
 /// The path of `vehicle` cannot stand in a spec.
-pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>) -> Result<Written, Box<Diagnostic>> {
+pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>, mission: &str) -> Result<Written, Box<Diagnostic>> {
     let mut writer = Writer { written: Written { text: String::new(), lines: Vec::new() } };
     writer.line(&format!("// From {}, {}.", visible::line(&source.name).replace('\n', " "), draft.format), None);
     draft.remarks.iter().for_each(|remark| writer.line(&format!("// {remark}"), None));
@@ -50,44 +52,52 @@ pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>) -> Result<Wri
             let error = Diagnostic::error(FORMAT, at(0..0), "the path of the vehicle cannot stand in a spec");
             return Err(Box::new(error.help("rename it without quotes and control characters")));
         }
+        if FileKind::of(Path::new(path)) != Some(FileKind::Spec) {
+            let error = Diagnostic::error(FORMAT, at(0..0), "`use` reads only files whose names end in `.mav`");
+            return Err(Box::new(error.help("make a spec of the vehicle first: `mavc import vehicle FILE -o v.mav`")));
+        }
         writer.line(&format!("use \"{path}\""), None);
     }
     writer.line("", None);
-    writer.line(&format!("mission {} {{", name(&source.name)), None);
+    writer.line(&format!("mission {mission} {{"), None);
     if let Some(home) = &draft.home {
         let mark = Mark { name: "planned home".into(), span: home.span.clone() };
         let [north, east] =
             [home.place.latitude, home.place.longitude].map(|angle| short(angle.to_degrees(), OF_DEGREES));
         writer.line(&format!("    origin_latitude = {north} deg"), Some(&mark));
         writer.line(&format!("    origin_longitude = {east} deg"), Some(&mark));
-        writer.line(&format!("    origin_altitude = {} m", short(home.place.height, MILLIMETRES)), Some(&mark));
+        let height = match home.has_height {
+            true => format!("{} m", short(home.place.height, MILLIMETRES)),
+            false => "?  // above sea; the file does not give it".into(),
+        };
+        writer.line(&format!("    origin_altitude = {height}"), Some(&mark));
     }
     let common = common_speeds(&draft.stops);
     let mut yaw = Yaw::Unsaid;
     for (k, stop) in draft.stops.iter().enumerate() {
         let before = k.checked_sub(1).map(|k| &draft.stops[k]);
-        waypoint(&mut writer, before, stop, &mut yaw, common.is_some());
+        waypoint(&mut writer, before, stop, &mut yaw, &common);
     }
-    for (name, (speed, mark)) in common.iter().flat_map(Speeds::limits) {
-        let limits = format!("    limits {{ {name} <= {} m/s }}  // {}", short(*speed, MILLIMETRES), mark.name);
-        writer.line(&limits, Some(mark));
-    }
+    limits(&mut writer, &common);
     draft.volumes.iter().for_each(|v| volume(&mut writer, v, &draft.stops));
     writer.line("}", None);
     Ok(writer.written)
 }
 
-/// The name of the mission: that of the file, as far as a spec can have it.
-pub(super) fn name(path: &str) -> String {
-    let stem = std::path::Path::new(path).file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+/// The name of the mission: that of the file, as far as a spec can have it, and none of `taken`.
+pub(super) fn name(path: &str, taken: &[String]) -> String {
+    let stem = Path::new(path).file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
     let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let name: String = stem.chars().take(40).map(letter).collect();
     let name = name.trim_matches('_');
-    match name.chars().next() {
+    let name = match name.chars().next() {
         None => "imported".into(),
         Some(first) if first.is_ascii_digit() => format!("m{name}"),
         Some(_) => name.to_string(),
-    }
+    };
+    let is_free = |name: &String| !taken.contains(name);
+    let numbered = (2..).map(|k| format!("{name}_{k}"));
+    std::iter::once(name.clone()).chain(numbered).find(is_free).unwrap_or(name)
 }
 
 /// A number without needless zeros.
@@ -97,21 +107,43 @@ fn short(x: f64, digits: usize) -> String {
     if text == "-0" { "0".into() } else { text.to_string() }
 }
 
-/// The speeds of all legs if they are the same and only one of them is given, so that one `limits` of the mission says
-/// it.
-fn common_speeds(stops: &[Stop]) -> Option<Speeds> {
-    let second = &stops.get(1)?.speeds;
-    let is_one = second.limits().count() == 1;
-    (is_one && stops[1..].iter().all(|stop| stop.speeds == *second)).then(|| second.clone())
+/// Of each kind of speed the largest of all legs, if every leg has one: `limits` of the mission say it.
+fn common_speeds(stops: &[Stop]) -> Speeds {
+    let legs = stops.get(1..).unwrap_or_default();
+    let largest = |of: fn(&Speeds) -> &Option<(f64, Mark)>| {
+        let all: Option<Vec<&(f64, Mark)>> = legs.iter().map(|stop| of(&stop.speeds).as_ref()).collect();
+        all?.into_iter().reduce(|most, next| if next.0 > most.0 { next } else { most }).cloned()
+    };
+    Speeds { horizontal: largest(|s| &s.horizontal), climb: largest(|s| &s.climb), descent: largest(|s| &s.descent) }
 }
 
-fn waypoint(writer: &mut Writer, before: Option<&Stop>, stop: &Stop, yaw: &mut Yaw, has_common: bool) {
+/// The `limits` of the mission.
+fn limits(writer: &mut Writer, common: &Speeds) {
+    let line = |(name, (speed, _)): (&str, &(f64, Mark))| format!("{name} <= {} m/s", short(*speed, MILLIMETRES));
+    match common.limits().collect::<Vec<_>>()[..] {
+        [] => {}
+        [one] => writer.line(&format!("    limits {{ {} }}  // {}", line(one), one.1.1.name), Some(&one.1.1)),
+        ref all => {
+            writer.line("    limits {", None);
+            for one in all {
+                writer.line(&format!("        {}  // {}", line(*one), one.1.1.name), Some(&one.1.1));
+            }
+            writer.line("    }", None);
+        }
+    }
+}
+
+fn waypoint(writer: &mut Writer, before: Option<&Stop>, stop: &Stop, yaw: &mut Yaw, common: &Speeds) {
     let is_first = before.is_none();
     let [x, y, z] = stop.position.map(|p| short(p, MILLIMETRES));
     let mut line = format!("    {} at [{x}, {y}, {z}] m", if is_first { "start" } else { "waypoint" });
     if *yaw != stop.yaw {
         match stop.yaw {
             Yaw::Angle(degrees) => line.push_str(&format!("  yaw {} deg", short(turned(degrees), MILLIMETRES))),
+            Yaw::Towards([x, y]) => {
+                let [x, y] = [x, y].map(|p| short(p, MILLIMETRES));
+                let _ = write!(line, "  yaw towards [{x}, {y}, 0] m");
+            }
             Yaw::Free => line.push_str("  yaw free"),
             Yaw::Unsaid => {}
         }
@@ -136,9 +168,11 @@ fn waypoint(writer: &mut Writer, before: Option<&Stop>, stop: &Stop, yaw: &mut Y
     let limits: Vec<String> = stop
         .speeds
         .limits()
+        // The mission says the same.
+        .filter(|(name, speed)| !common.limits().any(|(n, most)| n == *name && most.0 <= speed.0))
         .map(|(name, (speed, _))| format!("{name} <= {} m/s", short(*speed, MILLIMETRES)))
         .collect();
-    if !is_first && !has_common && !limits.is_empty() {
+    if !is_first && !limits.is_empty() {
         let _ = write!(line, " {{ {} }}", limits.join("; "));
     }
     let remark = if stop.remark.is_empty() { String::new() } else { format!(", {}", stop.remark) };

@@ -1,7 +1,8 @@
-//! Multirotors of ArduPilot: the frame by `FRAME_CLASS` and `FRAME_TYPE`; its parameters give neither arms nor masses
-//! nor thrusts.
+//! Multirotors of ArduPilot: the frame by `FRAME_CLASS` and `FRAME_TYPE`; its parameters give neither arms nor masses.
+//! Full thrust follows from the mass by `MOT_THST_HOVER`, which the autopilot learns in flight, unless it is the
+//! default. Sources: `AP_MotorsMulticopter.cpp` and `AP_BattMonitor_Params.cpp` of ArduPilot 4.5.
 
-use super::draft::{Draft, Field, Figure, Rotor, name_from_file};
+use super::draft::{Draft, Field, Figure, Rotor, battery, full_thrust_from_hover, name_from_file};
 use super::frames::{FRAMES, Frame, Motors, OTHER_CLASSES};
 use super::parameters::{Parameter, Parameters, set_twice};
 use crate::diagnostic::Diagnostic;
@@ -12,8 +13,40 @@ use crate::source::Source;
 /// The frame where a file gives no `FRAME_TYPE`: X.
 const DEFAULT_TYPE: u32 = 1;
 
+/// Defaults: the share of full thrust in hover, and mA h of a battery.
+const DEFAULT_HOVER: f64 = 0.35;
+const DEFAULT_CAPACITY: f64 = 3300.0;
+/// The voltage of a full cell of a lithium polymer battery, and its nominal voltage, V.
+const FULL_CELL: f64 = 4.2;
+const CELL: f64 = 3.7;
+
 /// The class of three arms with two motors each.
 const Y6: u32 = 5;
+
+/// The error for parameters of another vehicle of ArduPilot, or of versions in which the firmware has the class; `None`
+/// if they are none of these.
+pub fn other_vehicle(parameters: &Parameters) -> Option<Diagnostic> {
+    let help = "name the parameters of a multirotor with `FRAME_CLASS`";
+    let of = |name: &str| parameters.get(name);
+    let (parameter, message, here, help) = if let Some(class) = of("Q_FRAME_CLASS") {
+        (class, "these are parameters of a quadplane, a VTOL aircraft", "its lifting rotors alone", help)
+    } else if let Some(steering) = of("ATC_STR_RAT_P").or(of("ATC_STR_RAT_FF")).filter(|_| of("FRAME_CLASS").is_some())
+    {
+        (steering, "these are parameters of a rover or boat", "a gain of its steering", help)
+    } else if let Some(kind) = of("FRAME").filter(|_| of("FRAME_CLASS").is_none()) {
+        let help = "write a line `FRAME_CLASS,1` for a quadcopter, 2 for a hexa- or 3 for an octocopter, and \
+                    `FRAME_TYPE` with this value, into a copy of the file";
+        (
+            kind,
+            "these are parameters of ArduCopter before 3.5, whose firmware has the class of the frame",
+            "its type",
+            help,
+        )
+    } else {
+        return None;
+    };
+    Some(Diagnostic::error(UNSUPPORTED, parameter.span, message).here(here).help(help))
+}
 
 /// The vehicle of some parameters with `FRAME_CLASS`.
 pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnostic>) -> Outcome {
@@ -38,9 +71,38 @@ pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnos
     }
     let names = ["FRAME_CLASS", "FRAME_TYPE"];
     found.extend(parameters.repeated().filter(|(name, ..)| names.contains(name)).map(set_twice));
-    let text = draft(source, frame).text();
-    let kept = |name: &&str| matches!(*name, "FRAME_CLASS" | "FRAME_TYPE");
+    let figures = Figures::of(parameters);
+    if let Some(hover) = parameters.get("MOT_THST_HOVER").filter(|_| figures.hover.is_some()) {
+        let message = "full thrust is computed from the mass and the thrust with which the vehicle hovers";
+        let warning = Diagnostic::warning(ASSUMED, hover.span, message).here("the share of full thrust in hover");
+        found.push(warning.help("it is as exact as `MOT_THST_EXPO`: measure full thrust if you can"));
+    }
+    let text = draft(source, frame, &figures).text();
+    let kept = |name: &&str| matches!(*name, "FRAME_CLASS" | "FRAME_TYPE") || figures.used.contains(name);
     Ok((text, parameters.names().filter(|name| !kept(name)).map(String::from).collect()))
+}
+
+/// Figures of a vehicle that the parameters hold, and these parameters; a default was never measured, and gives none.
+struct Figures {
+    /// The share of full thrust with which the vehicle hovers.
+    hover: Option<f64>,
+    /// The fields of `battery`.
+    battery: Vec<Field>,
+    used: Vec<&'static str>,
+}
+
+impl Figures {
+    fn of(parameters: &Parameters) -> Self {
+        let value = |name: &str| parameters.get(name).map(|parameter| parameter.value).filter(|x| *x > 0.0);
+        let hover = value("MOT_THST_HOVER").filter(|x| *x < 1.0 && *x as f32 != DEFAULT_HOVER as f32);
+        let capacity = value("BATT_CAPACITY").filter(|x| *x != DEFAULT_CAPACITY);
+        let cells = value("MOT_BAT_VOLT_MAX").map(|volts| (volts / FULL_CELL).round()).filter(|cells| *cells >= 1.0);
+        let voltage = cells.map(|n| (CELL * n, format!("{n} cells of {CELL} V, from MOT_BAT_VOLT_MAX")));
+        let battery = capacity.map_or(Vec::new(), |capacity| battery(capacity, "BATT_CAPACITY", voltage));
+        let used = [("MOT_THST_HOVER", hover.is_some()), ("BATT_CAPACITY", capacity.is_some())];
+        let used = used.into_iter().filter(|(_, is_used)| *is_used).map(|(name, _)| name).collect();
+        Figures { hover, battery, used }
+    }
 }
 
 /// A Y6 of any other type is the Y6 of type 0.
@@ -74,7 +136,7 @@ fn no_frame(class: Parameter, kind: Option<Parameter>, number: Option<u32>) -> D
     }
 }
 
-fn draft(source: &Source, frame: &Frame) -> Draft {
+fn draft(source: &Source, frame: &Frame, figures: &Figures) -> Draft {
     let (places, arm) = match frame.motors {
         Motors::Ring(text) => {
             (text.split(' ').map(on_ring).collect::<Vec<_>>(), "from the centre of gravity to a motor")
@@ -93,6 +155,13 @@ fn draft(source: &Source, frame: &Frame) -> Draft {
         remark: None,
     };
     let unknown = |name| Field::new(name, Figure::Unknown);
+    let mut lets = vec![unknown("arm").remark(arm)];
+    let (mut mass, mut thrust) = (unknown("mass"), unknown("max_thrust"));
+    if let Some(share) = figures.hover {
+        let (figure, remark) = full_thrust_from_hover(places.len(), share, "MOT_THST_HOVER");
+        lets.push(std::mem::replace(&mut mass, Field::new("mass", Figure::Known("mass".into()))));
+        thrust = Field::new("max_thrust", figure).remark(remark);
+    }
     Draft {
         name: name_from_file(&source.name),
         from: vec![
@@ -100,13 +169,14 @@ fn draft(source: &Source, frame: &Frame) -> Draft {
                 "From parameters of ArduPilot: FRAME_CLASS {}, FRAME_TYPE {}, \"{}\".",
                 frame.class, frame.kind, frame.name
             ),
-            "They give the frame and no figure, so figures stand as `?`. Motors have ArduPilot's numbers.".into(),
+            "Figures that they do not give stand as `?`. Motors have ArduPilot's numbers.".into(),
         ],
         title: None,
-        lets: vec![unknown("arm").remark(arm)],
-        fields: vec![unknown("mass"), unknown("inertia").remark("[Ixx, Iyy, Izz]")],
-        shared: vec![unknown("max_thrust"), unknown("torque_per_thrust"), unknown("max_speed")],
+        lets,
+        fields: vec![mass, unknown("inertia").remark("[Ixx, Iyy, Izz]")],
+        shared: vec![thrust, unknown("torque_per_thrust"), unknown("max_speed")],
         rotors: places.into_iter().enumerate().map(rotor).collect(),
+        battery: figures.battery.clone(),
     }
 }
 

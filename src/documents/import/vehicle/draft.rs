@@ -76,7 +76,34 @@ pub struct Draft {
     /// The fields of `rotor { }`.
     pub shared: Vec<Field>,
     pub rotors: Vec<Rotor>,
+    /// The fields of `battery { }`; without any there is none.
+    pub battery: Vec<Field>,
 }
+
+/// The fields of `battery { }`: capacity in mA h of the parameter `parameter`, and a voltage with its remark.
+pub fn battery(capacity: f64, parameter: &str, voltage: Option<(f64, String)>) -> Vec<Field> {
+    let voltage = match voltage {
+        Some((volts, remark)) => Field::new("voltage", Figure::single(volts as f32, "V")).remark(remark),
+        None => {
+            Field::new("voltage", Figure::Unknown).remark("nominal: 3.7 V for each cell of a lithium polymer battery")
+        }
+    };
+    vec![
+        Field::new("capacity", Figure::single(capacity as f32, "mA*h")).remark(parameter),
+        voltage,
+        Field::new("hover_power", Figure::Unknown).remark("as a log of a hover shows it; or remove this block"),
+    ]
+}
+
+/// Full thrust of one of `rotors` rotors of a vehicle that hovers with a share of it, from the `let` named `mass`, and
+/// its remark.
+pub fn full_thrust_from_hover(rotors: usize, share: f64, parameter: &str) -> (Figure, String) {
+    let weight = format!("mass*{STANDARD_GRAVITY} m/s^2/({rotors}*{})", share as f32);
+    (Figure::Known(weight), format!("hovers with {parameter} of full thrust"))
+}
+
+/// m/s^2
+const STANDARD_GRAVITY: f64 = 9.80665;
 
 impl Draft {
     /// The spec, laid out as `mavc fmt` does.
@@ -105,7 +132,13 @@ impl Draft {
                 rotor.motor
             ));
         }
-        out.push_str("    }\n}\n");
+        out.push_str("    }\n");
+        if !self.battery.is_empty() {
+            out.push_str("    battery {\n");
+            self.battery.iter().for_each(|field| out.push_str(&field.line("        ")));
+            out.push_str("    }\n");
+        }
+        out.push_str("}\n");
         laid_out(out)
     }
 }

@@ -78,7 +78,7 @@ pub const FRAMES: &[Frame] = &[
 ];
 
 /// Classes that are no multirotor of a spec, and what they are.
-pub const OTHER_CLASSES: [(u32, &str); 9] = [
+pub const OTHER_CLASSES: [(u32, &str); 11] = [
     (0, "not set: the frame was never chosen"),
     (6, "a helicopter"),
     (7, "a tricopter, whose tail tilts"),
@@ -88,4 +88,6 @@ pub const OTHER_CLASSES: [(u32, &str); 9] = [
     (11, "a helicopter"),
     (13, "a helicopter"),
     (15, "a matrix that a script on the autopilot defines"),
+    (16, "a vehicle of six degrees of freedom, whose matrix a script on the autopilot defines"),
+    (17, "a matrix that a script on the autopilot changes in flight"),
 ];

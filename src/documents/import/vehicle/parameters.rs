@@ -132,7 +132,7 @@ fn parts(code: &str) -> Option<(&str, Option<&str>)> {
         return Some((name, value.filter(|_| columns.next().is_some())));
     }
     let mut pieces = code.split([',', ' ', '\t', '\r', '\n', '=']).filter(|piece| !piece.is_empty());
-    let name = pieces.next().filter(is_name).filter(|name| name.contains('_'))?;
+    let name = pieces.next().filter(is_name).filter(|name| name.contains('_') || *name == "FRAME")?;
     Some((name, pieces.next()))
 }
 

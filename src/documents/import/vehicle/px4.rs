@@ -3,15 +3,17 @@
 //! for a rotor that turns counter-clockwise seen from above). Source: PX4 user guide, "Control Allocation", and its
 //! parameter reference.
 
+mod figures;
 pub mod script;
 
-use super::draft::{Draft, Field, Figure, Rotor, name_from_file};
+use super::draft::{Draft, Field, Figure, Rotor, full_thrust_from_hover, name_from_file};
 use super::parameters::{Parameters, set_twice};
 use crate::diagnostic::Diagnostic;
 use crate::import::{ASSUMED, Outcome, SYNTAX, UNSUPPORTED, at};
 use crate::number::number;
 use crate::read::vehicle::ROTORS;
 use crate::source::{Source, Span};
+use figures::Figures;
 use script::Reason;
 
 /// What each value of `CA_AIRFRAME` means, where it is no multirotor.
@@ -27,7 +29,8 @@ const AIRFRAMES: [(f64, &str); 9] = [
     (11.0, "a helicopter"),
 ];
 
-/// Torque per thrust of a rotor for which no `_KM` is given, m.
+/// PX4's defaults (`control_allocator/module.yaml`, 1.15): full thrust of a rotor in N, and its torque per thrust in m.
+const DEFAULT_CT: f32 = 6.5;
 const DEFAULT_KM: f32 = 0.05;
 
 /// The keys of a rotor that a spec keeps.
@@ -47,7 +50,9 @@ pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnos
     }
     reader.every_value_is_known()?;
     let count = reader.count(source)?;
-    let rotors = (0..count).map(|i| reader.rotor(i)).collect::<Result<Vec<_>, _>>()?;
+    let mut rotors = (0..count).map(|i| reader.rotor(i)).collect::<Result<Vec<_>, _>>()?;
+    reader.warn(&rotors, found);
+    reader.drop_defaults(&mut rotors, found);
     for i in (0..count).filter(|i| rotors[*i].thrust.is_none()) {
         let others = rotors.iter().any(|rotor| rotor.thrust.is_some());
         if let Some(span) = reader.any(i).filter(|_| others) {
@@ -59,13 +64,15 @@ pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnos
             );
         }
     }
-    reader.warn(&rotors, found);
-    let text = draft(source, rotors).text();
+    let figures = figures::read(parameters);
+    reader.warn_of_thrust_from_hover(&rotors, &figures, found);
+    let text = draft(source, rotors, &figures).text();
     let kept = |name: &str| {
         let key = name.strip_prefix("CA_ROTOR").and_then(|rest| rest.split_once('_'));
         let is_rotor =
             |(index, key): (&str, &str)| index.parse::<usize>().is_ok_and(|index| index < count) && KEPT.contains(&key);
-        matches!(name, "CA_ROTOR_COUNT" | "CA_AIRFRAME") || key.is_some_and(is_rotor)
+        let is_figure = figures.used.contains(&name);
+        matches!(name, "CA_ROTOR_COUNT" | "CA_AIRFRAME") || is_figure || key.is_some_and(is_rotor)
     };
     Ok((text, parameters.names().filter(|name| !kept(name)).map(String::from).collect()))
 }
@@ -114,6 +121,8 @@ struct Px4Rotor {
     thrust: Option<f32>,
     torque: f32,
     has_torque: bool,
+    /// The torque is PX4's default, as that of all others.
+    is_unmeasured: bool,
     may_reverse: bool,
 }
 
@@ -212,6 +221,43 @@ impl Reader<'_, '_> {
         }
     }
 
+    /// Thrusts and torques that are PX4's defaults at every motor are nobody's measurements: of the torques only the
+    /// signs say something.
+    fn drop_defaults(&self, rotors: &mut [Px4Rotor], found: &mut Vec<Diagnostic>) {
+        let mut warn = |key: &str, default: f32, unit: &str, field: &str| {
+            let span = (0..rotors.len()).find_map(|i| self.value(i, key)).map(|(_, span)| span);
+            let message = format!("`{key}` of every motor is PX4's default, {default} {unit}, which nobody measured");
+            let Some(span) = span else { return };
+            let warning = Diagnostic::warning(ASSUMED, span, message).here(format!("`{field}` stands as `?`"));
+            found.push(warning.help("measure it on a thrust stand, or take it from the data of motor and propeller"));
+        };
+        let is_default = rotors.iter().all(|rotor| rotor.thrust == Some(DEFAULT_CT));
+        let has_default_torque = rotors.iter().all(|rotor| rotor.torque.abs() == DEFAULT_KM);
+        if is_default {
+            warn("CT", DEFAULT_CT, "N", "max_thrust");
+        }
+        if has_default_torque {
+            warn("KM", DEFAULT_KM, "m", "torque_per_thrust");
+        }
+        for rotor in rotors {
+            rotor.thrust = rotor.thrust.filter(|_| !is_default);
+            rotor.is_unmeasured = has_default_torque;
+        }
+    }
+
+    fn warn_of_thrust_from_hover(&self, rotors: &[Px4Rotor], figures: &Figures, found: &mut Vec<Diagnostic>) {
+        if figures.thrust.is_some() {
+            return;
+        }
+        let Some(hover) = self.parameters.get("MPC_THR_HOVER").filter(|_| figures.hover.is_some()) else { return };
+        if rotors.iter().any(|rotor| rotor.thrust.is_none()) {
+            let message = "full thrust is computed from the mass and the thrust with which the vehicle hovers";
+            let warning = Diagnostic::warning(ASSUMED, hover.span, message).here("the share of full thrust in hover");
+            let help = "PX4 takes thrust to follow the command by `THR_MDL_FAC`: measure full thrust if you can";
+            found.push(warning.help(help));
+        }
+    }
+
     fn rotor(&self, i: usize) -> Result<Px4Rotor, Box<Diagnostic>> {
         let or = |key: &str, default: f32| self.value(i, key).map_or(default, |(value, _)| value);
         let axis = [or("AX", 0.0), or("AY", 0.0), or("AZ", -1.0)];
@@ -233,29 +279,51 @@ impl Reader<'_, '_> {
             thrust: self.value(i, "CT").map(|(value, _)| value).filter(|thrust| *thrust > 0.0),
             torque: or("KM", DEFAULT_KM),
             has_torque: self.value(i, "KM").is_some(),
+            is_unmeasured: false,
             may_reverse: i < 32 && reverse & (1 << i) != 0,
         })
     }
 }
 
-fn draft(source: &Source, rotors: Vec<Px4Rotor>) -> Draft {
+fn draft(source: &Source, rotors: Vec<Px4Rotor>, known: &Figures) -> Draft {
     let same = |of: fn(&Px4Rotor) -> Option<f32>| {
         let first = of(&rotors[0]);
         rotors.iter().all(|rotor| of(rotor) == first).then_some(first)
     };
     let thrust = same(|rotor| rotor.thrust);
     let torque = same(|rotor| Some(rotor.torque.abs()));
-    let ratio = |torque: f32| if torque == 0.0 { Figure::Unknown } else { Figure::single(torque.abs(), "m") };
+    let is_unmeasured = rotors[0].is_unmeasured;
+    let ratio = |torque: f32| match torque == 0.0 || is_unmeasured {
+        true => Figure::Unknown,
+        false => Figure::single(torque.abs(), "m"),
+    };
     let newtons = |thrust: Option<f32>| thrust.map_or(Figure::Unknown, |thrust| Figure::single(thrust, "N"));
     let mut shared = Vec::new();
-    if let Some(thrust) = thrust {
-        shared.push(Field::new("max_thrust", newtons(thrust)).remark("CT"));
+    let (mass, binding) = known.mass();
+    match (thrust, known.hover.filter(|_| known.thrust.is_none())) {
+        (Some(None), None) if known.thrust.is_some() => {
+            let figure = known.thrust.map_or(Figure::Unknown, |thrust| Figure::single(thrust as f32, "N"));
+            shared.push(Field::new("max_thrust", figure).remark("SIH_T_MAX"));
+        }
+        (Some(None), Some(share)) => {
+            let (figure, remark) = full_thrust_from_hover(rotors.len(), share, "MPC_THR_HOVER");
+            shared.push(Field::new("max_thrust", figure).remark(remark));
+        }
+        (Some(thrust), _) => shared.push(Field::new("max_thrust", newtons(thrust)).remark("CT")),
+        (None, _) => {}
     }
     if let Some(torque) = torque {
         let is_default = rotors.iter().any(|rotor| !rotor.has_torque);
-        let remark =
-            if is_default { "KM; where the file gives none, PX4's default, which nobody measured" } else { "KM" };
-        shared.push(Field::new("torque_per_thrust", ratio(torque.unwrap_or(0.0))).remark(remark));
+        let remark = match (is_unmeasured, is_default) {
+            (true, _) => "KM is PX4's default",
+            (false, true) => "KM; where the file gives none, PX4's default, which nobody measured",
+            _ => "KM",
+        };
+        let (figure, remark) = match known.ratio.filter(|_| is_unmeasured) {
+            Some(ratio) => (Figure::single(ratio as f32, "m"), "SIH_Q_MAX/SIH_T_MAX"),
+            None => (ratio(torque.unwrap_or(0.0)), remark),
+        };
+        shared.push(Field::new("torque_per_thrust", figure).remark(remark));
     }
     shared.push(Field::new("max_speed", Figure::Unknown).remark("at full thrust"));
     let rotor = |(i, rotor): (usize, &Px4Rotor)| {
@@ -285,7 +353,6 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>) -> Draft {
         }
     };
     let placed = rotors.iter().enumerate().map(rotor).collect();
-    let unknown = |name| Field::new(name, Figure::Unknown);
     Draft {
         name: name_from_file(&source.name),
         from: vec![
@@ -293,10 +360,11 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>) -> Draft {
             "x forward, y left, z up from the centre of gravity; motors as PX4 numbers them, from 1.".into(),
         ],
         title: script::title(&source.text),
-        lets: Vec::new(),
-        fields: vec![unknown("mass"), unknown("inertia").remark("[Ixx, Iyy, Izz]")],
+        lets: binding.into_iter().collect(),
+        fields: vec![mass, known.inertia()],
         shared,
         rotors: placed,
+        battery: known.battery.clone(),
     }
 }
 

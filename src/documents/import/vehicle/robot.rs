@@ -12,13 +12,17 @@ use crate::import::{Outcome, SYNTAX, UNSUPPORTED, at};
 use crate::read::vehicle::ROTORS;
 use crate::source::{Source, Span};
 use nalgebra::{Matrix3, Vector3};
-use roxmltree::{Document, ParsingOptions};
+use roxmltree::{Document, Node, ParsingOptions};
+use std::collections::HashMap;
 
 /// The most elements and texts of a file: a robot has thousands.
 const MOST_NODES: u32 = 500_000;
 
 /// The most attributes of one element, and the most namespaces of a file: the parser compares each with all others.
 const MOST_ATTRIBUTES: usize = 1_000;
+
+/// Rotors beyond this are too many for a spec, and not looked at.
+const MOST_ROTORS: usize = *ROTORS.end();
 
 /// Products of inertia above this share of the smallest moment are named: a spec has none.
 const MOST_PRODUCT: f64 = 0.02;
@@ -31,6 +35,34 @@ pub fn is_one(text: &str) -> bool {
     text.trim_start().starts_with('<')
 }
 
+/// The joint that holds a link.
+pub struct Joint<'a> {
+    pub parent: String,
+    /// `fixed`, `revolute` and so on.
+    pub kind: &'a str,
+}
+
+/// Refuses a rotor whose link is on an arm that turns: its own joint is that of the propeller, and every joint between
+/// its arm and the vehicle must be fixed. `joints` are by the link that they hold.
+fn turning_arm(link: &str, joints: &HashMap<String, Joint>, rotor: Node) -> Result<(), RobotError> {
+    let mut arm = joints.get(link).map(|own| own.parent.as_str());
+    let mut passed = 0;
+    while let Some(joint) = arm.and_then(|arm| joints.get(arm)) {
+        if joint.kind != "fixed" {
+            let shown: String = arm.unwrap_or_default().chars().take(40).collect();
+            let message = format!("a rotor is on the arm `{shown}`, which turns or slides");
+            let error = Diagnostic::error(UNSUPPORTED, xml::tag(rotor), message).here("a motor");
+            let kind: String = joint.kind.chars().take(20).collect();
+            return Err(Box::new(error.help(format!(
+                "its joint is `{kind}`: a spec has rotors with fixed axes only; make it `fixed` if the arm never moves"
+            ))));
+        }
+        passed += 1;
+        arm = Some(joint.parent.as_str()).filter(|_| passed <= joints.len());
+    }
+    Ok(())
+}
+
 /// What a file says of a vehicle.
 #[derive(Default)]
 pub struct Robot {
@@ -39,6 +71,8 @@ pub struct Robot {
     /// Rigid parts; empty if the file gives no masses.
     pub parts: Vec<Part>,
     pub rotors: Vec<RobotRotor>,
+    /// Radius of the propellers, m.
+    pub radius: Option<f64>,
     /// What was left out.
     pub dropped: Vec<String>,
     pub warnings: Vec<Diagnostic>,
@@ -158,6 +192,9 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
             remark: None,
         }
     });
+    let mut fields = vec![Field::new("mass", mass), Field::new("inertia", inertia)];
+    let radius = robot.radius.map(|radius| Figure::Known(format!("{} m", shortest(radius))));
+    fields.extend(radius.map(|radius| Field::new("propeller_radius", radius)));
     let draft = Draft {
         name: robot.name.as_deref().map_or_else(|| name_from_file(&source.name), name_from),
         from: vec![
@@ -166,9 +203,10 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
         ],
         title: None,
         lets: Vec::new(),
-        fields: vec![Field::new("mass", mass), Field::new("inertia", inertia)],
+        fields,
         shared,
         rotors: rotors.collect(),
+        battery: Vec::new(),
     };
     Ok((draft.text(), robot.dropped))
 }

@@ -130,6 +130,14 @@ fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
             error.here("begins no statement").help("write the expression where it is used, or `let` it be a value"),
         );
     }
+    if word == "motor" && meant == "rotor" {
+        let message = "no statement begins with `motor`";
+        let error = Diagnostic::error("mavc::syntax::unknown_statement", span, message).here("did you mean `rotor`?");
+        return Some(error.help(
+            "write `rotor` with its place in the list of the vehicle, from 1: where the rotors have a `motor` number, \
+             it may be another",
+        ));
+    }
     let at = if matches!(meant, "start" | "waypoint") && rest.starts_with('[') { " at" } else { "" };
     // The last waypoint is the goal, and may be called so.
     let name = if GOALS.contains(&word) { format!(" {}", word.to_ascii_lowercase()) } else { String::new() };

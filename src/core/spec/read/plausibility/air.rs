@@ -25,18 +25,11 @@ pub(in crate::spec::read) fn check(
 ) {
     let at = |name: &str| fields.span_of(name).unwrap_or(block);
     let wind = simulation.wind.iter().map(|v| v * v).sum::<f64>().sqrt();
-    if wind > WIND {
-        let message = format!("`wind` is {} m/s, outside the usual range of 0 to {} m/s", short(wind), short(WIND));
-        let slip = "look for `m/s` in place of `km/h`, and for extra digits";
-        cx.report(warning("mavc::sense::wind", at("wind"), message, slip).here("stronger than a storm"));
-    } else if let Some(vehicle) = vehicle {
+    // The wind and gusts of a mission are judged where they are written.
+    let own = |name: &str| fields.span_of(name);
+    strong(cx, own("wind").map(|span| (wind, span)), own("gusts").map(|span| (simulation.gusts, span)));
+    if let Some(vehicle) = vehicle.filter(|_| wind <= WIND) {
         blown_away(cx, simulation, vehicle, wind, at("wind"), at("drag"));
-    }
-    if simulation.gusts > GUSTS {
-        let gusts = short(simulation.gusts);
-        let message = format!("`gusts` is {gusts} m/s, outside the usual range of 0 to {} m/s", short(GUSTS));
-        let slip = "look for `m/s` in place of `km/h`, and for extra digits";
-        cx.report(warning("mavc::sense::gusts", at("gusts"), message, slip).here("stronger than in a storm"));
     }
     if !GUST_LENGTH.has(simulation.gust_length) {
         let length = short(simulation.gust_length);
@@ -50,6 +43,19 @@ pub(in crate::spec::read) fn check(
         let slip = "check the units of drag and mass";
         let here = format!("the vehicle would fall at {} m/s at most", short(cx.gravity / slowing));
         cx.report(warning("mavc::sense::drag", at("drag"), message, slip).here(here));
+    }
+}
+
+/// Warns of wind and gusts (m/s) beyond a storm, each with the place where it is written.
+pub(in crate::spec::read) fn strong(cx: &mut Context, wind: Option<(f64, Span)>, gusts: Option<(f64, Span)>) {
+    let slip = "look for `m/s` in place of `km/h`, and for extra digits";
+    if let Some((wind, span)) = wind.filter(|(wind, _)| *wind > WIND) {
+        let message = format!("`wind` is {} m/s, outside the usual range of 0 to {} m/s", short(wind), short(WIND));
+        cx.report(warning("mavc::sense::wind", span, message, slip).here("stronger than a storm"));
+    }
+    if let Some((gusts, span)) = gusts.filter(|(gusts, _)| *gusts > GUSTS) {
+        let message = format!("`gusts` is {} m/s, outside the usual range of 0 to {} m/s", short(gusts), short(GUSTS));
+        cx.report(warning("mavc::sense::gusts", span, message, slip).here("stronger than in a storm"));
     }
 }
 

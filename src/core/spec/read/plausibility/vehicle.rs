@@ -18,6 +18,11 @@ const ARM: Usual = Usual::new(0.3, 10.0);
 const TORQUE: Usual = Usual::new(0.01, 0.3);
 /// Torque per thrust in m, where the diameter cannot be estimated: for propellers from 15 mm to 4 m.
 const TORQUE_ALONE: Usual = Usual::new(0.001, 0.3);
+/// Diameter of a propeller over the one that thrust and speed suggest: the thrust coefficients of real propellers, from
+/// 0.03 to 0.25, give 0.8 to 1.35.
+const PROPELLER: Usual = Usual::new(0.6, 1.7);
+/// Rotors nearer than this to each other are at one place, m.
+const SAME_PLACE: f64 = 1e-3;
 /// Speed of a propeller's tips, m/s: the upper end is close to the speed of sound.
 const TIP_SPEED: Usual = Usual::new(30.0, 300.0);
 /// Time constant with which a rotor's speed follows, s.
@@ -37,6 +42,7 @@ pub(in crate::spec::read) struct VehicleSpans {
     pub mass: Span,
     pub inertia: Span,
     pub yaw_drag: Span,
+    pub propeller_radius: Option<Span>,
     /// One for each rotor, in the same order.
     pub rotors: Vec<RotorSpans>,
 }
@@ -74,7 +80,9 @@ pub(in crate::spec::read) fn check(cx: &mut Context, vehicle: &Vehicle, written:
     // With an implausible tip speed the estimated diameter is meaningless.
     if !odd_tips {
         arm(cx, vehicle, written);
+        propeller(cx, vehicle, written);
     }
+    coincident(cx, vehicle, written);
     torque_ratio(cx, vehicle, written);
     time_constant(cx, vehicle, written);
     yaw_drag(cx, vehicle, written);
@@ -193,6 +201,52 @@ fn arm(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
         warning("mavc::sense::arm", at.place, message, "look for `m` in place of `cm` or `mm`, or the other way round");
     let warning = warning.here(format!("{} m to the outermost rotor", short(reach)));
     cx.report(warning.also(at.thrust, estimate(diameter)));
+}
+
+fn propeller(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
+    let (Some(radius), Some(span)) = (vehicle.propeller_radius, written.propeller_radius) else { return };
+    let (k, largest) = vehicle
+        .rotors
+        .iter()
+        .map(Rotor::diameter)
+        .enumerate()
+        .fold((0, 0.0), |most, (k, diameter)| if diameter > most.1 { (k, diameter) } else { most });
+    let ratio = 2.0 * radius / largest;
+    if PROPELLER.has(ratio) {
+        return;
+    }
+    let found = format!(
+        "the propellers of vehicle `{}` have {} times the diameter that their thrust and speed suggest",
+        vehicle.name,
+        short(ratio)
+    );
+    let message = PROPELLER.outside(found, "times");
+    let slip = match ratio > PROPELLER.high {
+        true => "look for a diameter in place of the radius, which is half of it",
+        false => "look for a radius that is halved once more, and check its unit",
+    };
+    let warning = warning("mavc::sense::propeller", span, message, slip);
+    let warning = warning.here(format!("a diameter of {} m", short(2.0 * radius)));
+    cx.report(warning.also(written.rotors[k].thrust, estimate(largest)));
+}
+
+/// Warns of rotors at one place if others are alone: on a coaxial vehicle each has another above or below it.
+fn coincident(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {
+    let apart = |a: &Rotor, b: &Rotor| {
+        a.position.iter().zip(b.position).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt() >= SAME_PLACE
+    };
+    let rotors = &vehicle.rotors;
+    let twin = |k: usize| (0..rotors.len()).find(|other| *other != k && !apart(&rotors[k], &rotors[*other]));
+    let twins: Vec<Option<usize>> = (0..rotors.len()).map(twin).collect();
+    let Some((second, first)) = twins.iter().enumerate().find_map(|(k, twin)| twin.filter(|t| *t < k).map(|t| (k, t)))
+    else {
+        return;
+    };
+    let Some(alone) = twins.iter().position(Option::is_none) else { return };
+    let message = format!("rotors {} and {} of vehicle `{}` are at one place", first + 1, second + 1, vehicle.name);
+    let slip = format!("correct one of them; coaxial rotors are pairs throughout, but rotor {} is alone", alone + 1);
+    let warning = warning("mavc::sense::coincident", written.rotors[second].place, message, &slip);
+    cx.report(warning.here("the same place").also(written.rotors[first].place, format!("rotor {}", first + 1)));
 }
 
 fn torque_ratio(cx: &mut Context, vehicle: &Vehicle, written: &VehicleSpans) {

@@ -1,19 +1,25 @@
-//! MJCF of MuJoCo: motors at sites of one body. A motor's `gear` gives its force along z and the torque about z,
-//! `ctrlrange` the least and the largest control. Source: MuJoCo's XML reference, `actuator/motor`, `body/inertial` and
-//! `default`.
+//! MJCF of MuJoCo: motors at sites of one vehicle. A motor's `gear` gives its force along z and the torque about z,
+//! `ctrlrange` the least and the largest control. What would change the vehicle and is not read is refused. Source:
+//! MuJoCo's XML reference (3.x), `actuator/general`, `compiler`, `body/inertial`, `geom` and `default`.
 
-use super::xml::{attribute, child, children, symmetric, tag};
+mod compiler;
+mod defaults;
+mod mass;
+
+use super::xml::{attribute, child, children, tag, upto};
 use super::{Part, Robot, RobotError, RobotRotor};
 use crate::diagnostic::Diagnostic;
 use crate::import::UNSUPPORTED;
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
-use roxmltree::{Node, NodeId};
+use compiler::Settings;
+use defaults::Defaults;
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use roxmltree::Node;
 use std::collections::HashMap;
 
 pub fn read(root: Node) -> Result<Robot, RobotError> {
     let mut robot = Robot { name: root.attribute("model").map(String::from), format: "MJCF", ..Robot::default() };
     let Some(actuators) = child(root, "actuator") else { return Ok(robot) };
-    let mut body: Option<Node> = None;
+    let settings = Settings::of(root)?;
     let defaults = Defaults::of(root);
     let mut sites: HashMap<&str, Node> = HashMap::new();
     for site in root.descendants().filter(|node| node.tag_name().name() == "site") {
@@ -21,115 +27,180 @@ pub fn read(root: Node) -> Result<Robot, RobotError> {
             sites.entry(name).or_insert(site);
         }
     }
+    let mut vehicle: Option<Node> = None;
     for actuator in actuators.children().filter(Node::is_element) {
         let name = actuator.tag_name().name();
-        let site = defaults.inherited(actuator, "site").and_then(|owner| owner.attribute("site"));
-        let Some(site) = site.and_then(|site| sites.get(site).copied()) else {
+        let site = Some(actuator).filter(|_| matches!(name, "motor" | "general"));
+        let site = site.and_then(|actuator| defaults.of_actuator(actuator, "site"));
+        let Some(site) = site.and_then(|owner| sites.get(owner.attribute("site")?).copied()) else {
             robot.dropped.push(format!("actuator/{name}"));
             continue;
         };
-        let own = site.parent_element();
-        if body.is_some_and(|body| Some(body) != own) {
+        let (own, pose) = place(site, &settings)?;
+        if vehicle.is_some_and(|vehicle| Some(vehicle) != own) {
             let error =
                 Diagnostic::error(UNSUPPORTED, tag(site), "motors are at sites of several bodies").here("another body");
             return Err(Box::new(error.help("a spec has one rigid body")));
         }
-        body = own;
-        robot.rotors.push(motor(&defaults, actuator, site, robot.rotors.len() + 1)?);
+        vehicle = own;
+        robot.rotors.push(motor(&defaults, actuator, site, &pose, robot.rotors.len() + 1)?);
     }
-    if let Some(body) = body {
-        if children(body, "body").next().is_some() {
-            let warning = Diagnostic::warning(UNSUPPORTED, tag(body), "bodies within the vehicle's body are left out");
-            robot.warnings.push(warning.here("has bodies of its own").help("add their mass and inertia in the spec"));
-        }
-        robot.parts.extend(part(body)?);
+    if let Some(vehicle) = vehicle {
+        whole(root, vehicle, &mut robot, &settings, &defaults)?;
     }
     Ok(robot)
 }
 
-/// The actuators that are motors.
-const KINDS: [&str; 2] = ["motor", "general"];
-
-/// The attributes of a motor that a class may give.
-const INHERITED: [&str; 3] = ["site", "gear", "ctrlrange"];
-
-/// For each of [`KINDS`] and [`INHERITED`] the element that gives the attribute.
-type Owners<'a, 'i> = [[Option<Node<'a, 'i>>; INHERITED.len()]; KINDS.len()];
-
-/// The default classes of a file, each with what it gives, itself or by a class around it: read once, as there may be
-/// as many classes as motors.
-struct Defaults<'a, 'i> {
-    owners: HashMap<NodeId, Owners<'a, 'i>>,
-    /// The first of a name counts.
-    by_class: HashMap<&'a str, NodeId>,
-    outermost: Option<NodeId>,
+/// Adds the parts of the vehicle, whose masses `settotalmass` of the compiler scales together with all others.
+fn whole(
+    root: Node,
+    vehicle: Node,
+    robot: &mut Robot,
+    settings: &Settings,
+    defaults: &Defaults,
+) -> Result<(), RobotError> {
+    if let Some(other) =
+        root.descendants().find(|node| matches!(node.tag_name().name(), "include" | "attach" | "replicate"))
+    {
+        let message =
+            format!("the file has `{}`, which adds parts that it does not have itself", other.tag_name().name());
+        let error = Diagnostic::error(UNSUPPORTED, tag(other), message).here("another part");
+        return Err(Box::new(
+            error.help("name a file with all parts, such as MuJoCo saves: `to_xml()` of a compiled `mujoco.MjSpec`"),
+        ));
+    }
+    let mut masses = mass::Masses { settings, defaults, unknown: None, inner_joint: None };
+    masses.add(vehicle, &Isometry3::identity(), true, &mut robot.parts)?;
+    if let Some(shape) = masses.unknown {
+        let warning = Diagnostic::warning(UNSUPPORTED, tag(shape), "the mass of this shape is not computed");
+        robot.warnings.push(warning.here("mass and inertia stand as `?`").help(
+            "write them in the spec, as MuJoCo computes them: `body_subtreemass` and the inertia about the centre",
+        ));
+        robot.parts.clear();
+        return Ok(());
+    }
+    if let Some(joint) = masses.inner_joint {
+        let warning = Diagnostic::warning(UNSUPPORTED, tag(joint), "a part that moves counts as rigid");
+        robot.warnings.push(warning.here("its joint").help("a spec has one rigid body"));
+    }
+    if let Some(total) = settings.total_mass {
+        let mut all = Vec::new();
+        let worlds = root.children().filter(|node| node.tag_name().name() == "worldbody");
+        let bodies = worlds.flat_map(|world| children(world, "body"));
+        let mut others = mass::Masses { settings, defaults, unknown: None, inner_joint: None };
+        for body in bodies {
+            others.add(body, &Isometry3::identity(), true, &mut all)?;
+        }
+        let factor = total / all.iter().map(|part: &Part| part.mass).sum::<f64>();
+        for part in robot.parts.iter_mut().filter(|_| factor.is_finite()) {
+            part.mass *= factor;
+            part.inertia *= factor;
+        }
+    }
+    Ok(())
 }
 
-impl<'a, 'i> Defaults<'a, 'i> {
-    fn of(root: Node<'a, 'i>) -> Self {
-        let mut found = Defaults { owners: HashMap::new(), by_class: HashMap::new(), outermost: None };
-        // A class comes after the class around it.
-        for class in root.descendants().filter(|node| node.tag_name().name() == "default") {
-            let around = class.parent_element().filter(|parent| parent.tag_name().name() == "default");
-            let mut given: Owners = [[None; INHERITED.len()]; KINDS.len()];
-            for element in class.children() {
-                let Some(kind) = KINDS.iter().position(|kind| *kind == element.tag_name().name()) else { continue };
-                for (owner, name) in given[kind].iter_mut().zip(INHERITED) {
-                    *owner = owner.or(Some(element).filter(|element| element.has_attribute(name)));
-                }
-            }
-            if let Some(around) = around.and_then(|around| found.owners.get(&around.id())) {
-                for (owner, around) in given.as_flattened_mut().iter_mut().zip(around.as_flattened()) {
-                    *owner = owner.or(*around);
-                }
-            }
-            found.owners.insert(class.id(), given);
-            if let Some(name) = class.attribute("class") {
-                found.by_class.entry(name).or_insert(class.id());
-            }
-            if around.is_none() && class.parent_element().is_some() {
-                found.outermost.get_or_insert(class.id());
-            }
+/// The outermost body around a site, and the pose of the site in it.
+fn place<'a, 'i>(
+    site: Node<'a, 'i>,
+    settings: &Settings,
+) -> Result<(Option<Node<'a, 'i>>, Isometry3<f64>), RobotError> {
+    let mut pose = pose_of(site, settings)?;
+    let mut at = site.parent_element();
+    let mut own = None;
+    while let Some(node) = at {
+        let next = node.parent_element();
+        let is_outermost = next.is_none_or(|next| !matches!(next.tag_name().name(), "body" | "frame"));
+        if is_outermost || node.tag_name().name() != "body" && node.tag_name().name() != "frame" {
+            return Ok((Some(node), pose));
         }
-        found
-    }
-
-    /// The element that gives an attribute of an actuator: itself, or the default of its class or of a class around it.
-    /// `None` for actuators that are no motors.
-    fn inherited(&self, actuator: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
-        let kind = KINDS.iter().position(|kind| *kind == actuator.tag_name().name())?;
-        if actuator.has_attribute(name) {
-            return Some(actuator);
+        if node.tag_name().name() == "body" {
+            let is_own = own.is_none();
+            own = Some(node);
+            turns_only(node, is_own)?;
         }
-        let class = match actuator.attribute("class") {
-            Some(class) => self.by_class.get(class).copied(),
-            None => self.outermost,
-        };
-        let place = INHERITED.iter().position(|inherited| *inherited == name)?;
-        self.owners.get(&class?)?[kind][place]
+        pose = pose_of(node, settings)? * pose;
+        at = next;
     }
+    Ok((None, pose))
 }
 
-fn motor(defaults: &Defaults, actuator: Node, site: Node, number: usize) -> Result<RobotRotor, RobotError> {
-    let of = |name: &'static str| defaults.inherited(actuator, name);
-    let gear = of("gear").map(|owner| attribute::<6>(owner, "gear")).transpose()?.flatten().unwrap_or_default();
-    let range = of("ctrlrange").map(|owner| attribute::<2>(owner, "ctrlrange")).transpose()?.flatten();
-    let [fx, fy, force, tx, ty, torque] = gear;
+/// Refuses joints between the vehicle and a rotor, but a hinge about z of the rotor's own body: that of a propeller.
+fn turns_only(body: Node, is_own: bool) -> Result<(), RobotError> {
+    for joint in children(body, "joint") {
+        let axis = attribute::<3>(joint, "axis")?.unwrap_or([0.0, 0.0, 1.0]);
+        let is_upright = axis[0] == 0.0 && axis[1] == 0.0;
+        if !(is_own && is_upright && matches!(joint.attribute("type"), None | Some("hinge"))) {
+            let error = Diagnostic::error(UNSUPPORTED, tag(joint), "a rotor is on an arm that moves");
+            return Err(Box::new(error.here("the joint of the arm").help("a spec has rotors with fixed axes only")));
+        }
+    }
+    Ok(())
+}
+
+/// The pose of an element in the one around it.
+fn pose_of(node: Node, settings: &Settings) -> Result<Isometry3<f64>, RobotError> {
+    let place = attribute::<3>(node, "pos")?.map_or_else(Vector3::zeros, Vector3::from);
+    Ok(Isometry3::from_parts(Translation3::from(place), settings.turn(node)?.unwrap_or_else(UnitQuaternion::identity)))
+}
+
+fn motor(
+    defaults: &Defaults,
+    actuator: Node,
+    site: Node,
+    pose: &Isometry3<f64>,
+    number: usize,
+) -> Result<RobotRotor, RobotError> {
+    let of = |name: &'static str| defaults.of_actuator(actuator, name);
+    let refuse = |message: String, here: &str| {
+        let error = Diagnostic::error(UNSUPPORTED, tag(actuator), message).here(here.to_string());
+        Err(Box::new(error.help("a motor of a spec has a thrust in proportion to its control, along z of its site")))
+    };
+    let gear = of("gear").map(|owner| upto::<6>(owner, "gear")).transpose()?.flatten();
+    let [fx, fy, force, tx, ty, torque] = gear.unwrap_or_default();
     if [fx, fy, tx, ty].iter().any(|part| *part != 0.0) || force <= 0.0 {
         let error = Diagnostic::error(UNSUPPORTED, tag(actuator), "a motor does not push along z of its site")
             .here("its `gear`");
         return Err(Box::new(error.help("a spec has rotors with parallel, upright axes only")));
     }
-    if let Some(turned) =
-        ["quat", "euler", "axisangle", "zaxis", "xyaxes"].iter().find(|name| site.attribute(**name).is_some())
-    {
-        let error = Diagnostic::error(UNSUPPORTED, tag(site), format!("the site of a motor is turned by `{turned}`"));
+    if !super::xml::is_upright(pose) {
+        let error = Diagnostic::error(UNSUPPORTED, tag(site), "the site of a motor is turned");
         return Err(Box::new(error.here("its site").help("a spec has rotors with parallel, upright axes only")));
     }
-    let place = attribute::<3>(site, "pos")?.map_or_else(Vector3::zeros, Vector3::from);
-    let thrust = |control: f64| Some(control * force).filter(|thrust| *thrust != 0.0);
+    let mut gain = 1.0;
+    let mut lag = None;
+    // `motor` fixes the gain at 1, without bias or dynamics.
+    if actuator.tag_name().name() == "general" {
+        let word = |name| of(name).and_then(|owner| owner.attribute(name));
+        let first = |name| of(name).map(|owner| upto::<10>(owner, name)).transpose().map(Option::flatten);
+        if word("gaintype").is_some_and(|kind| kind != "fixed") || word("biastype").is_some_and(|kind| kind != "none") {
+            return refuse("a motor has a gain or bias that depends on its motion".into(), "`gaintype` or `biastype`");
+        }
+        gain = first("gainprm")?.map_or(1.0, |list| list[0]);
+        let dynamics = word("dyntype").unwrap_or("none");
+        lag = match dynamics {
+            "none" => None,
+            "filter" | "filterexact" => Some(first("dynprm")?.map_or(1.0, |list| list[0])).filter(|lag| *lag > 0.0),
+            _ => return refuse(format!("a motor has the dynamics `{dynamics}`"), "`dyntype`"),
+        };
+    }
+    let is_limited = |name| of(name).and_then(|owner| owner.attribute(name)) != Some("false");
+    let range = of("ctrlrange").filter(|_| is_limited("ctrllimited"));
+    let range = range.map(|owner| attribute::<2>(owner, "ctrlrange")).transpose()?.flatten();
+    let bounds = of("forcerange").filter(|_| is_limited("forcelimited"));
+    let bounds = bounds.map(|owner| attribute::<2>(owner, "forcerange")).transpose()?.flatten();
+    let [low, high] = bounds.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+    let ends = range.map(|[least, most]| [least * gain, most * gain]);
+    if gain <= 0.0 || ends.is_some_and(|[least, most]| least > most) || low > high {
+        return refuse("the thrust of a motor falls with its control".into(), "its gain or range");
+    }
+    let ends = match (ends, bounds) {
+        (Some(ends), _) => Some(ends.map(|end| end.clamp(low, high))),
+        (None, bounds) => bounds,
+    };
+    let thrust = |end: f64| Some(end * force).filter(|thrust| *thrust != 0.0);
     Ok(RobotRotor {
-        place,
+        place: pose.translation.vector,
         // The body feels the torque against the turning rotor.
         is_ccw: (torque != 0.0).then_some(torque < 0.0),
         motor: number,
@@ -137,24 +208,9 @@ fn motor(defaults: &Defaults, actuator: Node, site: Node, number: usize) -> Resu
             None,
             Some((torque / force).abs()).filter(|ratio| *ratio > 0.0),
             None,
-            range.and_then(|[_, most]| thrust(most)),
-            range.and_then(|[least, _]| thrust(least)),
-            None,
+            ends.and_then(|[_, most]| thrust(most)),
+            ends.and_then(|[least, _]| thrust(least)),
+            lag,
         ],
     })
-}
-
-/// The body's `inertial`; `None` where masses follow from its shapes.
-fn part(body: Node) -> Result<Option<Part>, RobotError> {
-    let Some(inertial) = child(body, "inertial") else { return Ok(None) };
-    let Some([mass]) = attribute::<1>(inertial, "mass")? else { return Ok(None) };
-    let centre = attribute::<3>(inertial, "pos")?.map_or_else(Vector3::zeros, Vector3::from);
-    let diagonal = attribute::<3>(inertial, "diaginertia")?.map(|d| Matrix3::from_diagonal(&Vector3::from(d)));
-    let full = attribute::<6>(inertial, "fullinertia")?.map(symmetric);
-    let turn = attribute::<4>(inertial, "quat")?.map_or_else(UnitQuaternion::identity, |[w, x, y, z]| {
-        UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
-    });
-    let rotation = turn.to_rotation_matrix();
-    let inertia = diagonal.or(full).unwrap_or_else(Matrix3::zeros);
-    Ok(Some(Part { mass, centre, inertia: rotation.matrix() * inertia * rotation.matrix().transpose() }))
 }

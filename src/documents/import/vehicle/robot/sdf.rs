@@ -1,65 +1,105 @@
-//! SDFormat: the links of a model, and plugins of the motor model of RotorS, Gazebo classic and Gazebo Sim. Source: the
-//! specification of SDFormat, `pose` and `inertial`; Furrer et al., "RotorS", 2016, for the elements of the plugin.
+//! SDFormat: the links of a model and of models within it, and plugins of the motor model of RotorS, Gazebo classic and
+//! Gazebo Sim. Source: the specification of SDFormat 1.11, `pose`, `frame` and `inertial`, and its "Pose Frame
+//! Semantics"; Furrer et al., "RotorS", 2016, for the elements of the plugin.
 
-use super::xml::{child, children, content, is_upright, pose, symmetric, tag, text, turned};
-use super::{Part, Robot, RobotError, RobotRotor};
+mod frames;
+
+use super::xml::{child, children, content, is_upright, sdf_pose, symmetric, tag, text, turned};
+use super::{Joint, MOST_ROTORS, Part, Robot, RobotError, RobotRotor, turning_arm};
 use crate::diagnostic::Diagnostic;
-use crate::import::{SYNTAX, UNSUPPORTED};
+use crate::import::{ASSUMED, SYNTAX, UNSUPPORTED};
+use frames::{Frames, key};
 use nalgebra::Isometry3;
 use roxmltree::Node;
 use std::collections::HashMap;
 
 pub fn read(root: Node) -> Result<Robot, RobotError> {
-    let model = child(root, "model").or_else(|| child(root, "world").and_then(|world| child(world, "model")));
-    let Some(model) = model else {
+    let worlds = children(root, "world").flat_map(|world| children(world, "model"));
+    let models: Vec<Node> = children(root, "model").chain(worlds).collect();
+    // A world has a ground and other models beside the vehicle.
+    let flies = |model: &&Node| model.descendants().any(|node| node.tag_name().name() == "motorConstant");
+    let Some(model) = models.iter().find(flies).or(models.first()).copied() else {
         let error = Diagnostic::error(UNSUPPORTED, tag(root), "the file has no model").here("no `model` in it");
         return Err(Box::new(error.help("name the file of a model")));
     };
     let mut robot = Robot { name: model.attribute("name").map(String::from), format: "SDF", ..Robot::default() };
-    let poses = poses(model)?;
-    for link in children(model, "link") {
-        let at = poses.get(link.attribute("name").unwrap_or_default()).copied().unwrap_or_else(Isometry3::identity);
-        robot.parts.extend(part(link, &at)?);
+    let mut massless: Vec<Node> = Vec::new();
+    let scopes = frames::scopes(model);
+    let frames = Frames::of(&scopes)?;
+    let joints = joints(&scopes);
+    for (scope, model) in &scopes {
+        if let Some(include) = child(*model, "include") {
+            let message = "the model includes another, whose mass and rotors are not in this file";
+            let error = Diagnostic::error(UNSUPPORTED, tag(include), message).here("another file");
+            return Err(Box::new(error.help("name a file with all links, such as `gz sdf -p model.sdf` prints")));
+        }
+        for link in children(*model, "link") {
+            let at = frames.pose(&key(scope, link.attribute("name").unwrap_or_default()))?;
+            match part(link, &at)? {
+                Some(part) => robot.parts.push(part),
+                None => massless.push(link),
+            }
+        }
+        for plugin in children(*model, "plugin") {
+            let find = |link: &str| {
+                let key = key(scope, link);
+                frames.has(&key).then(|| frames.pose(&key)).transpose()
+            };
+            let Some(rotor) = motor(plugin, &find)? else {
+                robot.warnings.extend(lift(plugin));
+                continue;
+            };
+            let link = key(scope, text(plugin, "linkName").unwrap_or_default());
+            if robot.rotors.len() < MOST_ROTORS {
+                turning_arm(&link, &joints, plugin)?;
+            }
+            robot.rotors.push(rotor);
+        }
     }
-    for plugin in children(model, "plugin") {
-        robot.rotors.extend(motor(plugin, &poses, model)?);
+    if let (Some(first), false) = (massless.first(), robot.rotors.is_empty()) {
+        let message = format!("{} of the model have no `inertial`: Gazebo takes 1 kg for each", massless.len());
+        let warning = Diagnostic::warning(ASSUMED, tag(*first), message).here("a link without a mass");
+        robot.warnings.push(warning.help("the spec leaves them out: give every link its mass and inertia"));
     }
-    let kept = ["link", "plugin", "joint", "pose", "static", "self_collide"];
+    let kept = ["link", "plugin", "joint", "pose", "static", "self_collide", "frame", "model"];
     let other = model.children().filter(|c| c.is_element() && !kept.contains(&c.tag_name().name()));
     robot.dropped.extend(other.map(|c| c.tag_name().name().to_string()));
     Ok(robot)
 }
 
-/// The pose of every link in the frame of the model; links may be placed relative to links before them.
-fn poses<'a>(model: Node<'a, '_>) -> Result<HashMap<&'a str, Isometry3<f64>>, RobotError> {
-    let mut poses: HashMap<&str, Isometry3<f64>> = HashMap::new();
-    for link in children(model, "link") {
-        let own = content::<6>(link, "pose")?.map_or_else(Isometry3::identity, pose);
-        let relative = child(link, "pose").and_then(|pose| pose.attribute("relative_to")).filter(|to| !to.is_empty());
-        let placed = match relative {
-            None | Some("__model__") => own,
-            Some(to) => match poses.get(to) {
-                Some(frame) => frame * own,
-                None => {
-                    let error = Diagnostic::error(
-                        UNSUPPORTED,
-                        tag(link),
-                        "a link is placed relative to what is no link before it",
-                    );
-                    return Err(Box::new(
-                        error.here("its pose").help("write poses relative to the model or to links before"),
-                    ));
-                }
-            },
-        };
-        poses.insert(link.attribute("name").unwrap_or_default(), placed);
+/// The joint that holds each link, of all scopes.
+fn joints<'a>(scopes: &[(String, Node<'a, '_>)]) -> HashMap<String, Joint<'a>> {
+    let mut found = HashMap::new();
+    for (scope, model) in scopes {
+        for joint in children(*model, "joint") {
+            let end = |name| key(scope, text(joint, name).unwrap_or_default());
+            let kind = joint.attribute("type").unwrap_or_default();
+            found.entry(end("child")).or_insert(Joint { parent: end("parent"), kind });
+        }
     }
-    Ok(poses)
+    found
+}
+
+/// The warning for wings and control surfaces.
+fn lift(plugin: Node) -> Option<Diagnostic> {
+    let names = ["name", "filename"].iter().filter_map(|name| plugin.attribute(*name)).collect::<String>();
+    let letters: String = names.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_ascii_lowercase();
+    letters.contains("liftdrag").then(|| {
+        let warning = Diagnostic::warning(UNSUPPORTED, tag(plugin), "lift and drag of a surface are left out");
+        warning
+            .here("a wing or control surface")
+            .help("a spec has rotors alone: plans of an aircraft with wings are wrong")
+    })
 }
 
 fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<Part>, RobotError> {
     let Some(inertial) = child(link, "inertial") else { return Ok(None) };
-    let own = content::<6>(inertial, "pose")?.map_or_else(Isometry3::identity, pose);
+    if inertial.attribute("auto").is_some_and(|word| matches!(word, "true" | "1")) {
+        let message = "the inertia of a link follows from its shapes, which are not read";
+        let error = Diagnostic::error(UNSUPPORTED, tag(inertial), message).here("`auto`");
+        return Err(Box::new(error.help("write its mass and inertia, as `gz sdf --inertial-stats` prints them")));
+    }
+    let own = sdf_pose(inertial)?.unwrap_or_else(Isometry3::identity);
     let whole = at * own;
     let mass = content::<1>(inertial, "mass")?.map_or(0.0, |[mass]| mass);
     let inertia = match child(inertial, "inertia") {
@@ -72,26 +112,21 @@ fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<Part>, RobotError> {
     Ok(Some(Part { mass, centre: whole.translation.vector, inertia: turned(&whole, symmetric(inertia)) }))
 }
 
-/// A rotor of a plugin; `None` for a plugin that is no motor model.
-pub fn motor(
-    plugin: Node,
-    poses: &HashMap<&str, Isometry3<f64>>,
-    whole: Node,
-) -> Result<Option<RobotRotor>, RobotError> {
+/// The pose of a link in the whole; `None` if there is no such link.
+type Found = Result<Option<Isometry3<f64>>, RobotError>;
+
+/// A rotor of a plugin; `None` for a plugin that is no motor model. `find` gives the pose of a link.
+pub fn motor(plugin: Node, find: &dyn Fn(&str) -> Found) -> Result<Option<RobotRotor>, RobotError> {
     let Some(constant) = content::<1>(plugin, "motorConstant")? else { return Ok(None) };
     let link = text(plugin, "linkName").unwrap_or_default();
-    let Some(pose) = poses.get(link) else {
+    let Some(pose) = find(link)? else {
         let shown: String = link.chars().take(40).collect();
-        let include = whole.descendants().any(|node| node.tag_name().name() == "include");
-        let help = match include {
-            true => "the file includes another model; name a file with all links, such as `gz sdf -p` prints",
-            false => "name a file that has the link",
-        };
         let error =
             Diagnostic::error(UNSUPPORTED, tag(plugin), format!("the link `{shown}` of a motor is not in the file"));
+        let help = "name a file with all links, such as `gz sdf -p model.sdf` prints";
         return Err(Box::new(error.here("a motor").help(help)));
     };
-    if !is_upright(pose) {
+    if !is_upright(&pose) {
         let error = Diagnostic::error(UNSUPPORTED, tag(plugin), "the axis of a rotor is not upright").here("a motor");
         return Err(Box::new(error.help("a spec has rotors with parallel, upright axes only")));
     }

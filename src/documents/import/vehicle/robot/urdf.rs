@@ -4,8 +4,8 @@
 //! `thrust2weight`.
 
 use super::sdf::motor;
-use super::xml::{attribute, child, children, pose, required, symmetric, tag, turned};
-use super::{Part, Robot, RobotError, RobotRotor};
+use super::xml::{attribute, child, children, pose, required, symmetric, tag, text, turned};
+use super::{Joint, MOST_ROTORS, Part, Robot, RobotError, RobotRotor, turning_arm};
 use crate::diagnostic::Diagnostic;
 use crate::import::{UNSUPPORTED, at};
 use crate::source::Source;
@@ -34,12 +34,20 @@ pub fn read(source: &Source, root: Node) -> Result<Robot, RobotError> {
         robot.parts.extend(part(link, &at)?.map(|(part, _)| part));
     }
     let plugins = children(root, "gazebo").flat_map(|gazebo| children(gazebo, "plugin"));
+    let joints = joints(root);
     for plugin in plugins {
-        robot.rotors.extend(motor(plugin, &poses, root)?);
+        let find = |link: &str| Ok(poses.get(link).copied());
+        if let Some(rotor) = motor(plugin, &find)? {
+            if robot.rotors.len() < MOST_ROTORS {
+                turning_arm(text(plugin, "linkName").unwrap_or_default(), &joints, plugin)?;
+            }
+            robot.rotors.push(rotor);
+        }
     }
     if let Some(properties) = child(root, "properties").filter(|_| robot.rotors.is_empty()) {
-        robot.rotors = of_properties(root, properties, &poses)?;
-        let known = ["kf", "km", "thrust2weight"];
+        robot.rotors = of_properties(root, properties, &poses, &joints)?;
+        robot.radius = attribute::<1>(properties, "prop_radius")?.map(|[radius]| radius).filter(|radius| *radius > 0.0);
+        let known = ["kf", "km", "thrust2weight", "prop_radius"];
         robot
             .dropped
             .extend(properties.attributes().map(|a| a.name()).filter(|n| !known.contains(n)).map(String::from));
@@ -48,6 +56,17 @@ pub fn read(source: &Source, root: Node) -> Result<Robot, RobotError> {
     let other = root.children().filter(|c| c.is_element() && !kept.contains(&c.tag_name().name()));
     robot.dropped.extend(other.map(|c| c.tag_name().name().to_string()));
     Ok(robot)
+}
+
+/// The joint that holds each link.
+fn joints<'a>(root: Node<'a, '_>) -> HashMap<String, Joint<'a>> {
+    let joint = |joint: Node<'a, '_>| {
+        let end = |name| child(joint, name).and_then(|node| node.attribute("link")).unwrap_or_default().to_string();
+        // A joint without a type is no URDF; it counts as fixed, as it places its link.
+        let kind = joint.attribute("type").unwrap_or("fixed");
+        (end("child"), Joint { parent: end("parent"), kind })
+    };
+    children(root, "joint").map(joint).collect()
 }
 
 /// `xyz` and `rpy` of an origin.
@@ -115,6 +134,7 @@ fn of_properties(
     root: Node,
     properties: Node,
     poses: &HashMap<&str, Isometry3<f64>>,
+    joints: &HashMap<String, Joint>,
 ) -> Result<Vec<RobotRotor>, RobotError> {
     let [kf, km] = [required(properties, "kf")?, required(properties, "km")?];
     if kf <= 0.0 || km <= 0.0 {
@@ -136,6 +156,9 @@ fn of_properties(
     let mut rotors = Vec::new();
     for (k, link) in props.into_iter().enumerate() {
         let frame = poses.get(link.attribute("name").unwrap_or_default()).copied().unwrap_or_else(Isometry3::identity);
+        if k < MOST_ROTORS {
+            turning_arm(link.attribute("name").unwrap_or_default(), joints, link)?;
+        }
         let place = part(link, &frame)?.map_or(frame.translation.vector, |(part, _)| part.centre);
         let figures =
             [Some(kf / (RPM * RPM)), Some(km / kf), most.filter(|w| w.is_finite() && *w > 0.0), None, None, None];

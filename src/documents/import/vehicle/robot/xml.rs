@@ -4,8 +4,9 @@ use super::RobotError;
 use crate::diagnostic::Diagnostic;
 use crate::import::{SYNTAX, at};
 use crate::source::Span;
-use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use roxmltree::Node;
+use std::f64::consts::PI;
 use std::ops::Range;
 
 /// The first attribute of an element beyond `most`, or the first namespace of the file beyond as many. It looks at the
@@ -94,6 +95,18 @@ pub fn attribute<const N: usize>(node: Node, name: &str) -> Result<Option<[f64; 
     found.map(|attribute| numbers(attribute.value(), at(attribute.range_value()), name)).transpose()
 }
 
+/// The numbers of an attribute, if it is there: at most `N`, zeros in place of the rest.
+pub fn upto<const N: usize>(node: Node, name: &str) -> Result<Option<[f64; N]>, RobotError> {
+    let Some(found) = node.attributes().find(|attribute| attribute.name() == name) else { return Ok(None) };
+    let count = found.value().split_whitespace().count();
+    if count == 0 || count > N {
+        let error = Diagnostic::error(SYNTAX, at(found.range_value()), format!("`{name}` needs 1 to {N} numbers"));
+        return Err(Box::new(error.here("this does not fit").help("write numbers with blanks between them")));
+    }
+    let padded = format!("{}{}", found.value(), " 0".repeat(N - count));
+    numbers(&padded, at(found.range_value()), name).map(Some)
+}
+
 /// The number of an attribute that must be there.
 pub fn required(node: Node, name: &str) -> Result<f64, RobotError> {
     attribute::<1>(node, name)?.map(|[value]| value).ok_or_else(|| {
@@ -106,6 +119,30 @@ pub fn required(node: Node, name: &str) -> Result<f64, RobotError> {
 /// The numbers in a child element, if it is there.
 pub fn content<const N: usize>(node: Node, name: &'static str) -> Result<Option<[f64; N]>, RobotError> {
     child(node, name).map(|found| numbers(found.text().unwrap_or_default(), tag(found), name)).transpose()
+}
+
+/// The pose in an element `pose` of SDF, if it is there: six numbers, angles in radians or degrees, or seven with a
+/// quaternion; nothing in it is no displacement.
+pub fn sdf_pose(node: Node) -> Result<Option<Isometry3<f64>>, RobotError> {
+    let Some(found) = child(node, "pose") else { return Ok(None) };
+    let text = found.text().unwrap_or_default();
+    if text.trim().is_empty() {
+        return Ok(Some(Isometry3::identity()));
+    }
+    if found.attribute("rotation_format") == Some("quat_xyzw") {
+        let [x, y, z, i, j, k, w] = numbers::<7>(text, tag(found), "pose")?;
+        let quaternion = Quaternion::new(w, i, j, k);
+        if quaternion.norm() < 1e-12 {
+            let error = Diagnostic::error(SYNTAX, tag(found), "the quaternion of `pose` is zero").here("no rotation");
+            return Err(Box::new(error.help("write `0 0 0 1` for no rotation")));
+        }
+        let turn = UnitQuaternion::from_quaternion(quaternion);
+        return Ok(Some(Isometry3::from_parts(Translation3::new(x, y, z), turn)));
+    }
+    let [x, y, z, roll, pitch, yaw] = numbers::<6>(text, tag(found), "pose")?;
+    let unit =
+        if found.attribute("degrees").is_some_and(|word| matches!(word, "true" | "1")) { PI / 180.0 } else { 1.0 };
+    Ok(Some(pose([x, y, z, roll * unit, pitch * unit, yaw * unit])))
 }
 
 /// A pose from a place (m) and roll, pitch and yaw (rad): first about x, then y, then z, all fixed axes.

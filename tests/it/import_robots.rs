@@ -1,0 +1,188 @@
+//! SDF, MJCF and URDF: frames, masses of shapes, and what is refused instead of ignored. `benches/readers/robots.py`
+//! compares random vehicles with libsdformat and MuJoCo.
+
+use mavc::compile;
+use mavc::import::Imported;
+use mavc::import::vehicle::import;
+use mavc::model::Vehicle;
+
+fn file(name: &str) -> String {
+    std::fs::read_to_string(format!("tests/specs/findings/files/{name}")).unwrap()
+}
+
+fn read(text: &str) -> Imported {
+    import("v.xml", text.as_bytes())
+}
+
+/// The vehicle of a file, with figures for what it leaves open.
+fn vehicle(text: &str) -> Vehicle {
+    let imported = read(text);
+    let text = imported.text.unwrap_or_else(|| panic!("{:?}", imported.diagnostics));
+    let text = text.replace("max_speed         = ?", "max_speed = 700 rad/s");
+    let text = text.replacen("spin ?", "spin P", 2).replace("spin ?", "spin N");
+    compile(&text).into_result().unwrap_or_else(|e| panic!("{e}")).model().vehicle.clone()
+}
+
+fn same(a: &Vehicle, b: &Vehicle) {
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a.abs().max(1e-3);
+    assert!(
+        near(a.mass, b.mass) && (0..3).all(|i| near(a.inertia[i], b.inertia[i])),
+        "{:?} {:?}",
+        a.inertia,
+        b.inertia
+    );
+    for (a, b) in a.rotors.iter().zip(&b.rotors) {
+        assert!((0..3).all(|i| near(a.position[i], b.position[i])), "{:?} {:?}", a.position, b.position);
+    }
+}
+
+/// `gz sdf -p` places the links of a merged model in frames.
+#[test]
+fn frames_of_sdf_place_links() {
+    same(&vehicle(&file("merged_frames.sdf")), &vehicle(&file("flat.sdf")));
+    same(&vehicle(&file("degrees.sdf")), &vehicle(&file("radians.sdf")));
+    let turned = file("degrees.sdf").replace(
+        "<pose degrees=\"true\">0 0 0 0 0 90</pose>",
+        "<pose rotation_format='quat_xyzw'>0 0 0 0 0 1 1</pose>",
+    );
+    same(&vehicle(&turned), &vehicle(&file("radians.sdf")));
+    // An empty pose is none, and a world may have a ground before the vehicle.
+    let model = file("flat.sdf").replace("<pose>0 0 0 0 0 0</pose>", "<pose relative_to='__model__'/>");
+    same(&vehicle(&model), &vehicle(&file("flat.sdf")));
+    let world = model
+        .replace(
+            "<model name=\"quad\">",
+            "<world name='w'><model name='ground'><link name='l'/></model><model name=\"quad\">",
+        )
+        .replace("</model>\n</sdf>", "</model></world></sdf>");
+    same(&vehicle(&world), &vehicle(&file("flat.sdf")));
+    let lost = file("merged_frames.sdf").replace("<frame name=\"_merged__body__model__\"", "<frame name=\"other\"");
+    let error = read(&lost).diagnostics.pop().unwrap();
+    assert!(error.message.contains("`base` is placed relative to `_merged__body__model__`"), "{error:?}");
+    let circle = file("merged_frames.sdf").replace("relative_to=\"__model__\"", "relative_to=\"base\"");
+    assert_eq!(read(&circle).diagnostics.pop().unwrap().code, "mavc::import::syntax");
+}
+
+/// A plate and a pack of 0.8 kg each: their common centre, and their moments by Steiner's theorem.
+#[test]
+fn masses_of_shapes_give_the_centre_of_gravity() {
+    let found = vehicle(&file("geom_masses.xml"));
+    assert_eq!(found.mass, 1.6);
+    let boxed = |[a, b]: [f64; 2]| 0.8 / 3.0 * (a * a + b * b);
+    let due = [
+        boxed([0.08, 0.01]) + boxed([0.02, 0.015]) + 1.6 * 0.01 * 0.01,
+        boxed([0.08, 0.01]) + boxed([0.04, 0.015]) + 1.6 * (0.03 * 0.03 + 0.01 * 0.01),
+        boxed([0.08, 0.08]) + boxed([0.04, 0.02]) + 1.6 * 0.03 * 0.03,
+    ];
+    assert!((0..3).all(|i| (found.inertia[i] / due[i] - 1.0).abs() < 1e-9), "{:?} {due:?}", found.inertia);
+    // The centre is at (0.03, 0, -0.01).
+    let at = found.rotors[0].position;
+    assert!((0..3).all(|i| (at[i] - [0.17, -0.2, 0.04][i]).abs() < 1e-9), "{at:?}");
+    // With `inertiafromgeom="false"` nothing is known, and of a mesh neither.
+    for text in [
+        file("geom_masses.xml").replace("<worldbody>", "<compiler inertiafromgeom='false'/><worldbody>"),
+        file("geom_masses.xml").replace("type=\"box\" pos", "type=\"mesh\" mesh=\"pack\" pos"),
+    ] {
+        assert!(read(&text).text.unwrap().contains("mass    = ?"));
+    }
+    let mesh = read(&file("geom_masses.xml").replace("type=\"box\" pos", "type=\"mesh\" mesh=\"pack\" pos"));
+    assert!(mesh.diagnostics[0].message.contains("the mass of this shape is not computed"));
+}
+
+/// `gainprm`, the turn of `inertial` and `settotalmass`.
+#[test]
+fn settings_of_mjcf_are_followed() {
+    let text = file("general_gain.mjcf");
+    let found = vehicle(&text);
+    assert!((found.rotors[0].max_thrust() - 9.0).abs() < 1e-12);
+    assert!((0..3).all(|i| (found.inertia[i] - [0.03, 0.01, 0.035][i]).abs() < 1e-12), "{:?}", found.inertia);
+    let heavier = vehicle(&text.replace("<compiler ", "<compiler settotalmass='3' "));
+    assert!((heavier.mass - 3.0).abs() < 1e-12 && (heavier.inertia[2] - 0.07).abs() < 1e-12);
+    let limited =
+        vehicle(&text.replace("gainprm=\"9\"", "gainprm=\"9\" forcerange=\"0 5\" dyntype=\"filter\" dynprm=\"0.03\""));
+    assert!((limited.rotors[0].max_thrust() - 5.0).abs() < 1e-12);
+    assert_eq!(limited.rotors[0].time_constant, Some(0.03));
+    // A default of the class, as the actuators' own.
+    let class = text.replace(" gear=\"0 0 1 0 0 -0.016\" ctrlrange=\"0 1\" gainprm=\"9\"", "").replace(
+        "<worldbody>",
+        "<default><general gear='0 0 2 0 0 -0.032' ctrlrange='0 1' gainprm='4'/></default><worldbody>",
+    );
+    assert!((vehicle(&class).rotors[0].max_thrust() - 8.0).abs() < 1e-12);
+    for (from, to, words) in [
+        ("gainprm=\"9\"", "gainprm=\"9\" biastype=\"affine\" biasprm=\"0 -1\"", "depends on its motion"),
+        ("gainprm=\"9\"", "gainprm=\"9\" dyntype=\"integrator\"", "the dynamics `integrator`"),
+        ("gainprm=\"9\"", "gainprm=\"-9\"", "falls with its control"),
+        ("<compiler ", "<compiler boundmass='2' ", "`boundmass=\"2\"` of the compiler is not read"),
+        ("<compiler ", "<compiler inertiagrouprange='3 3' ", "`inertiagrouprange"),
+        ("<freejoint/>", "<freejoint/><include file='arms.xml'/>", "the file has `include`"),
+        (
+            "<site name=\"s2\" pos=\"-0.2 -0.2 0\"/>",
+            "<body><joint axis='0 1 0'/><site name='s2' pos='-0.2 -0.2 0'/></body>",
+            "an arm that moves",
+        ),
+        ("<site name=\"s2\"", "<site euler=\"20 0 0\" name=\"s2\"", "the site of a motor is turned"),
+    ] {
+        let error = read(&text.replacen(from, to, 9)).diagnostics.pop().unwrap();
+        assert!(error.message.contains(words) && error.code == "mavc::import::unsupported", "{words}: {error:?}");
+    }
+    // A propeller that turns about its axis is on no such arm.
+    let propeller = "<body pos='-0.2 -0.2 0'><joint axis='0 0 1'/><site name='s2'/></body>";
+    let text = text.replace("<site name=\"s2\" pos=\"-0.2 -0.2 0\"/>", propeller);
+    assert!((vehicle(&text).rotors[1].position[0] + 0.2).abs() < 1e-12);
+}
+
+#[test]
+fn arms_that_turn_wings_and_includes_are_not_passed_over() {
+    let flat = file("flat.sdf");
+    let arm = "<link name='arm'/><joint name='tilt' type='revolute'><parent>base</parent><child>arm</child></joint><link name=\"prop1\">";
+    let tilting = flat.replace("<link name=\"prop1\">", arm).replacen(
+        "<joint name=\"j1\" type=\"revolute\"><parent>base",
+        "<joint name=\"j1\" type=\"revolute\"><parent>arm",
+        1,
+    );
+    let error = read(&tilting).diagnostics.pop().unwrap();
+    assert!(error.message.contains("a rotor is on the arm `arm`, which turns or slides"), "{error:?}");
+    assert!(read(&tilting.replace("'tilt' type='revolute'", "'tilt' type='fixed'")).text.is_some());
+    let include =
+        flat.replacen("<link name=\"base\">", "<include><uri>model://camera</uri></include><link name=\"base\">", 1);
+    assert!(read(&include).diagnostics.pop().unwrap().message.contains("the model includes another"));
+    let wing = flat
+        .replace("</model>", "<plugin filename='gz-sim-lift-drag-system' name='gz::sim::systems::LiftDrag'/></model>");
+    let imported = read(&wing);
+    assert!(
+        imported.text.is_some() && imported.diagnostics[0].message.contains("lift and drag of a surface are left out")
+    );
+    let massless = read(&flat.replace("</model>", "<link name='tip'/></model>"));
+    assert!(massless.diagnostics.iter().any(|d| d.message.contains("1 of the model have no `inertial`")));
+    // In URDF the same.
+    let urdf = file("prop_radius.urdf");
+    let tilting = urdf.replace("<joint name=\"prop1_joint\" type=\"fixed\"><parent link=\"base_link\"", "<link name=\"arm\"/><joint name=\"tilt\" type=\"revolute\"><parent link=\"base_link\"/><child link=\"arm\"/></joint><joint name=\"prop1_joint\" type=\"fixed\"><parent link=\"arm\"");
+    let error = read(&tilting).diagnostics.pop().unwrap();
+    assert!(error.message.contains("a rotor is on the arm `arm`"), "{error:?}");
+}
+
+#[test]
+fn the_radius_of_propellers_is_read() {
+    let imported = read(&file("prop_radius.urdf"));
+    assert!(!imported.dropped.contains(&"prop_radius".to_string()));
+    assert_eq!(vehicle(&file("prop_radius.urdf")).propeller_radius, Some(0.025));
+}
+
+#[test]
+fn templates_are_called_so() {
+    for (text, program) in [
+        (file("template.sdf.jinja"), "Jinja"),
+        ("<?xml version='1.0'?>\n{% set a = 1 %}<sdf/>".into(), "Jinja"),
+        ("<%# pi %><sdf/>".into(), "ERB"),
+        ("<robot xmlns:xacro='http://ros.org/wiki/xacro'><xacro:property name='a' value='1'/></robot>".into(), "xacro"),
+    ] {
+        for imported in [
+            import("v.sdf.jinja", text.as_bytes()),
+            mavc::import::mission::import("v.sdf.jinja", text.as_bytes(), None),
+        ] {
+            let error = imported.diagnostics.last().unwrap();
+            assert_eq!(error.message, format!("this is a template of {program}"));
+            assert!(error.help.as_ref().unwrap().contains("`mavc import vehicle v."), "{error:?}");
+        }
+    }
+}
