@@ -50,6 +50,7 @@ fn a_longer_flight_allocates_no_more() {
             let flight = fly(
                 &Sortie {
                     model: &model,
+                    vehicle: std::borrow::Cow::Borrowed(&model.vehicle),
                     simulation: &model.simulation,
                     course: Course::Stop(Box::new(Stop::from(&place, 0.0, false, 0.0))),
                     mission: None,
@@ -57,6 +58,7 @@ fn a_longer_flight_allocates_no_more() {
                     seed: 1,
                     duration,
                     airspeed: 1.0,
+                    goes_on: false,
                 },
                 None,
             );

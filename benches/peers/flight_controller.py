@@ -9,7 +9,8 @@ from flight_allocation import Allocator
 
 SLOWER_ONE_SIDED = 0.45
 MOST_FEEDBACK = 0.5  # of g
-MOST_TILT = 0.35  # tangent of the angle between the primary axis and z
+MOST_TILT = 0.45  # tangent of the angle between the primary axis and z
+LEAST_SHARE = 0.3  # of the gyroscopic terms without the momentum of the rotors
 SLOW = 0.5  # rad/s: below this rate of spin the primary axis is z
 
 
@@ -65,13 +66,18 @@ class Controller:
         self.gravity = record["gravity_m_per_s2"]
         self.gains = simulate["gains"]
         self.range = simulate["gyroscope_range_rad_per_s"]
+        yaw_drag = vehicle.get("yaw_drag")
+        self.yaw_drag = yaw_drag and (yaw_drag["linear_n_m_s_per_rad"], yaw_drag["quadratic_n_m_s2_per_rad2"])
+        self.turns = np.array([1.0 if rotor["spin"] == "P" else -1.0 for rotor in vehicle["rotors"]])
+        self.rotor_inertia = np.array([rotor["inertia_kg_m2"] for rotor in vehicle["rotors"]])
+        self.drag_coefficient = np.array([rotor["drag_coefficient_n_m_s2_per_rad2"] for rotor in vehicle["rotors"]])
         self.lag = np.array([rotor["time_constant_s"] for rotor in vehicle["rotors"]])
         self.coefficient = np.array([rotor["thrust_coefficient_n_s2_per_rad2"] for rotor in vehicle["rotors"]])
         self.decay = np.exp(-1.0 / simulate["control_rate_hz"] / self.lag)
         self.allocator = Allocator(vehicle)
         self.modelled = self.command = None
         self.gives_up_yaw = False
-        self.bias = np.zeros(2)
+        self.bias, self.signs = np.zeros(2), np.ones(2)
 
     def learn(self, mode):
         """A fault mode becomes known."""
@@ -82,6 +88,27 @@ class Controller:
         needed = mode["without_yaw"] == "where_needed" and not self.allocator.keeps_all_axes(hover)
         self.gives_up_yaw = needed or mode["without_yaw"] == "always"
         self.bias = self.allocator.middle(hover[0]) if self.gives_up_yaw else np.zeros(2)
+        if self.gives_up_yaw:
+            self.signs = self.settled_signs(hover[0])
+
+    def settled_signs(self, thrust):
+        """The signs of the gyroscopic terms at the spin in which the yaw drag balances the rotors that give the bias."""
+        speeds = self.allocator.speeds(np.array([thrust, *self.bias, 0.0]))
+        working = self.allocator.capacity > 0.0
+        torque = -float(np.sum((self.turns * self.allocator.capacity * self.drag_coefficient * speeds**2)[working]))
+        momentum = float(np.sum((self.turns * self.rotor_inertia * speeds)[working]))
+        if self.yaw_drag is None:
+            terms = np.array([self.inertia[0] - self.inertia[2], self.inertia[2] - self.inertia[1]])
+        else:
+            linear, quadratic = self.yaw_drag
+            size = 2.0 * abs(torque) / (linear + np.sqrt(linear**2 + 4.0 * quadratic * abs(torque)))
+            terms = self.gyroscopic_terms(np.copysign(size, torque), momentum)
+        return np.where(terms < 0.0, -1.0, 1.0)
+
+    def gyroscopic_terms(self, r, momentum):
+        """The torques about y and x for each unit of tangent by which the axis of the spin is tilted towards x and y."""
+        jx, jy, jz = self.inertia
+        return np.array([((jx - jz) * r - momentum) * r, ((jz - jy) * r + momentum) * r])
 
     def start(self, reference):
         """Attitude R and rates of a body that follows a reference exactly."""
@@ -140,14 +167,17 @@ class Controller:
         return np.array([self.mass * (demanded[0] @ up), *torque])
 
     def spin_axis(self, r, momentum):
-        """w0 of an equilibrium at the rate r that takes the bias, its angle from z limited."""
-        by_p = (self.inertia[0] - self.inertia[2]) * r - momentum
-        by_q = (self.inertia[2] - self.inertia[1]) * r + momentum
-        p = self.bias[1] / by_p if self.bias[1] != 0.0 and by_p != 0.0 else 0.0
-        q = self.bias[0] / by_q if self.bias[0] != 0.0 and by_q != 0.0 else 0.0
-        across, most = np.hypot(p, q), MOST_TILT * abs(r)
-        shrunk = most / across if across > most else 1.0
-        return np.array([p * shrunk, q * shrunk, r])
+        """w0 of an equilibrium at the rate r that takes the bias, its angle from z limited; the gyroscopic terms keep the sign that
+        they have once the spin is settled."""
+        jx, jy, jz = self.inertia
+        least = LEAST_SHARE * r**2 * np.abs([jx - jz, jz - jy])
+        terms = self.signs * np.maximum(self.signs * self.gyroscopic_terms(r, momentum), least)
+        torques = self.bias[::-1]
+        across = np.array([torque / term if torque != 0.0 and term != 0.0 else 0.0 for torque, term in zip(torques, terms)])
+        size = np.hypot(*across)
+        if size > MOST_TILT:
+            across = across * (MOST_TILT / size)
+        return np.array([across[0] * r, across[1] * r, r])
 
     def gyroscopic(self, w, momentum):
         """w x (J w + h e_z), the torque of a steady w."""

@@ -24,6 +24,7 @@ class Flown(NamedTuple):
     times: np.ndarray  # (k), s
     positions: np.ndarray  # (k, 3), m
     velocities: np.ndarray  # (k, 3), m/s
+    rates: np.ndarray  # (k, 3), body rates, rad/s
 
 
 class Watch:
@@ -66,7 +67,7 @@ def fly(record, xml, course, duration, mode=None, at=np.inf):
         t = step / simulate["rate_hz"]
         reference = course.at(t)
         times.append(t)
-        states.append((body.position, body.velocity))
+        states.append((body.position, body.velocity, body.rates))
         outcome = watch.look(body, reference) or ("flown" if t >= duration - half else None)
         if outcome:
             break
@@ -86,8 +87,8 @@ def fly(record, xml, course, duration, mode=None, at=np.inf):
             plant.step(command)
             step += 1
         body = plant.body()
-    positions, velocities = (np.array(each) for each in zip(*states))
-    return Flown(outcome, np.array(times), positions, velocities)
+    positions, velocities, rates = (np.array(each) for each in zip(*states))
+    return Flown(outcome, np.array(times), positions, velocities, rates)
 
 
 def stopped(course, reference, t, duration, simulate):

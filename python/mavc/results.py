@@ -308,7 +308,7 @@ class Simulation:
     verdict: str
     """`simulated`, or the verdict of the plan if there is none to fly."""
     outcome: str | None
-    """`flown`, `landed`, `lost` or `diverged`; `None` without a flight."""
+    """`flown`, `landed`, `trespassed`, `lost` or `diverged`; `None` without a flight."""
     log: Log | None = field(repr=False)
     json: str = field(repr=False)
     """What `mavc simulate --report` writes."""

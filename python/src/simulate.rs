@@ -85,6 +85,7 @@ fn flown(planned: &Planned, remarks: &[Diagnostic], wanted: Wanted, reports: &Re
     let outcome = match flight.outcome {
         Outcome::Flown => "flown",
         Outcome::Landed { .. } => "landed",
+        Outcome::Trespassed { .. } => "trespassed",
         Outcome::Lost { .. } => "lost",
         Outcome::Diverged { .. } => "diverged",
     };

@@ -11,6 +11,7 @@ pub mod body;
 pub mod capture;
 pub mod control;
 pub mod damage;
+pub mod equilibrium;
 pub mod estimate;
 pub mod heading;
 pub mod indistinguishable;
@@ -21,12 +22,15 @@ pub mod reference;
 pub mod rotors;
 mod sensors;
 mod single_axis;
+pub mod spin;
+pub mod variation;
+pub mod volumes;
 
 use crate::actuation::Wrench;
 use crate::cancel;
-use crate::model::{AfterFault, Mission, Model, Simulation, Strike};
+use crate::model::{AfterFault, FlownVehicle, GiveUpYaw, Mission, Model, Simulation, Strike, Vehicle};
 use crate::motion::{NodeState, Trajectory, X, Y, Z};
-use air::Air;
+use air::{Air, TorqueGusts};
 use allocate::Allocator;
 use body::{Body, Frame};
 pub use damage::{BrokenLimits, Damage};
@@ -41,12 +45,16 @@ use reduced_attitude::{SpinningRotors, WithoutYaw};
 use reference::{Course, DESCENT, Reference, Stop};
 use rotors::Rotors;
 use sensors::Sensors;
+use spin::{EndOfSpin, Spin};
+use std::borrow::Cow;
 
 /// The inputs of one simulated flight.
 #[derive(Debug, Clone)]
 pub struct Sortie<'a> {
-    /// The vehicle and its fault modes.
+    /// The vehicle and its fault modes, as the controller knows them.
     pub model: &'a Model,
+    /// The vehicle that flies: that of the model, or another one of the spec's intervals.
+    pub vehicle: Cow<'a, Vehicle>,
     /// Rates, gains, sensors, detection, reaction to faults, and the limits beyond which the vehicle counts as lost.
     pub simulation: &'a Simulation,
     /// The course that is followed until a fault is known.
@@ -62,6 +70,9 @@ pub struct Sortie<'a> {
     /// The vehicle's mean speed, m/s, which is added to the speed of the mean wind to give the V of the gust model
     /// ([`air`]).
     pub airspeed: f64,
+    /// Whether a flight with yaw given up goes on after its duration until the spin has settled, for at most five time
+    /// constants Jz/`yaw_drag`.
+    pub goes_on: bool,
 }
 
 impl<'a> Sortie<'a> {
@@ -74,6 +85,7 @@ impl<'a> Sortie<'a> {
         let longest = if trajectory.ends_at_rest() { f64::INFINITY } else { trajectory.duration() };
         Sortie {
             model,
+            vehicle: Cow::Borrowed(&model.vehicle),
             simulation: &model.simulation,
             course: Course::Plan(trajectory),
             mission: model.mission.as_ref(),
@@ -81,15 +93,20 @@ impl<'a> Sortie<'a> {
             seed,
             duration: model.simulation.duration.unwrap_or(trajectory.duration()).min(longest),
             airspeed: legs.sum::<f64>() / trajectory.duration(),
+            goes_on: model.simulation.duration.is_none() && trajectory.ends_at_rest(),
         }
     }
 }
 
 /// An upper bound (s) on the duration of a flight along a plan of `time` s, including a landing but not the duration of
-/// a stop.
+/// a stop. With `yaw_drag` a flight without yaw may take until its spin has settled.
 pub fn longest(model: &Model, time: f64) -> f64 {
     let simulation = &model.simulation;
-    let flown = simulation.duration.unwrap_or(time);
+    let settles = match simulation.faults.iter().any(|strike| model.gives_up_yaw(strike.mode) != GiveUpYaw::Never) {
+        true => capture::settled::settling_time(&model.vehicle).unwrap_or(0.0),
+        false => 0.0,
+    };
+    let flown = simulation.duration.unwrap_or(time + settles);
     let heights = model.mission.iter().flat_map(|m| m.waypoints.iter().map(|w| w.position[2] - simulation.ground));
     match simulation.after_fault {
         AfterFault::Land => flown + heights.fold(0.0, f64::max) / DESCENT + LANDING_MARGIN,
@@ -189,6 +206,8 @@ pub struct Flight {
     pub damage: Damage,
     /// When yaw was first given up on purpose, s since the start; `None` if it never was.
     pub gave_up_yaw_at: Option<f64>,
+    /// The spin in the end; `None` if yaw is not given up then.
+    pub spin: Option<EndOfSpin>,
     /// For how long some body rate was beyond the range of the gyroscope, s.
     pub gyroscope_saturated: f64,
     /// The detection of each fault that struck before the end.
@@ -217,8 +236,27 @@ pub struct Regressor {
 /// Samples of the regressor per second.
 const CONDITION_RATE: f64 = 10.0;
 
+/// While no stop keeps the volumes, one is tried again after this time, s.
+const BETWEEN_STOPS: f64 = 0.1;
+
 /// Time allowed for a landing in addition to the duration of its descent, s.
 const LANDING_MARGIN: f64 = 20.0;
+
+/// What the seed of the noise is combined with for torques of gusts and draws of the vehicle.
+const OTHER_NOISE: u64 = 0x5bd1_e995_9d2c_5680;
+
+/// The vehicle that flies: that of the sortie, or with its parameters and its centre of gravity drawn.
+fn flown_vehicle<'a>(sortie: &'a Sortie, random: &mut Pcg64Mcg) -> Cow<'a, Vehicle> {
+    let simulation = sortie.simulation;
+    let mut vehicle = Cow::Borrowed(sortie.vehicle.as_ref());
+    if simulation.spread == FlownVehicle::Drawn {
+        vehicle = Cow::Owned(variation::draw(&vehicle, random));
+    }
+    if simulation.centre_offset > 0.0 {
+        vehicle = Cow::Owned(variation::off_centre(&vehicle, simulation.centre_offset, random));
+    }
+    vehicle
+}
 
 /// Simulates a flight.
 ///
@@ -232,11 +270,20 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let estimator_ticks = (simulation.control_rate / simulation.estimator_rate).round().max(1.0) as usize;
     let condition_ticks = (simulation.control_rate / CONDITION_RATE).round().max(1.0) as usize;
     let mut random = Pcg64Mcg::seed_from_u64(sortie.seed);
-    let frame = Frame::of(model);
+    // Of its own, so that these draws change no other noise.
+    let mut others = Pcg64Mcg::seed_from_u64(sortie.seed ^ OTHER_NOISE);
+    // What flies, and what the controller takes it for.
+    let vehicle = flown_vehicle(sortie, &mut others);
+    let (frame, known) = (Frame::of_vehicle(&vehicle, model), Frame::of(model));
     let airspeed = sortie.airspeed + nalgebra::Vector3::from(simulation.wind).norm();
     let mut air = Air::new(simulation.wind, simulation.gusts, simulation.gust_length, airspeed, period, &mut random);
     let mut sensors = Sensors::new(simulation, period);
-    let mut rotors = Rotors::new(model, h);
+    let span = 2.0 * vehicle.radius();
+    let mut torque_gusts = TorqueGusts::new(simulation.torque_gusts, span, airspeed, period, &mut others);
+    let mut gust = Wrench::zeros();
+    let mut rotors = Rotors::new(&vehicle, h);
+    let mut spin = Spin::new(&vehicle, period);
+    let mut next_try = 0.0;
     let mut knowledge = Knowledge::new(model, simulation, strikes, period, estimator_ticks);
     let mut allocator = Allocator::new(model, model.vehicle.allocation);
     let mut course = sortie.course.clone();
@@ -245,7 +292,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut conditions = Vec::with_capacity((sortie.duration.min(1e4) * CONDITION_RATE) as usize + 400);
     let mut reference = course.at(0.0);
     let environment = model.environment();
-    let mut body = control::start(&frame, &reference.in_air(&environment));
+    let mut body = control::start(&known, &reference.in_air(&environment));
     let mut blowing = nalgebra::Vector3::zeros();
     let mut next_event = 0.0;
     let mut wrench = Wrench::zeros();
@@ -270,21 +317,26 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             if let Some(end) = watch.look(t, &body, &reference, is_after, acceleration) {
                 break end;
             }
+            spin.look(t, body.rates.z, without_yaw.is_some());
             // A duration that is NaN counts as elapsed.
             if t >= duration - 0.5 * h || duration.is_nan() {
-                break watch.end(t, &body);
+                match spin.settles_by(t).filter(|_| sortie.goes_on) {
+                    Some(later) => duration = later,
+                    None => break watch.end(t, &body),
+                }
             }
             blowing = air.next(&mut random);
+            gust.fixed_rows_mut::<3>(1).copy_from(&torque_gusts.next(&mut others));
             let measured = sensors.measure(&body, &mut random);
             if knowledge.update(t, tick, &measured, &allocator) {
                 allocator.believe(&knowledge.belief);
                 without_yaw = match knowledge.fault_known {
                     true => WithoutYaw::of(
                         knowledge.gives_up_yaw(t),
+                        model,
                         &allocator,
                         &knowledge.hover,
                         &knowledge.belief,
-                        &frame,
                         &simulation.gains,
                     ),
                     false => None,
@@ -292,34 +344,38 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 watch.gave_up_yaw = without_yaw.is_some();
                 gave_up_yaw_at = gave_up_yaw_at.or(without_yaw.as_ref().map(|_| t));
             }
-            if knowledge.fault_known && simulation.after_fault != AfterFault::Continue && !watch.is_stopping {
-                let lands = simulation.after_fault == AfterFault::Land;
-                let stop = Stop::from(&reference, t, lands, simulation.ground);
-                let rest = stop.at_rest();
-                let height = stop.place_of_rest().z - simulation.ground;
-                duration = if lands {
-                    rest + height / DESCENT + LANDING_MARGIN
-                } else {
-                    duration.max(simulation.duration.unwrap_or(0.0)).max(rest + 5.0)
-                };
-                course = Course::Stop(Box::new(stop));
-                reference = course.at(t);
-                watch.stop(t, lands);
+            let wants_to_stop = knowledge.fault_known && simulation.after_fault != AfterFault::Continue;
+            if wants_to_stop && !watch.is_stopping && t >= next_try {
+                next_try = t + BETWEEN_STOPS;
+                let wanted = simulation.after_fault == AfterFault::Land;
+                let is_over = t + BETWEEN_STOPS >= course.end();
+                if let Some((stop, lands)) = possible_stop(&watch, &reference, t, wanted, is_over, simulation.ground) {
+                    let rest = stop.at_rest();
+                    let height = stop.place_of_rest().z - simulation.ground;
+                    duration = if lands {
+                        rest + height / DESCENT + LANDING_MARGIN
+                    } else {
+                        duration.max(simulation.duration.unwrap_or(0.0)).max(rest + 5.0)
+                    };
+                    course = Course::Stop(Box::new(stop));
+                    reference = course.at(t);
+                    watch.stop(t, lands);
+                }
             }
             // The controller knows the air of the plan, in the middle of the possible winds.
             let aimed = reference.in_air(&environment);
             // The flight begins with the thrust that the reference needs.
             let force = match step {
-                0 => (aimed.acceleration + nalgebra::Vector3::z() * frame.gravity).norm(),
-                _ => knowledge.thrust() / frame.mass,
+                0 => (aimed.acceleration + nalgebra::Vector3::z() * known.gravity).norm(),
+                _ => knowledge.thrust() / known.mass,
             };
             let gains = &simulation.gains;
             if let Some(without_yaw) = &without_yaw {
                 let spinning = SpinningRotors { lag: knowledge.lag(), momentum };
-                wanted = without_yaw.control(&frame, gains, &measured, force, &aimed, spinning);
+                wanted = without_yaw.control(&known, gains, &measured, force, &aimed, spinning);
                 allocator.bounded_speeds(&wanted, &mut rotors.command);
             } else {
-                wanted = control::control(simulation.controller, &frame, gains, &measured, force, &aimed);
+                wanted = control::control(simulation.controller, &known, gains, &measured, force, &aimed);
                 allocator.speeds(&wanted, &mut rotors.command);
             }
             knowledge.probe(&mut rotors.command);
@@ -350,7 +406,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         let middle = (rotors.wrench(), rotors.momentum());
         rotors.half_step();
         (wrench, momentum) = (rotors.wrench(), rotors.momentum());
-        body.step_with(&frame, h, [&begin.0, &middle.0, &wrench], [begin.1, middle.1, momentum], &blowing);
+        let wrenches = [begin.0 + gust, middle.0 + gust, wrench + gust];
+        body.step_with(&frame, h, wrenches.each_ref(), [begin.1, middle.1, momentum], &blowing);
         step += 1;
     };
     let end = step as f64 / simulation.rate;
@@ -370,6 +427,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         heading: watch.heading_errors(),
         damage: watch.damage(end, outcome.is_lost()),
         gave_up_yaw_at,
+        spin: spin.end(body.rates.amax(), simulation.gyroscope_range),
         gyroscope_saturated: sensors.saturated,
         found,
         false_alarms,
@@ -377,6 +435,24 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         regressor: regressor(conditions),
         steps: step,
     }
+}
+
+/// The stop from a reference at `t` s, with a descent if one is `wanted`, and whether it descends: one that keeps the
+/// volumes of the mission. `None` if there is none, so that the plan is followed for now. Where the plan `is_over` the
+/// vehicle stays, if it cannot land.
+fn possible_stop(
+    watch: &Watch,
+    reference: &Reference,
+    t: f64,
+    wanted: bool,
+    is_over: bool,
+    ground: f64,
+) -> Option<(Stop, bool)> {
+    let stop = Stop::from(reference, t, wanted, ground);
+    if watch.volumes.are_kept_by(&stop, t, wanted) {
+        return Some((stop, wanted));
+    }
+    is_over.then(|| (Stop::from(reference, t, false, ground), false))
 }
 
 fn all_finite(numbers: &[f64]) -> bool {

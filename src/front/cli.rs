@@ -60,7 +60,7 @@ pub const REJECTED: u8 = 5;
 pub const WEAKER: u8 = 7;
 /// Checking the certificate would exceed the budget.
 pub const OVER_BUDGET: u8 = 8;
-/// The simulated vehicle is lost.
+/// The simulated vehicle is lost, or past the boundary of a volume.
 pub const LOST: u8 = 6;
 /// The integration of a flight diverged: the fate of the vehicle is unknown.
 pub const DIVERGED: u8 = 9;

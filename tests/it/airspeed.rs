@@ -103,11 +103,11 @@ fn a_limit_on_tilt_and_the_wind() {
     assert_eq!(windy, free);
 }
 
-/// Without drag there is neither a column nor a key; a mode that cannot hover has none.
+/// Without drag there is neither a column nor a key; a mode that cannot hover has none, also with yaw given up.
 #[test]
 fn without_drag_or_hover() {
     let mut model = quadcopter();
-    model.modes = vec![lost(&model, &[1])];
+    model.modes = vec![lost(&model, &[1, 2])];
     let all = |model: &Model| mavc::admissible::verdict::analyze_all(model, &AdmissibleSet::all(model));
     let modes = all(&model);
     assert!(modes.iter().all(|mode| mode.airspeed.is_none()));

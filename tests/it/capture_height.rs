@@ -16,7 +16,7 @@ fn text(ground: &str, waypoints: &str, plan: &str) -> String {
         "vehicle quad {{
     layout = \"PNPN\"; first = 45 deg; arm = 23 cm; mass = 1.9 kg
     inertia = [0.018, 0.018, 0.033] kg*m^2
-    yaw_drag = 2.75e-3 N*m*s/rad
+    yaw_drag = 5e-3 N*m*s/rad
     rotor {{ max_thrust = 11 N; torque_per_thrust = 15 mm; max_speed = 8000 rpm; time_constant = 20 ms }}
 }}
 faults {{ mode L {{ rotor 1 lost }} }}
@@ -54,10 +54,10 @@ fn plans_of_both_models_keep_the_height_and_a_flight_in_it_survives() {
         let spec = spec(&text("ground = 0 m", OVER, &format!("{REQUIRED}{model}")));
         let planning = planned(&spec);
         let plan = planning.plan().unwrap();
-        // The height is what the flights themselves lose at 0 and 5 m/s: 5.8 and 6.1 m in `mavc analyze --capture`.
+        // The height is what the flights themselves lose at 0 and 5 m/s: 5.6 and 5.9 m in `mavc analyze --capture`.
         let needed = CaptureHeights::simulate(spec.model(), 0.1, 5.0, 1).unwrap();
         let height = needed.greatest();
-        assert!((6.0..6.3).contains(&height), "{height}");
+        assert!((5.8..6.0).contains(&height), "{height}");
         // Everywhere on the plan: near start or end, or high enough.
         let end = plan.time;
         for k in 0..=1600 {
@@ -152,22 +152,22 @@ fn waypoints_show_where_the_way_up_ends() {
     };
     let slope = code("waypoint at [15, 0, 12] m; waypoint at [15, 0, 3] m");
     assert!(slope.contains("no waypoint within 4 m of the start"), "{slope}");
-    assert!(slope.contains("add `waypoint at [0, 0, 6.2") && slope.contains("before it"), "{slope}");
+    assert!(slope.contains("add `waypoint at [0, 0, 6] m`") && slope.contains("before it"), "{slope}");
     let down = code("waypoint at [0, 0, 12] m; waypoint at [15, 0, 3] m");
     assert!(down.contains("no waypoint within 4 m of the end") && down.contains("after it"), "{down}");
-    let between = "waypoint at [0, 0, 12] m; waypoint at [8, 0, 6] m; waypoint at [15, 0, 12] m";
+    let between = "waypoint at [0, 0, 12] m; waypoint at [8, 0, 5.5] m; waypoint at [15, 0, 12] m";
     assert!(code(between).contains("waypoint 3 is 0."), "{}", code(between));
-    assert!(code("waypoint at [15, 0, 3] m").contains("no waypoint reaches 6.1"));
+    assert!(code("waypoint at [15, 0, 3] m").contains("no waypoint reaches 5.9"));
 }
 
 #[test]
 fn where_no_height_is_enough_nothing_is_planned() {
-    // With rotors of 100 ms the loss is not survived at 5 m/s and 150 ms: `mavc analyze --capture`.
-    let slow =
-        text("ground = 0 m", OVER, "require capture_height { detection = 150 ms }").replace("20 ms }", "100 ms }");
+    // With slow and weak rotors the loss is not survived at 5 m/s and 100 ms: `mavc analyze --capture`.
+    let slow = text("ground = 0 m", OVER, "require capture_height { detection = 100 ms }");
+    let slow = slow.replace("20 ms }", "100 ms }").replace("max_thrust = 11 N", "max_thrust = 9.6 N");
     let Refusal::TooLow(found) = refusal(&slow) else { panic!() };
     assert_eq!(found[0].code, "mavc::plan::capture_unregained");
-    assert!(found[0].message.contains("after mode L: with the fault known after 150 ms at 5 m/s, 0 of 5"), "{found:?}");
+    assert!(found[0].message.contains("after mode L: with the fault known after 100 ms at 5 m/s, 0 of 5"), "{found:?}");
 }
 
 #[test]
@@ -234,6 +234,7 @@ fn the_page_draws_heights_over_delays() {
         delay_s: delay,
         flights: 5,
         regained,
+        settled_rate_rad_s: Some(20.0),
         height_m: Some([20.0 * delay, 30.0 * delay, 40.0 * delay]),
         drift_m: None,
     };

@@ -5,6 +5,7 @@ mod allocation;
 mod body;
 mod control;
 mod damage;
+mod disturbed;
 mod estimation;
 mod faults;
 mod headings;
@@ -12,7 +13,9 @@ mod landings;
 mod motion;
 mod plans;
 mod reference;
+mod settled;
 mod sorties;
+mod volumes;
 mod without_yaw;
 
 use mavc::flight::body::Body;
@@ -55,6 +58,7 @@ fn strike(mode: usize, at: f64) -> Strike {
 fn sortie<'a>(model: &'a Model, along: &'a Trajectory, strikes: &'a [Strike]) -> Sortie<'a> {
     Sortie {
         model,
+        vehicle: std::borrow::Cow::Borrowed(&model.vehicle),
         simulation: &model.simulation,
         course: Course::Plan(along),
         mission: None,
@@ -62,6 +66,7 @@ fn sortie<'a>(model: &'a Model, along: &'a Trajectory, strikes: &'a [Strike]) ->
         seed: 7,
         duration: along.duration(),
         airspeed: 0.0,
+        goes_on: false,
     }
 }
 

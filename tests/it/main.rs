@@ -7,6 +7,7 @@ mod building;
 mod campaigns;
 mod capture_height;
 mod certificates;
+mod claims;
 mod cli;
 mod code_names;
 mod codes;

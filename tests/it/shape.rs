@@ -237,3 +237,37 @@ fn text_record_and_schema_agree() {
     assert!(lines.len() == 2 && lines.iter().all(|line| line.len() <= 80), "{text}");
     assert!(text.contains("m from the straight leg (leg to waypoint 2 far, "), "{text}");
 }
+
+/// `yaw along path` from a start at rest: the vehicle begins in the direction of its first leg and turns with the
+/// path, 252 degrees to the given yaw of the first mission and 360 degrees in the second, and no whole turn more.
+#[test]
+fn a_yaw_along_the_path_begins_in_its_direction() {
+    let first = "[6, 2, 5] m; waypoint at [8, 8, 5] m; waypoint at [2, 10, 5] m; waypoint at [-2, 5, 5] m";
+    let round =
+        format!("{first}; waypoint at [0, 0, 5] m; waypoint at [6, -1, 5] m; waypoint at [10, -1, 5] m yaw 0 deg");
+    let branch = format!("{first}; waypoint at [-2, 2, 5] m yaw -90 deg");
+    for (way, turn) in [(branch, 252.0), (round, 360.0)] {
+        let text = format!(
+            "vehicle hexa {{
+                layout = \"PNPNPN\"; arm = 0.3 m; mass = 2 kg; inertia = [0.03, 0.03, 0.05] kg*m^2
+                rotor {{ max_thrust = 8 N; torque_per_thrust = 16 mm; max_speed = 800 rad/s }}
+            }}
+            mission m {{
+                start at [0, 0, 5] m yaw along path yaw_within 10 deg
+                waypoint at {}
+                limits {{ speed <= 4 m/s; yaw_rate <= 90 deg/s }}
+            }}
+            plan {{ planner = rip; time = minimum; samples = 100 }}",
+            way.replace("; waypoint", " within 30 cm\n waypoint")
+        );
+        let spec = mavc::compile(&text).into_result().unwrap();
+        let planning = mavc::plan(&spec).unwrap();
+        let nodes = &planning.plan().expect("a plan").trajectory.nodes;
+        let yaw: Vec<f64> = nodes.iter().map(|state| state[3][0].to_degrees()).collect();
+        let first = 2.0_f64.atan2(6.0).to_degrees();
+        assert!((yaw[0] - first).abs() < 30.0, "{yaw:?}");
+        assert!((yaw[yaw.len() - 1] - yaw[0] - turn).abs() < 60.0, "{yaw:?}");
+        let turned: f64 = yaw.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
+        assert!(turned < turn + 120.0, "{turned} {yaw:?}");
+    }
+}

@@ -62,9 +62,10 @@
 ((field value: (reference (name) @constant.builtin))
   (#any-of? @constant.builtin
     ; words: values of fields
-    "all" "always" "bounded" "box" "continue" "cylinder" "distance" "estimator" "exact" "geometric" "half_space"
-    "hold" "hover" "instant" "lagging" "land" "minimum" "never" "normal" "off" "optimal" "pd" "polygon" "proportional"
-    "pseudo_inverse" "quick" "rcp" "rip" "rsp" "sphere" "thorough" "uniform" "where_needed"
+    "all" "always" "bounded" "box" "continue" "cylinder" "distance" "drawn" "estimated" "estimator" "exact"
+    "geometric" "half_space" "hold" "hover" "instant" "lagging" "land" "middle" "minimum" "never" "normal" "off"
+    "optimal" "pd" "polygon" "proportional" "pseudo_inverse" "quick" "rcp" "rip" "rsp" "sphere" "thorough" "uniform"
+    "where_needed"
     ; end of words
   ))
 ((field value: (list (reference (name) @constant.builtin)))

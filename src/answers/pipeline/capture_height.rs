@@ -12,6 +12,7 @@ use crate::motion::{Trajectory, X, Y};
 use crate::number::{number, significant};
 use crate::planner::studies::{Comparison, PlannerRun};
 use crate::report::capture_height::ExposedRecord;
+use crate::report::without_yaw::without_rows;
 use std::sync::Arc;
 
 /// Code: no mode is concerned by the statement.
@@ -68,6 +69,9 @@ pub(super) fn impose(model: &Model) -> Result<(Option<ImposedHeight>, Option<Dia
         let error = Diagnostic::error(HOPELESS, required.span, message).here("cannot be required");
         let help = match model.vehicle.yaw_drag {
             None => "give `yaw_drag` in `vehicle`, without which nothing ends the spin; see `mavc analyze --capture`",
+            Some(_) if case.settled_rate_rad_s.is_none_or(|rate| rate > model.simulation.gyroscope_range) => {
+                "the spin does not settle in level flight within `gyroscope_range`: see `mavc analyze --capture`"
+            }
             Some(_) => "lower the limit on speed or `detection`, or use faster rotors; see `mavc analyze --capture`",
         };
         return Err(Box::new(error.help(help)));
@@ -89,10 +93,8 @@ pub(super) fn is_about(diagnostic: &Diagnostic) -> bool {
     diagnostic.severity == Severity::Error && [LOW, HOPELESS].contains(&diagnostic.code)
 }
 
-/// The captures against which plans are measured, of a spec that gives the ground and does not require the height: at
-/// the plans' own speeds.
+/// The captures against which plans are measured, of a spec that does not require the height: at the plans' own speeds.
 pub(super) fn at_speeds_of(model: &Model, plans: &[&Trajectory]) -> Option<CaptureHeights> {
-    model.mission.as_ref()?.ground?;
     let delay = model.simulation.detection.delay().unwrap_or(USUAL_DELAY);
     let speeds = plans.iter().flat_map(|plan| plan.nodes.iter()).map(|node| node[X][1].hypot(node[Y][1]));
     let top = speeds.reduce(f64::max)?;
@@ -119,6 +121,8 @@ impl Task<'_> {
         match &self.imposed {
             _ if plans.is_empty() => None,
             Some(imposed) => Some(imposed.heights.clone()),
+            // Without a ground only modes that a plan leaves out need them.
+            None if self.mission().ground.is_none() && without_rows(comparison).is_empty() => None,
             None => at_speeds_of(self.model(), &plans).map(Arc::new),
         }
     }

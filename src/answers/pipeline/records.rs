@@ -33,12 +33,13 @@ impl Task<'_> {
 
     /// The report of a plan for people: the text of `mavc plan`.
     pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>) -> String {
-        let mut text = terminal::plan(self.problem(), planning.comparison());
+        let heights = self.capture_heights(planning);
+        let mut text = terminal::plan_with(self.problem(), planning.comparison(), heights.as_deref());
         if let Some(plan) = planning.plan() {
             text.push_str(&terminal::detours(self.problem(), plan, &self.known_detours(planning)));
         }
         text.push_str(&terminal::elsewhere(self.model(), &explained.nearby.times().collect::<Vec<_>>()));
-        if let Some(heights) = self.capture_heights(planning)
+        if let Some(heights) = heights
             && let Some(record) = CaptureRecord::new(self.model(), &heights)
         {
             let exposed = self.exposed(planning.comparison(), Some(&heights)).pop().unwrap_or_default();

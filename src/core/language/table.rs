@@ -470,12 +470,21 @@ group! {
     FORGETTING "forgetting", Quantity("1", Positive),
         Value(0.95, "0.95", "forgetting factor of the estimator per sample"),
         "the forgetting factor of the estimator per sample, between 0 and 1";
+    THRESHOLD "threshold", Quantity("1", Positive),
+        Value(6.0, "6", "standard deviations beyond which the estimator uses a sample"),
+        "the estimator uses a sample whose residual is beyond this many standard deviations of the torque noise, and \
+         those that follow".bounds(1e-3, 1e6);
     GYROSCOPE_NOISE "gyroscope_noise", Quantity("rad/s", NotNegative),
         Value(0.005, "0.005 rad/s", "standard deviation of a sample of a small MEMS gyroscope"),
         "the standard deviation of a sample of the body rates on each axis";
     GYROSCOPE_RANGE "gyroscope_range", Quantity("deg/s", Positive),
         Value(34.906_585_039_886_59, "2000 deg/s", "range of the gyroscopes of most flight controllers"),
         "the largest body rate on each axis that the gyroscope measures; larger ones are measured as this";
+    ASSUMED_GYROSCOPE_NOISE "assumed_gyroscope_noise", Quantity("rad/s", NotNegative), Otherwise("`gyroscope_noise`"),
+        "the standard deviation that the estimator assumes, for sensors that are worse than assumed";
+    ATTITUDE "attitude", Words(&["exact", "estimated"]), Written("exact", "the controller knows the attitude"),
+        "`exact`: the controller knows the attitude; `estimated`: it integrates the gyroscope, with its noise and \
+         range, and corrects it slowly";
     POSITION_NOISE "position_noise", Quantity("m", NotNegative),
         Value(0.01, "1 cm", "standard deviation of a sample on each axis"),
         "the standard deviation of a sample of the position on each axis";
@@ -491,6 +500,15 @@ group! {
         .bounds(0.0, 1e4);
     GUST_LENGTH "gust_length", Quantity("m", Positive), Value(50.0, "50 m", "length scale of gusts"),
         "the length scale of the gusts (Dryden)".bounds(1e-6, 1e9);
+    TORQUE_GUSTS "torque_gusts", Quantity("N*m", NotNegative), Value(0.0, "0 N*m", "gusts do not turn the vehicle"),
+        "the standard deviation of the torque of gusts about each axis of the body".bounds(0.0, 1e4);
+    SPREAD "spread", Words(&["middle", "drawn"]), Written("middle", "the vehicle that the controller assumes"),
+        "the vehicle that flies: with the middles of the spec's intervals, as the controller assumes, or with values \
+         drawn evenly from them by the seed";
+    CENTRE_OFFSET "centre_offset", Quantity("m", NotNegative),
+        Value(0.0, "0 m", "the centre of gravity is where the spec places it"),
+        "the centre of gravity is off by up to this along x and y of the body, drawn evenly by the seed; the \
+         controller does not know it".bounds(0.0, 1e4);
     SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "seed of noise and gusts"),
         "the seed of noise and gusts: the same seed gives the same flight";
     LOST_BEYOND "lost_beyond", Quantity("m", Positive),

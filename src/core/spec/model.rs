@@ -24,7 +24,8 @@ pub use crate::body::{Body, Obstacle};
 pub use air::{Air, Environment, STANDARD_DENSITY};
 pub use battery::Battery;
 pub use flight_settings::{
-    AfterFault, Allocation, Campaign, Controller, Detection, Gains, LostYaw, MOTOR_TIME_CONSTANT, Simulation, Strike,
+    AfterFault, Allocation, Attitude, Campaign, Controller, Detection, FlownVehicle, Gains, LostYaw,
+    MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
 pub use heading::{Heading, SLOWEST, Target};
 pub use interval::{RotorSpread, Spread};
@@ -159,6 +160,11 @@ impl Vehicle {
     /// The autopilot's numbers of the motors, in the order of the rotors; `None` if the spec gives none.
     pub fn motors(&self) -> Option<Vec<u32>> {
         self.rotors.iter().map(|rotor| rotor.motor).collect()
+    }
+
+    /// Whether some rotor has a moment of inertia.
+    pub fn has_rotor_inertia(&self) -> bool {
+        self.rotors.iter().any(|rotor| rotor.inertia > 0.0)
     }
 
     /// The autopilot's numbers where they differ from the rotors' own.

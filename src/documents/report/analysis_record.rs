@@ -2,6 +2,7 @@
 
 use crate::admissible::verdict::ModeAnalysis;
 use crate::flight::capture::Capture;
+use crate::flight::equilibrium::{SettledSpin, settled_spins};
 use crate::model::Model;
 use serde::Serialize;
 
@@ -27,6 +28,8 @@ pub struct AnalysisRecord<'a, F> {
     /// The healthy vehicle first, then the declared modes in the order written.
     #[cfg_attr(test, schemars(length(min = 1)))]
     modes: &'a [ModeAnalysis],
+    /// Where flights settle in each mode in which they give up yaw; empty without `yaw_drag`.
+    settled_spins: Vec<SettledSpin>,
     /// With `--sweep`: where verdicts change, ascending; omitted otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     flips: Option<&'a [F]>,
@@ -43,6 +46,15 @@ impl<'a, F> AnalysisRecord<'a, F> {
         captures: Option<&'a [Capture]>,
     ) -> Self {
         let (vehicle, rotors) = (model.vehicle.name.as_str(), model.vehicle.rotors.len());
-        AnalysisRecord { schema: SCHEMA, vehicle, rotors, motors: model.vehicle.motors(), modes, flips, captures }
+        AnalysisRecord {
+            schema: SCHEMA,
+            vehicle,
+            rotors,
+            motors: model.vehicle.motors(),
+            modes,
+            settled_spins: settled_spins(model),
+            flips,
+            captures,
+        }
     }
 }

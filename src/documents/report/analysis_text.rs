@@ -8,6 +8,7 @@ use crate::admissible::edge::HoverPlace;
 use crate::admissible::interval::Certainty;
 use crate::admissible::parallel::{Parallel, least_angle};
 use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
+use crate::flight::equilibrium::settled_spins;
 use crate::model::{Allocation, Model};
 use crate::number::{down, significant};
 use crate::text_table::Table;
@@ -24,7 +25,9 @@ rank      dimension of the set: 4 if thrust and all three torques can be varied 
 
 /// Meaning of the column of airspeeds.
 const AIRSPEED: &str = "\
-airspeed  the largest steady airspeed in level flight with the plan's reserve; (tilt): the mission limits the tilt
+airspeed  the largest steady airspeed in level flight with the plan's reserve; (tilt): the mission limits the tilt; \
+(no yaw): with
+          yaw given up; over 40 m/s drag that grows in proportion to the airspeed is not plausible
 ";
 
 /// Meaning of the column of airspeeds of a vehicle with a drag for each axis of its body.
@@ -132,6 +135,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         out.push_str(&table.render(0));
     }
     out.push_str(&without_yaw::table(modes));
+    out.push_str(&without_yaw::settled(&settled_spins(model)));
     out.push_str("\nHeadroom from hover to the edge of each mode's admissible set, down/up\n");
     let mut table = Table::new(&["mode", "thrust [N]", "tau_x [N m]", "tau_y [N m]", "tau_z [N m]"]);
     for m in modes {

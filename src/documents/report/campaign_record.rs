@@ -13,7 +13,7 @@ use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
 use crate::campaign::design::{Design, Missing};
 use crate::campaign::predictors::Forecast;
-use crate::campaign::statistics::{Share, Summary, wilson};
+use crate::campaign::statistics::{QUANTILES, Share, Summary, wilson};
 use crate::campaign::tally::{Cell, Group, Tally};
 use crate::flight::capture::CaptureHeight;
 use crate::model::Model;
@@ -152,6 +152,8 @@ pub struct GroupRecord {
     pub flown: usize,
     /// Landed after the fault.
     pub landed: usize,
+    /// Not lost, but inside a `keep_out` or outside a `keep_in`; not survived.
+    pub trespassed: usize,
     /// Lost, for whatever cause.
     pub lost: usize,
     /// Too far from the planned position.
@@ -183,8 +185,13 @@ pub struct GroupRecord {
     pub detected_after_s: Option<Summary>,
     /// Seconds until the fault was isolated, over the flights in which it was.
     pub isolated_after_s: Option<Summary>,
+    /// Seconds within which half, nine tenths and 99 % of the struck flights had isolated the fault, those that never
+    /// did included; null where fewer had, or without struck flights.
+    pub isolated_within_s: [Option<f64>; 3],
     /// Alarms of sound rotors, of all flights together.
     pub false_alarms: usize,
+    /// The same for an hour of flight; null without flights.
+    pub false_alarms_per_hour: Option<f64>,
     /// Reconfigurations refused because the vehicle could not hover under them.
     pub refused_reconfigurations: usize,
     /// What happened to the path.
@@ -201,7 +208,7 @@ pub struct CellRecord {
     pub flights: usize,
     /// Flights still flying when the fault struck.
     pub struck: usize,
-    /// Struck flights that were lost.
+    /// Struck flights that were not survived: lost or trespassed.
     pub lost: usize,
     /// Flights whose integration broke down; not among the struck ones.
     pub diverged: usize,
@@ -323,6 +330,7 @@ impl GroupRecord {
             flights: group.flights,
             flown: group.flown,
             landed: group.landed,
+            trespassed: group.trespassed,
             lost: group.all_lost(),
             lost_by_position,
             lost_upside_down,
@@ -337,7 +345,9 @@ impl GroupRecord {
             max_heading_error_rad: group.max_heading_error.summary(),
             detected_after_s: group.detected_after.summary(),
             isolated_after_s: group.isolated_after.summary(),
+            isolated_within_s: QUANTILES.map(|share| group.isolation.quantile(share)),
             false_alarms: group.false_alarms,
+            false_alarms_per_hour: group.alarms_per_hour(),
             refused_reconfigurations: group.refused,
             path: PathRecord::new(&group.path),
         }

@@ -5,13 +5,14 @@ mod path;
 
 pub use agreement::by_flight;
 
+use super::simulation::disturbed;
 use super::terminal::vehicle_line;
 use crate::campaign::HEALTHY;
 use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
 use crate::campaign::design::{CampaignPlan, Design, Missing};
 use crate::campaign::run::AFTERMATH;
-use crate::campaign::statistics::{Share, wilson};
+use crate::campaign::statistics::{Delays, QUANTILES, Share, wilson};
 use crate::campaign::tally::{Group, Tally};
 use crate::flight::Cause;
 use crate::flight::indistinguishable::listed;
@@ -86,11 +87,12 @@ fn flown_how(design: &Design) -> String {
         Detection::Estimator => format!("faults are estimated at {} Hz", number(s.estimator_rate)),
     };
     format!(
-        "controller {}, allocation {}; {detection}; after_fault = {}\n\
+        "controller {}, allocation {}; {detection}; after_fault = {}{}\n\
          lost: {} m off the plan, tilted past 90 degrees for {} s or at the end, {}or on the ground; {}\n",
         s.controller.name(),
         model.vehicle.allocation.name(),
         s.after_fault.name(),
+        disturbed(s),
         number(s.lost_beyond),
         number(s.upside_down),
         off_heading(s),
@@ -155,6 +157,8 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> Str
         "  errors and headings are those of the flights that survived, since the fault; violations are the plan's, in \
          % of its time\n",
     );
+    out.push_str(&estimator(design, tally, p));
+    out.push_str(&uncovered(design, tally, p));
     out.push_str(&path::table(design, tally, p, &modes));
     if let lost @ 1.. = healthy.all_lost() {
         let text = format!(
@@ -184,6 +188,54 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> Str
     }
     out.pop();
     out
+}
+
+/// How often the estimator raised false alarms, and how soon it isolated the faults; empty without an estimator.
+fn estimator(design: &Design, tally: &Tally, p: usize) -> String {
+    if design.model.simulation.detection != Detection::Estimator {
+        return String::new();
+    }
+    let healthy = tally.healthy(p);
+    let Some(per_hour) = healthy.alarms_per_hour() else { return String::new() };
+    let mut isolation = Delays::default();
+    (0..design.cases.modes).for_each(|m| isolation.join(&tally.mode(p, m).isolation));
+    let within = |share: f64| {
+        let of = format!("{} % ", number(100.0 * share));
+        isolation.quantile(share).map_or(format!("{of}never"), |s| format!("{of}{} s", fixed(s, 2)))
+    };
+    let isolated = match isolation.is_empty() {
+        true => String::new(),
+        false => format!("; faults are isolated within: {}", QUANTILES.map(within).join(", ")),
+    };
+    indented(&format!(
+        "The estimator raised {} in {} h of healthy flight, {} an hour{isolated}.",
+        plural(healthy.false_alarms, "false alarm"),
+        significant(healthy.seconds / 3600.0, 3),
+        significant(per_hour, 3)
+    ))
+}
+
+/// What the reserve of a plan does not cover, if flights are lost after faults whose sets the plan never leaves.
+fn uncovered(design: &Design, tally: &Tally, p: usize) -> String {
+    let plan = &design.plans[p];
+    let inside = |m: &usize| {
+        let name = &design.model.modes[*m].name;
+        plan.against.contains(name) && plan.outside[*m].last.is_none()
+    };
+    let (lost, struck) =
+        (0..design.cases.modes).filter(inside).map(|m| tally.mode(p, m)).fold((0, 0), |(lost, struck), group| {
+            (lost + group.struck().saturating_sub(group.survived()), struck + group.struck())
+        });
+    if lost == 0 {
+        return String::new();
+    }
+    let reserve = number(100.0 * design.model.plan.reserve);
+    indented(&format!(
+        "{lost} of {} that struck were not survived although the plan never leaves the sets of their modes: its \
+         reserve of {reserve} % is a share of the sets of the modelled vehicle. It covers neither gusts nor a thrust \
+         below the modelled one, nor the time until the fault is known.",
+        plural(struck, "fault")
+    ))
 }
 
 /// All modes as declared or, if there are many, those with the most losses.
@@ -223,6 +275,7 @@ fn group_cells(name: &str, group: &Group) -> Vec<String> {
 /// `12 ground, 3 heading`: causes of loss, the most frequent first.
 fn causes(group: &Group) -> String {
     let mut counts: Vec<(&str, usize)> = Cause::ALL.iter().zip(group.lost).map(|(c, n)| (cause(*c), n)).collect();
+    counts.push(("in a keep_out or outside a keep_in", group.trespassed));
     counts.push(("diverged", group.diverged));
     counts.retain(|(_, n)| *n > 0);
     counts.sort_by_key(|(_, n)| Reverse(*n));

@@ -5,12 +5,14 @@ mod fold;
 use super::record::{errors, rates};
 use super::terminal::{WIDTH, head, holds, in_planes};
 use super::{least_time, without_yaw};
+use crate::admissible::row::VIOLATED;
 use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind, Problem};
+use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
 use crate::number::{fixed, number, percent, significant};
 use crate::planner::studies::rounds::Round;
-use crate::planner::studies::{Comparison, PlanOutcome, PlannerRun, Proof, Run, label};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Proof, Run, label};
 use crate::planner::timing::kinematics::least_time_within;
 use crate::text_table::{Table, indented};
 use crate::verdict::Verdict;
@@ -19,10 +21,13 @@ use fold::{Fold, folded};
 /// An objective counts as lower than another if it is lower by more than this share.
 const CHEAPER: f64 = 1e-3;
 
+/// The most modes that a cell of a table names.
+const NAMED: usize = 4;
+
 /// The tables of the paper's section 5.4, for any spec.
 pub fn compare(problem: Problem, comparison: &Comparison) -> String {
     let (model, mission) = (problem.model(), problem.mission());
-    let mut out = head(problem, comparison);
+    let mut out = head(problem, comparison, None);
     out.push_str(match determined(mission) {
         Some(_) => "\nEach planner alone, at the only time that the mission's fixed times allow\n",
         None => "\nEach planner alone, at the shortest time found for it\n",
@@ -243,6 +248,7 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
         "largest [cm]",
         "objective",
         "rows/node",
+        "leaves the sets of",
     ]);
     let n = mission.waypoints.len() as f64;
     for fold in folded(comparison, which) {
@@ -259,12 +265,26 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
                     significant(100.0 * e.largest, 3),
                     number(s.objective),
                     fold.rows(),
+                    leaves(comparison, s),
                 ]);
             }
             outcome => table.row(vec![name, outcome.verdict().word().into()]),
         }
     }
     table
+}
+
+/// The modes whose sets a plan leaves: `M2, M3`. A shorter time means little beside that of a plan that stays in them.
+fn leaves(comparison: &Comparison, solved: &MissionPlan) -> String {
+    let is_left = |(_, outside): &(&String, &Outside)| outside.max_violation > VIOLATED;
+    let left: Vec<&str> =
+        comparison.modes.iter().zip(&solved.outside).filter(is_left).map(|(name, _)| name.as_str()).collect();
+    match left.len() {
+        0 => "-".into(),
+        n if n == comparison.modes.len() && n > 1 => format!("all {n} modes"),
+        n if n > NAMED => format!("{} and {} more", left[..NAMED].join(", "), n - NAMED),
+        _ => left.join(", "),
+    }
 }
 
 fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {

@@ -5,7 +5,7 @@ mod record;
 mod text;
 
 pub use log::{Log, Thinning};
-pub use record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, RegressorRecord};
-pub use text::text;
+pub use record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, RegressorRecord, SpinRecord};
 #[cfg(feature = "report")]
-pub(super) use text::{DIVERGED, detection, duration, length, loss, to_its_end, turned};
+pub(super) use text::{DIVERGED, detection, duration, length, loss, no_fault, to_its_end, trespass, turned};
+pub use text::{disturbed, text};

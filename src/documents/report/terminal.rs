@@ -9,10 +9,11 @@ use super::waypoints;
 use super::without_yaw;
 use super::{headings, shape, volumes};
 use crate::admissible::AdmissibleSet;
-use crate::admissible::airspeed::{Airspeed, LimitedBy};
+use crate::admissible::airspeed::{Airspeed, LimitedBy, PLAUSIBLE};
 use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
 use crate::explain::detour::Detour;
+use crate::flight::capture::heights::CaptureHeights;
 use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::outside::Outside;
@@ -39,11 +40,15 @@ pub fn vehicle_line(model: &Model) -> String {
 /// `23.1 m/s`, rounded down, with the limit on tilt if that is the reason; `none` if the mode cannot hover.
 pub(super) fn airspeed(airspeed: &Airspeed) -> String {
     let tilt = if airspeed.limited_by == Some(LimitedBy::Tilt) { " (tilt)" } else { "" };
-    airspeed.largest_m_per_s.map_or("none".into(), |speed| format!("{} m/s{tilt}", down(speed, 4)))
+    let yaw = if airspeed.without_yaw { " (no yaw)" } else { "" };
+    airspeed.largest_m_per_s.map_or("none".into(), |speed| match speed > PLAUSIBLE {
+        true => format!("over {} m/s{yaw}", number(PLAUSIBLE)),
+        false => format!("{} m/s{tilt}{yaw}", down(speed, 4)),
+    })
 }
 
 /// The head of a report: mission, vehicle, fault modes and model.
-pub(super) fn head(problem: Problem, comparison: &Comparison) -> String {
+pub(super) fn head(problem: Problem, comparison: &Comparison, heights: Option<&CaptureHeights>) -> String {
     let (model, mission) = (problem.model(), problem.mission());
     let against = match comparison.modes.as_slice() {
         [] => "no fault modes".to_string(),
@@ -64,7 +69,7 @@ pub(super) fn head(problem: Problem, comparison: &Comparison) -> String {
         let milliseconds = significant(1e3 * tau, 3);
         out.push_str(&format!("Rotors lag: thrusts follow their commands with a time constant of {milliseconds} ms\n"));
     }
-    for sentence in without_yaw::head(comparison) {
+    for sentence in without_yaw::head(comparison, heights) {
         out.push_str(&format!("{}\n", textwrap::fill(&sentence, WIDTH)));
     }
     out.push_str(&battery::full_thrust(model));
@@ -100,8 +105,13 @@ pub(crate) fn in_planes(comparison: &Comparison) -> String {
 
 /// The output of `mavc plan`; the trajectory written is that of the last run.
 pub fn plan(problem: Problem, comparison: &Comparison) -> String {
+    plan_with(problem, comparison, None)
+}
+
+/// The output of `mavc plan` with the heights that faults cost, if they were simulated.
+pub fn plan_with(problem: Problem, comparison: &Comparison, heights: Option<&CaptureHeights>) -> String {
     let model = problem.model();
-    let mut out = head(problem, comparison);
+    let mut out = head(problem, comparison, heights);
     let solved = matches!(comparison.runs.last().map(|r| &r.outcome), Some(PlanOutcome::Planned(_)));
     if let Some(time) = comparison
         .common_time
@@ -113,11 +123,17 @@ pub fn plan(problem: Problem, comparison: &Comparison) -> String {
             0 if comparison.modes.is_empty() => {
                 "RSP guards nothing beyond RIP: no fault mode is planned against\n".into()
             }
-            0 => format!(
-                "RSP guards nothing beyond RIP: the RIP plan at {} s {} the sets of all modes planned against\n",
-                number(time),
-                if model.plan.model == PlanModel::Hover { "has every node inside" } else { "stays inside" }
-            ),
+            0 => match without_yaw::without_rows(comparison).len() {
+                n if n == comparison.modes.len() => {
+                    "RSP guards nothing beyond RIP: no mode planned against has rows\n".into()
+                }
+                n => format!(
+                    "RSP guards nothing beyond RIP: the RIP plan at {} s {} the sets of all modes {}\n",
+                    number(time),
+                    if model.plan.model == PlanModel::Hover { "has every node inside" } else { "stays inside" },
+                    if n == 0 { "planned against" } else { "with rows" }
+                ),
+            },
             1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s violates\n", number(time)),
             n if model.plan.rounds > 1 => format!(
                 "RSP guards {n} facets of the fault sets{planes}: those violated at {} s by the RIP plan or a plan of \
@@ -188,7 +204,9 @@ fn trade_off(comparison: &Comparison, bound: f64) -> String {
 
 fn solved_run(problem: Problem, comparison: &Comparison, run: &PlannerRun, solved: &MissionPlan) -> String {
     let (model, mission) = (problem.model(), problem.mission());
-    let text = format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run));
+    let verdict = statement(problem, comparison, run);
+    let text =
+        format!("{}: {verdict}{}", label(run.planner, &run.against), without_yaw::beside_the_verdict(comparison));
     let mut out = hanging(&text);
     let (e, waypoints) = (errors(mission, solved), waypoints::waypoints(mission, solved));
     out.push_str(&format!("  {}\n{}", waypoints::headline(&waypoints), waypoints::table(&waypoints, 4)));
@@ -334,7 +352,7 @@ fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> T
         let mut cells = match out.last {
             None if comparison.provisions[i] == Provision::Capture => {
                 let dash = || "-".to_string();
-                vec![name.clone(), "no rows".into(), dash(), dash(), dash(), "caught".into()]
+                vec![name.clone(), "no rows".into(), dash(), dash(), dash(), "not planned".into()]
             }
             None => {
                 let dash = || "-".to_string();

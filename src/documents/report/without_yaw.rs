@@ -1,9 +1,10 @@
 //! Which modes a plan provides for without yaw, and what that means.
 
 use crate::admissible::without_yaw::planned::Provision;
+use crate::flight::capture::heights::CaptureHeights;
 use crate::flight::indistinguishable::listed;
 use crate::model::Problem;
-use crate::number::significant;
+use crate::number::{number, significant};
 use crate::planner::studies::{Comparison, Proof};
 use crate::planner::timing::kinematics::least_time_within;
 use serde::Serialize;
@@ -62,7 +63,8 @@ pub fn sets_of(comparison: &Comparison, modes: &[usize]) -> String {
     both.join(" and ")
 }
 
-/// Modes with the same spins together, in the order of the first of each: `L1 and L2 (spins of -64 to 64 rad/s)`.
+/// Modes with the same spins together, in the order of the first of each: `L1 and L2 (for every spin from -64 to 64
+/// rad/s)`.
 fn by_spin(planned: &[(&str, [f64; 2])]) -> String {
     let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
     for (name, [low, high]) in planned {
@@ -73,12 +75,13 @@ fn by_spin(planned: &[(&str, [f64; 2])]) -> String {
         }
     }
     let each: Vec<String> =
-        groups.iter().map(|(spins, names)| format!("{} (spins of {spins})", listed(names))).collect();
+        groups.iter().map(|(spins, names)| format!("{} (for every spin from {spins})", listed(names))).collect();
     each.join("; ")
 }
 
-/// The sentences of a report's head; empty if the plan gives up no yaw.
-pub fn head(comparison: &Comparison) -> Vec<String> {
+/// The sentences of a report's head, with the heights that faults cost if they were simulated; empty if the plan gives
+/// up no yaw.
+pub fn head(comparison: &Comparison, heights: Option<&CaptureHeights>) -> Vec<String> {
     let modes = || comparison.modes.iter().map(String::as_str).zip(&comparison.provisions);
     let mut sentences = Vec::new();
     let planned: Vec<(&str, [f64; 2])> = modes()
@@ -88,16 +91,51 @@ pub fn head(comparison: &Comparison) -> Vec<String> {
         })
         .collect();
     if !planned.is_empty() {
-        sentences.push(format!("Without yaw after a fault, whatever the heading: {}", by_spin(&planned)));
-    }
-    let caught: Vec<&str> = modes().filter(|(_, p)| **p == Provision::Capture).map(|(name, _)| name).collect();
-    if !caught.is_empty() {
         sentences.push(format!(
-            "No rows for {}: caught by its spin and landed, which only flights judge (`mavc analyze --capture`)",
-            listed(&caught)
+            "Without yaw after a fault, whatever the heading, and proved for every spin that the yaw torques of hover \
+             allow, which flights hardly use: {}",
+            by_spin(&planned)
         ));
     }
+    sentences.extend(not_planned(comparison, heights));
     sentences
+}
+
+/// The modes that add no rows to a plan.
+pub fn without_rows(comparison: &Comparison) -> Vec<&str> {
+    let modes = comparison.modes.iter().map(String::as_str).zip(&comparison.provisions);
+    modes.filter(|(_, provision)| **provision == Provision::Capture).map(|(name, _)| name).collect()
+}
+
+/// What a plan does not say about the modes that add no rows to it, and the height that flights lose; `None` if there
+/// are none.
+pub fn not_planned(comparison: &Comparison, heights: Option<&CaptureHeights>) -> Option<String> {
+    let modes = without_rows(comparison);
+    let height = |heights: &CaptureHeights| {
+        let known = format!("with the fault known after {} ms", number(1e3 * heights.delay));
+        match heights.greatest() {
+            height if height.is_finite() => {
+                format!("by up to {} m {known} (simulated)", significant((10.0 * height).ceil() / 10.0, 3))
+            }
+            _ => format!("and some simulated flights {known} do not recover from any height"),
+        }
+    };
+    let falls = heights.map_or("by a height that `mavc analyze --capture` simulates".into(), height);
+    (!modes.is_empty()).then(|| {
+        format!(
+            "Not planned for {}: no torque is left in some direction, so no row provides for such a fault. The vehicle \
+             falls until its spin catches it, {falls}; not proved.",
+            listed(&modes)
+        )
+    })
+}
+
+/// `; not planned for M1 and M2`: an addition to the verdict on a plan.
+pub fn beside_the_verdict(comparison: &Comparison) -> String {
+    match without_rows(comparison) {
+        modes if modes.is_empty() => String::new(),
+        modes => format!("; not planned for {}", listed(&modes)),
+    }
 }
 
 /// What a proof of infeasibility at some times (s) does not say, where the plan gives up yaw; nothing where the limits

@@ -159,7 +159,8 @@ pub const COLUMNS: [Column; 29] = [
     column!(
         "outcome",
         "",
-        "`flown` to the end, `landed` as intended, `lost`, or `diverged`: the integration broke down \
+        "`flown` to the end, `landed` as intended, `trespassed`: not lost, but in a `keep_out` or outside a `keep_in`, \
+         `lost`, or `diverged`: the integration broke down \
          ([flight](flight.md#5-after-a-fault-and-when-the-vehicle-is-lost))",
         Text,
         false,

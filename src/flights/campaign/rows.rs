@@ -119,6 +119,8 @@ pub enum FlightOutcome {
     #[default]
     Flown,
     Landed,
+    /// Not lost, but past the boundary of a volume.
+    Trespassed,
     Lost(Cause),
     /// The integration broke down.
     Diverged,
@@ -130,6 +132,7 @@ impl FlightOutcome {
         match self {
             FlightOutcome::Flown => "flown",
             FlightOutcome::Landed => "landed",
+            FlightOutcome::Trespassed => "trespassed",
             FlightOutcome::Lost(_) => "lost",
             FlightOutcome::Diverged => "diverged",
         }
@@ -146,6 +149,7 @@ impl FlightOutcome {
         match (word, Cause::ALL.into_iter().find(|c| c.name() == cause)) {
             ("flown", None) if cause.is_empty() => Ok(FlightOutcome::Flown),
             ("landed", None) if cause.is_empty() => Ok(FlightOutcome::Landed),
+            ("trespassed", None) if cause.is_empty() => Ok(FlightOutcome::Trespassed),
             ("lost", Some(cause)) => Ok(FlightOutcome::Lost(cause)),
             ("diverged", None) if cause.is_empty() => Ok(FlightOutcome::Diverged),
             _ => Err(format!("{word:?} with cause {cause:?} is not a valid outcome")),
@@ -169,6 +173,7 @@ impl Row {
             outcome: match flight.outcome {
                 Outcome::Flown => FlightOutcome::Flown,
                 Outcome::Landed { .. } => FlightOutcome::Landed,
+                Outcome::Trespassed { .. } => FlightOutcome::Trespassed,
                 Outcome::Lost { cause, .. } => FlightOutcome::Lost(cause),
                 Outcome::Diverged { .. } => FlightOutcome::Diverged,
             },

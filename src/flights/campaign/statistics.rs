@@ -107,6 +107,57 @@ impl Moments {
     }
 }
 
+/// The shares of flights for which campaigns name a quantile.
+pub const QUANTILES: [f64; 3] = [0.5, 0.9, 0.99];
+
+/// A stream of delays of which some never end, as counts in classes of 10 ms up to 20 s.
+#[derive(Debug, Clone, Default)]
+pub struct Delays {
+    /// Flights by class; grows with the longest delay.
+    classes: Vec<usize>,
+    count: usize,
+}
+
+impl Delays {
+    /// s
+    const CLASS: f64 = 0.01;
+    const MOST: usize = 2000;
+
+    /// A delay, s; `None` for one that never ended. Longer ones than 20 s count as 20 s.
+    pub fn add(&mut self, delay: Option<f64>) {
+        self.count += 1;
+        let Some(delay) = delay else { return };
+        let class = ((delay / Self::CLASS).ceil() as usize).min(Self::MOST);
+        if self.classes.len() <= class {
+            self.classes.resize(class + 1, 0);
+        }
+        self.classes[class] += 1;
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// Adds another stream.
+    pub fn join(&mut self, other: &Delays) {
+        self.count += other.count;
+        self.classes.resize(self.classes.len().max(other.classes.len()), 0);
+        self.classes.iter_mut().zip(&other.classes).for_each(|(sum, more)| *sum += more);
+    }
+
+    /// The time (s, rounded up to 10 ms) within which a share of all delays, those that never ended included, had
+    /// ended; `None` where fewer had.
+    pub fn quantile(&self, share: f64) -> Option<f64> {
+        let due = (share * self.count as f64 - 1e-9).ceil().max(1.0) as usize;
+        let mut ended = 0;
+        let reaches = |classes: usize| {
+            ended += classes;
+            ended >= due
+        };
+        self.classes.iter().copied().map(reaches).position(|reached| reached).map(|class| class as f64 * Self::CLASS)
+    }
+}
+
 /// A mean with its 95 % confidence interval (normal), and the largest value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -243,4 +294,29 @@ fn ranks(values: impl Iterator<Item = f64>) -> Vec<f64> {
         first += group.len();
     }
     ranks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Nine of ten delays end within 1 s, and the tenth never does.
+    #[test]
+    fn quantiles_count_what_never_ends() {
+        let near = |found: Option<f64>, s: f64| found.is_some_and(|q| (q - s).abs() < 1e-9);
+        let mut delays = Delays::default();
+        assert_eq!((delays.quantile(0.5), delays.is_empty()), (None, true));
+        (1..=8).for_each(|k| delays.add(Some(0.01 * f64::from(k))));
+        delays.add(Some(1.0));
+        delays.add(None);
+        for (share, s) in [(0.5, 0.05), (0.8, 0.08), (0.9, 1.0)] {
+            assert!(near(delays.quantile(share), s), "{share} {delays:?}");
+        }
+        assert_eq!(delays.quantile(0.99), None);
+        let mut more = Delays::default();
+        (0..10).for_each(|_| more.add(Some(1e9)));
+        delays.join(&more);
+        assert!(near(delays.quantile(0.45), 1.0) && near(delays.quantile(0.95), 20.0), "{delays:?}");
+        assert_eq!(delays.quantile(0.99), None);
+    }
 }

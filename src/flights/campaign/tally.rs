@@ -3,7 +3,7 @@
 use super::cases::{Case, Cases};
 use super::path::{PathCell, PathSums};
 use super::rows::{FlightOutcome, Row};
-use super::statistics::Moments;
+use super::statistics::{Delays, Moments};
 use crate::flight::Cause;
 
 /// Flights with the same plan, mode and instant.
@@ -12,7 +12,7 @@ pub struct Cell {
     pub flights: usize,
     /// Flights that were still flying when the fault struck.
     pub struck: usize,
-    /// Struck flights that were lost.
+    /// Struck flights that were not survived: lost or trespassed.
     pub lost: usize,
     /// Neither struck nor lost: their simulation diverged.
     pub diverged: usize,
@@ -26,6 +26,8 @@ pub struct Group {
     pub flights: usize,
     pub flown: usize,
     pub landed: usize,
+    /// Not lost, but past the boundary of a volume.
+    pub trespassed: usize,
     /// By [`Cause::ALL`].
     pub lost: [usize; Cause::ALL.len()],
     /// Flights whose simulation diverged: they count as not survived.
@@ -43,6 +45,10 @@ pub struct Group {
     /// s, over the flights in which it happened.
     pub detected_after: Moments,
     pub isolated_after: Moments,
+    /// Over the flights that were struck.
+    pub isolation: Delays,
+    /// Time flown, s, over all flights, and the false alarms in it.
+    pub seconds: f64,
     pub false_alarms: usize,
     pub refused: usize,
     /// What happened to the path, lost flights included.
@@ -50,6 +56,11 @@ pub struct Group {
 }
 
 impl Group {
+    /// False alarms in an hour of flight; `None` without any time.
+    pub fn alarms_per_hour(&self) -> Option<f64> {
+        (self.seconds > 0.0).then(|| 3600.0 * self.false_alarms as f64 / self.seconds)
+    }
+
     /// Flights lost to any cause.
     pub fn all_lost(&self) -> usize {
         self.lost.iter().sum()
@@ -69,6 +80,7 @@ impl Group {
         match row.outcome {
             FlightOutcome::Flown => self.flown += 1,
             FlightOutcome::Landed => self.landed += 1,
+            FlightOutcome::Trespassed => self.trespassed += 1,
             FlightOutcome::Lost(cause) => {
                 let of_cause = Cause::ALL.iter().zip(&mut self.lost).filter(|(known, _)| **known == cause);
                 of_cause.for_each(|(_, count)| *count += 1);
@@ -84,6 +96,10 @@ impl Group {
         }
         row.detected_after.into_iter().for_each(|s| self.detected_after.add(s));
         row.isolated_after.into_iter().for_each(|s| self.isolated_after.add(s));
+        if row.rms_error_after.is_some() {
+            self.isolation.add(row.isolated_after);
+        }
+        self.seconds += row.end;
         self.false_alarms += row.false_alarms;
         self.refused += row.refused;
         self.path.add(row);
@@ -119,7 +135,7 @@ impl Tally {
             cell.flights += 1;
             cell.diverged += usize::from(diverged);
             cell.struck += usize::from(struck);
-            cell.lost += usize::from(struck && row.is_lost());
+            cell.lost += usize::from(struck && !row.is_survived());
             if struck {
                 cell.path.add(row);
             }

@@ -16,6 +16,41 @@ use nalgebra::{Matrix2, Vector2, Vector3};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
+/// The torque of gusts on the body: a Gauss-Markov process about each axis, with the bandwidth of the rolling gusts of
+/// MIL-F-8785C, pi V/(4 b) with the span b.
+#[derive(Debug, Clone)]
+pub struct TorqueGusts {
+    sigma: f64,
+    decay: f64,
+    fresh: f64,
+    state: Vector3<f64>,
+}
+
+impl TorqueGusts {
+    /// Torques with the standard deviation `sigma` (N m) about each axis, for a vehicle with the span `span` (m) at the
+    /// speed `speed` (m/s); `h` is the time between two calls of [`TorqueGusts::next`] (s).
+    pub fn new(sigma: f64, span: f64, speed: f64, h: f64, random: &mut Pcg64Mcg) -> Self {
+        let rate = std::f64::consts::PI * speed.max(1.0) / (4.0 * span);
+        let decay = (-rate * h).exp();
+        let state = if sigma > 0.0 { white(random) } else { Vector3::zeros() };
+        TorqueGusts { sigma, decay, fresh: (1.0 - decay * decay).sqrt(), state }
+    }
+
+    /// The torque now, N m, in body axes. Each call advances the gusts by `h`.
+    pub fn next(&mut self, random: &mut Pcg64Mcg) -> Vector3<f64> {
+        if self.sigma == 0.0 {
+            return Vector3::zeros();
+        }
+        let torque = self.state * self.sigma;
+        self.state = self.state * self.decay + white(random) * self.fresh;
+        torque
+    }
+}
+
+fn white(random: &mut Pcg64Mcg) -> Vector3<f64> {
+    Vector3::from_fn(|_, _| StandardNormal.sample(random))
+}
+
 /// The velocity of the air during a flight.
 #[derive(Debug, Clone)]
 pub struct Air {

@@ -2,7 +2,7 @@
 //! section 1).
 
 use crate::actuation::Wrench;
-use crate::model::{Model, YawDrag};
+use crate::model::{Model, Vehicle, YawDrag};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The constants of the rigid body.
@@ -23,11 +23,16 @@ pub struct Frame {
 impl Frame {
     /// The constants of a model, with the drag of its `simulate` block.
     pub fn of(model: &Model) -> Self {
+        Frame::of_vehicle(&model.vehicle, model)
+    }
+
+    /// The constants of another vehicle in the world of a model, with the drag of its `simulate` block.
+    pub fn of_vehicle(vehicle: &Vehicle, model: &Model) -> Self {
         Frame {
-            mass: model.vehicle.mass,
-            inertia: model.vehicle.inertia.into(),
+            mass: vehicle.mass,
+            inertia: vehicle.inertia.into(),
             gravity: model.gravity,
-            yaw_drag: model.vehicle.yaw_drag,
+            yaw_drag: vehicle.yaw_drag,
             drag: model.simulation.drag.into(),
         }
     }

@@ -16,12 +16,22 @@ use crate::geometry::symmetric::eigenvalues;
 use crate::model::Model;
 use nalgebra::Vector3;
 
-/// The residual of a sample is large if a component exceeds this many standard deviations of the torque noise.
-pub(super) const THRESHOLD: f64 = 4.0;
-
 /// The error of the model as a share of the torque of one rotor in hover. It is added to the torque noise because no
 /// model is exact.
 const MODEL_ERROR: f64 = 0.04;
+
+/// Time constant with which the constant part of the residual is learnt while no sample is used, s: that of a centre of
+/// gravity and of thrusts that are not as modelled. It is at most [`MOST_BIAS`] standard deviations, so that a rotor
+/// that fades slowly is not learnt away.
+const BIAS_LEARNT: f64 = 5.0;
+const MOST_BIAS: f64 = 5.0;
+/// Time constant with which the variance of the residual is learnt, s, where it exceeds the assumed one: gusts, and
+/// sensors that are worse than assumed. It is at most [`MOST_VARIANCE`], that of sensors three times as noisy, so that
+/// no fault is learnt away.
+const SPREAD_LEARNT: f64 = 10.0;
+const MOST_VARIANCE: f64 = 9.0;
+/// No sample is used before this time, s: it is the first that is known of constant part and variance.
+const STARTUP: f64 = 0.3;
 
 /// Number of samples that are used from one with a large residual on.
 const FOLLOWING: usize = 20;
@@ -45,6 +55,14 @@ pub struct Estimator {
     period: f64,
     /// Standard deviation of a torque sample, N m on each axis.
     noise: Vector3<f64>,
+    /// A residual beyond this many standard deviations is large.
+    threshold: f64,
+    /// The constant part of the residual, and the variance of the rest, at least 1, in standard deviations of the
+    /// noise.
+    bias: Vector3<f64>,
+    variance: Vector3<f64>,
+    /// Samples from which they were learnt.
+    learnt: usize,
     /// Exponentially weighted sums of Psi' W Psi (n x n, row-major) and Psi' W tau (n).
     information: Vec<f64>,
     evidence: Vec<f64>,
@@ -83,9 +101,10 @@ pub(super) fn torque_noise(model: &Model, gyroscope_noise: f64, period: f64) -> 
 }
 
 impl Estimator {
-    /// An estimator that starts with all capacities at 1. `forgetting` is the factor lambda, `gyroscope_noise` the
-    /// standard deviation of a rate sample (rad/s), and `period` the time between samples (s).
-    pub fn new(model: &Model, forgetting: f64, gyroscope_noise: f64, period: f64) -> Self {
+    /// An estimator that starts with all capacities at 1. `forgetting` is the factor lambda, `threshold` that of large
+    /// residuals in standard deviations, `gyroscope_noise` the standard deviation of a rate sample (rad/s), and
+    /// `period` the time between samples (s).
+    pub fn new(model: &Model, forgetting: f64, threshold: f64, gyroscope_noise: f64, period: f64) -> Self {
         let actuation = Actuation::of(&model.vehicle);
         let n = actuation.rotors();
         let columns: Vec<Vector3<f64>> =
@@ -96,6 +115,10 @@ impl Estimator {
             forgetting,
             period,
             noise: torque_noise(model, gyroscope_noise, period),
+            threshold,
+            bias: Vector3::zeros(),
+            variance: Vector3::repeat(1.0),
+            learnt: 0,
             information: vec![0.0; n * n],
             evidence: vec![0.0; n],
             capacity: vec![1.0; n],
@@ -156,7 +179,15 @@ impl Estimator {
         let torque = self.inertia.component_mul(&((rates - last) / self.period)) + gyroscopic;
         let torque = torque.component_div(&self.noise);
         let predicted = self.regressor.iter().zip(&self.capacity).fold(Vector3::zeros(), |sum, (p, c)| sum + p * *c);
-        if (torque - predicted).amax() > THRESHOLD {
+        let residual = torque - predicted;
+        let scale = self.variance.map(|v| v.max(1.0).sqrt());
+        // A residual that no constant part explains is a fault, also at the start.
+        let is_starting = (self.learnt as f64) * self.period < STARTUP;
+        if is_starting && self.updates_left == 0 && residual.amax() <= self.threshold + MOST_BIAS {
+            self.learn(&residual);
+            return false;
+        }
+        if (residual - self.bias).component_div(&scale).amax() > self.threshold {
             if self.updates_left == 0 {
                 // A large residual after a quiet period signals a change, so older samples may no longer be valid.
                 self.information.fill(0.0);
@@ -165,11 +196,26 @@ impl Estimator {
             self.updates_left = FOLLOWING;
         }
         if self.updates_left == 0 {
+            self.learn(&residual);
             return false;
         }
         self.updates_left -= 1;
-        self.update(&torque);
+        self.regressor.iter_mut().for_each(|p| *p = p.component_div(&scale));
+        self.update(&(torque - self.bias).component_div(&scale));
         true
+    }
+
+    /// Learns the constant part of the residuals and their variance about it, from the residual of a sample in quiet
+    /// flight.
+    fn learn(&mut self, residual: &Vector3<f64>) {
+        self.learnt += 1;
+        let rate = |seconds: f64, before: usize| (1.0 / (self.learnt + before) as f64).max(self.period / seconds);
+        let (of_bias, of_variance) = (rate(BIAS_LEARNT, 0), rate(SPREAD_LEARNT, FOLLOWING));
+        self.bias += (residual - self.bias) * of_bias;
+        self.bias = self.bias.map(|b| b.clamp(-MOST_BIAS, MOST_BIAS));
+        let squares = (residual - self.bias).map(|e| e * e);
+        self.variance += (squares - self.variance) * of_variance;
+        self.variance = self.variance.map(|v| v.min(MOST_VARIANCE));
     }
 
     /// Minimises `sum lambda^age |tau - Psi theta|^2 + PULL |theta - theta_last|^2 + PRICE sum (1 - theta_k)` over

@@ -1,7 +1,7 @@
 //! Indistinguishable fault modes: modes whose torques differ too little for the estimator. See `docs/flight.md`,
 //! section 4.
 
-use super::estimate::{THRESHOLD, torque_noise};
+use super::estimate::torque_noise;
 use crate::actuation::{Actuation, Wrench};
 use crate::admissible::allocation::Allocator;
 use crate::admissible::{HEALTHY, hover};
@@ -55,8 +55,8 @@ fn indistinguishable(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     }));
     let kept = 1.0 / (1.0 - simulation.forgetting);
     let near = |d: Vector3<f64>, healthy: bool| match healthy {
-        true => d.amax() <= THRESHOLD,
-        false => d.norm() * kept.sqrt() <= THRESHOLD,
+        true => d.amax() <= simulation.threshold,
+        false => d.norm() * kept.sqrt() <= simulation.threshold,
     };
     let alike = |a: usize, b: usize| torques[a].iter().zip(&torques[b]).all(|(x, y)| near(x - y, a == 0));
     let mut groups: Vec<Vec<usize>> = Vec::new();

@@ -97,7 +97,8 @@ impl<'a> Knowledge<'a> {
         let share = (model.vehicle.mass * model.gravity / full).min(1.0);
         let estimator = (simulation.detection == Detection::Estimator).then(|| {
             let sample = period * estimator_ticks as f64;
-            Estimator::new(model, simulation.forgetting, simulation.gyroscope_noise, sample)
+            let noise = simulation.assumed_gyroscope_noise.unwrap_or(simulation.gyroscope_noise);
+            Estimator::new(model, simulation.forgetting, simulation.threshold, noise, sample)
         });
         Knowledge {
             model,

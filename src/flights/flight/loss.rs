@@ -5,6 +5,7 @@ use super::body::Body;
 use super::damage::{self, Damage, Errors};
 use super::heading::{Collector, Heading, HeadingErrors, Patience};
 use super::reference::Reference;
+use super::volumes::Volumes;
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -20,6 +21,11 @@ pub enum Outcome {
     /// The vehicle landed as intended.
     Landed {
         /// s since the start.
+        at: f64,
+    },
+    /// The vehicle was not lost, but it entered a `keep_out` or left a `keep_in` ([`super::volumes::PAST_BOUNDARY`]).
+    Trespassed {
+        /// When it first did, s since the start.
         at: f64,
     },
     /// The vehicle was lost.
@@ -45,7 +51,7 @@ impl Outcome {
         matches!(self, Outcome::Lost { .. })
     }
 
-    /// Whether position, attitude and heading were kept to the end of the flight or to a landing.
+    /// Whether position, attitude, heading and the volumes were kept to the end of the flight or to a landing.
     pub fn is_survived(&self) -> bool {
         matches!(self, Outcome::Flown | Outcome::Landed { .. })
     }
@@ -94,6 +100,9 @@ pub(super) struct Watch<'a> {
     pub(super) heading: Heading,
     headings: Collector,
     damage: damage::Collector<'a>,
+    pub(super) volumes: Volumes,
+    /// When the vehicle was first past the boundary of a volume, s.
+    trespassed_at: Option<f64>,
     /// Whether a stop has begun.
     pub(super) is_stopping: bool,
     /// Whether yaw has been given up on purpose, so that the heading error loses no vehicle.
@@ -125,6 +134,8 @@ impl<'a> Watch<'a> {
             heading: Heading::default(),
             headings: Collector::default(),
             damage: damage::Collector::new(sortie),
+            volumes: Volumes::of(sortie.mission, &sortie.model.vehicle, simulation.ground),
+            trespassed_at: None,
             is_stopping: false,
             gave_up_yaw: false,
             may_land: false,
@@ -167,12 +178,15 @@ impl<'a> Watch<'a> {
         self.max_tilt = self.max_tilt.max(tilt);
         let heading = (!self.gave_up_yaw).then(|| self.heading.error());
         self.damage.look(t, body, reference, Errors { position: error, tilt, heading }, acceleration);
+        if self.trespassed_at.is_none() && self.volumes.is_past(&body.position, self.may_land) {
+            self.trespassed_at = Some(t);
+        }
         if body.position.z <= self.ground {
             let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
             return match (self.may_land && soft, self.is_off_its_heading()) {
                 (false, _) => lost(Cause::Ground),
                 (true, true) => Some(Outcome::Lost { at: t, cause: Cause::Heading, at_end: true }),
-                (true, false) => Some(Outcome::Landed { at: t }),
+                (true, false) => Some(self.unless_trespassed(Outcome::Landed { at: t })),
             };
         }
         self.headings.add(&self.heading, after);
@@ -207,8 +221,12 @@ impl<'a> Watch<'a> {
         match (body.tilt() > FRAC_PI_2, self.is_off_its_heading()) {
             (true, _) => lost(Cause::UpsideDown),
             (false, true) => lost(Cause::Heading),
-            (false, false) => Outcome::Flown,
+            (false, false) => self.unless_trespassed(Outcome::Flown),
         }
+    }
+
+    fn unless_trespassed(&self, outcome: Outcome) -> Outcome {
+        self.trespassed_at.map_or(outcome, |at| Outcome::Trespassed { at })
     }
 
     pub(super) fn heading_errors(&self) -> HeadingErrors {

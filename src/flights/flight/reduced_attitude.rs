@@ -8,10 +8,11 @@ use super::allocate::{Allocator, Belief};
 use super::body::{Body, Frame};
 use super::control::{demanded_force, direction};
 use super::reference::Reference;
+use super::rotors::Rotors;
 use super::single_axis::SingleAxis;
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Polytope;
-use crate::model::{Gains, GiveUpYaw};
+use crate::model::{Gains, GiveUpYaw, Model};
 use nalgebra::{Vector2, Vector3};
 
 /// Hover keeps all axes if each torque can still change by this share of its largest value in both directions.
@@ -21,8 +22,13 @@ const KEPT: f64 = 0.01;
 const REACHED: f64 = 1e-3;
 
 /// The largest tangent of the angle between the primary axis and z. A larger one leaves less of the thrust upright, a
-/// smaller one takes longer to free torques in both directions.
-const MOST_TILT: f64 = 0.35;
+/// smaller one takes longer to free torques in both directions. Measured from 0.25 to 0.7: 0.45 costs the least height
+/// over the vehicles and delays of docs/flight.md; beyond 0.5 rotors of 40 ms cost more.
+const MOST_TILT: f64 = 0.45;
+
+/// The gyroscopic terms that tilt the primary axis are taken to be at least this share of those without rotors'
+/// momentum, with the sign that they have once the spin is settled. Heights hardly depend on it from 0.1 to 0.6.
+const LEAST_SHARE: f64 = 0.3;
 
 /// By these factors feedback on the place is slower where torques about hover point to one side until the body spins,
 /// and where they are about one axis alone. With larger ones a quadcopter at 5 m/s with rotors of 40 ms is not always
@@ -45,6 +51,8 @@ pub struct WithoutYaw {
     /// Roll and pitch torques (N m) that the rotors give about the equilibrium, in the middle of those that are
     /// possible at the thrust of hover; 0 if torques are possible in every direction about 0.
     bias: Vector2<f64>,
+    /// The signs of the two gyroscopic terms of [`WithoutYaw::steady`] once the spin is settled: 1 or -1.
+    signs: [f64; 2],
     /// Where torques about one axis alone are left.
     single_axis: Option<SingleAxis>,
 }
@@ -62,17 +70,20 @@ impl WithoutYaw {
     /// `None` if yaw is not given up; see [`Self::is_given_up`].
     pub fn of(
         gives_up: GiveUpYaw,
+        model: &Model,
         allocator: &Allocator,
         hover: &Wrench,
         belief: &Belief,
-        frame: &Frame,
         gains: &Gains,
     ) -> Option<Self> {
         Self::is_given_up(gives_up, allocator, hover, belief).then(|| {
+            let frame = Frame::of(model);
             let projection = allocator.without_yaw(belief);
             let reach = allocator.extent()[1].max(allocator.extent()[2]);
-            let single_axis = single_axis(&projection, hover[0], frame, gains);
-            WithoutYaw { bias: bias(&projection, hover[0], reach), single_axis }
+            let single_axis = single_axis(&projection, hover[0], &frame, gains);
+            let bias = bias(&projection, hover[0], reach);
+            let signs = settled_signs(model, &frame, allocator, belief, &Wrench::new(hover[0], bias.x, bias.y, 0.0));
+            WithoutYaw { bias, signs, single_axis }
         })
     }
 
@@ -98,6 +109,10 @@ impl WithoutYaw {
     /// ```text
     /// n = w0/|w0|      w0 = (b_y/((Jx - Jz) r - h), b_x/((Jz - Jy) r + h), r)      its angle from z limited
     /// ```
+    ///
+    /// While the body spins up, the momentum h of the rotors may exceed the terms with r, and that equilibrium is
+    /// tilted the other way than the one in which the vehicle settles. An axis that followed it would flip where a
+    /// term passes zero, so both terms keep the sign of the settled spin ([`Self::steady`]).
     ///
     /// With the demanded force over mass F, its direction d, and s = R n in the world frame,
     ///
@@ -164,15 +179,37 @@ impl WithoutYaw {
         Gains { position: slower * slower * gains.position, velocity: slower * gains.velocity, ..*gains }
     }
 
-    /// w0: the angular velocity of the equilibrium at a rate r (rad/s).
-    fn steady(&self, inertia: &Vector3<f64>, r: f64, momentum: f64) -> Vector3<f64> {
-        let (by_p, by_q) = ((inertia.x - inertia.z) * r - momentum, (inertia.z - inertia.y) * r + momentum);
+    /// w0: the angular velocity of the equilibrium at a rate r (rad/s). With s the signs of the terms at the settled
+    /// spin, `s |Jx - Jz| r^2` and `s |Jz - Jy| r^2`, each times [`LEAST_SHARE`], are the smallest terms.
+    pub(super) fn steady(&self, inertia: &Vector3<f64>, r: f64, momentum: f64) -> Vector3<f64> {
+        let least = |difference: f64| LEAST_SHARE * difference.abs() * r * r;
+        let terms = gyroscopic_terms(inertia, r, momentum);
+        let by_p = self.signs[0] * (self.signs[0] * terms[0]).max(least(inertia.x - inertia.z));
+        let by_q = self.signs[1] * (self.signs[1] * terms[1]).max(least(inertia.z - inertia.y));
         let ratio = |torque: f64, by: f64| if torque == 0.0 || by == 0.0 { 0.0 } else { torque / by };
         let across = Vector2::new(ratio(self.bias.y, by_p), ratio(self.bias.x, by_q));
-        let most = MOST_TILT * r.abs();
-        let across = if across.norm() > most { across * (most / across.norm()) } else { across };
-        Vector3::new(across.x, across.y, r)
+        let across = if across.norm() > MOST_TILT { across * (MOST_TILT / across.norm()) } else { across };
+        Vector3::new(across.x * r, across.y * r, r)
     }
+}
+
+/// `((Jx - Jz) r - h) r` and `((Jz - Jy) r + h) r`: the torques about y and x (N m) for each unit of tangent by which
+/// the axis of a spin r (rad/s) is tilted towards x and y. h is the momentum of the rotors, N m s.
+fn gyroscopic_terms(inertia: &Vector3<f64>, r: f64, momentum: f64) -> [f64; 2] {
+    [((inertia.x - inertia.z) * r - momentum) * r, ((inertia.z - inertia.y) * r + momentum) * r]
+}
+
+/// The signs of [`gyroscopic_terms`] at the spin in which the drag balances the yaw torque of the rotors that give
+/// `wrench` (N and N m). Without yaw drag the spin has no end, and the inertia decides.
+fn settled_signs(model: &Model, frame: &Frame, allocator: &Allocator, belief: &Belief, wrench: &Wrench) -> [f64; 2] {
+    let command = |speeds: &mut [f64]| allocator.clone().bounded_speeds(wrench, speeds);
+    let (torque, momentum) = Rotors::steady(&model.vehicle, belief, command);
+    let inertia = frame.inertia;
+    let terms = match frame.yaw_drag {
+        Some(drag) => gyroscopic_terms(&inertia, drag.spin(torque), momentum),
+        None => [inertia.x - inertia.z, inertia.z - inertia.y],
+    };
+    terms.map(|term| if term < 0.0 { -1.0 } else { 1.0 })
 }
 
 /// The one axis about which torques are possible at a thrust (N) both ways; `None` if there are more or none.

@@ -78,6 +78,14 @@ impl Reference {
 }
 
 impl Course<'_> {
+    /// When it comes to its end, s since the start; that of a stop is its rest.
+    pub(super) fn end(&self) -> f64 {
+        match self {
+            Course::Plan(trajectory) => trajectory.duration(),
+            Course::Stop(stop) => stop.at_rest(),
+        }
+    }
+
     /// The reference at `t` s since the start.
     pub fn at(&self, t: f64) -> Reference {
         match self {
@@ -149,7 +157,8 @@ impl Stop {
         self.at(self.at_rest()).position
     }
 
-    fn at(&self, t: f64) -> Reference {
+    /// The reference at `t` s since the start of the flight.
+    pub(super) fn at(&self, t: f64) -> Reference {
         let s = t - self.begin;
         let [x, y, z, yaw] = &self.axes;
         let orders = [x.at(s), y.at(s), z.at(s)];

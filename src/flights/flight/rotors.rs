@@ -1,8 +1,9 @@
 //! Motors and rotors: speeds follow their commands with a first-order lag, thrust and drag follow the speeds, and
 //! faults reduce both (`docs/flight.md`, section 1, "Motors").
 
+use super::allocate::Belief;
 use crate::actuation::{Actuation, Wrench};
-use crate::model::{FaultMode, Model, Spin};
+use crate::model::{FaultMode, Spin, Vehicle};
 
 /// The state of the n rotors of a vehicle in flight.
 #[derive(Debug, Clone)]
@@ -29,15 +30,11 @@ pub struct Rotors {
 
 impl Rotors {
     /// Rotors at standstill without faults, for integration steps of `h` s.
-    pub fn new(model: &Model, h: f64) -> Self {
-        let rotors = &model.vehicle.rotors;
+    pub fn new(vehicle: &Vehicle, h: f64) -> Self {
+        let rotors = &vehicle.rotors;
         let n = rotors.len();
         Rotors {
-            columns: Actuation::of(&model.vehicle)
-                .effectiveness
-                .column_iter()
-                .map(nalgebra::Matrix::into_owned)
-                .collect(),
+            columns: Actuation::of(vehicle).effectiveness.column_iter().map(nalgebra::Matrix::into_owned).collect(),
             inertia: match rotors.iter().all(|r| r.inertia == 0.0) {
                 true => Vec::new(),
                 false => rotors.iter().map(|r| if r.spin == Spin::P { r.inertia } else { -r.inertia }).collect(),
@@ -96,6 +93,16 @@ impl Rotors {
             }
         }
         wrench
+    }
+
+    /// The yaw torque (N m) and the momentum about z (N m s) of rotors with the capacities of a belief that keep the
+    /// speeds (rad/s) which `command` writes.
+    pub(super) fn steady(vehicle: &Vehicle, belief: &Belief, command: impl FnOnce(&mut [f64])) -> (f64, f64) {
+        let mut rotors = Rotors::new(vehicle, 1.0);
+        rotors.capacity.copy_from_slice(&belief.capacity);
+        command(&mut rotors.command);
+        rotors.settle();
+        (rotors.wrench()[3], rotors.momentum())
     }
 
     /// The momentum of the rotors about z, N m s. A lost rotor stands still.

@@ -17,7 +17,7 @@ Exit codes:
   3  proved infeasible, or a mode that the plan must tolerate cannot hover
   4  no plan was found, or none was attempted
   5  the certificate is rejected
-  6  the simulated vehicle is lost
+  6  the simulated vehicle is lost, or enters a keep_out or leaves a keep_in
   7  the certificate is accepted, but proves less than the spec requires
   8  checking the certificate would exceed the budget
   9  the integration of a simulated flight diverged

@@ -70,7 +70,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, CommandError> {
     results.note_page(options)?;
     Ok(match flight.outcome {
         Outcome::Flown | Outcome::Landed { .. } => FINE,
-        Outcome::Lost { .. } => LOST,
+        Outcome::Trespassed { .. } | Outcome::Lost { .. } => LOST,
         Outcome::Diverged { .. } => DIVERGED,
     })
 }

@@ -1,11 +1,12 @@
 //! The largest steady airspeed in level flight. See `docs/method.md`, section 15, "Airspeed".
 
-use super::AdmissibleSet;
 use super::edge;
 use super::interval::guaranteed;
 use super::verdict::lift;
+use super::{AdmissibleSet, FacetOf};
 use crate::actuation::Wrench;
 use crate::flatness::rotor_drag;
+use crate::geometry::polytope::Polytope;
 use crate::model::{Environment, LimitKind, Model};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
@@ -18,7 +19,14 @@ pub struct Airspeed {
     pub largest_m_per_s: Option<f64>,
     /// What prevents a larger one; null if the mode cannot hover.
     pub limited_by: Option<LimitedBy>,
+    /// Whether the mode flies at it with yaw given up only.
+    pub without_yaw: bool,
 }
+
+/// The largest airspeed at which a drag that grows in proportion to it is plausible, m/s. Such a drag is that of the
+/// rotors, measured at a few metres a second; that of the body grows with the square. Fast multirotors fly at 30 to
+/// 40 m/s.
+pub const PLAUSIBLE: f64 = 40.0;
 
 /// What limits the airspeed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -50,11 +58,22 @@ impl Airspeed {
         if drag <= 0.0 && across <= 0.0 {
             return None;
         }
+        let rows =
+            if model.vehicle.has_uncertain_rotors() { guaranteed(model, set) } else { Some(set.polytope.clone()) };
+        let size = set.zonotope.scale()[0];
+        let with_yaw = Self::between(model, rows.as_ref().and_then(|rows| lift(rows, size)));
+        if with_yaw.largest_m_per_s.is_some() {
+            return Some(with_yaw);
+        }
+        let without_yaw = rows.and_then(|rows| lift_without_yaw(model, &rows, size));
+        let found = Self::between(model, without_yaw);
+        Some(Airspeed { without_yaw: found.largest_m_per_s.is_some(), ..found })
+    }
+
+    /// The airspeed with thrusts without torques between two, N.
+    fn between(model: &Model, full: Option<(f64, f64)>) -> Self {
+        let [drag, ..] = model.vehicle.drag;
         let is_isotropic = model.environment().is_isotropic();
-        let full = match model.vehicle.has_uncertain_rotors() {
-            true => guaranteed(model, set).and_then(|rows| lift(&rows, set.zonotope.scale()[0])),
-            false => lift(&set.polytope, set.zonotope.scale()[0]),
-        };
         // Thrust decides by a concave function of the mass, tilt by a monotone one: the least is at an end of the
         // interval.
         let spread = model.vehicle.mass_spread;
@@ -77,8 +96,26 @@ impl Airspeed {
             [Some(light), Some(heavy)] => Some(if light.0 < heavy.0 { light } else { heavy }),
             _ => None,
         };
-        Some(Airspeed { largest_m_per_s: least.map(|l| l.0), limited_by: least.map(|l| l.1) })
+        Airspeed { largest_m_per_s: least.map(|l| l.0), limited_by: least.map(|l| l.1), without_yaw: false }
     }
+}
+
+/// The lowest and the highest thrust without roll and pitch torques (N) of rows, with whatever yaw torque; `None` if
+/// that of hover is not possible. `size` is above all thrusts.
+fn lift_without_yaw(model: &Model, rows: &Polytope<4, FacetOf>, size: f64) -> Option<(f64, f64)> {
+    let weight = model.vehicle.mass * model.gravity;
+    let level = |thrust: f64| Wrench::new(thrust, 0.0, 0.0, 0.0);
+    let edge = edge::width(&level(weight));
+    let is_possible = |thrust: f64| rows.chord(&level(thrust), &Wrench::new(0.0, 0.0, 0.0, 1.0), edge).is_some();
+    let end = |mut outside: f64| {
+        let mut inside = weight;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inside + outside);
+            if is_possible(middle) { inside = middle } else { outside = middle }
+        }
+        inside
+    };
+    is_possible(weight).then(|| (end(0.0), end(size)))
 }
 
 /// The smallest and the largest thrust (N) between the lowest and the highest of the set (N) that leave the reserve

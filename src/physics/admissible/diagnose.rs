@@ -1,5 +1,6 @@
 //! Diagnostics from the admissible sets: fault modes the plan must tolerate but cannot.
 
+mod wind;
 mod without_yaw;
 
 use super::edge::{self, HoverPlace};
@@ -263,6 +264,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
                 _ => Possible::Never,
             };
             let given = format!("; the spec's mass is {} kg", number(mass));
+            let without_yaw = mode.critical_mass_yaw_free_kg.filter(|most| *most > 0.0 && *most < mass);
             let label = match possible {
                 Possible::UpTo(most) => format!("possible at {} kg or less{given}", down(most, 4)),
                 Possible::Between(least, most) if up(least, 4) != down(most, 4) && least < most * (1.0 - 1e-3) => {
@@ -271,16 +273,30 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
                 Possible::Between(least, most) => {
                     format!("possible only at {} kg{given}", significant(0.5 * (least + most), 6))
                 }
-                Possible::Never => "no mass makes it possible".to_string(),
+                Possible::Never => match without_yaw.filter(|_| verdict != HoverVerdict::Stabilizable) {
+                    Some(most) => {
+                        format!(
+                            "with control of yaw at no mass; with yaw given up at {} kg or less{given}",
+                            down(most, 4)
+                        )
+                    }
+                    None => "no mass makes it possible".to_string(),
+                },
             };
             let what = match verdict {
                 HoverVerdict::Stabilizable => "the vehicle cannot hold its yaw",
                 _ => "the vehicle cannot hover",
             };
+            if let Some(label) = wind::is_the_cause(model, mode) {
+                return answer(Severity::Error, CANNOT_HOVER, what, label, wind::HELP);
+            }
             let is_stuck = mode.stuck.iter().any(Option::is_some);
             let idles = model.vehicle.rotors.iter().any(|r| r.min_speed > 0.0) && !is_stuck;
             let too_light = matches!(possible, Possible::Between(least, _) if mass < least);
             let help = match (possible, is_healthy) {
+                (Possible::Never, false) if without_yaw.is_some() => {
+                    "leave the mode out of `against`, make the vehicle lighter or change its layout"
+                }
                 (Possible::UpTo(_), true) => "make the vehicle lighter or change its layout",
                 (Possible::UpTo(_), false) => {
                     "leave the mode out of `against`, make the vehicle lighter or change its layout"

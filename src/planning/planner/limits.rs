@@ -44,13 +44,23 @@ pub(super) fn is_of_yaw(kind: &LimitKind) -> bool {
     matches!(kind, LimitKind::Yaw | LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading(_))
 }
 
+/// The share (1 + delta)^m - 1 by which a bound on a derivative of order m grows with the relative change delta of a
+/// duration, in a program.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Growth {
+    /// At most that share: for bounds whose rows get looser as it grows.
+    pub at_most: Affine,
+    /// At least that share, and equal to first order: for the others.
+    pub at_least: Affine,
+}
+
 /// By how much bounds are widened in a program.
 pub(super) struct Widening {
     /// Each bound is wider by this share of itself, except bounds on positions.
     share: Affine,
-    /// The relative change delta of the duration: derivatives of order m then shrink by (1 + delta)^m, so that bounds
-    /// on them, in the old time, grow by at least m delta.
-    duration_change: Affine,
+    /// With a relative change delta of the duration derivatives of order m shrink by (1 + delta)^m, so that bounds on
+    /// them, in the old time, grow by this share at order m = 0, 1, ...
+    growth: [Growth; 5],
     /// How much further inside the bounds of volumes the position stays, m; see [`Transcription::room`].
     room: f64,
 }
@@ -58,12 +68,12 @@ pub(super) struct Widening {
 impl Widening {
     /// Each bound wider by this share of itself, the duration unchanged.
     pub fn by(share: &Affine) -> Self {
-        Widening { share: share.clone(), duration_change: Affine::default(), room: 0.0 }
+        Widening { share: share.clone(), growth: Default::default(), room: 0.0 }
     }
 
-    /// This widening with a relative change of the duration.
-    pub fn with_duration_change(self, change: &Affine) -> Self {
-        Widening { duration_change: change.clone(), ..self }
+    /// This widening with a change of the duration.
+    pub fn with_growth(self, growth: [Growth; 5]) -> Self {
+        Widening { growth, ..self }
     }
 
     /// This widening with volumes kept by this much more, m.
@@ -75,7 +85,8 @@ impl Widening {
     pub(super) fn bound(&self, bound: f64, order: usize, side: f64) -> Affine {
         let mut wider = Affine::constant(bound);
         wider.add(&self.share, side * widens(order, bound));
-        wider.add(&self.duration_change, bound * order as f64);
+        let Growth { at_most, at_least } = &self.growth[order];
+        wider.add(if side * bound >= 0.0 { at_most } else { at_least }, bound);
         wider
     }
 

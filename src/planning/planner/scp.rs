@@ -344,6 +344,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             cost_weight: weights.cost_weight,
             input_weight: weights.input_weight,
             range: *range,
+            to_first_order: false,
             spans,
             tightening: &self.tightening,
             local_tightening: &local_tightening,

@@ -83,12 +83,20 @@ const TRUTHS: [[f64; 8]; 4] = [
     [0.9, 0.8, 1.0, 0.7, 0.5, 1.0, 0.85, 0.95],
 ];
 
+/// A motion and its estimator, which has seen half a second of it before the capacities changed.
+fn after_healthy_motion(model: &Model, truth: &[f64], seed: u64, forgetting: f64, sigma: f64) -> (Motion, Estimator) {
+    let mut motion = Motion::new(model, &vec![1.0; truth.len()], seed);
+    let mut estimator = Estimator::new(model, forgetting, 4.0, sigma, PERIOD);
+    (0..50).for_each(|_| motion.sample(&mut estimator, sigma));
+    motion.truth = truth.to_vec();
+    (motion, estimator)
+}
+
 #[test]
 fn exciting_motion_without_noise_shows_every_capacity() {
     let model = octocopter("PPNNPPNN");
     for (seed, truth) in TRUTHS.iter().enumerate() {
-        let mut motion = Motion::new(&model, truth, seed as u64);
-        let mut estimator = Estimator::new(&model, 0.95, 0.0, PERIOD);
+        let (mut motion, mut estimator) = after_healthy_motion(&model, truth, seed as u64, 0.95, 0.0);
         let mut highest = 0;
         for _ in 0..300 {
             motion.sample(&mut estimator, 0.0);
@@ -106,9 +114,8 @@ fn noise_blurs_capacities_and_hides_none() {
     let model = octocopter("PPNNPPNN");
     let sigma = 0.005;
     for (seed, truth) in TRUTHS.iter().enumerate() {
-        let mut motion = Motion::new(&model, truth, seed as u64);
         // A long memory: the yaw torque of a rotor is lost in one sample's noise.
-        let mut estimator = Estimator::new(&model, 0.99, sigma, PERIOD);
+        let (mut motion, mut estimator) = after_healthy_motion(&model, truth, seed as u64, 0.99, sigma);
         (0..2000).for_each(|_| motion.sample(&mut estimator, sigma));
         for (found, wanted) in estimator.capacity.iter().zip(truth) {
             assert!((found - wanted).abs() < 0.1, "{:?} instead of {truth:?}", estimator.capacity);
@@ -122,7 +129,7 @@ fn noise_blurs_capacities_and_hides_none() {
 fn what_was_seen_is_forgotten() {
     let model = octocopter("PPNNPPNN");
     let mut motion = Motion::new(&model, &TRUTHS[0], 1);
-    let mut estimator = Estimator::new(&model, 0.95, 0.0, PERIOD);
+    let mut estimator = Estimator::new(&model, 0.95, 4.0, 0.0, PERIOD);
     for _ in 0..20_000 {
         motion.sample(&mut estimator, 0.005);
         assert!(estimator.capacity.iter().all(|c| (0.0..=1.0).contains(c)));
@@ -140,7 +147,7 @@ fn what_was_seen_is_forgotten() {
 fn estimates_are_shares_whatever_is_measured() {
     let model = octocopter("PPNNPPNN");
     let mut random = Pcg64Mcg::seed_from_u64(3);
-    let mut estimator = Estimator::new(&model, 0.95, 0.005, PERIOD);
+    let mut estimator = Estimator::new(&model, 0.95, 4.0, 0.005, PERIOD);
     for _ in 0..5000 {
         let size = 10f64.powf(between(&mut random, -3.0, 3.0));
         let rates = Vector3::from_fn(|_, _| size * normal(&mut random));

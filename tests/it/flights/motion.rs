@@ -24,7 +24,7 @@ fn uneven() -> Model {
 /// `duration` s with motors that go from one uneven set of speeds to another, in steps as `fly` takes them.
 fn swung(model: &Model, duration: f64, h: f64) -> Body {
     let frame = Frame::of(model);
-    let mut rotors = Rotors::new(model, h);
+    let mut rotors = Rotors::new(&model.vehicle, h);
     for k in 0..8 {
         rotors.speed[k] = 480.0 + 10.0 * k as f64;
         rotors.command[k] = 530.0 - 15.0 * (k as f64 - 3.0).abs();
@@ -69,7 +69,7 @@ fn motors_step_as_one_minus_an_exponential() {
     let mut model = octocopter("PPNNPPNN");
     model.vehicle.rotors[3].time_constant = Some(0.05);
     let h = 1e-3;
-    let mut rotors = Rotors::new(&model, h);
+    let mut rotors = Rotors::new(&model.vehicle, h);
     rotors.command.fill(600.0);
     for step in 1..=300 {
         rotors.half_step();
@@ -86,7 +86,7 @@ fn motors_step_as_one_minus_an_exponential() {
 #[test]
 fn rotors_give_what_faults_leave() {
     let model = octocopter("PPNNPPNN");
-    let mut rotors = Rotors::new(&model, 1e-3);
+    let mut rotors = Rotors::new(&model.vehicle, 1e-3);
     rotors.command.fill(500.0);
     rotors.settle();
     // Row by row as (12) has it: thrust, arm to the left, arm to the rear, drag against the turn.

@@ -30,7 +30,7 @@ impl Motors {
     fn at(model: &Model, thrusts: &[f64]) -> Self {
         let coefficient: Vec<f64> = model.vehicle.rotors.iter().map(|r| r.thrust_coefficient).collect();
         let fades = model.vehicle.rotors.iter().map(|r| (-STEP / r.lag()).exp()).collect();
-        let mut rotors = Rotors::new(model, 2.0 * STEP);
+        let mut rotors = Rotors::new(&model.vehicle, 2.0 * STEP);
         rotors.command = thrusts.iter().zip(&coefficient).map(|(f, b)| (f / b).sqrt()).collect();
         rotors.settle();
         Motors { rotors, fades, coefficient }

@@ -2,7 +2,7 @@
 
 use super::{QUAD, check, codes, model};
 use mavc::language::Group;
-use mavc::model::{AfterFault, Controller, Detection, LostYaw, Model, PlannerKind, Simulation};
+use mavc::model::{AfterFault, Attitude, Controller, Detection, FlownVehicle, LostYaw, Model, PlannerKind, Simulation};
 use mavc::read::{coarse_step, past_the_end, too_many_steps};
 
 const REST: &str =
@@ -37,6 +37,12 @@ const WHOLE: &str = "simulate {
     gusts = 1 m/s
     gust_length = 40 m
     seed = 7
+    threshold = 5
+    assumed_gyroscope_noise = 0.5 deg/s
+    attitude = estimated
+    torque_gusts = 0.1 N*m
+    spread = drawn
+    centre_offset = 4 mm
     lost_beyond = 3 m
     upside_down = 0.25 s
     lost_yaw = 45 deg
@@ -70,6 +76,9 @@ fn every_field_is_read() {
     assert_eq!([g.position, g.velocity, g.altitude, g.climb], [5.0, 6.0, 7.0, 8.0]);
     assert_eq!([g.attitude, g.attitude_rate, g.yaw, g.yaw_rate], [90.0, 10.0, 11.0, 12.0]);
     assert_eq!((s.forgetting, s.gyroscope_noise, s.position_noise), (0.9, 1f64.to_radians(), 0.02));
+    assert_eq!(s.threshold, 5.0);
+    assert_eq!((s.attitude, s.spread), (Attitude::Estimated, FlownVehicle::Drawn));
+    assert_eq!((s.assumed_gyroscope_noise, s.torque_gusts, s.centre_offset), (Some(0.5f64.to_radians()), 0.1, 4e-3));
     assert!((s.gyroscope_range - 1000_f64.to_radians()).abs() < 1e-12);
     assert_eq!((s.drag, s.wind, s.gusts, s.gust_length), ([0.3; 3], [3.0, 0.0, -1.0], 1.0, 40.0));
     assert_eq!((s.seed, s.lost_beyond, s.upside_down, s.ground, s.written), (7, 3.0, 0.25, -1.0, true));

@@ -1,14 +1,14 @@
 //! The cost of deciding a certificate, bounded from its size before any work begins, and the budget.
 //!
 //! Work is counted in units and not in time, so that the same certificate has the same verdict on every machine. The
-//! weights below are chosen so that the bound is not too low: for four shipped specs it was 2 to 40 times the time of
+//! weights below are chosen so that the bound is not too low: for four shipped specs it was 1 to 20 times the time of
 //! the check at the nodes (docs/certificates.md, *Cost*).
 
 use super::interval::exceeds;
 use std::str::FromStr;
 
 /// Units of work that the budget counts as one second.
-pub const UNITS_PER_SECOND: f64 = 1e7;
+pub const UNITS_PER_SECOND: f64 = 2e7;
 
 /// Units of evaluating one bounding plane of a set, or one side of a limit, at one state.
 pub const COST_PER_ROW: u64 = 1;

@@ -7,8 +7,9 @@ use super::CaptureHeight;
 use super::GiveUpYaw;
 use super::Heading;
 use super::{
-    AfterFault, Air, Campaign, Description, Detection, FaultMode, Limit, LostYaw, Mission, MissionTime, Model, Origin,
-    PlanRotors, PlanSettings, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread, Vehicle,
+    AfterFault, Air, Attitude, Campaign, Description, Detection, FaultMode, FlownVehicle, Limit, LostYaw, Mission,
+    MissionTime, Model, Origin, PlanRotors, PlanSettings, RotorState, STANDARD_DENSITY, Simulation, Spin, Spread,
+    Vehicle,
 };
 use crate::number::{fixed, number};
 
@@ -335,11 +336,26 @@ fn simulation(f: &mut fmt::Formatter<'_>, s: &Simulation, modes: &[FaultMode]) -
     writeln!(f, "  forgetting {}, seed {}", number(s.forgetting), s.seed)?;
     let (gyroscope, position) = (number(s.gyroscope_noise), number(s.position_noise));
     writeln!(f, "  gyroscope_noise {gyroscope} rad/s, position_noise {position} m")?;
+    if s.threshold != Simulation::default().threshold {
+        writeln!(f, "  threshold {}", number(s.threshold))?;
+    }
+    if let Some(assumed) = s.assumed_gyroscope_noise {
+        writeln!(f, "  assumed_gyroscope_noise {} rad/s", number(assumed))?;
+    }
+    if s.attitude != Attitude::Exact {
+        writeln!(f, "  attitude {}", s.attitude.name())?;
+    }
     if s.gyroscope_range != Simulation::default().gyroscope_range {
         writeln!(f, "  gyroscope_range {} deg/s", degrees(s.gyroscope_range))?;
     }
     writeln!(f, "  drag {} N*s/m, wind {} m/s", along_axes(&s.drag), list(&s.wind))?;
     writeln!(f, "  gusts {} m/s, gust_length {} m", number(s.gusts), number(s.gust_length))?;
+    if s.torque_gusts > 0.0 {
+        writeln!(f, "  torque_gusts {} N*m", number(s.torque_gusts))?;
+    }
+    if s.spread != FlownVehicle::Middle || s.centre_offset > 0.0 {
+        writeln!(f, "  spread {}, centre_offset {} m", s.spread.name(), number(s.centre_offset))?;
+    }
     writeln!(f, "  lost_beyond {} m, upside_down {} s", number(s.lost_beyond), number(s.upside_down))?;
     match s.lost_yaw {
         LostYaw::Beyond(angle) => write!(f, "  lost_yaw {} deg", degrees(angle))?,

@@ -49,6 +49,41 @@ impl Allocation {
     }
 }
 
+/// What the controller knows of the attitude.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Attitude {
+    Exact,
+    /// Integrated from the gyroscope, and corrected slowly.
+    Estimated,
+}
+
+impl Attitude {
+    pub fn name(self) -> &'static str {
+        match self {
+            Attitude::Exact => "exact",
+            Attitude::Estimated => "estimated",
+        }
+    }
+}
+
+/// Which vehicle of the spec's intervals flies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FlownVehicle {
+    /// With the middles of all intervals.
+    Middle,
+    /// With values drawn evenly from them.
+    Drawn,
+}
+
+impl FlownVehicle {
+    pub fn name(self) -> &'static str {
+        match self {
+            FlownVehicle::Middle => "middle",
+            FlownVehicle::Drawn => "drawn",
+        }
+    }
+}
+
 /// How the controller learns of a fault.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Detection {
@@ -165,10 +200,15 @@ pub struct Simulation {
     pub gains: Gains,
     /// Forgetting factor lambda of the recursive least squares, per sample of the estimator; 0 < lambda < 1.
     pub forgetting: f64,
+    /// Standard deviations of the torque noise beyond which the estimator uses a sample; positive.
+    pub threshold: f64,
     /// Standard deviation of a sample of the body rates, rad/s.
     pub gyroscope_noise: f64,
     /// Largest body rate on each axis that is measured, rad/s.
     pub gyroscope_range: f64,
+    /// The noise of the gyroscope that the estimator assumes, rad/s; `None` for the true one.
+    pub assumed_gyroscope_noise: Option<f64>,
+    pub attitude: Attitude,
     /// Standard deviation of a sample of the position, m on each axis.
     pub position_noise: f64,
     /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity
@@ -180,6 +220,11 @@ pub struct Simulation {
     pub gusts: f64,
     /// Length scale of Dryden gusts, m.
     pub gust_length: f64,
+    /// Standard deviation of the torque of gusts about each axis of the body, N m.
+    pub torque_gusts: f64,
+    pub spread: FlownVehicle,
+    /// Largest offset of the centre of gravity along x and along y of the body, m.
+    pub centre_offset: f64,
     /// Seed of noise and gusts.
     pub seed: u64,
     /// The faults that strike, in the order of their times, then as written.
@@ -255,13 +300,19 @@ impl Default for Simulation {
             after_fault: AfterFault::Continue,
             gains: Gains::default(),
             forgetting: FORGETTING.value(),
+            threshold: THRESHOLD.value(),
             gyroscope_noise: GYROSCOPE_NOISE.value(),
             gyroscope_range: GYROSCOPE_RANGE.value(),
+            assumed_gyroscope_noise: None,
+            attitude: Attitude::Exact,
             position_noise: POSITION_NOISE.value(),
             drag: [DRAG.value(); 3],
             wind: [0.0; 3],
             gusts: GUSTS.value(),
             gust_length: GUST_LENGTH.value(),
+            torque_gusts: TORQUE_GUSTS.value(),
+            spread: FlownVehicle::Middle,
+            centre_offset: CENTRE_OFFSET.value(),
             seed: SEED.value() as u64,
             faults: Vec::new(),
             lost_beyond: LOST_BEYOND.value(),

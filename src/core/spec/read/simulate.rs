@@ -17,7 +17,9 @@ use crate::diagnostic::Diagnostic;
 use crate::language::table::simulate as table;
 use crate::language::{Entry, Group, Range, Takes};
 use crate::model::MOTOR_TIME_CONSTANT;
-use crate::model::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Mission, Simulation, Vehicle};
+use crate::model::{
+    AfterFault, Attitude, Controller, DefaultUsed, FaultMode, FlownVehicle, Gains, Mission, Simulation, Vehicle,
+};
 use crate::number::number;
 use crate::read::written::Written;
 use crate::source::Span;
@@ -146,8 +148,14 @@ impl<'a> Reader<'a> {
         let after_fault = self.fields.choice_or(cx, &table::AFTER_FAULT, CHOICE, &reactions, AfterFault::Continue);
         let gains = self.gains(cx);
         let forgetting = self.forgetting(cx);
+        let threshold = self.quantity(cx, &table::THRESHOLD);
         let gyroscope_noise = self.quantity(cx, &table::GYROSCOPE_NOISE);
         let gyroscope_range = self.quantity(cx, &table::GYROSCOPE_RANGE);
+        let assumed_gyroscope_noise = self
+            .fields
+            .written("assumed_gyroscope_noise", |expr| cx.quantity(&table::ASSUMED_GYROSCOPE_NOISE, expr, NEGATIVE));
+        let attitudes = [Attitude::Exact, Attitude::Estimated];
+        let attitude = self.fields.choice_or(cx, &table::ATTITUDE, CHOICE, &attitudes, Attitude::Exact);
         let position_noise = self.quantity(cx, &table::POSITION_NOISE);
         let drag = self.value_or_planned(&table::DRAG, around.drag(), [table::DRAG.value(); 3], |expr| {
             cx.drag(&table::DRAG, expr, NEGATIVE)
@@ -159,6 +167,10 @@ impl<'a> Reader<'a> {
             cx.quantity(&table::GUSTS, expr, NEGATIVE)
         });
         let gust_length = self.quantity(cx, &table::GUST_LENGTH);
+        let torque_gusts = self.quantity(cx, &table::TORQUE_GUSTS);
+        let spreads = [FlownVehicle::Middle, FlownVehicle::Drawn];
+        let spread = self.fields.choice_or(cx, &table::SPREAD, CHOICE, &spreads, FlownVehicle::Middle);
+        let centre_offset = self.quantity(cx, &table::CENTRE_OFFSET);
         let seed = self.fields.value_or(&table::SEED, table::SEED.value() as u64, |expr| seed(cx, expr));
         let lost_beyond = self.quantity(cx, &table::LOST_BEYOND);
         let upside_down = self.quantity(cx, &table::UPSIDE_DOWN);
@@ -196,13 +208,19 @@ impl<'a> Reader<'a> {
             after_fault: after_fault?,
             gains: gains?,
             forgetting: forgetting?,
+            threshold: threshold?,
             gyroscope_noise: gyroscope_noise?,
             gyroscope_range: gyroscope_range?,
+            assumed_gyroscope_noise: assumed_gyroscope_noise.optional()?,
+            attitude: attitude?,
             position_noise: position_noise?,
             drag: drag?,
             wind: wind?,
             gusts: gusts?,
             gust_length: gust_length?,
+            torque_gusts: torque_gusts?,
+            spread: spread?,
+            centre_offset: centre_offset?,
             seed: seed?,
             faults: faults?,
             lost_beyond: lost_beyond?,

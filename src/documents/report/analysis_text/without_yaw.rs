@@ -3,6 +3,7 @@
 use crate::admissible::verdict::ModeAnalysis;
 use crate::admissible::without_yaw::relaxed_hover::RelaxedHover;
 use crate::admissible::without_yaw::{WithoutYaw, YawFree};
+use crate::flight::equilibrium::SettledSpin;
 use crate::number::{down, significant};
 use crate::text_table::Table;
 
@@ -14,7 +15,9 @@ boundary, but
 disc      the largest roll and pitch torque in every direction [N m], and as angular acceleration
 level     the largest thrust without roll and pitch torques
 torque    the yaw torques that are possible in hover
-spin      the turning rates that they keep up against `yaw_drag`, counter-clockwise
+spin      the turning rates about z that they keep up against `yaw_drag`, counter-clockwise: plans without yaw are \
+proved for all
+          of them, and flights settle at one of their own (below)
 ";
 
 /// The table of all modes, with the equilibria whose axis is tilted below it.
@@ -47,6 +50,25 @@ pub fn table(modes: &[ModeAnalysis]) -> String {
         out.push_str(&equilibria);
     }
     out
+}
+
+/// Where flights settle.
+pub fn settled(spins: &[SettledSpin]) -> String {
+    if spins.is_empty() {
+        return String::new();
+    }
+    let mut table = Table::new(&["mode", "spin [rad/s]", "axis tilted by", "gyroscope"]);
+    for SettledSpin { mode, spin_rad_s, axis_tilt_deg, beyond_gyroscope } in spins {
+        // Not a negative zero.
+        let spin = if spin_rad_s.abs() < 1e-3 { 0.0 } else { *spin_rad_s };
+        table.row(vec![
+            mode.clone(),
+            significant(spin, 3),
+            format!("{} deg", significant(*axis_tilt_deg, 3)),
+            if *beyond_gyroscope { "beyond its range" } else { "-" }.into(),
+        ]);
+    }
+    format!("\nThe equilibrium in which flights settle, with the gains of `simulate`\n{}", table.render(0))
 }
 
 fn row(name: &str, word: YawFree, figures: &WithoutYaw) -> Vec<String> {

@@ -94,6 +94,8 @@ pub struct Phase {
 
 /// Label of the mark at which a flight was lost.
 pub const LOST: &str = "lost";
+/// Label of the mark at which the vehicle was first past the boundary of a volume.
+pub const TRESPASSED: &str = "past a volume";
 /// Label of the mark at which the integration broke down.
 pub const DIVERGED: &str = "diverged";
 

@@ -112,7 +112,7 @@ impl Document<'_> {
             part_of_all(plan.reserve),
             plan.samples
         );
-        for sentence in self.comparison.map_or_else(Vec::new, without_yaw::head) {
+        for sentence in self.comparison.map_or_else(Vec::new, |comparison| without_yaw::head(comparison, None)) {
             setting.push_str(&format!(". {sentence}"));
         }
         setting

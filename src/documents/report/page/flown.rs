@@ -1,7 +1,7 @@
 //! A flight as a run of the page, compared with its plan.
 
 use super::chart::{Bound, Chart, Columns, Line, column};
-use super::content::{DIVERGED as DIVERGED_AT, LOST, Mark, Phase, RunContent};
+use super::content::{DIVERGED as DIVERGED_AT, LOST, Mark, Phase, RunContent, TRESPASSED as TRESPASSED_AT};
 use super::motion::WRENCH;
 use super::table::{Frame, numbers, table, words};
 use crate::admissible::hover;
@@ -10,7 +10,8 @@ use crate::model::Model;
 use crate::motion::Trajectory;
 use crate::number::{fixed, number, significant};
 use crate::report::simulation::{
-    DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss, to_its_end, turned,
+    DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss, no_fault, to_its_end,
+    trespass, turned,
 };
 use maud::{Markup, html};
 
@@ -95,7 +96,8 @@ impl Track {
 /// The outcome in one sentence.
 pub fn headline(model: &Model, record: &FlightRecord) -> String {
     match record.outcome {
-        OutcomeRecord::Flown => to_its_end(model, record),
+        OutcomeRecord::Flown => format!("{}{}", to_its_end(model, record), no_fault(record)),
+        OutcomeRecord::Trespassed { at_s } => format!("Not survived: {}", trespass(at_s)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s", fixed(at_s, 2)),
         OutcomeRecord::Lost { at_s, cause, at_end } => {
             format!("Lost at {} s: {}", fixed(at_s, 2), loss(model, cause, at_end))
@@ -118,6 +120,7 @@ fn marks(record: &FlightRecord) -> Vec<Mark> {
     match record.outcome {
         OutcomeRecord::Lost { at_s, .. } => marks.push(Mark { t: at_s, label: LOST.into() }),
         OutcomeRecord::Diverged { at_s } => marks.push(Mark { t: at_s, label: DIVERGED_AT.into() }),
+        OutcomeRecord::Trespassed { at_s } => marks.push(Mark { t: at_s, label: TRESPASSED_AT.into() }),
         OutcomeRecord::Flown | OutcomeRecord::Landed { .. } => {}
     }
     marks

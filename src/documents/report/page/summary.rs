@@ -117,7 +117,8 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
 
 /// For `mavc simulate`.
 pub fn flight(model: &Model, record: &FlightRecord) -> Found {
-    let lost = matches!(record.outcome, OutcomeRecord::Lost { .. } | OutcomeRecord::Diverged { .. });
+    let lost = matches!(record.outcome, OutcomeRecord::Lost { .. } | OutcomeRecord::Diverged { .. })
+        || matches!(record.outcome, OutcomeRecord::Trespassed { .. });
     let by_heading = matches!(record.outcome, OutcomeRecord::Lost { cause: "heading", .. });
     let mut figures = vec![
         Figure::new("Position error", flown_length(record.rms_error_m), "root mean square over the flight"),
@@ -191,7 +192,14 @@ fn outside(comparison: &Comparison, solved: &MissionPlan) -> String {
         [] if comparison.provisions.iter().all(|provision| *provision == Provision::WithYaw) => {
             "and stays inside the sets of all modes planned against".into()
         }
-        [] => "and stays inside the sets and cores of all modes with rows".into(),
+        [] => match without_yaw::without_rows(comparison).len() {
+            n if n == comparison.modes.len() => "and provides for no fault mode".into(),
+            0 => "and stays inside the sets and cores of all modes planned against".into(),
+            _ => format!(
+                "and stays inside the sets and cores of all modes with rows{}",
+                without_yaw::beside_the_verdict(comparison)
+            ),
+        },
         [(i, seconds)] => {
             format!("and leaves {} for {} s", without_yaw::sets_of(comparison, &[*i]), short_seconds(*seconds))
         }
@@ -235,6 +243,7 @@ fn stays(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
         .max_by(|a, b| a.2.total_cmp(&b.2));
     match worst {
         _ if comparison.modes.is_empty() => None,
+        None if without_yaw::without_rows(comparison).len() == comparison.modes.len() => None,
         None => Some(Figure::new(
             "Violations of fault sets",
             "none",

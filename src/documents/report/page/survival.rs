@@ -62,7 +62,8 @@ fn no_fault_flown(record: &CampaignRecord) -> String {
 /// Share of flights with a fault that survive.
 fn survival(planner: &PlannerRecord) -> Option<Share> {
     let flights: usize = planner.modes.iter().map(|m| m.flights.flights).sum();
-    let not_survived: usize = planner.modes.iter().map(|m| m.flights.lost + m.flights.diverged).sum();
+    let of = |m: &ModeRecord| m.flights.lost + m.flights.trespassed + m.flights.diverged;
+    let not_survived: usize = planner.modes.iter().map(of).sum();
     wilson(flights.saturating_sub(not_survived), flights)
 }
 
@@ -86,6 +87,8 @@ pub fn table(record: &CampaignRecord) -> Markup {
         counts("To the ground"),
         counts("By heading"),
     ];
+    let trespassed: usize = record.planners.iter().map(|p| lost(p, |m| m.flights.trespassed)).sum();
+    heads.extend((trespassed > 0).then(|| counts("Past a volume")));
     heads.extend((diverged > 0).then(|| counts("Diverged")));
     heads.push(numbers("Healthy survived", "%, 95 % interval"));
     let caption = html! {
@@ -103,6 +106,7 @@ pub fn table(record: &CampaignRecord) -> Markup {
                 td.n { (lost(p, |m| m.flights.lost_upside_down)) }
                 td.n { (lost(p, |m| m.flights.lost_to_ground)) }
                 td.n { (lost(p, |m| m.flights.lost_by_heading)) }
+                @if trespassed > 0 { td.n { (lost(p, |m| m.flights.trespassed)) } }
                 @if diverged > 0 { td.n { (lost(p, |m| m.flights.diverged)) } }
                 td.n { (with_interval(p.healthy.as_ref().and_then(|h| h.survival))) }
             }

@@ -10,7 +10,7 @@ use crate::model::Model;
 use crate::motion::outside::Outside;
 use crate::number::{down, fixed, short_seconds, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome};
-use crate::report::terminal::holds;
+use crate::report::terminal::{airspeed as text_of, holds};
 use maud::{Markup, html};
 
 /// Most rows; the modes that the plan must tolerate come first.
@@ -79,7 +79,7 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     };
     let mut heads = vec![words("Mode"), words("Verdict"), numbers("Hover margin", "N, N m"), numbers("Heaviest", "kg")];
     heads.extend(columns.without_yaw.then(|| numbers("Without yaw", "disc, N m")));
-    heads.extend(columns.airspeed.then(|| numbers("Airspeed", "m/s")));
+    heads.extend(columns.airspeed.then(|| numbers("Airspeed", "")));
     if columns.of_plan {
         heads.push(numbers("Plan's margin", "healthy widths"));
         heads.extend(["Violated for", "Last violation"].map(|name| numbers(name, "s")));
@@ -120,7 +120,8 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
             match columns.heading {
                 false => {
                     "the largest steady airspeed in level flight with the plan's reserve, by thrust or by the \
-                    mission's limit on tilt."
+                    mission's limit on tilt; (no yaw): with yaw given up. Over 40 m/s a drag that grows in \
+                    proportion to the airspeed is not plausible."
                 }
                 true => {
                     "the largest steady airspeed in level flight with the plan's reserve and the nose in the worst \
@@ -208,7 +209,7 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
                 td.n { (a.without_yaw.as_ref().map_or("none".into(), |w| down(w.disc_n_m, 4))) }
             }
             @if let Some(airspeed) = a.airspeed {
-                td.n { (airspeed.largest_m_per_s.map_or("none".into(), |speed| down(speed, 4))) }
+                td.n { (text_of(&airspeed)) }
             }
             @if columns.of_plan {
                 td.n.bad[outside.is_some_and(|o| o.last.is_some())] {

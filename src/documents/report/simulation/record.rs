@@ -98,6 +98,9 @@ pub struct FlightRecord {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub gave_up_yaw_at_s: Option<f64>,
+    /// The spin in the end; omitted unless yaw is given up then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spin: Option<SpinRecord>,
     /// For how long some body rate was beyond the range of the gyroscope, s; omitted if it never was.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, schemars(range(min = 0)))]
@@ -134,6 +137,12 @@ pub enum OutcomeRecord {
         #[cfg_attr(test, schemars(range(min = 0)))]
         at_s: f64,
     },
+    /// It was not lost, but it entered a `keep_out` or left a `keep_in`.
+    Trespassed {
+        /// When it first did, s.
+        #[cfg_attr(test, schemars(range(min = 0)))]
+        at_s: f64,
+    },
     /// The vehicle was lost.
     Lost {
         /// When it was lost, s.
@@ -151,6 +160,18 @@ pub enum OutcomeRecord {
         #[cfg_attr(test, schemars(range(min = 0)))]
         at_s: f64,
     },
+}
+
+/// The spin of a vehicle without control of yaw at the end of a flight.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct SpinRecord {
+    /// The rate about z, rad/s, counter-clockwise seen from above.
+    pub rate_rad_s: f64,
+    /// Whether the rate has settled; what comes later is not simulated otherwise.
+    pub settled: bool,
+    /// Whether some rate of the body is beyond the range of the gyroscope.
+    pub beyond_gyroscope: bool,
 }
 
 /// A fault during the flight.
@@ -214,6 +235,7 @@ impl FlightRecord {
             outcome: match flight.outcome {
                 Outcome::Flown => OutcomeRecord::Flown,
                 Outcome::Landed { at } => OutcomeRecord::Landed { at_s: at },
+                Outcome::Trespassed { at } => OutcomeRecord::Trespassed { at_s: at },
                 Outcome::Lost { at, cause, at_end } => OutcomeRecord::Lost { at_s: at, cause: cause.name(), at_end },
                 Outcome::Diverged { at } => OutcomeRecord::Diverged { at_s: at },
             },
@@ -227,6 +249,11 @@ impl FlightRecord {
             max_heading_error_after_rad: (!flight.found.is_empty()).then_some(flight.heading.max_after),
             turns: flight.heading.turns,
             gave_up_yaw_at_s: flight.gave_up_yaw_at,
+            spin: flight.spin.map(|spin| SpinRecord {
+                rate_rad_s: spin.rate,
+                settled: spin.is_settled,
+                beyond_gyroscope: spin.is_beyond_gyroscope,
+            }),
             gyroscope_saturated_s: Some(flight.gyroscope_saturated).filter(|seconds| *seconds > 0.0),
             faults: faults(model, strikes, flight),
             false_alarms: flight.false_alarms,

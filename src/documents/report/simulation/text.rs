@@ -1,8 +1,10 @@
 //! Terminal text of a simulated flight.
 
-use super::record::{FlightRecord, Flown, OutcomeRecord};
+use super::record::{FlightRecord, Flown, OutcomeRecord, SpinRecord};
 use crate::flight::indistinguishable::listed;
-use crate::model::{AfterFault, Allocation, Controller, Detection, LimitKind, LostYaw, Model};
+use crate::model::{
+    AfterFault, Allocation, Attitude, Controller, Detection, FlownVehicle, LimitKind, LostYaw, Model, Simulation,
+};
 use crate::number::{fixed, number, significant};
 use crate::report::battery;
 use crate::report::terminal::vehicle_line;
@@ -24,7 +26,8 @@ pub fn text(flown: &Flown) -> String {
         battery::full_thrust(model)
     );
     out.push_str(&match record.outcome {
-        OutcomeRecord::Flown => format!("{}\n", to_its_end(model, &record)),
+        OutcomeRecord::Flown => format!("{}{}\n", to_its_end(model, &record), no_fault(&record)),
+        OutcomeRecord::Trespassed { at_s } => format!("NOT SURVIVED: {}\n", trespass(at_s)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s\n", fixed(at_s, 2)),
         OutcomeRecord::Lost { at_s, cause, at_end } => {
             format!("LOST at {} s: {}\n", fixed(at_s, 2), loss(model, cause, at_end))
@@ -50,6 +53,7 @@ pub fn text(flown: &Flown) -> String {
     }
     if let Some(at) = record.gave_up_yaw_at_s {
         out.push_str(&format!("  yaw given up at {} s: the heading error loses no vehicle after this\n", fixed(at, 2)));
+        out.push_str(&record.spin.as_ref().map_or(String::new(), |spin| ending(spin, model)));
         if model.vehicle.yaw_drag.is_none() {
             out.push_str("  the vehicle has no `yaw_drag`, so that the air does not slow its spin\n");
         }
@@ -152,7 +156,30 @@ fn air_and_rate(model: &Model) -> String {
         (false, true) => format!("; gusts of {} m/s", number(s.gusts)),
     };
     let ground = if s.ground == 0.0 { String::new() } else { format!("; the ground is at z = {} m", number(s.ground)) };
-    format!("{air}{ground}; {} Hz, seed {}", number(s.rate), s.seed)
+    format!("{air}{}{ground}; {} Hz, seed {}", disturbed(s), number(s.rate), s.seed)
+}
+
+/// `; torque gusts of 0.1 N m; attitude estimated; vehicle drawn from the intervals`: what differs from the vehicle and
+/// the sensors that the controller assumes.
+pub fn disturbed(s: &Simulation) -> String {
+    let mut parts = Vec::new();
+    if s.torque_gusts > 0.0 {
+        parts.push(format!("torque gusts of {} N m", number(s.torque_gusts)));
+    }
+    if s.attitude == Attitude::Estimated {
+        parts.push("attitude estimated from the gyroscope".to_string());
+    }
+    if let Some(assumed) = s.assumed_gyroscope_noise {
+        let (noise, assumed) = (number(s.gyroscope_noise), number(assumed));
+        parts.push(format!("gyroscope noise of {noise} rad/s, assumed {assumed} rad/s"));
+    }
+    if s.spread == FlownVehicle::Drawn {
+        parts.push("vehicle drawn from the intervals".to_string());
+    }
+    if s.centre_offset > 0.0 {
+        parts.push(format!("centre of gravity off by up to {}", length(s.centre_offset)));
+    }
+    parts.iter().map(|part| format!("; {part}")).collect()
 }
 
 /// `, beyond the plan's limit of 20 degrees`: the mission's limit applies to the plan and not to the flight.
@@ -186,6 +213,34 @@ pub fn turned(turns: usize) -> String {
         1 => "; one whole turn away from the planned heading".into(),
         n => format!("; {n} whole turns away from the planned heading"),
     }
+}
+
+/// `; no fault struck`, because such a flight shows nothing about faults.
+pub fn no_fault(record: &FlightRecord) -> &'static str {
+    if record.faults.iter().any(|fault| fault.struck) { "" } else { "; no fault struck" }
+}
+
+/// Why a flight in which the vehicle was not lost is not survived.
+pub fn trespass(at: f64) -> String {
+    format!("from {} s on the vehicle was inside a `keep_out` or outside a `keep_in`", fixed(at, 2))
+}
+
+/// The spin in which a flight without yaw ended.
+fn ending(spin: &SpinRecord, model: &Model) -> String {
+    let rate = significant(spin.rate_rad_s, 3);
+    let range = significant(model.simulation.gyroscope_range, 3);
+    let settled = match (spin.settled, spin.beyond_gyroscope) {
+        (true, false) => return format!("  the spin settled at {rate} rad/s\n"),
+        (true, true) => "settled at",
+        (false, _) => "has not settled: in the end it is",
+    };
+    let beyond = match spin.beyond_gyroscope {
+        true => format!(
+            ". The gyroscope measures rates up to {range} rad/s: beyond them the controller may lose the vehicle later."
+        ),
+        false => ". What the vehicle does later is not known.".to_string(),
+    };
+    indented(&format!("Warning: the spin {settled} {rate} rad/s{beyond}"))
 }
 
 /// How a flight that was neither lost nor landed has ended: a `duration` may end it before its plan does.

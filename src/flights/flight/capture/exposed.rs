@@ -118,6 +118,7 @@ mod tests {
             delay_s: 0.1,
             flights: 1,
             regained: 1,
+            settled_rate_rad_s: Some(20.0),
             height_m: Some([7.0; 3]),
             drift_m: Some(0.0),
         };

@@ -1,7 +1,7 @@
 //! The height that a plan should have above the ground, mode by mode and speed by speed: captures at one delay, with
 //! the rotors' own lag.
 
-use super::{Capture, DELAYS, capture, is_captured};
+use super::{Capture, DELAYS, Fleet, is_captured};
 use crate::model::Model;
 use rayon::prelude::*;
 
@@ -38,9 +38,10 @@ impl CaptureHeights {
         let steps = ((top_speed / STEP).ceil() as usize).clamp(1, MOST_STEPS);
         let speeds: Vec<f64> = (0..=steps).map(|k| top_speed * k as f64 / steps as f64).collect();
         let taken = &concerned[..most.min(concerned.len())];
-        let cases: Vec<(usize, f64)> =
-            taken.iter().flat_map(|&mode| speeds.iter().map(move |&speed| (mode, speed))).collect();
-        let cases = cases.into_par_iter().map(|(mode, speed)| capture(model, mode, 1.0, speed, delay)).collect();
+        let fleets: Vec<Fleet> = taken.par_iter().map(|&mode| Fleet::of(model, mode, 1.0)).collect();
+        let cases: Vec<(&Fleet, f64)> =
+            fleets.iter().flat_map(|fleet| speeds.iter().map(move |&speed| (fleet, speed))).collect();
+        let cases = cases.into_par_iter().map(|(fleet, speed)| fleet.capture(speed, delay)).collect();
         Some(CaptureHeights { delay, speeds, cases, left_out: concerned.len() - taken.len() })
     }
 
@@ -55,13 +56,14 @@ impl CaptureHeights {
         let names: Vec<&str> = self.modes().map(|of_mode| of_mode[0].mode.as_str()).collect();
         let index = |k: usize| model.modes.iter().position(|mode| mode.name == names[k]);
         let ends = [self.speeds[0], self.speeds[self.speeds.len() - 1]];
-        let cases: Vec<(usize, f64, f64)> = costly
+        let modes: Vec<usize> = costly.iter().filter_map(|(k, _)| index(*k)).collect();
+        let fleets: Vec<Fleet> = modes.par_iter().map(|&mode| Fleet::of(model, mode, 1.0)).collect();
+        let cases: Vec<(&Fleet, f64, f64)> = fleets
             .iter()
-            .filter_map(|(k, _)| index(*k))
-            .flat_map(|mode| ends.map(|speed| (mode, speed)))
-            .flat_map(|(mode, speed)| DELAYS.map(|delay| (mode, speed, delay)))
+            .flat_map(|fleet| ends.map(|speed| (fleet, speed)))
+            .flat_map(|(fleet, speed)| DELAYS.map(|delay| (fleet, speed, delay)))
             .collect();
-        cases.into_par_iter().map(|(mode, speed, delay)| capture(model, mode, 1.0, speed, delay)).collect()
+        cases.into_par_iter().map(|(fleet, speed, delay)| fleet.capture(speed, delay)).collect()
     }
 
     /// The cases of each mode.
@@ -102,7 +104,19 @@ mod tests {
     fn case(speed: f64, height: f64, regained: usize) -> Capture {
         let height_m = Some([0.5 * height, 0.75 * height, height]);
         let (mode, lag_s, delay_s) = ("L".to_string(), 0.02, 0.1);
-        Capture { mode, lag_s, speed_m_per_s: speed, delay_s, flights: 5, regained, height_m, drift_m: Some(1.0) }
+        let settled_rate_rad_s = Some(20.0);
+        let drift_m = Some(1.0);
+        Capture {
+            mode,
+            lag_s,
+            speed_m_per_s: speed,
+            delay_s,
+            flights: 5,
+            regained,
+            settled_rate_rad_s,
+            height_m,
+            drift_m,
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! A yaw that follows from the motion, in the initial guess: the steps take its direction anew from each iterate.
 
 use super::*;
-use crate::model::LimitKind;
+use crate::model::{Heading, LimitKind};
 use std::f64::consts::TAU;
 
 /// How often the yaw of the initial guess is solved for about the path that came of it. Chosen by hand.
@@ -42,7 +42,10 @@ impl ScpPlanner<'_, '_> {
                 let turn = y.atan2(x) - last;
                 last += turn - TAU * (turn / TAU).round();
                 state[YAW][0] = last;
-            } else if iterate.grid.waypoint_nodes.contains(&node) {
+            } else if let Some(waypoint) = iterate.grid.waypoint_nodes.iter().position(|&n| n == node)
+                && matches!(mission.waypoints[waypoint].heading, Heading::Given | Heading::Free)
+            {
+                // Where a yaw follows from a motion that rests here, the guess has none to continue from.
                 last = state[YAW][0];
             }
         }

@@ -93,6 +93,7 @@ impl ScpPlanner<'_, '_> {
             cost_weight: settings.sensitivity.cost_weight,
             input_weight: 0.0,
             range: (-settings.sensitivity.radius, settings.sensitivity.radius),
+            to_first_order: true,
             spans: &[],
             tightening: &self.tightening,
             local_tightening: &vec![0.0; chosen.len()],

@@ -96,13 +96,13 @@ impl ScpPlanner<'_, '_> {
         self.restored_if_shorter(steps, working_set)
     }
 
-    /// The last iterate of a sequence of steps if it can be restored, at its own time or a little later, and is shorter
-    /// than the best; else the best.
+    /// The last iterate of a sequence of steps if it can be restored, at its own time, the target or a little later, and
+    /// is shorter than the best; else the best.
     fn restored_if_shorter(&mut self, steps: Shortening, working_set: &mut BTreeSet<RowAt>) -> Option<Iterate> {
-        let Shortening { at, best, .. } = steps;
+        let Shortening { at, best, target, .. } = steps;
         let max_predicted = self.settings.feasibility.max_predicted_after_change;
         for factor in self.settings.grids.slowdowns {
-            let later = self.lasting(&at, factor * at.grid.total);
+            let later = self.lasting(&at, (factor * at.grid.total).max(target));
             if best.as_ref().is_some_and(|best| later.grid.total >= best.grid.total) {
                 break;
             }
@@ -118,7 +118,8 @@ impl ScpPlanner<'_, '_> {
     /// The steps with one weight of the cost.
     fn shorten_with(&mut self, steps: &mut Shortening, cost_weight: f64, working_set: &mut BTreeSet<RowAt>) {
         let settings = self.settings.durations;
-        let weights = Weights { objective: Objective::Time, penalty: settings.penalty, cost_weight, input_weight: 0.0 };
+        let (penalty, input_weight) = (settings.penalty, settings.input_weight);
+        let weights = Weights { objective: Objective::Time, penalty, cost_weight, input_weight };
         let share_of_budget = self.share_until(steps.at.grid.intervals());
         let mut violation = self.violation_by(&steps.at, working_set);
         let (mut slow, mut hopeless, mut was_repeated, mut price) = (0, 0, false, 0.0_f64);

@@ -15,7 +15,7 @@ use crate::motion::wrench_model::DIRECTIONS;
 use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
 use crate::planner::commands::{CommandAt, Slope};
 use crate::planner::cores::{CoreAt, Scaling};
-use crate::planner::limits::Widening;
+use crate::planner::limits::{Growth, Widening};
 use crate::planner::scp::commands::CommandLinearisation;
 use crate::planner::transcription::{Row, RowAt, Transcription};
 use crate::planner::wrench_expression::WrenchExpression;
@@ -56,6 +56,9 @@ pub struct Step<'s> {
     pub cost_weight: f64,
     /// Least and largest relative change of a duration.
     pub range: (f64, f64),
+    /// Whether bounds grow with durations to first order only, as sensitivities need it, and not below their true
+    /// growth; see [`Growth`].
+    pub to_first_order: bool,
     /// Legs whose durations keep their sum; see [`super::Durations::spans`].
     pub spans: &'s [Range<usize>],
     /// The tightening of each row of the set, in widths of the healthy set.
@@ -68,6 +71,9 @@ pub struct Step<'s> {
 
 /// The highest derivative that the wrench depends on.
 pub const ORDER_OF_TIME: f64 = 4.0;
+
+/// Bounds on derivatives from order 1 to this one grow less than linearly with epsilon.
+const ORDERS_OF_BOUNDS: usize = 3;
 
 /// The relative change delta of a duration for a value of its variable epsilon (69).
 pub fn change(epsilon: f64) -> f64 {
@@ -90,7 +96,8 @@ impl Transcription<'_> {
     pub(super) fn step_program(&self, step: &Step, chosen: &[RowAt]) -> (QuadraticProgram, Vec<Option<usize>>) {
         let sigma = self.variables();
         let violation = Affine::term(sigma, 1.0);
-        let mut builder = Builder::new(sigma + 1 + self.changes());
+        let mut builder =
+            Builder::new(sigma + 1 + self.changes() * if step.to_first_order { 1 } else { 1 + ORDERS_OF_BOUNDS });
         self.dynamics(&mut builder);
         self.rest(&mut builder);
         self.waypoints(&mut builder, &Affine::constant(0.0));
@@ -119,11 +126,11 @@ impl Transcription<'_> {
         let margin = step.settings.tightening.margin;
         let widening = |instant: usize, tightening: f64| {
             let free = violation.clone().plus_constant(-margin - tightening);
-            let change = self.duration_change(self.leg_of(instant));
+            let growth = self.growth(self.leg_of(instant), step);
             let first = instant / self.parts;
             let beside = step.from[first..].iter().take(2);
             let room = beside.map(|state| self.room(instant, state)).fold(0.0, f64::max);
-            Widening::by(&free).with_duration_change(&change).with_room(room)
+            Widening::by(&free).with_growth(growth).with_room(room)
         };
         let mut places = Vec::with_capacity(chosen.len());
         for (&RowAt { row, instant }, &local) in chosen.iter().zip(step.local_tightening) {
@@ -187,6 +194,9 @@ impl Transcription<'_> {
             }
             let change = self.duration_change(leg);
             let (least, most) = (variable(step.range.0), variable(step.range.1));
+            if !step.to_first_order {
+                self.growth_of_bounds(builder, leg, [least, most]);
+            }
             if least == most {
                 builder.zero(change.plus_constant(-least), RowOrigin::Duration { leg });
             } else {
@@ -207,6 +217,44 @@ impl Transcription<'_> {
                     builder.linear(variable, share * segment.duration / self.grid.total);
                 }
             }
+        }
+    }
+
+    /// By how much the duration of a leg lets bounds grow; see [`Self::growth_of_bounds`].
+    fn growth(&self, leg: usize, step: &Step) -> [Growth; 5] {
+        let change = self.duration_change(leg);
+        let tangent = |order: usize| change.clone().times(order as f64);
+        std::array::from_fn(|order| match self.growth_variable(leg, order).filter(|_| !step.to_first_order) {
+            Some(variable) => Growth { at_most: Affine::term(variable, 1.0), at_least: tangent(order) },
+            None => Growth { at_most: tangent(order), at_least: tangent(order) },
+        })
+    }
+
+    /// The variable of the growth of bounds on derivatives of an order from 1 to [`ORDERS_OF_BOUNDS`].
+    fn growth_variable(&self, leg: usize, order: usize) -> Option<usize> {
+        let index = self.durations.get(leg).copied().flatten()?;
+        let first = self.variables() + 1 + self.changes() + ORDERS_OF_BOUNDS * index;
+        (1..=ORDERS_OF_BOUNDS).contains(&order).then(|| first + order - 1)
+    }
+
+    /// The growth (1 + delta)^m - 1 = (1 + 4 epsilon)^(m/4) - 1 of bounds of orders m below 4 is concave in epsilon:
+    /// it stays above its chords from each end of the range of epsilon to 0, and the variable stays below these.
+    fn growth_of_bounds(&self, builder: &mut Builder, leg: usize, range: [f64; 2]) {
+        for order in 1..=ORDERS_OF_BOUNDS {
+            let Some(variable) = self.growth_variable(leg, order) else { continue };
+            let origin = RowOrigin::Duration { leg };
+            let at = |epsilon: f64| (1.0 + ORDER_OF_TIME * epsilon).powf(order as f64 / ORDER_OF_TIME) - 1.0;
+            if range[0] == range[1] {
+                builder.zero(Affine::term(variable, 1.0).plus_constant(-at(range[0])), origin);
+                continue;
+            }
+            for end in range.into_iter().filter(|end| *end != 0.0) {
+                let mut below = self.duration_change(leg).times(at(end) / end);
+                below.add(&Affine::term(variable, 1.0), -1.0);
+                builder.nonnegative(below, origin);
+            }
+            // From below too, so that no direction is without end.
+            builder.nonnegative(Affine::term(variable, 1.0).plus_constant(-at(range[0])), origin);
         }
     }
 

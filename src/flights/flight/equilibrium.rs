@@ -1,0 +1,93 @@
+//! The spin in which flights without yaw settle: the equilibrium of the controller's primary axis with the slowest yaw
+//! torque that the rotors leave (`docs/flight.md`, section 2, "Without yaw").
+
+use super::allocate::{Allocator, Belief};
+use super::body::Frame;
+use super::reduced_attitude::WithoutYaw;
+use super::rotors::Rotors;
+use crate::actuation::Wrench;
+use crate::admissible::hover;
+use crate::model::{Allocation, Model, YawDrag};
+use nalgebra::Vector3;
+use serde::Serialize;
+
+/// Rates at which the balance is evaluated to find its change of sign, and halvings of that interval.
+const SCAN: usize = 200;
+const HALVINGS: usize = 50;
+/// Steps of the momentum of the rotors, which depends on the speeds and they on it.
+const STEPS: usize = 10;
+/// Share of thrust, roll and pitch that may be missing.
+const MISSING: f64 = 1e-3;
+
+/// Where the spin of a mode settles.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct SettledSpin {
+    /// The mode's name.
+    pub mode: String,
+    /// The rate about the spin axis, rad/s, counter-clockwise seen from above.
+    pub spin_rad_s: f64,
+    /// The angle between that axis and z of the body, deg.
+    #[cfg_attr(test, schemars(range(min = 0)))]
+    pub axis_tilt_deg: f64,
+    /// Whether a rate about an axis of the body is beyond the range of the gyroscope.
+    pub beyond_gyroscope: bool,
+}
+
+/// The spins of all modes in which flights give up yaw and can hover, in their order; of a vehicle with an interval of
+/// `yaw_drag` in its middle. Modes without an equilibrium of this kind are left out, and without `yaw_drag` there is
+/// none.
+pub fn settled_spins(model: &Model) -> Vec<SettledSpin> {
+    let Some(drag) = model.vehicle.yaw_drag else { return Vec::new() };
+    let mut allocator = Allocator::new(model, Allocation::Bounded);
+    (0..model.modes.len()).filter_map(|mode| settled_spin(model, drag, &mut allocator, mode)).collect()
+}
+
+fn settled_spin(model: &Model, drag: YawDrag, allocator: &mut Allocator, mode: usize) -> Option<SettledSpin> {
+    let fault = &model.modes[mode];
+    let belief = Belief { capacity: fault.capacities(), stuck: fault.stuck() };
+    let (hover, gains) = (hover(model), &model.simulation.gains);
+    if allocator.missing(&hover, &belief) > MISSING {
+        return None;
+    }
+    allocator.believe(&belief);
+    let without_yaw = WithoutYaw::of(model.gives_up_yaw(mode), model, allocator, &hover, &belief, gains)?;
+    let inertia = Frame::of(model).inertia;
+    let slowing = gains.yaw_rate * inertia.z;
+    let most = 2.0 * drag.ends()[0].spin(allocator.extent()[3]);
+    // The angular velocity at a rate, and the yaw torque beyond what the drag takes.
+    let mut at = |r: f64| {
+        let (mut momentum, mut found) = (0.0, (Vector3::zeros(), 0.0));
+        for _ in 0..STEPS {
+            let w = without_yaw.steady(&inertia, r, momentum);
+            let torque = w.cross(&(inertia.component_mul(&w) + Vector3::z() * momentum));
+            let upright = if r == 0.0 { 1.0 } else { r.abs() / w.norm() };
+            let wrench = Wrench::new(hover[0] / upright, torque.x, torque.y, -slowing * r);
+            let (given, next) = Rotors::steady(&model.vehicle, &belief, |speeds| {
+                allocator.bounded_speeds(&wrench, speeds);
+            });
+            found = (w, given - drag.torque(r) - torque.z);
+            let is_steady = (next - momentum).abs() <= 1e-9 * (1.0 + next.abs());
+            momentum = next;
+            if is_steady {
+                break;
+            }
+        }
+        found
+    };
+    let begin = at(0.0).1;
+    let rate = |k: usize| most.copysign(begin) * k as f64 / SCAN as f64;
+    let crossing = (1..=SCAN).find(|&k| (at(rate(k)).1 < 0.0) != (begin < 0.0))?;
+    let (mut inside, mut outside) = (rate(crossing - 1), rate(crossing));
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (inside + outside);
+        if (at(middle).1 < 0.0) == (begin < 0.0) { inside = middle } else { outside = middle }
+    }
+    let w = at(outside).0;
+    Some(SettledSpin {
+        mode: fault.name.clone(),
+        spin_rad_s: w.norm().copysign(w.z),
+        axis_tilt_deg: w.xy().norm().atan2(w.z.abs()).to_degrees(),
+        beyond_gyroscope: w.amax() > model.simulation.gyroscope_range,
+    })
+}
