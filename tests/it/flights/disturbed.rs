@@ -31,7 +31,7 @@ fn a_centre_of_gravity_that_is_off_moves_the_vehicle() {
     // Every offset is within the square, and the largest of forty coordinates is near its edge.
     let largest = moved.iter().map(|p| p.xy().amax()).fold(0.0, f64::max) / per_metre;
     assert!(largest < 1.02 * most && largest > 0.85 * most, "{largest} {moved:?}");
-    let mean = moved.iter().map(|p| p.xy()).sum::<nalgebra::Vector2<f64>>() / (20.0 * per_metre);
+    let mean = moved.iter().map(Vector3::xy).sum::<nalgebra::Vector2<f64>>() / (20.0 * per_metre);
     assert!(mean.amax() < 0.4 * most, "{mean}");
 }
 
