@@ -4,12 +4,12 @@ use crate::schemas::schema;
 use crate::vehicles::{mission, waypoint};
 use mavc::Task;
 use mavc::explain::detour::{Detour, DetourKind, Forbids, detours, is_cheap, try_statements};
-use mavc::model::Heading;
+use mavc::model::{Heading, Problem};
 use mavc::motion::shape::{Place, Shape, Turned, distance_from_segment};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory};
 use mavc::observer::Silent;
-use mavc::planner::studies::MissionPlan;
+use mavc::planner::studies::{MissionPlan, Scope, compare};
 use mavc::report::{shape, terminal};
 
 /// A motion of the exact model through the states at these times; waypoints are at the nodes given.
@@ -270,4 +270,35 @@ fn a_yaw_along_the_path_begins_in_its_direction() {
         let turned: f64 = yaw.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
         assert!(turned < turn + 120.0, "{turned} {yaw:?}");
     }
+}
+
+/// At a fixed time with room, a plan keeps the heights of its legs, to within half a metre, where least snap does not.
+#[test]
+fn a_plan_with_time_keeps_its_heights() {
+    let text = "vehicle hexa {
+            layout = \"PNPNPN\"; arm = 0.45 m; mass = 2.9 kg; inertia = [0.085, 0.085, 0.16] kg*m^2
+            rotor { max_thrust = 18 N; torque_per_thrust = 17.5 mm; max_speed = 640 rad/s }
+        }
+        mission m {
+            start at [0, 0, 2] m
+            waypoint at [0, 0, 20] m
+            waypoint at [50, 0, 20] m
+            waypoint at [50, 40, 25] m
+            waypoint at [10, 45, 25] m
+            waypoint at [0, 0, 10] m
+            waypoint at [0, 0, 2] m
+            limits { speed <= 10 m/s; tilt <= 30 deg }
+        }
+        plan { planner = rip; time = 26 s; samples = 100 }";
+    let spec = mavc::compile(text).into_result().unwrap();
+    let comparison = compare(Problem::of(spec.model()).unwrap(), Scope::Plan, None);
+    let mission = spec.model().mission.as_ref().unwrap();
+    let climb = |plan: &MissionPlan| {
+        let legs = Shape::of(&plan.trajectory, mission).legs;
+        legs.iter().map(|leg| leg.climb.value).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let plan = comparison.runs[0].outcome.plan().expect("a plan");
+    assert!(climb(plan) < 0.55, "{}", climb(plan));
+    let plainer = comparison.plainer.as_deref().expect("a plan before the second pass");
+    assert!(climb(plainer) > 1.0, "{}", climb(plainer));
 }

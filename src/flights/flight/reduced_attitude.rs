@@ -112,7 +112,7 @@ impl WithoutYaw {
     ///
     /// While the body spins up, the momentum h of the rotors may exceed the terms with r, and that equilibrium is
     /// tilted the other way than the one in which the vehicle settles. An axis that followed it would flip where a
-    /// term passes zero, so both terms keep the sign of the settled spin ([`Self::steady`]).
+    /// term passes zero, so both terms keep the sign of the settled spin (`Self::steady`).
     ///
     /// With the demanded force over mass F, its direction d, and s = R n in the world frame,
     ///

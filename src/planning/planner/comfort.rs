@@ -1,11 +1,13 @@
 //! What a pilot expects beside least snap: legs flown near their straight lines, and a yaw that turns no more than the
 //! waypoints ask.
 
+use crate::model::volume::passage;
 use crate::model::{Heading, Mission, Waypoint};
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::transcription::{Transcription, UNBOUNDED};
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
+use std::ops::Range;
 
 /// The weights of squares that are added to the cost (48), each integrated over the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,7 +18,13 @@ pub struct Comfort {
     pub yaw: f64,
     /// Of the yaw rate, s/rad^2.
     pub yaw_rate: f64,
+    /// Whether steps keep the heights of legs, as far as they have no volume in the way.
+    pub keeps_heights: bool,
 }
+
+/// How far above and below both its waypoints a leg may pass at its nodes, m, and how far it is measured to: what the
+/// motion does between nodes comes to less than the difference.
+const HEIGHTS: (f64, f64) = (0.4, 0.5);
 
 /// One square at one node: the sum of factors times derivatives, and of a constant.
 struct Square {
@@ -63,6 +71,36 @@ impl Transcription<'_> {
                 builder.nonnegative(yaw.times(-1.0).plus_constant(within + from.yaw.max(to.yaw)), origin);
             }
         }
+    }
+
+    /// The nodes inside each leg that no volume obstructs, with the heights of its lower and its higher waypoint, m.
+    fn heights(&self) -> impl Iterator<Item = (Range<usize>, f64, f64)> {
+        self.grid.segments.iter().filter_map(|segment| {
+            let ends = &self.mission.waypoints[segment.from..=segment.from + 1];
+            let (from, to) = (ends[0].position[Z], ends[1].position[Z]);
+            let nodes = segment.first_node + 1..segment.first_node + segment.intervals;
+            passage::is_open(&self.mission.limits, ends).then(|| (nodes, from.min(to), from.max(to)))
+        })
+    }
+
+    /// Rows at the nodes of legs: the height stays between those of both waypoints, to within [`HEIGHTS`]. The spec
+    /// does not require this, so no proof has these rows.
+    pub(super) fn keeps_heights(&self, builder: &mut Builder) {
+        let leg = |node: usize| self.leg_of(node * self.parts);
+        for (nodes, low, high) in self.heights() {
+            for node in nodes {
+                let (z, origin) = (self.at_node(node, Z, 0), RowOrigin::Waypoint { waypoint: leg(node) + 1 });
+                builder.nonnegative(z.clone().plus_constant(HEIGHTS.0 - low), origin);
+                builder.nonnegative(z.times(-1.0).plus_constant(HEIGHTS.0 + high), origin);
+            }
+        }
+    }
+
+    /// Whether states at the nodes keep these heights.
+    pub(super) fn are_heights_kept(&self, states: &[NodeState]) -> bool {
+        self.heights().all(|(nodes, low, high)| {
+            states[nodes].iter().all(|state| (low - HEIGHTS.1..=high + HEIGHTS.1).contains(&state[Z][0]))
+        })
     }
 
     /// The squares at the nodes, each weighted by the time around its node.

@@ -96,8 +96,8 @@ impl ScpPlanner<'_, '_> {
         self.restored_if_shorter(steps, working_set)
     }
 
-    /// The last iterate of a sequence of steps if it can be restored, at its own time, the target or a little later, and
-    /// is shorter than the best; else the best.
+    /// The last iterate of a sequence of steps if it can be restored, at its own time, the target or a little later,
+    /// and is shorter than the best; else the best.
     fn restored_if_shorter(&mut self, steps: Shortening, working_set: &mut BTreeSet<RowAt>) -> Option<Iterate> {
         let Shortening { at, best, target, .. } = steps;
         let max_predicted = self.settings.feasibility.max_predicted_after_change;

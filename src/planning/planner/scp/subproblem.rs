@@ -102,6 +102,9 @@ impl Transcription<'_> {
         self.rest(&mut builder);
         self.waypoints(&mut builder, &Affine::constant(0.0));
         self.turns_no_further(&mut builder);
+        if self.comfort.is_some_and(|comfort| comfort.keeps_heights) {
+            self.keeps_heights(&mut builder);
+        }
         builder.nonnegative(violation.clone(), RowOrigin::Violation);
         // The row times (1 + delta)^4 = 1 + 4 epsilon: n.w (1 + 4 epsilon) <= e (1 + 4 epsilon).
         let mut wrenches: BTreeMap<usize, WrenchExpression> = BTreeMap::new();
