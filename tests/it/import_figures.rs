@@ -125,7 +125,7 @@ fn verdicts(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// A hexacopter of 2.9 kg, whose motors give 1850 gf and 17.5 mm: with PX4's defaults for them every loss would count as
+/// A hexacopter of 2.9 kg, whose motors give 1850 gf and 17.5 mm: with PX4's defaults every loss would count as
 /// unstable.
 #[test]
 fn verdicts_do_not_follow_from_defaults() {

@@ -134,7 +134,8 @@ fn settings_of_mjcf_are_followed() {
 #[test]
 fn arms_that_turn_wings_and_includes_are_not_passed_over() {
     let flat = file("flat.sdf");
-    let arm = "<link name='arm'/><joint name='tilt' type='revolute'><parent>base</parent><child>arm</child></joint><link name=\"prop1\">";
+    let arm = "<link name='arm'/><joint name='tilt' type='revolute'><parent>base</parent><child>arm</child></joint>\
+               <link name=\"prop1\">";
     let tilting = flat.replace("<link name=\"prop1\">", arm).replacen(
         "<joint name=\"j1\" type=\"revolute\"><parent>base",
         "<joint name=\"j1\" type=\"revolute\"><parent>arm",
@@ -156,7 +157,10 @@ fn arms_that_turn_wings_and_includes_are_not_passed_over() {
     assert!(massless.diagnostics.iter().any(|d| d.message.contains("1 of the model have no `inertial`")));
     // In URDF the same.
     let urdf = file("prop_radius.urdf");
-    let tilting = urdf.replace("<joint name=\"prop1_joint\" type=\"fixed\"><parent link=\"base_link\"", "<link name=\"arm\"/><joint name=\"tilt\" type=\"revolute\"><parent link=\"base_link\"/><child link=\"arm\"/></joint><joint name=\"prop1_joint\" type=\"fixed\"><parent link=\"arm\"");
+    let arm = "<link name=\"arm\"/><joint name=\"tilt\" type=\"revolute\"><parent link=\"base_link\"/>\
+               <child link=\"arm\"/></joint>";
+    let fixed = "<joint name=\"prop1_joint\" type=\"fixed\"><parent link=";
+    let tilting = urdf.replace(&format!("{fixed}\"base_link\""), &format!("{arm}{fixed}\"arm\""));
     let error = read(&tilting).diagnostics.pop().unwrap();
     assert!(error.message.contains("a rotor is on the arm `arm`"), "{error:?}");
 }

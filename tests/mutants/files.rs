@@ -81,7 +81,7 @@ pub const WORDS: [&str; 66] = [
 const VEHICLES: [&str; 6] = ["quad_script.sh", "hexa.params", "octa.param", "quad.sdf", "nano.urdf", "hexa.xml"];
 const MISSIONS: [&str; 3] = ["field.waypoints", "table.csv", "../../../examples/field.plan"];
 
-/// The texts that are changed: one file of each format that `mavc import` reads, and those with which it was once wrong.
+/// The texts that are changed: one file of each format that `mavc import` reads, and those that it once misread.
 pub fn corpus() -> Vec<(PathBuf, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mutants/files");
     let read = |name: &&str| {

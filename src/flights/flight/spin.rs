@@ -5,7 +5,7 @@ use crate::model::Vehicle;
 
 /// Time constant of the average that takes the noise out of the rate and of its change, s.
 const AVERAGED: f64 = 0.5;
-/// The spin has settled if what is left of its way is below this share of the rate,
+/// The spin has settled once it is within this share of its rate in the end,
 const SHARE: f64 = 0.02;
 /// or below this, rad/s.
 const SLIGHT: f64 = 0.1;
@@ -29,7 +29,7 @@ pub(super) struct Spin {
 pub struct EndOfSpin {
     /// The rate about z in the end, rad/s.
     pub rate: f64,
-    /// Whether it has settled: what is left of its way is at most 2 % of it, or 0.1 rad/s. Without yaw drag a spin that
+    /// Whether it has settled: to within 2 % of its rate in the end, or 0.1 rad/s. Without yaw drag a spin that
     /// changes never does.
     pub is_settled: bool,
     /// Whether some rate of the body was beyond the range of the gyroscope in the end.

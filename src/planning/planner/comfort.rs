@@ -22,9 +22,10 @@ pub struct Comfort {
     pub keeps_heights: bool,
 }
 
-/// How far above and below both its waypoints a leg may pass at its nodes, m, and how far it is measured to: what the
-/// motion does between nodes comes to less than the difference.
-const HEIGHTS: (f64, f64) = (0.4, 0.5);
+/// How far above and below both its waypoints steps let a leg pass at its nodes, m.
+const STEPS_WITHIN: f64 = 0.4;
+/// How far a plan may at its nodes and still keep the heights of its legs, m.
+const PLANS_WITHIN: f64 = 0.5;
 
 /// One square at one node: the sum of factors times derivatives, and of a constant.
 struct Square {
@@ -83,15 +84,15 @@ impl Transcription<'_> {
         })
     }
 
-    /// Rows at the nodes of legs: the height stays between those of both waypoints, to within [`HEIGHTS`]. The spec
-    /// does not require this, so no proof has these rows.
+    /// Rows at the nodes of legs: the height stays between those of both waypoints, to within [`STEPS_WITHIN`]. The
+    /// spec does not require this, so no proof has these rows.
     pub(super) fn keeps_heights(&self, builder: &mut Builder) {
         let leg = |node: usize| self.leg_of(node * self.parts);
         for (nodes, low, high) in self.heights() {
             for node in nodes {
                 let (z, origin) = (self.at_node(node, Z, 0), RowOrigin::Waypoint { waypoint: leg(node) + 1 });
-                builder.nonnegative(z.clone().plus_constant(HEIGHTS.0 - low), origin);
-                builder.nonnegative(z.times(-1.0).plus_constant(HEIGHTS.0 + high), origin);
+                builder.nonnegative(z.clone().plus_constant(STEPS_WITHIN - low), origin);
+                builder.nonnegative(z.times(-1.0).plus_constant(STEPS_WITHIN + high), origin);
             }
         }
     }
@@ -99,7 +100,7 @@ impl Transcription<'_> {
     /// Whether states at the nodes keep these heights.
     pub(super) fn are_heights_kept(&self, states: &[NodeState]) -> bool {
         self.heights().all(|(nodes, low, high)| {
-            states[nodes].iter().all(|state| (low - HEIGHTS.1..=high + HEIGHTS.1).contains(&state[Z][0]))
+            states[nodes].iter().all(|state| (low - PLANS_WITHIN..=high + PLANS_WITHIN).contains(&state[Z][0]))
         })
     }
 
