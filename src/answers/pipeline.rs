@@ -70,7 +70,7 @@ pub fn format(text: &str) -> Result<String, Vec<Diagnostic>> {
 ///
 /// The verdicts are those of section 3 of the paper: the available control authority index (ACAI, equation 31) for
 /// controllability, the rank of the controllability matrix, and the residual of the nearest admissible wrench. See
-/// docs/method.md, section 3. The mission and the plan have no influence.
+/// docs/method/verdicts.md. The mission and the plan have no influence.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -104,7 +104,7 @@ pub fn capture(spec: &Spec) -> Vec<Capture> {
 /// `require capture_height` comes to, which is simulated.
 ///
 /// Returns the diagnostics in the order of their places in the spec; it is empty if there is nothing to report.
-/// `mavc check` prints them together with those of [`compile`]. See docs/method.md, section 3, for the sets.
+/// `mavc check` prints them together with those of [`compile`]. See docs/method/verdicts.md, for the sets.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;

@@ -1,5 +1,5 @@
 //! Vehicles with parameters known only to within intervals: the wrenches that are possible for every value of the
-//! parameters, and those that are possible for some value. See `docs/method.md`, section 3, "Intervals", (50) and (51).
+//! parameters, and those that are possible for some value. See `docs/method/verdicts.md`, "Intervals", (50) and (51).
 //!
 //! The parameters are the full and the idle thrust of each rotor, the ratio kappa_k of its drag torque to its thrust,
 //! and the mass. Each may take any value of its interval independently of the others.
@@ -144,7 +144,7 @@ impl AdmissibleSet {
     /// intervals, the mass included. The set itself if nothing has an interval.
     ///
     /// A vehicle of mass M needs the thrust `(M/m) T`, so the coefficient of a row on T is multiplied by the largest
-    /// M/m if it is positive and by the smallest otherwise (`docs/method.md`, section 3, "Plans").
+    /// M/m if it is positive and by the smallest otherwise (`docs/method/verdicts.md`, "Plans").
     pub fn guaranteed(&self, model: &Model) -> AdmissibleSet {
         if !model.vehicle.is_uncertain() {
             return self.clone();

@@ -1,4 +1,4 @@
-//! The paper's verdicts (its section 3.2) with margins: whether a mode can hover. See `docs/method.md`, section 3.
+//! The paper's verdicts (its section 3.2) with margins: whether a mode can hover. See `docs/method/verdicts.md`.
 
 use super::airspeed::Airspeed;
 use super::edge::{self, HoverPlace};

@@ -1,5 +1,5 @@
 //! What is left of a mode when yaw is given up: roll, pitch and thrust, while the body turns about the thrust as it
-//! may. See `docs/method.md`, section 17.
+//! may. See `docs/method/without-yaw.md`.
 
 mod controllability;
 pub mod core;

@@ -1,4 +1,4 @@
-//! The parameters of the SCP planner, in one struct. Section 12 of `docs/method.md` lists the algorithms that use them.
+//! The parameters of the SCP planner, in one struct. `docs/method/exact-planner.md` lists the algorithms.
 //! Constants beside the code are what proofs and checks rest on (`FEASIBLE`, `ACCEPTED`, `PARTS`, `UPRIGHT`), the
 //! resolution of times, the scaling of programs (`TAU_STEPS`, `EVEN`), the solver's tolerances, rounding, and the rules
 //! that both planners share (`timing::kinematics`, `timing::search`).
