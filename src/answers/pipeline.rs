@@ -21,9 +21,10 @@ pub use tasks::{
 pub(crate) use flights::sized;
 
 use crate::admissible::diagnose::{diagnose, is_too_large};
-use crate::admissible::verdict::{ModeAnalysis, analyze_each};
+use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::flight::capture::{Capture, captures};
+use crate::flight::equilibrium::analyze_each;
 use crate::flight::indistinguishable;
 use crate::source::{FileId, Source};
 use crate::spec::{Compiled, Compiler, Spec};
@@ -63,9 +64,9 @@ pub fn format(text: &str) -> Result<String, Vec<Diagnostic>> {
     value.ok_or(diagnostics)
 }
 
-/// Analyses what the vehicle can still do in each fault mode: the verdict, the margins of hover (N, N m), the largest
-/// mass (kg) and the headroom (N, N m). [`ModeAnalysis`] lists the fields with their units. Never fails. The healthy
-/// vehicle comes first, then every declared mode in its order.
+/// Analyses what the vehicle can still do in each fault mode: the outcome ([`Outcome`](crate::admissible::outcome)), the
+/// verdict, the margins of hover (N, N m), the largest mass (kg) and the headroom (N, N m). [`ModeAnalysis`] lists the
+/// fields with their units. Never fails. The healthy vehicle comes first, then every declared mode in its order.
 ///
 /// The verdicts are those of section 3 of the paper: the available control authority index (ACAI, equation 31) for
 /// controllability, the rank of the controllability matrix, and the residual of the nearest admissible wrench. See

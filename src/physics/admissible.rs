@@ -6,6 +6,7 @@ pub mod allocation;
 pub mod diagnose;
 pub mod edge;
 pub mod interval;
+pub mod outcome;
 pub mod parallel;
 pub mod pseudo_inverse;
 pub mod row;

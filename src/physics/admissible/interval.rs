@@ -22,10 +22,10 @@ const NONE: f64 = 1e-9;
 const STEPS: usize = 60;
 
 /// The rotors of a mode with every kappa_k in the middle of its interval.
-struct Middle {
-    zonotope: Zonotope<4>,
+pub(super) struct Middle {
+    pub zonotope: Zonotope<4>,
     /// r_k of (50) for each stuck rotor: the largest deviation of its wrench from the middle.
-    deviations: Vec<Wrench>,
+    pub deviations: Vec<Wrench>,
     /// delta of (50), m: the largest half width of the intervals of kappa_k. tau_z may differ by this for each newton
     /// of thrust.
     delta: f64,
@@ -34,7 +34,7 @@ struct Middle {
 impl Middle {
     /// The rotors with thrusts from `thrusts(rotor)[0]` to `thrusts(rotor)[1]`, N; `None` if the range of some rotor is
     /// empty.
-    fn of(model: &Model, set: &AdmissibleSet, thrusts: impl Fn(&Rotor) -> [f64; 2]) -> Option<Self> {
+    pub fn of(model: &Model, set: &AdmissibleSet, thrusts: impl Fn(&Rotor) -> [f64; 2]) -> Option<Self> {
         let fault = set.mode.checked_sub(1).map(|i| &model.modes[i]);
         let mut zonotope = Zonotope { offset: Wrench::zeros(), generators: Vec::new() };
         let (mut deviations, mut delta) = (Vec::new(), 0.0_f64);

@@ -116,6 +116,8 @@ pub struct FeasibilitySettings {
     pub steady_ratio: f64,
     /// Most steps of which no share lowers the violation.
     pub max_rejected: usize,
+    /// Factor of the proximal weight after such a step, besides that after a small share.
+    pub proximal_increase_after_rejection: f64,
     /// Line search: share of the predicted decrease that a step has to reach.
     pub sufficient_decrease: f64,
     /// Line search: no share below this is tried.
