@@ -39,6 +39,10 @@ python:
 docs:
     RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --document-private-items
 
+# The documentation for readers as a site at http://127.0.0.1:8000.
+site:
+    bash docs/site/run serve
+
 # Measure; see docs/performance.md.
 bench *ARGS:
     cargo bench {{ ARGS }}

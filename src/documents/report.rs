@@ -14,11 +14,14 @@ pub mod caveats;
 pub mod comparison_text;
 pub mod conflict_record;
 pub mod headings;
+pub mod headline;
 pub mod least_time;
+pub mod mode_names;
 pub mod model_record;
 #[cfg(feature = "report")]
 pub mod page;
 pub mod record;
+pub mod screen;
 pub mod shape;
 pub mod simulation;
 pub mod terminal;

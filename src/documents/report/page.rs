@@ -30,9 +30,9 @@ mod verdicts;
 mod volumes;
 mod waypoint_table;
 
-use crate::admissible::verdict::analyze_each;
 use crate::diagnostic::Diagnostic;
 use crate::flight::capture::Capture;
+use crate::flight::equilibrium::analyze_each;
 use crate::model::{Model, Problem};
 use crate::planner::studies::{Comparison, PlanOutcome, Run};
 use crate::report::campaign_record::CampaignRecord;

@@ -1,4 +1,4 @@
-//! Volume of a zonotope from its generators, and of a polytope from its rows (`docs/method.md`, section 3, "Share given
+//! Volume of a zonotope from its generators, and of a polytope from its rows (`docs/method/verdicts.md`, "Share given
 //! away").
 
 use super::polytope::Polytope;

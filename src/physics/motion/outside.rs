@@ -1,4 +1,4 @@
-//! When the planned wrench is outside a set, to the instant: `docs/method.md`, section 8, "Violation" and "Outside".
+//! When the planned wrench is outside a set, to the instant: `docs/method/planners.md`, "Violation" and "Outside".
 
 use super::Trajectory;
 use super::felt::{Felt, Flown};
