@@ -4,7 +4,7 @@ use super::battery;
 use super::comparison_text::name_of;
 use super::plan_screen::not_covered;
 use super::record::rates;
-use super::screen::{Screen, Tone};
+use super::screen::{EVERY_TABLE, Screen, Tone};
 use super::terminal::vehicle_line;
 use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
@@ -46,9 +46,10 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
             Tone::Plain,
             2,
             2,
-            "worst violation: of a set with its reserve, in % of the healthy set's width; unsafe until: the last one",
+            "worst violation: of a set with its reserve, in % of the healthy set's width",
         );
     }
+    screen.line(Tone::Plain, EVERY_TABLE);
     screen
 }
 

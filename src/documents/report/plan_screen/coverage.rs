@@ -16,8 +16,8 @@ use crate::report::terminal::holds;
 use crate::report::without_yaw;
 use crate::text_table::Table;
 
-/// Columns of the names of modes, in the table and in a sentence.
-const NAMES: usize = 24;
+/// Most columns of the names of modes, in the table and in a sentence.
+const NAMES: usize = 32;
 const NAMES_IN_TEXT: usize = 44;
 /// Most rows of the table.
 const MOST_ROWS: usize = 7;
@@ -42,18 +42,21 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
         true => format!(", with {} % in reserve", part_of_all(model.plan.reserve)),
         false => String::new(),
     };
-    let linear = if solved.trajectory.model == WrenchModel::Exact { "" } else { " of the linear model" };
+    let wrench = match solved.trajectory.model {
+        WrenchModel::Exact => "this plan's thrust and torques",
+        _ => "the thrust and torques that the linear model gives this plan",
+    };
     let mut safe = Vec::new();
     if !with_yaw.is_empty() {
         let names = within(all, &with_yaw, NAMES_IN_TEXT);
-        safe.push(format!(
-            "After {names} at any instant the rotors left give its thrust and torques{linear}{reserve}."
-        ));
+        safe.push(format!("After {names} at any instant the rotors left still give {wrench}{reserve}."));
     }
     if !without_yaw.is_empty() {
         let names = within(all, &without_yaw, NAMES_IN_TEXT);
-        let heading = "heading not held";
-        safe.push(format!("After {names} at any instant they give its thrust, roll and pitch{reserve}; {heading}."));
+        safe.push(format!(
+            "After {names} at any instant the rotors left still give {wrench} except about yaw{reserve}: the heading is \
+             not held."
+        ));
     }
     if !safe.is_empty() {
         safe.push(how_shown(answer.between, run));
@@ -67,7 +70,7 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
             2,
             2,
             &format!(
-                "UNSAFE until {} s: after {} the rotors left cannot always give its thrust and torques{linear}{reserve}.",
+                "UNSAFE until {} s: after {} the rotors left cannot always give {wrench}{reserve}.",
                 fixed(until, 2),
                 within(all, &unsafe_ones, NAMES_IN_TEXT)
             ),
@@ -79,8 +82,8 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     not_covered(model, screen);
     if !all.is_empty() {
         screen.gap();
-        let (table, hidden) = table(answer, solved);
-        screen.table(&table);
+        let hidden = table(answer, solved, NAMES).1;
+        screen.fitted(NAMES, |names| table(answer, solved, names).0);
         if hidden > 0 {
             screen.line(Tone::Plain, &format!("  and {} with more to spare, -v", plural(hidden, "mode")));
         }
@@ -135,7 +138,7 @@ fn how_shown(between: Option<&[Between]>, run: &PlannerRun) -> String {
 
 /// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first; and how
 /// many modes are left out.
-fn table(answer: &Answer, solved: &MissionPlan) -> (Table, usize) {
+fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, usize) {
     let (model, comparison) = (answer.problem.model(), answer.comparison);
     let holds = holds(model);
     let mut headings = vec!["fault", "spare", "tightest", "unsafe until"];
@@ -170,7 +173,7 @@ fn table(answer: &Answer, solved: &MissionPlan) -> (Table, usize) {
     let hidden = rows.split_off(rows.len().min(MOST_ROWS));
     let mut table = Table::new(&headings);
     for (_, modes, cells) in &rows {
-        let name = within(&comparison.modes, modes, NAMES);
+        let name = within(&comparison.modes, modes, names);
         table.row(std::iter::once(name).chain(cells.iter().cloned()).collect());
     }
     (table, hidden.iter().map(|row| row.1.len()).sum())
