@@ -2,7 +2,7 @@
 
 mod coverage;
 
-pub(super) use coverage::not_covered;
+pub(super) use coverage::{not_covered, unsafe_until};
 
 use super::battery;
 use super::binding;
@@ -12,7 +12,7 @@ use super::caveats::{Caveat, CaveatKind, caveats};
 use super::record::rates;
 use super::screen::{EVERY_TABLE, Screen, Tone};
 use super::shape;
-use super::terminal::{holds, not_looked_at, vehicle_line};
+use super::terminal::{not_looked_at, vehicle_line};
 use super::verdict_text::{self, statement};
 use super::volumes;
 use super::waypoints;
@@ -88,8 +88,14 @@ impl Answer<'_> {
 
     fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) {
         let model = self.problem.model();
-        let text = format!("PLAN {}; planner {}", shouted(self.problem, self.comparison, run), name(run));
-        screen.paragraph(Tone::Good, 2, 2, &text);
+        let text = format!(
+            "PLAN {}; planner {}{}",
+            shouted(self.problem, self.comparison, run),
+            name(run),
+            without_yaw::beside_the_verdict(self.comparison)
+        );
+        let tone = if coverage::is_partial(self, solved) { Tone::Warning } else { Tone::Good };
+        screen.paragraph(tone, 2, 2, &text);
         coverage::write(self, screen, run, solved);
         screen.gap();
         self.figures(solved).iter().for_each(|(label, text)| {
@@ -122,8 +128,7 @@ impl Answer<'_> {
             lines.push(("volumes", format!("{distance} m from {} at {at} s, {required} m required{of}", record.name)));
         }
         if let Some(risk) = rated_risk(&rates(model), &solved.committed) {
-            let column = if holds(model) { "committed until" } else { "unsafe until" };
-            let text = format!("{} that a fault strikes before its `{column}`.", significant(risk, DIGITS));
+            let text = format!("{} that a fault strikes while it is unsafe.", significant(risk, DIGITS));
             lines.push(("risk", text + &not_looked_at(model)));
         }
         let limits = binding::records(self.problem, solved);

@@ -6,13 +6,12 @@ use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
 use crate::certify::between::{Between, CORES, Shown, WRENCH};
 use crate::flight::equilibrium::outcome_of;
-use crate::model::{Mission, Model, PlannerKind};
+use crate::model::{AfterFault, Mission, Model, PlannerKind};
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, part_of_all, percent, plural};
 use crate::planner::studies::{MissionPlan, PlannerRun};
 use crate::report::mode_names::within;
 use crate::report::screen::{Screen, Tone};
-use crate::report::terminal::holds;
 use crate::report::without_yaw;
 use crate::text_table::Table;
 
@@ -34,6 +33,7 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     }
     let places = |wanted: &dyn Fn(usize) -> bool| (0..all.len()).filter(|&i| wanted(i)).collect::<Vec<usize>>();
     let is_captured = |i: usize| comparison.provisions[i] == Provision::Capture;
+    let stops = |i: usize| solved.outside[i].last.is_some() && unsafe_until(model, solved, i).is_none();
     let is_safe = |i: usize| !is_captured(i) && solved.outside[i].last.is_none();
     let is_core = |i: usize| matches!(comparison.provisions[i], Provision::WithoutYaw(_));
     let with_yaw = places(&|i| is_safe(i) && !is_core(i));
@@ -59,12 +59,25 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
         ));
     }
     if !safe.is_empty() {
-        safe.push(how_shown(answer.between, run));
+        safe.push(how_shown(answer, run));
         screen.paragraph(Tone::Plain, 2, 2, &safe.join(" "));
     }
-    let unsafe_ones = places(&|i| !is_captured(i) && solved.outside[i].last.is_some());
+    let stopping = places(&|i| !is_captured(i) && stops(i));
+    if !stopping.is_empty() {
+        let names = within(all, &stopping, NAMES_IN_TEXT);
+        screen.paragraph(
+            Tone::Warning,
+            2,
+            2,
+            &format!(
+                "After {names} the plan leaves their sets, but from every node before that a stop inside them was \
+                 found (`after_fault = hold`)."
+            ),
+        );
+    }
+    let unsafe_ones = places(&|i| !is_captured(i) && unsafe_until(model, solved, i).is_some());
     if !unsafe_ones.is_empty() {
-        let until = unsafe_ones.iter().filter_map(|&i| solved.outside[i].last).fold(0.0, f64::max);
+        let until = unsafe_ones.iter().filter_map(|&i| unsafe_until(model, solved, i)).fold(0.0, f64::max);
         screen.paragraph(
             Tone::Bad,
             2,
@@ -90,12 +103,28 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     }
 }
 
+/// Until when a fault of the mode with this place in `against` meets a violation, s: the last one, or, if the mission
+/// holds after the fault, the last instant from which no stop was found. `None` if it never does.
+pub(in crate::documents::report) fn unsafe_until(model: &Model, solved: &MissionPlan, i: usize) -> Option<f64> {
+    match model.after_fault(model.plan.against[i]) {
+        AfterFault::Hold => solved.committed.get(i).copied().filter(|until| *until > 0.0),
+        _ => solved.outside[i].last,
+    }
+}
+
+/// Whether a fault of some mode planned against meets a violation, or is not planned.
+pub fn is_partial(answer: &Answer, solved: &MissionPlan) -> bool {
+    let model = answer.problem.model();
+    let is_unsafe = |i: usize| unsafe_until(model, solved, i).is_some();
+    answer.comparison.provisions.contains(&Provision::Capture) || (0..solved.outside.len()).any(is_unsafe)
+}
+
 /// The modes that a plan should cover, where none was found.
 pub fn demanded(answer: &Answer, screen: &mut Screen) {
     let (model, all) = (answer.problem.model(), &answer.comparison.modes);
     if !all.is_empty() {
         let places: Vec<usize> = (0..all.len()).collect();
-        screen.paragraph(Tone::Plain, 2, 2, &format!("It should cover {}.", within(all, &places, NAMES_IN_TEXT)));
+        screen.paragraph(Tone::Plain, 2, 2, &format!("It has to cover {}.", within(all, &places, NAMES_IN_TEXT)));
     }
     not_covered(model, screen);
 }
@@ -123,11 +152,14 @@ pub(in crate::documents::report) fn not_covered(model: &Model, screen: &mut Scre
 }
 
 /// How it was shown that the plan stays inside the sets: only imposed rows are proved.
-fn how_shown(between: Option<&[Between]>, run: &PlannerRun) -> String {
+fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
     let of_sets = |between: &&Between| [WRENCH, CORES].contains(&between.rows.as_str());
-    let rows: Vec<&Between> = between.unwrap_or(&[]).iter().filter(of_sets).collect();
+    let rows: Vec<&Between> = answer.between.unwrap_or(&[]).iter().filter(of_sets).collect();
     let is_proved = !rows.is_empty() && rows.iter().all(|rows| rows.shown == Shown::Proved);
     match (run.planner, is_proved) {
+        (PlannerKind::Rsp, _) if answer.comparison.selected.is_empty() && answer.comparison.trade_off.is_empty() => {
+            "Computed along the plan; RSP had no facet to guard.".into()
+        }
         (PlannerKind::Rcp, true) => "Proved at every instant.".into(),
         (PlannerKind::Rcp, false) => "Checked on a grid of instants, not proved between them.".into(),
         (PlannerKind::Rsp, true) => "Computed along the plan; the facets that it guards are proved.".into(),
@@ -140,29 +172,21 @@ fn how_shown(between: Option<&[Between]>, run: &PlannerRun) -> String {
 /// many modes are left out.
 fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, usize) {
     let (model, comparison) = (answer.problem.model(), answer.comparison);
-    let holds = holds(model);
-    let mut headings = vec!["fault", "spare", "tightest", "unsafe until"];
-    if holds {
-        headings.push("committed until");
-    }
+    let headings = ["fault", "spare", "tightest", "unsafe until"];
     let mut rows: Vec<(f64, Vec<usize>, Vec<String>)> = Vec::new();
     for (i, out) in solved.outside.iter().enumerate() {
         let is_captured = comparison.provisions[i] == Provision::Capture;
         let spare = if out.max_violation.abs() <= VIOLATED { 0.0 } else { -out.max_violation };
         let seconds = |at: f64| format!("{} s", fixed(at, 2));
-        let mut cells = match is_captured {
+        let cells = match is_captured {
             true => vec!["-".to_string(), "-".into(), "not planned".into()],
             false => vec![
                 percent(spare),
                 out.worst_at
                     .map_or("-".into(), |at| format!("{}{}", seconds(at), leg(answer.problem.mission(), solved, at))),
-                out.last.map_or("never".into(), seconds),
+                unsafe_until(model, solved, i).map_or("never".into(), seconds),
             ],
         };
-        if holds {
-            let until = solved.committed.get(i).copied().unwrap_or(0.0);
-            cells.push(if until > 0.0 { seconds(until) } else { "never".into() });
-        }
         let rank = if is_captured { f64::NEG_INFINITY } else { spare };
         match rows.iter_mut().find(|(_, _, same)| *same == cells) {
             Some((_, modes, _)) => modes.push(i),
