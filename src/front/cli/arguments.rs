@@ -35,7 +35,8 @@ const EFFORTS: [&str; 3] = [SearchEffort::Quick.name(), SearchEffort::Normal.nam
     long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
     about = "Checks a one-page spec of a multirotor mission, analyses which rotor faults the vehicle tolerates, and \
         plans the mission",
-    after_help = EXIT_CODES
+    after_help = EXIT_CODES,
+    max_term_width = 100
 )]
 pub(super) struct Cli {
     #[command(subcommand)]
