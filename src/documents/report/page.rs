@@ -13,6 +13,7 @@ mod document;
 mod embed;
 mod flown;
 mod instants;
+pub mod live;
 mod motion;
 mod opening;
 mod outline;
