@@ -112,7 +112,7 @@ function buildPanels() {
       labels: [LABELS[i], LABELS[j]],
       box: () => boxOf(axes),
       equal: i > 0 && j > 0 && j !== 3,
-      height: () => 270,
+      height: () => (place.clientWidth < 420 ? 200 : 270),
       draw: (pen) => drawSection(pen, axes, state.set, boxOf(axes), true),
     });
   });
