@@ -64,7 +64,7 @@ pub fn format(text: &str) -> Result<String, Vec<Diagnostic>> {
     value.ok_or(diagnostics)
 }
 
-/// Analyses what the vehicle can still do in each fault mode: the outcome ([`Outcome`](crate::admissible::outcome)), the
+/// Analyses what the vehicle can still do in each fault mode: the outcome (`admissible::outcome::Outcome`), the
 /// verdict, the margins of hover (N, N m), the largest mass (kg) and the headroom (N, N m). [`ModeAnalysis`] lists the
 /// fields with their units. Never fails. The healthy vehicle comes first, then every declared mode in its order.
 ///

@@ -28,6 +28,11 @@ pub struct Screen {
 }
 
 impl Screen {
+    /// The lines of a longer text as they are.
+    pub fn of_text(text: &str) -> Self {
+        Screen { lines: text.lines().map(|line| (Tone::Plain, line.to_string())).collect() }
+    }
+
     /// A line with a text that fits.
     pub fn line(&mut self, tone: Tone, text: &str) {
         self.lines.push((tone, text.trim_end().to_string()));
