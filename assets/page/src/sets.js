@@ -151,7 +151,7 @@ function buildMultiples() {
       box: () => boxOf([1, 2]),
       equal: true,
       plain: true,
-      height: () => 130,
+      height: () => (plot.clientWidth < 110 ? 90 : 130),
       draw: (pen) => drawSection(pen, [1, 2], index, boxOf([1, 2]), false),
     });
     return { view, body, value, button, index };

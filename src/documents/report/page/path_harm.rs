@@ -11,7 +11,7 @@ use maud::{Markup, html};
 /// Most modes of one table.
 const MOST_MODES: usize = 60;
 
-/// The path after the fault, for each planner. Modes with which no planner lost a flight are folded, and so are the maps.
+/// The path after the fault, for each planner, folded; modes with which no planner lost a flight apart.
 pub fn tables(record: &CampaignRecord) -> Markup {
     let flown = || record.planners.iter().filter(|p| !p.modes.is_empty());
     let (harmful, unharmed) = (harmful(record), harmless(record));
@@ -23,7 +23,10 @@ pub fn tables(record: &CampaignRecord) -> Markup {
              heading if it is more than "
             (number(HEADING_BROKEN.to_degrees())) " deg off before yaw is given up."
         }
-        @for planner in flown() { (harm(planner, true, |mode| harmful.contains(mode.name.as_str()))) }
+        details {
+            summary { "Each planner, with the modes that lost a flight" }
+            @for planner in flown() { (harm(planner, true, |mode| harmful.contains(mode.name.as_str()))) }
+        }
         @if unharmed > 0 {
             details {
                 summary { (lost_nothing(unharmed)) }

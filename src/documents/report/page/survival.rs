@@ -275,6 +275,9 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
             (by_planner(a, &modes(a)))
             @if let Some(all) = a.by_flight.first() { p.note { (true_minus(&by_flight(&all.counts))) } }
         }
-        @if !record.predictors.is_empty() { (predicted::predictors(record)) (predicted::harm(record)) }
+        @if !record.predictors.is_empty() {
+            details { summary { "Each predictor, and the harm to the path" }
+                (predicted::predictors(record)) (predicted::harm(record)) }
+        }
     }
 }

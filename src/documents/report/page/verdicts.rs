@@ -15,6 +15,8 @@ use maud::{Markup, html};
 
 /// Most rows; the modes that the plan must tolerate come first.
 const MOST_ROWS: usize = 200;
+/// Rows that are shown without unfolding.
+const MOST_OPEN: usize = 12;
 
 /// One mode with the plan's results for it.
 struct Row<'a> {
@@ -82,14 +84,38 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
         @if let Some((label, _)) = solved { ", and violations by the plan (" (label) ")" }
     });
     let frame = Frame { label: "Table of modes", terms: Some("modes-terms"), caption, ..Frame::default() };
+    let more = Frame { label: "Table of more modes", terms: Some("modes-terms"), ..Frame::default() };
+    let count = rows.len();
+    let (shown, folded) = if count > MOST_OPEN { fold(rows) } else { (rows, Vec::new()) };
     html! {
         h2 { (unbroken(&headline(model, analyses))) }
-        (table::table(frame, &heads, html! { @for row in &rows { (cells(model, row, columns)) } }))
-        @if order.len() > rows.len() {
-            p.note { (order.len() - rows.len()) " more modes are omitted here; " code { "mavc analyze" } " lists all." }
+        (table::table(frame, &heads, html! { @for row in &shown { (cells(model, row, columns)) } }))
+        @if !folded.is_empty() {
+            details {
+                summary { (folded.len()) " more modes" }
+                (table::table(more, &heads, html! { @for row in &folded { (cells(model, row, columns)) } }))
+            }
+        }
+        @if order.len() > count {
+            p.note { (order.len() - count) " more modes are omitted here; " code { "mavc analyze" } " lists all." }
         }
         (terms("modes-terms", meanings(columns, analyses)))
     }
+}
+
+/// The rows of many modes that are shown, and those that are folded: first those that a plan violates, then from the
+/// worst outcome to the best, all in their order. The healthy vehicle is shown.
+fn fold(rows: Vec<Row>) -> (Vec<Row>, Vec<Row>) {
+    let mut order: Vec<usize> = (1..rows.len()).collect();
+    let is_harmless = |i: usize| rows[i].outside.is_none_or(|o| o.last.is_none());
+    order.sort_by_key(|&i| (is_harmless(i), std::cmp::Reverse(rows[i].analysis.outcome)));
+    order.truncate(MOST_OPEN - 1);
+    let mut shown = Vec::new();
+    let mut folded = Vec::new();
+    for (i, row) in rows.into_iter().enumerate() {
+        if i == 0 || order.contains(&i) { shown.push(row) } else { folded.push(row) }
+    }
+    (shown, folded)
 }
 
 /// The meaning of the table's columns and verdicts.
