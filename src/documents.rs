@@ -6,6 +6,7 @@
 
 pub mod exchange;
 pub mod import;
+pub mod log;
 pub mod report;
 
 #[cfg(test)]

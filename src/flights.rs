@@ -5,4 +5,5 @@
 //! - What it does not know: how the plan was found; files and terminal.
 
 pub mod campaign;
+pub mod diagnosis;
 pub mod flight;

@@ -9,8 +9,8 @@ mod physics;
 mod planning;
 
 pub use answers::{builder, observer, pipeline};
-pub use documents::{exchange, import, report};
-pub use flights::{campaign, flight};
+pub use documents::{exchange, import, log, report};
+pub use flights::{campaign, diagnosis, flight};
 #[cfg(feature = "cli")]
 pub use front::cli;
 #[cfg(feature = "lsp")]

@@ -2,6 +2,7 @@
 
 mod capture_height;
 mod certificates;
+mod diagnosis;
 mod flights;
 mod records;
 mod stages;
@@ -9,6 +10,7 @@ mod sweep;
 mod tasks;
 
 pub use certificates::{Rejected, Uncertified, certify, verify, verify_within};
+pub use diagnosis::{Diagnosed, Undiagnosed, diagnose};
 pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict};
 pub use records::defaults_text;
 pub use stages::{NotPrinted, Program, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
@@ -20,7 +22,7 @@ pub use tasks::{
 #[cfg(feature = "cli")]
 pub(crate) use flights::sized;
 
-use crate::admissible::diagnose::{diagnose, is_too_large};
+use crate::admissible::diagnose::{self as intolerable, is_too_large};
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::flight::capture::{Capture, captures};
@@ -112,7 +114,7 @@ pub fn capture(spec: &Spec) -> Vec<Capture> {
 /// # Ok::<(), mavc::CompileError>(())
 /// ```
 pub fn check(spec: &Spec) -> Vec<Diagnostic> {
-    let mut diagnostics = diagnose(spec.model());
+    let mut diagnostics = intolerable::diagnose(spec.model());
     diagnostics.extend(indistinguishable::diagnose(spec.model()));
     if !is_too_large(&diagnostics) {
         diagnostics.extend(capture_height::diagnose(spec.model()));

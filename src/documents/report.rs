@@ -16,6 +16,7 @@ pub mod caveats;
 pub mod comparison_screen;
 pub mod comparison_text;
 pub mod conflict_record;
+pub mod diagnosis;
 pub mod headings;
 pub mod headline;
 pub mod least_time;

@@ -6,6 +6,7 @@ mod arguments;
 mod campaign;
 mod check;
 mod compare;
+mod diagnose;
 mod emit;
 mod endings;
 mod explain;
@@ -37,8 +38,9 @@ mod watch;
 use crate::source::visible;
 use crate::verdict::Verdict;
 use arguments::{
-    AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, EmitArgs, EmitFormat, FmtArgs, Format,
-    ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs, ViewArgs,
+    AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, DiagnoseArgs, EmitArgs, EmitFormat, FmtArgs,
+    Format, ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs,
+    ViewArgs,
 };
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};
@@ -65,6 +67,10 @@ pub const OVER_BUDGET: u8 = 8;
 pub const LOST: u8 = 6;
 /// The integration of a flight diverged: the fate of the vehicle is unknown.
 pub const DIVERGED: u8 = 9;
+/// A log shows that a rotor lost thrust.
+pub const LOSS: u8 = 10;
+/// A log does not show whether a rotor lost thrust.
+pub const NOT_IDENTIFIABLE: u8 = 11;
 
 /// The options of every command.
 pub(crate) struct Options {
@@ -103,6 +109,7 @@ pub fn run() -> u8 {
         Command::Verify(args) => verify::run(args, &options),
         Command::Simulate(args) => simulate::run(args, &options),
         Command::Campaign(args) => campaign::run(args, &options),
+        Command::Diagnose(args) => diagnose::run(args, &options),
         Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::Import(what) => import::run(what, &options),

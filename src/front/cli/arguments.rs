@@ -21,6 +21,8 @@ Exit codes:
   7  the certificate is accepted, but proves less than the spec requires
   8  checking the certificate would exceed the budget
   9  the integration of a simulated flight diverged
+  10  a log shows that a motor lost thrust
+  11  a log does not show whether a motor lost thrust
   130  the search was cut short by Ctrl-C; its best plan was written
 
 SPEC may be `-` for standard input.";
@@ -70,6 +72,8 @@ pub(super) enum Command {
     Simulate(SimulateArgs),
     /// Simulate flights of every planner's plan with every fault mode, at many instants and with many noise seeds
     Campaign(CampaignArgs),
+    /// Find in the log of a flight which motor lost thrust, when, and what that left of the vehicle
+    Diagnose(DiagnoseArgs),
     /// Format specs: indentation, spaces, columns
     Fmt(FmtArgs),
     /// Print the output of one stage of the compiler
@@ -175,6 +179,25 @@ pub(super) struct AnalyzeArgs {
     /// delay
     #[arg(long, conflicts_with = "sweep")]
     pub capture: bool,
+}
+
+#[derive(Args)]
+pub(super) struct DiagnoseArgs {
+    /// A log of ArduPilot (`.bin`) or PX4 (`.ulg`), or `-` for standard input
+    #[arg(value_hint = clap::ValueHint::FilePath)]
+    pub log: String,
+    /// The spec of the vehicle; without it the frame follows from the parameters in the log
+    #[arg(value_hint = clap::ValueHint::FilePath)]
+    pub spec: Option<String>,
+    /// Compare the thrust of each motor with these logs of good flights with the same load
+    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = clap::ValueHint::FilePath)]
+    pub baseline: Vec<String>,
+    /// Do not look at the logged output of this motor, and infer its command from the others'
+    #[arg(long, value_name = "MOTOR")]
+    pub hide: Vec<usize>,
+    /// Print the answer for people, or JSON
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    pub format: Format,
 }
 
 impl Command {

@@ -1,0 +1,85 @@
+//! Outputs of motors as shares of their full thrust, by the parameters of the log.
+//!
+//! - ArduPilot (`AP_MotorsMulticopter.cpp`, 4.5): the pulse is linear in the actuator between `MOT_PWM_MIN` and
+//!   `MOT_PWM_MAX`; the actuator is linear in the throttle between `MOT_SPIN_MIN` and `MOT_SPIN_MAX`; the thrust is
+//!   `(1 - e) x + e x^2` of the throttle x, e = `MOT_THST_EXPO`. The compensation of the battery's voltage cancels.
+//! - PX4 (documentation, `THR_MDL_FAC`): `actuator_motors` is the command signal s, the thrust `f s^2 + (1 - f) s`; a
+//!   pulse is linear in s between its minimum and its maximum.
+
+use crate::diagnosis::record::{Autopilot, MOTORS, Record};
+
+/// From an output to a share of full thrust.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// The outputs of no and of full thrust, for each motor.
+    low: [f64; MOTORS],
+    high: [f64; MOTORS],
+    /// An output up to this one stands for a motor that is switched off; below every output if that cannot be told
+    /// from the least command.
+    off: f64,
+    /// Share of the quadratic part.
+    pub expo: f64,
+}
+
+impl Curve {
+    /// The curve of a log.
+    pub fn of(record: &Record) -> Self {
+        let get = |name: &str, default: f64| record.parameter(name, default);
+        let same = |low, high, expo| Curve { low: [low; MOTORS], high: [high; MOTORS], off: f64::NEG_INFINITY, expo };
+        match record.autopilot {
+            Autopilot::ArduPilot => {
+                let rc = |name: &str| record.parameters.get(name).copied().filter(|x| *x > 0.0);
+                let low = rc("MOT_PWM_MIN").or(rc("RC3_MIN")).unwrap_or(1000.0);
+                let high = rc("MOT_PWM_MAX").or(rc("RC3_MAX")).filter(|high| *high > low + 100.0);
+                let span = high.unwrap_or(low + 1000.0) - low;
+                let [bottom, top] = [get("MOT_SPIN_MIN", 0.15), get("MOT_SPIN_MAX", 0.95)];
+                let [bottom, top] = if bottom >= 0.0 && top > bottom { [bottom, top] } else { [0.15, 0.95] };
+                let expo = get("MOT_THST_EXPO", 0.65).clamp(0.0, 1.0);
+                let off = if span * bottom > 20.0 { low + 0.25 * span * bottom } else { f64::NEG_INFINITY };
+                Curve { off, ..same(low + span * bottom, low + span * top, expo) }
+            }
+            Autopilot::Px4 | Autopilot::Mavc => {
+                let expo = get("THR_MDL_FAC", 0.0).clamp(0.0, 1.0);
+                if !record.is_pulses {
+                    return same(0.0, 1.0, expo);
+                }
+                let mut curve = same(get("PWM_MIN", 1000.0), get("PWM_MAX", 2000.0), expo);
+                for motor in 0..MOTORS {
+                    let of = |part: &str, default| {
+                        let own = get(&format!("PWM_MAIN_{part}{}", motor + 1), f64::NAN);
+                        let all = get(&format!("PWM_MAIN_{part}"), default);
+                        if own > 0.0 { own } else { all }
+                    };
+                    curve.low[motor] = of("MIN", curve.low[motor]);
+                    curve.high[motor] = of("MAX", curve.high[motor]);
+                    if curve.high[motor] < curve.low[motor] + 100.0 {
+                        (curve.low[motor], curve.high[motor]) = (1000.0, 2000.0);
+                    }
+                }
+                curve
+            }
+        }
+    }
+
+    /// Whether an output stands for a motor that is switched off.
+    pub fn is_off(&self, output: f64) -> bool {
+        output <= self.off
+    }
+
+    /// The share of full thrust of a motor at an output; an output that is none, 0 or not finite, gives NaN or 0.
+    pub fn share(&self, motor: usize, output: f64) -> f64 {
+        if output.is_nan() {
+            return f64::NAN;
+        }
+        let x = ((output - self.low[motor]) / (self.high[motor] - self.low[motor])).clamp(0.0, 1.0);
+        (1.0 - self.expo) * x + self.expo * x * x
+    }
+}
+
+/// For each sample of the outputs the share of full thrust of the first `motors` motors, and whether each is switched
+/// off.
+pub fn commands(record: &Record, motors: usize) -> Vec<Vec<(f64, bool)>> {
+    let curve = Curve::of(record);
+    let of = |k: usize, output: f32| (curve.share(k, f64::from(output)), curve.is_off(f64::from(output)));
+    record.outputs.values.iter().map(|row| (0..motors).map(|k| of(k, row[k])).collect()).collect()
+}

@@ -1,0 +1,190 @@
+//! The answer for people, on one screen.
+
+use super::Diagnosis;
+use super::record::name;
+use crate::admissible::outcome::Outcome;
+use crate::admissible::verdict::ModeAnalysis;
+use crate::diagnosis::study::{Evidence, Kind, Loss};
+use crate::model::Spin;
+use crate::number::{fixed, plural, significant};
+use crate::report::screen::{Screen, Tone};
+use crate::text_table::Table;
+
+/// A capacity below this beside stronger motors is worth a remark.
+const WEAK: f64 = 0.8;
+/// At most so many rows of flights.
+const MOST_FLIGHTS: usize = 3;
+
+/// The screen.
+pub fn screen(diagnosis: &Diagnosis) -> Screen {
+    let mut screen = Screen::default();
+    let losses = diagnosis.losses();
+    match (losses, diagnosis.is_unknown()) {
+        ([], true) => screen.paragraph(Tone::Warning, 0, 2, "not identifiable: the log does not show what was asked"),
+        ([], false) => {
+            screen.paragraph(Tone::Good, 0, 2, "no loss of thrust found: every motor follows its command to the end");
+        }
+        _ => {
+            for (loss, after) in losses.iter().zip(&diagnosis.after) {
+                screen.paragraph(Tone::Bad, 0, 2, &headline(diagnosis, loss, after));
+            }
+        }
+    }
+    diagnosis.unknown.iter().for_each(|why| screen.remark(why));
+    screen.gap();
+    flights(diagnosis, &mut screen);
+    if let Some(after) = diagnosis.after.last() {
+        screen.paragraph(Tone::Plain, 0, 2, &why(diagnosis, after));
+    }
+    screen.gap();
+    capacities(diagnosis, &mut screen);
+    screen.gap();
+    screen.paragraph(Tone::Plain, 0, 2, &source(diagnosis));
+    screen
+}
+
+/// The letters of the rotors' spins counter-clockwise from the nose, if they are a ring.
+fn layout(diagnosis: &Diagnosis) -> String {
+    let rotors = &diagnosis.model.vehicle.rotors;
+    let angle = |p: [f64; 3]| p[1].atan2(p[0]).rem_euclid(std::f64::consts::TAU);
+    let mut ring: Vec<(f64, Spin)> = rotors.iter().map(|rotor| (angle(rotor.position), rotor.spin)).collect();
+    ring.sort_by(|a, b| a.0.total_cmp(&b.0));
+    match ring.windows(2).any(|pair| pair[1].0 - pair[0].0 < 1e-3) {
+        true => format!("vehicle with {} rotors", rotors.len()),
+        false => ring.iter().map(|(_, spin)| if *spin == Spin::P { 'P' } else { 'N' }).collect(),
+    }
+}
+
+/// `motor 3 lost at 21.4 s; after it a PNPNPN: no margin`.
+fn headline(diagnosis: &Diagnosis, loss: &Loss, after: &ModeAnalysis) -> String {
+    let motor = match &loss.alternatives[..] {
+        [] => format!("motor {}", loss.motor + 1),
+        others => {
+            let others: Vec<String> = others.iter().map(|k| (k + 1).to_string()).collect();
+            format!("motor {} (or {})", loss.motor + 1, others.join(" or "))
+        }
+    };
+    let percent = |x: f64| fixed(100.0 * x, 0);
+    let half = 0.5 * (loss.interval[1] - loss.interval[0]);
+    let time = format!("{} s (+- {} s)", fixed(loss.time, 2), significant(half.max(0.01), 1));
+    let what = match (loss.kind, loss.evidence) {
+        (Kind::Lost, Evidence::Speed) => format!("{motor} stands still from {time} on"),
+        (Kind::Lost, _) => format!("{motor} lost at {time}"),
+        (Kind::Reduced, _) => format!(
+            "{motor} gives {} % of its thrust ({} to {} %) from {time} on",
+            percent(loss.capacity),
+            percent(loss.capacity_interval[0]),
+            percent(loss.capacity_interval[1])
+        ),
+        (Kind::Off, _) => format!("{motor}: its output is off from {time} on"),
+        (Kind::Held, _) => {
+            format!("{motor}: its output is held at {} % of full thrust from {time} on", percent(loss.capacity))
+        }
+    };
+    format!("{what}; after it the {}: {}", layout(diagnosis), after.outcome.word())
+}
+
+/// What happened in each flight.
+fn flights(diagnosis: &Diagnosis, screen: &mut Screen) {
+    let Some(study) = &diagnosis.study else { return };
+    for flight in study.flights.iter().take(MOST_FLIGHTS) {
+        let last = diagnosis.losses().iter().rfind(|loss| loss.time >= flight.from && loss.time <= flight.to);
+        let end = match (flight.impact, last) {
+            (Some((time, speed)), Some(loss)) => {
+                let after = fixed(time - loss.time, 1);
+                format!("hit the ground at {} m/s, {after} s after the last of it", fixed(speed, 0))
+            }
+            (Some((_, speed)), None) => format!("hit the ground at {} m/s", fixed(speed, 0)),
+            (None, Some(loss)) => {
+                format!(
+                    "in the air for {} s after it, until it landed or the log ends",
+                    fixed(flight.to - loss.time, 0)
+                )
+            }
+            (None, None) => "landed, or the log ends".into(),
+        };
+        let text = format!(
+            "flight from {} to {} s: yaw up to {} deg/s, tilt up to {} deg; {end}",
+            fixed(flight.from, 1),
+            fixed(flight.to, 1),
+            fixed(flight.yaw_rate.to_degrees(), 0),
+            fixed(flight.tilt.to_degrees(), 0)
+        );
+        screen.paragraph(Tone::Plain, 0, 2, &text);
+    }
+    let more = study.flights.len().saturating_sub(MOST_FLIGHTS);
+    if more > 0 {
+        screen.line(Tone::Plain, &format!("and {}", plural(more, "more flight")));
+    }
+}
+
+/// What the remaining motors can do, and so why the flight ended as it did.
+fn why(diagnosis: &Diagnosis, after: &ModeAnalysis) -> String {
+    let of =
+        |share: Option<f64>| share.map_or(String::new(), |h| format!(" at {} % thrust in hover", fixed(100.0 * h, 0)));
+    let hover = of(diagnosis.study.as_ref().and_then(|study| study.hover));
+    let what = match after.outcome {
+        Outcome::FullControl => "the other motors can hold height, attitude and heading",
+        Outcome::FliesOn => {
+            "the other motors can hold height and attitude, but not the heading: a controller that goes on to hold it \
+             takes the thrust that roll and pitch need"
+        }
+        Outcome::Caught | Outcome::Undecided => {
+            "the other motors can hold the vehicle only while it spins, with a controller made for it"
+        }
+        Outcome::NoMargin => {
+            "the other motors balance weight and torques exactly and no more: some torque can be given in one direction \
+             only, so that no controller can hold the attitude against a disturbance"
+        }
+        Outcome::Lost => "the other motors cannot hold the vehicle",
+    };
+    format!("why: {what}{hover}")
+}
+
+/// The capacities in one row for each motor.
+fn capacities(diagnosis: &Diagnosis, screen: &mut Screen) {
+    let Some(capacities) = diagnosis.study.as_ref().and_then(|study| study.capacities.as_ref()) else { return };
+    let against = diagnosis.baseline.as_deref();
+    let mut heads = vec!["motor", "thrust", "95 %"];
+    if against.is_some() {
+        heads.extend(["baseline", "change", ""]);
+    }
+    let mut table = Table::new(&heads);
+    for (k, capacity) in capacities.iter().enumerate() {
+        let interval = format!("{} to {}", fixed(capacity.low, 2), fixed(capacity.high, 2));
+        let mut cells = vec![(k + 1).to_string(), fixed(capacity.value, 2), interval];
+        if let Some(one) = against.and_then(|all| all.iter().find(|one| one.motor == k)) {
+            let word = if one.is_significant() { "significant" } else { "not significant" };
+            let change = format!("{}{}", if one.change > 0.0 { "+" } else { "" }, fixed(one.change, 2));
+            cells.extend([fixed(one.mean, 2), change, format!("{word} (+- {})", fixed(one.half, 2))]);
+        }
+        table.row(cells);
+    }
+    screen.line(Tone::Strong, "thrust for the same command in quiet flight, relative to the strongest motor");
+    screen.table(&table);
+    let is_weak = capacities.iter().any(|capacity| capacity.high < WEAK);
+    if is_weak || against.is_some() {
+        screen.paragraph(
+            Tone::Plain,
+            2,
+            2,
+            "one flight cannot tell a weak motor from a centre of gravity off the middle, nor weak motors all around \
+             from a low battery or more mass; compare with flights of the same load by --baseline",
+        );
+    }
+}
+
+/// What the answer is from.
+fn source(diagnosis: &Diagnosis) -> String {
+    let rate = |hz: f64, what: &str| match hz > 0.0 {
+        true => format!("{what} at {} Hz", significant(hz, 2)),
+        false => format!("no {what}"),
+    };
+    format!(
+        "log of {}, {} motors; {}, {}",
+        name(diagnosis.autopilot),
+        diagnosis.motors.len(),
+        rate(diagnosis.rates[0], "outputs of motors"),
+        rate(diagnosis.rates[1], "rates of turn")
+    )
+}

@@ -1,0 +1,12 @@
+//! What a recorded flight says of its rotors: which of them lost thrust, when, and how much each one has.
+//!
+//! The record comes from a log (`documents::log`); nothing here knows its format. Methods: `docs/method/diagnosis.md`.
+
+pub mod capacity;
+pub mod change;
+pub mod ending;
+pub mod fit;
+pub mod outputs;
+pub mod record;
+pub mod samples;
+pub mod study;

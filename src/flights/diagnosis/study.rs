@@ -1,0 +1,265 @@
+//! The whole question: which rotors lost thrust in a record, when, and how much each has.
+
+use super::capacity::{Capacity, capacities};
+use super::change::{Change, strongest};
+use super::ending::{Flight, flights};
+use super::fit::{Effect, Fit};
+use super::outputs::{Frozen, frozen};
+use super::record::{MOTORS, Record, median};
+use super::samples::Samples;
+
+/// The most losses that are looked for in one flight.
+const MOST_LOSSES: usize = 4;
+/// Take-off and landing are left out of the search: seconds at the start of a flight.
+const TAKE_OFF: f64 = 1.5;
+/// A rotor that is lost has less than this of its thrust.
+const LOST: f64 = 0.15;
+/// Two signs of a fault of one motor within this time are one fault, s.
+const SAME: f64 = 0.7;
+/// A speed below this share of the others' median is that of a motor that stands.
+const STANDING: f64 = 0.3;
+/// How long a motor stands before it counts, s.
+const STANDS: f64 = 0.25;
+
+/// What happened to a rotor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// No thrust although it is commanded.
+    Lost,
+    /// Less thrust than commanded.
+    Reduced,
+    /// The autopilot's output is held at one value.
+    Held,
+    /// The autopilot's output is off.
+    Off,
+}
+
+/// What shows a loss.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Evidence {
+    /// How the vehicle turned.
+    Motion,
+    /// The output of the autopilot.
+    Output,
+    /// The logged speed of the rotor.
+    Speed,
+}
+
+/// A rotor that lost thrust.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loss {
+    /// From 0.
+    pub motor: usize,
+    /// s, in the time of the log, with a 95 % interval.
+    pub time: f64,
+    pub interval: [f64; 2],
+    /// Share of full thrust that follows the command, with a 95 % interval; of a held output the share that it is held
+    /// at.
+    pub capacity: f64,
+    pub capacity_interval: [f64; 2],
+    pub kind: Kind,
+    pub evidence: Evidence,
+    /// Motors whose loss would explain the motion as well, from 0.
+    pub alternatives: Vec<usize>,
+}
+
+/// What a record says.
+#[derive(Debug, Clone)]
+pub struct Study {
+    pub flights: Vec<Flight>,
+    /// In the order of time.
+    pub losses: Vec<Loss>,
+    /// Of each rotor relative to the strongest, before the first loss; `None` if no part of a flight is quiet.
+    pub capacities: Option<Vec<Capacity>>,
+    /// The fit before the first loss; `None` without a flight.
+    pub fit: Option<Fit>,
+    /// Share of full thrust in hover: the median of the mean command.
+    pub hover: Option<f64>,
+    /// Length of the windows, s.
+    pub step: f64,
+    /// Whether the motion was searched for losses in some flight.
+    pub is_searched: bool,
+}
+
+/// Studies a record.
+///
+/// `commands` are, at the times of `record.outputs`, the share of full thrust and whether it is switched off for each
+/// motor; `hidden` outputs (motors from
+/// 0) are not looked at. `None` if commands or rates are logged too slowly for any answer.
+pub fn study(record: &Record, commands: &[Vec<(f64, bool)>], effects: &[Effect], hidden: &[usize]) -> Option<Study> {
+    let times = &record.outputs.times;
+    let mut shares: Vec<Vec<f64>> = commands.iter().map(|row| row.iter().map(|(share, _)| *share).collect()).collect();
+    hide(&mut shares, effects, hidden);
+    let samples = Samples::of(record, times, &shares, record.outputs.period())?;
+    let flights = flights(record, &samples);
+    let mut study = Study {
+        flights,
+        losses: Vec::new(),
+        capacities: None,
+        fit: None,
+        hover: None,
+        step: samples.step,
+        is_searched: false,
+    };
+    for flight in study.flights.clone() {
+        let found = losses_of(record, commands, effects, hidden, &samples, &flight);
+        study.losses.extend(found);
+        study.is_searched |= flight.to - flight.from > 2.0 * TAKE_OFF;
+    }
+    study.losses.sort_by(|a, b| a.time.total_cmp(&b.time));
+    if let Some(flight) = study.flights.iter().max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from))) {
+        let first = study.losses.iter().map(|loss| loss.interval[0]).fold(f64::INFINITY, f64::min);
+        let fit = Fit::of(&samples, effects, first);
+        let range = [flight.from + TAKE_OFF, flight.to.min(first) - TAKE_OFF];
+        study.capacities = capacities(&samples, &fit, effects, range);
+        let inside = samples.samples.iter().filter(|s| s.time > range[0] && s.time < range[1].max(range[0] + 1.0));
+        let mut means: Vec<f64> = inside.map(|s| s.commands.iter().sum::<f64>() / effects.len() as f64).collect();
+        study.hover = median(&mut means).filter(|h| h.is_finite());
+        study.fit = Some(fit);
+    }
+    Some(study)
+}
+
+/// Replaces the commands of hidden motors by what the mixer would command them: the combination of thrust and torques
+/// nearest to the others' commands.
+fn hide(shares: &mut [Vec<f64>], effects: &[Effect], hidden: &[usize]) {
+    if hidden.is_empty() {
+        return;
+    }
+    let seen: Vec<usize> = (0..effects.len()).filter(|k| !hidden.contains(k)).collect();
+    let matrix = nalgebra::DMatrix::from_fn(seen.len(), 4, |row, axis| effects[seen[row]][axis]);
+    let Ok(inverse) = matrix.pseudo_inverse(1e-6) else { return };
+    for row in shares {
+        let commands = nalgebra::DVector::from_iterator(seen.len(), seen.iter().map(|k| row[*k]));
+        let wanted = &inverse * commands;
+        for &k in hidden {
+            row[k] = (0..4).map(|axis| effects[k][axis] * wanted[axis]).sum::<f64>().clamp(0.0, 1.0);
+        }
+    }
+}
+
+fn losses_of(
+    record: &Record,
+    commands: &[Vec<(f64, bool)>],
+    effects: &[Effect],
+    hidden: &[usize],
+    samples: &Samples,
+    flight: &Flight,
+) -> Vec<Loss> {
+    let motors = effects.len();
+    let mut losses: Vec<Loss> = Vec::new();
+    let range = [flight.from + TAKE_OFF, flight.to];
+    for found in frozen(&record.outputs.times, &record.outputs.values, commands, range, motors) {
+        if !hidden.contains(&found.motor) {
+            losses.push(of_output(&found, record.outputs.period()));
+        }
+    }
+    for (motor, time) in standing(record, range, motors) {
+        let interval = [time - record.speeds.period(), time];
+        add(
+            &mut losses,
+            Loss {
+                motor,
+                time,
+                interval,
+                capacity: 0.0,
+                capacity_interval: [0.0, LOST],
+                kind: Kind::Lost,
+                evidence: Evidence::Speed,
+                alternatives: Vec::new(),
+            },
+        );
+    }
+    let window = |t: f64| samples.samples.partition_point(|s| s.time < t);
+    let range = window(range[0])..window(range[1]);
+    let mut fit = Fit::of(samples, effects, flight.to);
+    let mut moved: Vec<Change> = Vec::new();
+    for round in 0..=MOST_LOSSES {
+        let residuals = residuals_after(&fit, samples, effects, &moved);
+        let known: Vec<usize> = moved.iter().map(|change| change.motor).collect();
+        let Some(change) = strongest(samples, &fit, effects, &residuals, range.clone(), &known) else { break };
+        if round == 0 {
+            // Once more, with an answer to commands that no fault has spoilt.
+            let before = Fit::of(samples, effects, change.interval[0]);
+            if before.gains[0].is_some() && before.gains[1].is_some() {
+                fit = before;
+            }
+            let residuals = residuals_after(&fit, samples, effects, &moved);
+            moved.push(strongest(samples, &fit, effects, &residuals, range.clone(), &known).unwrap_or(change));
+        } else if round < MOST_LOSSES {
+            moved.push(change);
+        }
+    }
+    for change in moved {
+        add(
+            &mut losses,
+            Loss {
+                motor: change.motor,
+                time: change.time,
+                interval: change.interval,
+                capacity: change.capacity,
+                capacity_interval: change.capacity_interval,
+                kind: if change.capacity < LOST { Kind::Lost } else { Kind::Reduced },
+                evidence: Evidence::Motion,
+                alternatives: change.alternatives,
+            },
+        );
+    }
+    losses
+}
+
+/// Adds a loss unless an earlier kind of evidence has it.
+fn add(losses: &mut Vec<Loss>, loss: Loss) {
+    let is_known = |known: &Loss| known.motor == loss.motor && (known.time - loss.time).abs() < SAME;
+    if !losses.iter().any(is_known) {
+        losses.push(loss);
+    }
+}
+
+/// The residuals with the capacities of the changes that are known.
+fn residuals_after(fit: &Fit, samples: &Samples, effects: &[Effect], changes: &[Change]) -> Vec<[f64; 4]> {
+    let n = samples.samples.len();
+    (0..n)
+        .map(|i| {
+            let mut capacity = vec![1.0; effects.len()];
+            for change in changes.iter().filter(|change| samples.samples[i].time > change.time) {
+                capacity[change.motor] = change.capacity;
+            }
+            fit.residual(samples, effects, i, &capacity)
+        })
+        .collect()
+}
+
+fn of_output(found: &Frozen, period: f64) -> Loss {
+    Loss {
+        motor: found.motor,
+        time: found.from,
+        interval: [found.from - period, found.from],
+        capacity: if found.is_off { 0.0 } else { found.share },
+        capacity_interval: [if found.is_off { 0.0 } else { found.share }; 2],
+        kind: if found.is_off { Kind::Off } else { Kind::Held },
+        evidence: Evidence::Output,
+        alternatives: Vec::new(),
+    }
+}
+
+/// Motors whose logged speed stands while the others turn, with the time from which it does, s.
+fn standing(record: &Record, range: [f64; 2], motors: usize) -> Vec<(usize, f64)> {
+    let [a, b] = range.map(|t| record.speeds.times.partition_point(|x| *x < t));
+    let mut since: [Option<f64>; MOTORS] = [None; MOTORS];
+    let mut found: Vec<(usize, f64)> = Vec::new();
+    for i in a..b {
+        let (time, row) = (record.speeds.times[i], &record.speeds.values[i]);
+        let mut known: Vec<f64> = row[..motors].iter().filter(|v| v.is_finite()).map(|v| f64::from(*v)).collect();
+        let Some(middle) = median(&mut known).filter(|middle| *middle > 500.0) else { continue };
+        for motor in 0..motors {
+            let stands = f64::from(row[motor]) < STANDING * middle;
+            let start = since[motor].filter(|_| stands).or(stands.then_some(time));
+            since[motor] = start;
+            if start.is_some_and(|start| time - start > STANDS) && !found.iter().any(|(k, _)| *k == motor) {
+                found.push((motor, start.unwrap_or(time)));
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,68 @@
+//! `mavc diagnose`: which motor lost thrust in the flight of a log.
+
+use super::progress::Watch;
+use super::results::compact_json;
+use super::spec::human;
+use super::{CommandError, DiagnoseArgs, FINE, Format, LOSS, NOT_IDENTIFIABLE, Options, SPEC_ERRORS, SpecArgs};
+use super::{files, spec};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::pipeline::{Diagnosed, Undiagnosed, diagnose};
+use crate::read::FlightBlocks;
+use crate::report::diagnosis::{DiagnosisRecord, screen};
+use crate::source::{Source, SourceMap};
+use std::io::Read;
+use std::path::Path;
+
+pub fn run(args: &DiagnoseArgs, options: &Options) -> Result<u8, CommandError> {
+    let vehicle = match &args.spec {
+        None => None,
+        Some(path) => {
+            let of = SpecArgs { spec: path.clone(), set: Vec::new() };
+            let (spec, mut findings) = spec::read(&of, FlightBlocks::Unused, &Watch::new(options))?;
+            findings.eprint(options);
+            let Some(spec) = spec else { return Ok(SPEC_ERRORS) };
+            Some(spec)
+        }
+    };
+    let mut log = open(&args.log)?;
+    let mut baseline = args.baseline.iter().map(|name| open(name)).collect::<Result<Vec<_>, _>>()?;
+    match diagnose(&mut log, vehicle.as_ref(), &args.hide, &mut baseline) {
+        Err(Undiagnosed::Io(e)) => Err(files::cannot_read(Path::new(&args.log), &e)),
+        Err(Undiagnosed::Not(found)) => {
+            eprint(&args.log, found, options);
+            Ok(SPEC_ERRORS)
+        }
+        Ok(Diagnosed { diagnosis, diagnostics }) => {
+            eprint(&args.log, diagnostics, options);
+            match args.format {
+                Format::Json => files::print(&compact_json(&DiagnosisRecord::new(&diagnosis))?)?,
+                Format::Human => files::print_screen(&screen(&diagnosis))?,
+            }
+            Ok(match () {
+                () if !diagnosis.losses().is_empty() => LOSS,
+                () if diagnosis.is_unknown() => NOT_IDENTIFIABLE,
+                () => FINE,
+            })
+        }
+    }
+}
+
+/// Opens a log as a stream.
+fn open(name: &str) -> Result<Box<dyn Read>, CommandError> {
+    if name == "-" {
+        return Ok(Box::new(std::io::stdin()));
+    }
+    let path = Path::new(name);
+    let file = std::fs::File::open(path).map_err(|e| files::cannot_read(path, &e))?;
+    Ok(Box::new(file))
+}
+
+/// Prints what was found in a log, which is no text that could be shown.
+fn eprint(name: &str, mut found: Vec<Diagnostic>, options: &Options) {
+    if options.quiet {
+        found.retain(|d| d.severity == Severity::Error);
+    }
+    let mut sources = SourceMap::default();
+    sources.add(Source::new(spec::name(name), ""));
+    files::eprint_as_it_is(&human(&found, &sources, &std::io::stderr()));
+}
