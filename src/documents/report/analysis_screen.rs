@@ -98,9 +98,9 @@ fn cells(model: &Model, mode: &ModeAnalysis, spins: &[SettledSpin]) -> Vec<Strin
     let positive = |value: &f64| *value > 0.0;
     let mut cells = vec![
         mode.outcome.word().to_string(),
-        climb.map_or("-".into(), |newton| format!("+{} N", down(newton.max(0.0), DIGITS))),
+        climb.map_or("-".into(), |newton| format!("+{}", down(newton.max(0.0), DIGITS))),
         yaw.unwrap_or("-".into()),
-        mass.filter(positive).map_or("none".into(), |mass| format!("{} kg", down(mass, DIGITS))),
+        mass.filter(positive).map_or("none".into(), |mass| down(mass, DIGITS)),
     ];
     if !spins.is_empty() {
         let of_mode = |spin: &&SettledSpin| spin.mode == mode.name && !holds_heading(mode);
@@ -109,13 +109,13 @@ fn cells(model: &Model, mode: &ModeAnalysis, spins: &[SettledSpin]) -> Vec<Strin
     cells
 }
 
-/// `7.8 rad/s, 19.4 deg`: the rate, and the angle between its axis and z of the body
+/// `7.8, 19.4`: the rate, rad/s, and the angle between its axis and z of the body, deg
 fn spin(spin: &SettledSpin) -> String {
     let rate = spin.spin_rad_s.abs();
     match rate < 1e-3 {
         true => "none".into(),
         false => format!(
-            "{} rad/s, {} deg",
+            "{}, {}",
             significant(rate, DIGITS),
             significant((10.0 * spin.axis_tilt_deg).round() / 10.0, DIGITS)
         ),
@@ -123,9 +123,9 @@ fn spin(spin: &SettledSpin) -> String {
 }
 
 fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin], names: usize) -> Table {
-    let mut headings = vec!["fault", "after it", "climb", "yaw N m", "max mass"];
+    let mut headings = vec!["fault", "after it", "climb N", "yaw N m", "max kg"];
     if !spins.is_empty() {
-        headings.push("spin, tilt");
+        headings.push("rad/s, deg");
     }
     let mut table = Table::new(&headings).with_words(1);
     let first = std::iter::once("none".to_string());
@@ -139,7 +139,7 @@ fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin], names: us
         let mut cells = vec![within(&all, &row.modes, names)];
         cells.extend(row.cells.iter().cloned());
         if row.outcome == Outcome::FullControl && weakest == Some(row.margin) {
-            cells.push("weakest".into());
+            cells[1].push_str(", weakest");
         }
         table.row(cells);
     }
@@ -173,7 +173,7 @@ fn shown(rows: &[Row]) -> (Vec<&Row>, Vec<(Outcome, usize)>) {
 fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Vec<String> {
     let mut lines = vec!["climb: thrust left beyond hover; yaw: torque left, weaker/stronger direction".to_string()];
     if !spins.is_empty() {
-        lines.push("spin: where flights settle, and the angle of its axis from the body's z axis".into());
+        lines.push("rad/s, deg: the spin in which flights settle; its axis from the body's z axis".into());
     }
     if model.vehicle.is_uncertain() {
         lines.push("outcomes hold for all values of the intervals; figures are those of the middle".into());
@@ -222,10 +222,9 @@ fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     remarks.extend(named(&|mode| mode.outcome == Outcome::Caught).map(|names| {
         format!("{names}: the vehicle loses height before it is caught; `mavc analyze --capture` simulates how much")
     }));
-    remarks
-        .extend(named(&|mode| mode.outcome == Outcome::NoMargin).map(|names| {
-            format!("{names}: thrust and torques balance, but the smallest disturbance is not countered")
-        }));
+    remarks.extend(named(&|mode| mode.outcome == Outcome::NoMargin).map(|names| {
+        format!("{names}: thrust and torques balance, but in some direction no disturbance is countered")
+    }));
     let faint = |mode: &ModeAnalysis| mode.nearest_rows.is_some_and(|rows| rows.angle < least_angle());
     remarks.extend(named(&faint).map(|names| {
         format!("{names}: nearly parallel rows of the actuation matrix, so the rotors can hardly tell two axes apart")

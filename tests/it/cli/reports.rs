@@ -132,11 +132,11 @@ fn the_analysis_says_what_its_words_mean() {
     let text = out(&mavc_with(&["analyze", "-v", "-"], &spec));
     let row = |mode: &str| text.lines().filter(move |line| line.starts_with(mode)).map(flat).collect::<Vec<_>>();
     let [one, free, left] = &row("near")[..] else { panic!("{text}") };
-    assert!(one.starts_with("near stabilizable inside, yaw free"), "{one}");
+    assert!(one.starts_with("near flies on, heading not held stabilizable inside, yaw free"), "{one}");
     assert!(free.starts_with("near interior ") && free.ends_with(" unknown"), "{free}");
     assert_eq!(left, "near heading not held");
     let [one, free, left] = &row("half")[..] else { panic!("{text}") };
-    assert!(one.starts_with("half unstable outside"), "{one}");
+    assert!(one.starts_with("half lost unstable outside"), "{one}");
     assert_eq!(free, "half none");
     assert_eq!(left, "half no hover");
     for word in ["yaw free", "margin", "heaviest", "facets", "rank", "|e_p|", "disc", "level", "torque", "spin"] {
