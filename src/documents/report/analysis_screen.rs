@@ -2,7 +2,7 @@
 
 use super::headline::{headline, why_undecided};
 use super::mode_names::within;
-use super::screen::{EVERY_TABLE, Screen, Tone};
+use super::screen::{EVERY_TABLE, Screen, Tone, fits};
 use super::terminal::{airspeed, vehicle_line};
 use crate::admissible;
 use crate::admissible::airspeed::PLAUSIBLE;
@@ -19,6 +19,8 @@ use crate::text_table::Table;
 const MOST_ROWS: usize = 12;
 /// Most columns of the names of modes.
 const NAMES: usize = 32;
+/// Without room for so many columns of names the spins are left to `-v`.
+const FEWEST_NAMES: usize = 18;
 /// Digits of every figure.
 const DIGITS: usize = 3;
 
@@ -35,7 +37,10 @@ pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
     let vehicle = vehicle_line(model);
     screen.paragraph(Tone::Plain, 0, 2, vehicle.strip_prefix(&model.vehicle.name).unwrap_or(&vehicle).trim_start());
     screen.gap();
-    let spins = settled_spins(model);
+    let mut spins = settled_spins(model);
+    if !fits(&table(model, modes, &spins, FEWEST_NAMES)) {
+        spins.clear();
+    }
     screen.fitted(NAMES, |names| table(model, modes, &spins, names));
     screen.gap();
     legend(model, modes, &spins).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
