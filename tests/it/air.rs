@@ -189,7 +189,7 @@ fn proved_in_every_wind(air: &str, winds: impl Fn(f64, f64, f64) -> [f64; 3], mo
     let text = text.replace("874 rad/s }", "874 rad/s; time_constant = 40 ms }");
     std::fs::write(&path, &text).unwrap();
     let [path, proof] = [&path, &proof].map(|path| path.to_str().unwrap());
-    let output = mavc(&["plan", path, "--certificate", proof]);
+    let output = mavc(&["plan", "-v", path, "--certificate", proof]);
     let printed = String::from_utf8_lossy(&output.stdout).into_owned();
     assert_eq!(output.status.code(), Some(0), "{printed}{}", String::from_utf8_lossy(&output.stderr));
     assert!(
@@ -235,7 +235,7 @@ fn certificates_and_flights_have_the_air_of_the_plan() {
     std::fs::write(&spec, &text).unwrap();
     std::fs::write(&still, text.replace("[6, 0, 0]", "[5, 0, 0]")).unwrap();
     let [spec, proof, still] = [&spec, &proof, &still].map(|path| path.to_str().unwrap());
-    let output = mavc(&["plan", spec, "--certificate", proof]);
+    let output = mavc(&["plan", "-v", spec, "--certificate", proof]);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     assert_eq!(mavc(&["verify", proof, spec]).status.code(), Some(0));
     assert_eq!(mavc(&["verify", proof, still]).status.code(), Some(5));

@@ -21,7 +21,7 @@ fn unwrapped(text: &str) -> String {
 #[test]
 fn modes_without_rows_are_not_planned() {
     let drag = PLAIN_QUAD.replace("3e-3 N*m*s/rad +- 50 %", "6e-3 N*m*s/rad +- 20 %");
-    let (code, told) = run(&["plan", "-", "-q"], &drag);
+    let (code, told) = run(&["plan", "-v", "-", "-q"], &drag);
     let told = unwrapped(&told);
     assert_eq!(code, Some(0), "{told}");
     for expected in [
@@ -35,13 +35,13 @@ fn modes_without_rows_are_not_planned() {
     }
     assert!(!told.contains("stays inside the sets of all modes planned against") && !told.contains("caught"), "{told}");
     // At the lower end of the written drag the spin settles beyond the gyroscope, and no height is known to be enough.
-    let (_, told) = run(&["plan", "-", "-q"], PLAIN_QUAD);
+    let (_, told) = run(&["plan", "-v", "-", "-q"], PLAIN_QUAD);
     assert!(unwrapped(&told).contains("do not recover from any height; not proved."), "{told}");
     // With a mode that has rows the sentence is about that one.
-    let (_, told) = run(&["plan", "-", "-q"], &PLAIN_QUAD.replace("against = [M1]", "against = [M1, W2]"));
+    let (_, told) = run(&["plan", "-v", "-", "-q"], &PLAIN_QUAD.replace("against = [M1]", "against = [M1, W2]"));
     let told = unwrapped(&told);
     assert!(!told.contains("all modes planned against"), "{told}");
-    let (_, told) = run(&["plan", "-", "-q"], &PLAIN_QUAD.replace("against = [M1]", "against = [W2]"));
+    let (_, told) = run(&["plan", "-v", "-", "-q"], &PLAIN_QUAD.replace("against = [M1]", "against = [W2]"));
     assert!(!told.contains("ot planned for"), "{told}");
 }
 
@@ -51,7 +51,7 @@ fn comparisons_name_the_sets_that_a_plan_leaves() {
     let text = include_str!("../specs/flown/wall.mav")
         .replace("time = 5 s", "time = minimum")
         .replace("samples = 80", "samples = 40");
-    let (code, told) = run(&["compare", "-", "-q"], &text);
+    let (code, told) = run(&["compare", "-v", "-", "-q"], &text);
     assert_eq!(code, Some(0), "{told}");
     let heading = told.lines().find(|line| line.contains("rows/node")).unwrap();
     assert!(heading.ends_with("leaves the sets of"), "{heading}");
@@ -102,7 +102,7 @@ fn airspeeds_of_modes_without_yaw() {
         found.without_yaw && (found.largest_m_per_s.unwrap() / expected - 1.0).abs() < 1e-6,
         "{found:?} {expected}"
     );
-    let (_, told) = run(&["analyze", "-"], TILTED_SPIN);
+    let (_, told) = run(&["analyze", "-v", "-"], TILTED_SPIN);
     let row = |name: &str| told.lines().find(|line| line.starts_with(name)).unwrap().to_string();
     assert!(row("healthy").ends_with(&format!("over {PLAUSIBLE} m/s")), "{told}");
     assert!(row("L5").ends_with("(no yaw)"), "{told}");

@@ -83,7 +83,7 @@ plan { model = hover; planner = rsp; against = [weak]; time = 6 s; samples = 40 
 fn a_plan_writes_a_table_and_a_report() {
     let dir = folder();
     let (table, report) = (dir.path().join("traj.csv"), dir.path().join("report.json"));
-    let ran = mavc(&["plan", CASE_1, "--set", "plan.time=20s", "-o", text(&table), "--report", text(&report)]);
+    let ran = mavc(&["plan", "-v", CASE_1, "--set", "plan.time=20s", "-o", text(&table), "--report", text(&report)]);
     assert_eq!(code(&ran), 0, "{}", err(&ran));
     let csv = std::fs::read_to_string(&table).unwrap();
     let lines: Vec<&str> = csv.lines().collect();
@@ -111,7 +111,7 @@ fn the_same_spec_gives_the_same_bytes() {
     let run = |name: &str, threads: &str| {
         let path = dir.path().join(name);
         let ran = Command::new(env!("CARGO_BIN_EXE_mavc"))
-            .args(["compare", text(&spec), "--report", text(&path)])
+            .args(["compare", "-v", text(&spec), "--report", text(&path)])
             .env("RAYON_NUM_THREADS", threads)
             .output()
             .unwrap();
@@ -127,7 +127,7 @@ fn the_same_spec_gives_the_same_bytes() {
 fn mistakes_end_with_1_and_write_nothing() {
     let dir = folder();
     let table = dir.path().join("traj.csv");
-    let ran = mavc_with(&["plan", "-", "-o", text(&table)], &HOP.replace("1.32 kg", "1.32 m"));
+    let ran = mavc_with(&["plan", "-v", "-", "-o", text(&table)], &HOP.replace("1.32 kg", "1.32 m"));
     assert_eq!(code(&ran), 1);
     assert!(err(&ran).contains("mavc::unit::mismatch"), "{}", err(&ran));
     assert!(out(&ran).is_empty());
@@ -138,7 +138,7 @@ fn mistakes_end_with_1_and_write_nothing() {
 fn a_mode_that_cannot_hover_ends_with_3_and_a_report() {
     let dir = folder();
     let (table, report) = (dir.path().join("traj.csv"), dir.path().join("report.json"));
-    let args = ["plan", "-", "-o", text(&table), "--report", text(&report), "--set", "plan.against=[M1]"];
+    let args = ["plan", "-v", "-", "-o", text(&table), "--report", text(&report), "--set", "plan.against=[M1]"];
     let ran = mavc_with(&args, HOP);
     assert_eq!(code(&ran), 3);
     assert!(err(&ran).contains("mavc::analysis::cannot_hover"), "{}", err(&ran));
@@ -182,7 +182,7 @@ fn only_the_broken_override_is_reported() {
 fn no_plan_in_time_ends_with_3_and_a_report() {
     let dir = folder();
     let (table, report) = (dir.path().join("traj.csv"), dir.path().join("report.json"));
-    let args = ["plan", "-", "-o", text(&table), "--report", text(&report), "--set", "plan.time=0.7s"];
+    let args = ["plan", "-v", "-", "-o", text(&table), "--report", text(&report), "--set", "plan.time=0.7s"];
     let ran = mavc_with(&args, HOP);
     assert_eq!(code(&ran), 3, "{}{}", out(&ran), err(&ran));
     assert!(
@@ -209,7 +209,7 @@ fn no_plan_in_time_ends_with_3_and_a_report() {
     // The time that would do does, and asks for no reasons.
     let later = conflict["fixes"].as_array().unwrap().iter().find(|f| f["kind"] == "time").unwrap();
     let set = format!("plan.time={}s", later["value"]);
-    let ran = mavc_with(&["plan", "-", "-o", text(&table), "--report", text(&report), "--set", &set], HOP);
+    let ran = mavc_with(&["plan", "-v", "-", "-o", text(&table), "--report", text(&report), "--set", &set], HOP);
     assert_eq!(code(&ran), 0, "{}{}", out(&ran), err(&ran));
     assert!(!err(&ran).contains("mavc::plan::conflict"), "{}", err(&ran));
     let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
@@ -221,13 +221,13 @@ fn usage_and_files_end_with_2() {
     let dir = folder();
     let missing = dir.path().join("none/traj.csv");
     for args in [
-        vec!["plan", "no/such.mav"],
-        vec!["plan", "specs"],
-        vec!["plan", CASE_1, "-o", text(&missing)],
-        vec!["plan", CASE_1, "-o", text(dir.path())],
+        vec!["plan", "-v", "no/such.mav"],
+        vec!["plan", "-v", "specs"],
+        vec!["plan", "-v", CASE_1, "-o", text(&missing)],
+        vec!["plan", "-v", CASE_1, "-o", text(dir.path())],
         vec!["explain", "mavc::no::such"],
         vec!["emit", "model", CASE_1, "--format", "mps"],
-        vec!["analyze", CASE_1, "--sweep", "mass=2kg"],
+        vec!["analyze", "-v", CASE_1, "--sweep", "mass=2kg"],
         vec!["check", CASE_1, "--explain-defaults", "--format", "json"],
         vec!["nonsense"],
     ] {
@@ -301,7 +301,7 @@ fn every_stage_of_every_shipped_spec_can_be_printed() {
             assert!(!out(&ran).is_empty());
         }
         assert_eq!(code(&mavc(&["check", name])), 0, "{name}");
-        assert_eq!(code(&mavc(&["analyze", name, "--format", "json"])), 0, "{name}");
+        assert_eq!(code(&mavc(&["analyze", "-v", name, "--format", "json"])), 0, "{name}");
     }
     for stage in ["constraints", "qp"] {
         assert_eq!(code(&mavc(&["emit", stage, CASE_1, "--set", "plan.time=24s"])), 0, "{stage}");
@@ -357,7 +357,7 @@ fn new_writes_a_spec_that_plans_and_never_overwrites() {
     assert_eq!(before, std::fs::read(&spec).unwrap());
     let checked = mavc(&["check", text(&spec), "--deny", "warnings"]);
     assert_eq!(code(&checked), 0, "{}", out(&checked));
-    let ran = mavc(&["plan", text(&spec), "-o", text(&table)]);
+    let ran = mavc(&["plan", "-v", text(&spec), "-o", text(&table)]);
     assert_eq!(code(&ran), 0, "{}{}", out(&ran), err(&ran));
     assert!(table.exists());
     for warning in ["Between samples", "Past the linear model"] {
@@ -382,7 +382,7 @@ fn new_writes_whole_missions_that_check_and_plan() {
     }
     let spec = dir.path().join("inspection.mav");
     let fewer = ["--set", "plan.planner=rip", "--set", "plan.samples=60", "--set", "plan.time=85s"];
-    let ran = mavc(&[&["plan", text(&spec)], &fewer[..]].concat());
+    let ran = mavc(&[&["plan", "-v", text(&spec)], &fewer[..]].concat());
     assert_eq!(code(&ran), 0, "{}{}", out(&ran), err(&ran));
     assert!(out(&ran).contains("\n  battery: ") && out(&ran).contains("keep_out "), "{}", out(&ran));
     let unknown = mavc(&["new", "-", "--mission", "race"]);
@@ -445,7 +445,7 @@ fn yaw_planned_first_is_said() {
     let plan = |spec: &str| {
         let table = dir.path().join("t.csv");
         let fewer = ["--set", "plan.model=hover", "--set", "plan.samples=60"];
-        let output = mavc(&[&["plan", spec, "-o", text(&table), "--quiet"], &fewer[..]].concat());
+        let output = mavc(&[&["plan", "-v", spec, "-o", text(&table), "--quiet"], &fewer[..]].concat());
         assert_eq!(code(&output), 0);
         out(&output).contains("Yaw changes: it was planned first")
     };

@@ -334,7 +334,7 @@ fn certificates_and_flights_have_the_drag_of_each_axis() {
     std::fs::write(&spec, &text).unwrap();
     std::fs::write(&other, text.replace("[0.3, 0.5, 0.2]", "[0.5, 0.3, 0.2]")).unwrap();
     let [spec, proof, other] = [&spec, &proof, &other].map(|path| path.to_str().unwrap());
-    let output = mavc(&["plan", spec, "--certificate", proof]);
+    let output = mavc(&["plan", "-v", spec, "--certificate", proof]);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let output = mavc(&["verify", proof, spec]);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
@@ -360,7 +360,7 @@ fn commands_of_lagging_rotors_are_certified() {
         dash("[0.3, 0.5, 0.2]", "").replace("max_speed = 874 rad/s", "max_speed = 874 rad/s; time_constant = 30 ms");
     std::fs::write(&spec, text.replace("samples = 24", "samples = 24; rotors = lagging")).unwrap();
     let [spec, proof] = [&spec, &proof].map(|path| path.to_str().unwrap());
-    assert_eq!(mavc(&["plan", spec, "--certificate", proof]).status.code(), Some(0));
+    assert_eq!(mavc(&["plan", "-v", spec, "--certificate", proof]).status.code(), Some(0));
     let output = mavc(&["verify", proof, spec]);
     let shown = String::from_utf8_lossy(&output.stdout).into_owned();
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));

@@ -13,7 +13,7 @@ const RIP: &str = "plan.planner=rip";
 #[ignore = "long"]
 fn a_quick_search_finds_a_plan_with_less_work() {
     let work = |effort: &str| {
-        let ran = mavc(&["plan", SLALOM, "--set", RIP, "--effort", effort, "--timings"]);
+        let ran = mavc(&["plan", "-v", SLALOM, "--set", RIP, "--effort", effort, "--timings"]);
         assert_eq!(code(&ran), 0, "{}", err(&ran));
         let report = err(&ran);
         let solver = report.lines().find(|line| line.contains(" work ")).unwrap().to_owned();
@@ -22,7 +22,7 @@ fn a_quick_search_finds_a_plan_with_less_work() {
     };
     let (quick, normal) = (work("quick"), work("normal"));
     assert!(quick < 0.5 * normal, "{quick} {normal}");
-    let refused = mavc(&["plan", SLALOM, "--effort", "hasty"]);
+    let refused = mavc(&["plan", "-v", SLALOM, "--effort", "hasty"]);
     assert_eq!(code(&refused), 2, "{}", out(&refused));
 }
 

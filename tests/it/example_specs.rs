@@ -71,11 +71,11 @@ fn a_quadcopter_tolerates_weak_rotors_and_lands_without_one() {
     assert_eq!(verdicts.len(), 9);
     assert!(verdicts[1..5].iter().all(|verdict| *verdict == ("stabilizable", false)));
     assert!(verdicts[5..].iter().all(|verdict| *verdict == ("controllable", true)));
-    let flight = mavc(&["simulate", SPECS[0]]);
+    let flight = mavc(&["simulate", "-v", SPECS[0]]);
     assert_eq!(flight.status.code(), Some(0));
     let text = String::from_utf8(flight.stdout).unwrap();
     assert!(text.contains("\nLanded at ") && text.contains("\n  yaw given up at 6.0"), "{text}");
-    let held = mavc(&["simulate", SPECS[0], "--set", "plan.without_yaw=never"]);
+    let held = mavc(&["simulate", "-v", SPECS[0], "--set", "plan.without_yaw=never"]);
     assert_eq!(held.status.code(), Some(6));
 }
 

@@ -138,7 +138,7 @@ fn the_ending_of_the_output_says_the_format() {
         ("a.csv", "t,x,y,z"),
         ("a.txt", "t,x,y,z"),
     ] {
-        let ran = mavc(&["plan", spec, "-q", "-o", &path(name)]);
+        let ran = mavc(&["plan", "-v", spec, "-q", "-o", &path(name)]);
         assert_eq!(ran.status.code(), Some(0), "{name}: {}", err(&ran));
         assert!(std::fs::read_to_string(path(name)).unwrap().starts_with(begin), "{name}");
     }
@@ -150,24 +150,24 @@ fn the_ending_of_the_output_says_the_format() {
         ("b.db3", "--format rosbag2"),
         ("b.params", "a trajectory is no such file"),
     ] {
-        let ran = mavc_with(&["plan", "-", "-o", &path(name)], HOP);
+        let ran = mavc_with(&["plan", "-v", "-", "-o", &path(name)], HOP);
         assert_eq!((ran.status.code(), Path::new(&path(name)).exists()), (Some(2), false), "{name}");
         assert!(err(&ran).contains(words), "{name}: {}", err(&ran));
     }
     // Flight logs too.
     std::fs::write(path("hop.mav"), HOP).unwrap();
     for (name, begin) in [("f.ulg", &b"ULog"[..]), ("f.mcap", b"\x89MCAP"), ("f.csv", b"t,")] {
-        let ran = mavc(&["simulate", &path("hop.mav"), "-q", "-o", &path(name)]);
+        let ran = mavc(&["simulate", "-v", &path("hop.mav"), "-q", "-o", &path(name)]);
         assert_eq!(ran.status.code(), Some(0), "{name}: {}", err(&ran));
         assert!(std::fs::read(path(name)).unwrap().starts_with(begin), "{name}");
     }
     for (name, words) in [("g.plan", "`mavc plan -o`"), ("g.bin", "--format mcap or ulog"), ("g.html", "--html")] {
-        let ran = mavc(&["simulate", &path("hop.mav"), "-o", &path(name)]);
+        let ran = mavc(&["simulate", "-v", &path("hop.mav"), "-o", &path(name)]);
         assert_eq!((ran.status.code(), Path::new(&path(name)).exists()), (Some(2), false), "{name}");
         assert!(err(&ran).contains(words), "{name}: {}", err(&ran));
     }
     // Whoever names a format gets it.
-    let ran = mavc(&["plan", spec, "-q", "-o", &path("c.json"), "--format", "csv"]);
+    let ran = mavc(&["plan", "-v", spec, "-q", "-o", &path("c.json"), "--format", "csv"]);
     assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));
 }
 

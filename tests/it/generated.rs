@@ -48,7 +48,7 @@ fn a_survey_flies_its_lanes_at_their_height() {
     let report = dir.path().join("report.json");
     for planner in ["rip", "rcp", "rsp"] {
         let set = format!("plan.planner={planner}");
-        let ran = mavc(&["plan", "examples/survey_hexa.mav", "--set", &set, "--report", text(&report)]);
+        let ran = mavc(&["plan", "-v", "examples/survey_hexa.mav", "--set", &set, "--report", text(&report)]);
         assert_eq!(code(&ran), 0, "{planner}: {}", err(&ran));
         let report: Value = serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap();
         let shape = &report["planners"][0]["shape"];

@@ -117,7 +117,7 @@ fn thrust_follows_from_the_mass_and_the_thrust_of_hover() {
 
 /// Verdict and place of hover of every mode, as `mavc analyze` prints them.
 fn verdicts(text: &str) -> Vec<String> {
-    let ran = mavc_with(&["analyze", "-"], &format!("{text}faults {{ every 1 rotor lost as M }}\n"));
+    let ran = mavc_with(&["analyze", "-v", "-"], &format!("{text}faults {{ every 1 rotor lost as M }}\n"));
     let shown = out(&ran);
     // Other tables follow, with a row for each mode too.
     let rows = shown.lines().filter(|line| line.starts_with('M') || line.starts_with("healthy")).take(7);

@@ -58,7 +58,7 @@ fn keeps_its_volumes(time: &str, samples: usize) {
     let [in_time, sampled] = [format!("plan.time={time}"), format!("plan.samples={samples}")];
     let settings = ["--set", "plan.planner=rip", "--set", &in_time, "--set", &sampled];
     let outputs = ["-o", csv.to_str().unwrap(), "--rate", "500Hz", "--certificate", proof.to_str().unwrap()];
-    let (code, text) = run(&[&["plan", spec, "--report", "-"], &settings[..], &outputs].concat());
+    let (code, text) = run(&[&["plan", "-v", spec, "--report", "-"], &settings[..], &outputs].concat());
     assert_eq!(code, Some(0), "{text}");
     let report: serde_json::Value = serde_json::from_str(&text).unwrap();
     // The vehicle: the arm and the propeller.
@@ -120,7 +120,7 @@ fn pages_and_figures_show_volumes() {
     let spec = "specs/missions/mast_octo.mav";
     let settings = ["--set", "plan.planner=rip", "--set", "plan.samples=40", "--set", "plan.time=20s"];
     let outputs = ["--html", page.to_str().unwrap(), "--svg", figures.to_str().unwrap(), "--report", "-"];
-    let (code, text) = run(&[&["plan", spec], &settings[..], &outputs].concat());
+    let (code, text) = run(&[&["plan", "-v", spec], &settings[..], &outputs].concat());
     assert_eq!(code, Some(0), "{text}");
     let report: serde_json::Value = serde_json::from_str(&text).unwrap();
     let html = std::fs::read_to_string(&page).unwrap();
@@ -193,7 +193,7 @@ fn flights_report_how_near_they_came() {
     let settings = ["--set", "plan.planner=rip", "--set", "plan.samples=40", "--set", "plan.time=20s"];
     let report = folder.path().join("report.json");
     let outputs = ["-o", csv.to_str().unwrap(), "--rate", "500Hz", "--report", report.to_str().unwrap()];
-    let (code, text) = run(&[&["simulate", "specs/missions/mast_octo.mav"], &settings[..], &outputs].concat());
+    let (code, text) = run(&[&["simulate", "-v", "specs/missions/mast_octo.mav"], &settings[..], &outputs].concat());
     assert_eq!(code, Some(0), "{text}");
     assert!(text.contains("Smallest distance in the flight of the vehicle"), "{text}");
     let report: serde_json::Value = serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap();
@@ -206,7 +206,8 @@ fn flights_report_how_near_they_came() {
     assert!((told - nearest).abs() < 2e-3, "{told} {nearest}");
     // The flight deviates from its plan, which keeps 2 m.
     assert!(told > 1.5 && (told - 2.0).abs() > 1e-4, "{told}");
-    let (_, text) = run(&["simulate", "specs/missions/inspection.mav", "--set", "plan.samples=40", "--report", "-"]);
+    let (_, text) =
+        run(&["simulate", "-v", "specs/missions/inspection.mav", "--set", "plan.samples=40", "--report", "-"]);
     assert!(!text.contains("\"volumes\""), "{text}");
 }
 
@@ -421,7 +422,7 @@ mod thorough {
             path.to_str().unwrap().to_string()
         };
         let shortest = |room: &str| {
-            let (code, text) = run(&["plan", &spec(room, "minimum"), "--report", "-"]);
+            let (code, text) = run(&["plan", "-v", &spec(room, "minimum"), "--report", "-"]);
             assert_eq!(code, Some(0), "{text}");
             serde_json::from_str::<serde_json::Value>(&text).unwrap()["planners"][0]["time_s"].as_f64().unwrap()
         };
@@ -435,7 +436,7 @@ mod thorough {
             let proof = folder.path().join("proof.json");
             let proof = proof.to_str().unwrap();
             let between = spec(room, &format!("{free} s"));
-            let (code, text) = run(&["plan", &between, "--certificate", proof]);
+            let (code, text) = run(&["plan", "-v", &between, "--certificate", proof]);
             assert_eq!(code, Some(3), "{room}: {text}");
             // The proof holds for this grid, which is less than the spec requires.
             let (code, text) = run(&["verify", proof, &between]);

@@ -127,7 +127,7 @@ fn plan_and_check(plan: &str) {
     let spec = spec.to_str().unwrap();
     let [csv, proof] = ["plan.csv", "proof.json"].map(|name| folder.path().join(name));
     let outputs = ["-o", csv.to_str().unwrap(), "--rate", "1kHz", "--certificate", proof.to_str().unwrap()];
-    let (code, text) = run(&[&["plan", spec][..], &outputs].concat());
+    let (code, text) = run(&[&["plan", "-v", spec][..], &outputs].concat());
     assert_eq!(code, Some(0), "{text}");
     keeps_its_legs(&csv);
     let (code, text) = run(&["verify", proof.to_str().unwrap(), spec]);
@@ -187,7 +187,7 @@ fn limits_of_a_leg_bound_its_time() {
     for model in ["exact", "hover"] {
         let plan = format!("model = {model}; samples = 20; time = 11 s; timing = optimal");
         let spec = write(folder.path(), &mission("{ speed <= 1 m/s }"), &plan);
-        let (code, text) = run(&["plan", spec.to_str().unwrap(), "--certificate", proof]);
+        let (code, text) = run(&["plan", "-v", spec.to_str().unwrap(), "--certificate", proof]);
         assert_eq!(code, Some(3), "{text}");
         // 9.9 m at 1 m/s and twice at 8 m/s, less what the checker allows; each of the latter has an end at rest, which
         // takes more.
@@ -197,7 +197,7 @@ fn limits_of_a_leg_bound_its_time() {
         let (code, text) = run(&["verify", proof, spec.to_str().unwrap()]);
         assert_eq!(code, Some(0), "{text}");
         let spec = write(folder.path(), &mission(""), &plan);
-        let (code, text) = run(&["plan", spec.to_str().unwrap()]);
+        let (code, text) = run(&["plan", "-v", spec.to_str().unwrap()]);
         assert_eq!(code, Some(0), "{text}");
     }
 }
@@ -284,7 +284,7 @@ fn the_yaw_follows_from_the_motion() {
     let spec = spec.to_str().unwrap();
     let [csv, proof] = ["plan.csv", "proof.json"].map(|name| folder.path().join(name));
     let outputs = ["-o", csv.to_str().unwrap(), "--certificate", proof.to_str().unwrap(), "--report", "-"];
-    let (code, text) = run(&[&["plan", spec][..], &outputs].concat());
+    let (code, text) = run(&[&["plan", "-v", spec][..], &outputs].concat());
     assert_eq!(code, Some(0), "{text}");
     let report: Value = serde_json::from_str(&text).unwrap();
     let rows = rows(&csv);
@@ -481,7 +481,7 @@ mod thorough {
             |model: &str, time: &str| format!("model = {model}; time = {time}; samples = 40; timing = proportional");
         let shortest = |clauses: &str| {
             let spec = write(folder.path(), &mission(clauses), &plan("hover", "minimum"));
-            let (code, text) = run(&["plan", spec.to_str().unwrap(), "--report", "-"]);
+            let (code, text) = run(&["plan", "-v", spec.to_str().unwrap(), "--report", "-"]);
             assert_eq!(code, Some(0), "{text}");
             serde_json::from_str::<Value>(&text).unwrap()["planners"][0]["time_s"].as_f64().unwrap()
         };
@@ -501,7 +501,7 @@ mod thorough {
             }
             longer += 1;
             let spec = write(folder.path(), &mission(clauses), &plan("hover", &format!("{free} s")));
-            let (code, text) = run(&["plan", spec.to_str().unwrap(), "--certificate", proof]);
+            let (code, text) = run(&["plan", "-v", spec.to_str().unwrap(), "--certificate", proof]);
             assert_eq!(code, Some(3), "{clauses}: {text}");
             let (code, text) = run(&["verify", proof, spec.to_str().unwrap()]);
             assert_eq!(code, Some(7), "{clauses}: {text}");
@@ -518,7 +518,7 @@ mod thorough {
         let spec = write(folder.path(), MISSION, "model = hover; samples = 100");
         let [csv, proof] = ["plan.csv", "proof.json"].map(|name| folder.path().join(name));
         let outputs = ["-o", csv.to_str().unwrap(), "--certificate", proof.to_str().unwrap()];
-        let (code, text) = run(&[&["plan", spec.to_str().unwrap()][..], &outputs].concat());
+        let (code, text) = run(&[&["plan", "-v", spec.to_str().unwrap()][..], &outputs].concat());
         assert_eq!(code, Some(0), "{text}");
         let rows = rows(&csv);
         let near = |found: f64, most: f64| assert!(found <= most + 1e-5, "{found} of {most}");

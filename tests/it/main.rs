@@ -56,6 +56,7 @@ mod reversible;
 mod risk;
 mod rounds;
 mod schemas;
+mod screens;
 mod several;
 mod shape;
 mod simulate;

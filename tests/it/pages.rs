@@ -209,15 +209,15 @@ fn pages_keep_to_the_rules_of_results() {
     let one = dir.path().join("one");
     let one = one.to_str().unwrap();
     for other in ["--report", "-o", "--certificate"] {
-        let ran = mavc(&["plan", &spec, "--html", one, other, one]);
+        let ran = mavc(&["plan", "-v", &spec, "--html", one, other, one]);
         assert_eq!(ran.status.code(), Some(2), "{other}");
         assert!(String::from_utf8_lossy(&ran.stderr).contains("same place"));
     }
-    let ran = mavc(&["plan", &spec, "--html", &spec]);
+    let ran = mavc(&["plan", "-v", &spec, "--html", &spec]);
     assert_eq!(ran.status.code(), Some(2));
     assert_eq!(std::fs::read_to_string(&spec).unwrap(), HOSTILE);
     // Standard output has a page to itself.
-    let ran = mavc(&["plan", &spec, "--html", "-"]);
+    let ran = mavc(&["plan", "-v", &spec, "--html", "-"]);
     let text = String::from_utf8(ran.stdout).unwrap();
     assert!(text.starts_with("<!DOCTYPE html>") && text.ends_with("</html>"));
     assert!(String::from_utf8_lossy(&ran.stderr).contains("RIP: found, 6 s"));
@@ -348,7 +348,7 @@ fn charts_become_svg_files() {
     let spec = written(dir.path(), HOSTILE);
     let (one, two) = (dir.path().join("one"), dir.path().join("two/deep"));
     for folder in [&one, &two] {
-        let ran = mavc(&["plan", &spec, "--svg", folder.to_str().unwrap()]);
+        let ran = mavc(&["plan", "-v", &spec, "--svg", folder.to_str().unwrap()]);
         assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
         let told = format!("Figures written to {}", folder.display());
         assert!(String::from_utf8_lossy(&ran.stdout).contains(&told));
@@ -389,7 +389,7 @@ fn charts_become_svg_files() {
     assert!(drawn[0] == 2 && drawn[1] > 20 && drawn[2] > 20, "{drawn:?}");
     // Planners side by side: every one's figures have its name.
     let side_by_side = dir.path().join("side by side");
-    let ran = mavc(&["compare", CASE_1, "--set", FEWER, "--svg", side_by_side.to_str().unwrap()]);
+    let ran = mavc(&["compare", "-v", CASE_1, "--set", FEWER, "--svg", side_by_side.to_str().unwrap()]);
     assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
     let drawn = |name: &str| std::fs::read_to_string(side_by_side.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));
     for name in ["thrust-RIP.svg", "thrust-RCP-M1.svg", "set-M1-RIP.svg", "set-healthy-RSP.svg"] {
@@ -400,7 +400,7 @@ fn charts_become_svg_files() {
     // What cannot be a folder is refused before anything is planned or written.
     let page = dir.path().join("page.html");
     for folder in [spec.clone(), format!("{spec}/deep")] {
-        let ran = mavc(&["plan", &spec, "--html", page.to_str().unwrap(), "--svg", &folder]);
+        let ran = mavc(&["plan", "-v", &spec, "--html", page.to_str().unwrap(), "--svg", &folder]);
         assert_eq!((ran.status.code(), ran.stdout.len()), (Some(2), 0), "{folder}");
         assert!(!page.exists());
     }

@@ -200,7 +200,7 @@ fn zero_rounds_are_reported() {
     let said = |rounds: usize| {
         let path = folder.path().join(format!("{rounds}.mav"));
         std::fs::write(&path, spec(rounds)).unwrap();
-        let ran = mavc_with(&["plan", path.to_str().unwrap()], "");
+        let ran = mavc_with(&["plan", "-v", path.to_str().unwrap()], "");
         let text = String::from_utf8(ran.stdout).unwrap() + &String::from_utf8(ran.stderr).unwrap();
         assert_eq!(ran.status.code(), Some(0), "{text}");
         text.contains("`rounds = 0` selects no facet")
@@ -279,7 +279,7 @@ mod thorough {
         );
         let folder = tempfile::tempdir().unwrap();
         let report = folder.path().join("report.json");
-        let ran = mavc_with(&["compare", "-", "--rounds", "0..2", "--report", report.to_str().unwrap()], &spec);
+        let ran = mavc_with(&["compare", "-v", "-", "--rounds", "0..2", "--report", report.to_str().unwrap()], &spec);
         let text = String::from_utf8(ran.stdout).unwrap() + &String::from_utf8(ran.stderr).unwrap();
         assert_eq!(ran.status.code(), Some(0), "{text}");
         let json: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();

@@ -42,7 +42,7 @@ fn planned(to: &str, plan: &str) -> Told {
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
     let (report, page) = (path("r.json"), path("p.html"));
     let spec = HEXA.replace(THERE, to) + &format!("plan {{ {plan} }}\n");
-    let ran = mavc_with(&["plan", "-", "--report", &report, "--html", &page], &spec);
+    let ran = mavc_with(&["plan", "-v", "-", "--report", &report, "--html", &page], &spec);
     let read = |name: &str| std::fs::read_to_string(name).unwrap();
     let text = String::from_utf8(ran.stdout).unwrap() + &String::from_utf8(ran.stderr).unwrap();
     Told {
@@ -175,17 +175,17 @@ fn the_edge_is_one_for_every_command() {
 fn on_the_edge_is_one_word() {
     let spec = format!("{HEXA}plan {{ against = [gone]; reserve = 0 %; planner = rip; time = 4 s; samples = 10 }}\n");
     let out = |args: &[&str]| String::from_utf8(mavc_with(args, &spec).stdout).unwrap();
-    let table = out(&["analyze", "-"]);
+    let table = out(&["analyze", "-v", "-"]);
     let row = table.lines().find(|line| line.starts_with("gone")).unwrap();
     assert!(row.contains(" controllable ") && row.contains(" on the edge "), "{table}");
-    let record: Value = serde_json::from_str(&out(&["analyze", "-", "--format", "json"])).unwrap();
+    let record: Value = serde_json::from_str(&out(&["analyze", "-v", "-", "--format", "json"])).unwrap();
     let gone = record["modes"].as_array().unwrap().iter().find(|mode| mode["name"] == "gone").unwrap();
     assert_eq!((&gone["verdict"], &gone["hover"]), (&"controllable".into(), &"on the edge".into()));
-    let page = out(&["plan", "-", "--html", "-"]);
+    let page = out(&["plan", "-v", "-", "--html", "-"]);
     assert!(page.contains("controllable, on the edge") && page.contains(r#""hover":"on the edge""#), "{page}");
     assert!(out(&["check", "-"]).contains("hover lies on the edge"), "{}", out(&["check", "-"]));
     let campaign = format!("{spec}campaign {{ times = 2; planners = rip }}\n");
-    let ran = mavc_with(&["campaign", "-", "-o", "/dev/null", "--report", "-"], &campaign);
+    let ran = mavc_with(&["campaign", "-v", "-", "-o", "/dev/null", "--report", "-"], &campaign);
     let flown: Value = serde_json::from_slice(&ran.stdout).unwrap_or_else(|e| panic!("{e} {ran:?}"));
     let modes = flown["planners"][0]["modes"].as_array().unwrap();
     let inside: Vec<(&str, bool)> =
@@ -193,10 +193,11 @@ fn on_the_edge_is_one_word() {
     assert_eq!(inside, [("gone", false), ("worn", true)]);
     assert_eq!((&modes[0]["verdict"], &modes[0]["hover"]), (&gone["verdict"], &gone["hover"]));
     assert_eq!(modes[0]["yaw_free"], gone["yaw_free"]);
-    let text = String::from_utf8(mavc_with(&["campaign", "-"], &campaign).stdout).unwrap();
+    let text = String::from_utf8(mavc_with(&["campaign", "-v", "-"], &campaign).stdout).unwrap();
     assert!(text.lines().any(|line| line.trim_start().starts_with("gone") && line.contains(" on the edge ")), "{text}");
     let page =
-        String::from_utf8(mavc_with(&["campaign", "-", "-o", "/dev/null", "--html", "-"], &campaign).stdout).unwrap();
+        String::from_utf8(mavc_with(&["campaign", "-v", "-", "-o", "/dev/null", "--html", "-"], &campaign).stdout)
+            .unwrap();
     assert!(page.contains("<td>on the edge</td>"), "{page}");
 }
 

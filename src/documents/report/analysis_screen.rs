@@ -2,7 +2,7 @@
 
 use super::headline::{headline, why_undecided};
 use super::mode_names::within;
-use super::screen::{EVERY_TABLE, Screen, Tone};
+use super::screen::{EVERY_TABLE, Screen, Tone, fits};
 use super::terminal::{airspeed, vehicle_line};
 use crate::admissible;
 use crate::admissible::airspeed::PLAUSIBLE;
@@ -19,6 +19,8 @@ use crate::text_table::Table;
 const MOST_ROWS: usize = 12;
 /// Most columns of the names of modes.
 const NAMES: usize = 32;
+/// Without room for so many columns of names the spins are left to `-v`.
+const FEWEST_NAMES: usize = 18;
 /// Digits of every figure.
 const DIGITS: usize = 3;
 
@@ -35,7 +37,10 @@ pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
     let vehicle = vehicle_line(model);
     screen.paragraph(Tone::Plain, 0, 2, vehicle.strip_prefix(&model.vehicle.name).unwrap_or(&vehicle).trim_start());
     screen.gap();
-    let spins = settled_spins(model);
+    let mut spins = settled_spins(model);
+    if !fits(&table(model, modes, &spins, FEWEST_NAMES)) {
+        spins.clear();
+    }
     screen.fitted(NAMES, |names| table(model, modes, &spins, names));
     screen.gap();
     legend(model, modes, &spins).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
@@ -98,9 +103,9 @@ fn cells(model: &Model, mode: &ModeAnalysis, spins: &[SettledSpin]) -> Vec<Strin
     let positive = |value: &f64| *value > 0.0;
     let mut cells = vec![
         mode.outcome.word().to_string(),
-        climb.map_or("-".into(), |newton| format!("+{} N", down(newton.max(0.0), DIGITS))),
+        climb.map_or("-".into(), |newton| format!("+{}", down(newton.max(0.0), DIGITS))),
         yaw.unwrap_or("-".into()),
-        mass.filter(positive).map_or("none".into(), |mass| format!("{} kg", down(mass, DIGITS))),
+        mass.filter(positive).map_or("none".into(), |mass| down(mass, DIGITS)),
     ];
     if !spins.is_empty() {
         let of_mode = |spin: &&SettledSpin| spin.mode == mode.name && !holds_heading(mode);
@@ -109,13 +114,13 @@ fn cells(model: &Model, mode: &ModeAnalysis, spins: &[SettledSpin]) -> Vec<Strin
     cells
 }
 
-/// `7.8 rad/s, 19.4 deg`: the rate, and the angle between its axis and z of the body
+/// `7.8, 19.4`: the rate, rad/s, and the angle between its axis and z of the body, deg
 fn spin(spin: &SettledSpin) -> String {
     let rate = spin.spin_rad_s.abs();
     match rate < 1e-3 {
         true => "none".into(),
         false => format!(
-            "{} rad/s, {} deg",
+            "{}, {}",
             significant(rate, DIGITS),
             significant((10.0 * spin.axis_tilt_deg).round() / 10.0, DIGITS)
         ),
@@ -123,9 +128,9 @@ fn spin(spin: &SettledSpin) -> String {
 }
 
 fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin], names: usize) -> Table {
-    let mut headings = vec!["fault", "after it", "climb", "yaw N m", "max mass"];
+    let mut headings = vec!["fault", "after it", "climb N", "yaw N m", "max kg"];
     if !spins.is_empty() {
-        headings.push("spin, tilt");
+        headings.push("rad/s, deg");
     }
     let mut table = Table::new(&headings).with_words(1);
     let first = std::iter::once("none".to_string());
@@ -139,7 +144,7 @@ fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin], names: us
         let mut cells = vec![within(&all, &row.modes, names)];
         cells.extend(row.cells.iter().cloned());
         if row.outcome == Outcome::FullControl && weakest == Some(row.margin) {
-            cells.push("weakest".into());
+            cells[1].push_str(", weakest");
         }
         table.row(cells);
     }
@@ -173,7 +178,7 @@ fn shown(rows: &[Row]) -> (Vec<&Row>, Vec<(Outcome, usize)>) {
 fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Vec<String> {
     let mut lines = vec!["climb: thrust left beyond hover; yaw: torque left, weaker/stronger direction".to_string()];
     if !spins.is_empty() {
-        lines.push("spin: where flights settle, and the angle of its axis from the body's z axis".into());
+        lines.push("rad/s, deg: the spin in which flights settle; its axis from the body's z axis".into());
     }
     if model.vehicle.is_uncertain() {
         lines.push("outcomes hold for all values of the intervals; figures are those of the middle".into());
@@ -222,10 +227,9 @@ fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     remarks.extend(named(&|mode| mode.outcome == Outcome::Caught).map(|names| {
         format!("{names}: the vehicle loses height before it is caught; `mavc analyze --capture` simulates how much")
     }));
-    remarks
-        .extend(named(&|mode| mode.outcome == Outcome::NoMargin).map(|names| {
-            format!("{names}: thrust and torques balance, but the smallest disturbance is not countered")
-        }));
+    remarks.extend(named(&|mode| mode.outcome == Outcome::NoMargin).map(|names| {
+        format!("{names}: thrust and torques balance, but in some direction no disturbance is countered")
+    }));
     let faint = |mode: &ModeAnalysis| mode.nearest_rows.is_some_and(|rows| rows.angle < least_angle());
     remarks.extend(named(&faint).map(|names| {
         format!("{names}: nearly parallel rows of the actuation matrix, so the rotors can hardly tell two axes apart")

@@ -165,7 +165,8 @@ fn differences(design: &Design, tally: &Tally, plans: &[Survival]) -> Vec<String
             let word = if p < SIGNIFICANT { "significant" } else { "not significant" };
             let p = if p < 1e-4 { "p < 0.0001".to_string() } else { format!("p = {}", significant(p, 2)) };
             format!(
-                "{} against {}: loses a smaller share at {fewer} instants of a mode, a larger one at {more}: {word} ({p})",
+                "{} against {}: loses a smaller share at {fewer} instants of a mode, a larger one at {more}: {word} \
+                 ({p})",
                 other.name, first.name
             )
         })

@@ -70,8 +70,7 @@ impl Screen {
 
     /// A table with names in the widest cells with which it fits, of `most` columns and not below [`NAMES`].
     pub fn fitted(&mut self, most: usize, table: impl Fn(usize) -> Table) {
-        let fits = |names: &usize| table(*names).render(2).lines().all(|line| line.chars().count() <= WIDTH);
-        let names = (NAMES..=most).rev().find(fits).unwrap_or(NAMES);
+        let names = (NAMES..=most).rev().find(|names| fits(&table(*names))).unwrap_or(NAMES);
         self.table(&table(names));
     }
 
@@ -89,6 +88,11 @@ impl Screen {
     pub fn height(&self) -> usize {
         self.lines.len()
     }
+}
+
+/// Whether a table, indented by two spaces, is no wider than a screen.
+pub fn fits(table: &Table) -> bool {
+    table.render(2).lines().all(|line| line.chars().count() <= WIDTH)
 }
 
 /// Without colours, a line break after every line.

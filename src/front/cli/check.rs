@@ -36,22 +36,22 @@ pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, CommandError>
     let found = specs::find(&args.specs);
     let mut tally = Tally::new(found.problems.len());
     let mut code = found.eprint();
+    let is_alone = found.specs.len() == 1 && !args.specs.iter().any(|name| Path::new(name).is_dir());
     for name in &found.specs {
-        let code_of_spec = one(name, args, options, &mut tally).unwrap_or_else(|problem| {
+        let code_of_spec = one(name, args, is_alone, options, &mut tally).unwrap_or_else(|problem| {
             tally.unreadable += 1;
             usage(&problem)
         });
         code = specs::worst([code, code_of_spec]);
     }
-    let is_alone = found.specs.len() == 1 && !args.specs.iter().any(|name| Path::new(name).is_dir());
     if !is_alone && !found.specs.is_empty() && !options.quiet && args.format == CheckFormat::Human {
         files::print(&tally.summary(found.specs.len()))?;
     }
     Ok(Round { code, files: [found.specs, tally.used].concat() })
 }
 
-/// Checks one spec.
-fn one(name: &str, args: &CheckArgs, options: &Options, tally: &mut Tally) -> Result<u8, CommandError> {
+/// Checks one spec; `is_alone` if it is the only one.
+fn one(name: &str, args: &CheckArgs, is_alone: bool, options: &Options, tally: &mut Tally) -> Result<u8, CommandError> {
     let (spec, mut findings) = read(name, args, options)?;
     tally.used.extend(findings.files.names());
     let count = Count::of(&findings.diagnostics);
@@ -66,7 +66,9 @@ fn one(name: &str, args: &CheckArgs, options: &Options, tally: &mut Tally) -> Re
     match args.format {
         CheckFormat::Json => files::print(&findings.json())?,
         CheckFormat::Short => files::print(&findings.short())?,
-        CheckFormat::Human => findings.print_human(name, spec.as_ref(), count, repeated, options)?,
+        CheckFormat::Human => {
+            findings.print_human(name, spec.as_ref().filter(|_| is_alone), count, repeated, options)?;
+        }
     }
     if let Some(spec) = spec.as_ref().filter(|_| args.explain_defaults) {
         files::print(&defaults_text(spec))?;

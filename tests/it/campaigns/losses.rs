@@ -2,7 +2,7 @@
 
 use super::*;
 
-const SIZE: [&str; 6] = ["spin.mav", "--times", "2", "--seeds", "1", "--quiet"];
+const SIZE: [&str; 7] = ["spin.mav", "--times", "2", "--seeds", "1", "--quiet", "-v"];
 
 /// An octocopter with a mode that leaves no torque about the vertical, and one that leaves no vehicle.
 fn desk(more: &str) -> Desk {

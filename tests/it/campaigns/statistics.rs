@@ -1,6 +1,8 @@
 //! Statistics against values worked by hand, published ones, and closed forms.
 
-use mavc::campaign::statistics::{Contingency, Moments, brier, rank_interval, spearman, spearman_within, wilson};
+use mavc::campaign::statistics::{
+    Contingency, Moments, brier, rank_interval, sign_test, spearman, spearman_within, wilson,
+};
 
 fn near(a: f64, b: f64) -> bool {
     (a - b).abs() < 5e-5
@@ -107,4 +109,16 @@ fn moments_by_hand() {
     let half = 1.959964 * (2.0_f64 / 3.0).sqrt();
     assert!(near(summary.mean, 4.0) && near(summary.low, 4.0 - half) && near(summary.high, 4.0 + half));
     assert_eq!((summary.count, summary.max), (4, 6.0));
+}
+
+/// Tails of the binomial distribution with 1/2, counted by hand: 2 of 32, 18 of 256; even splits and none say nothing.
+#[test]
+fn the_sign_test_is_exact() {
+    for (a, b, p) in [(0, 5, 0.0625), (1, 7, 18.0 / 256.0), (7, 1, 18.0 / 256.0), (3, 3, 1.0), (0, 0, 1.0), (2, 3, 1.0)]
+    {
+        assert!((sign_test(a, b) - p).abs() < 1e-12, "{a} {b}: {}", sign_test(a, b));
+    }
+    let many = sign_test(9_000, 10_000);
+    assert!(many > 0.0 && many < 1e-10, "{many}");
+    assert_eq!(sign_test(0, 100_000), 0.0);
 }

@@ -48,7 +48,7 @@ fn honest_certificates_get_the_same_words() {
         let (spec, certificate) = (Path::new(env!("CARGO_MANIFEST_DIR")).join(spec), folder.path().join("plan.json"));
         let (spec, certificate) = (spec.to_str().unwrap(), certificate.to_str().unwrap());
         let csv = folder.path().join("plan.csv");
-        let planned = mavc(&["plan", spec, "--certificate", certificate, "-o", csv.to_str().unwrap()]);
+        let planned = mavc(&["plan", "-v", spec, "--certificate", certificate, "-o", csv.to_str().unwrap()]);
         assert!(planned.status.success(), "{}", String::from_utf8_lossy(&planned.stderr));
         codes.push(compared(&[certificate, spec]));
         codes.push(compared(&[certificate, spec, "--budget", "0.001s,500MB"]));

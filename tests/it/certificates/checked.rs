@@ -24,7 +24,8 @@ fn planned(spec: &str, more: &[&str]) -> Planned {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| -> PathBuf { folder.path().join(name) };
     let (table, report) = (at("traj.csv"), at("report.json"));
-    let mut args = vec!["plan", spec, "-o", table.to_str().unwrap(), "--report", report.to_str().unwrap(), "--quiet"];
+    let mut args =
+        vec!["plan", "-v", spec, "-o", table.to_str().unwrap(), "--report", report.to_str().unwrap(), "--quiet"];
     args.extend(more);
     let ran = mavc(&args);
     let text = String::from_utf8(ran.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
@@ -81,7 +82,7 @@ plan { model = hover; planner = rcp; against = [jam]; time = 4 s; samples = 20; 
     // The certificate of such a plan is weaker than the spec asks.
     let proof = folder.path().join("cert.json");
     let proof = proof.to_str().unwrap();
-    assert_eq!(mavc(&["plan", spec, "--quiet", "--certificate", proof]).status.code(), Some(0));
+    assert_eq!(mavc(&["plan", "-v", spec, "--quiet", "--certificate", proof]).status.code(), Some(0));
     let verified = mavc(&["verify", proof, spec]);
     let told = String::from_utf8(verified.stdout).unwrap();
     assert_eq!(verified.status.code(), Some(7), "{told}");
@@ -156,7 +157,7 @@ fn missions_that_were_missed_or_blamed_on_others() {
 /// statements hold.
 #[test]
 fn a_conflict_is_about_the_time_at_which_it_was_tried() {
-    let ran = mavc(&["plan", &finding("long_last_leg.mav")]);
+    let ran = mavc(&["plan", "-v", &finding("long_last_leg.mav")]);
     let told = String::from_utf8(ran.stderr).unwrap().replace("\n  │ ", " ");
     assert!(
         told.contains("cannot hold together in a mission of 61 s, the time that was tried; the spec requires 4 s"),
@@ -169,7 +170,7 @@ fn a_conflict_is_about_the_time_at_which_it_was_tried() {
 fn a_stop_is_flown_beyond_a_plan_that_ends_in_motion() {
     let spec = finding("hold_after_moving_end.mav");
     let flown = |more: &[&str]| {
-        let ran = mavc(&[&["simulate", &spec], more].concat());
+        let ran = mavc(&[&["simulate", "-v", &spec], more].concat());
         (ran.status.code(), String::from_utf8(ran.stdout).unwrap())
     };
     let (code, told) = flown(&[]);

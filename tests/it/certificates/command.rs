@@ -62,7 +62,7 @@ impl Folder {
 fn a_plan_is_certified_and_verified() {
     let folder = Folder::new(SPEC);
     let (spec, proof) = (folder.spec(), folder.at("cert.json"));
-    let ran = mavc(&["plan", &spec, "--quiet", "--certificate", &proof]);
+    let ran = mavc(&["plan", "-v", &spec, "--quiet", "--certificate", &proof]);
     assert_eq!(code(&ran), 0, "{}", said(&ran));
     let ran = mavc(&["verify", &proof, &spec]);
     let told = String::from_utf8(ran.stdout.clone()).unwrap();
@@ -78,7 +78,7 @@ fn a_plan_is_certified_and_verified() {
     );
     // The same bytes again.
     let text = std::fs::read(&proof).unwrap();
-    assert_eq!(code(&mavc(&["plan", &spec, "--quiet", "--certificate", &proof])), 0);
+    assert_eq!(code(&mavc(&["plan", "-v", &spec, "--quiet", "--certificate", &proof])), 0);
     assert_eq!(std::fs::read(&proof).unwrap(), text);
 
     // Another spec, by an override or by its text.
@@ -124,7 +124,7 @@ fn a_plan_is_certified_and_verified() {
 fn what_costs_too_much_is_refused() {
     let folder = Folder::new(SPEC);
     let (spec, proof) = (folder.spec(), folder.at("cert.json"));
-    assert_eq!(code(&mavc(&["plan", &spec, "--quiet", "--certificate", &proof])), 0);
+    assert_eq!(code(&mavc(&["plan", "-v", &spec, "--quiet", "--certificate", &proof])), 0);
     for budget in ["0.0001s", "1s,0.001MB", "0.0000001GB"] {
         let ran = mavc(&["verify", &proof, &spec, "--budget", budget]);
         assert_eq!(code(&ran), 8, "{budget}: {}", said(&ran));
@@ -188,8 +188,8 @@ fn files_and_usage() {
     let (spec, proof) = (folder.spec(), folder.at("cert.json"));
     assert_eq!(code(&mavc(&["verify", &proof, &spec])), 2);
     assert_eq!(code(&mavc(&["verify", "-", "-"])), 2);
-    assert_eq!(code(&mavc(&["plan", &spec, "-o", &proof, "--certificate", &proof])), 2);
-    assert_eq!(code(&mavc(&["plan", &spec, "--certificate", &spec])), 2);
+    assert_eq!(code(&mavc(&["plan", "-v", &spec, "-o", &proof, "--certificate", &proof])), 2);
+    assert_eq!(code(&mavc(&["plan", "-v", &spec, "--certificate", &spec])), 2);
     std::fs::write(&proof, "{}").unwrap();
     assert_eq!(code(&mavc(&["verify", &proof, &folder.at("cert.json")])), 1);
     assert!(!Path::new(&folder.at("none")).exists());
@@ -256,7 +256,7 @@ fn what_breaks_a_certificate_is_shown_in_it() {
 fn the_wrong_order_is_noticed() {
     let folder = Folder::new(&SPEC.replace("planner = rsp", "model = hover; planner = rsp"));
     let (spec, proof) = (folder.spec(), folder.at("cert.json"));
-    assert_eq!(code(&mavc(&["plan", &spec, "--quiet", "--certificate", &proof])), 0);
+    assert_eq!(code(&mavc(&["plan", "-v", &spec, "--quiet", "--certificate", &proof])), 0);
     let ran = mavc(&["verify", &spec, &proof]);
     assert_eq!(code(&ran), 2);
     assert!(said(&ran).contains("is a certificate; give the certificate first, then its spec"), "{}", said(&ran));

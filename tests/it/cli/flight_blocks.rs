@@ -23,7 +23,7 @@ fn what_flies_nothing_warns_of_mistakes_in_how_it_is_flown() {
     let dir = folder();
     let (spec, traj) = (dir.path().join("hop.mav"), dir.path().join("traj.csv"));
     std::fs::write(&spec, HOP).unwrap();
-    assert_eq!(code(&mavc(&["plan", text(&spec), "-o", text(&traj)])), 0);
+    assert_eq!(code(&mavc(&["plan", "-v", text(&spec), "-o", text(&traj)])), 0);
     let due = std::fs::read(&traj).unwrap();
     for (block, mistake) in MISTAKES {
         std::fs::write(&spec, format!("{HOP}\n{block}\n")).unwrap();
@@ -39,7 +39,7 @@ fn what_flies_nothing_warns_of_mistakes_in_how_it_is_flown() {
         }
         // The plan is the one of the spec without the block, and its certificate holds.
         let proof = dir.path().join("cert.json");
-        let ran = mavc(&["plan", text(&spec), "-o", text(&traj), "--certificate", text(&proof), "--quiet"]);
+        let ran = mavc(&["plan", "-v", text(&spec), "-o", text(&traj), "--certificate", text(&proof), "--quiet"]);
         assert_eq!((code(&ran), err(&ran).as_str()), (0, ""), "{block}");
         assert_eq!(std::fs::read(&traj).unwrap(), due, "{block}");
         assert_eq!(code(&mavc(&["verify", text(&proof), text(&spec)])), 0, "{block}");
@@ -65,7 +65,7 @@ fn text_that_cannot_be_read_is_an_error_for_every_command() {
     }
     // So is a mistake anywhere else.
     std::fs::write(&spec, format!("{HOP}\nlet unit = 3 +\nsimulate {{ seed = -1 }}\n")).unwrap();
-    assert_eq!(code(&mavc(&["plan", text(&spec)])), 1);
+    assert_eq!(code(&mavc(&["plan", "-v", text(&spec)])), 1);
 }
 
 /// What a block with mistakes would have used is not called unused.
@@ -75,7 +75,7 @@ fn what_only_such_a_block_uses_is_not_called_unused() {
     let spec = dir.path().join("hop.mav");
     let more = "let breeze = 3 m/s\nsimulate { seed = -1 }\nsimulate { wind = [breeze, 0 m/s, 0 m/s]; drag = 1 N*s/m }";
     std::fs::write(&spec, format!("{HOP}\n{more}\n")).unwrap();
-    let ran = mavc(&["plan", text(&spec)]);
+    let ran = mavc(&["plan", "-v", text(&spec)]);
     assert_eq!(code(&ran), 0, "{}", err(&ran));
     assert!(!err(&ran).contains("unused"), "{}", err(&ran));
 }

@@ -32,7 +32,7 @@ fn table<'t>(text: &'t str, what: &str) -> Vec<&'t str> {
 fn runs_with_one_plan_take_one_line_that_names_them_all() {
     let dir = folder();
     let report = dir.path().join("report.json");
-    let ran = mavc_with(&["compare", "-", "--report", text(&report)], SLOW);
+    let ran = mavc_with(&["compare", "-v", "-", "--report", text(&report)], SLOW);
     assert_eq!(code(&ran), 0, "{}", err(&ran));
     let said = out(&ran);
     let rows = table(&said, "All planners at T_d = 8 s");
@@ -48,7 +48,7 @@ fn runs_with_one_plan_take_one_line_that_names_them_all() {
     let planners = record["planners"].as_array().unwrap();
     assert_eq!(planners.len(), 2 * (1 + 7 + 1 + 1));
     // RCP's runs that ended without a plan are told together, too.
-    let said = out(&mavc_with(&["compare", "-", "--set", "plan.time=0.3s"], SLOW));
+    let said = out(&mavc_with(&["compare", "-v", "-", "--set", "plan.time=0.3s"], SLOW));
     let rows = table(&said, "All planners at T_d = 0.3 s");
     let names: Vec<&str> = rows.iter().filter_map(|row| row.trim().split("  ").next()).collect();
     assert_eq!(names, ["RIP", "RCP W1 .. W6, worn", "RCP jointly", "RSP"], "{said}");

@@ -25,7 +25,7 @@ fn flat(text: &str) -> String {
 }
 
 fn compared(set: &[&str]) -> String {
-    let mut args = vec!["compare", "-"];
+    let mut args = vec!["compare", "-v", "-"];
     set.iter().for_each(|set| args.extend(["--set", set]));
     let ran = mavc_with(&args, TURN);
     assert_eq!(code(&ran), 0, "{}", err(&ran));
@@ -49,7 +49,7 @@ fn comparisons_say_what_their_times_are() {
     assert!(alone.contains(", RCP's shortest time planner"), "{alone}");
 
     let due = TURN.replace("[5, 0, 2] m", "[5, 0, 2] m  time 9 s").replace("time = 9 s;", "");
-    let ran = mavc_with(&["compare", "-", "--rounds", "0..1"], &due);
+    let ran = mavc_with(&["compare", "-v", "-", "--rounds", "0..1"], &due);
     let said = flat(&out(&ran));
     assert!(said.contains("at the only time that the mission's fixed times allow"), "{said}");
     assert!(said.contains("T_d = 9 s, the time that the mission's fixed times give"), "{said}");
@@ -61,13 +61,14 @@ fn comparisons_say_what_their_times_are() {
 fn no_risk_takes_one_line() {
     for hold in ["continue", "hold"] {
         let meaning = "the plan never violates the set of a mode with a rate.";
-        let ran = mavc_with(&["plan", "-", "--set", &format!("plan.after_fault={hold}")], TURN);
+        let ran = mavc_with(&["plan", "-v", "-", "--set", &format!("plan.after_fault={hold}")], TURN);
         let text = out(&ran);
         let line = text.lines().find(|line| line.trim_start().starts_with("Risk ")).unwrap();
         assert!(line.starts_with("  Risk 0: ") && line.contains(meaning), "{text}");
         assert!(!text.contains("treated as independent"), "{text}");
     }
-    let text = flat(&out(&mavc_with(&["plan", "-", "--set", "plan.time=minimum", "--set", "plan.planner=rip"], TURN)));
+    let text =
+        flat(&out(&mavc_with(&["plan", "-v", "-", "--set", "plan.time=minimum", "--set", "plan.planner=rip"], TURN)));
     assert!(text.contains("Modes are treated as independent"), "{text}");
     let apart = compared(&["plan.reserve=30%", "plan.time=20s", "plan.planner=rip"]);
     assert_eq!(
@@ -80,7 +81,7 @@ fn no_risk_takes_one_line() {
 /// RSP has the facets that RIP's plan at T_d passes, so without that plan there is no RSP, at no time.
 #[test]
 fn without_a_plan_to_select_by_there_is_no_rsp() {
-    let text = out(&mavc_with(&["compare", "-", "--set", "plan.time=0.5s"], TURN));
+    let text = out(&mavc_with(&["compare", "-v", "-", "--set", "plan.time=0.5s"], TURN));
     assert!(
         text.contains("No RIP plan was found at T_d = 0.5 s to select facets from, so RSP selects none."),
         "{text}"
@@ -97,7 +98,8 @@ fn without_a_plan_to_select_by_there_is_no_rsp() {
 fn without_a_first_plan_there_is_nothing_to_protect() {
     let requiring = TURN.replacen("plan {", "plan { require risk <= 1e-9;", 1);
     assert_ne!(requiring, TURN);
-    let told = |time: &str| out(&mavc_with(&["plan", "-", "--set", "plan.planner=rsp", "--set", time], &requiring));
+    let told =
+        |time: &str| out(&mavc_with(&["plan", "-v", "-", "--set", "plan.planner=rsp", "--set", time], &requiring));
     assert!(told("plan.time=1.7s").contains("Protection for a risk"), "{}", told("plan.time=1.7s"));
     let early = told("plan.time=0.1s");
     assert!(early.contains("RSP: ") && !early.contains("Protection for a risk"), "{early}");
@@ -108,7 +110,7 @@ fn without_a_first_plan_there_is_nothing_to_protect() {
 fn zero_risk_with_stops_is_reported_as_such() {
     let told = |spec: &str, after: &str| {
         let after = format!("plan.after_fault={after}");
-        let fast = ["plan", "-", "--set", "plan.time=1.8s", "--set", "plan.planner=rip", "--set", &after];
+        let fast = ["plan", "-v", "-", "--set", "plan.time=1.8s", "--set", "plan.planner=rip", "--set", &after];
         flat(&out(&mavc_with(&fast, spec)))
     };
     let text = told(TURN, "hold");
@@ -127,14 +129,14 @@ fn zero_risk_with_stops_is_reported_as_such() {
 fn the_analysis_says_what_its_words_mean() {
     let spec =
         format!("{TURN}faults {{ mode near {{ rotors [1, 2] lost }}; mode half {{ rotors [1, 2, 3, 4] lost }} }}");
-    let text = out(&mavc_with(&["analyze", "-"], &spec));
+    let text = out(&mavc_with(&["analyze", "-v", "-"], &spec));
     let row = |mode: &str| text.lines().filter(move |line| line.starts_with(mode)).map(flat).collect::<Vec<_>>();
     let [one, free, left] = &row("near")[..] else { panic!("{text}") };
-    assert!(one.starts_with("near stabilizable inside, yaw free"), "{one}");
+    assert!(one.starts_with("near flies on, heading not held stabilizable inside, yaw free"), "{one}");
     assert!(free.starts_with("near interior ") && free.ends_with(" unknown"), "{free}");
     assert_eq!(left, "near heading not held");
     let [one, free, left] = &row("half")[..] else { panic!("{text}") };
-    assert!(one.starts_with("half unstable outside"), "{one}");
+    assert!(one.starts_with("half lost unstable outside"), "{one}");
     assert_eq!(free, "half none");
     assert_eq!(left, "half no hover");
     for word in ["yaw free", "margin", "heaviest", "facets", "rank", "|e_p|", "disc", "level", "torque", "spin"] {
@@ -144,10 +146,16 @@ fn the_analysis_says_what_its_words_mean() {
 
 #[test]
 fn no_two_columns_of_the_analysis_have_one_heading() {
-    let text = out(&mavc_with(&["analyze", "-"], TURN));
-    let headings: Vec<&str> =
-        text.lines().nth(2).unwrap().split("  ").map(str::trim).filter(|h| !h.is_empty()).collect();
-    assert!(headings.len() >= 11 && headings[0] == "mode", "{headings:?}");
+    let text = out(&mavc_with(&["analyze", "-v", "-"], TURN));
+    let headings: Vec<&str> = text
+        .lines()
+        .find(|line| line.starts_with("mode "))
+        .unwrap()
+        .split("  ")
+        .map(str::trim)
+        .filter(|h| !h.is_empty())
+        .collect();
+    assert!(headings.len() >= 12 && headings[0] == "mode", "{headings:?}");
     let mut once = headings.clone();
     once.sort_unstable();
     once.dedup();
@@ -163,7 +171,7 @@ fn quiet_keeps_results_and_errors() {
     std::fs::write(at("turn.mav"), TURN.replace("vehicle octo", "let spare = 3 m\nvehicle octo")).unwrap();
     let (spec, table, proof) = (at("turn.mav"), at("t.csv"), at("cert.json"));
     let plan = |quiet: &[&str]| {
-        let args = ["plan", text(&spec), "-o", text(&table), "--certificate", text(&proof)];
+        let args = ["plan", "-v", text(&spec), "-o", text(&table), "--certificate", text(&proof)];
         mavc(&[&args, quiet].concat())
     };
     let (loud, quiet) = (plan(&[]), plan(&["--quiet"]));
@@ -189,7 +197,7 @@ fn quiet_keeps_results_and_errors() {
     let new = mavc(&["new", text(&at("new.mav")), "--quiet"]);
     assert_eq!((code(&new), out(&new), err(&new)), (0, String::new(), String::new()));
     // Why there is no plan is an error.
-    let none = mavc(&["plan", text(&spec), "--quiet", "--set", "plan.time=0.5s"]);
+    let none = mavc(&["plan", "-v", text(&spec), "--quiet", "--set", "plan.time=0.5s"]);
     assert_eq!(code(&none), 3);
     assert!(err(&none).contains("mavc::plan::conflict"), "{}", err(&none));
 }

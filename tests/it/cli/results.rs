@@ -38,7 +38,7 @@ fn results_never_replace_what_is_read() {
     assert_eq!(before, read.map(|name| std::fs::read(at(name)).unwrap()));
     let (one, same) = (at("one.csv"), dir.path().join("./one.csv"));
     for (table, report) in [(text(&one), text(&same)), ("-", "-")] {
-        let ran = mavc(&["plan", text(&spec), "-o", table, "--report", report]);
+        let ran = mavc(&["plan", "-v", text(&spec), "-o", table, "--report", report]);
         assert_eq!(code(&ran), 2);
         assert!(err(&ran).contains("same place"), "{}", err(&ran));
     }
@@ -54,7 +54,7 @@ fn results_keep_links_permissions_and_pipes() {
     let at = |name: &str| dir.path().join(name);
     let spec = hop_in(dir.path());
     let plan = |target: &str| {
-        let ran = mavc(&["plan", text(&spec), "-o", text(&at(target))]);
+        let ran = mavc(&["plan", "-v", text(&spec), "-o", text(&at(target))]);
         assert_eq!(code(&ran), 0, "{target}: {}", err(&ran));
     };
     let has_table = |name: &str| std::fs::read_to_string(at(name)).unwrap().starts_with("t,x,y,z,");
@@ -89,7 +89,7 @@ fn a_report_on_standard_output_has_it_to_itself() {
         assert_eq!(record["planners"][0]["verdict"], "found");
         assert!(!err(&ran).contains("Trajectory"), "{}", err(&ran));
     }
-    let refused = mavc_with(&["plan", "-", "--report", "-", "--set", "plan.against=[M1]"], HOP);
+    let refused = mavc_with(&["plan", "-v", "-", "--report", "-", "--set", "plan.against=[M1]"], HOP);
     assert_eq!(code(&refused), 3);
     let record: Value = serde_json::from_str(&out(&refused)).unwrap();
     assert_eq!(record["planners"][0]["verdict"], "not attempted");
@@ -161,13 +161,13 @@ fn standard_output_that_fails_is_an_error_and_one_that_is_closed_is_not() {
 
 #[test]
 fn rates_resample_evenly() {
-    let ran = mavc_with(&["plan", "-", "-o", "-", "--rate", "7 Hz"], HOP);
+    let ran = mavc_with(&["plan", "-v", "-", "-o", "-", "--rate", "7 Hz"], HOP);
     assert_eq!(code(&ran), 0, "{}", err(&ran));
     let times: Vec<f64> = out(&ran).lines().skip(1).map(|l| l.split(',').next().unwrap().parse().unwrap()).collect();
     assert_eq!(times.len(), 43);
     assert!((times[1] - 1.0 / 7.0).abs() < 1e-12);
     assert_eq!(*times.last().unwrap(), 6.0);
-    let ran = mavc_with(&["plan", "-", "-o", "-", "--rate", "100kHz", "--set", "plan.time=20s"], HOP);
+    let ran = mavc_with(&["plan", "-v", "-", "-o", "-", "--rate", "100kHz", "--set", "plan.time=20s"], HOP);
     assert_eq!(code(&ran), 2);
     let most = "the trajectory would have 2000001 rows of 30 numbers; at most 333333 rows are allowed";
     assert!(err(&ran).contains(most), "{}", err(&ran));
@@ -180,7 +180,7 @@ fn rates_resample_evenly() {
         err(&ran)
     );
     for bad in ["7", "fast", "-3Hz", "1e9Hz", "nanHz"] {
-        assert_eq!(code(&mavc_with(&["plan", "-", "--rate", bad], HOP)), 2, "{bad}");
+        assert_eq!(code(&mavc_with(&["plan", "-v", "-", "--rate", bad], HOP)), 2, "{bad}");
     }
 }
 

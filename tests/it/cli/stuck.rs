@@ -19,7 +19,7 @@ fn run(command: &str, spec: &str) -> (i32, String) {
     let dir = folder();
     let path = dir.path().join("quad.mav");
     std::fs::write(&path, spec).unwrap();
-    let ran = mavc(&[command, text(&path)]);
+    let ran = mavc(&[command, "-v", text(&path)]);
     (code(&ran), out(&ran) + &err(&ran))
 }
 

@@ -11,7 +11,7 @@ fn analysis_sweeps_find_the_critical_mass() {
     let path = dir.path().join("d.mav");
     let root = env!("CARGO_MANIFEST_DIR");
     std::fs::write(&path, spec.replace("specs/", &format!("{root}/specs/"))).unwrap();
-    let ran = mavc(&["analyze", text(&path), "--sweep", "mass=1.5..2.5kg", "--format", "json"]);
+    let ran = mavc(&["analyze", "-v", text(&path), "--sweep", "mass=1.5..2.5kg", "--format", "json"]);
     assert_eq!(code(&ran), 0, "{}", err(&ran));
     let record: Value = serde_json::from_str(&out(&ran)).unwrap();
     let flips = record["flips"].as_array().unwrap();
@@ -51,7 +51,7 @@ fn lowest_thrusts_batteries_and_the_air_are_swept() {
     let battery = "battery { capacity = 5 A*h; voltage = 22.2 V; hover_power = 220 W }\n rotor {";
     let spec = HOP.replacen("rotor {", battery, 1);
     let flips = |spec: &str, what: &str| -> Vec<(f64, Value)> {
-        let ran = mavc_with(&["analyze", "-", "--format", "json", "--sweep", what], spec);
+        let ran = mavc_with(&["analyze", "-v", "-", "--format", "json", "--sweep", what], spec);
         assert_eq!(code(&ran), 0, "{what}: {}", err(&ran));
         let record: Value = serde_json::from_str(&out(&ran)).unwrap();
         let all = record["flips"].as_array().unwrap().iter();
@@ -90,7 +90,7 @@ fn sweeps_of_what_no_verdict_depends_on_are_refused() {
         ("mass=-1..2kg", "at -1kg: `mass` must be greater than zero"),
         ("mass=1..2m", "at 1m: "),
     ] {
-        let ran = mavc_with(&["analyze", "-", "--sweep", sweep], HOP);
+        let ran = mavc_with(&["analyze", "-v", "-", "--sweep", sweep], HOP);
         assert_eq!(code(&ran), 2, "{sweep}: {}", err(&ran));
         assert!(out(&ran).is_empty());
         assert!(err(&ran).contains(&format!("mavc: --sweep {sweep}: {told}")), "{}", err(&ran));

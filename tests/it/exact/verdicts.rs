@@ -142,7 +142,7 @@ plan {{ planner = rip; samples = 10; reserve = 0 %; {plan} }}
 "#
     );
     let mut child = Command::new(env!("CARGO_BIN_EXE_mavc"))
-        .args(["plan", "-"])
+        .args(["plan", "-v", "-"])
         .env("NO_COLOR", "1")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

@@ -50,7 +50,7 @@ fn options_that_mean_nothing_are_refused_before_planning() {
 fn a_bag_is_a_folder_or_a_file() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
-    let plan = |to: &str| mavc_with(&["plan", "-", "-o", to, "--format", "rosbag2"], HOP);
+    let plan = |to: &str| mavc_with(&["plan", "-v", "-", "-o", to, "--format", "rosbag2"], HOP);
     let ran = plan(&at("my bag"));
     assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));
     assert!(out(&ran).contains("\nTrajectory written to "), "{}", out(&ran));

@@ -118,11 +118,11 @@ fn commands_warn_of_spins_beyond_the_gyroscope() {
         (ran.status.code(), String::from_utf8_lossy(&ran.stdout).replace("\n  ", " ").replace('\n', " "))
     };
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/specs/flown/fast_spin.mav");
-    let (code, told) = run(&["simulate", path, "-q"]);
+    let (code, told) = run(&["simulate", "-v", path, "-q"]);
     assert_eq!(code, Some(0));
     assert!(told.contains("The gyroscope measures rates up to 34.9 rad/s: beyond them"), "{told}");
     let healthy = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/specs/flown/tilted_spin.mav");
-    let (code, told) = run(&["simulate", healthy, "-q"]);
+    let (code, told) = run(&["simulate", "-v", healthy, "-q"]);
     assert_eq!(code, Some(0));
     assert!(told.contains("; no fault struck"), "{told}");
 }

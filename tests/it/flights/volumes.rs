@@ -28,7 +28,7 @@ fn a_stop_through_a_wall_is_not_flown() {
         for at in ["1.5 s", "3 s", "4.5 s"] {
             let text = std::fs::read_to_string(WALL).unwrap().replace("fault w at 3 s", &format!("fault w at {at}"));
             let text = text.replace("after_fault = hold", &format!("after_fault = {after_fault}"));
-            let ran = crate::cli::mavc_with(&["simulate", "-", "-q"], &text);
+            let ran = crate::cli::mavc_with(&["simulate", "-v", "-", "-q"], &text);
             let told = String::from_utf8_lossy(&ran.stdout);
             assert_eq!(ran.status.code(), Some(0), "{after_fault} {at} {told}");
             assert!(told.contains(word), "{after_fault} {at} {told}");
@@ -62,7 +62,7 @@ fn a_vehicle_past_a_boundary_has_not_survived() {
 fn the_command_ends_with_the_code_of_a_loss_past_a_boundary() {
     let text = std::fs::read_to_string(WALL).unwrap();
     let blown = text.replace("seed = 3 }", "seed = 3; drag = 3 N*s/m; wind = [0, -4, 0] m/s; lost_beyond = 50 m }");
-    let ran = crate::cli::mavc_with(&["simulate", "-", "-q"], &blown);
+    let ran = crate::cli::mavc_with(&["simulate", "-v", "-", "-q"], &blown);
     let told = String::from_utf8_lossy(&ran.stdout);
     assert_eq!(ran.status.code(), Some(6), "{told}");
     assert!(told.contains("NOT SURVIVED: from 3.") && !told.contains("LOST"), "{told}");

@@ -202,5 +202,5 @@ fn threads_are_capped() {
         .output()
         .unwrap();
     assert_eq!(ran.status.code(), Some(0), "{}", said(&ran));
-    assert_eq!(ran.stdout, mavc(&["analyze", "specs/vehicles/octo_ppnnppnn.mav"]).stdout);
+    assert_eq!(ran.stdout, mavc(&["analyze", "-v", "specs/vehicles/octo_ppnnppnn.mav"]).stdout);
 }

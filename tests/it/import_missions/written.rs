@@ -244,10 +244,10 @@ fn kml_is_well_formed_and_has_the_same_path() {
 #[test]
 fn without_an_origin_the_field_is_named_before_anything_is_planned() {
     for format in ["qgc-plan", "wpl", "kml", "geojson"] {
-        let ran = mavc_with(&["plan", "-", "-o", "-", "--format", format], HOP);
+        let ran = mavc_with(&["plan", "-v", "-", "-o", "-", "--format", format], HOP);
         assert_eq!(ran.status.code(), Some(2));
         assert!(err(&ran).contains("give its `origin_latitude`"), "{}", err(&ran));
     }
-    let ran = mavc_with(&["plan", "-", "-o", "-", "--format", "kml", "--rate", "5Hz"], HOP);
+    let ran = mavc_with(&["plan", "-v", "-", "-o", "-", "--format", "kml", "--rate", "5Hz"], HOP);
     assert!(err(&ran).contains("leave --frame and --rate out"), "{}", err(&ran));
 }

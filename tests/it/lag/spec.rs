@@ -33,7 +33,7 @@ fn text(bytes: &[u8]) -> String {
 #[test]
 fn reports_say_with_which_constant() {
     let folder = tempfile::tempdir().unwrap();
-    let ran = mavc(&folder, &["plan", "{}/spec.mav", "--report", "{}/report.json"]);
+    let ran = mavc(&folder, &["plan", "-v", "{}/spec.mav", "--report", "{}/report.json"]);
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
     let said = text(&ran.stdout);
     assert!(said.contains("Rotors lag: thrusts follow their commands with a time constant of 60 ms"), "{said}");
@@ -43,7 +43,7 @@ fn reports_say_with_which_constant() {
     let constant = report["thrust_time_constant_s"].as_f64().unwrap();
     assert!((constant - 0.06).abs() < 1e-12, "{constant}");
 
-    let ran = mavc(&folder, &["plan", "{}/spec.mav", "--set", "plan.rotors=instant", "--report", "-"]);
+    let ran = mavc(&folder, &["plan", "-v", "{}/spec.mav", "--set", "plan.rotors=instant", "--report", "-"]);
     let report: Value = serde_json::from_slice(&ran.stdout).unwrap();
     assert!(report["thrust_time_constant_s"].is_null());
     assert!(!text(&ran.stderr).contains("Rotors lag"));
@@ -63,7 +63,7 @@ fn the_model_and_the_defaults_show_it() {
 #[test]
 fn certificates_cover_it() {
     let folder = tempfile::tempdir().unwrap();
-    let ran = mavc(&folder, &["plan", "{}/spec.mav", "--certificate", "{}/cert.json"]);
+    let ran = mavc(&folder, &["plan", "-v", "{}/spec.mav", "--certificate", "{}/cert.json"]);
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
     let said = text(&ran.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(said.contains("Proved at every instant, to within 0.01 %: the linear model's wrench satisfies"), "{said}");
@@ -80,6 +80,6 @@ fn certificates_cover_it() {
 #[test]
 fn a_flight_takes_the_plan() {
     let folder = tempfile::tempdir().unwrap();
-    let ran = mavc(&folder, &["simulate", "{}/spec.mav", "-o", "{}/flight.csv"]);
+    let ran = mavc(&folder, &["simulate", "-v", "{}/spec.mav", "-o", "{}/flight.csv"]);
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
 }

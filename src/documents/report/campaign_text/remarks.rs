@@ -53,7 +53,8 @@ pub fn diverged(design: &Design, tally: &Tally, p: usize) -> Option<String> {
     (diverged > 0).then(|| {
         format!(
             "{} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). What \
-             happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as survived.",
+             happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as \
+             survived.",
             plural(diverged, "flight")
         )
     })

@@ -54,8 +54,8 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     if !without_yaw.is_empty() {
         let names = within(all, &without_yaw, NAMES_IN_TEXT);
         safe.push(format!(
-            "After {names} at any instant the rotors left still give {wrench} except about yaw{reserve}: the heading is \
-             not held."
+            "After {names} at any instant the rotors left still give {wrench} except about yaw{reserve}: the heading \
+             is not held."
         ));
     }
     if !safe.is_empty() {

@@ -1,0 +1,200 @@
+//! What people see first: answers of one screen, on every shipped spec and on unusual ones; every table with `-v`.
+
+use crate::cli::{code, err, folder, mavc, mavc_with, out};
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+/// Lines and columns of a screen.
+const LINES: usize = 25;
+const COLUMNS: usize = 80;
+
+/// Whether an output fits on a screen; hints after it count too.
+#[track_caller]
+fn fits(args: &[&str], ran: &Output) {
+    let text = out(ran);
+    let (lines, columns) = (text.lines().count(), text.lines().map(|line| line.chars().count()).max().unwrap_or(0));
+    assert!(lines > 0, "{args:?} printed nothing\n{}", err(ran));
+    assert!(lines <= LINES && columns <= COLUMNS, "{args:?}: {lines} lines of up to {columns} columns\n{text}");
+    assert!(!text.contains('\u{1b}'), "{args:?}: escapes in a pipe");
+}
+
+/// The specs of this repository.
+fn shipped() -> Vec<String> {
+    let entries = |folder: &Path| -> Vec<PathBuf> {
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect()
+    };
+    let folders = ["examples", "specs/missions", "specs/paper", "specs/vehicles"].map(Path::new);
+    let files = folders.iter().flat_map(|folder| entries(folder));
+    let mut specs: Vec<String> = files.map(|path| path.display().to_string()).filter(|p| p.ends_with(".mav")).collect();
+    specs.sort();
+    specs
+}
+
+#[test]
+fn analyses_and_checks_fit_on_a_screen() {
+    let specs = shipped();
+    assert!(specs.len() > 25, "{specs:?}");
+    for spec in &specs {
+        let analyzed = mavc(&["analyze", spec]);
+        fits(&["analyze", spec], &analyzed);
+        assert_eq!(code(&analyzed), 0);
+        // Without problems the headline is the first line of both.
+        let checked = mavc(&["check", spec]);
+        if out(&checked).ends_with(": no problems\n") {
+            fits(&["check", spec], &checked);
+            assert_eq!(out(&analyzed).lines().next(), out(&checked).lines().next());
+        }
+    }
+    for (kind, text) in mavc::MISSION_TEMPLATES.into_iter().chain([("octo", mavc::TEMPLATE)]) {
+        fits(&["analyze", kind], &mavc_with(&["analyze", "-"], text));
+    }
+}
+
+#[test]
+fn plans_and_flights_fit_on_a_screen() {
+    for spec in ["examples/survey_hexa.mav", "examples/parcel_quad.mav", "specs/paper/case2.mav"] {
+        fits(&["plan", spec], &mavc(&["plan", spec]));
+    }
+    let spec = "specs/paper/figure12.mav";
+    fits(&["simulate", spec], &mavc(&["simulate", spec]));
+    let spec = "specs/paper/case2.mav";
+    fits(&["compare", spec], &mavc(&["compare", spec]));
+    let few = ["campaign", "specs/paper/campaign.mav", "--times", "1", "--seeds", "1"];
+    fits(&few, &mavc(&few));
+}
+
+/// Every plan of a shipped spec that has a mission, its flight and its comparison.
+#[test]
+#[ignore = "plans every shipped mission three times"]
+fn every_plan_fits_on_a_screen() {
+    let has_mission = |spec: &String| std::fs::read_to_string(spec).unwrap().contains("mission ");
+    let specs: Vec<String> = shipped().into_iter().filter(has_mission).collect();
+    assert!(specs.len() >= 15, "{specs:?}");
+    for spec in &specs {
+        for command in ["plan", "simulate"] {
+            let args = [command, spec];
+            fits(&args, &mavc(&args));
+        }
+    }
+    for (kind, text) in mavc::MISSION_TEMPLATES.into_iter().chain([("octo", mavc::TEMPLATE)]) {
+        fits(&["plan", kind], &mavc_with(&["plan", "-"], text));
+    }
+}
+
+/// A vehicle with fault modes, and a short mission.
+fn spec(layout: &str, mass: &str, faults: &str, plan: &str) -> String {
+    format!(
+        "vehicle v {{
+            layout = \"{layout}\"; arm = 40 cm; mass = {mass}; inertia = [0.05, 0.05, 0.09] kg*m^2
+            yaw_drag = 20e-3 N*m*s/rad; drag = 0 N*s/m
+            rotor {{ max_thrust = 13 N; torque_per_thrust = 17 mm; max_speed = 7500 rpm }}
+        }}
+        faults {{ {faults} }}
+        mission m {{
+            start at [0, 0, 2] m
+            waypoint at [20, 0, 5] m
+            limits {{ speed <= 6 m/s; tilt <= 30 deg }}
+        }}
+        plan {{ samples = 40; {plan} }}"
+    )
+}
+
+#[test]
+fn unusual_specs_fit_on_a_screen() {
+    let long: String = (1..=6).map(|k| format!("mode {}{k} {{ rotor {k} lost }}\n", "n".repeat(58))).collect();
+    let many: String =
+        (0..300).map(|k| format!("mode x{k} {{ rotor {} reduced to {} % }}\n", k % 6 + 1, 98 - k / 6)).collect();
+    let every = "every 1 rotor lost as M\nevery 2 rotors lost as D\nevery 3 rotors lost as T";
+    let texts = [
+        spec("PPNNPN", "3.4 kg", &long, "against = []; time = 9 s"),
+        spec("PPNNPN", "3.4 kg", &many, "against = [x1]; time = 9 s"),
+        spec("PNPNPNPN", "4 kg", every, "against = [M1]; time = 9 s"),
+        spec("PNPNPN", "3.4 kg +- 10 %", "every 1 rotor lost as M", "time = 9 s"),
+        spec("PNPN", "2 kg", "every 1 rotor lost as M", "time = 9 s"),
+        spec("PPNNPN", "3.4 kg", "", "time = 9 s"),
+    ];
+    for text in &texts {
+        fits(&["analyze"], &mavc_with(&["analyze", "-"], text));
+        fits(&["plan"], &mavc_with(&["plan", "-"], text));
+    }
+}
+
+/// Many modes: the weakest of each outcome are listed, and the others are counted.
+#[test]
+fn many_modes_are_counted() {
+    let every = "every 1 rotor lost as M\nevery 2 rotors lost as D\nevery 3 rotors lost as T";
+    let text = out(&mavc_with(&["analyze", "-"], &spec("PPNNPPNN", "4 kg", every, "against = [M1]")));
+    let (rows, listed): (Vec<&str>, usize) = {
+        let rows: Vec<&str> = text.lines().skip_while(|line| !line.contains("after it")).skip(2).collect();
+        let rows: Vec<&str> = rows.into_iter().take_while(|line| !line.is_empty()).collect();
+        let named = |row: &&&str| !row.trim_start().starts_with("and ");
+        (rows.clone(), rows.iter().filter(named).map(|row| modes_named(row)).sum())
+    };
+    let counted: usize = rows
+        .iter()
+        .filter_map(|row| row.trim_start().strip_prefix("and ")?.split(' ').next()?.parse::<usize>().ok())
+        .sum();
+    assert!(counted > 0, "{text}");
+    assert_eq!(listed + counted, 8 + 28 + 56, "{text}");
+}
+
+/// How many modes a cell names: `M1 .. M8`, `D1_2, D3_4`, `T1_2_3 and 7 more`.
+fn modes_named(row: &str) -> usize {
+    let cell = row.trim_start().split("  ").next().unwrap();
+    let (names, more) = cell
+        .split_once(" and ")
+        .map_or((cell, 0), |(names, more)| (names, more.trim_end_matches(" more").parse::<usize>().unwrap()));
+    let number = |name: &str| name.trim_start_matches(|c: char| c.is_ascii_alphabetic()).parse::<usize>().unwrap();
+    let of_part = |part: &str| part.split_once(" .. ").map_or(1, |(a, b)| number(b) + 1 - number(a));
+    names.split(", ").map(of_part).sum::<usize>() + more
+}
+
+/// A plan that leaves sets says until when, before any figure; one that covers them says so, and what is not covered.
+#[test]
+fn the_answer_comes_first() {
+    let first = |args: &[&str]| out(&mavc(args)).lines().take(8).collect::<Vec<_>>().join(" ");
+    let survey = "examples/survey_hexa.mav";
+    let safe = first(&["plan", survey]);
+    assert!(safe.contains("PLAN FOUND, 35 s") && safe.contains("After M1 .. M4 at any instant"), "{safe}");
+    assert!(safe.contains("NOT covered: M5, M6 (fly on, heading not held)"), "{safe}");
+    let ignoring = first(&["plan", survey, "--set", "plan.planner=rip"]);
+    assert!(ignoring.contains("UNSAFE until 2.7") && ignoring.contains("after M2, M3 the rotors left"), "{ignoring}");
+    let early = first(&["plan", survey, "--set", "plan.time=12s"]);
+    assert!(early.contains("PROVED INFEASIBLE at 12 s") && !early.contains("PLAN FOUND"), "{early}");
+    let text = spec("PPNNPN", "3.4 kg", "every 1 rotor lost as M", "against = [M1]; time = 9 s; planner = rip");
+    let none = out(&mavc_with(&["plan", "-"], &spec("PPNNPN", "3.4 kg", "", "time = 9 s")));
+    assert!(none.contains("No fault modes are declared: this plan covers none."), "{none}");
+    let caught = spec("PNPN", "2 kg", "every 1 rotor lost as M", "time = 9 s");
+    let caught = out(&mavc_with(&["plan", "-"], &caught));
+    assert!(caught.contains("Not planned for M1") && !caught.contains("at any instant"), "{caught}");
+    assert!(out(&mavc_with(&["plan", "-"], &text)).contains("NOT covered: M2"));
+}
+
+/// All figures of before stand behind `-v`, which every command takes.
+#[test]
+fn every_table_is_a_flag_away() {
+    let survey = "examples/survey_hexa.mav";
+    let analysis = out(&mavc(&["analyze", survey, "-v"]));
+    for column in ["yaw-free heaviest", "facets", "Headroom from hover", "With yaw given up", "full control"] {
+        assert!(analysis.contains(column), "{column}\n{analysis}");
+    }
+    let plan = out(&mavc(&["plan", "--verbose", survey]));
+    assert!(plan.contains("sum of position errors") && plan.contains("last violation"), "{plan}");
+}
+
+/// Colours are for terminals.
+#[cfg(unix)]
+#[test]
+fn pipes_get_no_colour() {
+    let dir = folder();
+    let file = dir.path().join("out.txt");
+    let run = std::process::Command::new(env!("CARGO_BIN_EXE_mavc"))
+        .args(["analyze", "examples/survey_hexa.mav"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .env_remove("NO_COLOR")
+        .stdout(std::fs::File::create(&file).unwrap())
+        .status()
+        .unwrap();
+    assert!(run.success());
+    assert!(!std::fs::read_to_string(&file).unwrap().contains('\u{1b}'));
+}
