@@ -48,6 +48,7 @@ mod parallel_rows;
 mod planning;
 mod programs;
 mod pseudo_inverse;
+mod readme;
 mod render;
 mod reproduction;
 mod rest_to_rest;
