@@ -1,4 +1,4 @@
-"""Plans in the exact model by sequential convex programming, with the steps of docs/method.md, section 12.
+"""Plans in the exact model by sequential convex programming, with the steps of docs/method/exact-planner.md.
 
 One compiled problem serves all steps and times of a grid. Rows and squares of curvature are parameters in slots; each interval
 has a number of slots, whose rows may couple its coefficients. If an interval has too few slots, the problem is compiled again

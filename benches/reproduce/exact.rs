@@ -105,7 +105,7 @@ fn hover_plans() -> String {
     [
         paragraph(
             "The plans above keep every row of their sets in the model that is linear about hover. The wrench that \
-             (3) to (9) require along the same motions is different (docs/method.md, section 12). *Outside* is the \
+             (3) to (9) require along the same motions is different (docs/method/exact-model.md). *Outside* is the \
              time for which it violates the set that the plan was made against. *Not upright* is the time in which \
              the vertical part of the thrust is below a tenth of the weight, down to values that no attitude gives; \
              *worst* is the largest violation in the rest of the flight, as a share of the healthy set's width. \

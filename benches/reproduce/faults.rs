@@ -29,7 +29,7 @@ fn explanation() -> String {
          the plain (N, N m) norm (the index of Du and Quan; outside the set it is that of the most violated facet), \
          or `flat` if the set has no interior. The last mass is the heaviest that can hover with all four components \
          held. The paper has no counterpart to the column on yaw given up: how the vehicle hovers then, and the largest \
-         roll and pitch torque in N m that it gives in every direction ([method](method.md#17-without-yaw)). Whether a spin \
+         roll and pitch torque in N m that it gives in every direction ([method](method/without-yaw.md)). Whether a spin \
          helps is decided with a yaw drag of 2.75e-3 N m s/rad, which the paper does not give.",
     ) + &paragraph(&format!(
         "A row agrees if the verdict is the same and no component differs by more than one unit of the paper's last \

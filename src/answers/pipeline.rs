@@ -21,9 +21,10 @@ pub use tasks::{
 pub(crate) use flights::sized;
 
 use crate::admissible::diagnose::{diagnose, is_too_large};
-use crate::admissible::verdict::{ModeAnalysis, analyze_each};
+use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::flight::capture::{Capture, captures};
+use crate::flight::equilibrium::analyze_each;
 use crate::flight::indistinguishable;
 use crate::source::{FileId, Source};
 use crate::spec::{Compiled, Compiler, Spec};
@@ -63,13 +64,13 @@ pub fn format(text: &str) -> Result<String, Vec<Diagnostic>> {
     value.ok_or(diagnostics)
 }
 
-/// Analyses what the vehicle can still do in each fault mode: the verdict, the margins of hover (N, N m), the largest
-/// mass (kg) and the headroom (N, N m). [`ModeAnalysis`] lists the fields with their units. Never fails. The healthy
-/// vehicle comes first, then every declared mode in its order.
+/// Analyses what the vehicle can still do in each fault mode: the outcome (`admissible::outcome::Outcome`), the
+/// verdict, the margins of hover (N, N m), the largest mass (kg) and the headroom (N, N m). [`ModeAnalysis`] lists the
+/// fields with their units. Never fails. The healthy vehicle comes first, then every declared mode in its order.
 ///
 /// The verdicts are those of section 3 of the paper: the available control authority index (ACAI, equation 31) for
 /// controllability, the rank of the controllability matrix, and the residual of the nearest admissible wrench. See
-/// docs/method.md, section 3. The mission and the plan have no influence.
+/// docs/method/verdicts.md. The mission and the plan have no influence.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -103,7 +104,7 @@ pub fn capture(spec: &Spec) -> Vec<Capture> {
 /// `require capture_height` comes to, which is simulated.
 ///
 /// Returns the diagnostics in the order of their places in the spec; it is empty if there is nothing to report.
-/// `mavc check` prints them together with those of [`compile`]. See docs/method.md, section 3, for the sets.
+/// `mavc check` prints them together with those of [`compile`]. See docs/method/verdicts.md, for the sets.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;

@@ -2,23 +2,30 @@
 //! flights.
 
 pub mod analysis_record;
+pub mod analysis_screen;
 pub mod analysis_text;
 pub mod battery;
 pub mod between;
 pub mod binding;
 pub mod campaign_record;
+pub mod campaign_screen;
 pub mod campaign_text;
 pub mod capture_height;
 pub mod capture_text;
 pub mod caveats;
+pub mod comparison_screen;
 pub mod comparison_text;
 pub mod conflict_record;
 pub mod headings;
+pub mod headline;
 pub mod least_time;
+pub mod mode_names;
 pub mod model_record;
 #[cfg(feature = "report")]
 pub mod page;
+pub mod plan_screen;
 pub mod record;
+pub mod screen;
 pub mod shape;
 pub mod simulation;
 pub mod terminal;

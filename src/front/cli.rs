@@ -68,6 +68,8 @@ pub const DIVERGED: u8 = 9;
 /// The options of every command.
 pub(crate) struct Options {
     pub quiet: bool,
+    /// Whether people get every table instead of one screen.
+    pub verbose: bool,
     pub timings: bool,
 }
 
@@ -86,7 +88,7 @@ pub fn run() -> u8 {
         }
     };
     cli.command.set_effort();
-    let options = Options { quiet: cli.quiet, timings: cli.timings };
+    let options = Options { quiet: cli.quiet, verbose: cli.verbose, timings: cli.timings };
     threads::limit(match &cli.command {
         Command::Campaign(args) => args.threads,
         _ => None,

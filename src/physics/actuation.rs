@@ -1,5 +1,5 @@
 //! The actuation matrix A of (1) and (10) to (13): `wrench = A Omega_s`, where Omega_s holds the squared rotor speeds
-//! (`docs/method.md`, section 1).
+//! (`docs/method/sets.md`).
 
 use crate::model::{FaultMode, Spin, Vehicle};
 use nalgebra::{Matrix4xX, Vector4};

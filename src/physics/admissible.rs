@@ -1,11 +1,12 @@
 //! The admissible set of each fault mode, that is, the exact set of wrenches that the vehicle can produce in it, and
-//! what follows from the set: verdicts, margins, allocation, intervals. See `docs/method.md`, sections 2 and 3.
+//! what follows from the set: verdicts, margins, allocation, intervals. See `docs/method/sets.md` and `verdicts.md`.
 
 pub mod airspeed;
 pub mod allocation;
 pub mod diagnose;
 pub mod edge;
 pub mod interval;
+pub mod outcome;
 pub mod parallel;
 pub mod pseudo_inverse;
 pub mod row;

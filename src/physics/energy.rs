@@ -1,4 +1,4 @@
-//! Electrical power and energy of a motion (`docs/method.md`, section 16).
+//! Electrical power and energy of a motion (`docs/method/battery.md`).
 //!
 //! A rotor at the speed w takes the mechanical power d w^3, its drag torque times its speed. The share of the
 //! electrical power that becomes mechanical is taken as constant; the power that was measured in hover gives it.

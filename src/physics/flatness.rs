@@ -1,7 +1,7 @@
 //! The exact wrench of a motion by (3) to (9), without small angles: position and yaw are flat outputs of a multirotor
 //! (D. Mellinger, V. Kumar, *Minimum snap trajectory generation and control for quadrotors*, ICRA 2011), so thrust,
-//! attitude, body rates and torques are functions of their derivatives. See `docs/method.md`, section 12, (60) to (67),
-//! and for the commanded wrench of lagging rotors section 14, (84).
+//! attitude, body rates and torques are functions of their derivatives. See `docs/method/exact-model.md`, (60) to (67),
+//! and for the commanded wrench of lagging rotors `docs/method/rotor-lag.md`, (84).
 //!
 //! With a = (x'', y'', z'' + g), rotated by -psi about the vertical into (f, l, v), that is, forward, left and up:
 //!

@@ -2,7 +2,8 @@
 //! symmetric matrices.
 //!
 //! This module is independent of vehicles and units: `D` is the dimension (4 for wrenches, 3 for yaw-free wrenches),
-//! and lengths are in whatever units the caller uses. The method is described in `docs/method.md`, sections 2 and 3.
+//! and lengths are in whatever units the caller uses. `docs/method/sets.md` and `verdicts.md` describe the
+//! method.
 
 mod cone;
 mod least_squares;

@@ -51,8 +51,8 @@ pub fn with_slopes(state: &NodeState, [left, right]: [&NodeState; 2], h: f64, or
 /// A trajectory as one polynomial for each axis and interval between nodes.
 ///
 /// The input of an axis is its r-th derivative, with r from [`WrenchModel::orders`], and is linear between nodes
-/// (first-order hold). The axis is therefore a polynomial of degree r + 1 on each interval (`docs/method.md`, section
-/// 5).
+/// (first-order hold). The axis is therefore a polynomial of degree r + 1 on each interval
+/// (`docs/method/hover-model.md`).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
     /// Node times, s, ascending; at least two.
@@ -122,7 +122,7 @@ impl Trajectory {
     }
 
     /// The commanded wrench `w + tau w'` (N and N m) for a state within interval `k`, for rotors with a first-order lag
-    /// of time constant `tau` (s): (81) of `docs/method.md`.
+    /// of time constant `tau` (s): (81) of `docs/method/rotor-lag.md`.
     ///
     /// # Panics
     /// If there is no interval `k`.
@@ -202,7 +202,7 @@ pub fn state_between(left: &NodeState, right: &NodeState, h: f64, t: f64, model:
 }
 
 /// The state with its accelerations, jerks and snaps replaced by `c - g e_z`, `c'` and `c''`, where the thrust over
-/// mass is `c = a + g e_z + drag/m (v - wind)`: (90) of `docs/method.md`, section 15. Without drag the state itself.
+/// mass is `c = a + g e_z + drag/m (v - wind)`: (90) of `docs/method/air.md`. Without drag the state itself.
 ///
 /// With a drag for each axis of the body, it is that of [`Environment::turning_rate`]: where it is the same along x and
 /// y, c has the direction of the thrust, but not its size.

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! where K is a product of {0}, the nonnegative orthant and second-order cones, in this order. What the planners put
-//! into a program is described in `docs/method.md`, sections 5 and 12.
+//! into a program is described in `docs/method/hover-model.md` and `exact-planner.md`.
 
 pub mod build;
 pub mod mps;
@@ -203,7 +203,7 @@ pub enum RowOrigin {
     /// The bound on the change of the duration of leg `leg`.
     #[cfg_attr(test, schemars(skip))]
     Duration { leg: usize },
-    /// The bound on the variable by which position tolerances are widened (docs/method.md, section 7, 3).
+    /// The bound on the variable by which position tolerances are widened (docs/method/hover-model.md, 3).
     Overshoot,
     /// The lower bound on the violation sigma.
     #[cfg_attr(test, schemars(skip))]

@@ -1,7 +1,7 @@
 //! Solving programs with Clarabel (P. J. Goulart, Y. Chen, 2024). No other module imports the solver.
 //!
 //! A result of the solver is reported only after it has been checked in plain arithmetic on the program's data:
-//! `docs/method.md`, section 7.
+//! `docs/method/hover-model.md`.
 
 use crate::cancel;
 use crate::qp::{Cone, QuadraticProgram, Sparse};
@@ -283,7 +283,7 @@ pub fn reach(program: &QuadraticProgram) -> f64 {
     program.b.iter().fold(10.0_f64, |m, b| m.max(b.abs())) * 10.0
 }
 
-/// Accepts the solver's status only if plain arithmetic confirms it: `docs/method.md`, section 7, "A plan" and 1.
+/// Accepts the solver's status only if plain arithmetic confirms it: `docs/method/hover-model.md`, "A plan" and 1.
 fn judge(program: &QuadraticProgram, status: SolverStatus, x: Vec<f64>, z: Vec<f64>) -> Outcome {
     let stopped = |x: Option<Vec<f64>>| Outcome::Inconclusive { status: format!("{status:?}"), point: x };
     match status {

@@ -1,9 +1,15 @@
-//! Functions that docs/method.md and its sisters name beside an equation or in an algorithm listing exist where they
-//! say.
+//! Functions that the chapters of the method and the pages beside it name, next to an equation or in a listing, exist
+//! in the modules named.
 
 use std::path::{Path, PathBuf};
 
-const PAGES: [&str; 4] = ["method.md", "certificates.md", "flight.md", "campaigns.md"];
+/// The index of the method, all of its chapters, and the pages beside it.
+fn pages() -> Vec<PathBuf> {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let chapters = std::fs::read_dir(docs.join("method")).unwrap().map(|entry| entry.unwrap().path());
+    let others = ["method.md", "certificates.md", "flight.md", "campaigns.md"].map(|name| docs.join(name));
+    others.into_iter().chain(chapters).collect()
+}
 
 /// `a::b::f`, with a top-level module of the crate first.
 fn is_path(word: &str) -> bool {
@@ -60,13 +66,12 @@ fn named(page: &str) -> Vec<String> {
 #[test]
 fn functions_named_beside_equations_exist() {
     let mut count = 0;
-    for name in PAGES {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(name);
+    for path in pages() {
         let page = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         let all = named(&page);
         count += all.len();
         let missing: Vec<&String> = all.iter().filter(|path| !exists(path)).collect();
-        assert!(missing.is_empty(), "docs/{name} names functions that do not exist: {missing:?}");
+        assert!(missing.is_empty(), "{} names functions that do not exist: {missing:?}", path.display());
     }
     assert!(count > 80, "only {count} functions are named");
 }

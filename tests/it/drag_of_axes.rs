@@ -147,7 +147,7 @@ fn a_rigid_body_flies_the_wrench() {
     }
 }
 
-/// With the same drag along all axes the map is that of section 12 for the motion in air.
+/// With the same drag along all axes the map is that of (60) to (67) for the motion in air.
 #[test]
 fn equal_drags_are_isotropic() {
     let vehicle = vehicle();

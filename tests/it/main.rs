@@ -43,6 +43,7 @@ mod mjcf;
 mod model;
 mod modules;
 mod other_spec;
+mod outcomes;
 mod pages;
 mod parallel_rows;
 mod planning;

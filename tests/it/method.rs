@@ -1,17 +1,15 @@
-//! The algorithm listings in section 12 of docs/method.md against the code: functions exist, and settings have the
+//! The algorithm listings of docs/method/exact-planner.md against the code: functions exist, and settings have the
 //! values given.
 
 use mavc::planner::scp::ScpSettings;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The fenced blocks of section 12.
+/// The fenced blocks of the page.
 fn listings() -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let method = fs::read_to_string(root.join("docs/method.md")).unwrap();
-    let (_, section) = method.split_once("## 12 ").unwrap();
-    let (section, _) = section.split_once("\n## 13 ").unwrap();
-    section.split("```").skip(1).step_by(2).collect()
+    let page = fs::read_to_string(root.join("docs/method/exact-planner.md")).unwrap();
+    page.split("```").skip(1).step_by(2).collect()
 }
 
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {

@@ -77,6 +77,11 @@ test("plans, modes and sections can be chosen, and the strip leads to an instant
     const before = await text(page, "#charts");
     await page.selectOption("#run", { index: 0 });
     assert.notEqual(await text(page, "#charts"), before);
+    // The three planners at one time lead; the other plans are folded.
+    const titles = (selector) => page.locator(`#strips ${selector} h3`).allTextContents();
+    assert.deepEqual(await titles("> figure"), ["RIP, at T_d = 16 s", "RCP M1, at T_d = 16 s", "RSP, at T_d = 16 s"]);
+    assert.deepEqual(await titles("details figure"), ["RIP, own time 15.55 s", "RCP M1, own time 16 s", "RSP, own time 16 s"]);
+    await page.selectOption("#run", { label: "RIP, at T_d = 16 s" });
     await page.selectOption("#set", "3");
     assert.match(await text(page, "#sets-headline"), /M3/);
     assert.equal(await page.locator(".multiple[aria-pressed=true] .name").textContent(), "M3");
@@ -94,7 +99,7 @@ test("a flight is shown beside its plan", () =>
   open("flight", {}, async (page) => {
     assert.match(await text(page, "#found"), /Simulated to its end/);
     assert.match(await text(page, "#chart-estimates"), /M3 is isolated after/);
-    assert.match(await text(page, "#chart-yaw"), /^The heading error is .*\sdeg root mean square; largest .*heading planned/s);
+    assert.match(await text(page, "#chart-yaw"), /^Heading \[deg\]The heading error is .*\sdeg root mean square; largest .*heading planned/s);
     const flown = await text(page, "#chart-position");
     await page.selectOption("#run", { index: 1 });
     assert.notEqual(await text(page, "#chart-position"), flown);
@@ -115,7 +120,7 @@ test("a flight's path is coloured by its faults, and by how far off it is", () =
       s.value = "12";
       s.dispatchEvent(new Event("input"));
     });
-    assert.match(await text(page, "#space-readout"), /position error .*\scm; M3 detected$/);
+    assert.match(await text(page, "#space-readout"), /position error .*\scm; shown without motor 3; M3 detected$/);
     assert.match(await text(page, "#strips-headline"), /^The plan \(RIP, 30 s\): the smallest margin is/);
   }));
 
@@ -123,7 +128,7 @@ test("hovering a chart reads its curves", () =>
   open("plan", {}, async (page) => {
     const over = page.locator("#chart-speed .u-over");
     await over.scrollIntoViewIfNeeded();
-    const value = () => text(page, "#chart-speed .u-legend .u-series:nth-child(2) .u-value");
+    const value = () => text(page, "#chart-speed .ends span:first-child b");
     const before = await value();
     await over.hover({ position: { x: 150, y: 60 } });
     await page.waitForTimeout(100);

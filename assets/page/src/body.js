@@ -37,7 +37,8 @@ export function body(place, extents) {
   const to = (w) => new Vector3(...AXES.map((axis, i) => (w[axis] - content.hover[axis]) / spans[i]));
   const center = new Vector3(0, 0, (extents[0][0] + extents[0][1]) / 2 - content.hover[0]).multiplyScalar(1 / spans[2]);
   let gone = false;
-  const { world, label, render, remove } = stage(place, center, 2.7, () => (gone = true));
+  const cube = [-1, 1].flatMap((a) => [-1, 1].flatMap((b) => [-1, 1].map((c) => new Vector3(a, b, c).add(center))));
+  const { world, label, render, remove } = stage(place, cube, 2.7, () => (gone = true));
   const bodies = new Group();
   world.add(bodies);
   const dot = new Mesh(new SphereGeometry(0.045, 20, 14), new MeshBasicMaterial({ depthTest: false, transparent: true }));

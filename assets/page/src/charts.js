@@ -36,7 +36,10 @@ function bands(spec, columns) {
   return { low, high };
 }
 
-/** The vertical range that shows the curves, and limits that are not far from them. */
+/** Curves that stay within this share of the healthy vehicle's range are drawn as flat as they are. */
+const FLAT = 1e-3;
+
+/** The vertical range that shows the curves, and limits and ranges that are not far from them. */
 function range(spec, columns, room) {
   let low = Infinity;
   let high = -Infinity;
@@ -46,8 +49,12 @@ function range(spec, columns, room) {
     high = Math.max(high, v);
   };
   for (const l of spec.lines) columns[l.column].forEach(take);
-  if (room) [...room.low, ...room.high].forEach(take);
-  const span = Math.max(high - low, 1e-9);
+  const whole = spec.axis === null ? 0 : content.extents[spec.axis][1] - content.extents[spec.axis][0];
+  const span = Math.max(high - low, FLAT * whole, 1e-9);
+  const [least, most] = [(low + high - span) / 2, (low + high + span) / 2];
+  [low, high] = [least, most];
+  // A range far beyond the curve is cut off: it would flatten the curve.
+  if (room) [...room.low, ...room.high].forEach((v) => v !== null && take(Math.min(Math.max(v, least - 0.6 * span), most + 0.6 * span)));
   for (const b of spec.bounds) if (b.value > low - 1.5 * span && b.value < high + 1.5 * span) take(b.value);
   const margin = 0.06 * Math.max(high - low, 1e-9);
   return [low - margin, high + margin];
@@ -153,76 +160,137 @@ function drawMarks(u) {
   ctx.restore();
 }
 
-function draw(spec, columns, place) {
+/** Height of a chart, and of the time axis below the last one of a column, px. */
+const HEIGHT = 112;
+const TIME = 44;
+/** Px beside a chart for the names of its curves, and px of one such line. */
+const BESIDE = 136;
+const LINE = 13;
+/** Numbers smaller than this share of the axis are shown as zero. */
+const DUST = 1e-3;
+
+/** Names of curves beside their ends, with the values of the instant shown, which `at` gives for a curve. */
+function ends(made, curves, at, below) {
+  const place = element("div", { class: "ends" });
+  made.root.querySelector(".u-wrap").append(place);
+  const all = curves.map(({ label, stroke, dashes }) => {
+    const mark = element("i", { "aria-hidden": "true" });
+    mark.style.background = sample(stroke(), dashes);
+    const value = element("b", {});
+    const text = element("span", {}, mark, element("em", {}, label), value);
+    text.title = label;
+    place.append(text);
+    return { text, value };
+  });
+  const more = element("span", { class: "more" });
+  place.append(more);
+  if (below) place.append(below);
+  // Of many curves those that reach lowest are named, and a mark says how many are not.
+  const lowest = (k) => Math.min(...made.data[k + 1].map((v) => v ?? Infinity));
+  const order = all.map((_, k) => k).sort((a, b) => lowest(a) - lowest(b));
+  function arrange() {
+    const { bbox } = made;
+    const px = devicePixelRatio;
+    const [top, height] = [bbox.top / px, bbox.height / px];
+    place.style.left = `${(bbox.left + bbox.width) / px + 6}px`;
+    const free = height - (below ? 2 * LINE : 0);
+    const fit = Math.max(Math.floor(free / LINE), 1);
+    const count = all.length <= fit ? all.length : fit - 1;
+    const named = order.slice(0, count);
+    const last = (k) => made.data[k + 1].findLast((v) => v !== null) ?? 0;
+    const wanted = named.map((k) => ({ k, y: made.valToPos(last(k), "y") + top }));
+    wanted.sort((a, b) => a.y - b.y || a.k - b.k);
+    let y = top - LINE / 2;
+    wanted.forEach((w) => (w.y = y = Math.max(w.y, y + LINE)));
+    let limit = top + free + LINE / 2 - (count < all.length ? LINE : 0);
+    for (const w of [...wanted].reverse()) w.y = limit = Math.min(w.y, limit - LINE);
+    all.forEach(({ text }, k) => (text.hidden = !named.includes(k)));
+    for (const { k, y: middle } of wanted) all[k].text.style.top = `${middle - LINE / 2}px`;
+    more.hidden = count === all.length;
+    more.style.top = `${top + free - LINE}px`;
+    more.textContent = `and ${all.length - count} more`;
+    if (below) below.style.top = `${top + height - 2 * LINE + 2}px`;
+  }
+  const tell = (k) => all.forEach(({ value }, i) => (value.textContent = at(i, k)));
+  return { arrange, tell };
+}
+
+function draw(spec, columns, place, isLast) {
   const room = bands(spec, columns);
   const many = spec.lines.length > 4;
-  // Values below a pixel are shown as zero: they are rounding.
-  const value = (u, v, _, i) => (v === null || i === null ? "–" : number(Math.abs(v) < 1e-5 * (u.scales.y.max - u.scales.y.min) ? 0 : v, 4));
+  // Values far below a pixel are shown as zero.
+  const clean = (u, v) => (v === null ? "–" : number(Math.abs(v) < DUST * (u.scales.y.max - u.scales.y.min) ? 0 : v, 3));
   // References are dotted, over the curves that follow them.
   const paired = spec.lines.some((l) => l.aim);
   const placeOf = (i) => spec.lines.slice(0, i + 1).filter((l) => !l.aim).length - 1;
   const dashes = (i) => (paired ? (spec.lines[i].aim ? [2, 5] : dash(placeOf(i))) : dash(i));
   const stroke = (i) => (spec.lines[i].aim ? css("--ink") : line(paired ? placeOf(i) : i));
-  const curves = spec.lines.map((l, i) => ({
-    label: l.label,
-    stroke: () => stroke(i),
-    width: paired && !l.aim ? 3 : many ? 1.25 : 1.75,
-    dash: dashes(i),
-    value,
-    points: { show: false },
-  }));
-  const edge = (label) => ({
-    label,
-    stroke: () => css("--band-edge"),
-    width: 1,
-    value,
-    points: { show: false },
-  });
-  const series = [{ label: "time [s]", value: (_, v) => (v === null ? "–" : v.toFixed(2)) }, ...curves];
+  const curves = spec.lines.map((l, i) => ({ label: l.label, stroke: () => stroke(i), dashes: dashes(i) }));
+  const series = [
+    {},
+    ...curves.map(({ label, stroke: color, dashes: pattern }, i) => ({
+      label,
+      stroke: color,
+      width: paired && !spec.lines[i].aim ? 3 : many ? 1.25 : 1.75,
+      dash: pattern,
+      points: { show: false },
+    })),
+  ];
   const values = [columns.t, ...spec.lines.map((l) => columns[l.column])];
   const options = {
+    padding: [8, BESIDE, isLast ? 0 : 4, 0],
     scales: { x: { time: false }, y: { range: () => range(spec, columns, room) } },
-    axes: [timeAxis(), axis(`[${spec.unit}]`)],
+    axes: [timeAxis(isLast ? {} : { size: 0, label: undefined, values: (_, splits) => splits.map(() => ""), ticks: { show: false } }), axis(null, { label: undefined, size: 52, space: 26 })],
     cursor: { sync: { key: "time" }, focus: { prox: 24 }, drag: { x: true, y: false } },
     focus: { alpha: 0.35 },
-    legend: {
-      live: true,
-      markers: {
-        width: 0,
-        fill: (_, i) => (i > spec.lines.length ? css("--band-edge") : sample(stroke(i - 1), dashes(i - 1))),
-      },
-    },
-    hooks: { draw: [(u) => drawBounds(u, spec), drawMarks] },
+    legend: { show: false },
+    hooks: { draw: [(u) => drawBounds(u, spec), drawMarks, () => named?.arrange()], setCursor: [() => show()] },
     series,
   };
+  let named = null;
   if (room) {
+    const edge = (label) => ({ label, stroke: () => css("--band-edge"), width: 1, points: { show: false } });
     series.push(edge(`${set().name}, largest`), edge(`${set().name}, smallest`));
     values.push(room.high, room.low);
     options.bands = [{ series: [series.length - 2, series.length - 1], fill: () => css("--band") }];
   }
-  const made = chart(place, `${spec.headline}. ${spec.title} over time in ${spec.unit}.`, () => 210, options, values);
+  const made = chart(place, `${spec.title} over time in ${spec.unit}. ${spec.headline}.`, () => HEIGHT + (isLast ? TIME : 0), options, values);
+  const alone = room && element("span", { class: "range" });
+  named = ends(made, curves, (i, k) => clean(made, values[i + 1][k]), alone);
   made.over.addEventListener("click", () => {
     if (made.cursor.left >= 0) setTime(made.posToVal(made.cursor.left, "x"));
   });
   const mark = marker(made);
   const show = () => {
+    const under = made.cursor.left >= 0 ? made.cursor.idx : null;
+    const k = under ?? indexAt(columns.t, state.time);
     mark(state.time);
-    if (!(made.cursor.left >= 0)) made.setLegend({ idx: indexAt(columns.t, state.time) }, false);
+    named.tell(k);
+    if (alone) alone.textContent = room.low[k] === null ? `${set().name}: none alone` : `${set().name} alone: ${clean(made, room.low[k])} to ${clean(made, room.high[k])}`;
   };
   made.over.addEventListener("mouseleave", () => setTimeout(show));
   made.hooks.setSize = [...(made.hooks.setSize ?? []), () => requestAnimationFrame(show)];
-  return { spec, made, show, place };
+  named.arrange();
+  return { spec, made, show, place, isLast };
 }
 
 function build() {
   const place = byId("charts");
   for (const d of drawn) d.made.remove();
   const { columns, charts } = run();
+  // Two columns of charts, each with one time axis below its last chart.
+  const half = Math.ceil(charts.length / 2);
+  const parts = [charts.slice(0, half), charts.slice(half)].filter((part) => part.length > 0);
   place.replaceChildren();
-  drawn = charts.map((spec) => {
-    const plot = element("div", { class: "plot" });
-    place.append(element("figure", { id: `chart-${spec.id}` }, element("figcaption", {}, element("h3", {}, spec.headline), element("p", { class: "unit" }, `${spec.title}, ${spec.unit}`)), plot));
-    return draw(spec, columns, plot);
+  drawn = parts.flatMap((part) => {
+    const column = element("div", { class: "column" });
+    place.append(column);
+    return part.map((spec, k) => {
+      const plot = element("div", { class: "plot" });
+      const title = element("h3", {}, `${spec.title} `, element("span", { class: "unit" }, `[${spec.unit}]`));
+      column.append(element("figure", { id: `chart-${spec.id}` }, element("figcaption", {}, title, element("p", { class: "unit" }, spec.headline)), plot));
+      return draw(spec, columns, plot, k === part.length - 1);
+    });
   });
   show();
 }
@@ -234,7 +302,7 @@ function redraw() {
     if (d.spec.axis === null) return d;
     d.made.remove();
     d.place.replaceChildren();
-    return draw(d.spec, columns, d.place);
+    return draw(d.spec, columns, d.place, d.isLast);
   });
   show();
 }

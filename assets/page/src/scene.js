@@ -5,27 +5,25 @@ import {
   CanvasTexture,
   Color,
   Float32BufferAttribute,
-  GridHelper,
   Group,
   InstancedMesh,
   Line,
   LineBasicMaterial,
   Matrix4,
-  Mesh,
-  MeshBasicMaterial,
   MeshLambertMaterial,
   Points,
   PointsMaterial,
   SphereGeometry,
-  TorusGeometry,
   Vector3,
 } from "three";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { indexAt, number } from "./content.js";
-import { css, round } from "./palette.js";
+import { corners, extent, ground } from "./ground.js";
+import { css } from "./palette.js";
 import { stage } from "./stage.js";
+import { vehicle as vehicleOf } from "./vehicle.js";
 import { NOTE, reach, solids } from "./volumes.js";
 
 /** Most waypoints with a label. */
@@ -34,22 +32,20 @@ const MOST_LABELS = 16;
 /** Distance in px within which the pointer counts as on the path. */
 const NEAR = 14;
 
-export function scene({ place, run, state, setTime, content, note }, lost) {
+export function scene({ place, run, state, setTime, struck, content, note }, lost) {
   const points = () => {
     const { x, y, z } = run().columns;
     return x.map((v, k) => new Vector3(v, y[k], z[k]));
   };
   const stops = content.waypoints.map((w) => new Vector3(...w.at));
   const seen = [...points(), ...stops];
-  const { middle, size, step, floor } = extent([...seen, ...reach(seen)]);
-  const { world, canvas, label, project, render, look, onFit, remove } = stage(place, middle, size, lost);
-
-  const cells = Math.ceil(size / step);
-  const grid = new GridHelper(cells * step, cells);
-  grid.rotation.x = Math.PI / 2;
-  grid.position.set(Math.round(middle.x / step) * step, Math.round(middle.y / step) * step, floor);
-  grid.material.vertexColors = false;
-  world.add(grid);
+  seen.push(...reach(seen));
+  const land = extent(seen);
+  const { size, step, floor } = land;
+  const { world, canvas, label, project, render, look, stand, returnTo, onFit, remove } = stage(place, [...seen, ...corners(land)], size, lost);
+  const middle = new Vector3((land.x[0] + land.x[1]) / 2, (land.y[0] + land.y[1]) / 2, (floor + land.top) / 2);
+  const places = atPlaces(content.waypoints);
+  const lay = ground(world, label, land, [...places.values()].map(({ at }) => new Vector3(...at)));
 
   const tolerance = new MeshLambertMaterial({ transparent: true, opacity: 0.35, depthWrite: false });
   const spheres = new InstancedMesh(new SphereGeometry(1, 24, 16), tolerance, Math.max(stops.length, 1));
@@ -57,13 +53,13 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
   content.waypoints.forEach(({ within, at }, i) => {
     spheres.setMatrixAt(i, new Matrix4().makeScale(within, within, within).setPosition(...at));
   });
-  const places = new Float32BufferAttribute(content.waypoints.flatMap((w) => w.at), 3);
+  const marked = new Float32BufferAttribute(content.waypoints.flatMap((w) => w.at), 3);
   const dots = new Points(
-    new BufferGeometry().setAttribute("position", places),
+    new BufferGeometry().setAttribute("position", marked),
     new PointsMaterial({ size: 8, sizeAttenuation: false, map: disc(), alphaTest: 0.5 }),
   );
   world.add(spheres, dots);
-  name(content.waypoints, label);
+  for (const { at, text, rank } of places.values()) if (text) label(text, new Vector3(...at), rank);
   const bodies = solids(world, label, { middle, size });
 
   const material = new LineMaterial({ vertexColors: true, linewidth: 4.5 });
@@ -73,16 +69,13 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
   const others = new Group();
   world.add(shadow, others);
 
-  const vehicle = new Group();
-  const body = new Mesh(new TorusGeometry(0.022 * size, 0.0045 * size, 10, 32), new MeshBasicMaterial());
-  const up = [new Vector3(), new Vector3(0, 0, 0.075 * size)];
-  const mast = new Line(new BufferGeometry().setFromPoints(up), new LineBasicMaterial());
-  vehicle.add(body, mast);
-  vehicle.rotation.order = "ZYX";
+  const flyer = vehicleOf(size);
+  const vehicle = flyer.made;
   world.add(vehicle);
 
+  const larger = flyer.scale > 1.05 ? `, drawn ${number(flyer.scale, 2)} times larger than it is` : "";
   note(
-    `Grid squares are ${number(step)} m wide, at z = ${number(floor)} m; the thin line is the projection of the path. Spheres are tolerances. The ring is the vehicle; its mast points along the thrust.${NOTE}`,
+    `x is east, y north, z up. Grid squares are ${number(step)} m wide, at z = ${number(floor)} m; upright lines lead from waypoints to the ground, and the thin line on it is the projection of the path. Spheres are tolerances. The vehicle is shown with its motors${larger}; its mast points along the thrust, its tip forward. Motors that the selected mode, or the fault of a flight, takes are crossed out in red; those that it weakens are ringed in another colour.${NOTE}`,
     " Drag or use the arrow keys to rotate; click the path to select an instant.",
   );
 
@@ -115,10 +108,10 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
   });
 
   function theme() {
-    grid.material.color.set(css("--ground"));
-    grid.material.needsUpdate = true;
+    lay();
+    flyer.theme();
     tolerance.color.set(css("--accent"));
-    for (const m of [dots.material, body.material, mast.material]) m.color.set(css("--ink"));
+    dots.material.color.set(css("--ink"));
     shadow.material.color.set(css("--soft"));
     bodies.theme();
   }
@@ -152,11 +145,12 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
     const [roll, pitch, yaw] = ["roll", "pitch", "yaw"].map((n) => (c[n][k] * Math.PI) / 180);
     vehicle.position.set(c.x[k], c.y[k], c.z[k]);
     vehicle.rotation.set(roll, pitch, yaw);
+    flyer.mark(struck());
     render();
   }
 
   theme();
-  return { path: drawPath, time, theme, look, remove };
+  return { path: drawPath, time, theme, look, stand, returnTo, remove };
 }
 
 /** A round point. */
@@ -170,28 +164,16 @@ function disc() {
   return new CanvasTexture(canvas);
 }
 
-/** Labels the start, the end and, if there are few, the other waypoints; one label per place. */
-function name(waypoints, label) {
+/** The places of waypoints, each once, with the words beside it: for start and end, and for the others if they are few. */
+function atPlaces(waypoints) {
   const last = waypoints.length - 1;
-  const called = (w, i) => (i === 0 ? "start" : i === last ? "end" : w.name);
-  const kept = waypoints.map((w, i) => ({ at: w.at, text: called(w, i), i })).filter(({ i }) => last < MOST_LABELS || i === 0 || i === last);
-  const places = new Map();
-  for (const { at, text } of kept) {
-    const key = at.map((v) => Math.round(1e3 * v)).join();
-    places.set(key, { at, text: places.has(key) ? `${places.get(key).text}, ${text}` : text });
-  }
-  for (const { at, text } of places.values()) label(text, new Vector3(...at));
-}
-
-/** The middle and size of a cloud of points, a round step for the grid, and the height of the grid below them. */
-function extent(points) {
-  const low = new Vector3(Infinity, Infinity, Infinity);
-  const high = low.clone().negate();
-  for (const p of points) {
-    low.min(p);
-    high.max(p);
-  }
-  const size = Math.max(high.distanceTo(low), 0.5);
-  const step = round(size / 8);
-  return { middle: low.clone().add(high).multiplyScalar(0.5), size, step, floor: Math.floor(low.z / step) * step };
+  const called = (w, i) => (i === 0 ? "start" : i === last ? "end" : last < MOST_LABELS ? w.name : "");
+  const found = new Map();
+  waypoints.forEach((w, i) => {
+    const key = w.at.map((v) => Math.round(1e3 * v)).join();
+    const before = found.get(key);
+    const rank = Math.min(before?.rank ?? 3, i === 0 || i === last ? 1 : 3);
+    found.set(key, { at: w.at, rank, text: [before?.text, called(w, i)].filter(Boolean).join(", ") });
+  });
+  return found;
 }

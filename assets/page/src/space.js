@@ -4,7 +4,7 @@ import { byId, content, element, indexAt, number, percent, seconds } from "./con
 import { marginAt } from "./charts.js";
 import { classOf, css, distanceClasses, line } from "./palette.js";
 import { classLegend, legend } from "./strips.js";
-import { on, run, setTime, state } from "./state.js";
+import { on, run, set, setTime, state } from "./state.js";
 import { flat } from "./flat.js";
 import { scene } from "./scene.js";
 import { NOTE } from "./volumes.js";
@@ -36,7 +36,7 @@ function nearest() {
 function colorings() {
   const { columns } = run();
   const modes = margins();
-  const byMargin = (values) => ({ colors: values.map((m) => classOf(m ?? Infinity).color), legend: classLegend() });
+  const byMargin = (values) => ({ colors: values.map((m) => classOf(m ?? Infinity).color), legend: classLegend(), hasClasses: true });
   const found = [];
   if (modes.length > 0) {
     const least = columns.t.map((_, k) => smallest(k));
@@ -79,6 +79,21 @@ function phaseColors() {
 /** The faults in force in a flight; undefined for a plan. */
 const phaseAt = (t) => run().phases.findLast((p) => p.from <= t + 1e-9)?.label;
 
+/** The rotors that are affected at the instant shown: by the fault of a flight, or by the mode selected for a plan. */
+function struck() {
+  const phase = phaseAt(state.time);
+  if (phase === undefined) return set()?.struck ?? [];
+  const names = phase.split(", ").map((fault) => fault.split(" ")[0]);
+  return content.sets.filter((s) => names.includes(s.name)).flatMap((s) => s.struck ?? []);
+}
+
+/** `; motor 2 lost (M2)` */
+function strikes() {
+  const lost = struck().filter(([, isLost]) => isLost).map(([k]) => k + 1);
+  const name = phaseAt(state.time) === undefined ? ` (${set()?.name})` : "";
+  return lost.length === 0 ? "" : `; shown without motor${lost.length > 1 ? "s" : ""} ${lost.join(", ")}${name}`;
+}
+
 function tell() {
   const { columns } = run();
   const k = indexAt(columns.t, state.time);
@@ -88,7 +103,7 @@ function tell() {
   const off = columns.error ? `; position error ${number(100 * columns.error[k])} cm` : "";
   const phase = phaseAt(columns.t[k]);
   const under = phase ? `; ${phase}` : "";
-  byId("space-readout").textContent = `At ${seconds(state.time)}: ${place} m; ${number(columns.speed[k])} m/s; tilt ${number(columns.tilt[k])} deg${near}${off}${under}`;
+  byId("space-readout").textContent = `At ${seconds(state.time)}: ${place} m; ${number(columns.speed[k])} m/s; tilt ${number(columns.tilt[k])} deg${near}${off}${strikes()}${under}`;
 }
 
 export function space() {
@@ -98,7 +113,7 @@ export function space() {
   let view;
   // The hint about rotating is not printed.
   const note = (text, hint = "") => byId("space-note").replaceChildren(text, element("span", { class: "hint" }, hint));
-  const views = { place, run, state, setTime, content, note };
+  const views = { place, run, state, setTime, struck, content, note };
   const fill = () => {
     const kept = choice.selectedIndex;
     choice.replaceChildren(...colorings().map((c, i) => element("option", { value: String(i) }, c.name)));
@@ -107,6 +122,9 @@ export function space() {
   const color = () => {
     const chosen = colorings()[choice.selectedIndex];
     legend(byId("space-legend"), chosen.legend);
+    // The margins below have the same colours.
+    const repeated = byId("strips-legend");
+    if (repeated) repeated.hidden = Boolean(chosen.hasClasses);
     view.path(chosen.colors);
   };
   const begin = (make) => {
@@ -123,6 +141,7 @@ export function space() {
     place.setAttribute("aria-label", "Path seen from above and from the side");
     document.querySelectorAll("[data-view]").forEach((b) => (b.parentElement.hidden = true));
     begin(flat);
+    byId("space-about").open = true;
     note(`This browser does not support WebGL, so the path is shown from above and from the side. Circles are waypoints with their tolerances.${NOTE}`);
   };
   fill();
@@ -131,7 +150,6 @@ export function space() {
   } catch (problem) {
     plain();
   }
-  headline();
   choice.addEventListener("change", color);
   document.querySelectorAll("[data-view]").forEach((b) => b.addEventListener("click", () => view.look(b.dataset.view)));
   on("time", () => {
@@ -141,16 +159,14 @@ export function space() {
   on("run", () => {
     fill();
     color();
-    headline();
+  });
+  on("set", () => {
+    view.time();
+    tell();
   });
   on("theme", () => {
     view.theme();
     color();
   });
   tell();
-}
-
-function headline() {
-  const chart = run().charts.find((c) => c.id === "position");
-  byId("space-headline").textContent = chart?.headline ?? "The flight in space";
 }

@@ -4,8 +4,11 @@ import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebG
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { whenFitting } from "./axes.js";
 import { element } from "./content.js";
+import { arrange } from "./labels.js";
 
 const FIELD = 38;
+/** The share of the picture that what is framed may take: labels have the rest. */
+const FILLED = 0.88;
 const DIRECTIONS = { free: [-0.62, -0.95, 0.6], top: [0, -0.001, 1], front: [0, -1, 0.02], side: [1, 0, 0.02] };
 const KEYS = {
   ArrowLeft: [-0.12, 0, 1],
@@ -17,15 +20,21 @@ const KEYS = {
   "-": [0, 0, 1.15],
 };
 
-/** A view of a ball of diameter `size` about `middle`; throws without WebGL. `lost` is called when the context is lost. */
-export function stage(place, middle, size, lost) {
-  const canvas = element("canvas");
-  const wanted = { antialias: true, alpha: true, preserveDrawingBuffer: true };
-  const context = canvas.getContext("webgl2", wanted);
+/**
+ * A view of `points` of a scene of the given size; throws without WebGL. `lost` is called when the context is lost.
+ *
+ * The scene is drawn in a canvas of its own, and each picture is copied to the one that is shown: browsers that compose
+ * pages without a GPU lose what WebGL drew when the page scrolls, and all print it at its size on the screen.
+ */
+export function stage(place, points, size, lost) {
+  const drawn = element("canvas");
+  const wanted = { antialias: true, alpha: true };
+  const context = drawn.getContext("webgl2", wanted);
   if (!context) throw new Error("no WebGL");
-  const renderer = new WebGLRenderer({ canvas, context, ...wanted });
-  canvas.setAttribute("aria-hidden", "true");
-  canvas.addEventListener("webglcontextlost", lost, { once: true });
+  const renderer = new WebGLRenderer({ canvas: drawn, context, ...wanted });
+  drawn.addEventListener("webglcontextlost", lost, { once: true });
+  const canvas = element("canvas", { "aria-hidden": "true" });
+  const pen = canvas.getContext("2d");
   const labels = element("div", { class: "labels", "aria-hidden": "true" });
   place.append(canvas, labels);
 
@@ -43,11 +52,12 @@ export function stage(place, middle, size, lost) {
   canvas.style.touchAction = "pan-y";
 
   let texts = [];
-  const label = (name, at) => {
-    const text = element("span", {}, name);
+  /** A text at a place; where there is no room for all, those of a lower `rank` are kept. */
+  const label = (name, at, rank = 1, kind = "") => {
+    const text = element("span", kind ? { class: kind } : {}, name);
     labels.append(text);
-    const entry = { text, at };
-    texts.push(entry);
+    const entry = { text, at, rank };
+    texts = [...texts, entry].sort((a, b) => a.rank - b.rank);
     const remove = () => {
       text.remove();
       texts = texts.filter((other) => other !== entry);
@@ -62,17 +72,10 @@ export function stage(place, middle, size, lost) {
   }
 
   function draw() {
-    const [width, height] = [place.clientWidth, place.clientHeight];
     renderer.render(world, camera);
-    for (const { text, at } of texts) {
-      const p = project(at);
-      text.hidden = p.z > 1 || p.x < 0 || p.y < 0 || p.x > width;
-      // In shares of the place, so that labels stay in position if the picture is stretched.
-      text.style.left = `${(100 * p.x) / width}%`;
-      text.style.top = `${(100 * p.y) / height}%`;
-      const beyond = p.x + 8 + text.offsetWidth > width;
-      text.style.transform = `translate(${beyond ? "calc(-100% - 8px)" : "8px"}, ${p.y < 24 ? "4px" : "-22px"})`;
-    }
+    pen.clearRect(0, 0, canvas.width, canvas.height);
+    pen.drawImage(drawn, 0, 0);
+    arrange(texts, project, place);
   }
   let asked = false;
   function render() {
@@ -86,45 +89,56 @@ export function stage(place, middle, size, lost) {
   controls.addEventListener("change", render);
 
   const fits = [];
+  // The view chosen, until the reader turns it.
+  let chosen = "free";
+  controls.addEventListener("start", () => (chosen = null));
   function fit() {
     const [width, height] = [place.clientWidth, place.clientHeight];
     if (width === 0) return;
     renderer.setPixelRatio(devicePixelRatio);
     renderer.setSize(width, height, false);
+    [canvas.width, canvas.height] = [drawn.width, drawn.height];
     camera.aspect = width / height;
     camera.updateProjectionMatrix();
     fits.forEach((f) => f(width, height));
+    if (chosen) look(chosen);
     render();
   }
   const watch = new ResizeObserver(fit);
   watch.observe(place);
   // Printing does not wait for the next frame.
-  let copy = null;
   const forget = whenFitting(() => {
     fit();
     draw();
-    copy?.remove();
-    copy = null;
-    if (!document.documentElement.classList.contains("printing")) return;
-    // Browsers print the last WebGL frame at its size on the screen, so a copy is printed instead.
-    canvas.classList.add("screen");
-    copy = element("canvas", { "aria-hidden": "true" });
-    [copy.width, copy.height] = [canvas.width, canvas.height];
-    copy.getContext("2d").drawImage(canvas, 0, 0);
-    place.prepend(copy);
   });
 
+  /** Looks from a direction, as near as all points are in the picture. */
   function look(name) {
+    chosen = name;
     const away = new Vector3(...DIRECTIONS[name]).normalize();
-    const narrow = Math.min(place.clientWidth / Math.max(place.clientHeight, 1), 1);
-    const distance = (0.5 * size) / Math.sin((FIELD / 2) * (Math.PI / 180)) / Math.max(narrow, 0.4);
-    camera.position.copy(middle).addScaledVector(away, distance);
-    controls.target.copy(middle);
+    const right = new Vector3().crossVectors(camera.up, away).normalize();
+    const up = new Vector3().crossVectors(away, right);
+    const [high, wide] = [1, camera.aspect].map((by) => FILLED * by * Math.tan((FIELD / 2) * (Math.PI / 180)));
+    // In the axes of the picture: to the right, up, towards the camera.
+    const seen = points.map((p) => [p.dot(right), p.dot(up), p.dot(away)]);
+    const middle = [0, 1, 2].map((i) => (Math.min(...seen.map((p) => p[i])) + Math.max(...seen.map((p) => p[i]))) / 2);
+    let distance = 0;
+    // What is near looks larger, so the middle of the picture is not that of the points: a few steps settle it.
+    for (let step = 0; step < 6; step++) {
+      distance = Math.max(...seen.map(([x, y, z]) => z - middle[2] + Math.max(Math.abs(x - middle[0]) / wide, Math.abs(y - middle[1]) / high)));
+      for (const i of [0, 1]) {
+        const shares = seen.map((p) => (p[i] - middle[i]) / (distance - p[2] + middle[2]));
+        middle[i] += (distance * (Math.min(...shares) + Math.max(...shares))) / 2;
+      }
+    }
+    controls.target.set(0, 0, 0).addScaledVector(right, middle[0]).addScaledVector(up, middle[1]).addScaledVector(away, middle[2]);
+    camera.position.copy(controls.target).addScaledVector(away, Math.max(distance, 0.1 * size));
     controls.update();
     render();
   }
 
   function turn(dx, dy, factor) {
+    chosen = null;
     const away = camera.position.clone().sub(controls.target);
     const polar = Math.min(Math.max(Math.acos(away.z / away.length()) + dy, 0.02), Math.PI - 0.02);
     const azimuth = Math.atan2(away.y, away.x) + dx;
@@ -140,13 +154,24 @@ export function stage(place, middle, size, lost) {
     event.preventDefault();
     turn(...how);
   });
-  // Zooming needs a key, as on maps: otherwise the view would block scrolling.
+  // Only with Ctrl, since otherwise the view would block scrolling.
   const zoom = (event) => {
     if (!event.ctrlKey) return;
     event.preventDefault();
     turn(0, 0, Math.exp(0.002 * event.deltaY));
   };
   place.addEventListener("wheel", zoom, { passive: false });
+
+  /** Where the camera is, to return to it: the name of a view, or two places. */
+  const stand = () => chosen ?? { at: camera.position.toArray(), target: controls.target.toArray() };
+  function returnTo(place) {
+    if (typeof place === "string") return look(place in DIRECTIONS ? place : "free");
+    chosen = null;
+    camera.position.fromArray(place.at);
+    controls.target.fromArray(place.target);
+    controls.update();
+    render();
+  }
 
   fit();
   look("free");
@@ -160,5 +185,5 @@ export function stage(place, middle, size, lost) {
     fits.push(f);
     f(place.clientWidth, place.clientHeight);
   };
-  return { world, canvas, label, project, render, look, onFit, remove };
+  return { world, canvas, label, project, render, look, stand, returnTo, onFit, remove };
 }

@@ -3,11 +3,17 @@
 import { axis, chart, marker, timeAxis } from "./axes.js";
 import { marginAt } from "./charts.js";
 import { byId, content, element, percent, seconds } from "./content.js";
-import { CLASSES, classOf } from "./palette.js";
+import { CLASSES, classOf, css } from "./palette.js";
 import { on, run, setSet, setTime, state } from "./state.js";
 
-const ROW = 20;
+/** Rows of a chart before it asks for all, and their heights in px: few are drawn higher than many. */
+const MOST_ROWS = 8;
+const ROW = { few: 19, many: 14 };
+/** Px beside the rows, for the instants until which a fault meets a violation. */
+const BESIDE = 112;
 let drawn = [];
+/** Whether all rows are shown. */
+let whole = false;
 
 /** Fills a legend: swatches with their meaning. */
 export function legend(place, entries) {
@@ -65,8 +71,40 @@ function hatch(u, strip, top, height, width) {
   ctx.restore();
 }
 
-function draw(shownRun, place) {
-  const { strips } = shownRun;
+/** The rows shown: all, or those of the modes with the smallest margins, in their order. */
+function rowsOf({ strips }) {
+  if (whole || strips.length <= MOST_ROWS) return strips;
+  const least = (strip) => Math.min(...strip.margins.map((m) => m ?? Infinity));
+  const kept = [...strips].sort((a, b) => least(a) - least(b)).slice(0, MOST_ROWS);
+  return strips.filter((strip) => kept.includes(strip));
+}
+
+/** What stands beside a row. */
+const beside = ({ until }) => (until === null ? "never" : `before ${seconds(until)}`);
+
+/** Writes beside each row until when a fault of its mode meets a violation, and draws a line over that time. */
+function sides(u, strips) {
+  const { ctx } = u;
+  const px = devicePixelRatio;
+  ctx.save();
+  ctx.font = `${11 * px}px system-ui, sans-serif`;
+  ctx.textAlign = "left";
+  ctx.textBaseline = "middle";
+  const right = u.bbox.left + u.bbox.width;
+  strips.forEach((strip, row) => {
+    ctx.fillStyle = css(strip.until === null ? "--soft" : "--bad");
+    ctx.fillText(beside(strip), right + 8 * px, u.valToPos(row + 0.5, "y", true));
+    if (strip.until === null) return;
+    const bottom = u.valToPos(row + 0.94, "y", true);
+    ctx.fillStyle = css("--ink");
+    ctx.fillRect(u.bbox.left, bottom - 2.5 * px, u.valToPos(strip.until, "x", true) - u.bbox.left, 2.5 * px);
+  });
+  ctx.restore();
+}
+
+function draw(shownRun, place, isLast) {
+  const strips = rowsOf(shownRun);
+  const height = strips.length > 6 || content.runs.length > 2 ? ROW.many : ROW.few;
   const end = shownRun.columns.t.at(-1);
   const names = strips.map((s) => content.sets[s.set].name);
   const widest = Math.max(...names.map((n) => n.length));
@@ -83,10 +121,11 @@ function draw(shownRun, place) {
   };
   const options = {
     legend: { show: false },
+    padding: [2, BESIDE, 0, 0],
     cursor: { sync: { key: "time" }, drag: { x: false, y: false }, points: { show: false } },
     scales: { x: { time: false, range: () => [0, end] }, y: { dir: -1, range: () => [0, strips.length] } },
     axes: [
-      timeAxis({ grid: { show: false } }),
+      timeAxis({ grid: { show: false }, show: isLast }),
       axis(null, {
         label: undefined,
         size: Math.min(12 + 7.2 * widest, 110),
@@ -98,7 +137,7 @@ function draw(shownRun, place) {
     ],
     series: [{}, { points: { show: false }, paths: () => null }],
     hooks: {
-      draw: [(u) => cells(u, strips, end)],
+      draw: [(u) => cells(u, strips, end), (u) => sides(u, strips)],
       setCursor: [
         (u) => {
           if (!(u.cursor.left >= 0) || !(u.cursor.top >= 0)) return;
@@ -110,9 +149,11 @@ function draw(shownRun, place) {
     },
   };
   const plot = element("div", { class: "plot" });
-  place.append(plot, readout);
+  place.append(plot);
+  // Of several plans the numbers of the one shown are enough.
+  if (content.runs.length <= 2 || shownRun === run()) place.append(readout);
   const name = `Smallest margin to each mode's set over time, ${shownRun.label}`;
-  const made = chart(plot, name, () => ROW * strips.length + 62, options, [[0, end], [0, strips.length]]);
+  const made = chart(plot, name, () => height * strips.length + (isLast ? 52 : 6), options, [[0, end], [0, strips.length]]);
   made.over.addEventListener("click", () => {
     setTime(made.posToVal(made.cursor.left, "x"));
     const row = Math.floor(made.posToVal(made.cursor.top, "y"));
@@ -123,7 +164,7 @@ function draw(shownRun, place) {
     mark(Math.min(state.time, end));
     const now = Math.min(state.time, end);
     const all = strips.map(({ set }, row) => `${names[row]} ${percent(marginAt(shownRun.columns, set, now))}`);
-    readout.textContent = `At ${seconds(now)}: ${all.slice(0, 4).join("; ")}${all.length > 4 ? "; …" : ""}`;
+    readout.textContent = `At ${seconds(now)}: ${all.slice(0, 6).join("; ")}${all.length > 6 ? "; …" : ""}`;
   };
   made.hooks.setSize = [...(made.hooks.setSize ?? []), () => requestAnimationFrame(show)];
   return { made, show };
@@ -139,13 +180,32 @@ function build() {
   byId("strips-headline").textContent = headline.replace(/^t/, "T");
   const place = byId("strips");
   for (const d of drawn) d.made.remove();
+  const others = element("details", {}, element("summary", {}, "The other plans"));
+  others.open = place.querySelector("details")?.open ?? false;
   place.replaceChildren();
-  drawn = measured.map((r) => {
-    const figure = element("figure", { class: r === run() ? "shown" : "" });
-    if (content.runs.length > 1) figure.append(element("figcaption", {}, element("h3", {}, r.label)));
-    place.append(figure);
-    return draw(r, figure);
-  });
+  const lead = measured.filter((r) => r.leads);
+  const rest = measured.filter((r) => !r.leads);
+  const add = (into, runs) =>
+    runs.map((r, k) => {
+      const figure = element("figure", { class: r === run() ? "shown" : "" });
+      if (content.runs.length > 1) figure.append(element("figcaption", {}, element("h3", {}, r.label)));
+      into.append(figure);
+      return draw(r, figure, k === runs.length - 1);
+    });
+  drawn = add(place, lead);
+  const most = Math.max(...measured.map((r) => r.strips.length));
+  if (most > MOST_ROWS) {
+    const button = element("button", { type: "button", class: "more" }, whole ? "Only the smallest margins" : `All ${most} modes`);
+    button.addEventListener("click", () => {
+      whole = !whole;
+      build();
+    });
+    place.append(button);
+  }
+  if (rest.length > 0) {
+    place.append(others);
+    drawn.push(...add(others, rest));
+  }
   drawn.forEach((d) => d.show());
 }
 

@@ -19,7 +19,11 @@ export function theme() {
   });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", show);
   let chosen;
+  let folded = [];
   addEventListener("beforeprint", () => {
+    // Paper cannot be unfolded.
+    folded = [...document.querySelectorAll("details:not([open])")];
+    folded.forEach((part) => (part.open = true));
     chosen = root.dataset.theme;
     root.dataset.theme = "light";
     root.classList.add("printing");
@@ -30,6 +34,7 @@ export function theme() {
     if (chosen === undefined) delete root.dataset.theme;
     else root.dataset.theme = chosen;
     root.classList.remove("printing");
+    folded.forEach((part) => (part.open = false));
     show();
     fitAll();
   });

@@ -161,7 +161,7 @@ export function solids(world, label, { middle, size }) {
       }
     }
     skins.push({ volume, materials: [skin, edge, dashed] });
-    if (tip) label(volume.name, tip);
+    if (tip) label(volume.name, tip, 2);
   }
   const marks = new Group();
   world.add(marks);
@@ -179,7 +179,7 @@ export function solids(world, label, { middle, size }) {
         mesh.position.set(...at);
         mesh.userData.bad = bad;
         marks.add(mesh);
-        if (words) labels.push(label(words, mesh.position));
+        if (words) labels.push(label(words, mesh.position, 4));
       }
     },
   };

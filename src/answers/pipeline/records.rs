@@ -9,7 +9,9 @@ use crate::planner::studies::Comparison;
 use crate::planner::studies::rounds::Round;
 use crate::report::capture_height::{self, CaptureRecord};
 use crate::report::conflict_record::ConflictRecord;
+use crate::report::plan_screen::Answer;
 use crate::report::record::{Record, RoundRecord};
+use crate::report::screen::Screen;
 use crate::report::{self, terminal};
 use crate::spec::Spec;
 use crate::text_table::Table;
@@ -49,6 +51,30 @@ impl Task<'_> {
             text.push_str(&report::between::between(self.model(), plan, found));
         }
         text
+    }
+
+    /// The answer for people: one screen, or with `verbose` the whole report.
+    pub fn for_people(
+        &self,
+        planning: &Planning,
+        explained: &Explained,
+        between: Option<&[Between]>,
+        verbose: bool,
+    ) -> Screen {
+        if verbose {
+            return Screen::of_text(&self.text(planning, explained, between));
+        }
+        let heights = self.capture_heights(planning);
+        let answer = Answer {
+            problem: self.problem(),
+            comparison: planning.comparison(),
+            heights: heights.as_deref(),
+            exposed: &self.exposed(planning.comparison(), heights.as_deref()).pop().unwrap_or_default(),
+            detours: &self.known_detours(planning),
+            found_at: &explained.nearby.times().collect::<Vec<_>>(),
+            between,
+        };
+        answer.screen()
     }
 
     /// The record with the captures and how long its plans are lower.

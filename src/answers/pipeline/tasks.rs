@@ -30,7 +30,7 @@ pub const NO_MISSION: &str = "mavc::plan::no_mission";
 
 /// Plans the spec's mission with the spec's planner ([RIP, RCP or RSP](crate::model::PlannerKind)), at the time that
 /// the spec fixes or at the shortest time found. The planners are those of sections 5.2 and 5.3 of the paper; see
-/// docs/method.md, sections 8 and 12, the latter for the exact model.
+/// docs/method/planners.md and exact-planner.md, the latter for the exact model.
 ///
 /// The outcome is a plan that passed the check of finished plans, a proof of infeasibility, or neither. The plan's time
 /// is in s; its nodes hold derivatives as `[axis][order]` in SI units ([`NodeState`](crate::motion::NodeState)).
@@ -78,7 +78,7 @@ pub fn compare(spec: &Spec) -> Result<Comparison, Refusal> {
 
 /// Explains why no plan was found: nearby times (s) at which there is one; or an irreducible set of statements of the
 /// spec for which together no plan was found or none exists, with changes of single statements that were tried and give
-/// a plan (docs/method.md, section 9).
+/// a plan (docs/method/conflicts.md).
 ///
 /// `planning` is the outcome of [`plan`] for this spec. If it is a plan, both parts of the result are empty.
 ///

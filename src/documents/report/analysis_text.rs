@@ -11,7 +11,8 @@ use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
 use crate::flight::equilibrium::settled_spins;
 use crate::model::{Allocation, Model};
 use crate::number::{down, significant};
-use crate::text_table::Table;
+use crate::report::headline::headline;
+use crate::text_table::{Table, hanging};
 
 /// Meaning of the columns after the verdict.
 const LEGEND: &str = "
@@ -39,9 +40,11 @@ airspeed  the largest steady airspeed in level flight with the plan's reserve, w
 /// The whole output of `mavc analyze`: vehicle, table of modes with its legend, and headroom. `modes` are those of
 /// [`crate::admissible::verdict`], the healthy vehicle first.
 pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
-    let mut out = format!("{}\n{}\n", vehicle_line(model), battery::full_thrust(model));
+    let head = hanging(&headline(model, modes));
+    let mut out = format!("{head}{}\n{}\n", vehicle_line(model), battery::full_thrust(model));
     let mut headings = vec![
         "mode",
+        "outcome",
         "verdict",
         "hover",
         "margin",
@@ -67,6 +70,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     for m in modes {
         let mut cells = vec![
             m.name.clone(),
+            m.outcome.word().into(),
             m.verdict.name().into(),
             m.hover_words(),
             optional(m.acai, 4),

@@ -49,7 +49,7 @@ pub fn record(model: &Model, trajectory: &Trajectory) -> Option<BatteryRecord> {
 }
 
 /// Joules as watt hours, with three digits.
-fn watt_hours(joules: f64) -> String {
+pub(super) fn watt_hours(joules: f64) -> String {
     format!("{} W*h", significant(joules / 3600.0, 3))
 }
 

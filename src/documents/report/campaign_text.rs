@@ -2,6 +2,7 @@
 
 mod agreement;
 mod path;
+pub(super) mod remarks;
 
 pub use agreement::by_flight;
 
@@ -12,10 +13,9 @@ use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
 use crate::campaign::design::{CampaignPlan, Design, Missing};
 use crate::campaign::run::AFTERMATH;
-use crate::campaign::statistics::{Delays, QUANTILES, Share, wilson};
+use crate::campaign::statistics::{Share, wilson};
 use crate::campaign::tally::{Group, Tally};
 use crate::flight::Cause;
-use crate::flight::indistinguishable::listed;
 use crate::model::{Detection, LostYaw, Simulation};
 use crate::number::{fixed, number, part_of_all, percent, plural, significant};
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
@@ -55,30 +55,11 @@ fn head(design: &Design, shard: Shard, tally: &Tally) -> String {
         _ => format!("; shard {}/{} has {}", shard.index + 1, shard.of, tally.flights()),
     };
     out.push_str(&format!("campaign {}: {}{part}\n", design.id, plural(cases.count(), "flight")));
-    out + &flown_how(design) + &beyond_the_limit(design)
-}
-
-/// Modes of which a fault costs more height than `lost_beyond`: vehicles that are caught count as lost.
-fn beyond_the_limit(design: &Design) -> String {
-    let limit = design.model.simulation.lost_beyond;
-    let most = |m: &usize| design.modes[*m].capture.iter().filter_map(|c| c.height_m).fold(0.0, f64::max);
-    let beyond: Vec<usize> = (0..design.cases.modes).filter(|m| most(m) > limit).collect();
-    if beyond.is_empty() {
-        return String::new();
-    }
-    let names: Vec<&str> = beyond.iter().map(|m| design.model.modes[*m].name.as_str()).collect();
-    let height = beyond.iter().map(most).fold(0.0, f64::max);
-    indented(&format!(
-        "Caught by its spin after {}, the vehicle falls by up to {} m, more than the {} m of `lost_beyond`: flights \
-         that go on count as lost.",
-        listed(&names),
-        significant(height, 3),
-        number(limit)
-    ))
+    out + &flown_how(design) + &paragraph(remarks::beyond_the_limit(design))
 }
 
 /// Controller, allocation, detection, reaction to a fault, and when a vehicle counts as lost.
-fn flown_how(design: &Design) -> String {
+pub(super) fn flown_how(design: &Design) -> String {
     let model = design.model;
     let s = &model.simulation;
     let detection = match s.detection {
@@ -157,31 +138,13 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> Str
         "  errors and headings are those of the flights that survived, since the fault; violations are the plan's, in \
          % of its time\n",
     );
-    out.push_str(&estimator(design, tally, p));
-    out.push_str(&uncovered(design, tally, p));
+    out.push_str(&paragraph(remarks::estimator(design, tally, p)));
+    out.push_str(&paragraph(remarks::uncovered(design, tally, p)));
     out.push_str(&path::table(design, tally, p, &modes));
-    if let lost @ 1.. = healthy.all_lost() {
-        let text = format!(
-            "Warning: {lost} of {} without a fault {} lost. The vehicle cannot fly this plan, so its losses say little \
-             about faults: limit the tilt, or give the mission more time.",
-            plural(healthy.flights, "flight"),
-            if lost == 1 { "was" } else { "were" }
-        );
-        out.push_str(&indented(&text));
-    }
-    let before: usize = (0..all).map(|m| tally.mode(p, m).lost_before).sum();
-    if before > 0 {
-        let were = if before == 1 { "was" } else { "were" };
-        out.push_str(&indented(&format!("{} {were} lost before the fault could strike.", plural(before, "flight"))));
-    }
-    let diverged = healthy.diverged + (0..all).map(|m| tally.mode(p, m).diverged).sum::<usize>();
-    if diverged > 0 {
-        let flights = plural(diverged, "flight");
-        out.push_str(&indented(&format!(
-            "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). \
-             What happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as \
-             survived."
-        )));
+    for remark in
+        [remarks::lost_healthy(tally, p), remarks::lost_before(design, tally, p), remarks::diverged(design, tally, p)]
+    {
+        out.push_str(&paragraph(remark));
     }
     if !modes.is_empty() {
         out.push_str(&path::maps(design, tally, p, &modes));
@@ -190,52 +153,8 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> Str
     out
 }
 
-/// How often the estimator raised false alarms, and how soon it isolated the faults; empty without an estimator.
-fn estimator(design: &Design, tally: &Tally, p: usize) -> String {
-    if design.model.simulation.detection != Detection::Estimator {
-        return String::new();
-    }
-    let healthy = tally.healthy(p);
-    let Some(per_hour) = healthy.alarms_per_hour() else { return String::new() };
-    let mut isolation = Delays::default();
-    (0..design.cases.modes).for_each(|m| isolation.join(&tally.mode(p, m).isolation));
-    let within = |share: f64| {
-        let of = format!("{} % ", number(100.0 * share));
-        isolation.quantile(share).map_or(format!("{of}never"), |s| format!("{of}{} s", fixed(s, 2)))
-    };
-    let isolated = match isolation.is_empty() {
-        true => String::new(),
-        false => format!("; faults are isolated within: {}", QUANTILES.map(within).join(", ")),
-    };
-    indented(&format!(
-        "The estimator raised {} in {} h of healthy flight, {} an hour{isolated}.",
-        plural(healthy.false_alarms, "false alarm"),
-        significant(healthy.seconds / 3600.0, 3),
-        significant(per_hour, 3)
-    ))
-}
-
-/// What the reserve of a plan does not cover, if flights are lost after faults whose sets the plan never leaves.
-fn uncovered(design: &Design, tally: &Tally, p: usize) -> String {
-    let plan = &design.plans[p];
-    let inside = |m: &usize| {
-        let name = &design.model.modes[*m].name;
-        plan.against.contains(name) && plan.outside[*m].last.is_none()
-    };
-    let (lost, struck) =
-        (0..design.cases.modes).filter(inside).map(|m| tally.mode(p, m)).fold((0, 0), |(lost, struck), group| {
-            (lost + group.struck().saturating_sub(group.survived()), struck + group.struck())
-        });
-    if lost == 0 {
-        return String::new();
-    }
-    let reserve = number(100.0 * design.model.plan.reserve);
-    indented(&format!(
-        "{lost} of {} that struck were not survived although the plan never leaves the sets of their modes: its \
-         reserve of {reserve} % is a share of the sets of the modelled vehicle. It covers neither gusts nor a thrust \
-         below the modelled one, nor the time until the fault is known.",
-        plural(struck, "fault")
-    ))
+fn paragraph(remark: Option<String>) -> String {
+    remark.map_or(String::new(), |text| indented(&text))
 }
 
 /// All modes as declared or, if there are many, those with the most losses.
@@ -273,7 +192,7 @@ fn group_cells(name: &str, group: &Group) -> Vec<String> {
 }
 
 /// `12 ground, 3 heading`: causes of loss, the most frequent first.
-fn causes(group: &Group) -> String {
+pub(super) fn causes(group: &Group) -> String {
     let mut counts: Vec<(&str, usize)> = Cause::ALL.iter().zip(group.lost).map(|(c, n)| (cause(*c), n)).collect();
     counts.push(("in a keep_out or outside a keep_in", group.trespassed));
     counts.push(("diverged", group.diverged));
@@ -293,7 +212,7 @@ fn cause(cause: Cause) -> &'static str {
     }
 }
 
-fn hundred(share: f64) -> String {
+pub(super) fn hundred(share: f64) -> String {
     // One decimal, but 100 only for the whole.
     if share < 1.0 && share > 0.99949 { part_of_all(share) } else { fixed(100.0 * share, 1) }
 }

@@ -9,8 +9,8 @@ use serde::Serialize;
 /// Version of this record; raised when a field or the meaning of its values changes.
 const SCHEMA: u32 = 1;
 
-/// The vehicle, its fault modes and how it is flown, with all digits. Frames and signs are those of docs/method.md;
-/// mission and plan are in the other outputs.
+/// The vehicle, its fault modes and how it is flown, with all digits. Frames and signs are those of
+/// docs/method/sets.md; mission and plan are in the other outputs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ModelRecord<'a> {

@@ -8,6 +8,7 @@ mod binding_table;
 mod capture;
 mod chart;
 mod content;
+mod coverage;
 mod document;
 mod embed;
 mod flown;
@@ -29,9 +30,9 @@ mod verdicts;
 mod volumes;
 mod waypoint_table;
 
-use crate::admissible::verdict::analyze_each;
 use crate::diagnostic::Diagnostic;
 use crate::flight::capture::Capture;
+use crate::flight::equilibrium::analyze_each;
 use crate::model::{Model, Problem};
 use crate::planner::studies::{Comparison, PlanOutcome, Run};
 use crate::report::campaign_record::CampaignRecord;
@@ -84,17 +85,15 @@ pub fn plans(
     } else {
         sections.insert(0, Section::new("planners", "Planners", planners::section(comparison, record)));
     }
-    if !content.runs.is_empty() {
-        sections.extend(document::drawn(!comparison.modes.is_empty()));
-    } else {
-        sections.push(document::sets());
-    }
+    let picture = (!content.runs.is_empty()).then(|| document::picture(!comparison.modes.is_empty()));
+    sections.extend(picture.is_some().then(document::motion));
+    sections.push(document::sets());
     sections.push(Section::new("spec", "Spec", spec::section(subject)));
     let found = match kind {
         PageKind::Plan => summary::plan(problem, comparison, record),
         PageKind::Compare => summary::compare(mission, comparison),
     };
-    Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
+    Document { subject: *subject, comparison: Some(comparison), found, picture, sections, content }.render()
 }
 
 /// The charts of the plan (or of every planner's plan at the common time) and the sections of the sets, as names and
@@ -117,7 +116,7 @@ pub fn refused(subject: &Subject, record: &Record) -> String {
         document::sets(),
         Section::new("spec", "Spec", spec::section(subject)),
     ];
-    Document { subject: *subject, comparison: None, found, sections, content }.render()
+    Document { subject: *subject, comparison: None, found, picture: None, sections, content }.render()
 }
 
 /// The page of `mavc simulate`: the flight first, then the plan that it follows.
@@ -131,14 +130,16 @@ pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: 
     }
     content.runs.insert(0, track.run(model, record));
     let content = content.showing(0);
-    let mut sections = vec![
+    let picture = Some(document::picture(!comparison.modes.is_empty()));
+    let sections = vec![
         Section::new("faults", "Faults", flown::section(record)),
         Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses)),
+        document::motion(),
+        document::sets(),
+        Section::new("spec", "Spec", spec::section(subject)),
     ];
-    sections.extend(document::drawn(!comparison.modes.is_empty()));
-    sections.push(Section::new("spec", "Spec", spec::section(subject)));
     let found = summary::flight(model, record);
-    Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
+    Document { subject: *subject, comparison: Some(comparison), found, picture, sections, content }.render()
 }
 
 /// The page of `mavc campaign`.
@@ -155,7 +156,8 @@ pub fn campaign(subject: &Subject, record: &CampaignRecord) -> String {
         document::sets(),
         Section::new("spec", "Spec", spec::section(subject)),
     ];
-    Document { subject: *subject, comparison: None, found: survival::found(record), sections, content }.render()
+    let found = survival::found(record);
+    Document { subject: *subject, comparison: None, found, picture: None, sections, content }.render()
 }
 
 /// The run that the page shows first: that of the spec's own planner at T_d, otherwise the last one with a plan.

@@ -13,8 +13,10 @@ use super::volumes::{self, VolumeRecord};
 use super::waypoints::yaw_error;
 use super::waypoints::{WaypointRecord, waypoints};
 use super::without_yaw::{self, WithoutYawRecord};
+use crate::admissible::outcome::Outcome;
 use crate::certify::between::Between;
 use crate::explain::detour::Detour;
+use crate::flight::equilibrium::outcome_of;
 use crate::model::{Mission, Model, Problem};
 use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
@@ -250,6 +252,8 @@ pub struct PlannerRecord {
 pub struct ModeRecord {
     /// The mode's name.
     pub name: String,
+    /// What the mode leaves of the vehicle in hover, as in `mavc analyze`.
+    pub outcome: Outcome,
     /// Facets of the mode's set that are violated at some node (in the exact model: at some instant) by more than
     /// 1e-4, see `max_violation`.
     pub violated_facets: usize,
@@ -309,7 +313,8 @@ impl Record {
     /// The record of all runs; `spec_sha256` is the hash over all files of the spec.
     pub fn new(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Self {
         let model = problem.model();
-        let planners = comparison.runs.iter().map(|r| planner(problem, comparison, r)).collect();
+        let outcomes: Vec<Outcome> = model.plan.against.iter().map(|&mode| outcome_of(model, mode)).collect();
+        let planners = comparison.runs.iter().map(|r| planner(problem, comparison, &outcomes, r)).collect();
         let steps = || comparison.trade_off.iter().map(AdditionRecord::new).collect();
         Record {
             schema: SCHEMA,
@@ -402,7 +407,8 @@ pub(super) fn violated_facets(solved: &MissionPlan, out: &Outside) -> usize {
     if solved.trajectory.model == WrenchModel::Exact { out.violated.len() } else { out.facets.len() }
 }
 
-fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {
+/// The record of one run; `outcomes` are those of the modes of the comparison.
+fn planner(problem: Problem, comparison: &Comparison, outcomes: &[Outcome], run: &PlannerRun) -> PlannerRecord {
     let (model, mission) = (problem.model(), problem.mission());
     let nodes = match &run.outcome {
         PlanOutcome::Planned(solved) => solved.trajectory.times.len(),
@@ -449,9 +455,10 @@ fn planner(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Plann
                 .iter()
                 .zip(&solved.outside)
                 .zip(model.plan.against.iter().zip(&solved.committed))
-                .zip(&comparison.provisions)
-                .map(|(((name, out), (&mode, &committed_s)), provision)| ModeRecord {
+                .zip(comparison.provisions.iter().zip(outcomes))
+                .map(|(((name, out), (&mode, &committed_s)), (provision, &outcome))| ModeRecord {
                     name: name.clone(),
+                    outcome,
                     violated_facets: violated_facets(solved, out),
                     violated_rows: out.rows,
                     violated_nodes: out.positions,

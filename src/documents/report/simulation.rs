@@ -2,10 +2,12 @@
 
 mod log;
 mod record;
+mod screen;
 mod text;
 
 pub use log::{Log, Thinning};
 pub use record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, RegressorRecord, SpinRecord};
+pub use screen::screen;
 #[cfg(feature = "report")]
 pub(super) use text::{DIVERGED, detection, duration, length, loss, no_fault, to_its_end, trespass, turned};
 pub use text::{disturbed, text};

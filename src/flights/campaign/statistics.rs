@@ -43,6 +43,20 @@ pub fn wilson(successes: usize, of: usize) -> Option<Share> {
     Some(Share { share, low, high })
 }
 
+/// The two-sided probability that of `a + b` fair coins at most min(a, b) or at least max(a, b) show heads: the exact
+/// sign test (Dixon and Mood 1946) of as many differences to one side and to the other, ties left out. 1 without any.
+pub fn sign_test(a: usize, b: usize) -> f64 {
+    let (n, least) = (a + b, a.min(b));
+    // Logarithms, because 2^n overflows.
+    let mut ways = 0.0_f64;
+    let mut tail = 0.0;
+    for k in 0..=least {
+        tail += (ways - n as f64 * std::f64::consts::LN_2).exp();
+        ways += ((n - k) as f64 / (k + 1) as f64).ln();
+    }
+    (2.0 * tail).min(1.0)
+}
+
 /// The strength of an agreement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]

@@ -6,7 +6,9 @@ use super::body::Frame;
 use super::reduced_attitude::WithoutYaw;
 use super::rotors::Rotors;
 use crate::actuation::Wrench;
-use crate::admissible::hover;
+use crate::admissible::outcome::Outcome;
+use crate::admissible::verdict::{self, ModeAnalysis};
+use crate::admissible::{AdmissibleSet, hover};
 use crate::model::{Allocation, Model, YawDrag};
 use nalgebra::Vector3;
 use serde::Serialize;
@@ -41,6 +43,44 @@ pub fn settled_spins(model: &Model) -> Vec<SettledSpin> {
     let Some(drag) = model.vehicle.yaw_drag else { return Vec::new() };
     let mut allocator = Allocator::new(model, Allocation::Bounded);
     (0..model.modes.len()).filter_map(|mode| settled_spin(model, drag, &mut allocator, mode)).collect()
+}
+
+/// The analyses of the healthy vehicle and of every mode, with outcomes that consider the gyroscope: see [`outcome`].
+pub fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
+    let mut modes = verdict::analyze_each(model);
+    for (mode, analysis) in modes.iter_mut().skip(1).enumerate() {
+        analysis.outcome = outcome(model, mode, analysis.outcome);
+    }
+    modes
+}
+
+/// The outcome in the mode with index `mode`, as in [`analyze_each`].
+pub fn outcome_of(model: &Model, mode: usize) -> Outcome {
+    outcome(model, mode, verdict::analyze(model, &AdmissibleSet::of_mode(model, mode)).outcome)
+}
+
+/// The outcome in the mode with index `mode`, of which the wrenches give `of_wrenches`. A vehicle that flies on, or is
+/// caught by spinning, is lost where the spin of its flights settles beyond the range of the gyroscope
+/// ([`SettledSpin::beyond_gyroscope`]): the controller loses it some time later. The outcome is undecided where the two
+/// ends of the interval of `yaw_drag` differ in this.
+pub fn outcome(model: &Model, mode: usize, of_wrenches: Outcome) -> Outcome {
+    let Some(drag) = model.vehicle.yaw_drag.filter(|_| matches!(of_wrenches, Outcome::FliesOn | Outcome::Caught))
+    else {
+        return of_wrenches;
+    };
+    let mut allocator = Allocator::new(model, Allocation::Bounded);
+    let mut is_beyond =
+        |drag: YawDrag| settled_spin(model, drag, &mut allocator, mode).is_some_and(|spin| spin.beyond_gyroscope);
+    let ends = drag.ends();
+    let beyond = match drag.spread.is_none() {
+        true => [is_beyond(ends[0]); 2],
+        false => ends.map(is_beyond),
+    };
+    match beyond {
+        [true, true] => Outcome::Lost,
+        [false, false] => of_wrenches,
+        _ => Outcome::Undecided,
+    }
 }
 
 fn settled_spin(model: &Model, drag: YawDrag, allocator: &mut Allocator, mode: usize) -> Option<SettledSpin> {

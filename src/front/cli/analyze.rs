@@ -7,7 +7,7 @@ use crate::observer::timed;
 use crate::pipeline::{Sweep, analyze, capture};
 use crate::read::FlightBlocks;
 use crate::report::analysis_record::AnalysisRecord;
-use crate::report::{analysis_text, capture_text};
+use crate::report::{analysis_screen, analysis_text, capture_text};
 
 pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, CommandError> {
     let watch = Watch::new(options);
@@ -23,11 +23,12 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, CommandError> {
             let record = AnalysisRecord::new(spec.model(), &modes, flips, captures.as_deref());
             files::print(&compact_json(&record)?)?;
         }
-        Format::Human => files::print(&match (&sweep, &captures) {
-            (Some(sweep), _) => sweep.to_text(spec.model()),
-            (None, Some(captures)) => capture_text::captures(spec.model(), captures),
-            (None, None) => analysis_text::analysis(spec.model(), &modes),
-        })?,
+        Format::Human => match (&sweep, &captures) {
+            (Some(sweep), _) => files::print(&sweep.to_text(spec.model()))?,
+            (None, Some(captures)) => files::print(&capture_text::captures(spec.model(), captures))?,
+            (None, None) if options.verbose => files::print(&analysis_text::analysis(spec.model(), &modes))?,
+            (None, None) => files::print_screen(&analysis_screen::screen(spec.model(), &modes))?,
+        },
     }
     Ok(FINE)
 }

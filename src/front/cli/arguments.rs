@@ -43,6 +43,9 @@ pub(super) struct Cli {
     /// Print results and errors only: no progress, no notes, and no warnings (except in `check`)
     #[arg(short, long, global = true)]
     pub quiet: bool,
+    /// Print every table and figure instead of the answer on one screen
+    #[arg(short, long, global = true)]
+    pub verbose: bool,
     /// Print the time of each stage to standard error
     #[arg(long, global = true)]
     pub timings: bool,

@@ -13,7 +13,8 @@ use super::{CommandError, DIVERGED, FINE, INCONCLUSIVE, NO_PLAN, Options, SPEC_E
 use crate::pipeline::{Task, departure, missing_verdict};
 use crate::read::FlightBlocks;
 use crate::report::campaign_record::CampaignRecord;
-use crate::report::campaign_text;
+use crate::report::screen::Screen;
+use crate::report::{campaign_screen, campaign_text};
 use crate::verdict::Verdict;
 use arguments::Action;
 pub use arguments::CampaignArgs;
@@ -62,7 +63,10 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, CommandError> {
             None => return Ok(FINE),
         },
     };
-    places.print(&campaign_text::campaign(&design, shard, &tally))?;
+    places.print(&match options.verbose {
+        true => Screen::of_text(&campaign_text::campaign(&design, shard, &tally)),
+        false => campaign_screen::screen(&design, shard, &tally),
+    })?;
     places.write(spec, &findings, &CampaignRecord::new(&design, shard, &tally, spec.sha256().into()), options)?;
     Ok(match tally.diverged() {
         0 if missing_verdict(&design.missing) == Verdict::NotFound => INCONCLUSIVE,

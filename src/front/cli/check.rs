@@ -66,7 +66,7 @@ fn one(name: &str, args: &CheckArgs, options: &Options, tally: &mut Tally) -> Re
     match args.format {
         CheckFormat::Json => files::print(&findings.json())?,
         CheckFormat::Short => files::print(&findings.short())?,
-        CheckFormat::Human => findings.print_human(name, count, repeated, options)?,
+        CheckFormat::Human => findings.print_human(name, spec.as_ref(), count, repeated, options)?,
     }
     if let Some(spec) = spec.as_ref().filter(|_| args.explain_defaults) {
         files::print(&defaults_text(spec))?;

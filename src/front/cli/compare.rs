@@ -7,8 +7,9 @@ use super::{CommandError, CompareArgs, Options, code_of};
 use crate::model::MAX_ROUNDS;
 use crate::pipeline::Task;
 use crate::read::FlightBlocks;
-use crate::report::comparison_text;
 use crate::report::page::{self, PageKind};
+use crate::report::screen::Screen;
+use crate::report::{comparison_screen, comparison_text};
 
 pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, CommandError> {
     let wanted = args.rounds.as_deref().map(parse_rounds).transpose()?;
@@ -33,9 +34,12 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, CommandError> {
     let mut results = Results::new(&places);
     results.report(&record)?;
     results.page(|| page::plans(PageKind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record, &[]));
-    results.print(&comparison_text::compare(problem, &comparison))?;
+    results.print(&match options.verbose {
+        true => Screen::of_text(&comparison_text::compare(problem, &comparison)),
+        false => comparison_screen::screen(problem, &comparison),
+    })?;
     if let Some(rounds) = &rounds {
-        results.print(&comparison_text::rounds(problem, &comparison, rounds))?;
+        results.print(&Screen::of_text(&comparison_text::rounds(problem, &comparison, rounds)))?;
     }
     results.charts(&subject(&task, &[]), &comparison)?;
     results.write()?;

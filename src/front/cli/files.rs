@@ -1,8 +1,9 @@
 //! Reading specs, and printing to standard output and standard error.
 
-use super::CommandError;
+use super::{CommandError, links};
 use crate::input;
 pub use crate::input::reason;
+use crate::report::screen::{Screen, Tone};
 use crate::source::visible;
 use std::io::{Error, ErrorKind, IsTerminal, Write};
 use std::path::Path;
@@ -24,6 +25,36 @@ pub fn cannot_read(path: &Path, e: &Error) -> CommandError {
 /// Prints a text for people to standard output, disguised characters as escapes.
 pub fn print(text: &str) -> Result<(), CommandError> {
     print_as_it_is(&visible::text(text))
+}
+
+/// Prints a text for people to standard output, in colours where a terminal shows them.
+pub fn print_screen(screen: &Screen) -> Result<(), CommandError> {
+    print_as_it_is(&painted(screen, &std::io::stdout()))
+}
+
+/// Prints a text for people to standard error; see [`eprint`].
+pub fn eprint_screen(screen: &Screen) {
+    eprint_as_it_is(&painted(screen, &std::io::stderr()));
+}
+
+/// The text with the escapes of its colours if `stream` shows them, disguised characters as escapes.
+fn painted(screen: &Screen, stream: &impl IsTerminal) -> String {
+    let is_colored = links::colored(stream);
+    let line = |(tone, text): (Tone, &str)| {
+        let text = visible::text(text);
+        let code = match tone {
+            Tone::Plain => "",
+            Tone::Good => "32;1",
+            Tone::Bad => "31;1",
+            Tone::Warning => "33",
+            Tone::Strong => "1",
+        };
+        match is_colored && !code.is_empty() {
+            true => format!("\u{1b}[{code}m{text}\u{1b}[0m\n"),
+            false => format!("{text}\n"),
+        }
+    };
+    screen.lines().map(line).collect()
 }
 
 /// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes, and

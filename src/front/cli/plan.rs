@@ -67,7 +67,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         results.page(|| {
             page::plans(PageKind::Plan, &subject(&task, &shown), comparison, &record, &task.capture_curves(&planning))
         });
-        let text = task.text(&planning, &explained, between.as_deref());
+        let text = task.for_people(&planning, &explained, between.as_deref(), options.verbose);
         results.print(&text)?;
         results.charts(&subject(&task, &[]), comparison)?;
         results.write()?;

@@ -9,6 +9,7 @@ use crate::pipeline::{Explained, Planning, Task};
 use crate::planner::studies::Comparison;
 use crate::report::page::{self, PageKind, Subject};
 use crate::report::record::Record;
+use crate::report::screen::Screen;
 use crate::source::{SourceMap, visible};
 use crate::spec::Spec;
 use serde::Serialize;
@@ -94,8 +95,8 @@ impl<'a> Places<'a> {
         let mut results = Results::new(self);
         results.report(&record)?;
         results.page(|| page::plans(PageKind::Plan, &subject(task, &findings.diagnostics), comparison, &record, &[]));
-        results.print(&task.text(planning, &Explained::default(), None))?;
-        results.print("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n")?;
+        results.print(&task.for_people(planning, &Explained::default(), None, options.verbose))?;
+        results.hint("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n", options)?;
         results.write()?;
         results.note_page(options)?;
         Ok(code_of(planning.verdict()))
@@ -190,14 +191,14 @@ impl<'p> Results<'p> {
     }
 
     /// Prints the text for people, unless standard output takes a result.
-    pub fn print(&self, text: &str) -> Result<(), CommandError> {
-        if self.take_stdout() { Ok(()) } else { files::print(text) }
+    pub fn print(&self, text: &Screen) -> Result<(), CommandError> {
+        if self.take_stdout() { Ok(()) } else { files::print_screen(text) }
     }
 
     /// Prints the text for people to standard error if standard output takes a result other than the report.
-    pub fn print_beside(&self, text: &str) {
+    pub fn print_beside(&self, text: &Screen) {
         if self.take_stdout() && !self.places.report.as_ref().is_some_and(Target::is_stdout) {
-            files::eprint(text);
+            files::eprint_screen(text);
         }
     }
 

@@ -10,7 +10,8 @@ use crate::flight::{Outcome, Sample};
 use crate::pipeline::{Task, departure, fly_plan, indistinguishable};
 use crate::read::FlightBlocks;
 use crate::report::page::{self, Track};
-use crate::report::simulation::{FlightRecord, Flown, text};
+use crate::report::screen::Screen;
+use crate::report::simulation::{FlightRecord, Flown, screen, text};
 use crate::report::volumes::Nearest;
 
 pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, CommandError> {
@@ -63,9 +64,10 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, CommandError> {
     if let Some(track) = track {
         results.page(|| page::flight(&subject(&task, &findings.diagnostics), planning.comparison(), track, &record));
     }
-    results.print(&text(&flown))?;
+    let shown = if options.verbose { Screen::of_text(&text(&flown)) } else { screen(&flown) };
+    results.print(&shown)?;
     results.write()?;
-    results.print_beside(&text(&flown));
+    results.print_beside(&shown);
     results.note("\nFlight log", args.output.as_deref(), options)?;
     results.note_page(options)?;
     Ok(match flight.outcome {

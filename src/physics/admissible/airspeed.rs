@@ -1,4 +1,4 @@
-//! The largest steady airspeed in level flight. See `docs/method.md`, section 15, "Airspeed".
+//! The largest steady airspeed in level flight. See `docs/method/air.md`, "Airspeed".
 
 use super::edge;
 use super::interval::guaranteed;

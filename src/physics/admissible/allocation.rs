@@ -1,5 +1,5 @@
-//! Bounded allocation: the rotor thrusts that produce a wrench with the smallest sum of squares (`docs/method.md`,
-//! section 3, "Allocation").
+//! Bounded allocation: the rotor thrusts that produce a wrench with the smallest sum of squares
+//! (`docs/method/verdicts.md`, "Allocation").
 
 use crate::actuation::{Actuation, Wrench, signed_root};
 use crate::model::{Rotor, Vehicle};

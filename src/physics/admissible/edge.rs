@@ -1,5 +1,5 @@
 //! Where hover lies relative to a set: inside, on the edge, or outside. All commands use this one tolerance
-//! (`docs/method.md`, section 3, "Reachable is not interior").
+//! (`docs/method/verdicts.md`, "Reachable is not interior").
 
 use super::AdmissibleSet;
 use crate::actuation::Wrench;

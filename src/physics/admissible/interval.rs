@@ -1,5 +1,5 @@
 //! Vehicles with parameters known only to within intervals: the wrenches that are possible for every value of the
-//! parameters, and those that are possible for some value. See `docs/method.md`, section 3, "Intervals", (50) and (51).
+//! parameters, and those that are possible for some value. See `docs/method/verdicts.md`, "Intervals", (50) and (51).
 //!
 //! The parameters are the full and the idle thrust of each rotor, the ratio kappa_k of its drag torque to its thrust,
 //! and the mass. Each may take any value of its interval independently of the others.
@@ -22,10 +22,10 @@ const NONE: f64 = 1e-9;
 const STEPS: usize = 60;
 
 /// The rotors of a mode with every kappa_k in the middle of its interval.
-struct Middle {
-    zonotope: Zonotope<4>,
+pub(super) struct Middle {
+    pub zonotope: Zonotope<4>,
     /// r_k of (50) for each stuck rotor: the largest deviation of its wrench from the middle.
-    deviations: Vec<Wrench>,
+    pub deviations: Vec<Wrench>,
     /// delta of (50), m: the largest half width of the intervals of kappa_k. tau_z may differ by this for each newton
     /// of thrust.
     delta: f64,
@@ -34,7 +34,7 @@ struct Middle {
 impl Middle {
     /// The rotors with thrusts from `thrusts(rotor)[0]` to `thrusts(rotor)[1]`, N; `None` if the range of some rotor is
     /// empty.
-    fn of(model: &Model, set: &AdmissibleSet, thrusts: impl Fn(&Rotor) -> [f64; 2]) -> Option<Self> {
+    pub fn of(model: &Model, set: &AdmissibleSet, thrusts: impl Fn(&Rotor) -> [f64; 2]) -> Option<Self> {
         let fault = set.mode.checked_sub(1).map(|i| &model.modes[i]);
         let mut zonotope = Zonotope { offset: Wrench::zeros(), generators: Vec::new() };
         let (mut deviations, mut delta) = (Vec::new(), 0.0_f64);
@@ -144,7 +144,7 @@ impl AdmissibleSet {
     /// intervals, the mass included. The set itself if nothing has an interval.
     ///
     /// A vehicle of mass M needs the thrust `(M/m) T`, so the coefficient of a row on T is multiplied by the largest
-    /// M/m if it is positive and by the smallest otherwise (`docs/method.md`, section 3, "Plans").
+    /// M/m if it is positive and by the smallest otherwise (`docs/method/verdicts.md`, "Plans").
     pub fn guaranteed(&self, model: &Model) -> AdmissibleSet {
         if !model.vehicle.is_uncertain() {
             return self.clone();

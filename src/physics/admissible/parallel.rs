@@ -1,5 +1,5 @@
 //! Nearly parallel rows of the actuation matrix: two axes of the wrench on which the rotors have almost the same effect
-//! (`docs/method.md`, section 3, "Nearly parallel rows").
+//! (`docs/method/verdicts.md`, "Nearly parallel rows").
 
 use super::AdmissibleSet;
 use serde::Serialize;

@@ -1,5 +1,5 @@
 //! The pseudo-inverse allocation (42), and the polytope of wrenches that it produces without clipping
-//! (`docs/method.md`, section 3, "The set reached by the pseudo-inverse").
+//! (`docs/method/verdicts.md`, "The set reached by the pseudo-inverse").
 
 use crate::actuation::{Actuation, Wrench};
 use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};

@@ -6,7 +6,7 @@ use crate::actuation::Wrench;
 use crate::geometry::polytope::Facet;
 
 /// A row counts as violated if its [violation](SetRow::violation) is above this share of the healthy set's width, 0.01
-/// % (`docs/method.md`, section 8).
+/// % (`docs/method/planners.md`).
 pub const VIOLATED: f64 = 1e-4;
 
 /// A row of a planning set, divided by the healthy set's width along its normal.

@@ -1,8 +1,9 @@
-//! The paper's verdicts (its section 3.2) with margins: whether a mode can hover. See `docs/method.md`, section 3.
+//! The paper's verdicts (its section 3.2) with margins: whether a mode can hover. See `docs/method/verdicts.md`.
 
 use super::airspeed::Airspeed;
 use super::edge::{self, HoverPlace};
 use super::interval::{Robust, robust};
+use super::outcome::{Outcome, Verdicts};
 use super::parallel::{Parallel, nearest_rows};
 use super::without_yaw::{self, WithoutYaw, YawFree};
 use super::{AdmissibleSet, hover, mass_at_rest};
@@ -80,6 +81,8 @@ pub struct ModeAnalysis {
     /// For each rotor the share of full thrust at which it is stuck; null for a rotor that is not.
     #[cfg_attr(test, schemars(inner(range(min = 0, max = 1))))]
     pub stuck: Vec<Option<f64>>,
+    /// What the mode leaves of the vehicle. Of the healthy vehicle: what it can do.
+    pub outcome: Outcome,
     /// Whether hover can be reached.
     pub verdict: HoverVerdict,
     /// How the mode hovers with yaw given up.
@@ -199,12 +202,15 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         HoverVerdict::Stabilizable => place_yaw_free,
         HoverVerdict::Unstable => HoverPlace::Outside,
     };
-    let (word, figures) = without_yaw::analyze(model, set, &yaw_free, place_yaw_free);
+    let (word, figures, could_spin) = without_yaw::analyze(model, set, &yaw_free, place_yaw_free);
+    let robust = robust(model, set);
+    let found = Verdicts { verdict, place: hover, yaw_free: word, could_spin, robust };
     ModeAnalysis {
         name: set.name.clone(),
         lost,
         capacity,
         stuck,
+        outcome: Outcome::of(model, set, &found),
         verdict,
         yaw_free: word,
         hover,
@@ -223,7 +229,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         headroom: (verdict == HoverVerdict::Controllable).then(|| headroom(set, &u_ref, size)),
         unreached_share: unreached_share(set),
         nearest_rows: nearest_rows(set),
-        robust: robust(model, set),
+        robust,
     }
 }
 

@@ -1,5 +1,5 @@
 //! What is left of a mode when yaw is given up: roll, pitch and thrust, while the body turns about the thrust as it
-//! may. See `docs/method.md`, section 17.
+//! may. See `docs/method/without-yaw.md`.
 
 mod controllability;
 pub mod core;
@@ -69,15 +69,19 @@ pub struct WithoutYaw {
     pub relaxed_hover: Vec<RelaxedHover>,
 }
 
-/// The two together: the word, and the figures unless the word is `none`.
+/// The word, the figures unless the word is `none`, and whether hover is on the edge and some spin that its yaw torques
+/// may keep up makes the direction of the thrust controllable.
 pub(super) fn analyze(model: &Model, set: &AdmissibleSet, yaw_free: &Polytope<3, ()>, place: HoverPlace) -> Analysis {
     match Slice::of(model, set, yaw_free) {
-        Some(slice) if place != HoverPlace::Outside => (slice.word(place), Some(slice.figures(place))),
-        _ => (YawFree::None, None),
+        Some(slice) if place != HoverPlace::Outside => {
+            let could_spin = place == HoverPlace::OnEdge && slice.is_controlled(slice.torques);
+            (slice.word(place), Some(slice.figures(place)), could_spin)
+        }
+        _ => (YawFree::None, None, false),
     }
 }
 
-type Analysis = (YawFree, Option<WithoutYaw>);
+type Analysis = (YawFree, Option<WithoutYaw>, bool);
 
 /// The wrenches of hover with yaw given up.
 struct Slice<'a> {
@@ -116,17 +120,19 @@ impl<'a> Slice<'a> {
         match place {
             HoverPlace::Inside => YawFree::Interior,
             HoverPlace::Outside => YawFree::None,
-            HoverPlace::OnEdge => {
-                let hover = hover(self.model);
-                let rows = core::directions(self.yaw_free, &hover.fixed_rows::<3>(0).into_owned(), edge::width(&hover));
-                let inertia = self.model.vehicle.inertia;
-                let is_controlled = |rate: f64| controllability::is_controllable(inertia, rate, &rows);
-                match self.spins() {
-                    Some(spins) if spins.into_iter().any(is_controlled) => YawFree::Spinning,
-                    _ => YawFree::OnEdge,
-                }
-            }
+            HoverPlace::OnEdge => match self.spins() {
+                Some(spins) if self.is_controlled(spins) => YawFree::Spinning,
+                _ => YawFree::OnEdge,
+            },
         }
+    }
+
+    /// Whether the direction of the thrust is controllable at one of two rates about z, of which only the sign matters.
+    fn is_controlled(&self, rates: [f64; 2]) -> bool {
+        let hover = hover(self.model);
+        let rows = core::directions(self.yaw_free, &hover.fixed_rows::<3>(0).into_owned(), edge::width(&hover));
+        let inertia = self.model.vehicle.inertia;
+        rates.into_iter().any(|rate| controllability::is_controllable(inertia, rate, &rows))
     }
 
     fn figures(&self, place: HoverPlace) -> WithoutYaw {

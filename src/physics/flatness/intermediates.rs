@@ -1,4 +1,5 @@
-//! The intermediate values between a flat state and its wrench, (60) to (67) of `docs/method.md`, in the same order.
+//! The intermediate values between a flat state and its wrench, (60) to (67) of `docs/method/exact-model.md`, in the
+//! same order.
 
 use super::INPUTS;
 use crate::model::Vehicle;

@@ -1,4 +1,4 @@
-//! The exact wrench of a motion with a drag for each axis of the body: (90a) to (90d) of `docs/method.md`, section 15,
+//! The exact wrench of a motion with a drag for each axis of the body: (90a) to (90d) of `docs/method/air.md`,
 //! after M. Faessler, A. Franchi, D. Scaramuzza, *Differential flatness of quadrotor dynamics subject to rotor drag for
 //! accurate tracking of high-speed trajectories*, IEEE RA-L 3:2 (2018), arXiv 1712.02402.
 //!

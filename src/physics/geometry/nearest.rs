@@ -14,7 +14,7 @@ const MOST_ITERATIONS: usize = 1_000;
 ///
 /// `lowest(v)` returns a point p of the polytope that minimises v.p, and `start` is any point of the polytope. A result
 /// of length at most `zero` is returned as exactly zero. The search ends where no point p has `x.p` below `|x|^2` by
-/// more than `1e-13 |x| (|p| + |x|)` (`docs/method.md`, section 3).
+/// more than `1e-13 |x| (|p| + |x|)` (`docs/method/verdicts.md`).
 pub(super) fn nearest_to_origin<const D: usize>(
     start: SVector<f64, D>,
     mut lowest: impl FnMut(&SVector<f64, D>) -> SVector<f64, D>,

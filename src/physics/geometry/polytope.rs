@@ -99,7 +99,7 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
     }
 
     /// The set shrunk about `point` by `share` (0 to 1): `{ w : point + (w - point) / (1 - share) in self }`, the
-    /// reserve of `docs/method.md`, section 2. `point` must satisfy the equalities. Facets that it violates stay as
+    /// reserve of `docs/method/sets.md`. `point` must satisfy the equalities. Facets that it violates stay as
     /// they are, so that the result is a part of the set in any case.
     pub fn shrink_about(&self, point: &SVector<f64, D>, share: f64) -> Self {
         let mut shrunk = self.clone();
@@ -117,7 +117,7 @@ const SAME_NORMAL: f64 = 1e-9;
 /// A row is redundant if the distance of its unit ray from the cone of the others is at most this.
 const REDUNDANT: f64 = 1e-9;
 
-/// The minimal description of an intersection (`docs/method.md`, section 2).
+/// The minimal description of an intersection (`docs/method/sets.md`).
 ///
 /// Dependent equalities are dropped, then of the facets with one normal the one with the smallest offset is kept, then
 /// redundant rows are dropped. `inside` is a point of every set. `scale` has one positive length for each axis; normals

@@ -1,5 +1,5 @@
-//! Volume of a zonotope from its generators, and of a polytope from its rows (`docs/method.md`, section 3, "Share given
-//! away").
+//! Volume of a zonotope from its generators, and of a polytope from its rows (`docs/method/verdicts.md`, "Share of
+//! the set lost").
 
 use super::polytope::Polytope;
 use super::zonotope::Zonotope;

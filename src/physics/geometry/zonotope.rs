@@ -1,4 +1,4 @@
-//! Zonotopes `{ c + sum_k t_k g_k : 0 <= t_k <= 1 }` and their exact facets (`docs/method.md`, section 2).
+//! Zonotopes `{ c + sum_k t_k g_k : 0 <= t_k <= 1 }` and their exact facets (`docs/method/sets.md`).
 //!
 //! The normal of a facet is orthogonal to r - 1 independent generators, where r is the dimension of the set, and the
 //! offset is the support function. All facets therefore follow from the (r-1)-subsets of the generators; subsets that

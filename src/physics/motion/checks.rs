@@ -31,7 +31,7 @@ pub struct LimitViolation {
 }
 
 /// The largest value of `quantity` over the trajectory: sampled in ten steps an interval, then refined by
-/// golden-section search around the largest sample (`docs/method.md`, section 11, "Between nodes").
+/// golden-section search around the largest sample (`docs/method/validation.md`, "Between nodes").
 pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Peak {
     peak_over(trajectory, 0..trajectory.intervals(), quantity)
 }
@@ -226,7 +226,7 @@ impl LinearRange {
     }
 }
 
-/// The largest tilt and the smallest thrust of a trajectory (`docs/method.md`, section 11).
+/// The largest tilt and the smallest thrust of a trajectory (`docs/method/validation.md`).
 pub fn linear_range(trajectory: &Trajectory, model: &Model) -> LinearRange {
     let environment = model.environment();
     let thrust = |s: &NodeState| model.vehicle.mass * (model.gravity + s[Z][2]);

@@ -1,4 +1,5 @@
-//! The paper's linear wrench map about hover, (19), (20) and (22), for a given yaw motion: `docs/method.md`, section 4.
+//! The paper's linear wrench map about hover, (19), (20) and (22), for a given yaw motion:
+//! `docs/method/hover-model.md`.
 
 use super::{X, Y, YAW, Z};
 use crate::actuation::Wrench;
@@ -93,7 +94,7 @@ impl WrenchMap {
     }
 }
 
-/// The commanded wrench c = w + tau w' of rotors with a first-order lag of `tau` s (`docs/method.md`, section 14).
+/// The commanded wrench c = w + tau w' of rotors with a first-order lag of `tau` s (`docs/method/rotor-lag.md`).
 impl WrenchMap {
     /// The commanded wrench of the hover model for a yaw motion with psi''' = `jerk` (rad/s^3), by (83):
     ///

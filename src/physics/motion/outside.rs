@@ -1,4 +1,4 @@
-//! When the planned wrench is outside a set, to the instant: `docs/method.md`, section 8, "Violation" and "Outside".
+//! When the planned wrench is outside a set, to the instant: `docs/method/planners.md`, "Violation" and "Outside".
 
 use super::Trajectory;
 use super::felt::{Felt, Flown};
@@ -25,6 +25,8 @@ pub struct Outside {
     pub seconds: f64,
     /// The end of the last violation, s; `None` without one.
     pub last: Option<f64>,
+    /// When the violation is largest, or the margin least, to the nearest sample, s; `None` without rows.
+    pub worst_at: Option<f64>,
 }
 
 /// If the wrench is not linear between nodes, each interval is divided into this many parts to find where a violation
@@ -40,12 +42,14 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, environment: &Environ
     let flown = Flown::new(trajectory, vehicle, environment, rows);
     let mut found = Outside { max_violation: f64::NEG_INFINITY, ..Outside::default() };
     let mut violated = vec![false; rows.len()];
-    for node in &trajectory.nodes {
+    for (node, time) in trajectory.nodes.iter().zip(&trajectory.times) {
         let felt = flown.at(node);
         let mut any = false;
         for (i, row) in rows.iter().enumerate() {
             let violation = felt.worst(row);
-            found.max_violation = found.max_violation.max(violation);
+            if violation > found.max_violation {
+                (found.max_violation, found.worst_at) = (violation, Some(*time));
+            }
             if violation > VIOLATED {
                 any = true;
                 violated[i] = true;
@@ -66,6 +70,9 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, environment: &Environ
         }
     }
     if let Some(sample) = highest {
+        if sample.violation > found.max_violation {
+            found.worst_at = Some(sample.at);
+        }
         found.max_violation = found.max_violation.max(refined(&flown, &rows[sample.row], sample));
     }
     found.violated = (0..rows.len()).filter(|&i| violated[i]).collect();

@@ -1,4 +1,4 @@
-//! How long a mission is committed to each fault mode, and the risk of losing it (`docs/method.md`, section 13,
+//! How long a mission is committed to each fault mode, and the risk of losing it (`docs/method/risk.md`,
 //! "Committed" and "Risk").
 //!
 //! A lost rotor stays lost. If the mission continues after a fault, a fault before the last violation of its mode's set

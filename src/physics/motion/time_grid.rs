@@ -1,4 +1,4 @@
-//! The time grid: node times, and the node at which each waypoint is reached (`docs/method.md`, section 5, "Waypoint
+//! The time grid: node times, and the node at which each waypoint is reached (`docs/method/hover-model.md`, "Waypoint
 //! times").
 
 use crate::model::Mission;

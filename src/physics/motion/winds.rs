@@ -1,5 +1,5 @@
 //! The wrench of a motion over an interval of winds, to second order in the wind's deviation from its middle, and a
-//! bound on its violation of a facet in every wind: `docs/method.md`, section 15, (91) to (93).
+//! bound on its violation of a facet in every wind: `docs/method/air.md`, (91) to (93).
 
 use super::wrench_model::{WrenchModel, command_flat, flat};
 use super::{CommandState, NodeState, X, Y, YAW, Z, in_air};

@@ -10,13 +10,13 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 /// The model by which the wrench follows from a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WrenchModel {
-    /// Linear about hover at one yaw psi (rad); yaw is planned together with position (`docs/method.md`, section 4,
+    /// Linear about hover at one yaw psi (rad); yaw is planned together with position (`docs/method/hover-model.md`,
     /// "One yaw throughout").
     HoverAt(f64),
-    /// Linear about hover in the derivatives of x, y and z, at the planned yaw of each instant (section 4, "Changing
-    /// yaw").
+    /// Linear about hover in the derivatives of x, y and z, at the planned yaw of each instant ("Changing yaw"
+    /// there).
     HoverFollowing,
-    /// The exact wrench by differential flatness of (3) to (9), without small angles (section 12).
+    /// The exact wrench by differential flatness of (3) to (9), without small angles (`docs/method/exact-model.md`).
     Exact,
 }
 
@@ -133,7 +133,7 @@ impl WrenchModel {
     /// s~ are states [`in_air`]. Empty for the models about hover, which are linear.
     ///
     /// Eigenvectors of the Hessian are taken with accelerations in units of g and time in units of `tau` (s);
-    /// eigenvalues at or below 1e-3 of the largest are dropped (`docs/method.md`, (73)).
+    /// eigenvalues at or below 1e-3 of the largest are dropped (`docs/method/exact-planner.md`, (73)).
     ///
     /// If the drag is not isotropic, the curvature is that of the wrench in the isotropic drag of
     /// [`Environment::turning_rate`]: it only shapes the subproblem's objective, whose steps are accepted by the exact

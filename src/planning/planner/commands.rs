@@ -1,7 +1,7 @@
 //! Rotors that lag behind their commands: rows on the commanded wrench.
 //!
 //! If every thrust follows its command with f_c = f + tau f', a wrench w(t) can be flown exactly where its commanded
-//! wrench c = w + tau w' is admissible as w is (docs/method.md, section 14). So each facet is imposed on c too.
+//! wrench c = w + tau w' is admissible as w is (docs/method/rotor-lag.md). So each facet is imposed on c too.
 
 use crate::actuation::Wrench;
 use crate::model::Vehicle;

@@ -1,4 +1,4 @@
-//! Rows of cores as second-order cones: (101) of `docs/method.md`.
+//! Rows of cores as second-order cones: (101) of `docs/method/without-yaw.md`.
 
 use crate::admissible::row::SetRow;
 use crate::admissible::without_yaw::planned::{CoreRow, Turning};

@@ -4,7 +4,7 @@
 //! part of the Lagrangian's Hessian by the last multipliers (Nocedal and Wright, *Numerical Optimization*, chapter 18;
 //! for trajectories Mao, Szmuk and Acikmese, CDC 2016). At one mission time a feasibility phase is followed by a cost
 //! phase and constraint tightening; shorter times are reached by `continuation` and by steps with the durations of legs
-//! as variables (`durations`, `fixed_times`). Section 12 of `docs/method.md` lists these algorithms; [`settings`] holds
+//! as variables (`durations`, `fixed_times`). `docs/method/exact-planner.md` lists these algorithms; [`settings`] holds
 //! their parameters.
 
 mod budget;

@@ -1,4 +1,5 @@
-//! The upright rule of the exact model, (68) of `docs/method.md`, and (90e) where the drag differs along x and y.
+//! The upright rule of the exact model, (68) of `docs/method/exact-model.md`, and (90e) where the drag differs
+//! along x and y.
 
 use crate::flatness::rotor_drag::Attitude;
 use crate::model::Environment;

@@ -1,5 +1,5 @@
 //! A wrench path can be flown by commands within the rotors' bounds if and only if its commanded wrench w + tau w'
-//! stays admissible: (81) of `docs/method.md`.
+//! stays admissible: (81) of `docs/method/rotor-lag.md`.
 
 use super::lagging;
 use crate::vehicles::octocopter;

@@ -1,5 +1,5 @@
 //! The core of a mode in which yaw is given up: the thrusts and roll and pitch torques that rotors give in every
-//! heading while the body's rate stays in a range that it cannot leave. docs/method.md, section 17, "Plans".
+//! heading while the body's rate stays in a range that it cannot leave. docs/method/without-yaw.md, "Plans".
 
 mod elimination;
 mod envelope;

@@ -1,4 +1,4 @@
-//! The time constant of the rotors' lag, if the plan accounts for it (docs/method.md, (87)).
+//! The time constant of the rotors' lag, if the plan accounts for it (docs/method/rotor-lag.md, (87)).
 
 use super::interval::Interval;
 use crate::model::{Model, PlanRotors, Rotor};

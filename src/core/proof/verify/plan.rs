@@ -31,7 +31,7 @@ pub use along::{POINTS_OF_A_GRID, wrench_family};
 pub const UPRIGHT: f64 = 0.1;
 
 /// Where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this share of g^2:
-/// docs/method.md, (90e).
+/// docs/method/air.md, (90e).
 pub const LEAST_PRODUCT: f64 = 0.5 * UPRIGHT * UPRIGHT;
 
 /// A motion that passed all checks at the nodes, with the rows to check between them.

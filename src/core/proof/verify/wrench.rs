@@ -12,7 +12,7 @@ use crate::model::{Environment, Vehicle};
 pub enum Held {
     /// The wrench w of the motion.
     Wrench,
-    /// The commanded wrench of rotors that lag by `tau` s: w + tau w' (docs/method.md, (81)).
+    /// The commanded wrench of rotors that lag by `tau` s: w + tau w' (docs/method/rotor-lag.md, (81)).
     Commands { tau: Interval },
 }
 
@@ -170,7 +170,7 @@ impl Dynamics<'_> {
     ///
     /// With a drag for each axis of the body, alpha, beta and gamma are the thrust over mass of the isotropic drags
     /// along x, y and z: b_1 is orthogonal to y_C and alpha, b_2 to b_1 and beta, and the thrust is m b_3.gamma
-    /// (docs/method.md, (90a) to (90c)).
+    /// (docs/method/air.md, (90a) to (90c)).
     fn exact<const N: usize, S: Scalar>(&self, state: &State, thrusts: &[Vector<N, S>; 3]) -> [Series<N, S>; 4] {
         let environment = &self.environment;
         let [a, beta, gamma] = thrusts;

@@ -14,8 +14,8 @@ pub enum Spacing {
     Graded,
 }
 
-/// The duration of pieces doubles within this time from an end of a leg, s. Chosen by measurement among 2, 1 and 0.5 s
-/// (docs/performance.md).
+/// The duration of pieces doubles within this time from an end of a leg, s. Chosen among 2, 1 and 0.5 s: with
+/// 2 s and 100 samples `specs/missions/parcel_x8.mav` took 1.1 % longer, `tower_hexa.mav` 2.4 %.
 pub const TRANSIENT: f64 = 0.5;
 
 impl Spacing {

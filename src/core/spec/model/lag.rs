@@ -7,9 +7,9 @@ use super::{Model, PlanRotors, Rotor};
 pub const SLOWEST_SHARE: f64 = 1.0 / 3.0;
 
 impl Rotor {
-    /// Time constant of the first-order lag of the thrust in plans, (87) in docs/method.md, in seconds: `time_constant`
-    /// (1 + s)/(2 s), where s is the slowest share of the full speed considered. At speeds from that share upwards, a
-    /// thrust f with f + tau f' between idle and full thrust is one that the lag of the speed allows.
+    /// Time constant of the first-order lag of the thrust in plans, s, (87) of docs/method/rotor-lag.md:
+    /// `time_constant` (1 + s)/(2 s), where s is the slowest share of the full speed considered. At speeds from that
+    /// share upwards, a thrust f with f + tau f' between idle and full thrust is one that the lag of the speed allows.
     pub fn thrust_lag(&self) -> f64 {
         let spread = self.spread;
         let idle = self.idle_thrust() * spread.idle_thrust.low / (self.max_thrust() * spread.full_thrust.high);

@@ -9,7 +9,7 @@ use crate::report::trajectory_csv::{Row, rows};
 use nalgebra::{Matrix3, Vector3};
 
 /// The state of a vehicle that follows the trajectory exactly, with thrust and attitude by differential flatness,
-/// whatever model planned it (`docs/method.md`, section 12). World x east, y north, z up; body x forward, y left, z up;
+/// whatever model planned it (`docs/method/exact-model.md`). World x east, y north, z up; body x forward, y left, z up;
 /// SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instant {

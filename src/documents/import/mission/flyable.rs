@@ -20,7 +20,7 @@ pub fn check(spec: &Spec, draft: &Draft) -> Vec<Diagnostic> {
 }
 
 /// Items that set a larger horizontal speed than the healthy vehicle holds in level flight in still air
-/// (`docs/method.md`, section 15). Without `drag` no speed is known to be too large.
+/// (`docs/method/air.md`). Without `drag` no speed is known to be too large.
 fn speeds(spec: &Spec, draft: &Draft) -> Vec<Diagnostic> {
     let model = spec.model();
     let airspeed = Airspeed::of(model, &AdmissibleSet::healthy(model));

@@ -4,6 +4,7 @@ use super::name_of;
 use crate::model::PlannerKind;
 use crate::motion::outside::Outside;
 use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run};
+use crate::report::mode_names::ranges;
 use crate::text_table::indented;
 
 /// Longest name in the first column; longer ones are written out in a note below the table.
@@ -62,6 +63,11 @@ fn near(a: f64, b: f64, within: f64) -> bool {
     (a - b).abs() <= within
 }
 
+/// `M1, M3 .. M6`
+fn named(all: &[String], places: &[usize]) -> String {
+    ranges(all, places).into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(", ")
+}
+
 fn is_of_one_mode(run: &PlannerRun) -> bool {
     run.planner == PlannerKind::Rcp && run.against.len() == 1
 }
@@ -83,7 +89,7 @@ impl Fold<'_> {
                 true if listed => {}
                 true => {
                     listed = true;
-                    names.push(format!("RCP {}", self.ranges(&single).join(", ")));
+                    names.push(format!("RCP {}", named(self.modes, &single)));
                 }
             }
         }
@@ -122,17 +128,5 @@ impl Fold<'_> {
     /// The index of a run's single mode among those of the comparison.
     fn place(&self, run: &PlannerRun) -> Option<usize> {
         self.modes.iter().position(|mode| *mode == run.against[0])
-    }
-
-    /// Modes by name; three or more consecutive modes of one `every` statement as a range.
-    fn ranges(&self, places: &[usize]) -> Vec<String> {
-        let name = |place: usize| self.modes[place].clone();
-        let family = |place: usize| self.modes[place].trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
-        let runs = places.chunk_by(|a, b| a + 1 == *b && family(*a) == family(*b));
-        runs.flat_map(|run| match run {
-            [first, _, .., last] => vec![format!("{} .. {}", name(*first), name(*last))],
-            few => few.iter().map(|place| name(*place)).collect(),
-        })
-        .collect()
     }
 }

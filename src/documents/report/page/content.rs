@@ -1,6 +1,7 @@
 //! The data for the page's script.
 
 use super::chart::{Chart, Columns, rounded};
+use super::coverage::unsafe_until;
 use super::opening::{Opening, opening};
 use super::sets::{SetContent, ShownSet};
 use super::volumes::{self, NearestContent, VolumeContent};
@@ -35,6 +36,8 @@ pub struct Content {
     pub waypoints: Vec<WaypointContent>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub volumes: Vec<VolumeContent>,
+    /// Places of the rotors from the centre of gravity, m, in the body's frame: x forward, y left, z up.
+    pub rotors: Vec<[f64; 3]>,
     /// `[m g, 0, 0, 0]`, N and N m.
     pub hover: [f64; 4],
     /// `[least, most]` of each component over the whole healthy set.
@@ -64,6 +67,8 @@ pub struct WaypointContent {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RunContent {
     pub label: String,
+    /// Whether it is among those that a comparison shows first: RIP, RSP and RCP for all modes together, at one time.
+    pub leads: bool,
     /// End of its figures' names (`--svg`); `None` if it has no figures.
     #[serde(skip)]
     pub figures: Option<String>,
@@ -111,6 +116,8 @@ pub struct Mark {
 pub struct Strip {
     pub set: usize,
     pub margins: Vec<f64>,
+    /// A fault before this instant may meet a violation, s; `None` if it meets none.
+    pub until: Option<f64>,
 }
 
 impl Content {
@@ -149,6 +156,7 @@ impl Content {
             .iter()
             .map(|(i, run, solved)| RunContent {
                 figures: figures_of(run, &kept),
+                leads: leads(run, &kept),
                 ..run_content(subject, run_label(comparison, *i, solved.time), solved, shown, most)
             })
             .collect();
@@ -174,10 +182,12 @@ impl Content {
         };
         let whole = serde_json::to_value(record).ok();
         let small = |value: &serde_json::Value| value.to_string().len() <= MOST_RECORD;
-        let sets: Vec<SetContent> = shown.iter().map(SetContent::new).collect();
+        let mode = |set: &ShownSet| model.modes.iter().find(|mode| mode.name == set.name);
+        let sets: Vec<SetContent> = shown.iter().map(|set| SetContent::new(set, mode(set))).collect();
         Content {
             waypoints: mission.waypoints.iter().enumerate().step_by(step.max(1)).map(waypoint).collect(),
             volumes: volumes::contents(problem),
+            rotors: model.vehicle.rotors.iter().map(|rotor| rotor.position.map(rounded)).collect(),
             hover: hover(model).into(),
             extents: extents(model),
             reserve: model.plan.reserve,
@@ -222,6 +232,14 @@ fn figures_of(run: &PlannerRun, among: &[(usize, &PlannerRun, &MissionPlan)]) ->
     }
 }
 
+/// Whether a run leads: each planner against all modes, at the common time if there is one.
+fn leads(run: &PlannerRun, among: &[(usize, &PlannerRun, &MissionPlan)]) -> bool {
+    let has_common = among.iter().any(|(_, run, _)| run.run == Run::Common);
+    let of_planner = among.iter().filter(|(_, other, _)| other.planner == run.planner);
+    let most = of_planner.map(|(_, other, _)| other.against.len()).max();
+    (run.run == Run::Common || !has_common) && most == Some(run.against.len())
+}
+
 fn run_content(subject: &Subject, label: String, solved: &MissionPlan, shown: &[ShownSet], most: usize) -> RunContent {
     let problem = subject.problem;
     let model = problem.model();
@@ -233,10 +251,12 @@ fn run_content(subject: &Subject, label: String, solved: &MissionPlan, shown: &[
             // A cell shows no more than two decimals of a percent.
             .map(|m| (1e4 * m).round() / 100.0)
             .collect(),
+        until: s.against.and_then(|mode| unsafe_until(solved, mode)).map(rounded),
     };
     let measured = shown.iter().enumerate().filter(|(_, s)| s.against.is_some());
     RunContent {
         label,
+        leads: true,
         figures: None,
         columns: motion::columns(problem, solved, shown, most),
         charts: motion::charts(problem, solved, shown).into_iter().map(Chart::set).collect(),

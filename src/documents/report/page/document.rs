@@ -2,7 +2,7 @@
 
 use super::content::Content;
 use super::prose::{prose, unbroken};
-use super::summary::Found;
+use super::summary::{Figure, Found};
 use super::{Subject, embed};
 use crate::number::part_of_all;
 use crate::planner::studies::Comparison;
@@ -29,6 +29,8 @@ pub struct Document<'a> {
     pub subject: Subject<'a>,
     pub comparison: Option<&'a Comparison>,
     pub found: Found,
+    /// What the script draws beside the headline; `None` if nothing flies.
+    pub picture: Option<Markup>,
     pub sections: Vec<Section>,
     pub content: Content,
 }
@@ -54,11 +56,9 @@ impl Document<'_> {
                     a.skip href="#main" { "Skip to the report" }
                     header.top {
                         div {
-                            p.kicker { "mavc report" }
                             h1 { "Mission " (mission.name) }
                             p.subject { (vehicle_line(self.subject.problem.model())) }
-                            p.subject { (self.setting()) }
-                            @if let Some(doc) = &mission.doc { p.doc { (doc) } }
+                            p.subject.setting { (self.setting()) }
                         }
                         button #theme type="button" hidden { "Dark theme" }
                     }
@@ -77,7 +77,7 @@ impl Document<'_> {
                         }
                     }
                     main #main {
-                        section #found { (found(&self.found)) }
+                        section #found { (self.first_screen()) }
                         @for section in &self.sections { section id=(section.id) { (section.body) } }
                     }
                     @if moves { (player()) }
@@ -95,6 +95,25 @@ impl Document<'_> {
         };
         // Script and style, whose hashes must not change, contain no such character.
         visible::text(&page.into_string()).into_owned()
+    }
+
+    /// The answer, and beside it the picture.
+    fn first_screen(&self) -> Markup {
+        let doc = self.subject.problem.mission().doc.as_ref();
+        let doc = html! { @if let Some(doc) = doc { p.doc { (doc) } } };
+        let (answer, rest) = found(&self.found);
+        html! {
+            @match &self.picture {
+                Some(picture) => {
+                    div.first {
+                        div.answer { (answer) (doc) }
+                        div.picture { (picture) }
+                    }
+                    (rest)
+                }
+                None => { (answer) (rest) (doc) }
+            }
+        }
     }
 
     fn setting(&self) -> String {
@@ -119,12 +138,27 @@ impl Document<'_> {
     }
 }
 
-fn found(found: &Found) -> Markup {
-    html! {
+/// Figures beside the picture; the others follow below it, except those that are bad.
+const FIRST_FIGURES: usize = 4;
+
+/// The headline with what is covered, the first figures and the warnings; and the other figures.
+fn found(found: &Found) -> (Markup, Markup) {
+    let (first, rest): (Vec<_>, Vec<_>) =
+        found.figures.iter().enumerate().partition(|(i, figure)| *i < FIRST_FIGURES || figure.is_bad);
+    let answer = html! {
         h2.headline { (prose(&found.headline)) }
-        @if !found.figures.is_empty() {
+        @for part in &found.coverage { p.coverage.bad[part.is_bad] { b { (part.name) } " " (unbroken(&part.modes)) } }
+        (figures(first.into_iter().map(|(_, figure)| figure).collect()))
+        @for warning in &found.warnings { p.warning { (prose(warning)) } }
+    };
+    (answer, figures(rest.into_iter().map(|(_, figure)| figure).collect()))
+}
+
+fn figures(figures: Vec<&Figure>) -> Markup {
+    html! {
+        @if !figures.is_empty() {
             dl.figures {
-                @for figure in &found.figures {
+                @for figure in figures {
                     div {
                         dt { (figure.name) }
                         dd.value.bad[figure.is_bad] { (unbroken(&figure.value)) }
@@ -133,52 +167,55 @@ fn found(found: &Found) -> Markup {
                 }
             }
         }
-        @for warning in &found.warnings { p.warning { (prose(warning)) } }
     }
 }
 
-/// Sections that the script fills: the flight in space, strips, sets and charts.
-pub fn drawn(has_modes: bool) -> Vec<Section> {
-    let space = html! {
-        h2 #space-headline { "The flight in space" }
-        p.note #space-note { }
-        div.tools {
-            label { "Colour " select #colour { } }
-            div.buttons role="group" aria-label="View" {
-                button type="button" data-view="free" { "Oblique" }
-                button type="button" data-view="top" { "Top" }
-                button type="button" data-view="front" { "Front" }
-                button type="button" data-view="side" { "Side" }
+/// What the script draws on the first screen: the flight in space, and below it the margins over time.
+pub fn picture(has_modes: bool) -> Markup {
+    html! {
+        div #flight {
+            div.tools {
+                h2 #space-headline { "The path in space" }
+                label { "Colour " select #colour { } }
+                div.buttons role="group" aria-label="View" {
+                    button type="button" data-view="free" { "Oblique" }
+                    button type="button" data-view="top" { "Top" }
+                    button type="button" data-view="front" { "Front" }
+                    button type="button" data-view="side" { "Side" }
+                }
+            }
+            div #space .canvas tabindex="0" role="application" aria-label="Path in space; arrow keys turn it, plus \
+                and minus zoom" { }
+            div #space-legend .legend { }
+            p #space-readout .readout { }
+        }
+        @if has_modes {
+            div #heat {
+                h2 { "If a fault strikes: when would it meet a violation of its mode's set?" }
+                p #strips-headline .unit { }
+                div #strips-legend .legend { }
+                div #strips { }
             }
         }
-        div #space .canvas tabindex="0" role="application" aria-label="Path in space; arrow keys turn it, plus and \
-            minus zoom" { }
-        div #space-legend .legend { }
-        p #space-readout .readout { }
-    };
-    let strips = html! {
-        h2 #strips-headline { "Margin of the plan to each mode's admissible set" }
-        div #strips-legend .legend { }
-        div #strips { }
-    };
+        details #space-about { summary { "How to read the picture" } p #space-note .note { } }
+    }
+}
+
+/// The section of the curves over time, which the script fills.
+pub fn motion() -> Section {
     let charts = html! {
         h2 { "The trajectory and its limits over time" }
         p.note {
-            "Dashed lines are limits. Shaded bands in the charts of thrust and torques: the range of that component in \
-             the set of the mode selected above, with the other three components fixed at their values at that instant."
+            "Dashed lines are limits; numbers at the right are those of the instant shown. Shaded bands in the charts \
+             of thrust and torques: the range of that component in the set of the selected mode, with the other three \
+             components fixed at their values at that instant."
         }
         div #charts { }
     };
-    let mut sections = vec![Section::new("flight", "Flight", space)];
-    if has_modes {
-        sections.push(Section::new("heat", "Margins", strips));
-    }
-    sections.push(sets());
-    sections.push(Section::new("motion", "Trajectory", charts));
-    sections
+    Section::new("motion", "Trajectory", charts)
 }
 
-/// The section of admissible sets.
+/// The section of admissible sets, which the script fills.
 pub fn sets() -> Section {
     let body = html! {
         h2 #sets-headline { "The admissible set of each mode" }

@@ -80,6 +80,7 @@ impl Track {
         let charts = charts(model, &columns, record).into_iter().map(Chart::set).collect();
         RunContent {
             label: "the flight".into(),
+            leads: true,
             figures: None,
             wrench: "actual wrench",
             columns,

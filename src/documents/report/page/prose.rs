@@ -2,11 +2,14 @@
 
 use maud::{Markup, html};
 
-/// A list below a table that explains its columns; the table refers to `id` by `aria-describedby`.
+/// A list below a table that explains its columns, folded; the table refers to `id` by `aria-describedby`.
 pub fn terms<'a>(id: &str, terms: impl IntoIterator<Item = (&'a str, &'a str)>) -> Markup {
     html! {
-        dl.terms id=(id) {
-            @for (term, meaning) in terms { div { dt { (term) } dd { (prose(meaning)) } } }
+        details {
+            summary { "What the columns mean" }
+            dl.terms id=(id) {
+                @for (term, meaning) in terms { div { dt { (term) } dd { (prose(meaning)) } } }
+            }
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::admissible::AdmissibleSet;
 use crate::admissible::edge::HoverPlace;
 use crate::admissible::row::SetRow;
 use crate::admissible::without_yaw::planned::{Provision, Turning};
-use crate::model::Model;
+use crate::model::{FaultMode, Model, RotorState};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::{Comparison, PlanOutcome};
 use serde::Serialize;
@@ -47,6 +47,9 @@ impl ShownSet {
 pub struct SetContent {
     pub name: String,
     pub title: Option<String>,
+    /// Rotors that the mode affects: the index, counted from 0, and whether the rotor is lost.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub struck: Vec<(usize, bool)>,
     /// Where hover lies relative to the mode's whole set of full wrenches, as `mavc analyze` reports it; `None` if
     /// unknown.
     pub hover: Option<HoverPlace>,
@@ -63,12 +66,18 @@ pub struct SetContent {
 }
 
 impl SetContent {
-    pub fn new(shown: &ShownSet) -> Self {
+    /// `mode` is that of the set; `None` for the healthy vehicle.
+    pub fn new(shown: &ShownSet, mode: Option<&FaultMode>) -> Self {
+        let states = mode.map_or(&[][..], |mode| &mode.rotors).iter().enumerate();
         let row = |r: &SetRow| [r.normal[0], r.normal[1], r.normal[2], r.normal[3], r.offset].map(precise);
         let (equalities, rows): (Vec<_>, Vec<_>) = shown.set.rows.iter().partition(|r| r.equality);
         SetContent {
             name: shown.name.clone(),
             title: shown.title.clone(),
+            struck: states
+                .filter(|(_, s)| **s != RotorState::Sound)
+                .map(|(k, s)| (k, *s == RotorState::Lost))
+                .collect(),
             hover: None,
             planned: shown.against.is_some(),
             rows: rows.into_iter().map(row).collect(),

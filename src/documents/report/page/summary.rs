@@ -1,5 +1,6 @@
 //! The top of the page: the result in one sentence and a few figures.
 
+use super::coverage::{Coverage, coverage};
 use super::flown::headline;
 use super::motion::{nearest, signed_percent};
 use super::planners::solved_runs;
@@ -27,6 +28,8 @@ use crate::verdict::Verdict;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Found {
     pub headline: String,
+    /// Which fault modes the plan covers.
+    pub coverage: Vec<Coverage>,
     pub figures: Vec<Figure>,
     /// Caveats of the plan, or why there is none.
     pub warnings: Vec<String>,
@@ -79,12 +82,13 @@ pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found
             }));
             figures.extend(planner.battery.as_ref().map(charge));
             figures.extend(shown_between(model, planner));
-            Found { headline, figures, warnings: planner.warnings.iter().map(|c| c.message.clone()).collect() }
+            let warnings = planner.warnings.iter().map(|c| c.message.clone()).collect();
+            Found { headline, coverage: coverage(model, comparison, solved), figures, warnings }
         }
         _ => Found {
             headline: format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run)),
-            figures: Vec::new(),
             warnings: elsewhere(model, &record.found_at_s).into_iter().chain(conflict(record)).collect(),
+            ..Found::default()
         },
     }
 }
@@ -112,7 +116,8 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
     let waypoints = Figure::new("Waypoints", mission.waypoints.len().to_string(), met);
     let beside = format!("in addition to the healthy set's{}", in_planes(comparison));
     let guarded = Figure::new("Facets RSP guards", comparison.selected.len().to_string(), beside);
-    Found { headline, figures: common.into_iter().chain([waypoints, guarded]).collect(), warnings: Vec::new() }
+    let figures = common.into_iter().chain([waypoints, guarded]).collect();
+    Found { headline, figures, ..Found::default() }
 }
 
 /// For `mavc simulate`.
@@ -145,7 +150,7 @@ pub fn flight(model: &Model, record: &FlightRecord) -> Found {
         format!("detection: {}", detection(record.detection, record.detection_delay_s)),
     ));
     let warnings = record.warnings.iter().map(|c| c.message.clone()).collect();
-    Found { headline: headline(model, record), figures, warnings }
+    Found { headline: headline(model, record), figures, warnings, ..Found::default() }
 }
 
 /// If some mode that the plan must tolerate cannot hover.

@@ -47,7 +47,7 @@ pub fn found(record: &CampaignRecord) -> Found {
             "the same for all planners",
         ),
     ];
-    Found { headline, figures, warnings: Vec::new() }
+    Found { headline, figures, ..Found::default() }
 }
 
 /// Why there is no result about faults.

@@ -43,7 +43,8 @@ pub fn text(flown: &Flown) -> String {
         fixed(flight.max_tilt.to_degrees(), 1)
     ));
     out.pop();
-    out.push_str(&past_limit(flown));
+    out.push_str(&beyond_plan(flown));
+    out.push('\n');
     if let Some(seconds) = record.gyroscope_saturated_s {
         let range = number(model.simulation.gyroscope_range.to_degrees());
         out.push_str(&format!(
@@ -53,7 +54,7 @@ pub fn text(flown: &Flown) -> String {
     }
     if let Some(at) = record.gave_up_yaw_at_s {
         out.push_str(&format!("  yaw given up at {} s: the heading error loses no vehicle after this\n", fixed(at, 2)));
-        out.push_str(&record.spin.as_ref().map_or(String::new(), |spin| ending(spin, model)));
+        out.push_str(&record.spin.as_ref().map_or(String::new(), |spin| indented(&ending(spin, model))));
         if model.vehicle.yaw_drag.is_none() {
             out.push_str("  the vehicle has no `yaw_drag`, so that the air does not slow its spin\n");
         }
@@ -102,27 +103,28 @@ pub fn text(flown: &Flown) -> String {
         ));
     }
     let fill = |text: &str| format!("\n{}", indented(text));
-    match flown.indistinguishable {
-        [] => {}
-        groups => {
-            // Each mode of a group was compared with the first.
-            let of_group = |group: &Vec<&str>| {
-                format!("the torques of {} differ little from those of {}", listed(&group[1..]), group[0])
-            };
-            let of_groups: Vec<String> = groups.iter().map(of_group).collect();
-            out.push_str(&fill(&format!(
-                "Throughout the plan {}: by less than the estimator's threshold for one sample, so it may take long \
-                 to tell them apart.",
-                of_groups.join("; ")
-            )));
-        }
-    }
+    indistinguishable(flown).iter().for_each(|text| out.push_str(&fill(text)));
     record.warnings.iter().for_each(|caveat| out.push_str(&fill(&caveat.message)));
     out
 }
 
+/// The modes that the estimator cannot tell apart along the plan, if there are some.
+pub(super) fn indistinguishable(flown: &Flown) -> Option<String> {
+    // Each mode of a group was compared with the first.
+    let of_group =
+        |group: &Vec<&str>| format!("the torques of {} differ little from those of {}", listed(&group[1..]), group[0]);
+    let groups: Vec<String> = flown.indistinguishable.iter().map(of_group).collect();
+    (!groups.is_empty()).then(|| {
+        format!(
+            "Throughout the plan {}: by less than the estimator's threshold for one sample, so it may take long to \
+             tell them apart.",
+            groups.join("; ")
+        )
+    })
+}
+
 /// `geometric controller, bounded allocation, capacities estimated; after a fault it continues; 1000 Hz, seed 1`
-fn manner(model: &Model) -> String {
+pub(super) fn manner(model: &Model) -> String {
     let s = &model.simulation;
     let controller = match s.controller {
         Controller::Pd => "PD controller",
@@ -183,18 +185,18 @@ pub fn disturbed(s: &Simulation) -> String {
 }
 
 /// `, beyond the plan's limit of 20 degrees`: the mission's limit applies to the plan and not to the flight.
-fn past_limit(flown: &Flown) -> String {
+pub(super) fn beyond_plan(flown: &Flown) -> String {
     let limits = flown.model.mission.iter().flat_map(|mission| &mission.limits);
     let tilt =
         limits.filter(|limit| limit.is_general() && limit.kind == LimitKind::Tilt).filter_map(|limit| limit.upper);
     match tilt.filter(|most| flown.flight.max_tilt > *most).reduce(f64::min) {
-        Some(most) => format!(", beyond the plan's limit of {} degrees\n", number(most.to_degrees())),
-        None => "\n".into(),
+        Some(most) => format!(", beyond the plan's limit of {} degrees", number(most.to_degrees())),
+        None => String::new(),
     }
 }
 
 /// `heading error: 1.2 degrees root mean square; largest 4.0 degrees, 4.0 since the first fault`
-fn heading(record: &FlightRecord) -> String {
+pub(super) fn heading(record: &FlightRecord) -> String {
     let degrees = |angle: f64| fixed(angle.to_degrees(), 1);
     let after =
         record.max_heading_error_after_rad.map_or(String::new(), |e| format!(", {} since the first fault", degrees(e)));
@@ -226,11 +228,11 @@ pub fn trespass(at: f64) -> String {
 }
 
 /// The spin in which a flight without yaw ended.
-fn ending(spin: &SpinRecord, model: &Model) -> String {
+pub(super) fn ending(spin: &SpinRecord, model: &Model) -> String {
     let rate = significant(spin.rate_rad_s, 3);
     let range = significant(model.simulation.gyroscope_range, 3);
     let settled = match (spin.settled, spin.beyond_gyroscope) {
-        (true, false) => return format!("  the spin settled at {rate} rad/s\n"),
+        (true, false) => return format!("the spin settled at {rate} rad/s"),
         (true, true) => "settled at",
         (false, _) => "has not settled: in the end it is",
     };
@@ -240,7 +242,7 @@ fn ending(spin: &SpinRecord, model: &Model) -> String {
         ),
         false => ". What the vehicle does later is not known.".to_string(),
     };
-    indented(&format!("Warning: the spin {settled} {rate} rad/s{beyond}"))
+    format!("Warning: the spin {settled} {rate} rad/s{beyond}")
 }
 
 /// How a flight that was neither lost nor landed has ended: a `duration` may end it before its plan does.

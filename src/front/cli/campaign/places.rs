@@ -7,6 +7,7 @@ use crate::cli::target::{Target, write};
 use crate::cli::{CommandError, Options, files};
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::page::{self, Subject};
+use crate::report::screen::Screen;
 use crate::spec::Spec;
 use std::path::Path;
 
@@ -47,14 +48,14 @@ impl<'a> Places<'a> {
 
     /// Prints the text for people: to standard error if standard output takes rows or a page, not at all if it takes
     /// the report.
-    pub fn print(&self, text: &str) -> Result<(), CommandError> {
+    pub fn print(&self, text: &Screen) -> Result<(), CommandError> {
         match (Self::is_stdout(&self.report), Self::is_stdout(&self.page) || Self::is_stdout(&self.rows)) {
             (true, _) => Ok(()),
             (false, true) => {
-                files::eprint(text);
+                files::eprint_screen(text);
                 Ok(())
             }
-            (false, false) => files::print(text),
+            (false, false) => files::print_screen(text),
         }
     }
 

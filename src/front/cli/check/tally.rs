@@ -4,6 +4,10 @@ use crate::cli::spec::{self, Findings};
 use crate::cli::{CommandError, Options, files};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::number::plural;
+use crate::pipeline::analyze;
+use crate::report::headline::headline;
+use crate::report::screen::{Screen, Tone};
+use crate::spec::Spec;
 use std::collections::HashSet;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -94,11 +98,12 @@ impl Tally {
 }
 
 impl Findings {
-    /// Prints the diagnostics for people and, unless quiet, a line that counts them; `repeated` of `count` were printed
-    /// for an earlier spec.
+    /// Prints the diagnostics for people and, unless quiet, what the fault modes of a spec without errors leave of the
+    /// vehicle, and a line that counts the diagnostics; `repeated` of `count` were printed for an earlier spec.
     pub fn print_human(
         &self,
         name: &str,
+        spec: Option<&Spec>,
         count: Count,
         repeated: usize,
         options: &Options,
@@ -106,6 +111,11 @@ impl Findings {
         files::print_as_it_is(&self.human(&std::io::stdout()))?;
         if options.quiet {
             return Ok(());
+        }
+        if let Some(spec) = spec.filter(|_| count.errors == 0) {
+            let mut screen = Screen::default();
+            screen.paragraph(Tone::Plain, 0, 2, &headline(spec.model(), &analyze(spec)));
+            files::print_screen(&screen)?;
         }
         let above = if repeated > 0 { format!(" ({repeated} reported above)") } else { String::new() };
         files::print(&format!("{}: {count}{above}\n", spec::shown(name)))

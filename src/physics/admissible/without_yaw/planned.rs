@@ -1,4 +1,4 @@
-//! The rows that a plan keeps against a mode in which yaw is given up. See `docs/method.md`, section 17, "Plans".
+//! The rows that a plan keeps against a mode in which yaw is given up. See `docs/method/without-yaw.md`, "Plans".
 
 use super::YawFree;
 use super::core::disc;

@@ -78,9 +78,11 @@ impl ScpPlanner<'_, '_> {
             if now < violation {
                 (iterate, violation) = (reached, now);
             } else {
-                // The subproblem lacked too many rows for any share of its step: it gets all of them.
-                working_set.extend(self.rows_at_nodes(&whole, 0.0));
-                working_set.extend(self.rows_between(&whole));
+                // No share of the step lowers the violation: the subproblem lacked rows, and the step is too long. Rows
+                // of the whole step are no help: a step a hundred times too long violates nearly all of them.
+                working_set.extend(self.rows_at_nodes(&reached, 0.0));
+                working_set.extend(self.rows_between(&reached));
+                proximal.weight *= settings.proximal_increase_after_rejection;
                 history.pop();
                 rejected += 1;
                 if rejected > settings.max_rejected {

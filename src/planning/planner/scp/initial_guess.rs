@@ -8,8 +8,7 @@ impl ScpPlanner<'_, '_> {
     /// if the feasibility phases find none.
     pub(super) fn first_feasible(&mut self, near: f64) -> Option<Iterate> {
         // Where the planner chooses the durations, the initial one of each leg comes from its own limits. (A second
-        // start with shares by length took up to twice the solves and found times at most 0.5 % shorter:
-        // docs/performance.md.)
+        // start with shares by length took up to twice the solves and found times at most 0.5 % shorter.)
         let initial = self.chooses_times().then(|| kinematics::initial(self.hover.problem));
         let coarse = self.coarse_on_all_sides(initial.as_deref(), near);
         let kept = std::mem::take(&mut self.sides);

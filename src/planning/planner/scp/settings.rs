@@ -1,4 +1,4 @@
-//! The parameters of the SCP planner, in one struct. Section 12 of `docs/method.md` lists the algorithms that use them.
+//! The parameters of the SCP planner, in one struct. `docs/method/exact-planner.md` lists the algorithms.
 //! Constants beside the code are what proofs and checks rest on (`FEASIBLE`, `ACCEPTED`, `PARTS`, `UPRIGHT`), the
 //! resolution of times, the scaling of programs (`TAU_STEPS`, `EVEN`), the solver's tolerances, rounding, and the rules
 //! that both planners share (`timing::kinematics`, `timing::search`).
@@ -116,6 +116,8 @@ pub struct FeasibilitySettings {
     pub steady_ratio: f64,
     /// Most steps of which no share lowers the violation.
     pub max_rejected: usize,
+    /// Factor of the proximal weight after such a step, besides that after a small share.
+    pub proximal_increase_after_rejection: f64,
     /// Line search: share of the predicted decrease that a step has to reach.
     pub sufficient_decrease: f64,
     /// Line search: no share below this is tried.

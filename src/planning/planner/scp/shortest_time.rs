@@ -60,7 +60,21 @@ impl ScpPlanner<'_, '_> {
             },
         };
         iterate = self.on_its_own_grid(iterate, &mut working_set);
-        self.rounded_up(&iterate, rule, &mut working_set)
+        let found = self.rounded_up(&iterate, rule, &mut working_set);
+        found.or_else(|none| self.at_rest_between().ok_or(none))
+    }
+
+    /// The plan in closed form ([`Self::rest_to_rest`]), which takes no program: where the budget ends before a shorter
+    /// one is complete. `None` if there is no such motion on the full grid.
+    fn at_rest_between(&mut self) -> Option<Shortest> {
+        let slow = self.rest_to_rest(self.hover.model().plan.samples)?;
+        // It satisfies every row at the instants; between these it may need a little more time.
+        let slower = self.settings.grids.slowdowns;
+        let plan = |factor: f64| {
+            let mut working_set = BTreeSet::new();
+            self.rounded_up(&slow.slower(factor), StoppingRule::NO_STEPS, &mut working_set).ok()
+        };
+        slower.into_iter().find_map(plan)
     }
 
     /// The plan of least cost from a feasible iterate, at its time rounded up to [`GRID`], or later by the first of
@@ -196,5 +210,42 @@ impl ScpPlanner<'_, '_> {
         }
         let (time, planned) = best.ok_or_else(|| not_found(low))?;
         Ok(shortest(time, planned))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Problem;
+    use crate::planner::selection::sets::PlanningSets;
+
+    /// A search that may solve one program only still has the plan in closed form.
+    #[test]
+    fn without_budget_the_plan_rests_at_every_waypoint() {
+        let spec = crate::compile(
+            "vehicle v { layout = \"PNPNPN\"; arm = 0.4 m; mass = 3 kg; inertia = [0.05, 0.06, 0.1] kg*m^2
+    rotor { max_thrust = 9 N; torque_per_thrust = 15 mm; max_speed = 900 rad/s } }
+mission m {
+    start at [0, 0, 2] m
+    waypoint at [9, 0, 4] m
+    waypoint at [9, 7, 4] m  yaw 90 deg
+    keep_out pole { shape = box; from = [3, 3, 0] m; to = [5, 5, 9] m }
+    limits { speed <= 4 m/s; tilt <= 25 deg }
+}
+plan { planner = rip; against = []; samples = 100 }",
+        );
+        let spec = spec.into_result().unwrap();
+        let sets = PlanningSets::of(spec.model());
+        let problem = Problem::of(spec.model()).unwrap();
+        let shortest = |budget: f64| {
+            let mut settings = ScpSettings::DEFAULT;
+            settings.budget.normal = budget;
+            let mut hover = HoverPlanner::new(problem, &sets.healthy);
+            ScpPlanner::with_settings(&mut hover, WrenchModel::Exact, &sets.rip, settings).shortest(&[], None)
+        };
+        let (slow, quick) = (shortest(1.0).unwrap(), shortest(ScpSettings::DEFAULT.budget.normal).unwrap());
+        assert!(slow.time > 1.2 * quick.time, "{} {}", slow.time, quick.time);
+        let node = slow.planned.grid.waypoint_nodes[1];
+        assert!((0..4).all(|axis| slow.planned.states[node][axis][1].abs() < 1e-9));
     }
 }

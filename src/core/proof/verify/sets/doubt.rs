@@ -1,4 +1,4 @@
-//! Sets under interval uncertainty: the wrenches that can be given for every value (docs/method.md, equation (50)).
+//! Sets under interval uncertainty: the wrenches that can be given for every value (docs/method/verdicts.md, (50)).
 //!
 //! With thrusts from the largest idle to the least full one and every ratio kappa_k of drag torque to thrust in the
 //! middle of its interval, a row `n.w <= e` becomes `n.w + |n_z| delta T <= e - sum over stuck k of |n.r_k|`: delta is

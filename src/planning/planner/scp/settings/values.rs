@@ -35,6 +35,7 @@ impl ScpSettings {
             unavoidable: 2e-4,
             steady_ratio: 0.9,
             max_rejected: 3,
+            proximal_increase_after_rejection: 25.0,
             sufficient_decrease: 0.2,
             min_share: 0.05,
         },

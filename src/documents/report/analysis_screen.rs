@@ -1,0 +1,244 @@
+//! The short output of `mavc analyze`: the outcome of every mode on one screen.
+
+use super::headline::{headline, why_undecided};
+use super::mode_names::within;
+use super::screen::{Screen, Tone};
+use super::terminal::{airspeed, vehicle_line};
+use crate::admissible;
+use crate::admissible::airspeed::PLAUSIBLE;
+use crate::admissible::outcome::Outcome;
+use crate::admissible::parallel::least_angle;
+use crate::admissible::verdict::ModeAnalysis;
+use crate::flight::equilibrium::{SettledSpin, settled_spins};
+use crate::model::{Allocation, Model};
+use crate::number::{down, part_of_all, significant};
+use crate::report::battery;
+use crate::text_table::Table;
+
+/// Most rows of modes; with more groups of modes each outcome has its weakest, and the others are counted.
+const MOST_ROWS: usize = 12;
+/// Columns of the names of modes.
+const NAMES: usize = 20;
+/// Digits of every figure.
+const DIGITS: usize = 3;
+
+/// The output.
+pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
+    let mut screen = Screen::default();
+    let worst = modes.iter().map(|mode| mode.outcome).max();
+    let tone = match worst {
+        Some(Outcome::FullControl) => Tone::Good,
+        Some(Outcome::Lost | Outcome::NoMargin) => Tone::Bad,
+        _ => Tone::Warning,
+    };
+    screen.paragraph(tone, 0, 2, &headline(model, modes));
+    screen.paragraph(Tone::Plain, 0, 2, &vehicle_line(model));
+    screen.gap();
+    let spins = settled_spins(model);
+    screen.table(&table(model, modes, &spins));
+    screen.gap();
+    legend(model, modes, &spins).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
+    remarks(model, modes).iter().for_each(|text| screen.remark(text));
+    screen
+}
+
+/// Modes with the same row; a yaw margin that is larger in the other direction does not part them.
+struct Row {
+    outcome: Outcome,
+    cells: Vec<String>,
+    /// Indices into the declared modes.
+    modes: Vec<usize>,
+    /// The margin by which rows of one outcome are ordered, N and N m.
+    margin: f64,
+}
+
+/// The modes as rows, alike ones together, in the order in which they are declared.
+fn rows(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    for (index, mode) in modes.iter().enumerate().skip(1) {
+        let cells = cells(model, mode, spins);
+        match rows.iter_mut().find(|row| row.outcome == mode.outcome && row.cells == cells) {
+            Some(row) => {
+                row.modes.push(index - 1);
+                row.margin = row.margin.min(margin(mode));
+            }
+            None => rows.push(Row { outcome: mode.outcome, cells, modes: vec![index - 1], margin: margin(mode) }),
+        }
+    }
+    rows
+}
+
+/// How far hover is inside the set that the outcome is about, N and N m.
+fn margin(mode: &ModeAnalysis) -> f64 {
+    let margin = if mode.outcome == Outcome::FullControl { mode.acai } else { mode.acai_yaw_free };
+    margin.unwrap_or(0.0)
+}
+
+/// Whether the outcome is one with control of yaw.
+fn holds_heading(mode: &ModeAnalysis) -> bool {
+    matches!(mode.outcome, Outcome::FullControl | Outcome::NoMargin) && mode.headroom.is_some()
+}
+
+/// Climb, yaw, largest mass, and the spin where some mode has one.
+fn cells(model: &Model, mode: &ModeAnalysis, spins: &[SettledSpin]) -> Vec<String> {
+    let hover = admissible::hover(model)[0];
+    let level = mode.without_yaw.as_ref().map(|figures| figures.level_thrust_n - hover);
+    let climb = match (&mode.headroom, holds_heading(mode)) {
+        (Some(headroom), true) => Some(headroom.thrust[1]),
+        _ => level,
+    };
+    let yaw = mode.headroom.as_ref().filter(|_| holds_heading(mode)).map(|headroom| {
+        let [less, more] = [0, 1].map(|i| headroom.tau_z[i]);
+        let [less, more] = [less.min(more), less.max(more)].map(|torque| significant(torque, DIGITS));
+        format!("{less}/{more}")
+    });
+    let mass = if holds_heading(mode) { mode.critical_mass_kg } else { mode.critical_mass_yaw_free_kg };
+    let positive = |value: &f64| *value > 0.0;
+    let mut cells = vec![
+        mode.outcome.word().to_string(),
+        climb.map_or("-".into(), |newton| format!("+{} N", down(newton.max(0.0), DIGITS))),
+        yaw.unwrap_or("-".into()),
+        mass.filter(positive).map_or("none".into(), |mass| format!("{} kg", down(mass, DIGITS))),
+    ];
+    if !spins.is_empty() {
+        let of_mode = |spin: &&SettledSpin| spin.mode == mode.name && !holds_heading(mode);
+        cells.push(spins.iter().find(of_mode).map_or("-".into(), spin));
+    }
+    cells
+}
+
+/// `7.8 rad/s, axis tilted 19.4 deg`
+fn spin(spin: &SettledSpin) -> String {
+    let rate = spin.spin_rad_s.abs();
+    match rate < 1e-3 {
+        true => "none".into(),
+        false => format!(
+            "{} rad/s, tilt {} deg",
+            significant(rate, DIGITS),
+            significant((10.0 * spin.axis_tilt_deg).round() / 10.0, DIGITS)
+        ),
+    }
+}
+
+fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Table {
+    let mut headings = vec!["fault", "after it", "climb", "yaw N m", "max mass"];
+    if !spins.is_empty() {
+        headings.push("spin");
+    }
+    let mut table = Table::new(&headings);
+    let first = std::iter::once("none".to_string());
+    table.row(first.chain(modes.first().map_or(Vec::new(), |healthy| cells(model, healthy, spins))).collect());
+    let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
+    let rows = rows(model, modes, spins);
+    let (shown, others) = shown(&rows);
+    let controlled = || shown.iter().filter(|row| row.outcome == Outcome::FullControl);
+    let weakest = controlled().map(|row| row.margin).reduce(f64::min).filter(|_| controlled().count() > 1);
+    for row in &shown {
+        let mut cells = vec![within(&all, &row.modes, NAMES)];
+        cells.extend(row.cells.iter().cloned());
+        if row.outcome == Outcome::FullControl && weakest == Some(row.margin) {
+            cells.push("weakest".into());
+        }
+        table.row(cells);
+    }
+    for (outcome, count) in others {
+        table.row(vec![format!("and {count} more"), outcome.word().into()]);
+    }
+    table
+}
+
+/// The rows that are shown: all, or of many the weakest of each outcome; and how many modes of each outcome are not.
+fn shown(rows: &[Row]) -> (Vec<&Row>, Vec<(Outcome, usize)>) {
+    if rows.len() <= MOST_ROWS {
+        return (rows.iter().collect(), Vec::new());
+    }
+    let present: Vec<Outcome> =
+        Outcome::ALL.into_iter().filter(|outcome| rows.iter().any(|row| row.outcome == *outcome)).collect();
+    let each = (MOST_ROWS / present.len()).saturating_sub(1).max(1);
+    let (mut shown, mut others) = (Vec::new(), Vec::new());
+    for outcome in present {
+        let mut of_outcome: Vec<&Row> = rows.iter().filter(|row| row.outcome == outcome).collect();
+        of_outcome.sort_by(|a, b| a.margin.total_cmp(&b.margin));
+        let left = of_outcome.split_off(each.min(of_outcome.len()));
+        let count: usize = left.iter().map(|row| row.modes.len()).sum();
+        shown.extend(of_outcome);
+        others.extend((count > 0).then_some((outcome, count)));
+    }
+    (shown, others)
+}
+
+/// The meaning of the columns.
+fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Vec<String> {
+    let mut lines =
+        vec!["climb: thrust left beyond hover; yaw: torque left, in the weaker / stronger direction".to_string()];
+    if !spins.is_empty() {
+        lines.push("spin: the equilibrium in which flights settle, with the gains of `simulate`".into());
+    }
+    if model.vehicle.is_uncertain() {
+        lines.push(
+            "outcomes hold for every value of the spec's intervals; the figures are those of their middle".into(),
+        );
+    }
+    lines.extend(speeds(model, modes));
+    lines
+}
+
+/// `steady airspeed with the reserve: 23.1 m/s without a fault, least after M2: 12.3 m/s`
+fn speeds(model: &Model, modes: &[ModeAnalysis]) -> Option<String> {
+    let healthy = modes.first()?.airspeed.as_ref()?;
+    let speed = |mode: &ModeAnalysis| mode.airspeed.as_ref().map_or(0.0, |air| air.largest_m_per_s.unwrap_or(0.0));
+    let least = modes.iter().skip(1).min_by(|a, b| speed(a).total_cmp(&speed(b)));
+    let after =
+        least.and_then(|mode| Some(format!(", least after {}: {}", mode.name, airspeed(mode.airspeed.as_ref()?))));
+    let heading = if model.environment().is_isotropic() { "" } else { " in the worst heading" };
+    let implausible = modes.iter().any(|mode| speed(mode) > PLAUSIBLE);
+    let note = if implausible { "; drag in proportion to speeds over 40 m/s is not plausible" } else { "" };
+    Some(format!(
+        "steady airspeed with the plan's reserve{heading}: {} without a fault{}{note}",
+        airspeed(healthy),
+        after.unwrap_or_default()
+    ))
+}
+
+/// What a reader must not overlook.
+fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
+    let all: Vec<String> = modes.iter().map(|mode| mode.name.clone()).collect();
+    let named = |which: &dyn Fn(&ModeAnalysis) -> bool| {
+        let places: Vec<usize> = (0..modes.len()).filter(|&i| which(&modes[i])).collect();
+        (!places.is_empty()).then(|| within(&all, &places, 40))
+    };
+    let needs_spin = |mode: &ModeAnalysis| {
+        let excludes_zero = |[low, high]: [f64; 2]| low > 0.0 || high < 0.0;
+        mode.outcome == Outcome::FliesOn
+            && mode
+                .without_yaw
+                .as_ref()
+                .is_some_and(|free| free.spin_rad_s.is_none() && excludes_zero(free.yaw_torque_n_m))
+    };
+    let mut remarks: Vec<String> = why_undecided(model, modes).into_iter().collect();
+    remarks.extend(
+        named(&needs_spin)
+            .map(|names| format!("{names}: the vehicle must spin, how fast is unknown without its `yaw_drag`")),
+    );
+    remarks.extend(named(&|mode| mode.outcome == Outcome::Caught).map(|names| {
+        format!("{names}: the vehicle loses height before it is caught; `mavc analyze --capture` simulates how much")
+    }));
+    remarks
+        .extend(named(&|mode| mode.outcome == Outcome::NoMargin).map(|names| {
+            format!("{names}: thrust and torques balance, but the smallest disturbance is not countered")
+        }));
+    let faint = |mode: &ModeAnalysis| mode.nearest_rows.is_some_and(|rows| rows.angle < least_angle());
+    remarks.extend(named(&faint).map(|names| {
+        format!("{names}: nearly parallel rows of the actuation matrix, so the rotors can hardly tell two axes apart")
+    }));
+    let lowered = battery::full_thrust(model);
+    remarks.extend((!lowered.is_empty()).then(|| lowered.trim_end().to_string()));
+    if model.vehicle.allocation == Allocation::PseudoInverse {
+        let most = modes.iter().filter_map(|mode| mode.unreached_share).fold(0.0, f64::max);
+        remarks.push(format!(
+            "the pseudo-inverse does not reach up to {} % of a set; outcomes are those of what it reaches",
+            part_of_all(most)
+        ));
+    }
+    remarks
+}

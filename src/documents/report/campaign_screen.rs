@@ -1,0 +1,235 @@
+//! The short output of `mavc campaign`: who survives which faults, and whether the planners differ.
+
+use super::campaign_text::{by_flight, hundred, remarks};
+use super::headline::headline;
+use super::mode_names::within;
+use super::screen::{Screen, Tone};
+use super::simulation::disturbed;
+use super::terminal::vehicle_line;
+use crate::campaign::agreement::Agreement;
+use crate::campaign::cases::Shard;
+use crate::campaign::design::Design;
+use crate::campaign::statistics::{Share, sign_test, wilson};
+use crate::campaign::tally::{Group, Tally};
+use crate::flight::equilibrium::analyze_each;
+use crate::number::{number, part_of_all, plural, significant};
+use crate::text_table::Table;
+use std::cmp::Reverse;
+
+/// Most rows of modes.
+const MOST_ROWS: usize = 5;
+/// Columns of the names of modes.
+const NAMES: usize = 24;
+/// A difference counts as significant below this probability.
+const SIGNIFICANT: f64 = 0.05;
+
+/// The output about the flights in `tally`, which are those of `shard`.
+pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
+    let (model, cases) = (design.model, design.cases);
+    let mut screen = Screen::default();
+    let mission = model.mission.as_ref().map_or("", |m| m.name.as_str());
+    let part = match shard {
+        Shard::WHOLE => String::new(),
+        _ => format!(" (shard {}/{})", shard.index + 1, shard.of),
+    };
+    screen.paragraph(
+        Tone::Plain,
+        0,
+        2,
+        &format!(
+            "Campaign on {mission} with {}: {}{part} of {} s{}",
+            vehicle_line(model),
+            plural(tally.flights(), "flight"),
+            number(design.time),
+            disturbed(&model.simulation)
+        ),
+    );
+    screen.gap();
+    let plans: Vec<Survival> = (0..design.plans.len()).map(|p| Survival::of(design, tally, p)).collect();
+    let (tone, text) = answer(&plans);
+    screen.paragraph(tone, 2, 2, &text);
+    screen.paragraph(Tone::Plain, 2, 2, &headline(model, &analyze_each(model)));
+    screen.gap();
+    screen.table(&planners(design, tally, &plans));
+    if cases.modes > 0 {
+        differences(design, tally, &plans).iter().for_each(|text| screen.paragraph(Tone::Plain, 2, 2, text));
+        losers(&mut screen, design, tally, &plans);
+        screen.paragraph(Tone::Plain, 2, 2, &by_flight(&Agreement::new(design, tally).all.total));
+    }
+    warnings(design, tally, &plans).iter().for_each(|text| screen.remark(text));
+    screen
+}
+
+/// The flights of one plan with a fault.
+struct Survival {
+    /// Its index.
+    plan: usize,
+    name: String,
+    flights: usize,
+    survived: usize,
+    /// With an unknown end.
+    diverged: usize,
+    missed: usize,
+    due: usize,
+}
+
+impl Survival {
+    fn of(design: &Design, tally: &Tally, plan: usize) -> Self {
+        let name = design.plans[plan].planner.name().to_uppercase();
+        let mut sum = Survival { plan, name, flights: 0, survived: 0, diverged: 0, missed: 0, due: 0 };
+        for group in (0..design.cases.modes).map(|m| tally.mode(plan, m)) {
+            sum.flights += group.flights;
+            sum.survived += group.survived();
+            sum.diverged += group.diverged;
+            sum.missed += group.path.missed;
+            sum.due += group.path.due;
+        }
+        sum
+    }
+
+    fn lost(&self) -> usize {
+        self.flights - self.survived - self.diverged
+    }
+}
+
+/// `RIP loses 34 of 1296 flights with a fault, RSP 5, RCP none`
+fn answer(plans: &[Survival]) -> (Tone, String) {
+    if plans.iter().all(|plan| plan.flights == 0) {
+        return (Tone::Warning, "No fault mode is declared: no flight had a fault".into());
+    }
+    let count = |n: usize| if n == 0 { "none".to_string() } else { n.to_string() };
+    let all = plans.iter().map(|plan| plan.flights).max().unwrap_or(0);
+    let parts: Vec<String> = plans
+        .iter()
+        .enumerate()
+        .map(|(i, plan)| match i {
+            0 => {
+                format!("{} loses {} of {} with a fault", plan.name, count(plan.lost()), plural(plan.flights, "flight"))
+            }
+            _ if plan.flights == all => format!("{} {}", plan.name, count(plan.lost())),
+            _ => format!("{} {} of {}", plan.name, count(plan.lost()), plan.flights),
+        })
+        .collect();
+    let tone = if plans.iter().all(|plan| plan.lost() == 0) { Tone::Good } else { Tone::Warning };
+    (tone, parts.join(", "))
+}
+
+/// One row for each plan.
+fn planners(design: &Design, tally: &Tally, plans: &[Survival]) -> Table {
+    let has_alarms = plans.iter().any(|plan| remarks::estimator(design, tally, plan.plan).is_some());
+    let mut headings = vec!["planner", "survived", "95 % interval", "waypoints missed"];
+    if has_alarms {
+        headings.push("false alarms/h");
+    }
+    headings.push("lost unfaulted");
+    let mut table = Table::new(&headings);
+    for plan in plans {
+        let dash = || "-".to_string();
+        let share = wilson(plan.survived, plan.flights).filter(|_| plan.diverged < plan.flights);
+        let healthy = tally.healthy(plan.plan);
+        let mut cells = vec![
+            plan.name.clone(),
+            share.map_or_else(dash, |s| format!("{} %", part_of_all(s.share))),
+            share.map_or_else(dash, |Share { low, high, .. }| format!("{} .. {}", hundred(low), hundred(high))),
+            if plan.due == 0 { dash() } else { format!("{} of {}", plan.missed, plan.due) },
+        ];
+        if has_alarms {
+            cells.push(healthy.alarms_per_hour().map_or_else(dash, |per_hour| significant(per_hour, 3)));
+        }
+        cells.push(format!("{} of {}", healthy.all_lost(), healthy.flights));
+        table.row(cells);
+    }
+    table
+}
+
+/// Whether the other plans lose more or fewer flights than that of the first: the sign test over pairs of mode and
+/// instant.
+fn differences(design: &Design, tally: &Tally, plans: &[Survival]) -> Vec<String> {
+    let Some((first, others)) = plans.split_first() else { return Vec::new() };
+    let share = |plan: usize, m: usize, t: usize| {
+        let cell = &tally.cells(plan, m)[t];
+        (cell.struck > 0).then(|| cell.lost as f64 / cell.struck as f64)
+    };
+    let pairs = || (0..design.cases.modes).flat_map(|m| (0..design.cases.times).map(move |t| (m, t)));
+    let mut texts: Vec<String> = others
+        .iter()
+        .map(|other| {
+            let both = pairs().filter_map(|(m, t)| Some((share(first.plan, m, t)?, share(other.plan, m, t)?)));
+            let (mut fewer, mut more) = (0, 0);
+            for (of_first, of_other) in both {
+                fewer += usize::from(of_other < of_first);
+                more += usize::from(of_other > of_first);
+            }
+            let p = sign_test(fewer, more);
+            let word = if p < SIGNIFICANT { "significant" } else { "not significant" };
+            let p = if p < 1e-4 { "p < 0.0001".to_string() } else { format!("p = {}", significant(p, 2)) };
+            format!(
+                "{} against {}: loses a smaller share at {fewer} instants of a mode, a larger one at {more}: {word} ({p})",
+                other.name, first.name
+            )
+        })
+        .collect();
+    if !texts.is_empty() {
+        texts.push("exact sign test, two-sided; it takes the instants as independent of each other".into());
+    }
+    texts
+}
+
+/// The modes that lost flights with the most losses, modes with the same numbers together.
+fn losers(screen: &mut Screen, design: &Design, tally: &Tally, plans: &[Survival]) {
+    let all: Vec<String> = design.model.modes.iter().map(|mode| mode.name.clone()).collect();
+    let lost = |group: &Group| group.flights - group.survived() - group.diverged;
+    let mut rows: Vec<(Vec<usize>, Vec<usize>)> = Vec::new();
+    for m in 0..design.cases.modes {
+        let counts: Vec<usize> = plans.iter().map(|plan| lost(tally.mode(plan.plan, m))).collect();
+        if counts.iter().all(|count| *count == 0) {
+            continue;
+        }
+        match rows.iter_mut().find(|(of, _)| *of == counts) {
+            Some((_, modes)) => modes.push(m),
+            None => rows.push((counts, vec![m])),
+        }
+    }
+    screen.gap();
+    if rows.is_empty() {
+        screen.line(Tone::Good, "  No mode lost a flight.");
+        return;
+    }
+    rows.sort_by_key(|(counts, modes)| Reverse(counts.iter().sum::<usize>() * modes.len()));
+    let hidden = rows.split_off(rows.len().min(MOST_ROWS));
+    let mut headings = vec!["lost after"];
+    headings.extend(plans.iter().map(|plan| plan.name.as_str()));
+    headings.push("flights each");
+    let mut table = Table::new(&headings);
+    for (counts, modes) in &rows {
+        let each = plans.first().map_or(0, |plan| tally.mode(plan.plan, modes[0]).flights);
+        let mut cells = vec![within(&all, modes, NAMES)];
+        cells.extend(counts.iter().map(usize::to_string));
+        cells.push(each.to_string());
+        table.row(cells);
+    }
+    screen.table(&table);
+    let more: usize = hidden.iter().map(|(_, modes)| modes.len()).sum();
+    if more > 0 {
+        screen.line(Tone::Plain, &format!("  and {} with fewer losses, -v", plural(more, "mode")));
+    }
+}
+
+/// What a reader must not overlook; a warning about several plans is printed once.
+fn warnings(design: &Design, tally: &Tally, plans: &[Survival]) -> Vec<String> {
+    let mut all: Vec<String> = remarks::beyond_the_limit(design).into_iter().collect();
+    for plan in plans {
+        let p = plan.plan;
+        let of_plan = [
+            remarks::lost_healthy(tally, p),
+            remarks::lost_before(design, tally, p),
+            remarks::diverged(design, tally, p),
+            remarks::uncovered(design, tally, p),
+        ];
+        all.extend(of_plan.into_iter().flatten().map(|text| format!("{}: {text}", plan.name)));
+    }
+    for missing in &design.missing {
+        all.push(format!("{} is not flown: {}", missing.planner.name().to_uppercase(), missing.verdict()));
+    }
+    all
+}

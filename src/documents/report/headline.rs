@@ -1,0 +1,129 @@
+//! The first line of every answer: what the fault modes leave of the vehicle.
+
+use crate::admissible::outcome::Outcome;
+use crate::admissible::verdict::ModeAnalysis;
+use crate::model::{FaultMode, Model, RotorState};
+use crate::number::plural;
+use std::collections::BTreeSet;
+
+/// What fails in a mode, for counting modes of the same kind together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    /// So many rotors are lost, and nothing else.
+    Lost(usize),
+    Reduced,
+    Stuck,
+    Mixed,
+    Nothing,
+}
+
+impl Kind {
+    fn of(mode: &FaultMode) -> Self {
+        let count = |wanted: fn(&RotorState) -> bool| mode.rotors.iter().filter(|rotor| wanted(rotor)).count();
+        let lost = count(|rotor| matches!(rotor, RotorState::Lost));
+        let reduced = count(|rotor| matches!(rotor, RotorState::Reduced(_)));
+        match (lost, reduced, count(|rotor| matches!(rotor, RotorState::Stuck(_)))) {
+            (0, 0, 0) => Kind::Nothing,
+            (lost, 0, 0) => Kind::Lost(lost),
+            (0, _, 0) => Kind::Reduced,
+            (0, 0, _) => Kind::Stuck,
+            _ => Kind::Mixed,
+        }
+    }
+
+    /// The modes of a kind: `any single motor lost` where these are all that there could be, else `3 single losses`.
+    fn called(self, modes: &[&FaultMode], rotors: usize) -> String {
+        let n = modes.len();
+        if let [one] = modes {
+            return format!("{} ({})", one.name, self.of_one());
+        }
+        match self {
+            Kind::Lost(k) if are_all(modes, rotors, k) => match k {
+                1 => "any single motor lost".into(),
+                2 => "any two motors lost".into(),
+                3 => "any three motors lost".into(),
+                k => format!("any {k} motors lost"),
+            },
+            Kind::Lost(1) => format!("{n} single losses"),
+            Kind::Lost(2) => format!("{n} double losses"),
+            Kind::Lost(3) => format!("{n} triple losses"),
+            Kind::Lost(k) => format!("{n} losses of {k} motors"),
+            Kind::Reduced => format!("{n} modes of reduced thrust"),
+            Kind::Stuck => format!("{n} modes of stuck motors"),
+            Kind::Mixed => format!("{n} mixed modes"),
+            Kind::Nothing => format!("{n} modes in which nothing fails"),
+        }
+    }
+
+    fn of_one(self) -> String {
+        match self {
+            Kind::Lost(1) => "one motor lost".into(),
+            Kind::Lost(k) => format!("{k} motors lost"),
+            Kind::Reduced => "reduced thrust".into(),
+            Kind::Stuck => "stuck".into(),
+            Kind::Mixed => "mixed faults".into(),
+            Kind::Nothing => "nothing fails".into(),
+        }
+    }
+}
+
+/// Whether the modes are all losses of `k` of so many rotors, each of them once.
+fn are_all(modes: &[&FaultMode], rotors: usize, k: usize) -> bool {
+    let different: BTreeSet<Vec<usize>> = modes.iter().map(|mode| mode.lost()).collect();
+    let ways = (0..k).fold(1_u128, |ways, i| ways * (rotors - i) as u128 / (i as u128 + 1));
+    different.len() == modes.len() && different.len() as u128 == ways
+}
+
+/// What the fault modes of a vehicle leave of it, in one sentence without a full stop: `survey_hexa: any single motor
+/// lost: 4 of 6 full control, 2 of 6 fly on, heading not held`. `modes` are those of `mavc::analyze`, the healthy
+/// vehicle first; modes of different kinds are counted apart.
+pub fn headline(model: &Model, modes: &[ModeAnalysis]) -> String {
+    let name = &model.vehicle.name;
+    let healthy = modes.first().map_or(Outcome::Lost, |healthy| healthy.outcome);
+    let mut parts = Vec::new();
+    if healthy != Outcome::FullControl || model.modes.is_empty() {
+        parts.push(match healthy {
+            Outcome::Lost => "cannot hover even without a fault".to_string(),
+            Outcome::FullControl => "full control without a fault".to_string(),
+            _ => format!("without a fault: {}", healthy.word()),
+        });
+    }
+    if model.modes.is_empty() {
+        parts.push("no fault modes declared".into());
+    }
+    let outcomes: Vec<Outcome> = modes.iter().skip(1).map(|mode| mode.outcome).collect();
+    let kinds: Vec<Kind> = model.modes.iter().map(Kind::of).collect();
+    for kind in kinds.iter().collect::<BTreeSet<_>>() {
+        let of_kind: Vec<usize> = (0..kinds.len().min(outcomes.len())).filter(|&m| kinds[m] == *kind).collect();
+        let declared: Vec<&FaultMode> = of_kind.iter().map(|&m| &model.modes[m]).collect();
+        let counts: Vec<Outcome> = of_kind.iter().map(|&m| outcomes[m]).collect();
+        parts.push(format!("{}: {}", kind.called(&declared, model.vehicle.rotors.len()), counted(&counts)));
+    }
+    format!("{name}: {}", parts.join("; "))
+}
+
+/// `4 of 6 full control, 2 of 6 fly on, heading not held`; of one mode the word alone.
+pub fn counted(outcomes: &[Outcome]) -> String {
+    if let [one] = outcomes {
+        return one.word().into();
+    }
+    let n = outcomes.len();
+    let each = Outcome::ALL.iter().filter_map(|outcome| {
+        let count = outcomes.iter().filter(|found| *found == outcome).count();
+        (count > 0).then(|| format!("{count} of {n} {}", outcome.words_of(count)))
+    });
+    each.collect::<Vec<_>>().join(", ")
+}
+
+/// Why some outcomes are undecided, as a sentence for a note; `None` if none is.
+pub fn why_undecided(model: &Model, modes: &[ModeAnalysis]) -> Option<String> {
+    let undecided: Vec<&ModeAnalysis> = modes.iter().filter(|mode| mode.outcome == Outcome::Undecided).collect();
+    let which = plural(undecided.len(), "mode");
+    match (undecided.is_empty(), model.vehicle.is_uncertain(), model.vehicle.yaw_drag) {
+        (true, ..) => None,
+        (_, _, None) if undecided.iter().all(|mode| mode.robust.is_none()) => Some(format!(
+            "{which} undecided: hover needs a spin, and without `yaw_drag` of the vehicle its rate is unknown"
+        )),
+        _ => Some(format!("{which} undecided: the vehicles of the spec's intervals differ in the outcome")),
+    }
+}

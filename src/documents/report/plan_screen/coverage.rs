@@ -1,0 +1,187 @@
+//! Which fault modes a plan covers, which not, and until when a fault would meet a violation.
+
+use super::Answer;
+use crate::admissible::outcome::Outcome;
+use crate::admissible::row::VIOLATED;
+use crate::admissible::without_yaw::planned::Provision;
+use crate::certify::between::{Between, CORES, Shown, WRENCH};
+use crate::flight::equilibrium::outcome_of;
+use crate::model::{Mission, Model, PlannerKind};
+use crate::motion::wrench_model::WrenchModel;
+use crate::number::{fixed, part_of_all, percent, plural};
+use crate::planner::studies::{MissionPlan, PlannerRun};
+use crate::report::mode_names::within;
+use crate::report::screen::{Screen, Tone};
+use crate::report::terminal::holds;
+use crate::report::without_yaw;
+use crate::text_table::Table;
+
+/// Columns of the names of modes, in the table and in a sentence.
+const NAMES: usize = 24;
+const NAMES_IN_TEXT: usize = 44;
+/// Most rows of the table.
+const MOST_ROWS: usize = 7;
+/// The outcomes of up to this many modes that are not planned against are worked out.
+const MOST_WORKED_OUT: usize = 64;
+
+/// The sentences on coverage, then the table of modes.
+pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) {
+    let (model, comparison) = (answer.problem.model(), answer.comparison);
+    let all = &comparison.modes;
+    if model.modes.is_empty() {
+        screen.paragraph(Tone::Warning, 2, 2, "No fault modes are declared: this plan covers none.");
+        return;
+    }
+    let places = |wanted: &dyn Fn(usize) -> bool| (0..all.len()).filter(|&i| wanted(i)).collect::<Vec<usize>>();
+    let is_captured = |i: usize| comparison.provisions[i] == Provision::Capture;
+    let is_safe = |i: usize| !is_captured(i) && solved.outside[i].last.is_none();
+    let is_core = |i: usize| matches!(comparison.provisions[i], Provision::WithoutYaw(_));
+    let with_yaw = places(&|i| is_safe(i) && !is_core(i));
+    let without_yaw = places(&|i| is_safe(i) && is_core(i));
+    let reserve = match model.plan.reserve > 0.0 {
+        true => format!(", with {} % in reserve", part_of_all(model.plan.reserve)),
+        false => String::new(),
+    };
+    let linear = if solved.trajectory.model == WrenchModel::Exact { "" } else { " of the linear model" };
+    let mut safe = Vec::new();
+    if !with_yaw.is_empty() {
+        let names = within(all, &with_yaw, NAMES_IN_TEXT);
+        safe.push(format!(
+            "After {names} at any instant the rotors left give its thrust and torques{linear}{reserve}."
+        ));
+    }
+    if !without_yaw.is_empty() {
+        let names = within(all, &without_yaw, NAMES_IN_TEXT);
+        let heading = "heading not held";
+        safe.push(format!("After {names} at any instant they give its thrust, roll and pitch{reserve}; {heading}."));
+    }
+    if !safe.is_empty() {
+        safe.push(how_shown(answer.between, run));
+        screen.paragraph(Tone::Plain, 2, 2, &safe.join(" "));
+    }
+    let unsafe_ones = places(&|i| !is_captured(i) && solved.outside[i].last.is_some());
+    if !unsafe_ones.is_empty() {
+        let until = unsafe_ones.iter().filter_map(|&i| solved.outside[i].last).fold(0.0, f64::max);
+        screen.paragraph(
+            Tone::Bad,
+            2,
+            2,
+            &format!(
+                "UNSAFE until {} s: after {} the rotors left cannot always give its thrust and torques{linear}{reserve}.",
+                fixed(until, 2),
+                within(all, &unsafe_ones, NAMES_IN_TEXT)
+            ),
+        );
+    }
+    if let Some(text) = without_yaw::not_planned(comparison, answer.heights) {
+        screen.paragraph(Tone::Bad, 2, 2, &text);
+    }
+    not_covered(model, screen);
+    if !all.is_empty() {
+        screen.gap();
+        let (table, hidden) = table(answer, solved);
+        screen.table(&table);
+        if hidden > 0 {
+            screen.line(Tone::Plain, &format!("  and {} with more to spare, -v", plural(hidden, "mode")));
+        }
+    }
+}
+
+/// The modes that a plan should cover, where none was found.
+pub fn demanded(answer: &Answer, screen: &mut Screen) {
+    let (model, all) = (answer.problem.model(), &answer.comparison.modes);
+    if !all.is_empty() {
+        let places: Vec<usize> = (0..all.len()).collect();
+        screen.paragraph(Tone::Plain, 2, 2, &format!("It should cover {}.", within(all, &places, NAMES_IN_TEXT)));
+    }
+    not_covered(model, screen);
+}
+
+/// The declared modes that are not planned against, with what they leave of the vehicle.
+pub(in crate::documents::report) fn not_covered(model: &Model, screen: &mut Screen) {
+    let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
+    let left: Vec<usize> = (0..all.len()).filter(|mode| !model.plan.against.contains(mode)).collect();
+    if left.is_empty() {
+        return;
+    }
+    let mut text = String::from("NOT covered: ");
+    if left.len() > MOST_WORKED_OUT {
+        text.push_str(&within(&all, &left, NAMES_IN_TEXT));
+    } else {
+        let outcomes: Vec<Outcome> = left.iter().map(|&mode| outcome_of(model, mode)).collect();
+        let groups = Outcome::ALL.into_iter().filter_map(|outcome| {
+            let of: Vec<usize> = (0..left.len()).filter(|&i| outcomes[i] == outcome).map(|i| left[i]).collect();
+            let words = outcome.words_of(of.len());
+            (!of.is_empty()).then(|| format!("{} ({words})", within(&all, &of, NAMES_IN_TEXT)))
+        });
+        text.push_str(&groups.collect::<Vec<_>>().join(", "));
+    }
+    screen.paragraph(Tone::Warning, 2, 2, &format!("{text}: not in `against`."));
+}
+
+/// How it was shown that the plan stays inside the sets: only imposed rows are proved.
+fn how_shown(between: Option<&[Between]>, run: &PlannerRun) -> String {
+    let of_sets = |between: &&Between| [WRENCH, CORES].contains(&between.rows.as_str());
+    let rows: Vec<&Between> = between.unwrap_or(&[]).iter().filter(of_sets).collect();
+    let is_proved = !rows.is_empty() && rows.iter().all(|rows| rows.shown == Shown::Proved);
+    match (run.planner, is_proved) {
+        (PlannerKind::Rcp, true) => "Proved at every instant.".into(),
+        (PlannerKind::Rcp, false) => "Checked on a grid of instants, not proved between them.".into(),
+        (PlannerKind::Rsp, true) => "Computed along the plan; the facets that it guards are proved.".into(),
+        (PlannerKind::Rsp, false) => "Computed along the plan, not proved.".into(),
+        (PlannerKind::Rip, _) => "Computed along the plan; RIP guards no fault mode.".into(),
+    }
+}
+
+/// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first; and how
+/// many modes are left out.
+fn table(answer: &Answer, solved: &MissionPlan) -> (Table, usize) {
+    let (model, comparison) = (answer.problem.model(), answer.comparison);
+    let holds = holds(model);
+    let mut headings = vec!["fault", "spare", "tightest", "unsafe until"];
+    if holds {
+        headings.push("committed until");
+    }
+    let mut rows: Vec<(f64, Vec<usize>, Vec<String>)> = Vec::new();
+    for (i, out) in solved.outside.iter().enumerate() {
+        let is_captured = comparison.provisions[i] == Provision::Capture;
+        let spare = if out.max_violation.abs() <= VIOLATED { 0.0 } else { -out.max_violation };
+        let seconds = |at: f64| format!("{} s", fixed(at, 2));
+        let mut cells = match is_captured {
+            true => vec!["-".to_string(), "-".into(), "not planned".into()],
+            false => vec![
+                percent(spare),
+                out.worst_at
+                    .map_or("-".into(), |at| format!("{}{}", seconds(at), leg(answer.problem.mission(), solved, at))),
+                out.last.map_or("never".into(), seconds),
+            ],
+        };
+        if holds {
+            let until = solved.committed.get(i).copied().unwrap_or(0.0);
+            cells.push(if until > 0.0 { seconds(until) } else { "never".into() });
+        }
+        let rank = if is_captured { f64::NEG_INFINITY } else { spare };
+        match rows.iter_mut().find(|(_, _, same)| *same == cells) {
+            Some((_, modes, _)) => modes.push(i),
+            None => rows.push((rank, vec![i], cells)),
+        }
+    }
+    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let hidden = rows.split_off(rows.len().min(MOST_ROWS));
+    let mut table = Table::new(&headings);
+    for (_, modes, cells) in &rows {
+        let name = within(&comparison.modes, modes, NAMES);
+        table.row(std::iter::once(name).chain(cells.iter().cloned()).collect());
+    }
+    (table, hidden.iter().map(|row| row.1.len()).sum())
+}
+
+/// `, to waypoint 3`: the leg on which an instant is.
+fn leg(mission: &Mission, solved: &MissionPlan, at: f64) -> String {
+    let trajectory = &solved.trajectory;
+    let next = trajectory.waypoint_nodes.iter().position(|&node| trajectory.times[node] >= at);
+    match next.filter(|waypoint| *waypoint > 0 && *waypoint < mission.waypoints.len()) {
+        Some(waypoint) => format!(", to waypoint {}", waypoint + 1),
+        None => String::new(),
+    }
+}

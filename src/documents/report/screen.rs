@@ -1,0 +1,86 @@
+//! Text for one screen of a terminal: lines of at most [`WIDTH`] columns, each with a tone that a terminal shows as a
+//! colour.
+
+use crate::text_table::Table;
+use std::fmt;
+
+/// The width of the short texts, columns.
+pub const WIDTH: usize = 80;
+
+/// What a line means, for its colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tone {
+    Plain,
+    /// A plan was found, a flight ended well.
+    Good,
+    /// There is no plan, a vehicle is lost.
+    Bad,
+    /// What a reader must not overlook.
+    Warning,
+    /// A heading.
+    Strong,
+}
+
+/// Lines of text.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Screen {
+    lines: Vec<(Tone, String)>,
+}
+
+impl Screen {
+    /// The lines of a longer text as they are.
+    pub fn of_text(text: &str) -> Self {
+        Screen { lines: text.lines().map(|line| (Tone::Plain, line.to_string())).collect() }
+    }
+
+    /// A line with a text that fits.
+    pub fn line(&mut self, tone: Tone, text: &str) {
+        self.lines.push((tone, text.trim_end().to_string()));
+    }
+
+    /// An empty line, unless the last one is empty or there is none.
+    pub fn gap(&mut self) {
+        if self.lines.last().is_some_and(|(_, text)| !text.is_empty()) {
+            self.line(Tone::Plain, "");
+        }
+    }
+
+    /// A paragraph; all its lines are indented by `indent` spaces, those after the first by `hanging` more.
+    pub fn paragraph(&mut self, tone: Tone, indent: usize, hanging: usize, text: &str) {
+        let [first, later] = [indent, indent + hanging].map(|n| " ".repeat(n));
+        let options = textwrap::Options::new(WIDTH).initial_indent(&first).subsequent_indent(&later);
+        textwrap::wrap(text, options).iter().for_each(|line| self.line(tone, line));
+    }
+
+    /// A remark that a reader must not overlook: `! text`.
+    pub fn remark(&mut self, text: &str) {
+        self.paragraph(Tone::Warning, 2, 2, &format!("! {text}"));
+    }
+
+    /// A table, indented by two spaces.
+    pub fn table(&mut self, table: &Table) {
+        table.render(2).lines().for_each(|line| self.line(Tone::Plain, line));
+    }
+
+    /// Adds the lines of another text.
+    pub fn extend(&mut self, other: Screen) {
+        self.lines.extend(other.lines);
+    }
+
+    /// The lines with their tones.
+    pub fn lines(&self) -> impl Iterator<Item = (Tone, &str)> {
+        self.lines.iter().map(|(tone, text)| (*tone, text.as_str()))
+    }
+
+    /// How many lines there are.
+    pub fn height(&self) -> usize {
+        self.lines.len()
+    }
+}
+
+/// Without colours, a line break after every line.
+impl fmt::Display for Screen {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.lines.iter().try_for_each(|(_, text)| writeln!(f, "{text}"))
+    }
+}

@@ -1,0 +1,130 @@
+//! The short output of `mavc simulate`: how the flight ended, and what happened to it.
+
+use super::record::{FlightRecord, Flown, OutcomeRecord};
+use super::text::{
+    DIVERGED, beyond_plan, duration, ending, heading, indistinguishable, length, loss, manner, no_fault, to_its_end,
+    trespass,
+};
+use crate::number::{fixed, number, plural, significant};
+use crate::report::screen::{Screen, Tone};
+use crate::report::terminal::vehicle_line;
+use crate::report::volumes::VolumeRecord;
+use crate::text_table::Table;
+
+/// Most faults in the table.
+const MOST_FAULTS: usize = 6;
+
+/// The output.
+pub fn screen(flown: &Flown) -> Screen {
+    let record = FlightRecord::new(flown, String::new());
+    let Flown { model, solved, flight, .. } = flown;
+    let mut screen = Screen::default();
+    let mission = model.mission.as_ref().map_or("", |m| m.name.as_str());
+    screen.paragraph(
+        Tone::Plain,
+        0,
+        2,
+        &format!(
+            "{mission} with {}, along the {} plan of {} s",
+            vehicle_line(model),
+            record.planner.to_uppercase(),
+            number(solved.time)
+        ),
+    );
+    screen.gap();
+    let (tone, ended) = match record.outcome {
+        OutcomeRecord::Flown => (Tone::Good, format!("{}{}", to_its_end(model, &record), no_fault(&record))),
+        OutcomeRecord::Landed { at_s } => (Tone::Good, format!("Landed at {} s", fixed(at_s, 2))),
+        OutcomeRecord::Trespassed { at_s } => (Tone::Bad, format!("NOT SURVIVED: {}", trespass(at_s))),
+        OutcomeRecord::Lost { at_s, cause, at_end } => {
+            (Tone::Bad, format!("LOST at {} s: {}", fixed(at_s, 2), loss(model, cause, at_end)))
+        }
+        OutcomeRecord::Diverged { at_s } => (Tone::Bad, format!("DIVERGED at {} s: {DIVERGED}", fixed(at_s, 2))),
+    };
+    screen.paragraph(tone, 2, 2, &ended);
+    faults(&mut screen, &record);
+    screen.gap();
+    let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
+    let mut lines = vec![
+        format!("position error: {} rms{after}; largest {}", length(flight.rms_error), length(flight.max_error)),
+        heading(&record).replace("root mean square", "rms"),
+        format!("largest tilt {} degrees{}", fixed(flight.max_tilt.to_degrees(), 1), beyond_plan(flown)),
+    ];
+    lines.extend(
+        record
+            .gave_up_yaw_at_s
+            .map(|at| format!("yaw given up at {} s; from then on no heading error counts as a loss", fixed(at, 2))),
+    );
+    lines.extend(record.regressor.as_ref().map(|_| {
+        let refused = match record.refused_reconfigurations {
+            0 => String::new(),
+            n => format!("; {} refused, with which the vehicle could not hover", plural(n, "estimate")),
+        };
+        format!("estimator: {}{refused}", plural(record.false_alarms, "false alarm"))
+    }));
+    let spare = |volume: &&VolumeRecord| volume.distance_m;
+    lines.extend(record.volumes.iter().min_by(|a, b| spare(a).total_cmp(&spare(b))).map(|nearest| {
+        format!(
+            "nearest volume: {} m from {} at {} s ({} m required of the plan)",
+            significant(nearest.distance_m, 3),
+            nearest.name,
+            fixed(nearest.at_s, 2),
+            significant(nearest.required_m, 3)
+        )
+    }));
+    lines.push(manner(model));
+    lines.iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
+    remarks(flown, &record).iter().for_each(|text| screen.remark(text));
+    screen
+}
+
+/// When each fault struck and became known.
+fn faults(screen: &mut Screen, record: &FlightRecord) {
+    if record.faults.is_empty() {
+        return;
+    }
+    let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));
+    let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);
+    for fault in record.faults.iter().take(MOST_FAULTS) {
+        let mut row = vec![fault.mode.clone(), format!("{} s", number(fault.at_s))];
+        row.push(fault.until_s.map_or("never".into(), |t| format!("{} s", number(t))));
+        match fault.struck {
+            true => row.extend([after(fault.detected_after_s), after(fault.isolated_after_s)]),
+            false => row.push("not struck".to_string()),
+        }
+        table.row(row);
+    }
+    screen.gap();
+    screen.table(&table);
+    if record.faults.len() > MOST_FAULTS {
+        screen.line(Tone::Plain, &format!("  and {} more, -v", record.faults.len() - MOST_FAULTS));
+    }
+}
+
+/// What a reader must not overlook.
+fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<String> {
+    let model = flown.model;
+    let mut all = Vec::new();
+    all.extend(record.gave_up_yaw_at_s.and(record.spin.as_ref()).map(|spin| ending(spin, model)));
+    if let Some(seconds) = record.gyroscope_saturated_s {
+        all.push(format!(
+            "a body rate was beyond the {} deg/s that the gyroscope measures for {} s",
+            number(model.simulation.gyroscope_range.to_degrees()),
+            fixed(seconds, 2)
+        ));
+    }
+    if record.gave_up_yaw_at_s.is_some() && model.vehicle.yaw_drag.is_none() {
+        all.push("the vehicle has no `yaw_drag`: no air slows its spin".into());
+    }
+    let gave_up = record.gave_up_yaw_at_s.unwrap_or(f64::INFINITY);
+    if matches!(record.outcome, OutcomeRecord::Lost { cause: "position", at_s, .. } if at_s > gave_up) {
+        all.push(format!(
+            "a vehicle falls before its spin catches it (`mavc analyze --capture`); with a larger `lost_beyond` than \
+             {} m the fall does not count as a loss",
+            number(model.simulation.lost_beyond)
+        ));
+    }
+    all.extend(indistinguishable(flown));
+    all.extend(record.warnings.iter().map(|caveat| caveat.message.clone()));
+    all
+}
