@@ -26,6 +26,7 @@ mod formatting;
 mod generated;
 mod geometry_properties;
 mod hostile;
+mod how_to;
 mod idle_rotors;
 mod import_figures;
 mod import_missions;

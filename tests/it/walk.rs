@@ -16,7 +16,7 @@ use std::process::Command;
 pub struct Walk {
     /// From the root of the repository.
     pub path: &'static str,
-    /// The spec that edits without a name are made in.
+    /// The spec that edits without a name are made in. An example of this name is there from the beginning.
     pub spec: &'static str,
     /// Whether a line of shell is run here.
     pub is_run: fn(&str) -> bool,
@@ -29,6 +29,10 @@ impl Walk {
         let before = std::fs::read_to_string(self.path).unwrap();
         let mut page = before.clone();
         let folder = tempfile::tempdir().unwrap();
+        let example = Path::new("examples").join(self.spec);
+        if example.exists() {
+            std::fs::copy(example, folder.path().join(self.spec)).unwrap();
+        }
         let mut printed = None;
         let (mut commands, mut outputs) = (0, 0);
         for (language, text, line) in blocks(&before) {
