@@ -179,7 +179,7 @@ def roof(mavc):
             picture.label(592, strips.at(0, low + 0.2)[1], f"board {k + 1}", size=12, anchor="end")
         for t in (0, 5, 10, 15, 20):
             picture.label(strips.at(t, 0)[0], 78 + 168 * row + 124, f"{t} s", size=12, colour=GREY, anchor="middle")
-    red = "Red: without this board the rotors cannot give the plan and 10 % in reserve."
+    red = "Red: the rotors left cannot give the plan and its reserve."
     picture.label(530, 416, red, size=12, colour=GREY)
     return picture
 
