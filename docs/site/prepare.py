@@ -19,6 +19,8 @@ INDEX = ROOT / "docs" / "README.md"
 MOST_WORDS = 98_000
 UNCOUNTED = ("docs/diagnostics/", "docs/reproduction.md")
 
+# The head of pages that a search leaves out.
+UNSEARCHED = "---\nsearch:\n  exclude: true\n---\n"
 LINK = re.compile(r"(?<!`)\]\(([^)\s]+)\)")
 ENTRY = re.compile(r"^\| \[([^\]]+)\]\(([^)]+)\) \|")
 FENCE = re.compile(r"^```(\w*)[^\n`]*$")
@@ -79,11 +81,11 @@ class Site:
             target.mkdir(exist_ok=True)
             names = sorted(p.name for p in source.iterdir() if p.is_file() and p.name != "index.md")
             text = f"# {path}\n\n" + "".join(f"- [{name}]({name})\n" for name in names)
-            (target / "index.md").write_text("---\nsearch:\n  exclude: true\n---\n" + text)
+            (target / "index.md").write_text(UNSEARCHED + text)
             for name in names:
                 self.take(path / name)
         elif source.suffix == ".md":
-            target.write_text(LINK.sub(lambda m: self.link(source, m), portable(source.read_text())))
+            target.write_text((UNSEARCHED if str(path) == "CHANGELOG.md" else "") + LINK.sub(lambda m: self.link(source, m), portable(source.read_text())))
         else:
             shutil.copyfile(source, target)
 
