@@ -24,7 +24,7 @@ fn the_readme_is_short_and_shows_the_example() {
 }
 
 /// Outputs in the README and in docs/command.md are what the commands print: words alike, numbers to 2 %. A line `...`
-/// stands for any lines. A quote is known by its first words, which name the mission.
+/// stands for any lines. A quote is known by its first line, which names the mission.
 #[test]
 fn the_readme_and_the_page_of_the_command_show_true_outputs() {
     let dir = folder();
@@ -38,9 +38,9 @@ fn the_readme_and_the_page_of_the_command_show_true_outputs() {
         let printed = out(&ran).replace(text(&table), written);
         let document = read(path);
         let quoted = document.split("```text\n").skip(1).map(|t| t.split("```").next().unwrap());
-        let beginning = |text: &str| text.split_whitespace().take(3).collect::<Vec<_>>().join(" ");
-        let quoted: Vec<&str> = quoted.filter(|block| beginning(block) == beginning(&printed)).collect();
-        assert_eq!(quoted.len(), 1, "{path}: {}", beginning(&printed));
+        let first = printed.lines().next();
+        let quoted: Vec<&str> = quoted.filter(|block| block.lines().next() == first).collect();
+        assert_eq!(quoted.len(), 1, "{path}: {first:?}");
         let lines: Vec<&str> = printed.trim_end().lines().collect();
         let quoted: Vec<&str> = quoted[0].lines().collect();
         let is_true = matches(&quoted, &lines, &about_the_same);

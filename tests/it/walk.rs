@@ -35,7 +35,11 @@ impl Walk {
         }
         let mut printed = None;
         let (mut commands, mut outputs) = (0, 0);
+        // How far the page was followed, so that of blocks with the same text the right one is written.
+        let mut at = 0;
         for (language, text, line) in blocks(&before) {
+            let fence = format!("```{language}\n");
+            at += page[at..].find(&format!("{fence}{text}")).unwrap() + fence.len();
             let place = format!("{}:{line}", self.path);
             let (kind, name) = language.split_once(' ').unwrap_or((language, self.spec));
             match kind {
@@ -57,7 +61,7 @@ impl Walk {
                     let quoted: Vec<&str> = text.lines().collect();
                     let is_true = matches(&quoted, &lines, &same);
                     if !is_true && is_updating() {
-                        page = page.replacen(text, &updated(&quoted, &lines), 1);
+                        page.replace_range(at..at + text.len(), &updated(&quoted, &lines));
                     } else {
                         assert!(is_true, "{place} shows\n{text}\nand mavc prints\n{printed}");
                     }
