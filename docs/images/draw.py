@@ -209,7 +209,8 @@ def admissible(mavc):
     hover = axes.at(*seen(weight, 0, 0))
     picture.dot(*hover, radius=5)
     picture.label(hover[0] + 10, hover[1] + 4, "hover", weight="bold")
-    for end, text, anchor in (((52, 0, 0), "thrust", "middle"), ((0, 3.2, 0), "roll", "start"), ((0, 0, 0.45), "yaw", "start")):
+    ends = [((52, 0, 0), "thrust", "middle"), ((0, 3.2, 0), "roll", "start"), ((0, 0, 0.45), "yaw", "start")]
+    for end, text, anchor in ends:
         axes.line([seen(0, 0, 0), seen(*(1.12 * np.array(end)))], colour=INK, width=1)
         at = axes.at(*seen(*(1.17 * np.array(end))))
         picture.label(at[0], at[1] + 4, text, size=12, anchor=anchor)

@@ -14,8 +14,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).resolve().parent
 INDEX = ROOT / "docs" / "README.md"
-# All documents for readers. The pages of diagnostics grow with the codes, and the tables of the reproduction are written
-# by a program.
+# Of all documents for readers. The pages of diagnostics grow with the codes, and a program writes the tables of the
+# reproduction.
 MOST_WORDS = 71_000
 UNCOUNTED = ("docs/diagnostics/", "docs/reproduction.md")
 
@@ -85,7 +85,8 @@ class Site:
             for name in names:
                 self.take(path / name)
         elif source.suffix == ".md":
-            target.write_text((UNSEARCHED if str(path) == "CHANGELOG.md" else "") + LINK.sub(lambda m: self.link(source, m), portable(source.read_text())))
+            head = UNSEARCHED if str(path) == "CHANGELOG.md" else ""
+            target.write_text(head + LINK.sub(lambda m: self.link(source, m), portable(source.read_text())))
         else:
             shutil.copyfile(source, target)
 

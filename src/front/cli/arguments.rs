@@ -169,8 +169,8 @@ pub(super) struct AnalyzeArgs {
     /// Vary a field of the vehicle, gravity or a `let`, and print where the answer changes: mass=1.5..2.5kg
     #[arg(long, value_name = "FIELD=LOW..HIGH", value_hint = clap::ValueHint::Other)]
     pub sweep: Option<String>,
-    /// Simulate the height that is lost until the vehicle flies level again, where yaw is given up, for several delays of
-    /// detection
+    /// Simulate the height that is lost until the vehicle flies level again, where yaw is given up, for several
+    /// delays of detection
     #[arg(long, conflicts_with = "sweep")]
     pub capture: bool,
 }
