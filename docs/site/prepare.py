@@ -14,11 +14,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).resolve().parent
 INDEX = ROOT / "docs" / "README.md"
-# All documents for readers. The pages of diagnostics grow with the codes, and the tables of the reproduction are written
-# by a program.
-MOST_WORDS = 98_000
+# Of all documents for readers. The pages of diagnostics grow with the codes, and a program writes the tables of the
+# reproduction.
+MOST_WORDS = 71_000
 UNCOUNTED = ("docs/diagnostics/", "docs/reproduction.md")
 
+# The head of pages that a search leaves out.
+UNSEARCHED = "---\nsearch:\n  exclude: true\n---\n"
 LINK = re.compile(r"(?<!`)\]\(([^)\s]+)\)")
 ENTRY = re.compile(r"^\| \[([^\]]+)\]\(([^)]+)\) \|")
 FENCE = re.compile(r"^```(\w*)[^\n`]*$")
@@ -26,14 +28,26 @@ ITEM = re.compile(r"^(- |\d+\. )")
 
 
 def navigation():
-    """[(heading, [(title, path from the root)])] of the index."""
+    """[(heading, [(title, path from the root, parts)])] of the index. A page `x.md` beside a folder `x` is the index of
+    the pages in it: its parts are those that its own tables and lists link to, [(title, path)]."""
     sections = []
     for line in INDEX.read_text().splitlines():
         if line.startswith("## "):
             sections.append((line[3:], []))
         elif entry := ENTRY.match(line):
-            sections[-1][1].append((entry[1], (INDEX.parent / entry[2]).resolve().relative_to(ROOT)))
+            page = (INDEX.parent / entry[2]).resolve()
+            sections[-1][1].append((entry[1], page.relative_to(ROOT), parts(page)))
     return sections
+
+
+def parts(page):
+    """[(title, path from the root)] of the pages in the folder of a page, in the order in which it links to them."""
+    found = {}
+    for title, place in re.findall(r"\[([^\]]+)\]\(([^)#]+\.md)[^)]*\)", page.read_text()):
+        linked = (page.parent / place).resolve()
+        if linked.parent == page.with_suffix("") and linked.exists():
+            found.setdefault(linked.relative_to(ROOT), title)
+    return [(title, path) for path, title in found.items()]
 
 
 def portable(text):
@@ -67,11 +81,12 @@ class Site:
             target.mkdir(exist_ok=True)
             names = sorted(p.name for p in source.iterdir() if p.is_file() and p.name != "index.md")
             text = f"# {path}\n\n" + "".join(f"- [{name}]({name})\n" for name in names)
-            (target / "index.md").write_text("---\nsearch:\n  exclude: true\n---\n" + text)
+            (target / "index.md").write_text(UNSEARCHED + text)
             for name in names:
                 self.take(path / name)
         elif source.suffix == ".md":
-            target.write_text(LINK.sub(lambda m: self.link(source, m), portable(source.read_text())))
+            head = UNSEARCHED if str(path) == "CHANGELOG.md" else ""
+            target.write_text(head + LINK.sub(lambda m: self.link(source, m), portable(source.read_text())))
         else:
             shutil.copyfile(source, target)
 
@@ -103,7 +118,8 @@ def main(folder):
     for path in ["README.md", "docs/README.md", "docs/site/extra.css"]:
         site.take(Path(path))
     sections = navigation()
-    listed = {path for _, entries in sections for _, path in entries}
+    entries = [entry for _, entries in sections for entry in entries]
+    listed = {path for _, path, _ in entries} | {path for _, _, inside in entries for _, path in inside}
     for path in sorted(listed):
         site.take(path)
     documents = sorted(p.relative_to(ROOT) for p in (ROOT / "docs").rglob("*.md"))
@@ -126,10 +142,14 @@ def main(folder):
 
 def nav(sections):
     """The navigation in the generator's settings."""
-    lines = ['nav = [', '  { "mavc" = "README.md" },', '  { "All pages" = "docs/README.md" },']
+    lines = ["nav = [", '  { "mavc" = "README.md" },', '  { "All pages" = "docs/README.md" },']
     for heading, entries in sections:
-        inside = ",\n".join(f'    {{ "{title}" = "{path}" }}' for title, path in entries)
-        lines += [f'  {{ "{heading}" = [\n{inside}\n  ] }},']
+        lines.append(f'  {{ "{heading}" = [')
+        for title, path, inside in entries:
+            pages = [(title, path)] if not inside else [("Overview", path), *inside]
+            listed = ", ".join(f'{{ "{t}" = "{p}" }}' for t, p in pages)
+            lines.append(f'    {{ "{title}" = [{listed}] }},' if inside else f"    {listed},")
+        lines.append("  ] },")
     return "\n".join(lines + ["]"]) + "\n"
 
 

@@ -4,7 +4,11 @@ use crate::cli::mavc;
 use serde_json::Value;
 use std::sync::LazyLock;
 
-const SPECS: [&str; 3] = ["examples/parcel_quad.mav", "examples/survey_hexa.mav", "examples/tower_octo.mav"];
+const PARCEL: &str = "examples/parcel_quad.mav";
+const ROOF: &str = "examples/roof_octo.mav";
+const SURVEY: &str = "examples/survey_hexa.mav";
+const TOWER: &str = "examples/tower_octo.mav";
+const SPECS: [&str; 4] = [PARCEL, ROOF, SURVEY, TOWER];
 
 /// What a command prints, which ends with 0.
 fn printed(args: &[&str]) -> String {
@@ -30,8 +34,8 @@ fn planned(spec: &str, more: &[&str]) -> Value {
 }
 
 /// Reports that two tests look at.
-static TOWER: LazyLock<Value> = LazyLock::new(|| planned(SPECS[2], &[]));
-static SURVEY_BY_RIP: LazyLock<Value> = LazyLock::new(|| planned(SPECS[1], &["--set", "plan.planner=rip"]));
+static TOWER_PLANNED: LazyLock<Value> = LazyLock::new(|| planned(TOWER, &[]));
+static SURVEY_BY_RIP: LazyLock<Value> = LazyLock::new(|| planned(SURVEY, &["--set", "plan.planner=rip"]));
 
 /// Modes whose set the plan leaves at some instant.
 fn left(report: &Value) -> usize {
@@ -51,47 +55,93 @@ fn examples_have_no_problems_and_plans_inside_every_set() {
     for spec in SPECS {
         printed(&["check", spec, "--deny", "warnings"]);
     }
-    let other = SPECS[..2].iter().map(|spec| planned(spec, &[]));
-    for report in other.chain([TOWER.clone()]) {
+    let other = SPECS[..3].iter().map(|spec| planned(spec, &[]));
+    for report in other.chain([TOWER_PLANNED.clone()]) {
         assert_eq!(left(&report), 0, "{}", report["mission"]);
     }
 }
 
 #[test]
 fn examples_have_something_to_guard_against() {
-    assert!(left(&planned(SPECS[0], &["--set", "plan.planner=rip"])) > 0);
+    assert!(left(&planned(PARCEL, &["--set", "plan.planner=rip"])) > 0);
     assert!(left(&SURVEY_BY_RIP) > 0);
+}
+
+/// A board that fails at take-off loses RIP's flight within three seconds, and RSP's flies the same 20 s to the end.
+#[test]
+fn a_failed_power_board_loses_the_plan_that_ignores_it() {
+    for (planner, exit_code) in [("rip", 6), ("rsp", 0)] {
+        let set = format!("plan.planner={planner}");
+        let ran = mavc(&["simulate", ROOF, "--set", &set, "--report", "-"]);
+        assert_eq!(ran.status.code(), Some(exit_code), "{planner}");
+        let report: Value = serde_json::from_slice(&ran.stdout).unwrap();
+        let end = report["end_s"].as_f64().unwrap();
+        let largest = report["max_error_m"].as_f64().unwrap();
+        match planner {
+            "rip" => assert!(end < 3.0 && largest >= 2.0, "{end} s, {largest} m"),
+            _ => assert!(end == 20.0 && largest < 0.5, "{end} s, {largest} m"),
+        }
+    }
+}
+
+/// The instants at which a failed board loses flights of a planner, with their numbers, and the flights struck.
+fn losses(planner: &str, seeds: &str) -> (Vec<(String, usize)>, usize) {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = folder.path().join("rows.csv");
+    let set = format!("campaign.planners={planner}");
+    printed(&["campaign", ROOF, "--set", &set, "--seeds", seeds, "-o", rows.to_str().unwrap(), "--quiet"]);
+    let text = std::fs::read_to_string(rows).unwrap();
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let column = |name: &str| header.iter().position(|field| *field == name).unwrap();
+    let (at, outcome) = (column("fault_time_s"), column("outcome"));
+    let struck: Vec<Vec<&str>> = lines.filter(|row| !row[at].is_empty()).collect();
+    let mut instants: Vec<(String, usize)> = Vec::new();
+    for row in struck.iter().filter(|row| row[outcome] == "lost") {
+        match instants.iter_mut().find(|(instant, _)| instant == row[at]) {
+            Some((_, count)) => *count += 1,
+            None => instants.push((row[at].to_string(), 1)),
+        }
+    }
+    (instants, struck.len())
+}
+
+#[test]
+#[ignore = "long"]
+fn boards_that_fail_at_take_off_lose_flights_of_rip_and_no_others_do() {
+    assert_eq!(losses("rip", "1"), (vec![("0.5".to_string(), 4)], 80));
+    assert_eq!(losses("rsp", "1"), (vec![], 80));
 }
 
 #[test]
 #[ignore = "long"]
 fn a_quadcopter_tolerates_weak_rotors_and_lands_without_one() {
-    let modes = modes(SPECS[0], &[]);
+    let modes = modes(PARCEL, &[]);
     let verdicts = verdicts(&modes);
     assert_eq!(verdicts.len(), 9);
     assert!(verdicts[1..5].iter().all(|verdict| *verdict == ("stabilizable", false)));
     assert!(verdicts[5..].iter().all(|verdict| *verdict == ("controllable", true)));
-    let flight = mavc(&["simulate", "-v", SPECS[0]]);
+    let flight = mavc(&["simulate", "-v", PARCEL]);
     assert_eq!(flight.status.code(), Some(0));
     let text = String::from_utf8(flight.stdout).unwrap();
     assert!(text.contains("\nLanded at ") && text.contains("\n  yaw given up at 6.0"), "{text}");
-    let held = mavc(&["simulate", "-v", SPECS[0], "--set", "plan.without_yaw=never"]);
+    let held = mavc(&["simulate", "-v", PARCEL, "--set", "plan.without_yaw=never"]);
     assert_eq!(held.status.code(), Some(6));
 }
 
 #[test]
 fn a_hexacopter_s_layout_decides() {
     let (inside, lost) = (("controllable", true), ("stabilizable", true));
-    let mixed = modes(SPECS[1], &[]);
+    let mixed = modes(SURVEY, &[]);
     assert_eq!(verdicts(&mixed), [inside, inside, inside, inside, inside, lost, lost]);
-    let usual = modes(SPECS[1], &["--set", "vehicle.layout=\"PNPNPN\""]);
+    let usual = modes(SURVEY, &["--set", "vehicle.layout=\"PNPNPN\""]);
     let edge = ("controllable", false);
     assert_eq!(verdicts(&usual), [inside, edge, edge, edge, edge, edge, edge]);
 }
 
 #[test]
 fn an_octocopter_keeps_to_a_bound_on_the_risk() {
-    let report = &*TOWER;
+    let report = &*TOWER_PLANNED;
     let steps = report["trade_off"].as_array().unwrap();
     let risks: Vec<f64> = steps.iter().map(|step| step["risk"].as_f64().unwrap()).collect();
     // Without protection it would not be kept.
@@ -104,13 +154,21 @@ fn an_octocopter_keeps_to_a_bound_on_the_risk() {
 #[test]
 fn protection_is_cheap_where_there_is_time() {
     let cost = |report: &Value| report["planners"][0]["objective"].as_f64().unwrap();
-    let (rip, rcp) = (cost(&SURVEY_BY_RIP), cost(&planned(SPECS[1], &["--set", "plan.planner=rcp"])));
+    let (rip, rcp) = (cost(&SURVEY_BY_RIP), cost(&planned(SURVEY, &["--set", "plan.planner=rcp"])));
     assert!(rcp < 1.5 * rip, "{rcp} against {rip}");
 }
 
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
+
+    /// The numbers of the README.
+    #[test]
+    #[ignore = "long"]
+    fn the_readme_s_campaign_is_as_it_says() {
+        assert_eq!(losses("rip", "3"), (vec![("0.5".to_string(), 12)], 240));
+        assert_eq!(losses("rsp", "3"), (vec![], 240));
+    }
 
     /// A mission of the size that people fly, planned as it is written: RSP's time is not far above a bound that holds
     /// for every division of the time. The order of the planners' times is tested on coarser grids below.

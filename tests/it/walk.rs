@@ -16,7 +16,7 @@ use std::process::Command;
 pub struct Walk {
     /// From the root of the repository.
     pub path: &'static str,
-    /// The spec that edits without a name are made in.
+    /// The spec that edits without a name are made in. An example of this name is there from the beginning.
     pub spec: &'static str,
     /// Whether a line of shell is run here.
     pub is_run: fn(&str) -> bool,
@@ -29,9 +29,17 @@ impl Walk {
         let before = std::fs::read_to_string(self.path).unwrap();
         let mut page = before.clone();
         let folder = tempfile::tempdir().unwrap();
+        let example = Path::new("examples").join(self.spec);
+        if example.exists() {
+            std::fs::copy(example, folder.path().join(self.spec)).unwrap();
+        }
         let mut printed = None;
         let (mut commands, mut outputs) = (0, 0);
+        // How far the page was followed, so that of blocks with the same text the right one is written.
+        let mut at = 0;
         for (language, text, line) in blocks(&before) {
+            let fence = format!("```{language}\n");
+            at += page[at..].find(&format!("{fence}{text}")).unwrap() + fence.len();
             let place = format!("{}:{line}", self.path);
             let (kind, name) = language.split_once(' ').unwrap_or((language, self.spec));
             match kind {
@@ -53,7 +61,7 @@ impl Walk {
                     let quoted: Vec<&str> = text.lines().collect();
                     let is_true = matches(&quoted, &lines, &same);
                     if !is_true && is_updating() {
-                        page = page.replacen(text, &updated(&quoted, &lines), 1);
+                        page.replace_range(at..at + text.len(), &updated(&quoted, &lines));
                     } else {
                         assert!(is_true, "{place} shows\n{text}\nand mavc prints\n{printed}");
                     }

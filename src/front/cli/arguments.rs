@@ -58,7 +58,7 @@ pub(super) struct Cli {
 pub(super) enum Command {
     /// Check specs: every mistake, and the fault modes that the plan must tolerate but cannot
     Check(CheckArgs),
-    /// Report verdict, margins, largest mass and headroom of each fault mode
+    /// Report what the vehicle can still do in each fault mode
     Analyze(AnalyzeArgs),
     /// Plan the mission and write the trajectory
     Plan(PlanArgs),
@@ -78,15 +78,14 @@ pub(super) enum Command {
     Fmt(FmtArgs),
     /// Print the output of one stage of the compiler
     Emit(EmitArgs),
-    /// Write a spec from the file of another tool; what the file does not say stands as `?`
+    /// Write a spec from the file of another tool; unknown figures become `?`
     #[command(subcommand)]
     Import(ImportCommand),
     /// Write a commented spec that can be planned as it is
     New {
         /// The file to write, which must not exist yet, or `-` for standard output
         file: PathBuf,
-        /// Start from a whole mission, with volumes and a battery; `room` is one of a Crazyflie, the others have legs
-        /// and wind
+        /// Write a whole mission with volumes and a battery; `room` is for a Crazyflie, the others have legs and wind
         #[arg(long, value_name = "KIND", value_parser = MISSION_TEMPLATES.map(|(kind, _)| kind))]
         mission: Option<String>,
     },
@@ -126,8 +125,7 @@ pub(super) struct CheckArgs {
     /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input
     #[arg(required = true, value_name = "SPEC")]
     pub specs: Vec<String>,
-    /// Check missions of ground stations (`mavc import mission`) with the vehicle of this spec, whose own mission is
-    /// not looked at
+    /// Check missions of ground stations with the vehicle of this spec; the spec's own mission is ignored
     #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
     pub vehicle: Option<String>,
     /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
@@ -172,11 +170,11 @@ pub(super) struct AnalyzeArgs {
     /// Print tables for people, or JSON
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
-    /// Vary a field of the vehicle, gravity or a `let`, and print where verdicts change: mass=1.5..2.5kg
+    /// Vary a field of the vehicle, gravity or a `let`, and print where the answer changes: mass=1.5..2.5kg
     #[arg(long, value_name = "FIELD=LOW..HIGH", value_hint = clap::ValueHint::Other)]
     pub sweep: Option<String>,
-    /// Simulate what faults after which yaw is given up cost: the height lost until the vehicle flies level again, by
-    /// delay
+    /// Simulate the height that is lost until the vehicle flies level again, where yaw is given up, for several
+    /// delays of detection
     #[arg(long, conflicts_with = "sweep")]
     pub capture: bool,
 }
@@ -223,13 +221,11 @@ pub(super) struct PlanArgs {
     /// csv, unless it is .plan, .waypoints, .kml, .geojson or .mcap
     #[arg(long, value_name = "FORMAT", requires = "output", value_parser = trajectory::FORMATS.map(|(_, name)| name))]
     pub format: Option<String>,
-    /// Write csv or rows in these frames of world and body: east, north, up and forward, left, up, the default, or
-    /// north, east, down and forward, right, down
+    /// The frames of csv and rows: enu-flu (east, north, up; forward, left, up), the default, or ned-frd
     #[arg(long, value_name = "FRAME", requires = "output", value_parser = FRAMES)]
     pub frame: Option<String>,
-    /// Refit the trajectory of the format crazyflie within this error of position (as radians, of yaw), such as 5mm,
-    /// 1cm without this; or keep straight lines within it of the plan: 50cm for qgc-plan and wpl, 10cm for kml and
-    /// geojson
+    /// The largest distance from the plan of the polynomials of crazyflie (by default 1cm, and as many radians of yaw),
+    /// or of straight lines in qgc-plan and wpl (50cm), kml and geojson (10cm)
     #[arg(long, value_name = "LENGTH", requires = "output", value_hint = clap::ValueHint::Other)]
     pub tolerance: Option<String>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
@@ -239,7 +235,7 @@ pub(super) struct PlanArgs {
     /// or just after it, with the last state; each waypoint is marked in the row nearest to it
     #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
     pub rate: Option<String>,
-    /// How much work the search may take: quick, normal, the default, or thorough
+    /// How much work the search may take: quick, normal (the default) or thorough
     #[arg(long, value_name = "EFFORT", value_parser = EFFORTS)]
     pub effort: Option<String>,
     /// After Ctrl-C, which ends the search with the best plan that it has, exit with 0 instead of 130
@@ -284,7 +280,7 @@ pub(super) struct VerifyArgs {
 pub(super) struct CompareArgs {
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// How much work each search may take: quick, normal, the default, or thorough
+    /// How much work each search may take: quick, normal (the default) or thorough
     #[arg(long, value_name = "EFFORT", value_parser = EFFORTS)]
     pub effort: Option<String>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people

@@ -53,7 +53,7 @@ pub fn text(flown: &Flown) -> String {
         ));
     }
     if let Some(at) = record.gave_up_yaw_at_s {
-        out.push_str(&format!("  yaw given up at {} s: the heading error loses no vehicle after this\n", fixed(at, 2)));
+        out.push_str(&format!("  yaw given up at {} s: the heading no longer counts as a loss\n", fixed(at, 2)));
         out.push_str(&record.spin.as_ref().map_or(String::new(), |spin| indented(&ending(spin, model))));
         if model.vehicle.yaw_drag.is_none() {
             out.push_str("  the vehicle has no `yaw_drag`, so that the air does not slow its spin\n");
