@@ -123,7 +123,8 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
     let mut found = vec![
         (
             "What it leaves",
-            "what remains of the vehicle at hover, and below it the paper's word: controllable, stabilizable, unstable.",
+            "what remains of the vehicle at hover, and below it the paper's word: controllable, stabilizable or \
+             unstable.",
         ),
         ("Hover margin", "signed distance from hover to the edge of the mode's set of full wrenches."),
         ("Heaviest", "the mass up to which hover lies inside the mode's set."),
