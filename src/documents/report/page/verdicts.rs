@@ -224,7 +224,7 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
             th scope="row" { (a.name) @if let Some(title) = title { br; span.unit { (title) } } }
             td {
                 span.verdict.(class) { (a.outcome.word()) }
-                @if *mode != None || a.outcome != Outcome::FullControl {
+                @if mode.is_some() || a.outcome != Outcome::FullControl {
                     br;
                     span.unit { (a.verdict.name()) (yaw) (edge) }
                 }
