@@ -58,18 +58,19 @@ test("what is cut off shows at its edge that there is more, until it is scrolled
 for (const width of [1280, 1920]) {
   test(`maps of survival show all their instants, ${width} px`, () =>
     open("instants", { width }, async (page) => {
+      await page.evaluate(() => document.querySelectorAll("#map details").forEach((d) => (d.open = true)));
       const maps = await page.evaluate(() =>
-        [...document.querySelectorAll(".maps .scroll")].map((e) => ({ instants: e.querySelectorAll("thead th").length - 1, cut: e.scrollWidth - e.clientWidth })),
+        [...document.querySelectorAll("#map .maps .scroll")].map((e) => ({ instants: e.querySelectorAll("thead th").length - 1, cut: e.scrollWidth - e.clientWidth })),
       );
       assert.deepEqual(maps, Array(3).fill({ instants: 12, cut: 0 }));
       // As many as a map has columns for, all with their widest words.
       const wide = await page.evaluate(() => {
-        for (const row of document.querySelectorAll(".maps tr")) {
+        for (const row of document.querySelectorAll("#map .maps tr")) {
           const last = row.lastElementChild;
           if (last.matches("td")) last.textContent = "12/12";
           while (row.children.length < 25) row.append(last.cloneNode(true));
         }
-        return [...document.querySelectorAll(".maps .scroll")].map((e) => e.scrollWidth - e.clientWidth);
+        return [...document.querySelectorAll("#map .maps .scroll")].map((e) => e.scrollWidth - e.clientWidth);
       });
       assert.deepEqual(wide, [0, 0, 0]);
     }));

@@ -79,7 +79,9 @@ fn harm(planner: &PlannerRecord, with_healthy: bool, is_shown: impl Fn(&ModeReco
         words("Limits broken"),
     ];
     let rows = html! {
-        @if let Some(healthy) = planner.healthy.as_ref().filter(|_| with_healthy) { (row("healthy", "", &healthy.path)) }
+        @if let Some(healthy) = planner.healthy.as_ref().filter(|_| with_healthy) {
+            (row("healthy", "", &healthy.path))
+        }
         @for mode in &modes { (row(&mode.name, &mode.hover_words, &mode.flights.path)) }
     };
     html! {

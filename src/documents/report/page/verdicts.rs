@@ -123,7 +123,8 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
     let mut found = vec![
         (
             "What it leaves",
-            "what remains of the vehicle at hover, and below it the paper's word: controllable, stabilizable, unstable.",
+            "what remains of the vehicle at hover, and below it the paper's word: controllable, stabilizable or \
+             unstable.",
         ),
         ("Hover margin", "signed distance from hover to the edge of the mode's set of full wrenches."),
         ("Heaviest", "the mass up to which hover lies inside the mode's set."),
@@ -223,7 +224,7 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
             th scope="row" { (a.name) @if let Some(title) = title { br; span.unit { (title) } } }
             td {
                 span.verdict.(class) { (a.outcome.word()) }
-                @if *mode != None || a.outcome != Outcome::FullControl {
+                @if mode.is_some() || a.outcome != Outcome::FullControl {
                     br;
                     span.unit { (a.verdict.name()) (yaw) (edge) }
                 }
