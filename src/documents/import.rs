@@ -11,6 +11,7 @@ pub mod vehicle;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::foreign::{self, Foreign};
 use crate::source::{FileId, Source, SourceMap, Span};
+use crate::syntax::ast::Item;
 
 /// The largest file that is read, in bytes: 16 MiB.
 pub const MAX_BYTES: usize = 16 << 20;
@@ -100,7 +101,8 @@ fn is_spec(source: &Source) -> bool {
     }
     let tree = crate::syntax::parse(FileId(0), source);
     let is_clean = tree.diagnostics.iter().all(|d| d.severity != Severity::Error);
-    is_clean && tree.value.is_some_and(|tree| !tree.items.is_empty())
+    // Lines `NAME=8` are parameters: a spec has more than fields.
+    is_clean && tree.value.is_some_and(|tree| tree.items.iter().any(|item| !matches!(item, Item::Field(_))))
 }
 
 /// The error for a file that neither import reads, although it is known what it is; a spec if `kind` is `None`.

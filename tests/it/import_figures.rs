@@ -217,9 +217,76 @@ fn parameters_of_other_vehicles_are_named() {
         ("Q_FRAME_CLASS,1\nQ_ENABLE,1\n", "a quadplane, a VTOL aircraft"),
         ("FRAME,1\nMOT_SPIN_ARMED,70\n", "ArduCopter before 3.5"),
         ("FRAME_CLASS,1\nATC_STR_RAT_P,0.2\n", "a rover or boat"),
+        ("FRAME_CLASS,1\nCRUISE_THROTTLE,40\n", "a rover or boat"),
+        ("FRAME_CLASS,3\nATC_BAL_P,1.8\n", "a rover or boat"),
+        ("FRAME_CONFIG,2\n", "a submarine"),
+        ("FRAME,1\nH_RSC_MODE,1\n", "a helicopter"),
+        ("FRAME_CLASS,6\nH_RSC_MODE,1\n", "`FRAME_CLASS` 6 is a helicopter"),
+        ("TECS_CLMB_MAX,5\nRLL2SRV_TCONST,0.5\n", "a plane"),
     ] {
         let imported = import("a.param", text.as_bytes());
         let error = imported.diagnostics.last().unwrap();
         assert!(imported.text.is_none() && error.message.contains(words) && error.help.is_some(), "{text}: {error:?}");
     }
+}
+
+/// Airframes of PX4 say what they are by `CA_AIRFRAME`, their class, or the defaults that they run: a plane of one
+/// motor is not a multirotor with too few.
+#[test]
+fn airframes_of_px4_that_are_no_multirotors_are_named() {
+    let motor = "param set-default CA_ROTOR_COUNT 1\nparam set-default CA_ROTOR0_PX 0.3\n";
+    for (text, words) in [
+        (format!("# @class Plane\n{motor}"), "of the kind `Plane`"),
+        (format!(". ${{R}}etc/init.d/rc.fw_defaults\n{motor}"), "of the kind `Plane`"),
+        (format!(". ${{R}}etc/init.d/rc.vtol_defaults\n{motor}"), "of the kind `VTOL`"),
+        (format!(". ${{R}}etc/init.d/rc.mc_defaults\n{motor}"), "a spec has 4 to 32 rotors, and the file 1"),
+        (format!("param set-default CA_AIRFRAME 7\n{motor}"), "six degrees of freedom"),
+        (format!("param set-default CA_AIRFRAME 14\n{motor}"), "a spacecraft"),
+    ] {
+        let imported = import("4999_a", text.as_bytes());
+        assert_eq!(imported.diagnostics.len(), 1, "{text}");
+        assert!(imported.diagnostics[0].message.contains(words), "{text}: {:?}", imported.diagnostics[0]);
+    }
+}
+
+/// Files of defaults, as ArduPilot reads them: hexadecimal values, flags after a value, other files that they include.
+#[test]
+fn files_of_defaults_are_read_as_ardupilot_does() {
+    let text = "FRAME_CLASS 0x2 @READONLY\nFRAME_TYPE 1\nSIM_CAN_SRV_MSK 0x0F\n";
+    let hexa = import("a.parm", text.as_bytes());
+    assert!(hexa.diagnostics.is_empty() && hexa.text.unwrap().contains("motor 6"));
+    for wrong in ["0x", "0xg", "0x1ffffffff"] {
+        let imported = import("a.parm", format!("FRAME_CLASS {wrong}\n").as_bytes());
+        assert_eq!(imported.diagnostics[0].code, "mavc::import::syntax", "{wrong}");
+    }
+    let known = import("a.parm", b"@include ../quad.parm\nFRAME_CLASS 1\nFRAME_TYPE 1\n");
+    assert!(known.text.is_some() && warns(&known, "`../quad.parm` is not read"));
+    let unknown = import("a.parm", b"@include ../quad.parm\nBATT_MONITOR 4\n");
+    assert!(unknown.diagnostics[0].message.contains("but it includes `../quad.parm`"), "{unknown:?}");
+    for imported in [
+        import("a.parm", b"BATT_MONITOR=8\nCAN_P1_DRIVER=1\n"),
+        mavc::import::mission::import("a.parm", b"BATT_MONITOR=8\nCAN_P1_DRIVER=1\n", None),
+    ] {
+        let message = &imported.diagnostics[0].message;
+        assert!(!message.contains("spec of mavc already"), "{message}");
+    }
+}
+
+/// Scripts of pymavlink print the columns of QGroundControl with blanks between them.
+#[test]
+fn saved_parameters_with_blanks_are_those_with_tabs() {
+    let tabs: String = (0..4)
+        .map(|i| {
+            let (x, y) = ([0.2, -0.2, 0.2, -0.2][i], [0.2, -0.2, -0.2, 0.2][i]);
+            let km = if i < 2 { 0.05 } else { -0.05 };
+            let line = |key: &str, value: f64| format!("1\t1\tCA_ROTOR{i}_{key}\t{value}\t9\n");
+            line("PX", x) + &line("PY", y) + &line("KM", km)
+        })
+        .collect();
+    let tabs = format!("# Vehicle-Id Component-Id Name Value Type\n1\t1\tCA_ROTOR_COUNT\t4\t6\n{tabs}");
+    let blanks = tabs.replace("\t", "   ");
+    let texts = [&tabs, &blanks].map(|text| import("a.params", text.as_bytes()).text.unwrap());
+    assert_eq!(texts[0], texts[1]);
+    let cut = import("a.params", b"1 1 CA_ROTOR_COUNT 4\n");
+    assert!(cut.diagnostics[0].message.contains("is not complete"), "{cut:?}");
 }

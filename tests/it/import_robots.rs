@@ -190,3 +190,58 @@ fn templates_are_called_so() {
         }
     }
 }
+
+/// Gazebo and MuJoCo read names with prefixes that nothing declares, and comments with two hyphens.
+#[test]
+fn what_gazebo_and_mujoco_read_is_read() {
+    let flat = file("flat.sdf");
+    let same_model = vehicle(&flat);
+    let loose = flat
+        .replacen("<link name=\"base\">", "<!-- a -- b --><link name=\"base\" gz:note='x:y'><gz:extra/>", 1)
+        .replacen("<sdf", "<!-- first -->\n<sdf", 1);
+    assert_ne!(loose, flat);
+    same(&vehicle(&loose), &same_model);
+    // The place of a mistake stays where it is in the file.
+    let wrong = loose.replacen("<mass>", "<mass>x", 1);
+    let error = read(&wrong).diagnostics.pop().unwrap();
+    assert!(wrong[error.span.start as usize..].starts_with("<mass"), "{error:?}");
+    assert_eq!(read("<sdf><a b:c='1'</sdf>").diagnostics.pop().unwrap().code, "mavc::import::syntax");
+}
+
+/// PX4's motor model takes the number of a motor from `actuator_number` before `motorNumber`; without a number of its
+/// own for each, the spec numbers them, and compiles.
+#[test]
+fn motors_of_gazebo_sim_have_their_numbers() {
+    let flat = file("flat.sdf");
+    let numbers = |text: &str| vehicle(text).motors().unwrap();
+    let named = flat.replace("motorNumber", "actuator_number");
+    assert!(named != flat && numbers(&named) == numbers(&flat));
+    let both = flat.replace("</turningDirection>", "</turningDirection><actuator_number>9</actuator_number>");
+    let none = (0..4).fold(flat.clone(), |text, i| text.replace(&format!("<motorNumber>{i}</motorNumber>"), ""));
+    assert!(!none.contains("motorNumber"));
+    for text in [none, both] {
+        let imported = read(&text);
+        let message = &imported.diagnostics[0].message;
+        assert!(message.contains("the same number, or none"), "{message}");
+        assert_eq!(numbers(&text), [1, 2, 3, 4]);
+    }
+}
+
+/// A scene of MuJoCo includes the vehicle: the error names its file.
+#[test]
+fn a_scene_that_includes_the_vehicle_names_its_file() {
+    let scene =
+        "<mujoco model=\"scene\"><include file=\"x2.xml\"/><worldbody><light pos=\"0 0 3\"/></worldbody></mujoco>";
+    let error = read(scene).diagnostics.pop().unwrap();
+    assert!(error.message.contains("includes `x2.xml`") && error.help.unwrap().contains("name `x2.xml`"));
+}
+
+/// Some models have the thrust and the moments of the whole body in place of rotors.
+#[test]
+fn moments_of_the_whole_body_are_not_called_rotors() {
+    let text = "<mujoco><worldbody><body><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\
+                <site name='s'/></body></worldbody><actuator><motor gear='0 0 1 0 0 0' site='s'/><motor gear='0 0 0 -1e-5 0 0' site='s'/>\
+                </actuator></mujoco>";
+    let error = read(text).diagnostics.pop().unwrap();
+    assert!(error.message.contains("a moment of the whole body"), "{error:?}");
+}

@@ -7,10 +7,11 @@ mod parameters;
 mod px4;
 mod robot;
 
-use super::{FORMAT, Imported, Outcome, at};
+use super::{ASSUMED, FORMAT, Imported, Outcome, UNSUPPORTED, at};
 use crate::diagnostic::Diagnostic;
 use crate::foreign::{self, Foreign};
 use crate::source::Source;
+use parameters::Parameters;
 
 /// Reads the file of a vehicle: parameters of PX4 (`CA_ROTORi_*`, of an airframe script or as QGroundControl saves
 /// them) or of ArduPilot (`FRAME_CLASS`, `FRAME_TYPE`); URDF, SDF or MJCF with rotors.
@@ -20,7 +21,8 @@ pub fn import(name: &str, bytes: &[u8]) -> Imported {
 
 /// Whether a text seems to be the file of a vehicle: for the messages of other readers.
 pub fn seems_one(text: &str) -> bool {
-    robot::is_one(text) || ["CA_ROTOR", "FRAME_CLASS", "param set"].iter().any(|word| text.contains(word))
+    matches!(foreign::of_text(text), Some(Foreign::Vehicle(_)))
+        || ["CA_ROTOR", "FRAME_CLASS", "param set"].iter().any(|word| text.contains(word))
 }
 
 fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
@@ -32,24 +34,42 @@ fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
         return robot::vehicle(source, found);
     }
     let parameters = parameters::read(source)?;
-    if let Some(what) = ardupilot::other_vehicle(&parameters) {
+    let outcome = of_parameters(source, &parameters, found)?;
+    if let Some((name, span)) = parameters.included() {
+        let message = format!("`{}` is not read: the file includes it", short(name));
+        let warning = Diagnostic::warning(ASSUMED, span, message).here("another file");
+        found.push(warning.help("put its lines in the place of this one if it has figures of the vehicle"));
+    }
+    Ok(outcome)
+}
+
+fn of_parameters(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnostic>) -> Outcome {
+    if let Some(what) = ardupilot::other_vehicle(parameters) {
         return Err(Box::new(what));
     }
     if parameters.is_of("FRAME_CLASS") {
-        return ardupilot::vehicle(source, &parameters, found);
+        return ardupilot::vehicle(source, parameters, found);
     }
     if parameters.has_prefix("CA_ROTOR")
         || parameters.is_of("CA_AIRFRAME")
         || parameters.worked_out("CA_ROTOR").is_some()
     {
-        return px4::vehicle(source, &parameters, found);
+        return px4::vehicle(source, parameters, found);
     }
-    if super::mission::is_one(&source.text) {
+    // Of JSON only a plan is one.
+    let is_json = source.text.trim_start().starts_with('{');
+    let is_plan = matches!(foreign::of_text(&source.text), Some(Foreign::Mission(_)));
+    if super::mission::is_one(&source.text) && (is_plan || !is_json) {
         let error = Diagnostic::error(FORMAT, at(source.line(1)), "this is a mission").here("the first line");
         return Err(Box::new(error.help("read it by `mavc import mission`, or name the file of a vehicle")));
     }
     if super::is_spec(source) {
         return Err(Box::new(super::other(source, None)));
+    }
+    if let Some((name, span)) = parameters.included() {
+        let message = format!("no parameter of the file places a rotor, but it includes `{}`", short(name));
+        let error = Diagnostic::error(UNSUPPORTED, span, message).here("may have the frame");
+        return Err(Box::new(error.help("name this file; or put its lines in the place of this one")));
     }
     Err(Box::new(px4::without_geometry(source, parameters.first()).unwrap_or_else(|| {
         Diagnostic::error(FORMAT, at(0..0), "no vehicle was found in the file").help(
@@ -57,4 +77,9 @@ fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
              URDF, SDF or MJCF",
         )
     })))
+}
+
+/// A name of a file in a message.
+fn short(name: &str) -> String {
+    name.chars().take(60).collect()
 }

@@ -130,3 +130,20 @@ fn mutants_never_panic_and_specs_of_mutants_can_be_parsed() {
     }
     assert!(specs > 50 && refusals > 200, "{specs} {refusals}");
 }
+
+/// A file that neither import reads is not called what the other one reads.
+#[test]
+fn files_of_neither_kind_are_not_called_the_other() {
+    use mavc::import::vehicle;
+    let message = |imported: mavc::import::Imported| imported.diagnostics.last().unwrap().clone();
+    for text in ["<kml><Document/></kml>", "<gpx version='1.1'/>", "{\"waypoints\": []}", "x = 3\n", "a: 1\n"] {
+        for error in [message(read("a", text)), message(vehicle::import("a", text.as_bytes()))] {
+            let words = ["a vehicle and no mission", "this is a mission", "spec of mavc"];
+            assert!(!words.iter().any(|words| error.message.contains(words)), "{text}: {error:?}");
+        }
+    }
+    assert!(message(read("a", "<sdf version='1.9'/>")).message.contains("a vehicle and no mission"));
+    assert!(message(vehicle::import("a", PLAN.as_bytes())).message.contains("this is a mission"));
+    let older = message(read("a.mission", "{\"MAV_AUTOPILOT\": 3, \"items\": []}"));
+    assert!(older.help.unwrap().contains("an older form"));
+}

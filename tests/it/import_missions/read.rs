@@ -192,3 +192,41 @@ fn a_fence_with_an_inward_corner_is_its_outline_without_the_bay() {
     assert_eq!(found(&two)[0].0, "mavc::import::unsupported");
     assert_eq!(found(&two.replace("\"firmwareType\":12", "\"firmwareType\":3")), []);
 }
+
+/// A command is called harmless only if it is known to be: jumps to tags, released parachutes and attitudes for a time
+/// are refused, and of what may do anything the warning says so.
+#[test]
+fn only_commands_that_are_known_to_change_nothing_are_called_so() {
+    let with = |command: u32, first: f64| {
+        let line = format!("2\t0\t3\t{command}\t{first}\t0\t0\t0\t0\t0\t0\t1\r\n2\t0\t3\t16\t2");
+        found(&WPL.replacen("2\t0\t3\t16\t2", &line, 1))
+    };
+    for (command, first) in [(208, 2.0), (601, 1.0), (42703, 10.0), (42702, 1.0), (113, 5.0), (224, 1.0), (31000, 0.0)]
+    {
+        let found = with(command, first);
+        let refused = |f: &&(_, _, String)| f.2.contains(&format!("a spec has no word for command {command}"));
+        assert!(found.iter().filter(refused).any(|f| f.1 == Error), "{command}: {found:?}");
+    }
+    for (command, words) in [
+        (208, "command 208 (DO_PARACHUTE) is left out: it does not change"),
+        (211, "command 211 (DO_GRIPPER) is left out: it does not change"),
+        (218, "command 218 (DO_AUX_FUNCTION) is left out, and may change"),
+        (60000, "command 60000 is left out, and may change"),
+    ] {
+        let found = with(command, 1.0);
+        assert!(found.iter().any(|f| f.1 == Warning && f.2.contains(words)), "{command}: {found:?}");
+    }
+}
+
+/// Fences and rally points are saved in the format of missions.
+#[test]
+fn lists_of_fences_and_rally_points_are_called_so() {
+    let home = "0\t1\t0\t16\t0\t0\t0\t0\t47.39\t8.54\t488\t1\n";
+    for (command, words) in [(5001, "this is a geofence, not a mission"), (5100, "this is a list of rally points")] {
+        let corners = format!("1\t0\t3\t{command}\t4\t0\t0\t0\t47.39\t8.55\t0\t1\n").repeat(4);
+        for head in ["", home] {
+            let found = found(&format!("QGC WPL 110\n{head}{corners}"));
+            assert!(found.len() == 1 && found[0].2.contains(words), "{found:?}");
+        }
+    }
+}

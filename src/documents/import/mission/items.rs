@@ -4,7 +4,7 @@
 mod turns;
 
 use super::autopilot::{ARDUPILOT, Autopilot, PX4};
-use super::commands;
+use super::commands::{self, Effect};
 use super::draft::{Draft, Home, Mark, Speeds, Stop, Way, Yaw};
 use super::{ASSUMED, LEFT_OUT};
 use crate::diagnostic::Diagnostic;
@@ -198,12 +198,22 @@ impl Follow<'_> {
     /// A command that this module does not follow.
     fn other(&mut self, item: &Item, command: u32) -> Step {
         let named = commands::name(command).map_or(String::new(), |name| format!(" ({name})"));
-        if commands::is_flight(command) {
-            let message = format!("{}: a spec has no word for command {command}{named}", item.mark.name);
-            return refuse(UNSUPPORTED, &item.command_span, &message, "changes where the vehicle flies");
+        match commands::effect(command, item.params[0]) {
+            Effect::Flight => {
+                let message = format!("{}: a spec has no word for command {command}{named}", item.mark.name);
+                return refuse(UNSUPPORTED, &item.command_span, &message, "changes where the vehicle flies");
+            }
+            Effect::None => {
+                let message =
+                    format!("command {command}{named} is left out: it does not change where the vehicle flies");
+                self.warn(LEFT_OUT, item, &message, "left out");
+            }
+            Effect::Unsure => {
+                let message = format!("command {command}{named} is left out, and may change where the vehicle flies");
+                let help = "look it up in the autopilot's documentation: if it does, the spec is not this flight";
+                self.warn_with(LEFT_OUT, item, &message, "left out", help);
+            }
         }
-        let message = format!("command {command}{named} is left out: it does not change where the vehicle flies");
-        self.warn(LEFT_OUT, item, &message, "left out");
         Ok(())
     }
 

@@ -21,12 +21,14 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     let plan = parse(&source.text)?;
     if plan.get("fileType").and_then(Json::text) != Some("Plan") {
         let here = plan.get("fileType").map_or(0..1, |there| there.span.clone());
-        return refuse(
-            FORMAT,
-            &here,
-            "this JSON is not a plan of QGroundControl: it needs `\"fileType\": \"Plan\"`",
-            "not a plan",
-        );
+        let message = "this JSON is not a plan of QGroundControl: it needs `\"fileType\": \"Plan\"`";
+        let error = Diagnostic::error(FORMAT, at(here), message).here("not a plan");
+        // Missions before plans had these members themselves.
+        let is_older = plan.get("MAV_AUTOPILOT").is_some() || plan.get("plannedHomePosition").is_some();
+        return Err(Box::new(error.help(match is_older {
+            true => "it is an older form of a mission: open it in QGroundControl, and save it as a plan",
+            false => "name a mission as QGroundControl saves it, in a file that ends in `.plan`",
+        })));
     }
     let mission = member(&plan, "mission")?;
     version(&plan, 1.0)?;

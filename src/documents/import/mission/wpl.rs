@@ -1,6 +1,7 @@
 //! MAVLink's plain text of missions, `QGC WPL 110`: a line for each item with twelve columns between tabs or blanks,
 //! the first of which is the planned home.
 
+use super::commands::{is_fence, is_rally_point};
 use super::draft::{Draft, Home, Mark};
 use super::items::{Item, Setting, follow, place, refuse};
 use crate::diagnostic::Diagnostic;
@@ -38,6 +39,7 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     let Some((first, rest)) = items.split_first() else {
         return refuse(SYNTAX, &span, "the file has no items", "nothing follows");
     };
+    other_list(&items, first)?;
     // Some writers begin with the take-off, as if there were no home.
     let (home, rest) = match first.command {
         TAKE_OFF => (under_take_off(first, &items, found)?, &items[..]),
@@ -81,6 +83,22 @@ pub(super) fn cells(
     })
 }
 
+/// Refuses the other lists that autopilots keep, and ground stations save in the same format: fences and rally points.
+/// They have a home in the first line, or none.
+fn other_list(items: &[Item], first: &Item) -> Read<()> {
+    let rest = if items.len() > 1 && first.command == WAYPOINT { &items[1..] } else { items };
+    let what = match () {
+        () if rest.iter().all(|item| is_fence(item.command)) => "a geofence",
+        () if rest.iter().all(|item| is_rally_point(item.command)) => "a list of rally points",
+        () => return Ok(()),
+    };
+    let span = at(rest[0].command_span.clone());
+    let error = Diagnostic::error(FORMAT, span, format!("this is {what}, not a mission")).here("its first item");
+    Err(Box::new(error.help(
+        "name the file of the mission; a plan of QGroundControl (`.plan`) has the mission and its fence in one file",
+    )))
+}
+
 fn home(item: &Item) -> Read<Home> {
     let height = item.params[6].unwrap_or(0.0);
     if !(-5e3..=10e3).contains(&height) {
@@ -113,6 +131,8 @@ fn under_take_off(item: &Item, items: &[Item], found: &mut Vec<Diagnostic>) -> R
     Ok(Home { place, span: item.mark.span.clone(), has_height: false })
 }
 
+/// `MAV_CMD_NAV_WAYPOINT`, as which a home is written.
+const WAYPOINT: f64 = 16.0;
 /// `MAV_CMD_NAV_TAKEOFF`
 const TAKE_OFF: f64 = 22.0;
 

@@ -23,29 +23,44 @@ const CELL: f64 = 3.7;
 /// The class of three arms with two motors each.
 const Y6: u32 = 5;
 
+/// Beginnings of names that only one kind of vehicle has, with the vehicle and what the name is. Rovers and boats have
+/// `FRAME_CLASS` too.
+const OTHER_VEHICLES: [(&str, &str, &str); 14] = [
+    ("Q_FRAME_CLASS", "a quadplane, a VTOL aircraft", "its lifting rotors alone"),
+    ("ATC_STR_RAT_", "a rover or boat", "a gain of its steering"),
+    ("ATC_STR_ANG_P", "a rover or boat", "a gain of its steering"),
+    ("ATC_SPEED_", "a rover or boat", "a gain of its speed"),
+    ("ATC_BRAKE", "a rover or boat", "whether it brakes"),
+    ("ATC_BAL_", "a rover or boat", "a gain of its balance"),
+    ("CRUISE_THROTTLE", "a rover or boat", "its throttle"),
+    ("TURN_RADIUS", "a rover or boat", "the radius of its turns"),
+    ("MODE_CH", "a rover or boat", "the channel of its modes"),
+    ("FRAME_CONFIG", "a submarine", "its frame"),
+    ("H_RSC_", "a helicopter", "the speed of its rotor"),
+    ("H_SW", "a helicopter", "its swash plate"),
+    ("TECS_", "a plane", "the control of its speed and height"),
+    ("RLL2SRV_", "a plane", "a gain of its ailerons"),
+];
+
 /// The error for parameters of another vehicle of ArduPilot, or of versions in which the firmware has the class; `None`
 /// if they are none of these.
 pub fn other_vehicle(parameters: &Parameters) -> Option<Diagnostic> {
-    let help = "name the parameters of a multirotor with `FRAME_CLASS`";
     let of = |name: &str| parameters.get(name);
-    let (parameter, message, here, help) = if let Some(class) = of("Q_FRAME_CLASS") {
-        (class, "these are parameters of a quadplane, a VTOL aircraft", "its lifting rotors alone", help)
-    } else if let Some(steering) = of("ATC_STR_RAT_P").or(of("ATC_STR_RAT_FF")).filter(|_| of("FRAME_CLASS").is_some())
-    {
-        (steering, "these are parameters of a rover or boat", "a gain of its steering", help)
-    } else if let Some(kind) = of("FRAME").filter(|_| of("FRAME_CLASS").is_none()) {
-        let help = "write a line `FRAME_CLASS,1` for a quadcopter, 2 for a hexa- or 3 for an octocopter, and \
-                    `FRAME_TYPE` with this value, into a copy of the file";
-        (
-            kind,
-            "these are parameters of ArduCopter before 3.5, whose firmware has the class of the frame",
-            "its type",
-            help,
-        )
-    } else {
-        return None;
-    };
-    Some(Diagnostic::error(UNSUPPORTED, parameter.span, message).here(here).help(help))
+    let begins = |prefix: &str| parameters.names().find(|name| name.starts_with(prefix)).and_then(of);
+    let found = OTHER_VEHICLES.iter().find_map(|(prefix, what, here)| {
+        // A class of a helicopter has an error of its own.
+        let is_known = *what != "a helicopter" || of("FRAME_CLASS").is_none();
+        begins(prefix).filter(|_| is_known).map(|parameter| (parameter, *what, *here))
+    });
+    if let Some((parameter, what, here)) = found {
+        let error = Diagnostic::error(UNSUPPORTED, parameter.span, format!("these are parameters of {what}"));
+        return Some(error.here(here).help("name the parameters of a multirotor with `FRAME_CLASS`"));
+    }
+    let kind = of("FRAME").filter(|_| of("FRAME_CLASS").is_none())?;
+    let message = "these are parameters of ArduCopter before 3.5, whose firmware has the class of the frame";
+    let help = "write a line `FRAME_CLASS,1` for a quadcopter, 2 for a hexa- or 3 for an octocopter, and `FRAME_TYPE` \
+                with this value, into a copy of the file";
+    Some(Diagnostic::error(UNSUPPORTED, kind.span, message).here("its type").help(help))
 }
 
 /// The vehicle of some parameters with `FRAME_CLASS`.

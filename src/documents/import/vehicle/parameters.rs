@@ -5,6 +5,9 @@
 //! 1<tab>1<tab>CA_ROTOR0_PX<tab>0.15<tab>9    parameters saved by QGroundControl: vehicle, component, name, value, type
 //! FRAME_CLASS,1                              parameters of ArduPilot; also with blanks in place of the comma
 //! ```
+//!
+//! The columns of the second form may have blanks between them, as scripts of pymavlink print them. As ArduPilot reads
+//! its files, a value may be hexadecimal (`0x0F`), and `@include FILE` names another file.
 
 use crate::diagnostic::Diagnostic;
 use crate::import::{ASSUMED, SYNTAX, at};
@@ -27,6 +30,8 @@ pub struct Parameters<'s> {
     is_saved: bool,
     /// Values that a script works out, by name.
     worked_out: BTreeMap<&'s str, Span>,
+    /// The first file that this one includes, with its place.
+    included: Option<(&'s str, Span)>,
     /// Names that are set to different values: the place of one value and that of the last.
     repeated: BTreeMap<&'s str, (Span, Span)>,
 }
@@ -57,6 +62,11 @@ impl<'s> Parameters<'s> {
     /// Names that are set to different values, with the place of one value and that of the last.
     pub fn repeated(&self) -> impl Iterator<Item = (&'s str, Span, Span)> {
         self.repeated.iter().map(|(name, (first, last))| (*name, *first, *last))
+    }
+
+    /// The first file that this one includes, which is not read.
+    pub fn included(&self) -> Option<(&'s str, Span)> {
+        self.included
     }
 
     /// Whether QGroundControl saved the file, with every parameter that the vehicle has.
@@ -95,6 +105,10 @@ pub fn read(source: &Source) -> Result<Parameters<'_>, Box<Diagnostic>> {
     let mut start = 0;
     for line in source.text.split_inclusive('\n') {
         let code = &line[..line.find('#').unwrap_or(line.len())];
+        if let Some(name) = code.strip_prefix("@include").map(str::trim).filter(|name| !name.is_empty()) {
+            let from = start + (name.as_ptr() as usize - code.as_ptr() as usize);
+            found.included.get_or_insert((name, at(from..from + name.len())));
+        }
         if let Some((name, value)) = parts(code) {
             found.is_saved |= code.starts_with(|c: char| c.is_ascii_digit());
             let value = value.ok_or_else(|| incomplete(source, start, code, name))?;
@@ -124,8 +138,11 @@ fn parts(code: &str) -> Option<(&str, Option<&str>)> {
         let mut rest = words.skip_while(|word| word.starts_with('-'));
         return Some((rest.next().filter(is_name)?, rest.next()));
     }
-    if code.contains('\t') && first.bytes().all(|b| b.is_ascii_digit()) {
-        let mut columns = code.trim_end().split('\t').map(str::trim);
+    if first.bytes().all(|b| b.is_ascii_digit()) {
+        // Ground stations put tabs between the columns, scripts of pymavlink blanks.
+        let (tabs, blanks) = (code.trim_end().split('\t').map(str::trim), code.split_whitespace());
+        let mut columns: Box<dyn Iterator<Item = &str>> =
+            if code.contains('\t') { Box::new(tabs) } else { Box::new(blanks) };
         let name = columns.nth(2).filter(is_name)?;
         let value = columns.next().filter(|value| !value.is_empty());
         // The type ends a whole line.
@@ -139,8 +156,13 @@ fn parts(code: &str) -> Option<(&str, Option<&str>)> {
 fn number(source: &Source, start: usize, code: &str, value: &str) -> Result<Parameter, Box<Diagnostic>> {
     let from = start + (value.as_ptr() as usize - code.as_ptr() as usize);
     let span = at(from..from + value.len());
+    let hexadecimal = value.strip_prefix("0x").or_else(|| value.strip_prefix("0X"));
+    let parsed = match hexadecimal {
+        Some(digits) => u32::from_str_radix(digits, 16).ok().map(f64::from),
+        None => value.parse::<f64>().ok(),
+    };
     // Autopilots keep parameters in single precision.
-    match value.parse::<f64>().ok().filter(|value| (*value as f32).is_finite()) {
+    match parsed.filter(|value| (*value as f32).is_finite()) {
         Some(value) => Ok(Parameter { value, span }),
         None => {
             let shown: String = value.chars().take(24).collect();

@@ -17,16 +17,22 @@ use figures::Figures;
 use script::Reason;
 
 /// What each value of `CA_AIRFRAME` means, where it is no multirotor.
-const AIRFRAMES: [(f64, &str); 9] = [
+const AIRFRAMES: [(f64, &str); 15] = [
     (1.0, "a fixed-wing aircraft"),
     (2.0, "a VTOL aircraft"),
     (3.0, "a tiltrotor VTOL aircraft"),
     (4.0, "a tailsitter"),
     (5.0, "a rover"),
     (6.0, "a rover"),
+    (7.0, "a vehicle of six degrees of freedom"),
     (8.0, "a multirotor with tilting rotors"),
+    (9.0, "a vehicle of its own kind (`Custom`)"),
     (10.0, "a helicopter"),
     (11.0, "a helicopter"),
+    (12.0, "a coaxial helicopter"),
+    (13.0, "a rover"),
+    (14.0, "a spacecraft"),
+    (15.0, "a spacecraft"),
 ];
 
 /// PX4's defaults (`control_allocator/module.yaml`, 1.15): full thrust of a rotor in N, and its torque per thrust in m.
@@ -47,6 +53,11 @@ pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnos
         return Err(Box::new(
             error.here("`CA_AIRFRAME` of a multirotor is 0").help("name the parameters of a multirotor"),
         ));
+    }
+    // Scripts of planes leave the airframe to the defaults of planes, which they run.
+    if let Some((span, name)) = script::other_aircraft(&source.text) {
+        let error = Diagnostic::error(UNSUPPORTED, span, format!("this airframe is of the kind `{name}`"));
+        return Err(Box::new(error.here("no multirotor").help("name the airframe of a multirotor")));
     }
     reader.every_value_is_known()?;
     let count = reader.count(source)?;
@@ -153,7 +164,7 @@ impl Reader<'_, '_> {
         };
         let count = given.value as usize;
         if given.value.fract() != 0.0 || !ROTORS.contains(&count) || given.value < 0.0 {
-            let message = format!("{} rotors are not among the 4 to 32 of a spec", number(given.value));
+            let message = format!("a spec has 4 to 32 rotors, and the file {}", number(given.value));
             let error = Diagnostic::error(UNSUPPORTED, given.span, message).here("the number of rotors");
             return Err(Box::new(error.help("name the parameters of a multirotor with at least 4 rotors")));
         }

@@ -1,6 +1,7 @@
 //! Vehicles of simulators: URDF, SDF and MJCF. Masses and inertias are those of all parts together, places those from
 //! their common centre of gravity.
 
+mod lenient;
 mod mjcf;
 mod sdf;
 mod urdf;
@@ -8,12 +9,12 @@ mod xml;
 
 use super::draft::{Draft, Field, Figure, Rotor, name_from, name_from_file};
 use crate::diagnostic::Diagnostic;
-use crate::import::{Outcome, SYNTAX, UNSUPPORTED, at};
+use crate::import::{ASSUMED, Outcome, SYNTAX, UNSUPPORTED, at};
 use crate::read::vehicle::ROTORS;
 use crate::source::{Source, Span};
 use nalgebra::{Matrix3, Vector3};
 use roxmltree::{Document, Node, ParsingOptions};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The most elements and texts of a file: a robot has thousands.
 const MOST_NODES: u32 = 500_000;
@@ -113,8 +114,8 @@ pub fn vehicle(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
         return Err(Box::new(error.help("name the file of one robot")));
     }
     let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
-    let document =
-        Document::parse_with_options(&source.text, options).map_err(|error| Box::new(not_xml(source, &error)))?;
+    let text = lenient::accepted(&source.text);
+    let document = Document::parse_with_options(&text, options).map_err(|error| Box::new(not_xml(source, &error)))?;
     let root = document.root_element();
     let robot = match root.tag_name().name() {
         "robot" => urdf::read(source, root)?,
@@ -149,7 +150,7 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
     if !ROTORS.contains(&robot.rotors.len()) {
         let message = match robot.rotors.len() {
             0 => "no rotor was found in the file".to_string(),
-            n => format!("{n} rotors are not among the 4 to 32 of a spec"),
+            n => format!("a spec has 4 to 32 rotors, and the file {n}"),
         };
         let error = Diagnostic::error(UNSUPPORTED, root, message).here(format!("this {} file", robot.format));
         return Err(Box::new(error.help(
@@ -182,12 +183,19 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
         return Err(Box::new(error.here("follows from the numbers of this file").help("correct the numbers")));
     }
     let (shared, own) = rotor_figures(&robot.rotors);
-    let rotors = robot.rotors.iter().zip(own).map(|(rotor, own)| {
+    let mut numbers: Vec<usize> = robot.rotors.iter().map(|rotor| rotor.motor).collect();
+    if numbers.iter().collect::<HashSet<_>>().len() < numbers.len() {
+        let message = "several motors have the same number, or none: the spec numbers them in the file's order";
+        let warning = Diagnostic::warning(ASSUMED, root, message).here("this file");
+        found.push(warning.help("correct the numbers after `motor`, which exports for autopilots use"));
+        numbers = (1..=numbers.len()).collect();
+    }
+    let rotors = robot.rotors.iter().zip(own).zip(numbers).map(|((rotor, own), motor)| {
         let [x, y, z] = <[f64; 3]>::from(rotor.place - centre).map(rounded);
         Rotor {
             place: format!("[{x}, {y}, {z}] m"),
             spin: rotor.is_ccw.map_or(Figure::Unknown, |ccw| Figure::Known(if ccw { "P" } else { "N" }.into())),
-            motor: rotor.motor,
+            motor,
             own,
             remark: None,
         }

@@ -44,12 +44,25 @@ pub fn reason(source: &Source) -> Option<Reason> {
     runs.first().map(|(range, _)| Reason::Defaults(at(range.clone())))
 }
 
-/// The aircraft that `# @class` or `# @type` names, if it is no multirotor, with its place.
+/// The aircraft that `# @class` or `# @type` names, or whose defaults are run, if it is no multirotor, with its place.
 pub fn other_aircraft(text: &str) -> Option<(Span, String)> {
     let class = tag(text, "@class").filter(|(_, class)| *class != "Copter");
     let kind = tag(text, "@type").filter(|(_, kind)| OTHER_TYPES.iter().any(|other| kind.starts_with(other)));
-    let (range, name) = class.or(kind)?;
+    let found = class.or(kind).map(|(range, name)| (range, name.to_string()));
+    let (range, name) = found.or_else(|| lines(text).find_map(|(start, line)| other_defaults(start, line)))?;
     Some((at(range), name.chars().take(40).collect()))
+}
+
+/// The aircraft whose defaults a line runs: `. ${R}etc/init.d/rc.fw_defaults` those of planes.
+fn other_defaults(start: usize, line: &str) -> Option<(Range<usize>, String)> {
+    let (range, name) = run(start, line)?;
+    let kind = match name.strip_prefix("rc.")?.strip_suffix("_defaults")? {
+        "mc" | "board" => return None,
+        "fw" => "Plane",
+        "vtol" => "VTOL",
+        other => other,
+    };
+    Some((range, kind.to_string()))
 }
 
 /// The name of a script: `# @name Generic Quadcopter`.

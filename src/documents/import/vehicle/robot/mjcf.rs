@@ -18,7 +18,16 @@ use std::collections::HashMap;
 
 pub fn read(root: Node) -> Result<Robot, RobotError> {
     let mut robot = Robot { name: root.attribute("model").map(String::from), format: "MJCF", ..Robot::default() };
-    let Some(actuators) = child(root, "actuator") else { return Ok(robot) };
+    let Some(actuators) = child(root, "actuator") else {
+        let included = root.descendants().find(|node| node.tag_name().name() == "include");
+        let Some((include, name)) = included.and_then(|node| Some((node, node.attribute("file")?))) else {
+            return Ok(robot);
+        };
+        let name: String = name.chars().take(60).collect();
+        let message = format!("the file has no motors itself, but includes `{name}`");
+        let error = Diagnostic::error(UNSUPPORTED, tag(include), message).here("may have the vehicle");
+        return Err(Box::new(error.help(format!("name `{name}`, or the file of the vehicle"))));
+    };
     let settings = Settings::of(root)?;
     let defaults = Defaults::of(root);
     let mut sites: HashMap<&str, Node> = HashMap::new();
@@ -158,6 +167,12 @@ fn motor(
     };
     let gear = of("gear").map(|owner| upto::<6>(owner, "gear")).transpose()?.flatten();
     let [fx, fy, force, tx, ty, torque] = gear.unwrap_or_default();
+    if [fx, fy, force] == [0.0; 3] && [tx, ty, torque] != [0.0; 3] {
+        let message = "this actuator is a moment of the whole body, not the thrust of a rotor";
+        let error = Diagnostic::error(UNSUPPORTED, tag(actuator), message).here("its `gear` has no force");
+        let help = "a spec needs each rotor: write a motor at a site for each, or the vehicle by hand";
+        return Err(Box::new(error.help(help)));
+    }
     if [fx, fy, tx, ty].iter().any(|part| *part != 0.0) || force <= 0.0 {
         let error = Diagnostic::error(UNSUPPORTED, tag(actuator), "a motor does not push along z of its site")
             .here("its `gear`");

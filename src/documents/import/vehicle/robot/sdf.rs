@@ -130,10 +130,15 @@ pub fn motor(plugin: Node, find: &dyn Fn(&str) -> Found) -> Result<Option<RobotR
         let error = Diagnostic::error(UNSUPPORTED, tag(plugin), "the axis of a rotor is not upright").here("a motor");
         return Err(Box::new(error.help("a spec has rotors with parallel, upright axes only")));
     }
-    let number = content::<1>(plugin, "motorNumber")?.map_or(0.0, |[number]| number);
+    // Gazebo Sim has both names, of which the first wins; RotorS and Gazebo classic have the second.
+    let number = match content::<1>(plugin, "actuator_number")? {
+        None => content::<1>(plugin, "motorNumber")?,
+        given => given,
+    };
+    let number = number.map_or(0.0, |[number]| number);
     if number < 0.0 || number.fract() != 0.0 || number > 31.0 {
         let error = Diagnostic::error(SYNTAX, tag(plugin), "the number of a motor is not a whole number from 0 to 31");
-        return Err(Box::new(error.here("`motorNumber`").help("number motors from 0")));
+        return Err(Box::new(error.here("`motorNumber` or `actuator_number`").help("number motors from 0")));
     }
     let one = |name| content::<1>(plugin, name).map(|value| value.map(|[value]| value).filter(|value| *value > 0.0));
     Ok(Some(RobotRotor {
