@@ -154,7 +154,7 @@ impl Vehicle {
             return Ok(None);
         }
         if dead.len() == n {
-            return Err(missing("no motor was commanded in the log", "name the log of a flight"));
+            return Ok(study(record, &commands, &self.effects(), &hidden));
         }
         if let [motor, ..] = dead[..] {
             let message = format!("the log has no output of motor {}, and the vehicle has {n} motors", motor + 1);
