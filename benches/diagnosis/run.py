@@ -83,11 +83,11 @@ mission m {{
     hold 5 s
     limits {{ speed <= {rng.uniform(2, 6):.1f} m/s; tilt <= 25 deg }}
 }}
-plan {{ planner = rip; time = {total} s; samples = 80 }}
+plan {{ planner = rip; against = []; time = {total} s; samples = 80 }}
 simulate {{
     seed = {rng.randrange(1000)}; gusts = {rng.uniform(0, 1.5):.2f} m/s; drag = 0.3 N*s/m
     gyroscope_noise = {rng.uniform(0.002, 0.01):.4f} rad/s
-    detection = never{strike}
+    detection = never; lost_beyond = 40 m{strike}
 }}
 """
     lag = float(text.split("time_constant     = ")[1].split(" ms")[0]) / 1000

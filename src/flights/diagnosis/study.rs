@@ -18,8 +18,8 @@ const LOST: f64 = 0.15;
 /// After an output of one motor was off or held, so long (s) no reduced thrust of another is taken from the motion, which
 /// follows commands that the log has too few samples of.
 const UNSETTLED: f64 = 3.0;
-/// The time constant of rotors where the flight shows none, s.
-const USUAL_LAG: f64 = 0.04;
+/// Time constants of rotors that are tried for a sudden loss, s.
+const LAGS: [f64; 3] = [0.02, 0.05, 0.1];
 /// Two signs of a fault of one motor within this time are one fault, s.
 const SAME: f64 = 0.7;
 /// A speed below this share of the others' median is that of a motor that stands.
@@ -110,7 +110,7 @@ pub fn study(record: &Record, commands: &[Vec<(f64, bool)>], effects: &[Effect],
     for flight in study.flights.clone() {
         let found = losses_of(record, commands, effects, hidden, &samples, &flight);
         study.losses.extend(found);
-        study.is_searched |= flight.to - flight.from > 2.0 * TAKE_OFF;
+        study.is_searched |= effects.len() - hidden.len() >= 4 && flight.to - flight.from > 2.0 * TAKE_OFF;
     }
     study.losses.sort_by(|a, b| a.time.total_cmp(&b.time));
     if let Some(flight) = study.flights.iter().max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from))) {
@@ -181,9 +181,12 @@ fn losses_of(
     let range = window(range[0])..window(range[1]);
     let mut fit = Fit::of(samples, effects, in_air);
     let mut moved: Vec<Change> = Vec::new();
-    let usual = samples.followed(USUAL_LAG);
-    let is_known = fit.gains[0].is_some() && fit.gains[1].is_some();
-    moved.extend(sudden(samples, if is_known { &fit.commands } else { &usual }, effects, range.clone()));
+    // Fewer than four commands leave a torque or the thrust open, so that those of the others do not follow.
+    if motors - hidden.len() < 4 {
+        return losses;
+    }
+    let by_lag = LAGS.map(|lag| sudden(samples, &samples.followed(lag), effects, range.clone()));
+    moved.extend(by_lag.into_iter().flatten().max_by(|a, b| a.strength.total_cmp(&b.strength)));
     for round in 0..=MOST_LOSSES {
         let residuals = residuals_after(&fit, samples, effects, &moved);
         let known: Vec<usize> = moved.iter().map(|change| change.motor).collect();

@@ -15,6 +15,8 @@ const BEFORE: f64 = 4.0;
 const AFTER: [f64; 2] = [0.3, 0.9];
 /// Faster turns than this are left out, rad/s.
 const FASTEST: f64 = 6.0;
+/// A vehicle that already turned faster than this in the second before is not under control, rad/s.
+const CALM: f64 = 2.0;
 /// An instant counts from so many standard deviations of the angular acceleration on.
 const STARTS: f64 = 6.0;
 /// The least standard deviation of an angular acceleration, rad/s^2.
@@ -24,7 +26,9 @@ const MODEL_ERROR: f64 = 0.25;
 /// A loss is taken if it lowers the squared error by so many variances, to at most this share of what it is without.
 const THRESHOLD: f64 = 50.0;
 const EXPLAINS: f64 = 0.35;
-/// Capacities that are tried.
+/// Half of the 95 % interval of a capacity by the errors of the model alone (benches/diagnosis).
+const SHARE_ERROR: f64 = 0.06;
+/// Capacities that are tried first.
 const CAPACITIES: [f64; 15] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7];
 
 /// Rows of the windows around an instant.
@@ -107,6 +111,11 @@ impl<'s> Around<'s> {
             let s = &samples.samples[*i];
             s.is_valid && s.rates.iter().all(|w| w.abs() < FASTEST) && commands[*i].iter().all(|u| u.is_finite())
         };
+        let calm = |i: usize| samples.samples[i].rates.iter().all(|w| !(w.abs() > CALM));
+        let last_second = ((1.0 / samples.step).round() as usize).max(3);
+        if !(start.saturating_sub(last_second)..start.saturating_sub(2)).all(calm) {
+            return None;
+        }
         let from = start.saturating_sub(before).max(range.start);
         let early: Vec<usize> = (from..start.saturating_sub(2)).filter(is_used).collect();
         if early.len() < before / 3 {
@@ -148,7 +157,13 @@ impl<'s> Around<'s> {
             return None;
         }
         let noise = (error / (3 * (end - start)) as f64).max(1.0);
-        let inside = || CAPACITIES.iter().copied().filter(|c| tried(motor, *c) < error + 3.84 * noise);
+        let fine = || (0..=100).map(|percent| 0.01 * f64::from(percent)).filter(|c| (c - capacity).abs() < 0.3);
+        let each_fine: Vec<(f64, f64)> = fine().map(|c| (tried(motor, c), c)).collect();
+        let (least, capacity) =
+            each_fine.iter().copied().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((error, capacity));
+        let inside: Vec<f64> = each_fine.iter().filter(|(e, _)| *e < least + 3.84 * noise).map(|(_, c)| *c).collect();
+        let [low, high] = [inside.first(), inside.last()].map(|c| c.map_or(0.0, |c| (c - capacity).abs()));
+        let wide = |half: f64| half.hypot(SHARE_ERROR);
         let step = self.samples.step;
         let time = self.samples.samples[start].time - 0.5 * step;
         Some(Change {
@@ -156,10 +171,7 @@ impl<'s> Around<'s> {
             time,
             interval: [time - 2.0 * step, time + step],
             capacity,
-            capacity_interval: [
-                inside().next().unwrap_or(capacity),
-                (inside().last().unwrap_or(capacity) + 0.05).min(1.0),
-            ],
+            capacity_interval: [(capacity - wide(low)).max(0.0), (capacity + wide(high)).min(1.0)],
             strength,
             alternatives: (0..each.len()).filter(|k| *k != motor && each[*k].0 < error + 9.0 * noise).collect(),
         })
