@@ -29,7 +29,7 @@ def template() -> mavc.Spec:
 def survived(spec: mavc.Spec) -> dict:
     """What is known of a layout without a plan."""
     faults = spec.analyze(threads=1).faults
-    names = [mode.name for mode in faults if mode.survives]
+    names = [mode.name for mode in faults if mode.outcome == "full control"]
     margins = [mode.acai for mode in faults]
     return {"survived": len(names), "smallest_margin_n_m": min(margins), "names": " ".join(names)}
 

@@ -24,12 +24,13 @@ def _figure(value: float) -> str:
 
 
 def analysis(found: Analysis) -> str:
-    """Every mode with its verdict and figures."""
+    """Every mode with its outcome and figures."""
     rows = (
-        (mode.name, mode.verdict, mode.hover, _figure(mode.acai), _figure(mode.critical_mass)) for mode in found.modes
+        (mode.name, mode.outcome, mode.verdict, mode.hover, _figure(mode.acai), _figure(mode.critical_mass))
+        for mode in found.modes
     )
-    names = ("mode", "verdict", "hover", "control authority, N m", "largest mass, kg")
-    return _table(f"{found.vehicle}: {found.survived} of {len(found.faults)} faults survived", names, rows)
+    names = ("mode", "outcome", "verdict", "hover", "control authority, N m", "largest mass, kg")
+    return _table(found.headline, names, rows)
 
 
 def page(html: str) -> str:

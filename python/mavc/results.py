@@ -45,8 +45,10 @@ class Mode:
     """Numbers of the lost rotors, from 1."""
     capacity: np.ndarray
     """For each rotor the share of its thrust that is left."""
+    outcome: str
+    """`full control`, `flies on, heading not held`, `caught by spinning`, `no margin`, `lost` or `undecided`."""
     verdict: str
-    """`controllable`, `stabilizable` or `unstable`."""
+    """The paper's word: `controllable`, `stabilizable` or `unstable`."""
     hover: str
     """Where hover lies relative to the set: `inside`, `on the edge` or `outside`."""
     interior: bool
@@ -63,8 +65,8 @@ class Mode:
 
     @property
     def survives(self) -> bool:
-        """Whether the vehicle keeps control of all axes with hover inside the set."""
-        return self.verdict == "controllable" and self.hover == "inside"
+        """Whether the vehicle stays in the air: with full control, without its heading, or caught by spinning."""
+        return self.outcome in ("full control", "flies on, heading not held", "caught by spinning")
 
 
 def _mode(record: Record) -> Mode:
@@ -73,6 +75,7 @@ def _mode(record: Record) -> Mode:
         record["name"],
         tuple(record["lost"]),
         _array(record["capacity"]),
+        record["outcome"],
         record["verdict"],
         record["hover"],
         record["interior"],
@@ -95,7 +98,12 @@ class Analysis:
     """What `mavc analyze --format json` prints."""
     text: str = field(repr=False)
     """What `mavc analyze` prints."""
+    headline: str = field(repr=False)
+    """What the fault modes leave of the vehicle, in one line."""
     diagnostics: Diagnostics = field(repr=False)
+
+    def __repr__(self) -> str:
+        return f"<Analysis: {self.headline}>"
 
     def __getitem__(self, mode: str) -> Mode:
         for found in self.modes:
@@ -112,7 +120,7 @@ class Analysis:
 
     @property
     def survived(self) -> int:
-        """The number of fault modes after which the vehicle keeps control of all axes."""
+        """The number of fault modes after which the vehicle stays in the air; `headline` counts them by outcome."""
         return sum(mode.survives for mode in self.faults)
 
     @property
@@ -128,7 +136,7 @@ class Analysis:
         return display.analysis(self)
 
 
-def analysis(texts: tuple[str, str], diagnostics: Diagnostics) -> Analysis:
+def analysis(texts: tuple[str, str, str], diagnostics: Diagnostics) -> Analysis:
     record = loaded(texts[0])
     return Analysis(record["vehicle"], tuple(map(_mode, record["modes"])), *texts, diagnostics)
 
@@ -231,8 +239,17 @@ class Plan:
     """Warnings, and why there is no plan, as `mavc plan` prints them to standard error."""
     _handle: Any = field(repr=False)
 
+    def __repr__(self) -> str:
+        return f"<Plan: {self.headline}>"
+
     def __str__(self) -> str:
         return self.text
+
+    @property
+    def headline(self) -> str:
+        """Whether there is a plan, in one line."""
+        rest = self.planner["statement"].removeprefix(self.verdict)
+        return f"{'PLAN ' if self else ''}{self.verdict.upper()}{rest}; planner {self.planner['name'].upper()}"
 
     def __bool__(self) -> bool:
         """Whether there is a plan."""

@@ -13,8 +13,8 @@ use mavc::campaign::tally::Tally;
 use mavc::diagnostic::{Diagnostic, Severity};
 use mavc::pipeline::{departure, missing_verdict};
 use mavc::report::campaign_record::CampaignRecord;
-use mavc::report::campaign_text;
 use mavc::report::page::{self, Subject};
+use mavc::report::{campaign_screen, campaign_text};
 use pyo3::prelude::*;
 use std::convert::Infallible;
 
@@ -93,7 +93,7 @@ fn fly(of: &Compiled, found: &[Diagnostic], design: &Design, reports: &Reports) 
         Ok::<(), Infallible>(())
     });
     let record = CampaignRecord::new(design, Shard::WHOLE, &tally, of.spec.sha256().into());
-    let text = campaign_text::campaign(design, Shard::WHOLE, &tally);
+    let text = campaign_screen::screen(design, Shard::WHOLE, &tally).to_string();
     texts(of, found, mavc::verdict::SIMULATED.into(), &record, text).map(|texts| Texts { rows, ..texts })
 }
 

@@ -127,7 +127,7 @@ fn planned(
     let texts = Texts {
         verdict: planning.verdict().to_string(),
         json: json(&task.report(&planning, &explained, between.clone())),
-        text: task.text(&planning, &explained, between.as_deref()),
+        text: task.for_people(&planning, &explained, between.as_deref(), false).to_string(),
         csv: planning.plan().map(table).transpose()?,
     };
     let done = Done { planning, explained, between, conflict };

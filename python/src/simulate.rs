@@ -10,7 +10,7 @@ use mavc::diagnostic::{Diagnostic, Severity};
 use mavc::flight::{Outcome, Sample, longest};
 use mavc::pipeline::{departure, fly_plan, indistinguishable};
 use mavc::report::page::{self, Subject, Track};
-use mavc::report::simulation::{FlightRecord, Flown, Log, text};
+use mavc::report::simulation::{FlightRecord, Flown, Log, screen};
 use mavc::report::volumes::Nearest;
 use pyo3::prelude::*;
 
@@ -89,5 +89,12 @@ fn flown(planned: &Planned, remarks: &[Diagnostic], wanted: Wanted, reports: &Re
         Outcome::Lost { .. } => "lost",
         Outcome::Diverged { .. } => "diverged",
     };
-    Ok(Texts { outcome, json: json(&record), text: text(&flown), remark: log.thinning.remark, csv: log.csv, page })
+    Ok(Texts {
+        outcome,
+        json: json(&record),
+        text: screen(&flown).to_string(),
+        remark: log.thinning.remark,
+        csv: log.csv,
+        page,
+    })
 }

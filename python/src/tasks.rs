@@ -7,7 +7,8 @@ use crate::{Arguments, Value, object};
 use mavc::diagnostic::sort;
 use mavc::pipeline::{Sweep, Task};
 use mavc::report::analysis_record::AnalysisRecord;
-use mavc::report::{analysis_text, capture_text};
+use mavc::report::headline::headline;
+use mavc::report::{analysis_screen, capture_text};
 use mavc::verify::text::verification;
 use pyo3::prelude::*;
 
@@ -23,7 +24,7 @@ pub fn check(arguments: Arguments) -> Value {
     object(arguments.py(), found)
 }
 
-/// `analyze(spec, job, capture, sweep)`: `(json, text)`, or a text that says why the sweep cannot be made.
+/// `analyze(spec, job, capture, sweep)`: `(json, text, headline)`, or a text that says why the sweep cannot be made.
 pub fn analyze(arguments: Arguments) -> Value {
     let of = Compiled::of(&arguments.get_item(0)?)?;
     let (capture, sweep): (bool, Option<String>) =
@@ -38,9 +39,9 @@ pub fn analyze(arguments: Arguments) -> Value {
         let text = match (&sweep, &captures) {
             (Some(sweep), _) => sweep.to_text(model),
             (None, Some(captures)) => capture_text::captures(model, captures),
-            (None, None) => analysis_text::analysis(model, &modes),
+            (None, None) => analysis_screen::screen(model, &modes).to_string(),
         };
-        Ok::<_, String>((record, text))
+        Ok::<_, String>((record, text, headline(model, &modes)))
     })?;
     match found {
         Ok(found) => object(arguments.py(), found),

@@ -27,3 +27,29 @@ pub trait Observer: Stages {
 }
 
 impl Observer for Silent {}
+
+/// The names by which [`Observer::tries`] calls the planners.
+pub const PLANNERS: [&str; 3] = ["RIP", "RCP", "RSP"];
+
+/// The question whether a time (s) is enough, for a line of progress; a plan of another planner on the way to the one
+/// that is wanted is called so.
+pub fn question(wanted: Option<&str>, planner: &str, time: f64) -> String {
+    let other = wanted.filter(|wanted| *wanted != planner && PLANNERS.contains(&planner));
+    match other {
+        Some(wanted) => format!("{wanted}: is {time:.2} s enough? A plan of {planner} first"),
+        None => format!("{planner}: is {time:.2} s enough?"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn questions_name_the_planner_that_is_wanted() {
+        assert_eq!(question(Some("RSP"), "RSP", 35.0), "RSP: is 35.00 s enough?");
+        assert_eq!(question(Some("RSP"), "RCP", 35.0), "RSP: is 35.00 s enough? A plan of RCP first");
+        assert_eq!(question(Some("RSP"), "round 2", 35.0), "round 2: is 35.00 s enough?");
+        assert_eq!(question(None, "RCP", 35.0), "RCP: is 35.00 s enough?");
+    }
+}

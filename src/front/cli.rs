@@ -32,6 +32,7 @@ mod target;
 mod temporary;
 mod threads;
 mod verify;
+mod view;
 mod watch;
 
 use crate::source::visible;
@@ -39,6 +40,7 @@ use crate::verdict::Verdict;
 use arguments::{
     AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, DiagnoseArgs, EmitArgs, EmitFormat, FmtArgs,
     Format, ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs,
+    ViewArgs,
 };
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};
@@ -103,6 +105,7 @@ pub fn run() -> u8 {
         Command::Analyze(args) => analyze::run(args, &options),
         Command::Plan(args) => plan::run(args, &options),
         Command::Compare(args) => compare::run(args, &options),
+        Command::View(args) => view::run(args, &options),
         Command::Verify(args) => verify::run(args, &options),
         Command::Simulate(args) => simulate::run(args, &options),
         Command::Campaign(args) => campaign::run(args, &options),

@@ -397,13 +397,15 @@ fn the_readme_and_the_page_of_the_command_show_true_outputs() {
     let readme = include_str!("../../README.md");
     let page = include_str!("../../docs/command.md");
     let dir = folder();
+    let figure = "specs/paper/figure12.mav";
     for (document, command, spec, written) in [
-        (readme, "plan", "examples/survey_hexa.mav", "traj.csv"),
-        (page, "plan", CASE_1, "traj.csv"),
-        (page, "simulate", "specs/paper/figure12.mav", "flight.csv"),
+        (readme, &["plan"][..], "examples/survey_hexa.mav", "traj.csv"),
+        (page, &["plan"], CASE_1, "traj.csv"),
+        (page, &["plan", "-v"], CASE_1, "traj.csv"),
+        (page, &["simulate"], figure, "flight.csv"),
     ] {
         let table = dir.path().join(written);
-        let ran = mavc(&[command, spec, "-o", text(&table)]);
+        let ran = mavc(&[command, &[spec, "-o", text(&table)]].concat());
         let printed = out(&ran).replace(text(&table), written);
         let quoted = document.split("```text\n").skip(1).map(|t| t.split("```").next().unwrap());
         // The first line of an output names the mission.

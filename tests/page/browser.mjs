@@ -10,7 +10,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
-const mavc = process.env.MAVC ?? join(root, "target/debug/mavc");
+export const mavc = process.env.MAVC ?? join(root, "target/debug/mavc");
 const axe = readFileSync(fileURLToPath(import.meta.resolve("axe-core/axe.min.js")), "utf8");
 export const shots = process.env.SHOTS;
 const folder = mkdtempSync(join(tmpdir(), "mavc-page-"));

@@ -164,7 +164,8 @@ function drawMarks(u) {
 const HEIGHT = 112;
 const TIME = 44;
 /** Px beside a chart for the names of its curves, and px of one such line. */
-const BESIDE = 136;
+const BESIDE = { wide: 136, narrow: 98 };
+const beside = (place) => (place.clientWidth < 420 ? BESIDE.narrow : BESIDE.wide);
 const LINE = 13;
 /** Numbers smaller than this share of the axis are shown as zero. */
 const DUST = 1e-3;
@@ -192,6 +193,7 @@ function ends(made, curves, at, below) {
     const { bbox } = made;
     const px = devicePixelRatio;
     const [top, height] = [bbox.top / px, bbox.height / px];
+    place.style.setProperty("--beside", `${beside(made.root.parentElement) - 6}px`);
     place.style.left = `${(bbox.left + bbox.width) / px + 6}px`;
     const free = height - (below ? 2 * LINE : 0);
     const fit = Math.max(Math.floor(free / LINE), 1);
@@ -238,7 +240,7 @@ function draw(spec, columns, place, isLast) {
   ];
   const values = [columns.t, ...spec.lines.map((l) => columns[l.column])];
   const options = {
-    padding: [8, BESIDE, isLast ? 0 : 4, 0],
+    padding: [8, () => beside(place), isLast ? 0 : 4, 0],
     scales: { x: { time: false }, y: { range: () => range(spec, columns, room) } },
     axes: [timeAxis(isLast ? {} : { size: 0, label: undefined, values: (_, splits) => splits.map(() => ""), ticks: { show: false } }), axis(null, { label: undefined, size: 52, space: 26 })],
     cursor: { sync: { key: "time" }, focus: { prox: 24 }, drag: { x: true, y: false } },

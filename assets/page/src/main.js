@@ -2,6 +2,7 @@ import "uplot/dist/uPlot.min.css";
 import "./page.css";
 import { charts } from "./charts.js";
 import { content } from "./content.js";
+import { live } from "./live.js";
 import { player } from "./player.js";
 import { sets } from "./sets.js";
 import { space } from "./space.js";
@@ -17,3 +18,4 @@ if (content.runs.length > 0) {
   charts();
 }
 sets();
+live();

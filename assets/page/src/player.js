@@ -1,6 +1,7 @@
 // The instant shown: slider, playback, choice of the plan.
 
 import { byId, content, element, seconds } from "./content.js";
+import { choose } from "./kept.js";
 import { duration, on, setRun, setTime, state } from "./state.js";
 
 /** Playback runs in real time, but takes no longer than this, s. */
@@ -57,6 +58,7 @@ export function player() {
   if (content.runs.length < 2) byId("run-label").hidden = true;
   on("time", () => {
     chosen = true;
+    choose();
     show();
   });
   on("run", show);

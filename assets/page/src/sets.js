@@ -112,7 +112,7 @@ function buildPanels() {
       labels: [LABELS[i], LABELS[j]],
       box: () => boxOf(axes),
       equal: i > 0 && j > 0 && j !== 3,
-      height: () => 270,
+      height: () => (place.clientWidth < 420 ? 200 : 270),
       draw: (pen) => drawSection(pen, axes, state.set, boxOf(axes), true),
     });
   });
@@ -151,7 +151,7 @@ function buildMultiples() {
       box: () => boxOf([1, 2]),
       equal: true,
       plain: true,
-      height: () => 130,
+      height: () => (plot.clientWidth < 110 ? 90 : 130),
       draw: (pen) => drawSection(pen, [1, 2], index, boxOf([1, 2]), false),
     });
     return { view, body, value, button, index };

@@ -4,6 +4,7 @@ import { byId, content, element, indexAt, number, percent, seconds } from "./con
 import { marginAt } from "./charts.js";
 import { classOf, css, distanceClasses, line } from "./palette.js";
 import { classLegend, legend } from "./strips.js";
+import { keep } from "./kept.js";
 import { on, run, set, setTime, state } from "./state.js";
 import { flat } from "./flat.js";
 import { scene } from "./scene.js";
@@ -169,4 +170,5 @@ export function space() {
     color();
   });
   tell();
+  keep("camera", { now: () => view.stand?.(), restore: (stand) => view.returnTo?.(stand) });
 }

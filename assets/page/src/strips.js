@@ -121,7 +121,7 @@ function draw(shownRun, place, isLast) {
   };
   const options = {
     legend: { show: false },
-    padding: [2, BESIDE, 0, 0],
+    padding: [2, () => (place.clientWidth < 420 ? 92 : BESIDE), 0, 0],
     cursor: { sync: { key: "time" }, drag: { x: false, y: false }, points: { show: false } },
     scales: { x: { time: false, range: () => [0, end] }, y: { dir: -1, range: () => [0, strips.length] } },
     axes: [

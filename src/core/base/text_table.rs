@@ -17,12 +17,19 @@ pub fn hanging(text: &str) -> String {
 #[derive(Debug, Clone, Default)]
 pub struct Table {
     rows: Vec<Vec<String>>,
+    /// A further column that is aligned left, for words.
+    words: Option<usize>,
 }
 
 impl Table {
     /// A table without rows.
     pub fn new(headings: &[&str]) -> Self {
-        Table { rows: vec![headings.iter().map(ToString::to_string).collect()] }
+        Table { rows: vec![headings.iter().map(ToString::to_string).collect()], words: None }
+    }
+
+    /// This table with one more column that is aligned left.
+    pub fn with_words(self, column: usize) -> Self {
+        Table { words: Some(column), ..self }
     }
 
     /// Adds a row, which may have fewer cells than there are headings.
@@ -51,7 +58,7 @@ impl Table {
                 let pad = " ".repeat(widths[c] - cell.chars().count());
                 match c {
                     0 => line.push_str(&format!("{cell}{pad}")),
-                    _ if left => line.push_str(&format!("  {cell}{pad}")),
+                    c if left || self.words == Some(c) => line.push_str(&format!("  {cell}{pad}")),
                     _ => line.push_str(&format!("  {pad}{cell}")),
                 }
             }

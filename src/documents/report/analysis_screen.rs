@@ -2,7 +2,7 @@
 
 use super::headline::{headline, why_undecided};
 use super::mode_names::within;
-use super::screen::{Screen, Tone};
+use super::screen::{EVERY_TABLE, Screen, Tone};
 use super::terminal::{airspeed, vehicle_line};
 use crate::admissible;
 use crate::admissible::airspeed::PLAUSIBLE;
@@ -17,8 +17,8 @@ use crate::text_table::Table;
 
 /// Most rows of modes; with more groups of modes each outcome has its weakest, and the others are counted.
 const MOST_ROWS: usize = 12;
-/// Columns of the names of modes.
-const NAMES: usize = 20;
+/// Most columns of the names of modes.
+const NAMES: usize = 32;
 /// Digits of every figure.
 const DIGITS: usize = 3;
 
@@ -32,13 +32,15 @@ pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
         _ => Tone::Warning,
     };
     screen.paragraph(tone, 0, 2, &headline(model, modes));
-    screen.paragraph(Tone::Plain, 0, 2, &vehicle_line(model));
+    let vehicle = vehicle_line(model);
+    screen.paragraph(Tone::Plain, 0, 2, vehicle.strip_prefix(&model.vehicle.name).unwrap_or(&vehicle).trim_start());
     screen.gap();
     let spins = settled_spins(model);
-    screen.table(&table(model, modes, &spins));
+    screen.fitted(NAMES, |names| table(model, modes, &spins, names));
     screen.gap();
     legend(model, modes, &spins).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
     remarks(model, modes).iter().for_each(|text| screen.remark(text));
+    screen.line(Tone::Plain, EVERY_TABLE);
     screen
 }
 
@@ -107,25 +109,25 @@ fn cells(model: &Model, mode: &ModeAnalysis, spins: &[SettledSpin]) -> Vec<Strin
     cells
 }
 
-/// `7.8 rad/s, axis tilted 19.4 deg`
+/// `7.8 rad/s, 19.4 deg`: the rate, and the angle between its axis and z of the body
 fn spin(spin: &SettledSpin) -> String {
     let rate = spin.spin_rad_s.abs();
     match rate < 1e-3 {
         true => "none".into(),
         false => format!(
-            "{} rad/s, tilt {} deg",
+            "{} rad/s, {} deg",
             significant(rate, DIGITS),
             significant((10.0 * spin.axis_tilt_deg).round() / 10.0, DIGITS)
         ),
     }
 }
 
-fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Table {
+fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin], names: usize) -> Table {
     let mut headings = vec!["fault", "after it", "climb", "yaw N m", "max mass"];
     if !spins.is_empty() {
-        headings.push("spin");
+        headings.push("spin, tilt");
     }
-    let mut table = Table::new(&headings);
+    let mut table = Table::new(&headings).with_words(1);
     let first = std::iter::once("none".to_string());
     table.row(first.chain(modes.first().map_or(Vec::new(), |healthy| cells(model, healthy, spins))).collect());
     let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
@@ -134,7 +136,7 @@ fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Table 
     let controlled = || shown.iter().filter(|row| row.outcome == Outcome::FullControl);
     let weakest = controlled().map(|row| row.margin).reduce(f64::min).filter(|_| controlled().count() > 1);
     for row in &shown {
-        let mut cells = vec![within(&all, &row.modes, NAMES)];
+        let mut cells = vec![within(&all, &row.modes, names)];
         cells.extend(row.cells.iter().cloned());
         if row.outcome == Outcome::FullControl && weakest == Some(row.margin) {
             cells.push("weakest".into());
@@ -169,15 +171,12 @@ fn shown(rows: &[Row]) -> (Vec<&Row>, Vec<(Outcome, usize)>) {
 
 /// The meaning of the columns.
 fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Vec<String> {
-    let mut lines =
-        vec!["climb: thrust left beyond hover; yaw: torque left, in the weaker / stronger direction".to_string()];
+    let mut lines = vec!["climb: thrust left beyond hover; yaw: torque left, weaker/stronger direction".to_string()];
     if !spins.is_empty() {
-        lines.push("spin: the equilibrium in which flights settle, with the gains of `simulate`".into());
+        lines.push("spin: where flights settle, and the angle of its axis from the body's z axis".into());
     }
     if model.vehicle.is_uncertain() {
-        lines.push(
-            "outcomes hold for every value of the spec's intervals; the figures are those of their middle".into(),
-        );
+        lines.push("outcomes hold for all values of the intervals; figures are those of the middle".into());
     }
     lines.extend(speeds(model, modes));
     lines

@@ -3,7 +3,7 @@
 use super::campaign_text::{by_flight, hundred, remarks};
 use super::headline::headline;
 use super::mode_names::within;
-use super::screen::{Screen, Tone};
+use super::screen::{EVERY_TABLE, Screen, Tone};
 use super::simulation::disturbed;
 use super::terminal::vehicle_line;
 use crate::campaign::agreement::Agreement;
@@ -18,8 +18,8 @@ use std::cmp::Reverse;
 
 /// Most rows of modes.
 const MOST_ROWS: usize = 5;
-/// Columns of the names of modes.
-const NAMES: usize = 24;
+/// Most columns of the names of modes.
+const NAMES: usize = 32;
 /// A difference counts as significant below this probability.
 const SIGNIFICANT: f64 = 0.05;
 
@@ -57,6 +57,7 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
         screen.paragraph(Tone::Plain, 2, 2, &by_flight(&Agreement::new(design, tally).all.total));
     }
     warnings(design, tally, &plans).iter().for_each(|text| screen.remark(text));
+    screen.line(Tone::Plain, EVERY_TABLE);
     screen
 }
 
@@ -121,7 +122,7 @@ fn planners(design: &Design, tally: &Tally, plans: &[Survival]) -> Table {
     if has_alarms {
         headings.push("false alarms/h");
     }
-    headings.push("lost unfaulted");
+    headings.push("healthy lost");
     let mut table = Table::new(&headings);
     for plan in plans {
         let dash = || "-".to_string();
@@ -195,20 +196,22 @@ fn losers(screen: &mut Screen, design: &Design, tally: &Tally, plans: &[Survival
         screen.line(Tone::Good, "  No mode lost a flight.");
         return;
     }
-    rows.sort_by_key(|(counts, modes)| Reverse(counts.iter().sum::<usize>() * modes.len()));
+    rows.sort_by_key(|(counts, _)| Reverse(counts.iter().sum::<usize>()));
     let hidden = rows.split_off(rows.len().min(MOST_ROWS));
     let mut headings = vec!["lost after"];
     headings.extend(plans.iter().map(|plan| plan.name.as_str()));
     headings.push("flights each");
-    let mut table = Table::new(&headings);
-    for (counts, modes) in &rows {
-        let each = plans.first().map_or(0, |plan| tally.mode(plan.plan, modes[0]).flights);
-        let mut cells = vec![within(&all, modes, NAMES)];
-        cells.extend(counts.iter().map(usize::to_string));
-        cells.push(each.to_string());
-        table.row(cells);
-    }
-    screen.table(&table);
+    screen.fitted(NAMES, |names| {
+        let mut table = Table::new(&headings);
+        for (counts, modes) in &rows {
+            let each = plans.first().map_or(0, |plan| tally.mode(plan.plan, modes[0]).flights);
+            let mut cells = vec![within(&all, modes, names)];
+            cells.extend(counts.iter().map(usize::to_string));
+            cells.push(each.to_string());
+            table.row(cells);
+        }
+        table
+    });
     let more: usize = hidden.iter().map(|(_, modes)| modes.len()).sum();
     if more > 0 {
         screen.line(Tone::Plain, &format!("  and {} with fewer losses, -v", plural(more, "mode")));
@@ -226,7 +229,12 @@ fn warnings(design: &Design, tally: &Tally, plans: &[Survival]) -> Vec<String> {
             remarks::diverged(design, tally, p),
             remarks::uncovered(design, tally, p),
         ];
-        all.extend(of_plan.into_iter().flatten().map(|text| format!("{}: {text}", plan.name)));
+        all.extend(
+            of_plan
+                .into_iter()
+                .flatten()
+                .map(|text| format!("{}: {}", plan.name, text.trim_start_matches("Warning: "))),
+        );
     }
     for missing in &design.missing {
         all.push(format!("{} is not flown: {}", missing.planner.name().to_uppercase(), missing.verdict()));

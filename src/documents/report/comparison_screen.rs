@@ -2,13 +2,13 @@
 
 use super::battery;
 use super::comparison_text::name_of;
-use super::plan_screen::not_covered;
+use super::plan_screen::{not_covered, unsafe_until};
 use super::record::rates;
-use super::screen::{Screen, Tone};
+use super::screen::{EVERY_TABLE, Screen, Tone};
 use super::terminal::vehicle_line;
 use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
-use crate::model::{PlannerKind, Problem};
+use crate::model::{Model, PlannerKind, Problem};
 use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
 use crate::number::{fixed, percent, plural, significant};
@@ -25,7 +25,7 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
     let mut screen = Screen::default();
     screen.paragraph(Tone::Plain, 0, 2, &format!("{} with {}", mission.name, vehicle_line(model)));
     screen.gap();
-    let (tone, text) = answer(comparison);
+    let (tone, text) = answer(model, comparison);
     screen.paragraph(tone, 2, 2, &text);
     not_covered(model, &mut screen);
     if let Some(text) = without_yaw::not_planned(comparison, None) {
@@ -46,9 +46,10 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
             Tone::Plain,
             2,
             2,
-            "worst violation: of a set with its reserve, in % of the healthy set's width; unsafe until: the last one",
+            "worst violation: of a set with its reserve, in % of the healthy set's width",
         );
     }
+    screen.line(Tone::Plain, EVERY_TABLE);
     screen
 }
 
@@ -58,21 +59,24 @@ fn is_shown(comparison: &Comparison, run: &PlannerRun) -> bool {
 }
 
 /// How many modes a plan covers: those whose sets or cores it never leaves.
-fn covered(comparison: &Comparison, plan: &MissionPlan) -> usize {
-    let modes = comparison.provisions.iter().zip(&plan.outside);
-    modes.filter(|(provision, out)| **provision != Provision::Capture && out.last.is_none()).count()
+fn covered(model: &Model, comparison: &Comparison, plan: &MissionPlan) -> usize {
+    let is_planned = |i: &usize| comparison.provisions[*i] != Provision::Capture;
+    (0..comparison.modes.len()).filter(is_planned).filter(|&i| unsafe_until(model, plan, i).is_none()).count()
 }
 
-/// The largest violation and the end of the last one, s; `None` if the plan leaves no set.
-fn violation(plan: &MissionPlan) -> Option<(f64, f64)> {
-    let worst = plan.outside.iter().map(|out| out.max_violation).filter(|v| *v > VIOLATED).reduce(f64::max);
-    let last = plan.outside.iter().filter_map(|out| out.last).reduce(f64::max);
-    last.map(|last| (worst.unwrap_or(0.0), last))
+/// The largest violation of a set; `None` if the plan leaves none.
+fn violation(plan: &MissionPlan) -> Option<f64> {
+    plan.outside.iter().map(|out| out.max_violation).filter(|v| *v > VIOLATED).reduce(f64::max)
+}
+
+/// Until when a fault of some mode meets a violation, s; `None` if it never does.
+fn unsafe_for_any(model: &Model, plan: &MissionPlan) -> Option<f64> {
+    (0..plan.outside.len()).filter_map(|i| unsafe_until(model, plan, i)).reduce(f64::max)
 }
 
 /// `Covering all 8 modes costs 10 % more time: 20.1 s with RCP; RIP ignores faults, takes 18.2 s and is unsafe until
 /// 12.3 s`
-fn answer(comparison: &Comparison) -> (Tone, String) {
+fn answer(model: &Model, comparison: &Comparison) -> (Tone, String) {
     let n = comparison.modes.len();
     let planned = |which: Run| {
         let runs = comparison.runs.iter().filter(move |run| run.run == which && is_shown(comparison, run));
@@ -99,14 +103,14 @@ fn answer(comparison: &Comparison) -> (Tone, String) {
         return (Tone::Warning, format!("No fault mode is planned against: nothing to compare. {time}"));
     }
     let ignoring = rip.map(|(_, plan)| {
-        let unsafe_until =
-            violation(plan).map_or(String::new(), |(_, last)| format!(" and is unsafe until {} s", fixed(last, 2)));
+        let unsafe_until = unsafe_for_any(model, plan)
+            .map_or(String::new(), |last| format!(" and is unsafe until {} s", fixed(last, 2)));
         format!("RIP, which ignores faults, takes {}{unsafe_until}", seconds(plan.time))
     });
-    let of_all: Vec<_> = plans.iter().copied().filter(|(_, plan)| covered(comparison, plan) == n).collect();
+    let of_all: Vec<_> = plans.iter().copied().filter(|(_, plan)| covered(model, comparison, plan) == n).collect();
     let all = if n == 1 { "the mode".to_string() } else { format!("all {n} modes") };
     match (fastest(&of_all), rip) {
-        (Some(_), Some((_, plan))) if covered(comparison, plan) == n => (
+        (Some(_), Some((_, plan))) if covered(model, comparison, plan) == n => (
             Tone::Good,
             format!("Covering {all} costs nothing: RIP, which ignores faults, covers them in {}", seconds(plan.time)),
         ),
@@ -120,9 +124,9 @@ fn answer(comparison: &Comparison) -> (Tone, String) {
         }
         (Some((name, time)), None) => (Tone::Good, format!("Covering {all} takes {} with {name}", seconds(time))),
         (None, _) => {
-            let best = plans.iter().max_by_key(|(_, plan)| covered(comparison, plan));
+            let best = plans.iter().max_by_key(|(_, plan)| covered(model, comparison, plan));
             let best = best.map_or(String::new(), |(run, plan)| {
-                format!("{} covers {} in {}", name_of(run), covered(comparison, plan), seconds(plan.time))
+                format!("{} covers {} in {}", name_of(run), covered(model, comparison, plan), seconds(plan.time))
             });
             (Tone::Bad, format!("No plan covers {all}: {best}"))
         }
@@ -166,10 +170,9 @@ fn block(
             None => significant(plan.objective, 3),
         });
         if n > 0 {
-            cells.push(format!("{} of {n}", covered(comparison, plan)));
-            let (worst, until) = violation(plan).map_or(("-".into(), "never".into()), |(worst, last)| {
-                (percent(worst), format!("{} s", fixed(last, 2)))
-            });
+            cells.push(format!("{} of {n}", covered(model, comparison, plan)));
+            let worst = violation(plan).map_or("-".into(), percent);
+            let until = unsafe_for_any(model, plan).map_or("never".into(), |last| format!("{} s", fixed(last, 2)));
             cells.extend([worst, until]);
         }
         cells.extend(rated_risk(&rates, &plan.committed).map(|risk| significant(risk, 3)));

@@ -17,6 +17,11 @@ pub fn ranges(all: &[String], places: &[usize]) -> Vec<(String, usize)> {
 /// fit is cut.
 pub fn within(all: &[String], places: &[usize], width: usize) -> String {
     let named = ranges(all, places);
+    let whole: Vec<&str> = named.iter().map(|(name, _)| name.as_str()).collect();
+    let whole = whole.join(", ");
+    if whole.chars().count() <= width {
+        return whole;
+    }
     let total: usize = places.len();
     let (mut text, mut modes) = (String::new(), 0);
     for (name, count) in &named {

@@ -13,6 +13,7 @@ mod document;
 mod embed;
 mod flown;
 mod instants;
+pub mod live;
 mod motion;
 mod opening;
 mod outline;
@@ -90,7 +91,7 @@ pub fn plans(
     sections.push(document::sets());
     sections.push(Section::new("spec", "Spec", spec::section(subject)));
     let found = match kind {
-        PageKind::Plan => summary::plan(problem, comparison, record),
+        PageKind::Plan => summary::plan(problem, &analyses, comparison, record),
         PageKind::Compare => summary::compare(mission, comparison),
     };
     Document { subject: *subject, comparison: Some(comparison), found, picture, sections, content }.render()

@@ -2,7 +2,7 @@
 
 mod coverage;
 
-pub(super) use coverage::not_covered;
+pub(super) use coverage::{not_covered, unsafe_until};
 
 use super::battery;
 use super::binding;
@@ -10,7 +10,7 @@ use super::capture_height;
 use super::capture_height::{CaptureRecord, ExposedRecord};
 use super::caveats::{Caveat, CaveatKind, caveats};
 use super::record::rates;
-use super::screen::{Screen, Tone};
+use super::screen::{EVERY_TABLE, Screen, Tone};
 use super::shape;
 use super::terminal::{not_looked_at, vehicle_line};
 use super::verdict_text::{self, statement};
@@ -59,6 +59,7 @@ impl Answer<'_> {
             PlanOutcome::Planned(solved) => self.found(&mut screen, run, solved),
             outcome => self.missing(&mut screen, run, outcome),
         }
+        screen.line(Tone::Plain, EVERY_TABLE);
         screen
     }
 
@@ -87,8 +88,14 @@ impl Answer<'_> {
 
     fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) {
         let model = self.problem.model();
-        let text = format!("PLAN {}; planner {}", shouted(self.problem, self.comparison, run), name(run));
-        screen.paragraph(Tone::Good, 2, 2, &text);
+        let text = format!(
+            "PLAN {}; planner {}{}",
+            shouted(self.problem, self.comparison, run),
+            name(run),
+            without_yaw::beside_the_verdict(self.comparison)
+        );
+        let tone = if coverage::is_partial(self, solved) { Tone::Warning } else { Tone::Good };
+        screen.paragraph(tone, 2, 2, &text);
         coverage::write(self, screen, run, solved);
         screen.gap();
         self.figures(solved).iter().for_each(|(label, text)| {
@@ -121,16 +128,13 @@ impl Answer<'_> {
             lines.push(("volumes", format!("{distance} m from {} at {at} s, {required} m required{of}", record.name)));
         }
         if let Some(risk) = rated_risk(&rates(model), &solved.committed) {
-            let text = format!(
-                "{} that a fault strikes before the plan's last violation of its set",
-                significant(risk, DIGITS)
-            );
+            let text = format!("{} that a fault strikes while it is unsafe.", significant(risk, DIGITS));
             lines.push(("risk", text + &not_looked_at(model)));
         }
         let limits = binding::records(self.problem, solved);
         let most = limits.iter().flat_map(|leg| leg.statements.iter().map(move |of_leg| (leg, of_leg)));
         if let Some((leg, of_leg)) = most.max_by(|a, b| a.1.time_saved_s.total_cmp(&b.1.time_saved_s)) {
-            lines.push(("time", format!("most limited by {} of relaxation, on leg {}", of_leg.words(), leg.label())));
+            lines.push(("time", format!("most limited on leg {} by {}", leg.label(), of_leg.saved())));
         }
         lines
     }

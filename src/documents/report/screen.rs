@@ -7,6 +7,12 @@ use std::fmt;
 /// The width of the short texts, columns.
 pub const WIDTH: usize = 80;
 
+/// The last line of a short text.
+pub const EVERY_TABLE: &str = "  -v prints every table";
+
+/// The fewest columns of names in a table.
+const NAMES: usize = 8;
+
 /// What a line means, for its colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
@@ -60,6 +66,13 @@ impl Screen {
     /// A table, indented by two spaces.
     pub fn table(&mut self, table: &Table) {
         table.render(2).lines().for_each(|line| self.line(Tone::Plain, line));
+    }
+
+    /// A table with names in the widest cells with which it fits, of `most` columns and not below [`NAMES`].
+    pub fn fitted(&mut self, most: usize, table: impl Fn(usize) -> Table) {
+        let fits = |names: &usize| table(*names).render(2).lines().all(|line| line.chars().count() <= WIDTH);
+        let names = (NAMES..=most).rev().find(fits).unwrap_or(NAMES);
+        self.table(&table(names));
     }
 
     /// Adds the lines of another text.

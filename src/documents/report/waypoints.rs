@@ -146,10 +146,11 @@ pub fn met_or_missed(waypoints: &[WaypointRecord]) -> String {
     }
 }
 
-/// `21 waypoints met: largest error 5 cm of 5 cm allowed (100 %), at waypoint 7`
+/// `21 waypoints met; tightest: waypoint 7, 5 cm of 5 cm allowed (100 %)`. The tightest has the largest share of its
+/// tolerance, which need not be the largest error.
 pub fn headline(waypoints: &[WaypointRecord]) -> String {
-    let largest = |w: &WaypointRecord| format!(": largest error {}, at waypoint {}", w.largest(), w.label());
-    format!("{}{}", met_or_missed(waypoints), worst(waypoints).map_or(String::new(), largest))
+    let tightest = |w: &WaypointRecord| format!("; tightest: waypoint {}, {}", w.label(), w.largest());
+    format!("{}{}", met_or_missed(waypoints), worst(waypoints).map_or(String::new(), tightest))
 }
 
 /// The waypoints that a table lists, in the order of flight: all, or of many the `WORST`; and for the others their

@@ -37,7 +37,8 @@ const EFFORTS: [&str; 3] = [SearchEffort::Quick.name(), SearchEffort::Normal.nam
     long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
     about = "Checks a one-page spec of a multirotor mission, analyses which rotor faults the vehicle tolerates, and \
         plans the mission",
-    after_help = EXIT_CODES
+    after_help = EXIT_CODES,
+    max_term_width = 100
 )]
 pub(super) struct Cli {
     #[command(subcommand)]
@@ -63,6 +64,8 @@ pub(super) enum Command {
     Plan(PlanArgs),
     /// Plan with RIP, RCP and RSP, and compare the plans
     Compare(CompareArgs),
+    /// Show the spec's plan in a browser, on a page that renews itself whenever the spec is saved
+    View(ViewArgs),
     /// Check a certificate written by `plan --certificate`, without the planner
     Verify(VerifyArgs),
     /// Plan the mission, then simulate a flight with the faults of the spec
@@ -251,6 +254,18 @@ pub(super) struct PlanArgs {
     /// Write the charts as SVG files into this folder, which is created if it is missing
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct ViewArgs {
+    #[command(flatten)]
+    pub spec: SpecArgs,
+    /// Serve the page at this port of 127.0.0.1; 0 takes any that is free. The address is printed first
+    #[arg(long, value_name = "PORT", default_value_t = 0)]
+    pub port: u16,
+    /// Open the page in the browser of the system
+    #[arg(long)]
+    pub open: bool,
 }
 
 #[derive(Args)]

@@ -7,7 +7,7 @@ use super::{Options, files};
 use crate::flight::Flight;
 use crate::model::PlannerKind;
 use crate::number::number;
-use crate::observer::{Observer, Stages};
+use crate::observer::{Observer, PLANNERS, Stages, question};
 use crate::solve::Effort;
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use lines::Lines;
@@ -68,17 +68,6 @@ impl Watch {
         self.shown.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
-
-/// The question whether a time is enough; a plan of another planner on the way to the one that is wanted is called so.
-fn question(wanted: Option<&str>, planner: &str, time: f64) -> String {
-    let other = wanted.filter(|wanted| *wanted != planner && PLANNERS.contains(&planner));
-    match other {
-        Some(wanted) => format!("{wanted}: is {time:.2} s enough? A plan of {planner} first"),
-        None => format!("{planner}: is {time:.2} s enough?"),
-    }
-}
-
-const PLANNERS: [&str; 3] = ["RIP", "RCP", "RSP"];
 
 impl Stages for Watch {
     fn ended(&self, stage: &str, took: Duration) {
@@ -210,14 +199,6 @@ fn pace(before: usize, done: usize, all: usize, elapsed: Duration) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn questions_name_the_planner_that_is_wanted() {
-        assert_eq!(question(Some("RSP"), "RSP", 35.0), "RSP: is 35.00 s enough?");
-        assert_eq!(question(Some("RSP"), "RCP", 35.0), "RSP: is 35.00 s enough? A plan of RCP first");
-        assert_eq!(question(Some("RSP"), "round 2", 35.0), "round 2: is 35.00 s enough?");
-        assert_eq!(question(None, "RCP", 35.0), "RCP: is 35.00 s enough?");
-    }
 
     #[test]
     fn a_resumed_campaign_is_as_fast_as_it_flies_now() {

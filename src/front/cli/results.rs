@@ -96,7 +96,8 @@ impl<'a> Places<'a> {
         results.report(&record)?;
         results.page(|| page::plans(PageKind::Plan, &subject(task, &findings.diagnostics), comparison, &record, &[]));
         results.print(&task.for_people(planning, &Explained::default(), None, options.verbose))?;
-        results.hint("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n", options)?;
+        let why = "\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n";
+        results.print(&Screen::of_text(why))?;
         results.write()?;
         results.note_page(options)?;
         Ok(code_of(planning.verdict()))

@@ -7,6 +7,7 @@ use crate::admissible::AdmissibleSet;
 use crate::admissible::diagnose::diagnose_by;
 use crate::admissible::verdict::{ModeAnalysis, analyze};
 use crate::diagnostic::{Diagnostic, sort};
+use crate::flight::equilibrium::outcome;
 use crate::flight::indistinguishable;
 use crate::model::{Environment, Model, RotorState, Vehicle};
 use crate::source::Span;
@@ -114,7 +115,10 @@ impl Analyst {
             if dropped.load(Ordering::Relaxed) {
                 return;
             }
-            analyses.push(self.analysis(model, Some(mode)));
+            let mut analysis = self.analysis(model, Some(mode));
+            // The settings of flights are no part of what is kept.
+            analysis.outcome = outcome(model, mode, analysis.outcome);
+            analyses.push(analysis);
         }
         let _ = self.answers.send(Found::Verdicts { ticket, analyses });
     }

@@ -62,12 +62,19 @@ fn a_fault_mode_shows_its_verdict_and_margin() {
     let spec = SPEC.replace("every 1 rotor reduced to 90 % as weak", "every 1 rotor lost as we|ak");
     let shown = hovers(&spec.replace("mode worn", "mode wo|rn").replace("weak1]", "we|ak1]"));
     let (every, worn, weak1) = (&shown[0], &shown[1], &shown[2]);
-    assert!(worn.contains("rotor 2 reduced to 80 %") && worn.contains("**controllable**"), "{worn}");
+    assert!(
+        worn.contains("rotor 2 reduced to 80 %") && worn.contains("**full control** (controllable, hover inside)"),
+        "{worn}"
+    );
     assert!(worn.contains("“worn bearing”") && worn.contains("margin **0.") && worn.contains("hovers up to"), "{worn}");
     assert!(weak1.contains("rotor 1 lost"), "{weak1}");
     // A known result: a ring PNPNPN that has lost a rotor hovers, but with nothing to spare.
-    assert!(weak1.contains("**controllable** (hover lies on the edge") && weak1.contains("margin **0**"), "{weak1}");
-    assert_eq!(every.matches("| controllable, on the edge | 0 |").count(), 6, "{every}");
+    assert!(
+        weak1.contains("**flies on, heading not held** (controllable, hover on the edge)")
+            && weak1.contains("margin **0**"),
+        "{weak1}"
+    );
+    assert_eq!(every.matches("| flies on, heading not held | 0 |").count(), 6, "{every}");
     assert!(every.contains("weak1, weak2"), "{every}");
 }
 

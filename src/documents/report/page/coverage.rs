@@ -1,5 +1,7 @@
 //! Which fault modes a plan covers, until when it does not cover others, and which it leaves out.
 
+use crate::admissible::outcome::Outcome;
+use crate::admissible::verdict::ModeAnalysis;
 use crate::admissible::without_yaw::planned::Provision;
 use crate::flight::indistinguishable::listed;
 use crate::model::Model;
@@ -19,8 +21,13 @@ pub struct Coverage {
 }
 
 /// The modes that `solved` covers at every instant, those that it covers only after some instant, and the declared
-/// modes that it leaves out; kinds without a mode are omitted.
-pub fn coverage(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> Vec<Coverage> {
+/// modes that it leaves out; kinds without a mode are omitted. `analyses` has the healthy vehicle first.
+pub fn coverage(
+    model: &Model,
+    analyses: &[ModeAnalysis],
+    comparison: &Comparison,
+    solved: &MissionPlan,
+) -> Vec<Coverage> {
     let (mut always, mut later, mut caught) = (Vec::new(), Vec::new(), Vec::new());
     for (i, name) in comparison.modes.iter().enumerate() {
         match unsafe_until(solved, i) {
@@ -30,18 +37,27 @@ pub fn coverage(model: &Model, comparison: &Comparison, solved: &MissionPlan) ->
         }
     }
     let is_left_out = |i: &usize| !model.plan.against.contains(i);
-    let left_out = (0..model.modes.len()).filter(is_left_out).map(|i| model.modes[i].name.clone()).collect();
+    let left_out: Vec<usize> = (0..model.modes.len()).filter(is_left_out).collect();
     let kinds = [
         ("Covered at every instant:", always, false),
         ("Not covered:", later, true),
         ("Not covered, the vehicle falls until its spin catches it:", caught, true),
-        ("Not planned against:", left_out, false),
     ];
-    kinds
-        .into_iter()
-        .filter(|(_, modes, _)| !modes.is_empty())
-        .map(|(name, modes, is_bad)| Coverage { name, modes: named(&modes), is_bad })
-        .collect()
+    let of_plan = kinds.into_iter().filter(|(_, modes, _)| !modes.is_empty());
+    let of_plan = of_plan.map(|(name, modes, is_bad)| Coverage { name, modes: named(&modes), is_bad });
+    let outcomes = Outcome::ALL.into_iter().filter_map(|outcome| {
+        // The healthy vehicle comes first.
+        let is_of = |i: &&usize| analyses.get(**i + 1).is_some_and(|analysis| analysis.outcome == outcome);
+        let names: Vec<String> = left_out.iter().filter(is_of).map(|&i| model.modes[i].name.clone()).collect();
+        (!names.is_empty()).then(|| format!("{} ({})", named(&names), outcome.words_of(names.len())))
+    });
+    let outcomes: Vec<String> = outcomes.collect();
+    let others = (!outcomes.is_empty()).then(|| Coverage {
+        name: "Not planned against:",
+        modes: outcomes.join("; "),
+        is_bad: false,
+    });
+    of_plan.chain(others).collect()
 }
 
 /// The instant before which a fault of a mode may meet a violation, s; `None` if it meets none at any instant. `mode`

@@ -46,7 +46,7 @@ impl Document<'_> {
                 head {
                     meta charset="utf-8";
                     meta name="viewport" content="width=device-width, initial-scale=1";
-                    meta http-equiv="Content-Security-Policy" content=(embed::policy());
+                    meta http-equiv="Content-Security-Policy" content=(embed::policy(false));
                     meta name="color-scheme" content="light dark";
                     meta name="generator" content={ "mavc " (env!("CARGO_PKG_VERSION")) };
                     title { (mission.name) ": " (self.found.headline.replace('`', "")) }

@@ -10,11 +10,13 @@ use sha2::{Digest, Sha256};
 pub const SCRIPT: &str = include_str!("../../../../assets/page/dist/page.js");
 pub const STYLE: &str = include_str!("../../../../assets/page/dist/page.css");
 
-/// The page's content security policy: nothing may be loaded, and only the embedded script and style are used.
-pub fn policy() -> String {
+/// The page's content security policy: nothing may be loaded, and only the embedded script and style are used. A page
+/// that `listens` may connect to its own server.
+pub fn policy(listens: bool) -> String {
     let hash = |text: &str| format!("'sha256-{}'", STANDARD.encode(Sha256::digest(text.as_bytes())));
     format!(
-        "default-src 'none'; script-src {}; style-src {}; img-src data: blob:; base-uri 'none'; form-action 'none'",
+        "default-src 'none'; {}script-src {}; style-src {}; img-src data: blob:; base-uri 'none'; form-action 'none'",
+        if listens { "connect-src 'self'; " } else { "" },
         hash(SCRIPT),
         hash(STYLE)
     )

@@ -1,7 +1,7 @@
 //! A campaign: what the faults do to the path, by mode, and by mode and instant of the fault.
 
 use super::prose::true_minus;
-use super::survival::{CLASSES, class_of, map};
+use super::survival::{CLASSES, class_of, harmful, harmless, lost_nothing, map};
 use super::table::{Frame, counts, numbers, table, words};
 use crate::flight::damage::HEADING_BROKEN;
 use crate::number::{number, part_of_all, significant};
@@ -11,9 +11,10 @@ use maud::{Markup, html};
 /// Most modes of one table.
 const MOST_MODES: usize = 60;
 
-/// The path after the fault, for each planner.
+/// The path after the fault, for each planner, folded; modes with which no planner lost a flight apart.
 pub fn tables(record: &CampaignRecord) -> Markup {
     let flown = || record.planners.iter().filter(|p| !p.modes.is_empty());
+    let (harmful, unharmed) = (harmful(record), harmless(record));
     html! {
         h2 { "The path after the fault" }
         p.note {
@@ -22,33 +23,50 @@ pub fn tables(record: &CampaignRecord) -> Markup {
              heading if it is more than "
             (number(HEADING_BROKEN.to_degrees())) " deg off before yaw is given up."
         }
-        @for planner in flown() { (harm(planner)) }
-        p.note { "Maps: mean deviation in m; colour: share of the due waypoints missed; columns: instant of the fault \
-            in s." }
-        div.legend {
-            @for (k, (name, _)) in CLASSES.iter().enumerate() {
-                span.entry { span.swatch.{ "lost" (k) } aria-hidden="true" { } (name) }
+        details {
+            summary { "Each planner, with the modes that lost a flight" }
+            @for planner in flown() { (harm(planner, true, |mode| harmful.contains(mode.name.as_str()))) }
+        }
+        @if unharmed > 0 {
+            details {
+                summary { (lost_nothing(unharmed)) }
+                @for planner in flown() { (harm(planner, false, |mode| !harmful.contains(mode.name.as_str()))) }
             }
         }
-        div.maps { @for planner in flown() { div { (map(planner, &worst(planner).0, "deviations", None, cell)) } } }
+        details {
+            summary { "Maps of the deviation" }
+            p.note { "Mean deviation in m; colour: share of the due waypoints missed; columns: instant of the fault in \
+                s." }
+            div.legend {
+                @for (k, (name, _)) in CLASSES.iter().enumerate() {
+                    span.entry { span.swatch.{ "lost" (k) } aria-hidden="true" { } (name) }
+                }
+            }
+            div.maps {
+                @for planner in flown() {
+                    div { (map(planner, &worst(planner, |_| true).0, "deviations", None, cell)) }
+                }
+            }
+        }
     }
 }
 
-/// The modes that suffer most, in their order, and how many are left out.
-fn worst(planner: &PlannerRecord) -> (Vec<&ModeRecord>, usize) {
-    let mut modes: Vec<&ModeRecord> = planner.modes.iter().collect();
+/// The modes shown that suffer most, in their order, and how many are left out.
+fn worst(planner: &PlannerRecord, is_shown: impl Fn(&ModeRecord) -> bool) -> (Vec<&ModeRecord>, usize) {
+    let mut modes: Vec<&ModeRecord> = planner.modes.iter().filter(|mode| is_shown(mode)).collect();
+    let all = modes.len();
     if modes.len() > MOST_MODES {
         let mean = |m: &ModeRecord| m.flights.path.deviation_m.map_or(0.0, |s| s.mean);
         modes.sort_by(|a, b| mean(b).total_cmp(&mean(a)));
         modes.truncate(MOST_MODES);
     }
-    let left_out = planner.modes.len() - modes.len();
+    let left_out = all - modes.len();
     (modes, left_out)
 }
 
-fn harm(planner: &PlannerRecord) -> Markup {
+fn harm(planner: &PlannerRecord, with_healthy: bool, is_shown: impl Fn(&ModeRecord) -> bool) -> Markup {
     let name = planner.name.to_uppercase();
-    let (modes, left_out) = worst(planner);
+    let (modes, left_out) = worst(planner, is_shown);
     let heads = [
         words("Mode"),
         words("Hover"),
@@ -61,7 +79,7 @@ fn harm(planner: &PlannerRecord) -> Markup {
         words("Limits broken"),
     ];
     let rows = html! {
-        @if let Some(healthy) = &planner.healthy { (row("healthy", "", &healthy.path)) }
+        @if let Some(healthy) = planner.healthy.as_ref().filter(|_| with_healthy) { (row("healthy", "", &healthy.path)) }
         @for mode in &modes { (row(&mode.name, &mode.hover_words, &mode.flights.path)) }
     };
     html! {

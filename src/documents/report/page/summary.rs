@@ -57,7 +57,7 @@ impl Figure {
 }
 
 /// For `mavc plan`: the trajectory written is that of the last run.
-pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found {
+pub fn plan(problem: Problem, analyses: &[ModeAnalysis], comparison: &Comparison, record: &Record) -> Found {
     let model = problem.model();
     let (Some(run), Some(planner)) = (comparison.runs.last(), record.planners.last()) else { return Found::default() };
     match &run.outcome {
@@ -83,7 +83,7 @@ pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found
             figures.extend(planner.battery.as_ref().map(charge));
             figures.extend(shown_between(model, planner));
             let warnings = planner.warnings.iter().map(|c| c.message.clone()).collect();
-            Found { headline, coverage: coverage(model, comparison, solved), figures, warnings }
+            Found { headline, coverage: coverage(model, analyses, comparison, solved), figures, warnings }
         }
         _ => Found {
             headline: format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run)),

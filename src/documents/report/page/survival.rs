@@ -10,6 +10,7 @@ use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord
 use crate::report::campaign_text::by_flight;
 use crate::report::simulation::detection;
 use maud::{Markup, html};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Most modes of one map.
@@ -119,8 +120,33 @@ pub fn table(record: &CampaignRecord) -> Markup {
     }
 }
 
-/// The share of struck flights that were lost, by mode and instant of the fault.
+/// Whether a flight with this mode was lost, or its fate is unknown.
+fn has_losses(mode: &ModeRecord) -> bool {
+    mode.flights.lost + mode.flights.trespassed + mode.flights.diverged > 0
+}
+
+/// The names of the modes with which some planner lost a flight.
+pub(super) fn harmful(record: &CampaignRecord) -> BTreeSet<&str> {
+    let modes = record.planners.iter().flat_map(|planner| &planner.modes);
+    modes.filter(|mode| has_losses(mode)).map(|mode| mode.name.as_str()).collect()
+}
+
+/// The number of modes with which no planner lost a flight.
+pub(super) fn harmless(record: &CampaignRecord) -> usize {
+    let harmful = harmful(record);
+    let all: BTreeSet<&str> = record.planners.iter().flat_map(|p| &p.modes).map(|mode| mode.name.as_str()).collect();
+    all.len() - harmful.len()
+}
+
+/// The share of struck flights that were lost, by mode and instant of the fault. Modes with which no planner lost a
+/// flight are folded.
 pub fn maps(record: &CampaignRecord) -> Markup {
+    let (harmful, unharmed) = (harmful(record), harmless(record));
+    let flown = || record.planners.iter().filter(|p| !p.modes.is_empty());
+    let of = |has_losses: bool| {
+        let is_shown = |mode: &&ModeRecord| harmful.contains(mode.name.as_str()) == has_losses;
+        html! { div.maps { @for planner in flown() { div { (losses(planner, is_shown)) } } } }
+    };
     html! {
         h2 { "Share of flights lost, by the instant of the fault" }
         div.legend {
@@ -129,9 +155,16 @@ pub fn maps(record: &CampaignRecord) -> Markup {
             }
             span.entry { span.swatch.before aria-hidden="true" { } "lost before the fault" }
         }
-        div.maps {
-            @for planner in record.planners.iter().filter(|p| !p.modes.is_empty()) { div { (losses(planner)) } }
-        }
+        @if !harmful.is_empty() { (of(true)) }
+        @if unharmed > 0 { details { summary { (lost_nothing(unharmed)) } (of(false)) } }
+    }
+}
+
+/// `28 modes lost no flight with any planner`
+pub(super) fn lost_nothing(modes: usize) -> String {
+    match modes {
+        1 => "1 mode lost no flight with any planner".into(),
+        n => format!("{n} modes lost no flight with any planner"),
     }
 }
 
@@ -146,16 +179,17 @@ pub(super) fn class_of(share: f64) -> usize {
     CLASSES.iter().position(|(_, most)| share <= *most).unwrap_or(CLASSES.len() - 1)
 }
 
-fn losses(planner: &PlannerRecord) -> Markup {
-    let mut modes: Vec<&ModeRecord> = planner.modes.iter().collect();
+fn losses(planner: &PlannerRecord, is_shown: impl Fn(&&ModeRecord) -> bool) -> Markup {
+    let mut modes: Vec<&ModeRecord> = planner.modes.iter().filter(is_shown).collect();
+    let all = modes.len();
     if modes.len() > MOST_MODES {
         modes.sort_by_key(|m| std::cmp::Reverse(m.flights.lost));
         modes.truncate(MOST_MODES);
     }
     html! {
         (map(planner, &modes, "survival", Some("Lost/struck flights; columns: instant of the fault in s"), cell))
-        @if planner.modes.len() > modes.len() {
-            p.note { (planner.modes.len() - modes.len()) " modes with fewer losses are omitted." }
+        @if all > modes.len() {
+            p.note { (all - modes.len()) " modes with fewer losses are omitted." }
         }
     }
 }
@@ -241,6 +275,9 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
             (by_planner(a, &modes(a)))
             @if let Some(all) = a.by_flight.first() { p.note { (true_minus(&by_flight(&all.counts))) } }
         }
-        @if !record.predictors.is_empty() { (predicted::predictors(record)) (predicted::harm(record)) }
+        @if !record.predictors.is_empty() {
+            details { summary { "Each predictor, and the harm to the path" }
+                (predicted::predictors(record)) (predicted::harm(record)) }
+        }
     }
 }

@@ -1,20 +1,22 @@
 //! The table of modes: their control at hover, and the margins of the plan.
 
 use super::motion::signed_percent;
-use super::prose::terms;
+use super::prose::{terms, unbroken};
 use super::table::{self, Frame, numbers, words};
-use crate::admissible::edge::HoverPlace;
+use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
-use crate::admissible::without_yaw::YawFree;
 use crate::model::Model;
 use crate::motion::outside::Outside;
 use crate::number::{down, fixed, short_seconds, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome};
+use crate::report::headline::headline;
 use crate::report::terminal::{airspeed as text_of, holds};
 use maud::{Markup, html};
 
 /// Most rows; the modes that the plan must tolerate come first.
 const MOST_ROWS: usize = 200;
+/// Rows that are shown without unfolding.
+const MOST_OPEN: usize = 12;
 
 /// One mode with the plan's results for it.
 struct Row<'a> {
@@ -41,18 +43,6 @@ pub fn refused(model: &Model, analyses: &[ModeAnalysis]) -> Markup {
     table(model, analyses, None)
 }
 
-fn headline(analyses: &[ModeAnalysis]) -> String {
-    let modes = analyses.get(1..).unwrap_or_default();
-    let kept = modes.iter().filter(|a| a.keeps_full_control()).count();
-    match modes.len() {
-        0 => "The spec declares no fault mode".into(),
-        1 if kept == 1 => "The one declared mode keeps full control at hover".into(),
-        1 => "The one declared mode does not keep full control at hover".into(),
-        n if kept == n => format!("All {n} declared modes keep full control at hover"),
-        n => format!("{kept} of {n} declared modes keep full control at hover"),
-    }
-}
-
 fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &MissionPlan)>) -> Markup {
     let row = |index: usize| {
         let place = index.checked_sub(1).and_then(|m| model.plan.against.iter().position(|&a| a == m));
@@ -77,34 +67,64 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
         of_plan: solved.is_some(),
         after: solved.is_some() && holds(model),
     };
-    let mut heads = vec![words("Mode"), words("Verdict"), numbers("Hover margin", "N, N m"), numbers("Heaviest", "kg")];
-    heads.extend(columns.without_yaw.then(|| numbers("Without yaw", "disc, N m")));
-    heads.extend(columns.airspeed.then(|| numbers("Airspeed", "")));
+    // What decides comes first: on a narrow screen the rest is scrolled to.
+    let mut heads = vec![words("Mode"), words("What it leaves")];
     if columns.of_plan {
         heads.push(numbers("Plan's margin", "healthy widths"));
-        heads.extend(["Violated for", "Last violation"].map(|name| numbers(name, "s")));
+        heads.extend(["Last violation", "Violated for"].map(|name| numbers(name, "s")));
     }
     if columns.after {
         heads.extend([words("After the fault"), numbers("Committed until", "s")]);
     }
+    heads.extend([numbers("Hover margin", "N, N m"), numbers("Heaviest", "kg")]);
+    heads.extend(columns.without_yaw.then(|| numbers("Without yaw", "disc, N m")));
+    heads.extend(columns.airspeed.then(|| numbers("Airspeed", "")));
     let caption = Some(html! {
         "Control at hover"
         @if let Some((label, _)) = solved { ", and violations by the plan (" (label) ")" }
     });
     let frame = Frame { label: "Table of modes", terms: Some("modes-terms"), caption, ..Frame::default() };
+    let more = Frame { label: "Table of more modes", terms: Some("modes-terms"), ..Frame::default() };
+    let count = rows.len();
+    let (shown, folded) = if count > MOST_OPEN { fold(rows) } else { (rows, Vec::new()) };
     html! {
-        h2 { (headline(analyses)) }
-        (table::table(frame, &heads, html! { @for row in &rows { (cells(model, row, columns)) } }))
-        @if order.len() > rows.len() {
-            p.note { (order.len() - rows.len()) " more modes are omitted here; " code { "mavc analyze" } " lists all." }
+        h2 { (unbroken(&headline(model, analyses))) }
+        (table::table(frame, &heads, html! { @for row in &shown { (cells(model, row, columns)) } }))
+        @if !folded.is_empty() {
+            details {
+                summary { (folded.len()) " more modes" }
+                (table::table(more, &heads, html! { @for row in &folded { (cells(model, row, columns)) } }))
+            }
+        }
+        @if order.len() > count {
+            p.note { (order.len() - count) " more modes are omitted here; " code { "mavc analyze" } " lists all." }
         }
         (terms("modes-terms", meanings(columns, analyses)))
     }
 }
 
+/// The rows of many modes that are shown, and those that are folded: first those that a plan violates, then from the
+/// worst outcome to the best, all in their order. The healthy vehicle is shown.
+fn fold(rows: Vec<Row>) -> (Vec<Row>, Vec<Row>) {
+    let mut order: Vec<usize> = (1..rows.len()).collect();
+    let is_harmless = |i: usize| rows[i].outside.is_none_or(|o| o.last.is_none());
+    order.sort_by_key(|&i| (is_harmless(i), std::cmp::Reverse(rows[i].analysis.outcome)));
+    order.truncate(MOST_OPEN - 1);
+    let mut shown = Vec::new();
+    let mut folded = Vec::new();
+    for (i, row) in rows.into_iter().enumerate() {
+        if i == 0 || order.contains(&i) { shown.push(row) } else { folded.push(row) }
+    }
+    (shown, folded)
+}
+
 /// The meaning of the table's columns and verdicts.
 fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &'static str)> {
     let mut found = vec![
+        (
+            "What it leaves",
+            "what remains of the vehicle at hover, and below it the paper's word: controllable, stabilizable, unstable.",
+        ),
         ("Hover margin", "signed distance from hover to the edge of the mode's set of full wrenches."),
         ("Heaviest", "the mass up to which hover lies inside the mode's set."),
     ];
@@ -188,11 +208,10 @@ struct Columns {
 
 fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
     let Row { analysis: a, title, mode, outside, committed } = row;
-    let class = match (a.verdict, a.hover) {
-        (HoverVerdict::Controllable, HoverPlace::Inside) => "good",
-        (HoverVerdict::Controllable, _) | (HoverVerdict::Stabilizable, HoverPlace::Inside) => "edge",
-        (HoverVerdict::Stabilizable, _) if a.yaw_free == YawFree::Spinning => "edge",
-        (HoverVerdict::Stabilizable, _) | (HoverVerdict::Unstable, _) => "bad",
+    let class = match a.outcome {
+        Outcome::FullControl => "good",
+        Outcome::FliesOn | Outcome::Caught | Outcome::Undecided => "edge",
+        Outcome::NoMargin | Outcome::Lost => "bad",
     };
     let edge = a.edge_words().map_or_else(String::new, |words| format!(", {words}"));
     let yaw = if a.verdict == HoverVerdict::Stabilizable { " without yaw" } else { "" };
@@ -202,7 +221,24 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
     html! {
         tr {
             th scope="row" { (a.name) @if let Some(title) = title { br; span.unit { (title) } } }
-            td { span.verdict.(class) { (a.verdict.name()) (yaw) (edge) } }
+            td {
+                span.verdict.(class) { (a.outcome.word()) }
+                @if *mode != None || a.outcome != Outcome::FullControl {
+                    br;
+                    span.unit { (a.verdict.name()) (yaw) (edge) }
+                }
+            }
+            @if columns.of_plan {
+                td.n.bad[outside.is_some_and(|o| o.last.is_some())] {
+                    (outside.map_or_else(dash, |o| signed_percent(-o.max_violation)))
+                }
+                td.n { (last) }
+                td.n { (seconds) }
+            }
+            @if columns.after {
+                td { (after) }
+                td.n { (committed.map_or_else(dash, |c| if c > 0.0 { fixed(c, 2) } else { "never".into() })) }
+            }
             td.n { (a.acai.map_or("flat".into(), |m| signed(m, 4))) }
             td.n { (a.critical_mass_kg.map_or("none".into(), |m| down(m, 4))) }
             @if columns.without_yaw {
@@ -210,17 +246,6 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
             }
             @if let Some(airspeed) = a.airspeed {
                 td.n { (text_of(&airspeed)) }
-            }
-            @if columns.of_plan {
-                td.n.bad[outside.is_some_and(|o| o.last.is_some())] {
-                    (outside.map_or_else(dash, |o| signed_percent(-o.max_violation)))
-                }
-                td.n { (seconds) }
-                td.n { (last) }
-            }
-            @if columns.after {
-                td { (after) }
-                td.n { (committed.map_or_else(dash, |c| if c > 0.0 { fixed(c, 2) } else { "never".into() })) }
             }
         }
     }

@@ -6,18 +6,17 @@ use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
 use crate::certify::between::{Between, CORES, Shown, WRENCH};
 use crate::flight::equilibrium::outcome_of;
-use crate::model::{Mission, Model, PlannerKind};
+use crate::model::{AfterFault, Mission, Model, PlannerKind};
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, part_of_all, percent, plural};
 use crate::planner::studies::{MissionPlan, PlannerRun};
 use crate::report::mode_names::within;
 use crate::report::screen::{Screen, Tone};
-use crate::report::terminal::holds;
 use crate::report::without_yaw;
 use crate::text_table::Table;
 
-/// Columns of the names of modes, in the table and in a sentence.
-const NAMES: usize = 24;
+/// Most columns of the names of modes, in the table and in a sentence.
+const NAMES: usize = 32;
 const NAMES_IN_TEXT: usize = 44;
 /// Most rows of the table.
 const MOST_ROWS: usize = 7;
@@ -34,6 +33,7 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     }
     let places = |wanted: &dyn Fn(usize) -> bool| (0..all.len()).filter(|&i| wanted(i)).collect::<Vec<usize>>();
     let is_captured = |i: usize| comparison.provisions[i] == Provision::Capture;
+    let stops = |i: usize| solved.outside[i].last.is_some() && unsafe_until(model, solved, i).is_none();
     let is_safe = |i: usize| !is_captured(i) && solved.outside[i].last.is_none();
     let is_core = |i: usize| matches!(comparison.provisions[i], Provision::WithoutYaw(_));
     let with_yaw = places(&|i| is_safe(i) && !is_core(i));
@@ -42,32 +42,48 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
         true => format!(", with {} % in reserve", part_of_all(model.plan.reserve)),
         false => String::new(),
     };
-    let linear = if solved.trajectory.model == WrenchModel::Exact { "" } else { " of the linear model" };
+    let wrench = match solved.trajectory.model {
+        WrenchModel::Exact => "this plan's thrust and torques",
+        _ => "the thrust and torques that the linear model gives this plan",
+    };
     let mut safe = Vec::new();
     if !with_yaw.is_empty() {
         let names = within(all, &with_yaw, NAMES_IN_TEXT);
-        safe.push(format!(
-            "After {names} at any instant the rotors left give its thrust and torques{linear}{reserve}."
-        ));
+        safe.push(format!("After {names} at any instant the rotors left still give {wrench}{reserve}."));
     }
     if !without_yaw.is_empty() {
         let names = within(all, &without_yaw, NAMES_IN_TEXT);
-        let heading = "heading not held";
-        safe.push(format!("After {names} at any instant they give its thrust, roll and pitch{reserve}; {heading}."));
+        safe.push(format!(
+            "After {names} at any instant the rotors left still give {wrench} except about yaw{reserve}: the heading is \
+             not held."
+        ));
     }
     if !safe.is_empty() {
-        safe.push(how_shown(answer.between, run));
+        safe.push(how_shown(answer, run));
         screen.paragraph(Tone::Plain, 2, 2, &safe.join(" "));
     }
-    let unsafe_ones = places(&|i| !is_captured(i) && solved.outside[i].last.is_some());
+    let stopping = places(&|i| !is_captured(i) && stops(i));
+    if !stopping.is_empty() {
+        let names = within(all, &stopping, NAMES_IN_TEXT);
+        screen.paragraph(
+            Tone::Warning,
+            2,
+            2,
+            &format!(
+                "After {names} the plan leaves their sets, but from every node before that a stop inside them was \
+                 found (`after_fault = hold`)."
+            ),
+        );
+    }
+    let unsafe_ones = places(&|i| !is_captured(i) && unsafe_until(model, solved, i).is_some());
     if !unsafe_ones.is_empty() {
-        let until = unsafe_ones.iter().filter_map(|&i| solved.outside[i].last).fold(0.0, f64::max);
+        let until = unsafe_ones.iter().filter_map(|&i| unsafe_until(model, solved, i)).fold(0.0, f64::max);
         screen.paragraph(
             Tone::Bad,
             2,
             2,
             &format!(
-                "UNSAFE until {} s: after {} the rotors left cannot always give its thrust and torques{linear}{reserve}.",
+                "UNSAFE until {} s: after {} the rotors left cannot always give {wrench}{reserve}.",
                 fixed(until, 2),
                 within(all, &unsafe_ones, NAMES_IN_TEXT)
             ),
@@ -79,12 +95,28 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     not_covered(model, screen);
     if !all.is_empty() {
         screen.gap();
-        let (table, hidden) = table(answer, solved);
-        screen.table(&table);
+        let hidden = table(answer, solved, NAMES).1;
+        screen.fitted(NAMES, |names| table(answer, solved, names).0);
         if hidden > 0 {
             screen.line(Tone::Plain, &format!("  and {} with more to spare, -v", plural(hidden, "mode")));
         }
     }
+}
+
+/// Until when a fault of the mode with this place in `against` meets a violation, s: the last one, or, if the mission
+/// holds after the fault, the last instant from which no stop was found. `None` if it never does.
+pub(in crate::documents::report) fn unsafe_until(model: &Model, solved: &MissionPlan, i: usize) -> Option<f64> {
+    match model.after_fault(model.plan.against[i]) {
+        AfterFault::Hold => solved.committed.get(i).copied().filter(|until| *until > 0.0),
+        _ => solved.outside[i].last,
+    }
+}
+
+/// Whether a fault of some mode planned against meets a violation, or is not planned.
+pub fn is_partial(answer: &Answer, solved: &MissionPlan) -> bool {
+    let model = answer.problem.model();
+    let is_unsafe = |i: usize| unsafe_until(model, solved, i).is_some();
+    answer.comparison.provisions.contains(&Provision::Capture) || (0..solved.outside.len()).any(is_unsafe)
 }
 
 /// The modes that a plan should cover, where none was found.
@@ -92,7 +124,7 @@ pub fn demanded(answer: &Answer, screen: &mut Screen) {
     let (model, all) = (answer.problem.model(), &answer.comparison.modes);
     if !all.is_empty() {
         let places: Vec<usize> = (0..all.len()).collect();
-        screen.paragraph(Tone::Plain, 2, 2, &format!("It should cover {}.", within(all, &places, NAMES_IN_TEXT)));
+        screen.paragraph(Tone::Plain, 2, 2, &format!("It has to cover {}.", within(all, &places, NAMES_IN_TEXT)));
     }
     not_covered(model, screen);
 }
@@ -120,11 +152,14 @@ pub(in crate::documents::report) fn not_covered(model: &Model, screen: &mut Scre
 }
 
 /// How it was shown that the plan stays inside the sets: only imposed rows are proved.
-fn how_shown(between: Option<&[Between]>, run: &PlannerRun) -> String {
+fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
     let of_sets = |between: &&Between| [WRENCH, CORES].contains(&between.rows.as_str());
-    let rows: Vec<&Between> = between.unwrap_or(&[]).iter().filter(of_sets).collect();
+    let rows: Vec<&Between> = answer.between.unwrap_or(&[]).iter().filter(of_sets).collect();
     let is_proved = !rows.is_empty() && rows.iter().all(|rows| rows.shown == Shown::Proved);
     match (run.planner, is_proved) {
+        (PlannerKind::Rsp, _) if answer.comparison.selected.is_empty() && answer.comparison.trade_off.is_empty() => {
+            "Computed along the plan; RSP had no facet to guard.".into()
+        }
         (PlannerKind::Rcp, true) => "Proved at every instant.".into(),
         (PlannerKind::Rcp, false) => "Checked on a grid of instants, not proved between them.".into(),
         (PlannerKind::Rsp, true) => "Computed along the plan; the facets that it guards are proved.".into(),
@@ -135,31 +170,23 @@ fn how_shown(between: Option<&[Between]>, run: &PlannerRun) -> String {
 
 /// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first; and how
 /// many modes are left out.
-fn table(answer: &Answer, solved: &MissionPlan) -> (Table, usize) {
+fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, usize) {
     let (model, comparison) = (answer.problem.model(), answer.comparison);
-    let holds = holds(model);
-    let mut headings = vec!["fault", "spare", "tightest", "unsafe until"];
-    if holds {
-        headings.push("committed until");
-    }
+    let headings = ["fault", "spare", "tightest", "unsafe until"];
     let mut rows: Vec<(f64, Vec<usize>, Vec<String>)> = Vec::new();
     for (i, out) in solved.outside.iter().enumerate() {
         let is_captured = comparison.provisions[i] == Provision::Capture;
         let spare = if out.max_violation.abs() <= VIOLATED { 0.0 } else { -out.max_violation };
         let seconds = |at: f64| format!("{} s", fixed(at, 2));
-        let mut cells = match is_captured {
+        let cells = match is_captured {
             true => vec!["-".to_string(), "-".into(), "not planned".into()],
             false => vec![
                 percent(spare),
                 out.worst_at
                     .map_or("-".into(), |at| format!("{}{}", seconds(at), leg(answer.problem.mission(), solved, at))),
-                out.last.map_or("never".into(), seconds),
+                unsafe_until(model, solved, i).map_or("never".into(), seconds),
             ],
         };
-        if holds {
-            let until = solved.committed.get(i).copied().unwrap_or(0.0);
-            cells.push(if until > 0.0 { seconds(until) } else { "never".into() });
-        }
         let rank = if is_captured { f64::NEG_INFINITY } else { spare };
         match rows.iter_mut().find(|(_, _, same)| *same == cells) {
             Some((_, modes, _)) => modes.push(i),
@@ -170,7 +197,7 @@ fn table(answer: &Answer, solved: &MissionPlan) -> (Table, usize) {
     let hidden = rows.split_off(rows.len().min(MOST_ROWS));
     let mut table = Table::new(&headings);
     for (_, modes, cells) in &rows {
-        let name = within(&comparison.modes, modes, NAMES);
+        let name = within(&comparison.modes, modes, names);
         table.row(std::iter::once(name).chain(cells.iter().cloned()).collect());
     }
     (table, hidden.iter().map(|row| row.1.len()).sum())

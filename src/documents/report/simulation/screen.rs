@@ -6,7 +6,7 @@ use super::text::{
     trespass,
 };
 use crate::number::{fixed, number, plural, significant};
-use crate::report::screen::{Screen, Tone};
+use crate::report::screen::{EVERY_TABLE, Screen, Tone};
 use crate::report::terminal::vehicle_line;
 use crate::report::volumes::VolumeRecord;
 use crate::text_table::Table;
@@ -75,6 +75,7 @@ pub fn screen(flown: &Flown) -> Screen {
     lines.push(manner(model));
     lines.iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
     remarks(flown, &record).iter().for_each(|text| screen.remark(text));
+    screen.line(Tone::Plain, EVERY_TABLE);
     screen
 }
 
@@ -105,7 +106,8 @@ fn faults(screen: &mut Screen, record: &FlightRecord) {
 fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<String> {
     let model = flown.model;
     let mut all = Vec::new();
-    all.extend(record.gave_up_yaw_at_s.and(record.spin.as_ref()).map(|spin| ending(spin, model)));
+    let spin = record.gave_up_yaw_at_s.and(record.spin.as_ref());
+    all.extend(spin.map(|spin| ending(spin, model).trim_start_matches("Warning: ").to_string()));
     if let Some(seconds) = record.gyroscope_saturated_s {
         all.push(format!(
             "a body rate was beyond the {} deg/s that the gyroscope measures for {} s",

@@ -3,9 +3,7 @@
 use super::Spec;
 use crate::actuation::Wrench;
 use crate::admissible::allocation::Allocator;
-use crate::admissible::edge::HoverPlace;
 use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
-use crate::admissible::without_yaw::YawFree;
 use crate::lsp::names::NameKind;
 use crate::model::{FaultMode, Model, Rotor, RotorState};
 use crate::number::{down, number, percent, significant};
@@ -121,31 +119,14 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
         [one] => {
             let mass = one.critical_mass_kg.filter(|m| *m > 0.0);
             let heaviest = mass.map_or(String::new(), |m| format!(", hovers up to {} kg", down(m, 4)));
-            let axes = match one.verdict {
-                HoverVerdict::Controllable if one.hover == HoverPlace::OnEdge => {
-                    " (hover lies on the edge of the admissible set)"
-                }
-                HoverVerdict::Controllable => "",
-                HoverVerdict::Stabilizable if one.yaw_free == YawFree::Spinning => {
-                    " (hovers while it spins; heading not held)"
-                }
-                HoverVerdict::Stabilizable if one.hover == HoverPlace::OnEdge => {
-                    " (hover lies on the edge of the set without yaw; heading not held)"
-                }
-                HoverVerdict::Stabilizable => " (hovers, heading not held)",
-                HoverVerdict::Unstable => " (cannot hover)",
-            };
             let uncertain = if model.vehicle.is_uncertain() { ", at the middle of the spec's intervals" } else { "" };
-            format!("**{}**{axes}, margin **{}**{heaviest}{uncertain}", one.verdict.name(), margin(one))
+            let paper = format!("{}, hover {}", one.verdict.name(), one.hover_words());
+            format!("**{}** ({paper}), margin **{}**{heaviest}{uncertain}", one.outcome.word(), margin(one))
         }
         all => {
-            let edge = |a: &ModeAnalysis| match a.hover {
-                HoverPlace::OnEdge => format!(", {}", a.hover_words()),
-                _ => String::new(),
-            };
-            let row = |a: &ModeAnalysis| format!("| {} | {}{} | {} |", a.name, a.verdict.name(), edge(a), margin(a));
+            let row = |a: &ModeAnalysis| format!("| {} | {} | {} |", a.name, a.outcome.word(), margin(a));
             let rows = all.iter().map(row);
-            let head = ["| mode | verdict | margin |".to_string(), "|---|---|---|".to_string()];
+            let head = ["| mode | outcome | margin |".to_string(), "|---|---|---|".to_string()];
             head.into_iter().chain(rows).collect::<Vec<_>>().join("\n")
         }
     }
