@@ -28,7 +28,7 @@ pub enum Undiagnosed {
 }
 
 /// Figures of a vehicle that no log has, by field: they do not change what is asked.
-const FIGURES: [(&str, &str); 7] = [
+pub(super) const FIGURES: [(&str, &str); 7] = [
     ("arm", "25 cm"),
     ("mass", "1 kg"),
     ("inertia", "[0.01, 0.01, 0.02] kg*m^2"),
@@ -56,7 +56,7 @@ pub fn diagnose(
         Vehicle::of(&record, spec).map_err(|error| Undiagnosed::Not([vec![*error], diagnostics.clone()].concat()))?;
     diagnostics.extend(vehicle.warnings.iter().cloned());
     let found = vehicle.study(&record, hidden).map_err(|error| Undiagnosed::Not(vec![*error]))?;
-    let model = vehicle.model(&record, found.as_ref());
+    let model = vehicle.model(found.as_ref());
     let losses = found.as_ref().map_or(&[][..], |study| &study.losses);
     let after = (1..=losses.len()).map(|n| analysis(&model, &vehicle.motors, &losses[..n])).collect();
     let mut good: Vec<Vec<Capacity>> = Vec::new();
@@ -86,7 +86,7 @@ pub fn diagnose(
     Ok(Diagnosed { diagnosis, diagnostics })
 }
 
-fn read(log: &mut dyn Read) -> Result<(Record, Vec<Diagnostic>), Undiagnosed> {
+pub(super) fn read(log: &mut dyn Read) -> Result<(Record, Vec<Diagnostic>), Undiagnosed> {
     match log::read(log) {
         Ok(log) => Ok((log.record, log.diagnostics)),
         Err(Unreadable::Not(error)) => Err(Undiagnosed::Not(vec![*error])),
@@ -95,21 +95,21 @@ fn read(log: &mut dyn Read) -> Result<(Record, Vec<Diagnostic>), Undiagnosed> {
 }
 
 /// The vehicle of a log.
-struct Vehicle {
+pub(super) struct Vehicle {
     /// The text of its frame with `?`, if there is no spec.
-    frame: Option<String>,
+    pub frame: Option<String>,
     spec: Spec,
     /// The log's motor (from 0) of each rotor.
-    motors: Vec<usize>,
-    warnings: Vec<Diagnostic>,
+    pub motors: Vec<usize>,
+    pub warnings: Vec<Diagnostic>,
 }
 
-fn missing(message: impl Into<String>, help: &str) -> Box<Diagnostic> {
+pub(super) fn missing(message: impl Into<String>, help: &str) -> Box<Diagnostic> {
     Box::new(Diagnostic::error(MISSING, Span::default(), message.into()).help(help))
 }
 
 impl Vehicle {
-    fn of(record: &Record, spec: Option<&Spec>) -> Result<Self, Box<Diagnostic>> {
+    pub fn of(record: &Record, spec: Option<&Spec>) -> Result<Self, Box<Diagnostic>> {
         let (frame, spec, warnings) = match spec {
             Some(spec) => (None, spec.clone(), Vec::new()),
             None => {
@@ -142,7 +142,8 @@ impl Vehicle {
         of_motors
     }
 
-    fn study(&self, record: &Record, hidden: &[usize]) -> Result<Option<Study>, Box<Diagnostic>> {
+    /// What the log says; `hidden` are motors from 1.
+    pub fn study(&self, record: &Record, hidden: &[usize]) -> Result<Option<Study>, Box<Diagnostic>> {
         let n = self.motors.len();
         if let Some(wrong) = hidden.iter().find(|motor| !(1..=n).contains(motor)) {
             return Err(missing(format!("there is no motor {wrong}: the vehicle has {n}"), "name one of its motors"));
@@ -168,10 +169,9 @@ impl Vehicle {
     }
 
     /// The model with the thrust that the log shows in hover: of a frame without figures the mass is made to fit.
-    fn model(&self, record: &Record, study: Option<&Study>) -> Model {
+    fn model(&self, study: Option<&Study>) -> Model {
         let mut model = self.spec.model().clone();
         let hover = study.and_then(|study| study.hover).filter(|hover| *hover > 0.02 && *hover < 1.0).unwrap_or(HOVER);
-        let _ = record;
         if self.frame.is_some() {
             let actuation = crate::actuation::Actuation::of(&model.vehicle);
             let full: f64 = (0..actuation.rotors()).map(|k| actuation.full(k)[0]).sum();
