@@ -207,14 +207,21 @@ fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> ModeAnalysis {
     analyze_each(&model).pop().expect("healthy and one mode")
 }
 
-/// Capacities against those of good flights.
+/// Capacities against those of good flights. The spread between flights is taken as that of all rotors alike, because a
+/// few flights show too little of each.
 fn compare(own: &[Capacity], good: &[Vec<Capacity>]) -> Vec<Against> {
-    let n = good.len() as f64;
-    let against = |(motor, capacity): (usize, &Capacity)| {
-        let mean = good.iter().map(|flight| flight[motor].value).sum::<f64>() / n;
-        let variance = good.iter().map(|flight| (flight[motor].value - mean).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
-        let half = student(good.len().saturating_sub(1)) * (variance * (1.0 + 1.0 / n)).sqrt();
-        Against { motor, mean, change: capacity.value - mean, half }
+    let (n, flights) = (own.len(), good.len() as f64);
+    let means: Vec<f64> = (0..n).map(|k| good.iter().map(|flight| flight[k].value).sum::<f64>() / flights).collect();
+    let squares: f64 =
+        good.iter().flat_map(|flight| flight.iter().zip(&means)).map(|(c, m)| (c.value - m).powi(2)).sum();
+    let freedom = n * good.len().saturating_sub(1);
+    let variance = squares / freedom.max(1) as f64;
+    let half = student(freedom) * (variance * (1.0 + 1.0 / flights)).sqrt();
+    let against = |(motor, capacity): (usize, &Capacity)| Against {
+        motor,
+        mean: means[motor],
+        change: capacity.value - means[motor],
+        half,
     };
     own.iter().enumerate().map(against).collect()
 }
@@ -239,7 +246,9 @@ fn too_slow(record: &Record, study: Option<&Study>, [outputs, rates]: [f64; 2]) 
         if study.flights.is_empty() {
             found.push("the log has no flight of 2 s or more".into());
         } else if !study.is_searched {
-            found.push("the flight is too short or too rough to tell a loss from a manoeuvre".into());
+            found.push(
+                "the motion was not searched: the flight is too short, or fewer than four outputs are known".into(),
+            );
         }
     }
     found
