@@ -48,7 +48,7 @@ pub const MISSION_TEMPLATES: [(&str, &str); 4] = [
 #[cfg(test)]
 mod tests {
     use crate::documents::schemas::check;
-    use crate::report::{analysis_record, campaign_record, model_record, record, simulation};
+    use crate::report::{analysis_record, campaign_record, diagnosis, model_record, record, simulation};
 
     /// With `MAVC_UPDATE=1` they are written anew.
     #[test]
@@ -59,5 +59,6 @@ mod tests {
         check::<record::Record>("report", "mavc plan --report, mavc compare --report");
         check::<simulation::FlightRecord>("simulate", "mavc simulate --report");
         check::<campaign_record::CampaignRecord>("campaign", "mavc campaign --report");
+        check::<diagnosis::DiagnosisRecord>("diagnose", "mavc diagnose --format json");
     }
 }

@@ -10,3 +10,4 @@ pub mod outputs;
 pub mod record;
 pub mod samples;
 pub mod study;
+pub mod transient;

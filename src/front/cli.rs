@@ -14,6 +14,7 @@ mod exports;
 mod files;
 mod flight_log;
 mod fmt;
+mod identify;
 mod import;
 mod links;
 #[cfg(feature = "lsp")]
@@ -39,8 +40,8 @@ use crate::source::visible;
 use crate::verdict::Verdict;
 use arguments::{
     AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, DiagnoseArgs, EmitArgs, EmitFormat, FmtArgs,
-    Format, ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs,
-    ViewArgs,
+    Format, IdentifyArgs, ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SimulateArgs, SpecArgs, Stage,
+    VerifyArgs, ViewArgs,
 };
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};
@@ -110,6 +111,7 @@ pub fn run() -> u8 {
         Command::Simulate(args) => simulate::run(args, &options),
         Command::Campaign(args) => campaign::run(args, &options),
         Command::Diagnose(args) => diagnose::run(args, &options),
+        Command::Identify(args) => identify::run(args, &options),
         Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::Import(what) => import::run(what, &options),

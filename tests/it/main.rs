@@ -37,6 +37,7 @@ mod keep_volumes;
 mod lag;
 mod language;
 mod legs;
+mod logs;
 mod lsp;
 mod many;
 mod method;

@@ -28,7 +28,7 @@ pub enum Undiagnosed {
 }
 
 /// Figures of a vehicle that no log has, by field: they do not change what is asked.
-const FIGURES: [(&str, &str); 7] = [
+pub(super) const FIGURES: [(&str, &str); 7] = [
     ("arm", "25 cm"),
     ("mass", "1 kg"),
     ("inertia", "[0.01, 0.01, 0.02] kg*m^2"),
@@ -56,7 +56,7 @@ pub fn diagnose(
         Vehicle::of(&record, spec).map_err(|error| Undiagnosed::Not([vec![*error], diagnostics.clone()].concat()))?;
     diagnostics.extend(vehicle.warnings.iter().cloned());
     let found = vehicle.study(&record, hidden).map_err(|error| Undiagnosed::Not(vec![*error]))?;
-    let model = vehicle.model(&record, found.as_ref());
+    let model = vehicle.model(found.as_ref());
     let losses = found.as_ref().map_or(&[][..], |study| &study.losses);
     let after = (1..=losses.len()).map(|n| analysis(&model, &vehicle.motors, &losses[..n])).collect();
     let mut good: Vec<Vec<Capacity>> = Vec::new();
@@ -86,7 +86,7 @@ pub fn diagnose(
     Ok(Diagnosed { diagnosis, diagnostics })
 }
 
-fn read(log: &mut dyn Read) -> Result<(Record, Vec<Diagnostic>), Undiagnosed> {
+pub(super) fn read(log: &mut dyn Read) -> Result<(Record, Vec<Diagnostic>), Undiagnosed> {
     match log::read(log) {
         Ok(log) => Ok((log.record, log.diagnostics)),
         Err(Unreadable::Not(error)) => Err(Undiagnosed::Not(vec![*error])),
@@ -95,21 +95,21 @@ fn read(log: &mut dyn Read) -> Result<(Record, Vec<Diagnostic>), Undiagnosed> {
 }
 
 /// The vehicle of a log.
-struct Vehicle {
+pub(super) struct Vehicle {
     /// The text of its frame with `?`, if there is no spec.
-    frame: Option<String>,
+    pub frame: Option<String>,
     spec: Spec,
     /// The log's motor (from 0) of each rotor.
-    motors: Vec<usize>,
-    warnings: Vec<Diagnostic>,
+    pub motors: Vec<usize>,
+    pub warnings: Vec<Diagnostic>,
 }
 
-fn missing(message: impl Into<String>, help: &str) -> Box<Diagnostic> {
+pub(super) fn missing(message: impl Into<String>, help: &str) -> Box<Diagnostic> {
     Box::new(Diagnostic::error(MISSING, Span::default(), message.into()).help(help))
 }
 
 impl Vehicle {
-    fn of(record: &Record, spec: Option<&Spec>) -> Result<Self, Box<Diagnostic>> {
+    pub fn of(record: &Record, spec: Option<&Spec>) -> Result<Self, Box<Diagnostic>> {
         let (frame, spec, warnings) = match spec {
             Some(spec) => (None, spec.clone(), Vec::new()),
             None => {
@@ -142,7 +142,8 @@ impl Vehicle {
         of_motors
     }
 
-    fn study(&self, record: &Record, hidden: &[usize]) -> Result<Option<Study>, Box<Diagnostic>> {
+    /// What the log says; `hidden` are motors from 1.
+    pub fn study(&self, record: &Record, hidden: &[usize]) -> Result<Option<Study>, Box<Diagnostic>> {
         let n = self.motors.len();
         if let Some(wrong) = hidden.iter().find(|motor| !(1..=n).contains(motor)) {
             return Err(missing(format!("there is no motor {wrong}: the vehicle has {n}"), "name one of its motors"));
@@ -154,7 +155,7 @@ impl Vehicle {
             return Ok(None);
         }
         if dead.len() == n {
-            return Err(missing("no motor was commanded in the log", "name the log of a flight"));
+            return Ok(study(record, &commands, &self.effects(), &hidden));
         }
         if let [motor, ..] = dead[..] {
             let message = format!("the log has no output of motor {}, and the vehicle has {n} motors", motor + 1);
@@ -168,10 +169,9 @@ impl Vehicle {
     }
 
     /// The model with the thrust that the log shows in hover: of a frame without figures the mass is made to fit.
-    fn model(&self, record: &Record, study: Option<&Study>) -> Model {
+    fn model(&self, study: Option<&Study>) -> Model {
         let mut model = self.spec.model().clone();
         let hover = study.and_then(|study| study.hover).filter(|hover| *hover > 0.02 && *hover < 1.0).unwrap_or(HOVER);
-        let _ = record;
         if self.frame.is_some() {
             let actuation = crate::actuation::Actuation::of(&model.vehicle);
             let full: f64 = (0..actuation.rotors()).map(|k| actuation.full(k)[0]).sum();
@@ -207,14 +207,21 @@ fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> ModeAnalysis {
     analyze_each(&model).pop().expect("healthy and one mode")
 }
 
-/// Capacities against those of good flights.
+/// Capacities against those of good flights. The spread between flights is taken as that of all rotors alike, because a
+/// few flights show too little of each.
 fn compare(own: &[Capacity], good: &[Vec<Capacity>]) -> Vec<Against> {
-    let n = good.len() as f64;
-    let against = |(motor, capacity): (usize, &Capacity)| {
-        let mean = good.iter().map(|flight| flight[motor].value).sum::<f64>() / n;
-        let variance = good.iter().map(|flight| (flight[motor].value - mean).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
-        let half = student(good.len().saturating_sub(1)) * (variance * (1.0 + 1.0 / n)).sqrt();
-        Against { motor, mean, change: capacity.value - mean, half }
+    let (n, flights) = (own.len(), good.len() as f64);
+    let means: Vec<f64> = (0..n).map(|k| good.iter().map(|flight| flight[k].value).sum::<f64>() / flights).collect();
+    let squares: f64 =
+        good.iter().flat_map(|flight| flight.iter().zip(&means)).map(|(c, m)| (c.value - m).powi(2)).sum();
+    let freedom = n * good.len().saturating_sub(1);
+    let variance = squares / freedom.max(1) as f64;
+    let half = student(freedom) * (variance * (1.0 + 1.0 / flights)).sqrt();
+    let against = |(motor, capacity): (usize, &Capacity)| Against {
+        motor,
+        mean: means[motor],
+        change: capacity.value - means[motor],
+        half,
     };
     own.iter().enumerate().map(against).collect()
 }
@@ -239,7 +246,9 @@ fn too_slow(record: &Record, study: Option<&Study>, [outputs, rates]: [f64; 2]) 
         if study.flights.is_empty() {
             found.push("the log has no flight of 2 s or more".into());
         } else if !study.is_searched {
-            found.push("the flight is too short or too rough to tell a loss from a manoeuvre".into());
+            found.push(
+                "the motion was not searched: the flight is too short, or fewer than four outputs are known".into(),
+            );
         }
     }
     found

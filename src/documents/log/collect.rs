@@ -220,6 +220,12 @@ impl Collector {
             }
             ("battery_status", [volts, amperes]) => record.battery.push(time, [*volts, *amperes]),
             ("esc_status", speeds) => record.speeds.push(time, motors(speeds)),
+            // Speeds are what the rotors follow: the commands of a simulated flight.
+            ("mavc_rotors", speeds) => {
+                record.autopilot = Autopilot::Mavc;
+                record.is_pulses = false;
+                record.outputs.push(time, motors(speeds))
+            }
             ("actuator_armed", [armed]) => record.armed.push(time, [*armed]),
             _ => true,
         };

@@ -8,6 +8,13 @@
 
 use crate::diagnosis::record::{Autopilot, MOTORS, Record};
 
+/// The speed of full thrust of a simulated flight, rad/s: `Record::parameters` has it if a spec is known.
+pub const MOST_SPEED: &str = "MAVC_MAX_SPEED";
+
+fn largest(record: &Record) -> f64 {
+    record.outputs.values.iter().flatten().filter(|v| v.is_finite()).fold(1.0, |a, b| a.max(f64::from(*b)))
+}
+
 /// From an output to a share of full thrust.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
@@ -38,7 +45,9 @@ impl Curve {
                 let off = if span * bottom > 20.0 { low + 0.25 * span * bottom } else { f64::NEG_INFINITY };
                 Curve { off, ..same(low + span * bottom, low + span * top, expo) }
             }
-            Autopilot::Px4 | Autopilot::Mavc => {
+            // Thrust follows the square of the speed.
+            Autopilot::Mavc => same(0.0, get(MOST_SPEED, largest(record)), 1.0),
+            Autopilot::Px4 => {
                 let expo = get("THR_MDL_FAC", 0.0).clamp(0.0, 1.0);
                 if !record.is_pulses {
                     return same(0.0, 1.0, expo);

@@ -18,7 +18,7 @@ const DEEPEST: usize = 6;
 
 /// The topics that are read, with their fields; a missing field is NaN. The first name of a field that the log has
 /// counts. `name[3]` is three fields.
-const WANTED: [(&str, &[&str]); 9] = [
+const WANTED: [(&str, &[&str]); 10] = [
     ("actuator_motors", &["control[12]"]),
     ("actuator_outputs", &["noutputs", "output[16]"]),
     ("vehicle_angular_velocity", &["xyz[3]"]),
@@ -28,6 +28,14 @@ const WANTED: [(&str, &[&str]); 9] = [
     ("battery_status", &["voltage_v", "current_a"]),
     ("esc_status", &["esc.esc_rpm[8]"]),
     ("actuator_armed", &["armed"]),
+    // Of simulated flights of mavc.
+    (
+        "mavc_rotors",
+        &[
+            "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "omega_9",
+            "omega_10", "omega_11", "omega_12", "omega_13", "omega_14", "omega_15", "omega_16",
+        ],
+    ),
 ];
 
 /// A number in a sample.

@@ -19,9 +19,11 @@ const FASTEST: f64 = 4.0;
 /// Losses of less thrust than this are not reported as changes.
 const LEAST: f64 = 0.12;
 /// The spread of the residuals is at least this many shares of a rotor: no model is exact.
-const FLOOR: f64 = 0.006;
+const FLOOR: f64 = 0.012;
 /// Errors of the model grow with torques: this share of the change of a command counts as spread.
-const MODEL_ERROR: f64 = 0.15;
+const MODEL_ERROR: f64 = 0.2;
+/// How much more the mean of windows varies than that of independent ones would, as a factor of its variance.
+const CORRELATED: f64 = 4.0;
 
 /// A loss of thrust of one rotor.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,6 +73,8 @@ impl Sums {
 /// The jump about one window.
 struct Jump {
     difference: [f64; 4],
+    /// Its variance from the scatter of the windows on both sides.
+    variance: [f64; 4],
     commands: Vec<f64>,
     /// By how much the commanded thrust and torques changed.
     moved: [f64; 4],
@@ -90,9 +94,9 @@ impl<'s> Scan<'s> {
         let rows = residuals.iter().enumerate().map(|(i, residual)| {
             let is_slow = samples.samples[i].rates.iter().all(|w| w.abs() < FASTEST);
             let is_used = i < until && is_slow && residual.iter().all(|x| x.is_finite());
-            is_used.then(|| [&residual[..], &fit.commands[i]].concat())
+            is_used.then(|| [&residual[..], &fit.commands[i], &residual.map(|x| x * x)].concat())
         });
-        Scan { samples, effects, sums: Sums::of(rows, 4 + motors), motors }
+        Scan { samples, effects, sums: Sums::of(rows, 8 + motors), motors }
     }
 
     fn windows(&self, seconds: f64) -> usize {
@@ -106,10 +110,16 @@ impl<'s> Scan<'s> {
         let (start, end) = (i.saturating_sub(before), (i + 1 + after).min(n));
         let pre = self.sums.mean(start, i.saturating_sub(1).max(start), 0.4 * before as f64)?;
         let post = self.sums.mean(i + 1, end, 0.7 * after as f64)?;
-        let wanted =
-            |means: &[f64], axis: usize| -> f64 { means[4..].iter().zip(self.effects).map(|(u, e)| u * e[axis]).sum() };
+        let wanted = |means: &[f64], axis: usize| -> f64 {
+            means[4..4 + self.motors].iter().zip(self.effects).map(|(u, e)| u * e[axis]).sum()
+        };
+        let scatter = |means: &[f64], k: usize, windows: usize| {
+            let square = means[4 + self.motors + k] - means[k] * means[k];
+            CORRELATED * square.max(0.0) / windows as f64
+        };
         Some(Jump {
             difference: std::array::from_fn(|k| post[k] - pre[k]),
+            variance: std::array::from_fn(|k| scatter(&post, k, after) + scatter(&pre, k, before)),
             moved: std::array::from_fn(|k| wanted(&post, k) - wanted(&pre, k)),
             commands: post[4..4 + self.motors].to_vec(),
         })
@@ -129,7 +139,8 @@ impl<'s> Scan<'s> {
 /// How well a loss of each motor explains a jump: share of thrust that is lost, its standard deviation, strength, and
 /// what stays unexplained.
 fn explain(jump: &Jump, effects: &[Effect], spread: &[f64; 4]) -> Vec<[f64; 4]> {
-    let weight: [f64; 4] = std::array::from_fn(|k| 1.0 / (spread[k].powi(2) + (MODEL_ERROR * jump.moved[k]).powi(2)));
+    let weight: [f64; 4] =
+        std::array::from_fn(|k| 1.0 / (spread[k].powi(2) + jump.variance[k] + (MODEL_ERROR * jump.moved[k]).powi(2)));
     let total: f64 = (0..4).map(|k| weight[k] * jump.difference[k].powi(2)).sum();
     effects
         .iter()
@@ -168,7 +179,7 @@ pub fn strongest(
             let found = explain(&jump, effects, &spread);
             for (k, [lost, _, strength, left]) in found.iter().enumerate() {
                 // What no single rotor explains is something else: a collision, a gust, the ground.
-                let explains = *left < 0.35 * strength.max(1e-9) || *left < 20.0;
+                let explains = *left < 0.3 * strength.max(1e-9);
                 let strong = *strength > THRESHOLD && *lost > LEAST && explains && !known.contains(&k);
                 if strong && best.as_ref().is_none_or(|b| *strength > b.1) {
                     best = Some((i, *strength, found.clone(), k));

@@ -11,7 +11,11 @@ const LAGS: [f64; 8] = [0.0, 0.01, 0.02, 0.03, 0.05, 0.08, 0.12, 0.2];
 /// Faster turns than this are left out of the fit, rad/s: torques that the model lacks grow with them.
 pub const FAST: f64 = 2.0;
 /// An axis whose commands explain less than this share of the variance gets no gain.
-const EXPLAINED: f64 = 0.1;
+const EXPLAINED: f64 = 0.3;
+/// On an axis without a gain windows are used up to this many typical angular accelerations: those that balance.
+const QUIET: f64 = 4.0;
+/// The least typical angular acceleration, rad/s^2.
+const LEAST_TURNING: f64 = 0.05;
 
 /// What a rotor at full thrust gives: thrust, roll, pitch and yaw torque, each relative to the mean rotor of the frame.
 pub type Effect = [f64; 4];
@@ -40,6 +44,8 @@ pub struct Fit {
     pub explained: [f64; 3],
     /// Specific force for each unit of thrust command, m/s^2; `None` if no force is logged.
     pub thrust: Option<f64>,
+    /// The greatest angular acceleration with which a window is used, on an axis without a gain, rad/s^2.
+    quiet: [f64; 3],
     /// Commands as the rotors follow them, by window and motor.
     pub commands: Vec<Vec<f64>>,
     /// What the commands leave unexplained, by window: thrust, roll, pitch, yaw, in units of the effects. NaN where
@@ -74,15 +80,15 @@ fn slope(pairs: &[(f64, f64)]) -> (f64, f64) {
 }
 
 impl Fit {
-    /// The fit of the windows before `until` (s) at which the vehicle flies.
-    pub fn of(samples: &Samples, effects: &[Effect], until: f64) -> Self {
+    /// The fit of the windows in `[from, until)`, s, in which the vehicle flies.
+    pub fn of(samples: &Samples, effects: &[Effect], [from, until]: [f64; 2]) -> Self {
         let mut best: Option<Fit> = None;
         for lag in LAGS {
             let commands = samples.followed(lag);
             let used: Vec<usize> = (0..samples.samples.len())
                 .filter(|i| {
                     let s = &samples.samples[*i];
-                    s.is_valid && s.time < until && s.rates.iter().all(|w| w.abs() < FAST)
+                    s.is_valid && s.time >= from && s.time < until && s.rates.iter().all(|w| w.abs() < FAST)
                 })
                 .collect();
             let mut fit = Fit {
@@ -90,6 +96,7 @@ impl Fit {
                 gains: [None; 3],
                 explained: [0.0; 3],
                 thrust: None,
+                quiet: [f64::INFINITY; 3],
                 commands: Vec::new(),
                 residuals: Vec::new(),
             };
@@ -100,6 +107,8 @@ impl Fit {
                     .collect();
                 let (gain, explained) = slope(&pairs);
                 fit.explained[axis] = if gain > 0.0 { explained } else { 0.0 };
+                let mut sizes: Vec<f64> = pairs.iter().map(|(_, turning)| turning.abs()).collect();
+                fit.quiet[axis] = QUIET * median(&mut sizes).unwrap_or(0.0).max(LEAST_TURNING);
                 fit.gains[axis] = (gain > 0.0 && explained > EXPLAINED).then_some(gain);
             }
             let mut ratios: Vec<f64> = used
@@ -123,7 +132,8 @@ impl Fit {
     /// What the commands of window `i` leave unexplained if each rotor has a capacity.
     pub fn residual(&self, samples: &Samples, effects: &[Effect], i: usize, capacity: &[f64]) -> [f64; 4] {
         let s = &samples.samples[i];
-        if !s.is_valid {
+        let turns = |axis: usize| self.gains[axis].is_none() && s.turning[axis].abs() > self.quiet[axis];
+        if !s.is_valid || (0..3).any(turns) {
             return [f64::NAN; 4];
         }
         let real: Vec<f64> = self.commands[i].iter().zip(capacity).map(|(u, c)| u * c).collect();

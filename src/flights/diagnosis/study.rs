@@ -7,6 +7,7 @@ use super::fit::{Effect, Fit};
 use super::outputs::{Frozen, frozen};
 use super::record::{MOTORS, Record, median};
 use super::samples::Samples;
+use super::transient::sudden;
 
 /// The most losses that are looked for in one flight.
 const MOST_LOSSES: usize = 4;
@@ -14,6 +15,11 @@ const MOST_LOSSES: usize = 4;
 const TAKE_OFF: f64 = 1.5;
 /// A rotor that is lost has less than this of its thrust.
 const LOST: f64 = 0.15;
+/// After an output of one motor was off or held, so long (s) no reduced thrust of another is taken from the motion, which
+/// follows commands that the log has too few samples of.
+const UNSETTLED: f64 = 3.0;
+/// Time constants of rotors that are tried for a sudden loss, s.
+const LAGS: [f64; 3] = [0.02, 0.05, 0.1];
 /// Two signs of a fault of one motor within this time are one fault, s.
 const SAME: f64 = 0.7;
 /// A speed below this share of the others' median is that of a motor that stands.
@@ -104,13 +110,13 @@ pub fn study(record: &Record, commands: &[Vec<(f64, bool)>], effects: &[Effect],
     for flight in study.flights.clone() {
         let found = losses_of(record, commands, effects, hidden, &samples, &flight);
         study.losses.extend(found);
-        study.is_searched |= flight.to - flight.from > 2.0 * TAKE_OFF;
+        study.is_searched |= effects.len() - hidden.len() >= 4 && flight.to - flight.from > 2.0 * TAKE_OFF;
     }
     study.losses.sort_by(|a, b| a.time.total_cmp(&b.time));
     if let Some(flight) = study.flights.iter().max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from))) {
         let first = study.losses.iter().map(|loss| loss.interval[0]).fold(f64::INFINITY, f64::min);
-        let fit = Fit::of(&samples, effects, first);
         let range = [flight.from + TAKE_OFF, flight.to.min(first) - TAKE_OFF];
+        let fit = Fit::of(&samples, effects, range);
         study.capacities = capacities(&samples, &fit, effects, range);
         let inside = samples.samples.iter().filter(|s| s.time > range[0] && s.time < range[1].max(range[0] + 1.0));
         let mut means: Vec<f64> = inside.map(|s| s.commands.iter().sum::<f64>() / effects.len() as f64).collect();
@@ -122,7 +128,7 @@ pub fn study(record: &Record, commands: &[Vec<(f64, bool)>], effects: &[Effect],
 
 /// Replaces the commands of hidden motors by what the mixer would command them: the combination of thrust and torques
 /// nearest to the others' commands.
-fn hide(shares: &mut [Vec<f64>], effects: &[Effect], hidden: &[usize]) {
+pub fn hide(shares: &mut [Vec<f64>], effects: &[Effect], hidden: &[usize]) {
     if hidden.is_empty() {
         return;
     }
@@ -170,17 +176,24 @@ fn losses_of(
             },
         );
     }
+    let in_air = range;
     let window = |t: f64| samples.samples.partition_point(|s| s.time < t);
     let range = window(range[0])..window(range[1]);
-    let mut fit = Fit::of(samples, effects, flight.to);
+    let mut fit = Fit::of(samples, effects, in_air);
     let mut moved: Vec<Change> = Vec::new();
+    // Fewer than four commands leave a torque or the thrust open, so that those of the others do not follow.
+    if motors - hidden.len() < 4 {
+        return losses;
+    }
+    let by_lag = LAGS.map(|lag| sudden(samples, &samples.followed(lag), effects, range.clone()));
+    moved.extend(by_lag.into_iter().flatten().max_by(|a, b| a.strength.total_cmp(&b.strength)));
     for round in 0..=MOST_LOSSES {
         let residuals = residuals_after(&fit, samples, effects, &moved);
         let known: Vec<usize> = moved.iter().map(|change| change.motor).collect();
         let Some(change) = strongest(samples, &fit, effects, &residuals, range.clone(), &known) else { break };
         if round == 0 {
             // Once more, with an answer to commands that no fault has spoilt.
-            let before = Fit::of(samples, effects, change.interval[0]);
+            let before = Fit::of(samples, effects, [in_air[0], change.interval[0]]);
             if before.gains[0].is_some() && before.gains[1].is_some() {
                 fit = before;
             }
@@ -190,7 +203,10 @@ fn losses_of(
             moved.push(change);
         }
     }
-    for change in moved {
+    let taken: Vec<f64> =
+        losses.iter().filter(|loss| loss.evidence == Evidence::Output).map(|loss| loss.time).collect();
+    let is_unsettled = |time: f64| taken.iter().any(|t| time > t - SAME && time < t + UNSETTLED);
+    for change in moved.into_iter().filter(|change| change.capacity < 0.5 || !is_unsettled(change.time)) {
         add(
             &mut losses,
             Loss {

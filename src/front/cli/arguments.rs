@@ -74,6 +74,8 @@ pub(super) enum Command {
     Campaign(CampaignArgs),
     /// Find in the log of a flight which motor lost thrust, when, and what that left of the vehicle
     Diagnose(DiagnoseArgs),
+    /// Write the spec of the vehicle that flew, from the log of a flight; what the flight does not show stands as `?`
+    Identify(IdentifyArgs),
     /// Format specs: indentation, spaces, columns
     Fmt(FmtArgs),
     /// Print the output of one stage of the compiler
@@ -196,6 +198,19 @@ pub(super) struct DiagnoseArgs {
     /// Print the answer for people, or JSON
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
+}
+
+#[derive(Args)]
+pub(super) struct IdentifyArgs {
+    /// A log of ArduPilot (`.bin`) or PX4 (`.ulg`), or `-` for standard input
+    #[arg(value_hint = clap::ValueHint::FilePath)]
+    pub log: String,
+    /// The mass of the vehicle as it flew, such as 1.5kg: a log shows thrust only relative to it
+    #[arg(long, value_name = "MASS")]
+    pub mass: String,
+    /// Write the spec to this file, which must not exist yet; without it to standard output
+    #[arg(short, long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
 }
 
 impl Command {

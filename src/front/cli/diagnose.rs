@@ -48,7 +48,7 @@ pub fn run(args: &DiagnoseArgs, options: &Options) -> Result<u8, CommandError> {
 }
 
 /// Opens a log as a stream.
-fn open(name: &str) -> Result<Box<dyn Read>, CommandError> {
+pub fn open(name: &str) -> Result<Box<dyn Read>, CommandError> {
     if name == "-" {
         return Ok(Box::new(std::io::stdin()));
     }
@@ -58,7 +58,7 @@ fn open(name: &str) -> Result<Box<dyn Read>, CommandError> {
 }
 
 /// Prints what was found in a log, which is no text that could be shown.
-fn eprint(name: &str, mut found: Vec<Diagnostic>, options: &Options) {
+pub fn eprint(name: &str, mut found: Vec<Diagnostic>, options: &Options) {
     if options.quiet {
         found.retain(|d| d.severity == Severity::Error);
     }

@@ -9,18 +9,19 @@ pub struct CodePage {
     pub code: &'static str,
     /// The first line of the page: one sentence.
     pub title: &'static str,
-    /// The file with its page: `syntax`, `model`, `sense`, `analysis` or `import`.
+    /// The file with its page: `syntax`, `model`, `sense`, `analysis`, `import` or `log`.
     pub book: &'static str,
     /// What the code means, an example, and how to fix it, in Markdown; with the title, without the heading.
     pub page: &'static str,
 }
 
-const BOOKS: [(&str, &str); 5] = [
+const BOOKS: [(&str, &str); 6] = [
     ("syntax", include_str!("../../pages/syntax.md")),
     ("model", include_str!("../../pages/model.md")),
     ("sense", include_str!("../../pages/sense.md")),
     ("analysis", include_str!("../../pages/analysis.md")),
     ("import", include_str!("../../pages/import.md")),
+    ("log", include_str!("../../pages/log.md")),
 ];
 
 static PAGES: LazyLock<Vec<CodePage>> =

@@ -1,0 +1,139 @@
+//! `identify`: the spec of the vehicle that flew, from the frame and the flight of a log.
+
+use super::diagnosis::{FIGURES, Undiagnosed, Vehicle, missing, read};
+use crate::diagnosis::capacity::student;
+use crate::diagnosis::fit::Fit;
+use crate::diagnosis::record::Record;
+use crate::diagnosis::samples::Samples;
+use crate::diagnosis::study::Study;
+use crate::diagnostic::Diagnostic;
+use crate::log;
+use crate::number::{fixed, significant};
+use std::io::Read;
+
+/// A spec that was identified.
+pub struct Identified {
+    /// The text of the spec; what the flight does not show stands as `?`.
+    pub text: String,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Length of the parts of a flight whose spread gives the interval, s.
+const PART: f64 = 4.0;
+/// Half of the relative interval of full thrust by the thrust curve alone: `MOT_THST_EXPO` and `THR_MDL_FAC` are
+/// seldom measured better.
+const CURVE: f64 = 0.03;
+/// Windows of at most this length show the time constant of rotors, s, on axes that are explained so well.
+const FAST_WINDOWS: f64 = 0.03;
+const WELL: f64 = 0.6;
+
+/// Writes the spec of the vehicle of a log. `mass` is a quantity as in a spec: `1.5 kg`.
+///
+/// # Errors
+/// The log cannot be read or is not one, nothing says where the motors are, it has no flight, or the mass is not one.
+pub fn identify(source: &mut dyn Read, mass: &str) -> Result<Identified, Undiagnosed> {
+    let (record, mut diagnostics) = read(source)?;
+    let not = |error: Box<Diagnostic>| Undiagnosed::Not(vec![*error]);
+    let vehicle = Vehicle::of(&record, None).map_err(not)?;
+    diagnostics.extend(vehicle.warnings.iter().cloned());
+    let frame = vehicle.frame.clone().unwrap_or_default();
+    let mut figures: Vec<(&str, String)> = FIGURES.map(|(name, value)| (name, value.to_string())).into();
+    figures.iter_mut().filter(|(name, _)| *name == "mass").for_each(|(_, value)| *value = mass.to_string());
+    let weighed = log::filled(&frame, &figures)
+        .map_err(|why| not(missing(format!("--mass {mass}: {why}"), "give a mass with its unit: `--mass 1.5kg`")))?;
+    let kilograms = weighed.model().vehicle.mass;
+    let study = vehicle.study(&record, &[]).map_err(not)?;
+    let Some(study) = study.filter(|study| study.fit.is_some()) else {
+        return Err(not(missing("the log shows no flight of 2 s or more", "name the log of a flight with a hover")));
+    };
+    let text = written(&frame, &record, &vehicle, &study, mass, kilograms);
+    Ok(Identified { text, diagnostics })
+}
+
+/// The specific force for each unit of command: its mean and half of its 95 % interval, by parts of the flight.
+fn thrust_per_command(samples: &Samples, fit: &Fit, study: &Study) -> Option<(f64, f64)> {
+    let until = study.losses.first().map_or(f64::INFINITY, |loss| loss.interval[0]);
+    let windows = ((PART / samples.step).round() as usize).max(4);
+    let flies = |i: &usize| {
+        let t = samples.samples[*i].time;
+        t < until && study.flights.iter().any(|flight| t > flight.from + 1.5 && t < flight.to - 1.5)
+    };
+    let inside: Vec<usize> = (0..samples.samples.len()).filter(flies).collect();
+    let of_part = |part: &[usize]| {
+        let force: f64 = part.iter().map(|i| samples.samples[*i].force).sum();
+        let command: f64 = part.iter().map(|i| fit.commands[*i].iter().sum::<f64>()).sum();
+        force / command
+    };
+    let parts: Vec<f64> = inside.chunks(windows).filter(|p| p.len() == windows).map(of_part).collect();
+    let parts: Vec<f64> = parts.into_iter().filter(|x| x.is_finite() && *x > 0.0).collect();
+    let n = parts.len() as f64;
+    let mean = parts.iter().sum::<f64>() / n;
+    let variance = parts.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0);
+    (parts.len() >= 3).then(|| (mean, student(parts.len() - 1) * (variance / n).sqrt()))
+}
+
+fn written(frame: &str, record: &Record, vehicle: &Vehicle, study: &Study, mass: &str, kilograms: f64) -> String {
+    let n = vehicle.motors.len();
+    let shares: Vec<Vec<f64>> =
+        log::commands(record, n).iter().map(|row| row.iter().map(|(share, _)| *share).collect()).collect();
+    let samples = Samples::of(record, &record.outputs.times, &shares, record.outputs.period());
+    let fit = study.fit.as_ref();
+    let thrust = samples.as_ref().zip(fit).and_then(|(samples, fit)| thrust_per_command(samples, fit, study));
+    let thrust = thrust.map(|(mean, half)| (mean * kilograms, (half / mean).hypot(CURVE)));
+    let lag =
+        fit.filter(|fit| study.step <= FAST_WINDOWS && fit.explained[..2].iter().all(|e| *e > WELL) && fit.lag > 0.0);
+    let figure = |name: &str| match name {
+        "mass" => Some((mass.to_string(), "as given".to_string())),
+        "max_thrust" => thrust.map(|(newton, relative)| {
+            let value = format!("{} N +- {} %", significant(newton, 3), fixed((100.0 * relative).max(0.1), 1));
+            (value, "from the accelerometer and the commands in flight".to_string())
+        }),
+        _ => None,
+    };
+    let hint = |name: &str| match name {
+        "inertia" | "arm" => Some(turning(fit)),
+        "torque_per_thrust" => {
+            Some("not from one flight: a turn shows only its ratio to Izz; measure on a stand".into())
+        }
+        "max_speed" => Some("log the speed of the rotors (ESC telemetry) in a climb at full thrust".into()),
+        "max_thrust" => Some("hover for 15 s with the accelerometer logged".into()),
+        _ => None,
+    };
+    let mut out = String::new();
+    for line in frame.lines() {
+        let code = line.split("//").next().unwrap_or(line);
+        let name = code.trim().trim_start_matches("let ").split('=').next().unwrap_or("").trim();
+        match code.trim_end().strip_suffix('?') {
+            Some(head) => match figure(name) {
+                Some((value, remark)) => out.push_str(&format!("{head}{value}  // {remark}\n")),
+                None => {
+                    let hint = hint(name).map_or(String::new(), |hint| format!("  // {hint}"));
+                    out.push_str(&format!("{}{hint}\n", code.trim_end()));
+                }
+            },
+            None => {
+                out.push_str(line);
+                out.push('\n');
+                if let Some(fit) = lag.filter(|_| code.trim() == "rotor {" || code.trim_end().ends_with("rotor {")) {
+                    let text =
+                        format!("        time_constant = {} ms  // as the vehicle turns\n", fixed(1000.0 * fit.lag, 0));
+                    out.push_str(&text);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// What the flight shows of the inertia.
+fn turning(fit: Option<&Fit>) -> String {
+    let gains = fit.map_or([None; 3], |fit| fit.gains);
+    match gains {
+        [Some(roll), Some(pitch), _] => format!(
+            "roll and pitch turn by {} and {} rad/s^2 for one motor's full thrust: with the arm this is the inertia",
+            significant(roll, 2),
+            significant(pitch, 2)
+        ),
+        _ => "fly quick steps of roll and pitch, with outputs and rates logged at 100 Hz or more".into(),
+    }
+}

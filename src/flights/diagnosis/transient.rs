@@ -1,0 +1,179 @@
+//! Sudden losses, by how the vehicle turns in the second after them, whatever its inertia.
+//!
+//! A vehicle that hovers calmly does not show how fast it turns for a torque, so that the balance of `change` is all
+//! that is known of it; when a rotor stops, it turns. For each instant at which it starts to turn, and each rotor and
+//! capacity, the gains of the three axes are fitted to the seconds around it. A loss is taken if it explains the angular
+//! acceleration, which the commands alone do not, and which no other rotor explains as well.
+
+use super::change::Change;
+use super::fit::Effect;
+use super::record::median;
+use super::samples::Samples;
+
+/// Seconds before and after an instant.
+const BEFORE: f64 = 4.0;
+const AFTER: [f64; 2] = [0.3, 0.9];
+/// Faster turns than this are left out, rad/s.
+const FASTEST: f64 = 6.0;
+/// A vehicle that already turned faster than this in the second before is not under control, rad/s.
+const CALM: f64 = 2.0;
+/// An instant counts from so many standard deviations of the angular acceleration on.
+const STARTS: f64 = 6.0;
+/// The least standard deviation of an angular acceleration, rad/s^2.
+const FLOOR: f64 = 0.15;
+/// Share of an angular acceleration by which the model may be off.
+const MODEL_ERROR: f64 = 0.25;
+/// A loss is taken if it lowers the squared error by so many variances, to at most this share of what it is without.
+const THRESHOLD: f64 = 50.0;
+const EXPLAINS: f64 = 0.35;
+/// Half of the 95 % interval of a capacity by the errors of the model alone (benches/diagnosis).
+const SHARE_ERROR: f64 = 0.06;
+/// Capacities that are tried first.
+const CAPACITIES: [f64; 15] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7];
+
+/// Rows of the windows around an instant.
+struct Around<'s> {
+    samples: &'s Samples,
+    commands: &'s [Vec<f64>],
+    effects: &'s [Effect],
+    rows: Vec<usize>,
+    /// Offset and standard deviation of the angular acceleration before.
+    offset: [f64; 3],
+    spread: [f64; 3],
+    /// Mean torque commands before.
+    trim: [f64; 3],
+}
+
+impl Around<'_> {
+    fn torque(&self, i: usize, axis: usize, lost: Option<(usize, usize, f64)>) -> f64 {
+        let capacity = |k: usize| match lost {
+            Some((motor, start, capacity)) if motor == k && i >= start => capacity,
+            _ => 1.0,
+        };
+        let sum: f64 =
+            (0..self.effects.len()).map(|k| capacity(k) * self.commands[i][k] * self.effects[k][axis + 1]).sum();
+        sum - self.trim[axis]
+    }
+
+    /// The squared error of the windows of `late`, the gains fitted to all until its end, with a rotor lost or none.
+    fn error(&self, late: std::ops::Range<usize>, lost: Option<(usize, usize, f64)>) -> f64 {
+        let mut total = 0.0;
+        for axis in 0..3 {
+            let weight = |turning: f64| 1.0 / (self.spread[axis].powi(2) + (MODEL_ERROR * turning).powi(2));
+            let turning = |i: usize| self.samples.samples[i].turning[axis] - self.offset[axis];
+            let (mut xx, mut xy) = (1e-9, 0.0);
+            for &i in self.rows.iter().take_while(|i| **i < late.end) {
+                let (x, y) = (self.torque(i, axis, lost), turning(i));
+                xx += weight(y) * x * x;
+                xy += weight(y) * x * y;
+            }
+            let gain = (xy / xx).max(0.0);
+            let rows = self.rows.iter().filter(|i| late.contains(i));
+            total += rows
+                .map(|i| weight(turning(*i)) * (turning(*i) - gain * self.torque(*i, axis, lost)).powi(2))
+                .sum::<f64>();
+        }
+        total
+    }
+}
+
+/// The strongest sudden loss in a range of windows, by the commands of each as the rotors follow them; `None` if there
+/// is none.
+pub fn sudden(
+    samples: &Samples,
+    commands: &[Vec<f64>],
+    effects: &[Effect],
+    range: std::ops::Range<usize>,
+) -> Option<Change> {
+    let mut best: Option<Change> = None;
+    let windows = |seconds: f64| ((seconds / samples.step).round() as usize).max(3);
+    for start in range.clone().skip(windows(BEFORE) / 2) {
+        let Some(around) = Around::new(samples, commands, effects, range.clone(), start) else { continue };
+        for after in AFTER.map(windows) {
+            let found = around.loss(start, (start + after).min(range.end));
+            best = [best, found].into_iter().flatten().max_by(|a, b| a.strength.total_cmp(&b.strength));
+        }
+    }
+    best
+}
+
+impl<'s> Around<'s> {
+    /// The windows around an instant; `None` if too few are before it, or the vehicle does not start to turn.
+    fn new(
+        samples: &'s Samples,
+        commands: &'s [Vec<f64>],
+        effects: &'s [Effect],
+        range: std::ops::Range<usize>,
+        start: usize,
+    ) -> Option<Self> {
+        let before = ((BEFORE / samples.step).round() as usize).max(3);
+        let is_used = |i: &usize| {
+            let s = &samples.samples[*i];
+            s.is_valid && s.rates.iter().all(|w| w.abs() < FASTEST) && commands[*i].iter().all(|u| u.is_finite())
+        };
+        let calm = |i: usize| samples.samples[i].rates.iter().all(|w| !(w.abs() > CALM));
+        let last_second = ((1.0 / samples.step).round() as usize).max(3);
+        if !(start.saturating_sub(last_second)..start.saturating_sub(2)).all(calm) {
+            return None;
+        }
+        let from = start.saturating_sub(before).max(range.start);
+        let early: Vec<usize> = (from..start.saturating_sub(2)).filter(is_used).collect();
+        if early.len() < before / 3 {
+            return None;
+        }
+        let end = (start + before).min(range.end);
+        let rows = (early[0]..end).filter(is_used).collect();
+        let mut around =
+            Around { samples, commands, effects, rows, offset: [0.0; 3], spread: [0.0; 3], trim: [0.0; 3] };
+        for axis in 0..3 {
+            let mut values: Vec<f64> = early.iter().map(|i| samples.samples[*i].turning[axis]).collect();
+            around.offset[axis] = median(&mut values).unwrap_or(0.0);
+            let mut sizes: Vec<f64> = values.iter().map(|x| (x - around.offset[axis]).abs()).collect();
+            around.spread[axis] = (1.4826 * median(&mut sizes).unwrap_or(0.0)).max(FLOOR);
+            let trim: f64 = early.iter().map(|i| around.torque(*i, axis, None)).sum();
+            around.trim[axis] = trim / early.len() as f64;
+        }
+        let turns = |i: usize, k: usize| (samples.samples[i].turning[k] - around.offset[k]).abs();
+        let starts = |i: usize| (0..3).any(|k| turns(i, k) > STARTS * around.spread[k]);
+        (start..(start + 2).min(range.end)).any(starts).then_some(around)
+    }
+
+    /// The loss from window `start` on that explains the windows until `end`.
+    fn loss(&self, start: usize, end: usize) -> Option<Change> {
+        let healthy = self.error(start..end, None);
+        if healthy < THRESHOLD {
+            return None;
+        }
+        let tried = |k: usize, c: f64| self.error(start..end, Some((k, start, c)));
+        let best_of = |k: usize| {
+            let all = CAPACITIES.iter().map(|c| (tried(k, *c), *c));
+            all.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((healthy, 1.0))
+        };
+        let each: Vec<(f64, f64)> = (0..self.effects.len()).map(best_of).collect();
+        let motor = (0..each.len()).min_by(|a, b| each[*a].0.total_cmp(&each[*b].0))?;
+        let (error, capacity) = each[motor];
+        let strength = healthy - error;
+        if strength < THRESHOLD || error > EXPLAINS * healthy {
+            return None;
+        }
+        let noise = (error / (3 * (end - start)) as f64).max(1.0);
+        let fine = || (0..=100).map(|percent| 0.01 * f64::from(percent)).filter(|c| (c - capacity).abs() < 0.3);
+        let each_fine: Vec<(f64, f64)> = fine().map(|c| (tried(motor, c), c)).collect();
+        let (least, capacity) =
+            each_fine.iter().copied().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((error, capacity));
+        let inside: Vec<f64> = each_fine.iter().filter(|(e, _)| *e < least + 3.84 * noise).map(|(_, c)| *c).collect();
+        let [low, high] = [inside.first(), inside.last()].map(|c| c.map_or(0.0, |c| (c - capacity).abs()));
+        let wide = |half: f64| half.hypot(SHARE_ERROR);
+        let step = self.samples.step;
+        let time = self.samples.samples[start].time - 0.5 * step;
+        Some(Change {
+            motor,
+            time,
+            interval: [time - 2.0 * step, time + step],
+            capacity,
+            capacity_interval: [(capacity - wide(low)).max(0.0), (capacity + wide(high)).min(1.0)],
+            strength,
+            alternatives: (0..each.len()).filter(|k| *k != motor && each[*k].0 < error + 9.0 * noise).collect(),
+        })
+    }
+}
