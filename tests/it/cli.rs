@@ -410,7 +410,7 @@ fn the_readme_and_the_page_of_the_command_show_true_outputs() {
         let quoted = document.split("```text\n").skip(1).map(|t| t.split("```").next().unwrap());
         // The first line of an output names the mission.
         let first = printed.lines().next().unwrap();
-        let quoted: Vec<&str> = quoted.filter(|block| block.starts_with(first)).collect();
+        let quoted: Vec<&str> = quoted.filter(|block| block.lines().next() == Some(first)).collect();
         assert_eq!(quoted.len(), 1, "{first}");
         let lines: Vec<&str> = printed.trim_end().lines().collect();
         let quoted: Vec<&str> = quoted[0].lines().collect();
