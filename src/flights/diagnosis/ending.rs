@@ -79,7 +79,8 @@ fn end(record: &Record, flight: &mut Flight) {
         }
     };
     if let Some(time) = hit {
-        flight.to = flight.to.min(time);
+        // It fell until then, whatever its motors did.
+        flight.to = time;
         flight.impact = Some((time, descent(time)));
     } else {
         // Fast on the ground is an impact too, even if the accelerometer is slow.

@@ -109,7 +109,11 @@ pub fn study(record: &Record, commands: &[Vec<(f64, bool)>], effects: &[Effect],
     };
     for flight in study.flights.clone() {
         let found = losses_of(record, commands, effects, hidden, &samples, &flight);
-        study.losses.extend(found);
+        let was_off = |loss: &Loss| {
+            loss.kind == Kind::Off && study.losses.iter().any(|l| l.kind == Kind::Off && l.motor == loss.motor)
+        };
+        let new: Vec<Loss> = found.into_iter().filter(|loss| !was_off(loss)).collect();
+        study.losses.extend(new);
         study.is_searched |= effects.len() - hidden.len() >= 4 && flight.to - flight.from > 2.0 * TAKE_OFF;
     }
     study.losses.sort_by(|a, b| a.time.total_cmp(&b.time));

@@ -10,9 +10,9 @@ use super::fit::Effect;
 use super::record::median;
 use super::samples::Samples;
 
-/// Seconds before and after an instant.
+/// Seconds before an instant, and after it: a quadcopter without a rotor turns over in a fraction of a second.
 const BEFORE: f64 = 4.0;
-const AFTER: [f64; 2] = [0.3, 0.9];
+const AFTER: [f64; 3] = [0.15, 0.3, 0.9];
 /// Faster turns than this are left out, rad/s.
 const FASTEST: f64 = 6.0;
 /// A vehicle that already turned faster than this in the second before is not under control, rad/s.
@@ -28,6 +28,9 @@ const THRESHOLD: f64 = 50.0;
 const EXPLAINS: f64 = 0.35;
 /// Half of the 95 % interval of a capacity by the errors of the model alone (benches/diagnosis).
 const SHARE_ERROR: f64 = 0.06;
+/// The same after less than this, s: the thrust of a rotor that stops decays meanwhile.
+const SHORT: f64 = 0.25;
+const SHORT_ERROR: f64 = 0.25;
 /// Capacities that are tried first.
 const CAPACITIES: [f64; 15] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7];
 
@@ -163,8 +166,9 @@ impl<'s> Around<'s> {
             each_fine.iter().copied().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((error, capacity));
         let inside: Vec<f64> = each_fine.iter().filter(|(e, _)| *e < least + 3.84 * noise).map(|(_, c)| *c).collect();
         let [low, high] = [inside.first(), inside.last()].map(|c| c.map_or(0.0, |c| (c - capacity).abs()));
-        let wide = |half: f64| half.hypot(SHARE_ERROR);
         let step = self.samples.step;
+        let is_short = (end - start) as f64 * step < SHORT;
+        let wide = |half: f64| half.hypot(if is_short { SHORT_ERROR } else { SHARE_ERROR });
         let time = self.samples.samples[start].time - 0.5 * step;
         Some(Change {
             motor,
