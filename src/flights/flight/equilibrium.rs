@@ -16,6 +16,8 @@ use serde::Serialize;
 /// Rates at which the balance is evaluated to find its change of sign, and halvings of that interval.
 const SCAN: usize = 200;
 const HALVINGS: usize = 50;
+/// Rates up to the range of the gyroscope at which it is found out whether the spin settles before it.
+const STEPS_TO_RANGE: usize = 6;
 /// Steps of the momentum of the rotors, which depends on the speeds and they on it.
 const STEPS: usize = 10;
 /// Share of thrust, roll and pitch that may be missing.
@@ -69,8 +71,10 @@ pub fn outcome(model: &Model, mode: usize, of_wrenches: Outcome) -> Outcome {
         return of_wrenches;
     };
     let mut allocator = Allocator::new(model, Allocation::Bounded);
-    let mut is_beyond =
-        |drag: YawDrag| settled_spin(model, drag, &mut allocator, mode).is_some_and(|spin| spin.beyond_gyroscope);
+    let range = model.simulation.gyroscope_range;
+    let mut is_beyond = |drag: YawDrag| {
+        with_balance(model, drag, &mut allocator, mode, |at, most| most > range && passes(at, range)).unwrap_or(false)
+    };
     let ends = drag.ends();
     let beyond = match drag.spread.is_none() {
         true => [is_beyond(ends[0]); 2],
@@ -84,6 +88,62 @@ pub fn outcome(model: &Model, mode: usize, of_wrenches: Outcome) -> Outcome {
 }
 
 fn settled_spin(model: &Model, drag: YawDrag, allocator: &mut Allocator, mode: usize) -> Option<SettledSpin> {
+    let w = with_balance(model, drag, allocator, mode, settles)??;
+    Some(SettledSpin {
+        mode: model.modes[mode].name.clone(),
+        spin_rad_s: w.norm().copysign(w.z),
+        axis_tilt_deg: w.xy().norm().atan2(w.z.abs()).to_degrees(),
+        beyond_gyroscope: w.amax() > model.simulation.gyroscope_range,
+    })
+}
+
+/// The angular velocity at a rate about the spin axis (rad/s), and the yaw torque beyond what the drag takes (N m).
+type Balance<'b> = &'b mut dyn FnMut(f64) -> (Vector3<f64>, f64);
+
+/// The angular velocity where the balance first changes its sign. `most` is the largest rate that is looked at, rad/s.
+fn settles(at: Balance, most: f64) -> Option<Vector3<f64>> {
+    let begin = at(0.0).1;
+    let rate = |k: usize| most.copysign(begin) * k as f64 / SCAN as f64;
+    let crossing = (1..=SCAN).find(|&k| (at(rate(k)).1 < 0.0) != (begin < 0.0))?;
+    Some(between(at, rate(crossing - 1), rate(crossing), begin))
+}
+
+/// Whether the body spins up past a rate on some axis (`range`, rad/s) before the balance changes its sign: as
+/// [`settles`] would find, in a few evaluations.
+fn passes(at: Balance, range: f64) -> bool {
+    let begin = at(0.0).1;
+    let mut inside = 0.0;
+    for k in 1..=STEPS_TO_RANGE {
+        let rate = range.copysign(begin) * k as f64 / STEPS_TO_RANGE as f64;
+        let (w, balance) = at(rate);
+        match ((balance < 0.0) != (begin < 0.0), w.amax() > range) {
+            (true, false) => return false,
+            (false, true) => return true,
+            (false, false) => inside = rate,
+            (true, true) => return between(at, inside, rate, begin).amax() > range,
+        }
+    }
+    true
+}
+
+/// The angular velocity where the balance changes its sign between two rates, rad/s.
+fn between(at: Balance, mut inside: f64, mut outside: f64, begin: f64) -> Vector3<f64> {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (inside + outside);
+        if (at(middle).1 < 0.0) == (begin < 0.0) { inside = middle } else { outside = middle }
+    }
+    at(outside).0
+}
+
+/// Looks at the balance of a mode; `None` where flights do not give up yaw or hover is not possible. The last argument
+/// of `look` is the largest rate that matters, rad/s.
+fn with_balance<T>(
+    model: &Model,
+    drag: YawDrag,
+    allocator: &mut Allocator,
+    mode: usize,
+    look: impl FnOnce(Balance, f64) -> T,
+) -> Option<T> {
     let fault = &model.modes[mode];
     let belief = Belief { capacity: fault.capacities(), stuck: fault.stuck() };
     let (hover, gains) = (hover(model), &model.simulation.gains);
@@ -115,19 +175,5 @@ fn settled_spin(model: &Model, drag: YawDrag, allocator: &mut Allocator, mode: u
         }
         found
     };
-    let begin = at(0.0).1;
-    let rate = |k: usize| most.copysign(begin) * k as f64 / SCAN as f64;
-    let crossing = (1..=SCAN).find(|&k| (at(rate(k)).1 < 0.0) != (begin < 0.0))?;
-    let (mut inside, mut outside) = (rate(crossing - 1), rate(crossing));
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (inside + outside);
-        if (at(middle).1 < 0.0) == (begin < 0.0) { inside = middle } else { outside = middle }
-    }
-    let w = at(outside).0;
-    Some(SettledSpin {
-        mode: fault.name.clone(),
-        spin_rad_s: w.norm().copysign(w.z),
-        axis_tilt_deg: w.xy().norm().atan2(w.z.abs()).to_degrees(),
-        beyond_gyroscope: w.amax() > model.simulation.gyroscope_range,
-    })
+    Some(look(&mut at, most))
 }
