@@ -93,7 +93,7 @@ fn a_spec_is_identified_and_has_the_thrust_that_flew() {
     let truth = 2.0 * 9.81 / (6.0 * 0.4);
     assert!((newton / truth - 1.0).abs() < 0.03, "{line}: {truth}");
     let checked = mavc::compile(&found.text);
-    let others: Vec<_> = checked.diagnostics.iter().filter(|d| !d.message.contains('?')).collect();
+    let others: Vec<_> = checked.diagnostics.iter().filter(|d| d.code != "mavc::value::unknown").collect();
     assert!(others.iter().all(|d| d.severity != mavc::Severity::Error), "{others:?}\n{}", found.text);
 }
 
@@ -101,7 +101,7 @@ fn a_spec_is_identified_and_has_the_thrust_that_flew() {
 fn damaged_logs_end_in_an_answer_or_a_diagnostic() {
     let whole = log(Fault::Capacity(3, 8.0, 0.0), 12.0, 25.0, 50.0, 3);
     let mut noise = Noise(11);
-    for _ in 0..150 {
+    for _ in 0..40 {
         let mut bytes = whole.clone();
         bytes.truncate((noise.uniform() * whole.len() as f64) as usize);
         for _ in 0..(noise.uniform() * 40.0) as usize {

@@ -19,7 +19,7 @@ pub struct Identified {
 }
 
 /// Length of the parts of a flight whose spread gives the interval, s.
-const PART: f64 = 4.0;
+const PART: f64 = 2.0;
 /// Half of the relative interval of full thrust by the thrust curve alone: `MOT_THST_EXPO` and `THR_MDL_FAC` are
 /// seldom measured better.
 const CURVE: f64 = 0.03;

@@ -1,4 +1,5 @@
-//! PX4's ULog: definitions of topics, then samples of subscribed topics. Source: PX4's documentation, "ULog File Format".
+//! PX4's ULog: definitions of topics, then samples of subscribed topics. Source: PX4's documentation, "ULog File
+//! Format".
 //!
 //! After a message that cannot be one (an unknown kind, a sample of an unknown topic or of the wrong length) the bytes
 //! up to the next one that can be are passed over and counted.

@@ -1,9 +1,9 @@
 //! Change points: when the unexplained torques jump as if one rotor had lost thrust.
 //!
-//! For each instant the mean of the residuals after it is compared with the mean before it, over several lengths. A loss
-//! of rotor k to capacity c moves the mean by `-(1 - c) u_k a_k`, u_k its command and a_k its effect. The jump is weighed
-//! by its spread over the whole flight, so that gusts and manoeuvres which the flight has anyway are not taken for a
-//! loss.
+//! For each instant the mean of the residuals after it is compared with the mean before it, over several lengths. A
+//! loss of rotor k to capacity c moves the mean by `-(1 - c) u_k a_k`, u_k its command and a_k its effect. The jump
+//! is weighed by its spread over the whole flight, so that gusts and manoeuvres which the flight has anyway are not
+//! taken for a loss.
 
 use super::fit::{Effect, Fit};
 use super::record::median;

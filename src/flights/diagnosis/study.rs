@@ -15,8 +15,8 @@ const MOST_LOSSES: usize = 4;
 const TAKE_OFF: f64 = 1.5;
 /// A rotor that is lost has less than this of its thrust.
 const LOST: f64 = 0.15;
-/// After an output of one motor was off or held, so long (s) no reduced thrust of another is taken from the motion, which
-/// follows commands that the log has too few samples of.
+/// After an output of one motor was off or held, so long (s) no reduced thrust of another is taken from the motion,
+/// which follows commands that the log has too few samples of.
 const UNSETTLED: f64 = 3.0;
 /// Time constants of rotors that are tried for a sudden loss, s.
 const LAGS: [f64; 3] = [0.02, 0.05, 0.1];

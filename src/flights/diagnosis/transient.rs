@@ -2,8 +2,8 @@
 //!
 //! A vehicle that hovers calmly does not show how fast it turns for a torque, so that the balance of `change` is all
 //! that is known of it; when a rotor stops, it turns. For each instant at which it starts to turn, and each rotor and
-//! capacity, the gains of the three axes are fitted to the seconds around it. A loss is taken if it explains the angular
-//! acceleration, which the commands alone do not, and which no other rotor explains as well.
+//! capacity, the gains of the three axes are fitted to the seconds around it. A loss is taken if it explains the
+//! angular acceleration, which the commands alone do not, and which no other rotor explains as well.
 
 use super::change::Change;
 use super::fit::Effect;

@@ -18,8 +18,8 @@ pub struct DiagnosisRecord {
     schema: u32,
     /// The autopilot that wrote the log: `ArduPilot`, `PX4` or `mavc`.
     autopilot: &'static str,
-    /// The answer: `loss` if a rotor lost thrust or an output was off or held in flight, `none` if not, `unknown` if the
-    /// log does not show it.
+    /// The answer: `loss` if a rotor lost thrust or an output was off or held in flight, `none` if not, `unknown` if
+    /// the log does not show it.
     answer: &'static str,
     /// Rotors that lost thrust, in the order of time.
     losses: Vec<LossRecord>,

@@ -133,8 +133,8 @@ fn why(diagnosis: &Diagnosis, after: &ModeAnalysis) -> String {
             "the other motors can hold the vehicle only while it spins, with a controller made for it"
         }
         Outcome::NoMargin => {
-            "the other motors balance weight and torques exactly and no more: some torque can be given in one direction \
-             only, so that no controller can hold the attitude against a disturbance"
+            "the other motors balance weight and torques exactly and no more: some torque can be given in one \
+             direction only, so that no controller can hold the attitude against a disturbance"
         }
         Outcome::Lost => "the other motors cannot hold the vehicle",
     };
