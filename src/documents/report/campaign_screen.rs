@@ -1,7 +1,7 @@
 //! The short output of `mavc campaign`: who survives which faults, and whether the planners differ.
 
 use super::campaign_text::{by_flight, hundred, remarks};
-use super::headline::headline;
+use super::headline::headline_of;
 use super::mode_names::within;
 use super::screen::{EVERY_TABLE, Screen, Tone};
 use super::simulation::disturbed;
@@ -11,7 +11,7 @@ use crate::campaign::cases::Shard;
 use crate::campaign::design::Design;
 use crate::campaign::statistics::{Share, sign_test, wilson};
 use crate::campaign::tally::{Group, Tally};
-use crate::flight::equilibrium::analyze_each;
+use crate::flight::equilibrium::outcomes;
 use crate::number::{number, part_of_all, plural, significant};
 use crate::text_table::Table;
 use std::cmp::Reverse;
@@ -48,7 +48,7 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
     let plans: Vec<Survival> = (0..design.plans.len()).map(|p| Survival::of(design, tally, p)).collect();
     let (tone, text) = answer(&plans);
     screen.paragraph(tone, 2, 2, &text);
-    screen.paragraph(Tone::Plain, 2, 2, &headline(model, &analyze_each(model)));
+    screen.paragraph(Tone::Plain, 2, 2, &headline_of(model, &outcomes(model)));
     screen.gap();
     screen.table(&planners(design, tally, &plans));
     if cases.modes > 0 {

@@ -75,11 +75,11 @@ fn are_all(modes: &[&FaultMode], rotors: usize, k: usize) -> bool {
 }
 
 /// What the fault modes of a vehicle leave of it, in one sentence without a full stop: `survey_hexa: any single motor
-/// lost: 4 of 6 full control, 2 of 6 fly on, heading not held`. `modes` are those of `mavc::analyze`, the healthy
-/// vehicle first; modes of different kinds are counted apart.
-pub fn headline(model: &Model, modes: &[ModeAnalysis]) -> String {
+/// lost: 4 of 6 full control, 2 of 6 fly on, heading not held`. `outcomes` are those of the healthy vehicle, then of
+/// every declared mode; modes of different kinds are counted apart.
+pub fn headline_of(model: &Model, outcomes: &[Outcome]) -> String {
     let name = &model.vehicle.name;
-    let healthy = modes.first().map_or(Outcome::Lost, |healthy| healthy.outcome);
+    let (healthy, outcomes) = outcomes.split_first().map_or((Outcome::Lost, outcomes), |(first, rest)| (*first, rest));
     let mut parts = Vec::new();
     if healthy != Outcome::FullControl || model.modes.is_empty() {
         parts.push(match healthy {
@@ -91,7 +91,6 @@ pub fn headline(model: &Model, modes: &[ModeAnalysis]) -> String {
     if model.modes.is_empty() {
         parts.push("no fault modes declared".into());
     }
-    let outcomes: Vec<Outcome> = modes.iter().skip(1).map(|mode| mode.outcome).collect();
     let kinds: Vec<Kind> = model.modes.iter().map(Kind::of).collect();
     for kind in kinds.iter().collect::<BTreeSet<_>>() {
         let of_kind: Vec<usize> = (0..kinds.len().min(outcomes.len())).filter(|&m| kinds[m] == *kind).collect();
@@ -100,6 +99,11 @@ pub fn headline(model: &Model, modes: &[ModeAnalysis]) -> String {
         parts.push(format!("{}: {}", kind.called(&declared, model.vehicle.rotors.len()), counted(&counts)));
     }
     format!("{name}: {}", parts.join("; "))
+}
+
+/// The sentence of [`headline_of`] for the modes of `mavc::analyze`.
+pub fn headline(model: &Model, modes: &[ModeAnalysis]) -> String {
+    headline_of(model, &modes.iter().map(|mode| mode.outcome).collect::<Vec<_>>())
 }
 
 /// `4 of 6 full control, 2 of 6 fly on, heading not held`; of one mode the word alone.

@@ -58,7 +58,14 @@ pub fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
 
 /// The outcome in the mode with index `mode`, as in [`analyze_each`].
 pub fn outcome_of(model: &Model, mode: usize) -> Outcome {
-    outcome(model, mode, verdict::analyze(model, &AdmissibleSet::of_mode(model, mode)).outcome)
+    outcome(model, mode, verdict::outcome(model, &AdmissibleSet::of_mode(model, mode)))
+}
+
+/// The outcomes of the healthy vehicle and of every mode: those of [`analyze_each`] without the figures, which take
+/// longer.
+pub fn outcomes(model: &Model) -> Vec<Outcome> {
+    let healthy = verdict::outcome(model, &AdmissibleSet::healthy(model));
+    std::iter::once(healthy).chain((0..model.modes.len()).map(|mode| outcome_of(model, mode))).collect()
 }
 
 /// The outcome in the mode with index `mode`, of which the wrenches give `of_wrenches`. A vehicle that flies on, or is

@@ -170,6 +170,56 @@ pub(crate) fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
     AdmissibleSet::each(model).map(|set| analyze(model, &set)).collect()
 }
 
+/// The outcome in the mode of one set of the model, before sensors are considered: that of [`analyze`] without its
+/// figures, of which the equilibria take long.
+pub fn outcome(model: &Model, set: &AdmissibleSet) -> Outcome {
+    Outcome::of(model, set, &Found::of(model, set).verdicts(model, set))
+}
+
+/// What the verdicts on a set follow from.
+struct Found {
+    yaw_free: Polytope<3, ()>,
+    residual4: Wrench,
+    residual3: Vector3<f64>,
+    acai: Option<f64>,
+    acai_yaw_free: Option<f64>,
+    verdict: HoverVerdict,
+    hover: HoverPlace,
+    place_yaw_free: HoverPlace,
+}
+
+impl Found {
+    fn of(model: &Model, set: &AdmissibleSet) -> Self {
+        let u_ref = hover(model);
+        let u_ref3 = u_ref.fixed_rows::<3>(0).into_owned();
+        let Reach { nearest, nearest3, yaw_free } = Reach::of(set, &u_ref, &u_ref3);
+        let edge = edge::width(&u_ref);
+        let residual4 = clean(nearest - u_ref, edge);
+        let residual3 = clean(nearest3 - u_ref3, edge);
+        let verdict = if residual4.norm() < edge {
+            HoverVerdict::Controllable
+        } else if residual3.norm() < edge {
+            HoverVerdict::Stabilizable
+        } else {
+            HoverVerdict::Unstable
+        };
+        let acai = signed_margin(&set.polytope, &u_ref, edge);
+        let acai_yaw_free = signed_margin(&yaw_free, &u_ref3, edge);
+        let place_yaw_free = HoverPlace::new(acai_yaw_free, residual3.norm(), edge);
+        let hover = match verdict {
+            HoverVerdict::Controllable => HoverPlace::new(acai, residual4.norm(), edge),
+            HoverVerdict::Stabilizable => place_yaw_free,
+            HoverVerdict::Unstable => HoverPlace::Outside,
+        };
+        Found { yaw_free, residual4, residual3, acai, acai_yaw_free, verdict, hover, place_yaw_free }
+    }
+
+    fn verdicts(&self, model: &Model, set: &AdmissibleSet) -> Verdicts {
+        let (yaw_free, could_spin) = without_yaw::word(model, set, &self.yaw_free, self.place_yaw_free);
+        Verdicts { verdict: self.verdict, place: self.hover, yaw_free, could_spin, robust: robust(model, set) }
+    }
+}
+
 /// Analyses one set of the model.
 ///
 /// # Panics
@@ -181,55 +231,35 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         None => (Vec::new(), vec![1.0; rotors], vec![None; rotors]),
     };
     let u_ref = hover(model);
-    let u_ref3 = u_ref.fixed_rows::<3>(0).into_owned();
-    let Reach { nearest, nearest3, yaw_free } = Reach::of(set, &u_ref, &u_ref3);
-    let edge = edge::width(&u_ref);
-    let residual4 = clean(nearest - u_ref, edge);
-    let residual3 = clean(nearest3 - u_ref3, edge);
-    let verdict = if residual4.norm() < edge {
-        HoverVerdict::Controllable
-    } else if residual3.norm() < edge {
-        HoverVerdict::Stabilizable
-    } else {
-        HoverVerdict::Unstable
-    };
+    let found = Found::of(model, set);
+    let verdicts = found.verdicts(model, set);
+    let Found { yaw_free, verdict, hover, .. } = &found;
     let size = set.zonotope.scale()[0];
-    let acai = signed_margin(&set.polytope, &u_ref, edge);
-    let acai_yaw_free = signed_margin(&yaw_free, &u_ref3, edge);
-    let place_yaw_free = HoverPlace::new(acai_yaw_free, residual3.norm(), edge);
-    let hover = match verdict {
-        HoverVerdict::Controllable => HoverPlace::new(acai, residual4.norm(), edge),
-        HoverVerdict::Stabilizable => place_yaw_free,
-        HoverVerdict::Unstable => HoverPlace::Outside,
-    };
-    let (word, figures, could_spin) = without_yaw::analyze(model, set, &yaw_free, place_yaw_free);
-    let robust = robust(model, set);
-    let found = Verdicts { verdict, place: hover, yaw_free: word, could_spin, robust };
     ModeAnalysis {
         name: set.name.clone(),
         lost,
         capacity,
         stuck,
-        outcome: Outcome::of(model, set, &found),
-        verdict,
-        yaw_free: word,
-        hover,
-        interior: hover == HoverPlace::Inside,
+        outcome: Outcome::of(model, set, &verdicts),
+        verdict: *verdict,
+        yaw_free: verdicts.yaw_free,
+        hover: *hover,
+        interior: *hover == HoverPlace::Inside,
         rank: set.rank,
         facets: set.polytope.equalities.is_empty().then_some(set.polytope.facets.len()),
-        acai,
-        acai_yaw_free,
+        acai: found.acai,
+        acai_yaw_free: found.acai_yaw_free,
         critical_mass_kg: heaviest(&set.polytope, size).and_then(|t| mass_at_rest(model, t)),
-        critical_mass_yaw_free_kg: heaviest(&yaw_free, size).and_then(|t| mass_at_rest(model, t)),
+        critical_mass_yaw_free_kg: heaviest(yaw_free, size).and_then(|t| mass_at_rest(model, t)),
         least_mass_kg: lift(&set.polytope, size).map(|(low, _)| mass_at_rest(model, low).unwrap_or(0.0)),
         airspeed: Airspeed::of(model, set),
-        without_yaw: figures,
-        residual4: residual4.into(),
-        residual3: residual3.into(),
-        headroom: (verdict == HoverVerdict::Controllable).then(|| headroom(set, &u_ref, size)),
+        without_yaw: without_yaw::figures(model, set, yaw_free, found.place_yaw_free),
+        residual4: found.residual4.into(),
+        residual3: found.residual3.into(),
+        headroom: (*verdict == HoverVerdict::Controllable).then(|| headroom(set, &u_ref, size)),
         unreached_share: unreached_share(set),
         nearest_rows: nearest_rows(set),
-        robust,
+        robust: verdicts.robust,
     }
 }
 

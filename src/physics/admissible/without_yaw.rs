@@ -69,19 +69,32 @@ pub struct WithoutYaw {
     pub relaxed_hover: Vec<RelaxedHover>,
 }
 
-/// The word, the figures unless the word is `none`, and whether hover is on the edge and some spin that its yaw torques
-/// may keep up makes the direction of the thrust controllable.
-pub(super) fn analyze(model: &Model, set: &AdmissibleSet, yaw_free: &Polytope<3, ()>, place: HoverPlace) -> Analysis {
+/// The word, and whether hover is on the edge and some spin that its yaw torques may keep up makes the direction of the
+/// thrust controllable.
+pub(super) fn word(
+    model: &Model,
+    set: &AdmissibleSet,
+    yaw_free: &Polytope<3, ()>,
+    place: HoverPlace,
+) -> (YawFree, bool) {
     match Slice::of(model, set, yaw_free) {
         Some(slice) if place != HoverPlace::Outside => {
-            let could_spin = place == HoverPlace::OnEdge && slice.is_controlled(slice.torques);
-            (slice.word(place), Some(slice.figures(place)), could_spin)
+            (slice.word(place), place == HoverPlace::OnEdge && slice.is_controlled(slice.torques))
         }
-        _ => (YawFree::None, None, false),
+        _ => (YawFree::None, false),
     }
 }
 
-type Analysis = (YawFree, Option<WithoutYaw>, bool);
+/// The figures; `None` where the word is `none`.
+pub(super) fn figures(
+    model: &Model,
+    set: &AdmissibleSet,
+    yaw_free: &Polytope<3, ()>,
+    place: HoverPlace,
+) -> Option<WithoutYaw> {
+    let slice = Slice::of(model, set, yaw_free).filter(|_| place != HoverPlace::Outside)?;
+    Some(slice.figures(place))
+}
 
 /// The wrenches of hover with yaw given up.
 struct Slice<'a> {

@@ -3,9 +3,9 @@
 use crate::cli::spec::{self, Findings};
 use crate::cli::{CommandError, Options, files};
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::flight::equilibrium::outcomes;
 use crate::number::plural;
-use crate::pipeline::analyze;
-use crate::report::headline::headline;
+use crate::report::headline::headline_of;
 use crate::report::screen::{Screen, Tone};
 use crate::spec::Spec;
 use std::collections::HashSet;
@@ -114,7 +114,7 @@ impl Findings {
         }
         if let Some(spec) = spec.filter(|_| count.errors == 0) {
             let mut screen = Screen::default();
-            screen.paragraph(Tone::Plain, 0, 2, &headline(spec.model(), &analyze(spec)));
+            screen.paragraph(Tone::Plain, 0, 2, &headline_of(spec.model(), &outcomes(spec.model())));
             files::print_screen(&screen)?;
         }
         let above = if repeated > 0 { format!(" ({repeated} reported above)") } else { String::new() };
