@@ -150,7 +150,7 @@ impl Vehicle {
         }
         let hidden: Vec<usize> = hidden.iter().map(|motor| motor - 1).collect();
         let commands = log::commands(record, n);
-        let dead: Vec<usize> = (0..n).filter(|k| commands.iter().all(|row| !(row[*k].0 > 0.0))).collect();
+        let dead: Vec<usize> = (0..n).filter(|k| !commands.iter().any(|row| row[*k].0 > 0.0)).collect();
         if record.outputs.is_empty() {
             return Ok(None);
         }

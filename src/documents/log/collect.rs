@@ -63,6 +63,11 @@ pub struct Collector {
     outputs: [f64; MOTORS],
 }
 
+/// Whether a message is of the first of several sensors: old logs do not number them.
+fn is_first(instance: f64) -> bool {
+    instance.is_nan() || instance <= 0.0
+}
+
 /// From forward, right, down to forward, left, up.
 pub fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x, -y, -z]
@@ -137,7 +142,7 @@ impl Collector {
                 self.put_outputs(14, pulses);
                 true
             }
-            ("IMU", [instance, gyro @ .., ax, ay, az]) if !(*instance > 0.0) => {
+            ("IMU", [instance, gyro @ .., ax, ay, az]) if is_first(*instance) => {
                 let is_in_order = record.rates.push(time, turned([gyro[0], gyro[1], gyro[2]]));
                 record.force.push(time, turned([*ax, *ay, *az]));
                 is_in_order
@@ -146,8 +151,8 @@ impl Collector {
                 let all = [*roll, -*pitch, -*yaw, wanted[0], -wanted[1], -wanted[2]];
                 record.attitude.push(time, all.map(radians))
             }
-            ("BARO", [instance, height]) if !(*instance > 0.0) && !self.has_ekf => record.height.push(time, [*height]),
-            ("XKF1" | "NKF1" | "EKF1", [core, _, _, down, _, _, place]) if !(*core > 0.0) => {
+            ("BARO", [instance, height]) if is_first(*instance) && !self.has_ekf => record.height.push(time, [*height]),
+            ("XKF1" | "NKF1" | "EKF1", [core, _, _, down, _, _, place]) if is_first(*core) => {
                 if !self.has_ekf {
                     record.height = Default::default();
                     self.has_ekf = true;
@@ -155,7 +160,7 @@ impl Collector {
                 record.climb.push(time, [-*down]);
                 record.height.push(time, [-*place])
             }
-            ("BAT" | "CURR", [instance, volts, amperes]) if !(*instance > 0.0) => {
+            ("BAT" | "CURR", [instance, volts, amperes]) if is_first(*instance) => {
                 record.battery.push(time, [*volts, *amperes])
             }
             ("ESC", [instance, rpm]) if *instance >= 0.0 && *instance < MOTORS as f64 => {

@@ -111,7 +111,14 @@ struct Topic {
     /// The least and the greatest length of its samples: padding at the end is not written.
     lengths: [usize; 2],
     /// `None` if it is not read.
-    wanted: Option<(&'static str, Vec<Option<Field>>, Option<Field>)>,
+    wanted: Option<Wanted>,
+}
+
+/// What is read of a topic.
+struct Wanted {
+    name: &'static str,
+    fields: Vec<Option<Field>>,
+    time: Option<Field>,
 }
 
 /// `float[3] xyz` to type, number and name.
@@ -190,7 +197,7 @@ impl Definitions {
                 };
                 fields.extend((0..count).map(|k| self.field(name, path, k)));
             }
-            (*topic, fields, self.field(name, "timestamp", 0))
+            Wanted { name: topic, fields, time: self.field(name, "timestamp", 0) }
         });
         self.topics.insert(number, Topic { lengths: [size.saturating_sub(padding), size], wanted });
     }
@@ -273,7 +280,7 @@ pub fn read(input: &mut Input, collector: &mut Collector) -> io::Result<()> {
                 }
             }
             b'D' => {
-                if let Some((name, fields, time)) = topic.and_then(|topic| topic.wanted.as_ref()) {
+                if let Some(Wanted { name, fields, time }) = topic.and_then(|topic| topic.wanted.as_ref()) {
                     let sample = &body[2..];
                     let time = time.map_or(f64::NAN, |field| value(field, sample) * 1e-6);
                     values.clear();

@@ -41,7 +41,7 @@ impl Samples {
     pub fn of(record: &Record, times: &[f64], commands: &[Vec<f64>], period: f64) -> Option<Self> {
         let (first, last) = (*times.first()?, *times.last()?);
         let slowest = period.max(record.rates.period());
-        if !(slowest <= LONGEST) || times.len() < 20 {
+        if slowest.is_nan() || slowest > LONGEST || times.len() < 20 {
             return None;
         }
         let step = slowest.max(SHORTEST).max((last - first) / MOST);

@@ -114,7 +114,7 @@ impl<'s> Around<'s> {
             let s = &samples.samples[*i];
             s.is_valid && s.rates.iter().all(|w| w.abs() < FASTEST) && commands[*i].iter().all(|u| u.is_finite())
         };
-        let calm = |i: usize| samples.samples[i].rates.iter().all(|w| !(w.abs() > CALM));
+        let calm = |i: usize| samples.samples[i].rates.iter().all(|w| w.is_nan() || w.abs() <= CALM);
         let last_second = ((1.0 / samples.step).round() as usize).max(3);
         if !(start.saturating_sub(last_second)..start.saturating_sub(2)).all(calm) {
             return None;

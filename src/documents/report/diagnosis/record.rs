@@ -1,6 +1,6 @@
 //! The record of `mavc diagnose --format json`.
 
-use super::Diagnosis;
+use super::{Against, Diagnosis};
 use crate::admissible::outcome::Outcome;
 use crate::diagnosis::record::Autopilot;
 use crate::diagnosis::study::{Evidence, Kind};
@@ -153,7 +153,7 @@ impl DiagnosisRecord {
                 capacity: share(capacity.value),
                 interval: [share(capacity.low), share(capacity.high)],
                 change: against.map(|one| share(one.change)),
-                is_significant: against.map(|one| one.is_significant()),
+                is_significant: against.map(Against::is_significant),
             }
         });
         let flights = study.map_or(&[][..], |study| &study.flights).iter().map(|flight| FlightRecord {
