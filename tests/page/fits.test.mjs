@@ -141,7 +141,11 @@ for (const name of Object.keys(pages)) {
       assert.deepEqual(alone, []);
       // The words of names stay whole.
       const split = await page.evaluate(() =>
-        [...document.querySelectorAll("tbody th[scope=row]")].filter((e) => /^[a-z0-9]{1,9}$/i.test(e.firstChild.data ?? "") && e.childNodes.length === 1 && e.getBoundingClientRect().height > 2.6 * parseFloat(getComputedStyle(e).lineHeight)).map((e) => e.textContent),
+        [...document.querySelectorAll("tbody th[scope=row]")].filter((e) => {
+          const words = document.createRange();
+          words.selectNodeContents(e.firstChild);
+          return /^[a-z0-9]{1,9}$/i.test(e.firstChild.data ?? "") && words.getClientRects().length > 1;
+        }).map((e) => e.textContent),
       );
       assert.deepEqual(split, []);
     }));

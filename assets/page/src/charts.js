@@ -171,7 +171,7 @@ const LINE = 13;
 const DUST = 1e-3;
 
 /** Names of curves beside their ends, with the values of the instant shown, which `at` gives for a curve. */
-function ends(made, curves, at, below) {
+function ends(made, plot, curves, at, below) {
   const place = element("div", { class: "ends" });
   made.root.querySelector(".u-wrap").append(place);
   const all = curves.map(({ label, stroke, dashes }) => {
@@ -193,7 +193,7 @@ function ends(made, curves, at, below) {
     const { bbox } = made;
     const px = devicePixelRatio;
     const [top, height] = [bbox.top / px, bbox.height / px];
-    place.style.setProperty("--beside", `${beside(made.root.parentElement) - 6}px`);
+    place.style.setProperty("--beside", `${beside(plot) - 6}px`);
     place.style.left = `${(bbox.left + bbox.width) / px + 6}px`;
     const free = height - (below ? 2 * LINE : 0);
     const fit = Math.max(Math.floor(free / LINE), 1);
@@ -258,7 +258,7 @@ function draw(spec, columns, place, isLast) {
   }
   const made = chart(place, `${spec.title} over time in ${spec.unit}. ${spec.headline}.`, () => HEIGHT + (isLast ? TIME : 0), options, values);
   const alone = room && element("span", { class: "range" });
-  named = ends(made, curves, (i, k) => clean(made, values[i + 1][k]), alone);
+  named = ends(made, place, curves, (i, k) => clean(made, values[i + 1][k]), alone);
   made.over.addEventListener("click", () => {
     if (made.cursor.left >= 0) setTime(made.posToVal(made.cursor.left, "x"));
   });
