@@ -223,7 +223,7 @@ plan { planner = rip; time = 5 s; samples = 40; reserve = 0 %; after_fault = hol
 fn told(command: &str, spec: &str, arguments: &[&str]) -> (i32, String, Value) {
     let folder = tempfile::tempdir().unwrap();
     let report = folder.path().join("report.json");
-    let mut all = vec![command, "-", "--report", report.to_str().unwrap()];
+    let mut all = vec![command, "-v", "-", "--report", report.to_str().unwrap()];
     all.extend(arguments);
     let ran = mavc_with(&all, spec);
     let text = String::from_utf8(ran.stdout).unwrap() + &String::from_utf8(ran.stderr).unwrap();

@@ -184,7 +184,7 @@ fn a_vehicle_that_turns_away_is_lost_unless_the_spec_says_otherwise() {
             "faults {{ mode neighbours {{ rotors [1, 2] lost; without_yaw = never }} }}\n\
              simulate {{ fault neighbours at 1 s; detection = 50 ms; duration = 15 s; {more} }}\n"
         );
-        let ran = simulate(&hop(folder.path(), &block), &["--report", report.to_str().unwrap()]);
+        let ran = simulate(&hop(folder.path(), &block), &["-v", "--report", report.to_str().unwrap()]);
         let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
         crate::schemas::schema("simulate").assert_valid(&record);
         (code(&ran), String::from_utf8(ran.stdout).unwrap(), record)
@@ -216,6 +216,7 @@ fn an_integration_that_breaks_down_ends_with_9_and_a_log_of_what_came_before() {
     for inertia in ["1e-9", "1e-10", "1e-12"] {
         let set = format!("vehicle.inertia=[{inertia},{inertia},{inertia}]kg*m^2");
         let args = [
+            "-v",
             "-o",
             log.to_str().unwrap(),
             "--report",

@@ -233,16 +233,19 @@ fn a_missed_waypoint_is_called_missed() {
         let last = &records[1];
         assert_eq!(last.met, !missed, "{last:?}");
         let told = headline(&records);
-        assert_eq!(told.starts_with("2 waypoints met: "), !missed, "{told}");
-        assert_eq!(told.starts_with("1 of 2 waypoints missed: "), missed, "{told}");
+        assert_eq!(told.starts_with("2 waypoints met; "), !missed, "{told}");
+        assert_eq!(told.starts_with("1 of 2 waypoints missed; "), missed, "{told}");
         assert!((last.position_share - (last.position_tolerance_m + by) / last.position_tolerance_m).abs() < 1e-9);
         assert_eq!(last.share(), last.position_share.max(last.yaw_share));
         assert!(table(&records, 0).contains(&last.label()));
     }
     let told = headline(&moved(0.96, -0.04));
-    assert!(told.ends_with("largest error 1.01 m of 5 cm allowed (2020 %), at waypoint 2"), "{told}");
+    assert!(told.ends_with("tightest: waypoint 2, 1.01 m of 5 cm allowed (2020 %)"), "{told}");
     let told = headline(&moved(-0.04, -1e-9));
-    assert!(told.contains(" deg of ") && told.contains(" of yaw allowed (100 %), at waypoint 2"), "{told}");
+    assert!(
+        told.contains("waypoint 2, ") && told.contains(" deg of ") && told.contains(" of yaw allowed (100 %)"),
+        "{told}"
+    );
 }
 
 /// Of many waypoints those are listed that take most of their tolerances, in the order of flight; the others are
@@ -282,7 +285,7 @@ fn waypoints_are_listed_in_every_report() {
     let largest = waypoints.iter().map(share).fold(0.0, f64::max);
     assert_eq!(planner["max_waypoint_share"].as_f64(), Some(largest));
     assert!(
-        told.text.contains("12 waypoints met: largest error ") && told.text.contains("7 more, with errors of at most ")
+        told.text.contains("12 waypoints met; tightest: ") && told.text.contains("7 more, with errors of at most ")
     );
     assert!(told.page.contains("Table of waypoints") && told.page.contains("11 p10"), "{}", told.page);
 }

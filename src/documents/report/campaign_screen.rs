@@ -118,7 +118,7 @@ fn answer(plans: &[Survival]) -> (Tone, String) {
 /// One row for each plan.
 fn planners(design: &Design, tally: &Tally, plans: &[Survival]) -> Table {
     let has_alarms = plans.iter().any(|plan| remarks::estimator(design, tally, plan.plan).is_some());
-    let mut headings = vec!["planner", "survived", "95 % interval", "waypoints missed"];
+    let mut headings = vec!["planner", "survived", "95 % interval", "points missed"];
     if has_alarms {
         headings.push("false alarms/h");
     }

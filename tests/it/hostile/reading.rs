@@ -195,7 +195,7 @@ fn charts_replace_links_and_spare_what_is_read() {
 #[test]
 fn threads_are_capped() {
     let ran = Command::new(env!("CARGO_BIN_EXE_mavc"))
-        .args(["analyze", "specs/vehicles/octo_ppnnppnn.mav"])
+        .args(["analyze", "-v", "specs/vehicles/octo_ppnnppnn.mav"])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .env("RAYON_NUM_THREADS", "100000")
         .env("COLUMNS", "99999999999")

@@ -70,8 +70,8 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
             2,
             2,
             &format!(
-                "After {names} the plan leaves their sets, but from every node before that a stop inside them was \
-                 found (`after_fault = hold`)."
+                "After {names} the plan leaves what the rotors left can give, but from every node before that a stop \
+                 within it was found (`after_fault = hold`)."
             ),
         );
     }

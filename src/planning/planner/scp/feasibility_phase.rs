@@ -78,11 +78,17 @@ impl ScpPlanner<'_, '_> {
             if now < violation {
                 (iterate, violation) = (reached, now);
             } else {
-                // No share of the step lowers the violation: the subproblem lacked rows, and the step is too long. Rows
-                // of the whole step are no help: a step a hundred times too long violates nearly all of them.
-                working_set.extend(self.rows_at_nodes(&reached, 0.0));
-                working_set.extend(self.rows_between(&reached));
-                proximal.weight *= settings.proximal_increase_after_rejection;
+                // No share of the step lowers the violation: the subproblem lacked rows, and gets those that the step
+                // violates. Where these are more than it had, the step was much too long: it gets those near by, and
+                // the next step is shorter.
+                let violated: BTreeSet<RowAt> = &self.rows_at_nodes(&whole, 0.0) | &self.rows_between(&whole);
+                if violated.len() > working_set.len() {
+                    working_set.extend(self.rows_at_nodes(&reached, 0.0));
+                    working_set.extend(self.rows_between(&reached));
+                    proximal.weight *= settings.proximal_increase_after_rejection;
+                } else {
+                    working_set.extend(violated);
+                }
                 history.pop();
                 rejected += 1;
                 if rejected > settings.max_rejected {

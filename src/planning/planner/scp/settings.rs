@@ -116,7 +116,8 @@ pub struct FeasibilitySettings {
     pub steady_ratio: f64,
     /// Most steps of which no share lowers the violation.
     pub max_rejected: usize,
-    /// Factor of the proximal weight after such a step, besides that after a small share.
+    /// Factor of the proximal weight after such a step that violates more rows than the working set has, besides that
+    /// after a small share.
     pub proximal_increase_after_rejection: f64,
     /// Line search: share of the predicted decrease that a step has to reach.
     pub sufficient_decrease: f64,
