@@ -47,7 +47,7 @@ fn ctrl_c_ends_a_search_with_its_best_plan() {
         let ran = child.wait_with_output().unwrap();
         let (said, message) = (String::from_utf8_lossy(&ran.stdout), String::from_utf8_lossy(&ran.stderr));
         assert_eq!(ran.status.code(), Some(expected), "{message}");
-        assert!(said.contains("RIP: found"), "{said}");
+        assert!(said.contains("PLAN FOUND") && said.contains("planner RIP"), "{said}");
         assert!(message.contains("cut short"), "{message}");
         assert!(std::fs::read_to_string(&table).unwrap().lines().count() > 200);
     }
