@@ -60,8 +60,12 @@ for (const [size, scheme] of [[{ width: 1400, height: 900 }, "light"], [{ width:
 for (const [query, wanted] of [["reserve", "Reserve: how large?"], ["PX4", "PX4"], ["heading not held", "What a fault leaves"]]) {
   test(`the search finds the page on ${query}`, async () => {
     const { page, trouble, close } = await open("/index.html", { width: 1400, height: 900 }, "light");
-    await page.keyboard.press("Control+k");
     const input = page.locator("input:visible").first();
+    // The key does nothing before the site's script has loaded.
+    for (let tries = 0; tries < 30 && !(await input.isVisible()); tries++) {
+      await page.keyboard.press("Control+k");
+      await page.waitForTimeout(1000);
+    }
     await input.fill(query);
     // The search shows its results in a shadow tree, which locators look through.
     const results = page.locator("li:visible, a:visible").filter({ hasText: wanted });

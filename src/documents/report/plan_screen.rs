@@ -29,8 +29,8 @@ use crate::verdict::Verdict;
 
 /// Digits of every figure.
 const DIGITS: usize = 3;
-/// Most remarks that are written out.
-const MOST_REMARKS: usize = 6;
+/// Most lines up to the remarks: the rest is in the tables of `-v`.
+const MOST_LINES: usize = 22;
 
 /// What the output is about.
 pub struct Answer<'a> {
@@ -101,11 +101,7 @@ impl Answer<'_> {
         self.figures(solved).iter().for_each(|(label, text)| {
             screen.paragraph(Tone::Plain, 2, 11, &format!("{label:<10} {text}"));
         });
-        let all = self.remarks(model, solved);
-        all.iter().take(MOST_REMARKS).for_each(|text| screen.remark(text));
-        if all.len() > MOST_REMARKS {
-            screen.remark(&format!("and {} more remarks: -v", all.len() - MOST_REMARKS));
-        }
+        screen.remarks(&self.remarks(model, solved), MOST_LINES);
     }
 
     /// Labelled lines of figures.

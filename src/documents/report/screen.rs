@@ -63,6 +63,20 @@ impl Screen {
         self.paragraph(Tone::Warning, 2, 2, &format!("! {text}"));
     }
 
+    /// Remarks while the screen has at most `most` lines, and the number of those that are left out.
+    pub fn remarks(&mut self, all: &[String], most: usize) {
+        for (i, text) in all.iter().enumerate() {
+            let before = self.lines.len();
+            self.remark(text);
+            let is_last = i + 1 == all.len();
+            if self.lines.len() + usize::from(!is_last) > most {
+                self.lines.truncate(before);
+                self.remark(&format!("{} more remarks: -v", all.len() - i));
+                return;
+            }
+        }
+    }
+
     /// A table, indented by two spaces.
     pub fn table(&mut self, table: &Table) {
         table.render(2).lines().for_each(|line| self.line(Tone::Plain, line));
