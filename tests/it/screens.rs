@@ -63,21 +63,26 @@ fn plans_and_flights_fit_on_a_screen() {
     fits(&few, &mavc(&few));
 }
 
-/// Every plan of a shipped spec that has a mission, its flight and its comparison.
-#[test]
-#[ignore = "plans every shipped mission three times"]
-fn every_plan_fits_on_a_screen() {
-    let has_mission = |spec: &String| std::fs::read_to_string(spec).unwrap().contains("mission ");
-    let specs: Vec<String> = shipped().into_iter().filter(has_mission).collect();
-    assert!(specs.len() >= 15, "{specs:?}");
-    for spec in &specs {
-        for command in ["plan", "simulate"] {
-            let args = [command, spec];
-            fits(&args, &mavc(&args));
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// Every plan of a shipped spec that has a mission, its flight and its comparison.
+    #[test]
+    #[ignore = "plans every shipped mission three times"]
+    fn every_plan_fits_on_a_screen() {
+        let has_mission = |spec: &String| std::fs::read_to_string(spec).unwrap().contains("mission ");
+        let specs: Vec<String> = shipped().into_iter().filter(has_mission).collect();
+        assert!(specs.len() >= 15, "{specs:?}");
+        for spec in &specs {
+            for command in ["plan", "simulate"] {
+                let args = [command, spec];
+                fits(&args, &mavc(&args));
+            }
         }
-    }
-    for (kind, text) in mavc::MISSION_TEMPLATES.into_iter().chain([("octo", mavc::TEMPLATE)]) {
-        fits(&["plan", kind], &mavc_with(&["plan", "-"], text));
+        for (kind, text) in mavc::MISSION_TEMPLATES.into_iter().chain([("octo", mavc::TEMPLATE)]) {
+            fits(&["plan", kind], &mavc_with(&["plan", "-"], text));
+        }
     }
 }
 

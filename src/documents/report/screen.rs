@@ -82,7 +82,7 @@ impl Screen {
         table.render(2).lines().for_each(|line| self.line(Tone::Plain, line));
     }
 
-    /// A table with names in the widest cells with which it fits, of `most` columns and not below [`NAMES`].
+    /// A table with names in the widest cells with which it fits, of `most` columns and not below `NAMES`.
     pub fn fitted(&mut self, most: usize, table: impl Fn(usize) -> Table) {
         let names = (NAMES..=most).rev().find(|names| fits(&table(*names))).unwrap_or(NAMES);
         self.table(&table(names));

@@ -32,7 +32,7 @@ pub fn print_screen(screen: &Screen) -> Result<(), CommandError> {
     print_as_it_is(&painted(screen, &std::io::stdout()))
 }
 
-/// Prints a text for people to standard error; see [`eprint`].
+/// Prints a text for people to standard error; see `eprint`.
 pub fn eprint_screen(screen: &Screen) {
     eprint_as_it_is(&painted(screen, &std::io::stderr()));
 }
