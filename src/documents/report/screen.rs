@@ -71,7 +71,8 @@ impl Screen {
             let is_last = i + 1 == all.len();
             if self.lines.len() + usize::from(!is_last) > most {
                 self.lines.truncate(before);
-                self.remark(&format!("{} more remarks: -v", all.len() - i));
+                let left = all.len() - i;
+                self.remark(&format!("{left} more remark{}: -v", if left == 1 { "" } else { "s" }));
                 return;
             }
         }
