@@ -68,6 +68,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             rotors_span: span,
             rounds: 1,
             require_capture: None,
+            recovery: RecoverySettings::default(),
             require_risk: None,
             after_fault: AfterFault::Continue,
             without_yaw: GiveUpYaw::WhereNeeded,
@@ -99,6 +100,7 @@ pub fn lost(model: &Model, rotors: &[usize]) -> FaultMode {
         rate: None,
         after_fault: None,
         without_yaw: None,
+        recovery: None,
         span: Span::default(),
     }
 }
@@ -145,6 +147,7 @@ pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
         limits: Vec::new(),
         volumes: Vec::new(),
         origin: None,
+        after_fault: AfterFaultRules::default(),
         ground: None,
         air: Air::still(Span::default()),
         span: Span::default(),

@@ -201,6 +201,7 @@ fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> ModeAnalysis {
         rate: None,
         after_fault: None,
         without_yaw: None,
+        recovery: None,
         span: Span::default(),
     };
     let model = Model { modes: vec![mode], ..model.clone() };

@@ -16,6 +16,7 @@ mod limits;
 mod origin;
 mod plan_settings;
 mod problem;
+mod recovery;
 pub mod volume;
 mod without_yaw;
 mod yaw_drag;
@@ -37,6 +38,7 @@ pub use plan_settings::{
     PlanSettings, PlannerKind, SearchEffort,
 };
 pub use problem::Problem;
+pub use recovery::{AfterFaultRules, KeepOff, LandingSite, Recoverable, Recovery, RecoverySettings};
 pub use volume::{Boundary, Side as VolumeSide, Volume};
 pub use without_yaw::GiveUpYaw;
 pub use yaw_drag::YawDrag;
@@ -250,6 +252,8 @@ pub struct FaultMode {
     pub after_fault: Option<AfterFault>,
     /// Whether yaw is given up after this fault, if the mode says so: see [`Model::gives_up_yaw`].
     pub without_yaw: Option<GiveUpYaw>,
+    /// The mode's own ways out after the fault, if it gives them: see [`Model::recovery`].
+    pub recovery: Option<Vec<Recovery>>,
     pub span: Span,
 }
 
@@ -303,6 +307,8 @@ pub struct Mission {
     pub ground: Option<f64>,
     /// Where `[0, 0, 0] m` is on the Earth, if the spec gives it.
     pub origin: Option<Origin>,
+    /// What holds after a fault, and where the vehicle may come down then.
+    pub after_fault: AfterFaultRules,
     pub span: Span,
 }
 

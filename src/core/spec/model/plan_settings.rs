@@ -1,6 +1,6 @@
 //! How the mission is planned: the settings of the `plan` block.
 
-use super::{AfterFault, GiveUpYaw};
+use super::{AfterFault, GiveUpYaw, RecoverySettings};
 use crate::language::table::plan as table;
 use crate::source::Span;
 
@@ -152,6 +152,8 @@ pub struct PlanSettings {
     /// The largest risk that the plan may have, a probability; the planner then chooses what to protect.
     pub require_risk: Option<f64>,
     pub require_capture: Option<CaptureHeight>,
+    /// How ways out after a fault are sought.
+    pub recovery: RecoverySettings,
     /// The reaction to a fault that the risk assumes: [`AfterFault::Continue`] or [`AfterFault::Hold`]. A mode may have
     /// its own: see [`super::Model::after_fault`].
     pub after_fault: AfterFault,

@@ -329,6 +329,7 @@ impl Numbers {
             rate: self.rate,
             after_fault: self.after_fault,
             without_yaw: self.without_yaw,
+            recovery: None,
             span,
         }
     }

@@ -25,7 +25,7 @@ use crate::language::table::mission as of_mission;
 use crate::language::table::waypoint as table;
 use crate::model::grid::Spacing;
 use crate::model::legs::{Timing, shares, unwrap_yaw};
-use crate::model::{Air, Heading, Limit, Mission, Waypoint};
+use crate::model::{AfterFaultRules, Air, Heading, Limit, Mission, Waypoint};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, Statement};
@@ -304,6 +304,7 @@ impl<'a> Body<'a> {
             air: air?,
             ground: ground.optional()?,
             origin: origin.optional()?,
+            after_fault: AfterFaultRules::default(),
             span,
         })
     }

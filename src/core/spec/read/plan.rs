@@ -17,7 +17,8 @@ use crate::language::table::plan as table;
 use crate::model::grid::Spacing;
 use crate::model::legs::Timing;
 use crate::model::{
-    AfterFault, GiveUpYaw, Mission, MissionTime, PlanModel, PlanRotors, PlanSettings, PlannerKind, SearchEffort,
+    AfterFault, GiveUpYaw, Mission, MissionTime, PlanModel, PlanRotors, PlanSettings, PlannerKind, RecoverySettings,
+    SearchEffort,
 };
 use crate::read::written::Written;
 use crate::source::{Span, Spanned};
@@ -203,6 +204,7 @@ impl<'a> Draft<'a> {
             rounds: rounds?,
             require_risk: require_risk.optional()?,
             require_capture: None,
+            recovery: RecoverySettings::default(),
             after_fault: after_fault?,
             without_yaw: without_yaw?,
             require_span: self.require.as_ref().map_or(span, |risk| risk.span),
