@@ -87,7 +87,10 @@ fn an_area_has_no_heights() {
         [("street", 1.0), ("pond", 0.0), ("yard", 0.0)]
     );
     let apart = |area: usize, p: [f64; 3]| {
-        areas[area].bodies.iter().map(|body: &Body| body.separation(p).distance).fold(f64::INFINITY, f64::min)
+        let distance = areas[area].bodies.iter().map(|body: &Body| body.separation(p).distance);
+        let distance = distance.fold(f64::INFINITY, f64::min);
+        assert!((distance - areas[area].separation([p[0], p[1]]).1).abs() < 1e-9, "whatever the height");
+        distance
     };
     for z in [-100.0, 0.0, 3.0, 1e5] {
         // Turned about its centre, the street goes from [2, 13] to [8, 33].

@@ -137,14 +137,14 @@ fn crossed(cx: &mut Context, limits: &[Limit]) -> Option<LimitKind> {
     Some(limit.kind.clone())
 }
 
-/// Reports a limit that does not change after a fault.
+/// Reports a limit on a place or on the yaw in `after_fault_limits`.
 fn of_place(cx: &mut Context, name: &str, span: Span) {
     let message = format!("`after_fault_limits` takes no limit on `{name}`");
-    let error = Diagnostic::error(LIMIT, span, message).here("holds after a fault as before");
-    cx.report(error.help(match name {
-        "yaw" => "remove it: the yaw is bounded only in `limits`",
-        _ => "remove it; the mission's `buffer` widens every limit on a place",
-    }));
+    let (here, help) = match name {
+        "yaw" => ("the yaw is free after a fault", "remove it"),
+        _ => ("a place", "remove it: the mission's `buffer` widens every limit on a place after a fault"),
+    };
+    cx.report(Diagnostic::error(LIMIT, span, message).here(here).help(help));
 }
 
 fn unknown(cx: &mut Context, name: &str, span: Span, group: Group) {

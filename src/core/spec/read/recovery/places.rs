@@ -51,8 +51,8 @@ fn of_limits(site: &LandingSite, mission: &Mission) -> Option<Diagnostic> {
 /// The error for a site on which the vehicle could touch down too near an area to keep off.
 fn of_areas(site: &LandingSite, mission: &Mission, size: f64) -> Option<Diagnostic> {
     mission.after_fault.keep_off.iter().find_map(|area| {
-        let nearest = area.bodies.iter().map(|body| apart(body, site)).fold(f64::INFINITY, f64::min);
-        let over = size + area.clearance - nearest;
+        let (_, distance) = area.separation([site.at[0], site.at[1]]);
+        let over = size + area.clearance + site.radius - distance;
         (over > ROUNDING).then(|| {
             let what = format!("comes {} m too near `keep_off {}`", significant(over, 3), area.name);
             let kept = format!("the vehicle lands at least {} m from this", significant(size + area.clearance, 3));
@@ -105,25 +105,17 @@ fn violation(limit: &Limit, site: &LandingSite) -> Option<f64> {
 
 /// The distance of a body from the nearest point of the site, m; negative where they overlap.
 fn apart(body: &Body, site: &LandingSite) -> f64 {
-    let LandingSite { at, radius, .. } = *site;
-    let [x, y, z] = at;
-    let upright = |outline: Body, bottom: f64, top: f64| {
-        let across = outline.separation(at).distance - radius;
-        let vertical = (bottom - z).max(z - top);
-        if across > 0.0 && vertical > 0.0 { across.hypot(vertical) } else { across.max(vertical) }
-    };
-    let (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let LandingSite { at: [x, y, z], radius, .. } = *site;
     match body {
-        Body::Prism { corners, bottom, top } => {
-            upright(Body::Prism { corners: corners.clone(), bottom: low, top: high }, *bottom, *top)
-        }
-        Body::Cylinder { centre, radius, bottom, top } => {
-            upright(Body::Cylinder { centre: *centre, radius: *radius, bottom: low, top: high }, *bottom, *top)
+        Body::Prism { bottom, top, .. } | Body::Cylinder { bottom, top, .. } => {
+            let (_, distance) = body.seen_from_above([x, y]);
+            let (across, vertical) = (distance - radius, (bottom - z).max(z - top));
+            if across > 0.0 && vertical > 0.0 { across.hypot(vertical) } else { across.max(vertical) }
         }
         Body::Ball { centre: [a, b, c], radius: of_ball } => {
             ((x - a).hypot(y - b) - radius).max(0.0).hypot(z - c) - of_ball
         }
-        Body::HalfSpace { normal, offset } => dot(*normal, at) - offset - radius * normal[0].hypot(normal[1]),
+        Body::HalfSpace { normal, offset } => dot(*normal, site.at) - offset - radius * normal[0].hypot(normal[1]),
     }
 }
 
