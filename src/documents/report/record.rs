@@ -7,6 +7,7 @@ use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::headings::{self, HeadingRecord};
 use super::least_time;
+use super::recovery::RecoveryRecord;
 use super::shape::{self, DetourRecord, ShapeRecord};
 use super::verdict_text::statement;
 use super::volumes::{self, VolumeRecord};
@@ -69,6 +70,9 @@ pub struct Record {
     /// plan, and if no mode is concerned.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub capture_height: Option<CaptureRecord>,
+    /// What can be done after each fault, in `mavc plan --recovery` and with `require uncovered`; omitted otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recovery: Option<RecoveryRecord>,
     /// With `require risk`, in `mavc plan`: the plan without protection, then after each addition of the greedy
     /// choice; null otherwise.
     #[cfg_attr(test, schemars(length(min = 1)))]
@@ -327,6 +331,7 @@ impl Record {
             conflict: None,
             rounds: None,
             capture_height: None,
+            recovery: None,
             trade_off: (!comparison.trade_off.is_empty()).then(steps),
         }
     }
@@ -355,6 +360,7 @@ impl Record {
             conflict: None,
             rounds: None,
             capture_height: None,
+            recovery: None,
             trade_off: None,
         }
     }
