@@ -2,7 +2,7 @@
 
 use super::headline::{headline, why_undecided};
 use super::mode_names::within;
-use super::screen::{EVERY_TABLE, Screen, Tone, fits};
+use super::screen::{Keep, Screen, Tone, fits};
 use super::terminal::{airspeed, vehicle_line};
 use crate::admissible;
 use crate::admissible::airspeed::PLAUSIBLE;
@@ -44,8 +44,8 @@ pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
     screen.fitted(NAMES, |names| table(model, modes, &spins, names));
     screen.gap();
     legend(model, modes, &spins).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
-    remarks(model, modes).iter().for_each(|text| screen.remark(text));
-    screen.line(Tone::Plain, EVERY_TABLE);
+    remarks(model, modes).iter().for_each(|text| screen.remark(Keep::Finding, text));
+    screen.close(0);
     screen
 }
 

@@ -4,7 +4,7 @@ use super::battery;
 use super::comparison_text::name_of;
 use super::plan_screen::{not_covered, unsafe_until};
 use super::record::rates;
-use super::screen::{EVERY_TABLE, Screen, Tone};
+use super::screen::{Keep, Screen, Tone};
 use super::terminal::vehicle_line;
 use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
@@ -42,14 +42,10 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
         block(&mut screen, problem, comparison, &title, |run| !is_own(run));
     }
     if !comparison.modes.is_empty() {
-        screen.paragraph(
-            Tone::Plain,
-            2,
-            2,
-            "worst violation: of a set with its reserve, in % of the healthy set's width",
-        );
+        let legend = "worst violation: of a set with its reserve, % of the healthy set's width";
+        screen.part(Keep::Legend, None, |screen| screen.line(Tone::Plain, &format!("  {legend}")));
     }
-    screen.line(Tone::Plain, EVERY_TABLE);
+    screen.close(0);
     screen
 }
 
