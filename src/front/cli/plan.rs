@@ -88,9 +88,13 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         results.write()?;
         results.print_beside(&text);
         conflict.iter().for_each(|why| findings.eprint_also(why));
+        let gap = if options.verbose { "\n" } else { "" };
         match (planning.plan(), &args.output) {
-            (Some(_), None) => results.hint("\nNo trajectory was written: name a file with -o traj.csv\n", options)?,
-            (Some(_), Some(path)) => results.note("\nTrajectory", Some(path), options)?,
+            (Some(_), None) => {
+                let hint = format!("{gap}No trajectory was written: name a file with -o traj.csv\n");
+                results.hint(&hint, options)?;
+            }
+            (Some(_), Some(path)) => results.note(&format!("{gap}Trajectory"), Some(path), options)?,
             (None, _) => {}
         }
         results.note_page(options)
