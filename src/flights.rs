@@ -7,3 +7,4 @@
 pub mod campaign;
 pub mod diagnosis;
 pub mod flight;
+pub mod recovery;

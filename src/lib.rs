@@ -10,7 +10,7 @@ mod planning;
 
 pub use answers::{builder, observer, pipeline};
 pub use documents::{exchange, import, log, report};
-pub use flights::{campaign, diagnosis, flight};
+pub use flights::{campaign, diagnosis, flight, recovery};
 #[cfg(feature = "cli")]
 pub use front::cli;
 #[cfg(feature = "lsp")]

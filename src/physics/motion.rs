@@ -116,6 +116,26 @@ impl Trajectory {
         self.within(k, (t - self.times[k]).clamp(0.0, self.times[k + 1] - self.times[k]))
     }
 
+    /// The part of this trajectory that begins at `from` s and takes `duration` s, as one from 0 s on; at rest after the
+    /// end of the whole.
+    pub fn part(&self, from: f64, duration: f64) -> Trajectory {
+        let inner = self.times.iter().zip(&self.nodes).filter(|(t, _)| (from < **t) & (**t < from + duration));
+        let (mut times, mut nodes) = (vec![0.0], vec![self.at(from)]);
+        for (time, node) in inner {
+            times.push(time - from);
+            nodes.push(*node);
+        }
+        if from + duration < self.duration() {
+            times.push(duration);
+            nodes.push(self.at(from + duration));
+        } else if times.len() == 1 {
+            times.push(duration);
+            nodes.push(nodes[0].map(|axis| [axis[0], 0.0, 0.0, 0.0, 0.0]));
+            nodes[0] = nodes[1];
+        }
+        Trajectory { waypoint_nodes: vec![0, times.len() - 1], times, nodes, model: self.model }
+    }
+
     /// The wrench (N and N m) that a state of this trajectory needs, by the trajectory's model.
     pub fn wrench(&self, vehicle: &Vehicle, environment: &Environment, state: &NodeState) -> Wrench {
         self.model.wrench(vehicle, environment, state)

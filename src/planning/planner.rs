@@ -4,6 +4,7 @@
 //! programs are convex, and [`scp::ExactPlanner`] for the exact model, whose sequential convex programming finds local
 //! optima.
 
+pub mod branch;
 pub mod comfort;
 pub mod commands;
 mod cores;

@@ -44,13 +44,9 @@ impl Body {
     /// unique, it is one of several.
     pub fn separation(&self, p: [f64; 3]) -> Separation {
         let (normal, distance) = match self {
-            Body::Prism { corners, bottom, top } => {
-                let (across, distance) = outline(corners, [p[0], p[1]]);
+            Body::Prism { bottom, top, .. } | Body::Cylinder { bottom, top, .. } => {
+                let (across, distance) = self.seen_from_above([p[0], p[1]]);
                 upright(across, distance, p[2], *bottom, *top)
-            }
-            Body::Cylinder { centre, radius, bottom, top } => {
-                let (direction, length) = unit([p[0] - centre[0], p[1] - centre[1]], [1.0, 0.0]);
-                upright(direction, length - radius, p[2], *bottom, *top)
             }
             Body::Ball { centre, radius } => {
                 let (direction, length) = unit([0, 1, 2].map(|i| p[i] - centre[i]), [1.0, 0.0, 0.0]);
@@ -59,6 +55,24 @@ impl Body {
             Body::HalfSpace { normal, offset } => (*normal, dot(*normal, p) - offset),
         };
         Separation { normal, support: dot(normal, p) - distance, distance }
+    }
+
+    /// The gradient and the signed distance (m, negative inside) of a point from the body's outline seen from above. A
+    /// half space has none unless its boundary is vertical, and covers everything otherwise.
+    pub fn seen_from_above(&self, p: [f64; 2]) -> ([f64; 2], f64) {
+        match self {
+            Body::Prism { corners, .. } => outline(corners, p),
+            Body::Cylinder { centre, radius, .. } => {
+                let (direction, length) = unit([p[0] - centre[0], p[1] - centre[1]], [1.0, 0.0]);
+                (direction, length - radius)
+            }
+            Body::Ball { centre, radius } => {
+                let (direction, length) = unit([p[0] - centre[0], p[1] - centre[1]], [1.0, 0.0]);
+                (direction, length - radius)
+            }
+            Body::HalfSpace { normal: [x, y, 0.0], offset } => ([*x, *y], x * p[0] + y * p[1] - offset),
+            Body::HalfSpace { .. } => ([1.0, 0.0], f64::NEG_INFINITY),
+        }
     }
 }
 

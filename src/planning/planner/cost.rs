@@ -106,9 +106,9 @@ impl Transcription<'_> {
     pub(super) fn free_ends(&self) -> impl Iterator<Item = usize> {
         let Mission { waypoints, start_at_rest, end_at_rest, .. } = self.mission;
         let holds = |w: Option<&Waypoint>| w.is_some_and(|w| w.hold > 0.0 || w.stop);
-        let stops = self.struck.is_some();
-        let start = !stops && !start_at_rest && !holds(waypoints.first());
-        let end = !stops && !end_at_rest && !holds(waypoints.last());
+        let branches = self.branch.is_some();
+        let start = !branches && !start_at_rest && !holds(waypoints.first());
+        let end = !branches && !end_at_rest && !holds(waypoints.last());
         start.then_some(0).into_iter().chain(end.then(|| self.nodes() - 1))
     }
 

@@ -19,6 +19,7 @@ use crate::model::{Mission, Model, Problem};
 use crate::motion::NodeState;
 use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
+use crate::planner::branch::Branch;
 use crate::planner::limits::place;
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::kinematics::least_time_within;
@@ -48,8 +49,8 @@ pub struct HoverPlanner<'a> {
     /// After [`Decision::Infeasible`]: the weight of each row in the multipliers that prove it
     /// ([`crate::qp::QuadraticProgram::weights`]). Empty if reach, fixed times or the yaw planned first prove it.
     pub weights: Vec<(RowOrigin, f64)>,
-    /// If the mission is a stop: the state in which a fault strikes. See [`crate::planner::stop`].
-    pub struck: Option<NodeState>,
+    /// If the mission is a branch after a fault: where it begins and ends. See [`crate::planner::branch`].
+    pub branch: Option<Branch>,
     /// Receives each mission time, s, before it is tried.
     pub on_progress: Option<&'a (dyn Fn(f64) + Sync)>,
     pub settings: HoverSettings,
@@ -101,7 +102,7 @@ impl<'a> HoverPlanner<'a> {
             healthy,
             effort: Effort::default(),
             weights: Vec::new(),
-            struck: None,
+            branch: None,
             on_progress: None,
             settings: HoverSettings::DEFAULT,
         }

@@ -7,6 +7,7 @@
 //! as variables (`durations`, `fixed_times`). `docs/method/exact-planner.md` lists these algorithms; [`settings`] holds
 //! their parameters.
 
+mod branching;
 mod budget;
 mod comfort;
 mod commands;
@@ -28,7 +29,6 @@ pub mod settings;
 mod shortening;
 mod shortest_time;
 mod sides;
-mod stopping;
 mod subproblem;
 mod tightening;
 mod violation;
@@ -236,7 +236,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         'e: 's,
     {
         let form = Transcription::new(self.hover.problem, grid, self.set, maps, &ALL_AXES);
-        form.with_orders(self.wrench.orders(), PARTS).stopping_from(self.hover.struck).with_comfort(self.comfort)
+        form.with_orders(self.wrench.orders(), PARTS).branching_as(self.hover.branch).with_comfort(self.comfort)
     }
 
     /// The wrench linearised about an iterate (70), at the instants of `working_set` and, where the set is flat, at the

@@ -14,6 +14,7 @@ use crate::model::{Environment, Mission, Model, Problem};
 use crate::motion::hover_map::{ORDER, WrenchMap};
 use crate::motion::time_grid::TimeGrid;
 use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::planner::branch::Branch;
 use crate::planner::comfort::Comfort;
 use crate::planner::commands::{CommandAt, CommandMaps, Slope};
 use crate::planner::cores::{CoreAt, Scaling};
@@ -86,8 +87,8 @@ pub struct Transcription<'a> {
     pub orders: [usize; 4],
     /// Instants per interval at which rows can be imposed; 1 if they are imposed at nodes only.
     pub parts: usize,
-    /// Of a stop: the state in which the fault strikes. See [`crate::planner::stop`].
-    pub struck: Option<NodeState>,
+    /// Of a branch after a fault: where it begins and ends. See [`crate::planner::branch`].
+    pub branch: Option<Branch>,
     /// The position at each instant (m) about which distances from bodies are linearised.
     pub positions: Option<&'a [[f64; 3]]>,
     /// The environment in each of the extreme winds that are possible.
@@ -135,7 +136,7 @@ impl<'a> Transcription<'a> {
             axes,
             orders: ORDER,
             parts: 1,
-            struck: None,
+            branch: None,
             positions: None,
             winds: problem.model().environment().corners(),
             states: None,
@@ -156,9 +157,9 @@ impl<'a> Transcription<'a> {
         Transcription { orders, parts, ..self }
     }
 
-    /// This transcription from the state in which a fault strikes, if one does, to rest.
-    pub(super) fn stopping_from(self, struck: Option<NodeState>) -> Self {
-        Transcription { struck, ..self }
+    /// This transcription of a branch after a fault, if it is one.
+    pub(super) fn branching_as(self, branch: Option<Branch>) -> Self {
+        Transcription { branch, ..self }
     }
 
     /// This transcription with distances from bodies linearised about these positions (m), one per instant.

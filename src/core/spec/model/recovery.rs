@@ -1,7 +1,7 @@
 //! What a vehicle may do after a fault: where it may come down, what it keeps away from, and in which order the ways
 //! out are tried.
 
-use super::{Limit, Mission, Model};
+use super::{Limit, LimitKind, Mission, Model, Volume};
 use crate::body::Body;
 use crate::source::Span;
 
@@ -97,6 +97,15 @@ impl Model {
     }
 }
 
+/// A limit that holds after a fault.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldLimit {
+    /// On whole motions.
+    pub limit: Limit,
+    /// How far it is widened for a vehicle that exceeds it when the fault becomes known, in the limit's SI unit.
+    pub yields: f64,
+}
+
 impl Mission {
     /// The landing sites that a way out may lead to, as indices into [`AfterFaultRules::sites`].
     pub fn sites_of(&self, recovery: Recovery) -> Vec<usize> {
@@ -105,5 +114,76 @@ impl Mission {
             Recovery::LandAtSites => (0..self.after_fault.sites.len()).collect(),
             Recovery::Continue | Recovery::LandHere => Vec::new(),
         }
+    }
+
+    /// The limits after a fault: `after_fault_limits`, and of the mission's those on places and speeds that they do not
+    /// replace. Limits on coordinates and `keep_in`s are widened by the buffer. Volumes yield their clearance, other
+    /// limits as much as the fault requires.
+    pub fn limits_after_fault(&self) -> Vec<HeldLimit> {
+        let rules = &self.after_fault;
+        let is_replaced = |limit: &Limit| rules.limits.iter().any(|other| other.kind == limit.kind);
+        let of_mission =
+            self.limits.iter().filter(|limit| limit.is_general()).filter_map(|limit| match &limit.volume {
+                Some(boundary) => {
+                    let is_it = |volume: &&Volume| boundary.name == volume.full_name();
+                    let clearance = self.volumes.iter().find(is_it).map_or(0.0, |volume| volume.clearance);
+                    let by = if limit.kind.is_clearance() { 0.0 } else { rules.buffer };
+                    Some(HeldLimit { limit: limit.widened(by), yields: clearance })
+                }
+                None if is_replaced(limit) || !limit.kind.concerns_safety() => None,
+                None => {
+                    let by = if limit.kind.is_coordinate() { rules.buffer } else { 0.0 };
+                    Some(HeldLimit { limit: limit.widened(by), yields: f64::INFINITY })
+                }
+            });
+        let own = rules.limits.iter().map(|limit| HeldLimit { limit: limit.clone(), yields: f64::INFINITY });
+        of_mission.chain(own).collect()
+    }
+}
+
+impl Limit {
+    /// This limit with bounds that are wider by this much, in its SI unit.
+    pub fn widened(&self, by: f64) -> Limit {
+        Limit { lower: self.lower.map(|b| b - by), upper: self.upper.map(|b| b + by), ..self.clone() }
+    }
+}
+
+impl LimitKind {
+    /// Whether a limit of the mission on it holds after a fault too. Those on attitude, yaw and accelerations serve the
+    /// mission's task: what the vehicle can do is decided by its admissible set.
+    fn concerns_safety(&self) -> bool {
+        match self {
+            LimitKind::X | LimitKind::Y | LimitKind::Z => true,
+            LimitKind::Speed | LimitKind::SpeedHorizontal | LimitKind::Climb | LimitKind::Descent => true,
+            LimitKind::Face(_) | LimitKind::Distance(_) | LimitKind::Clearance(_) => true,
+            LimitKind::Yaw | LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Tilt => false,
+            LimitKind::Acceleration | LimitKind::AccelerationHorizontal | LimitKind::Jerk => false,
+            LimitKind::Arrival(_) | LimitKind::Heading(_) => false,
+        }
+    }
+
+    /// Whether it bounds a coordinate of the position.
+    fn is_coordinate(&self) -> bool {
+        matches!(self, LimitKind::X | LimitKind::Y | LimitKind::Z)
+    }
+}
+
+impl KeepOff {
+    /// The gradient and the signed distance (m, negative inside) of a point from the area's outline.
+    pub fn separation(&self, p: [f64; 2]) -> ([f64; 2], f64) {
+        let each = self.bodies.iter().map(|body| body.seen_from_above(p));
+        each.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(([1.0, 0.0], f64::INFINITY))
+    }
+}
+
+impl AfterFaultRules {
+    /// By how much a vehicle of this size (m) that touches down at a point is too close to an area to keep off, with the
+    /// direction away from it; m, not positive where it is far enough from all.
+    pub fn too_close(&self, p: [f64; 2], size: f64) -> ([f64; 2], f64) {
+        let each = self.keep_off.iter().map(|area| {
+            let (away, distance) = area.separation(p);
+            (away, size + area.clearance - distance)
+        });
+        each.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(([1.0, 0.0], f64::NEG_INFINITY))
     }
 }

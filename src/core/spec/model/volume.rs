@@ -67,8 +67,13 @@ impl Volume {
         }
     }
 
+    /// The name in messages: `keep_in field`.
+    pub fn full_name(&self) -> String {
+        format!("{} {}", self.side.keyword(), self.name)
+    }
+
     fn limit(&self, kind: LimitKind, lower: Option<f64>, upper: Option<f64>) -> Limit {
-        let name = format!("{} {}", self.side.keyword(), self.name);
+        let name = self.full_name();
         Limit {
             kind,
             lower,

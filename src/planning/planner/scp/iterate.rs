@@ -20,7 +20,8 @@ fn slower(state: &NodeState, factor: f64) -> NodeState {
 }
 
 impl Iterate {
-    fn trajectory(&self) -> Trajectory {
+    /// This iterate as a trajectory from 0 s on.
+    pub fn trajectory(&self) -> Trajectory {
         Trajectory {
             times: self.grid.node_times.clone(),
             nodes: self.states.clone(),

@@ -54,6 +54,24 @@ impl ScpPlanner<'_, '_> {
         }
         is_changed.then_some(positions)
     }
+
+    /// A position for each instant of a grid on a short way from one place to another around the volumes that hold on
+    /// all legs, at shares of its length as of time; `None` where no volume is in the way, or none was found.
+    pub(super) fn way_between(&self, grid: &TimeGrid, from: Point, to: Point) -> Option<Vec<Point>> {
+        let mission = self.hover.problem.mission();
+        let limits: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.is_general()).collect();
+        if !keeps_out(mission) || obstructed(&limits, from, to).is_none() {
+            return None;
+        }
+        let way = nth_way(&limits, from, to, 0)?;
+        let times = &grid.node_times;
+        let at = |instant: usize| {
+            let (interval, part) = (instant / PARTS, (instant % PARTS) as f64 / PARTS as f64);
+            let next = times.get(interval + 1).unwrap_or(&times[interval]);
+            at_share(&way, (times[interval] + part * (next - times[interval])) / grid.total)
+        };
+        Some((0..=grid.intervals() * PARTS).map(at).collect())
+    }
 }
 
 fn keeps_out(mission: &Mission) -> bool {

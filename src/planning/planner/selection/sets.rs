@@ -30,24 +30,45 @@ pub struct PlanningSets {
     pub provisions: Vec<Provision>,
 }
 
+/// A set as planned against.
+fn planned(set: AdmissibleSet, model: &Model) -> AdmissibleSet {
+    set.guaranteed(model).with_reserve(model.plan.reserve)
+}
+
+/// The set of a mode as planned against, and how a plan provides for it.
+fn planned_set(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (AdmissibleSet, Provision) {
+    let set = AdmissibleSet::of_mode(model, mode);
+    let provision = Provision::of(model, &set, healthy);
+    (planned(set, model), provision)
+}
+
+/// The rows of one mode's set, or of its core.
+fn alone((set, provision): &(AdmissibleSet, Provision), healthy: &AdmissibleSet) -> PlanningSet {
+    match provision {
+        Provision::WithYaw => PlanningSet::of(&[set], healthy),
+        Provision::WithoutYaw(_) | Provision::Capture => PlanningSet { rows: provision.core_rows().to_vec() },
+    }
+}
+
+/// The set of one mode, whether in `against` or not, as planned against, or its core, and how plans provide for it;
+/// without rows where the mode is caught and landed. `healthy` is the whole healthy set.
+///
+/// # Panics
+/// If there is no such mode.
+pub fn of_one_mode(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (PlanningSet, Provision) {
+    let both = planned_set(model, mode, healthy);
+    (alone(&both, healthy), both.1)
+}
+
 impl PlanningSets {
     /// The sets of the modes in `against` of the spec's plan.
     pub fn of(model: &Model) -> Self {
         let healthy = AdmissibleSet::healthy(model);
-        let planned = |set: AdmissibleSet| set.guaranteed(model).with_reserve(model.plan.reserve);
-        let of_mode = |&mode: &usize| {
-            let set = AdmissibleSet::of_mode(model, mode);
-            let provision = Provision::of(model, &set, &healthy);
-            (planned(set), provision)
-        };
+        let of_mode = |&mode: &usize| planned_set(model, mode, &healthy);
         let modes: Vec<(AdmissibleSet, Provision)> = model.plan.against.iter().map(of_mode).collect();
-        let shrunk = planned(healthy.clone());
+        let shrunk = planned(healthy.clone(), model);
         let rip = PlanningSet::of(&[&shrunk], &healthy);
-        let alone = |(set, provision): &(AdmissibleSet, Provision)| match provision {
-            Provision::WithYaw => PlanningSet::of(&[set], &healthy),
-            _ => PlanningSet { rows: provision.core_rows().to_vec() },
-        };
-        let each: Vec<PlanningSet> = modes.iter().map(alone).collect();
+        let each: Vec<PlanningSet> = modes.iter().map(|mode| alone(mode, &healthy)).collect();
         // Until a fault strikes the vehicle is healthy, and cores leave the yaw torque free.
         let imposed = |modes: &[(AdmissibleSet, Provision)], each: &[PlanningSet]| {
             let whole: Vec<&AdmissibleSet> =

@@ -51,7 +51,7 @@ impl Setting<'_> {
                 }
             }
         }
-        *self.stopping.lock().unwrap_or_else(PoisonError::into_inner) += stops.effort;
+        *self.stopping.lock().unwrap_or_else(PoisonError::into_inner) += stops.effort();
         committed
     }
 }

@@ -68,8 +68,8 @@ impl Transcription<'_> {
             let row = self.at_node(node, axis, derivative).times(self.tau_at(node).powi(derivative as i32));
             builder.zero(row, RowOrigin::Rest { node, axis, derivative });
         }
-        if let Some(struck) = &self.struck {
-            self.stopping(builder, struck);
+        if let Some(branch) = &self.branch {
+            self.branching(builder, branch);
         }
     }
 

@@ -1,27 +1,38 @@
-//! Steps to an iterate that stops inside the set: short attempts, because risk figures need dozens of them.
+//! Steps to an iterate that branches off after a fault and stays inside the set: short attempts, because risk figures
+//! need dozens of them, and recovery hundreds.
 
 use super::*;
+use crate::planner::branch::Ending;
 
 /// States count as equal within this, as a share of their size (at least 1, in SI units): the solver leaves less.
 const BEGINS_WITHIN: f64 = 1e-5;
 
 impl ScpPlanner<'_, '_> {
-    /// A stop over a time grid from the state [`HoverPlanner::struck`]; `None` where the steps find none.
-    pub fn stop(&mut self, grid: &TimeGrid) -> Option<Iterate> {
+    /// The branch [`HoverPlanner::branch`] over a time grid; `None` where the steps find none.
+    pub fn branch(&mut self, grid: &TimeGrid) -> Option<Iterate> {
         let smooth = self.minimum_snap(grid)?;
         let violation = self.violation(&smooth);
-        self.stop_by_steps(smooth, violation)
+        self.branch_by_steps(smooth, violation)
     }
 
-    /// A stop with a known one from another state as the initial guess.
-    pub fn stop_about(&mut self, other: Iterate) -> Option<Iterate> {
-        self.stop_by_steps(other, f64::INFINITY)
+    /// A branch over a time grid that begins near the straight line between two places, m, or near a way around the
+    /// volumes between them.
+    pub fn branch_along(&mut self, grid: &TimeGrid, from: [f64; 3], to: [f64; 3]) -> Option<Iterate> {
+        let Some(way) = self.way_between(grid, from, to) else { return self.branch(grid) };
+        let around = self.minimum_snap_about(grid, Some(&way), None)?;
+        let violation = self.violation(&around);
+        self.branch_by_steps(around, violation)
+    }
+
+    /// A branch with a known one from another state as the initial guess.
+    pub fn branch_about(&mut self, other: Iterate) -> Option<Iterate> {
+        self.branch_by_steps(other, f64::INFINITY)
     }
 
     /// With an infinite `violation` the iterate is not one of this mission, and the first step is taken whole. So is
     /// one from an iterate that violates nothing but begins in another state: minimum-snap motions over long legs do,
     /// because they are solved in another time.
-    fn stop_by_steps(&mut self, mut iterate: Iterate, mut violation: f64) -> Option<Iterate> {
+    fn branch_by_steps(&mut self, mut iterate: Iterate, mut violation: f64) -> Option<Iterate> {
         let (settings, margin) = (self.settings.stops, self.settings.tightening.margin);
         let proximal_settings = self.settings.proximal;
         let durations = self.fixed_durations();
@@ -33,7 +44,7 @@ impl ScpPlanner<'_, '_> {
         let mut working_set = BTreeSet::new();
         let mut history: Vec<f64> = Vec::new();
         self.multipliers.clear();
-        if violation <= 0.0 && !self.begins_as_struck(&iterate) {
+        if violation <= 0.0 && !self.keeps_its_ends(&iterate) {
             violation = f64::INFINITY;
         }
         while violation > 0.0 {
@@ -65,20 +76,27 @@ impl ScpPlanner<'_, '_> {
             if linear || now < violation {
                 (iterate, violation) = (reached, now);
             }
-            if violation <= 0.0 && !self.begins_as_struck(&iterate) {
+            if violation <= 0.0 && !self.keeps_its_ends(&iterate) {
                 violation = f64::INFINITY;
             }
         }
         Some(iterate)
     }
 
-    /// Whether an iterate begins with the position and the velocity of [`HoverPlanner::struck`].
-    fn begins_as_struck(&self, iterate: &Iterate) -> bool {
-        let (Some(struck), Some(first)) = (&self.hover.struck, iterate.states.first()) else { return true };
-        let is_near = |axis: usize, order: usize| {
-            let (due, there) = (struck[axis][order], first[axis][order]);
-            (there - due).abs() <= BEGINS_WITHIN * due.abs().max(1.0)
+    /// Whether an iterate begins with the position and the velocity of its branch, and ends with those that the branch
+    /// joins.
+    fn keeps_its_ends(&self, iterate: &Iterate) -> bool {
+        let (Some(branch), [first, .., last]) = (&self.hover.branch, &iterate.states[..]) else { return true };
+        let is_near = |due: &NodeState, there: &NodeState| {
+            ALL_AXES
+                .into_iter()
+                .flat_map(|axis| [0, 1].map(|order| (due[axis][order], there[axis][order])))
+                .all(|(due, there)| (there - due).abs() <= BEGINS_WITHIN * due.abs().max(1.0))
         };
-        ALL_AXES.into_iter().all(|axis| is_near(axis, 0) && is_near(axis, 1))
+        let ends = match &branch.to {
+            Ending::Rest => true,
+            Ending::Joins(state) => is_near(state, last),
+        };
+        ends && is_near(&branch.from, first)
     }
 }

@@ -1,5 +1,6 @@
-//! The initial and the final state of a stop, as rows.
+//! The initial and the final state of a branch, as rows.
 
+use super::{Branch, Ending};
 use crate::flatness::rotor_drag;
 use crate::model::Environment;
 use crate::motion::{NodeState, X, Y, YAW, Z, in_air};
@@ -9,10 +10,11 @@ use crate::qp::build::{Affine, Builder};
 use nalgebra::{Matrix3, Vector3};
 
 impl Transcription<'_> {
-    /// The rows from the state in which a fault strikes to rest. In the hover model z'' is the thrust, and the
+    /// The rows from the state in which a branch begins to its end. In the hover model z'' is the thrust, and the
     /// derivatives of x and y up to the third are attitude and body rates. In the exact model these are the direction
     /// of `a + g` and its rate of change.
-    pub(in crate::planning::planner) fn stopping(&self, builder: &mut Builder, struck: &NodeState) {
+    pub(in crate::planning::planner) fn branching(&self, builder: &mut Builder, branch: &Branch) {
+        let struck = &branch.from;
         for axis in [X, Y, Z, YAW] {
             for order in 0..=1 {
                 self.remains(builder, struck, axis, order);
@@ -26,10 +28,21 @@ impl Transcription<'_> {
             }
         }
         let last = self.nodes() - 1;
-        for (axis, highest) in [(X, 3), (Y, 3), (Z, 1), (YAW, 1)] {
-            for order in 1..=highest {
-                let row = self.at_node(last, axis, order).times(self.tau_at(last).powi(order as i32));
-                builder.zero(row, RowOrigin::Stop { node: last, axis, derivative: order });
+        let mut ends = |axis: usize, order: usize, value: f64| {
+            let row = self.at_node(last, axis, order).plus_constant(-value);
+            let origin = RowOrigin::Stop { node: last, axis, derivative: order };
+            builder.zero(row.times(self.tau_at(last).powi(order as i32)), origin);
+        };
+        match &branch.to {
+            Ending::Rest => {
+                for (axis, highest) in [(X, 3), (Y, 3), (Z, 1), (YAW, 1)] {
+                    (1..=highest).for_each(|order| ends(axis, order, 0.0));
+                }
+            }
+            Ending::Joins(state) => {
+                for axis in [X, Y, Z, YAW] {
+                    (0..self.orders[axis]).for_each(|order| ends(axis, order, state[axis][order]));
+                }
             }
         }
     }

@@ -1,0 +1,156 @@
+//! What can be done after a fault, at each of many instants of a plan and for each fault mode: fly on, land at a site,
+//! land at once, or nothing that was found.
+//!
+//! The vehicle is carried through the delay until the fault is known ([`carry`]); from there a branch is sought inside
+//! the mode's set and within the limits that hold after a fault ([`crate::planner::branch`]). What is found holds at
+//! the instants that were looked at; between them nothing is claimed.
+
+pub mod carry;
+mod search;
+
+use crate::admissible::AdmissibleSet;
+use crate::admissible::without_yaw::planned::Provision;
+use crate::cancel;
+use crate::model::Problem;
+use crate::motion::Trajectory;
+use crate::planner::selection::sets::of_one_mode;
+use crate::solve::Effort;
+use rayon::prelude::*;
+use search::Search;
+
+/// A way out after a fault.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// Back to the plan, and along it to its end.
+    Continue,
+    /// The same with yaw given up.
+    ContinueSpinning,
+    /// Down at a landing site, an index into the mission's sites.
+    LandAt(usize),
+    /// Down near the place of the fault.
+    LandHere,
+}
+
+/// A branch that was found.
+#[derive(Debug, Clone)]
+pub struct FoundBranch {
+    /// The mode, an index into the model's.
+    pub mode: usize,
+    pub way: Way,
+    /// When the fault strikes, s since the start of the plan.
+    pub fault_at: f64,
+    /// When the branch begins, s after the fault.
+    pub delay: f64,
+    /// From the state at the end of the delay, at 0 s, to its end: at rest on the ground, or where it joins the plan.
+    pub motion: Trajectory,
+    /// The largest distance from the plan during the delay, m.
+    pub deviation: f64,
+}
+
+/// A time during which a fault has the same outcome at each instant that was looked at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Piece {
+    /// s since the start of the plan; the first and last instant that were looked at.
+    pub from: f64,
+    pub to: f64,
+    /// `None` where no way out was found.
+    pub way: Option<Way>,
+    /// The branches at the instants of the piece, for the longest delay, as indices into [`Recovery::branches`].
+    pub branches: Vec<usize>,
+}
+
+/// The outcomes of the faults of one mode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeRecovery {
+    /// An index into the model's modes.
+    pub mode: usize,
+    /// Why no way out was sought, if none was.
+    pub not_attempted: Option<NotAttempted>,
+    /// In the order of time; they follow each other without gaps up to [`RESOLUTION`].
+    pub pieces: Vec<Piece>,
+    /// The number of instants that were looked at.
+    pub instants: usize,
+}
+
+/// Why no way out was sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NotAttempted {
+    /// The vehicle cannot hover inside the mode's set.
+    NoHover,
+    /// It has to be caught: see the captures.
+    Caught,
+}
+
+/// What can be done after each fault.
+#[derive(Debug, Clone)]
+pub struct Recovery {
+    /// Of every declared mode, in their order.
+    pub modes: Vec<ModeRecovery>,
+    pub branches: Vec<FoundBranch>,
+    /// The delays after which faults are known, s: one, or the shortest and the longest.
+    pub delays: Vec<f64>,
+    /// The longest time of a branch, s.
+    pub within: f64,
+    /// The duration of the plan, s.
+    pub duration: f64,
+    pub effort: Effort,
+}
+
+/// Instants are at most this far apart, s, in plans up to [`FINE`] instants long. Chosen by hand.
+const APART: f64 = 0.5;
+
+/// The number of instants that are looked at first in long plans. Chosen by hand.
+const FINE: f64 = 160.0;
+
+/// The times at which outcomes change are bisected to this, s.
+pub const RESOLUTION: f64 = 0.05;
+
+/// Looks for ways out after every declared fault, along a plan.
+pub fn recovery(problem: Problem, plan: &Trajectory) -> Recovery {
+    let model = problem.model();
+    let settings = &model.plan.recovery;
+    let healthy = AdmissibleSet::healthy(model);
+    let [least, most] = settings.detection;
+    let delays = if least < most { vec![least, most] } else { vec![most] };
+    let of_mode = |mode: usize| {
+        cancel::checkpoint();
+        let (set, provision) = of_one_mode(model, mode, &healthy);
+        let not_attempted = match provision {
+            Provision::Capture => Some(NotAttempted::Caught),
+            Provision::WithYaw | Provision::WithoutYaw(_) => {
+                search::cannot_hover(model, &set).then_some(NotAttempted::NoHover)
+            }
+        };
+        match not_attempted {
+            Some(_) => {
+                let piece = Piece { from: 0.0, to: plan.duration(), way: None, branches: Vec::new() };
+                (ModeRecovery { mode, not_attempted, pieces: vec![piece], instants: 0 }, Vec::new(), Effort::default())
+            }
+            None => Search::new(problem, plan, mode, &set, &provision, &healthy, &delays).all(),
+        }
+    };
+    let each: Vec<_> = (0..model.modes.len()).into_par_iter().map(of_mode).collect();
+    let mut found = Recovery {
+        modes: Vec::new(),
+        branches: Vec::new(),
+        within: settings.within,
+        duration: plan.duration(),
+        effort: Effort::default(),
+        delays: delays.clone(),
+    };
+    for (mut mode, branches, effort) in each {
+        let before = found.branches.len();
+        mode.pieces.iter_mut().flat_map(|piece| &mut piece.branches).for_each(|branch| *branch += before);
+        found.branches.extend(branches);
+        found.modes.push(mode);
+        found.effort += effort;
+    }
+    found
+}
+
+impl ModeRecovery {
+    /// For how long no way out was found, s.
+    pub fn uncovered(&self) -> f64 {
+        self.pieces.iter().filter(|piece| piece.way.is_none()).map(|piece| piece.to - piece.from).sum()
+    }
+}

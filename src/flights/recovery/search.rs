@@ -1,0 +1,299 @@
+//! The ways out after the faults of one mode, instant by instant.
+
+use super::carry::{Carried, carry, quiet};
+use super::{APART, FINE, FoundBranch, ModeRecovery, Piece, RESOLUTION, Way};
+use crate::admissible::without_yaw::planned::Provision;
+use crate::admissible::{AdmissibleSet, trimmed};
+use crate::cancel;
+use crate::model::{HeldLimit, Model, Problem, Recovery, Simulation};
+use crate::motion::outside::violation_intervals;
+use crate::motion::{NodeState, Trajectory, X, Y};
+use crate::planner::branch::{Branches, Goal};
+use crate::planner::scp::Iterate;
+use crate::planner::selection::PlanningSet;
+use crate::solve::Effort;
+use std::collections::BTreeMap;
+
+/// Times in which a branch goes back to the plan, s, in the order tried. Chosen by hand.
+const BACK_IN: [f64; 3] = [1.0, 2.0, 4.0];
+
+/// Times of a landing as multiples of a likely one, in the order tried; the longest allowed is tried last. Chosen by
+/// hand.
+const LONGER: [f64; 3] = [1.0, 1.45, 2.1];
+
+/// A vehicle that lands where it comes to rest may touch down this far from there, m. Chosen by hand.
+const HERE: f64 = 1.0;
+
+/// Places beside areas to keep off that are tried. Chosen by hand.
+const BESIDE: usize = 4;
+
+/// Whether rest is outside a set.
+pub(super) fn cannot_hover(model: &Model, set: &PlanningSet) -> bool {
+    let at_rest = trimmed(model, &model.environment());
+    set.rows.iter().any(|row| row.violation(&at_rest) > if row.equality { 1e-6 } else { 0.0 })
+}
+
+pub(super) struct Search<'a> {
+    problem: Problem<'a>,
+    plan: &'a Trajectory,
+    mode: usize,
+    spins: bool,
+    /// When the plan is outside the mode's set, s; ascending.
+    outside: Vec<(f64, f64)>,
+    /// The limits on places that the vehicle may not violate before the fault is known.
+    places: Vec<HeldLimit>,
+    branches: Branches<'a>,
+    simulation: Simulation,
+    delays: &'a [f64],
+    /// The last branch for each way and delay.
+    last: BTreeMap<(usize, usize), Iterate>,
+}
+
+/// The outcome at one instant, with a branch for each delay.
+struct Found {
+    at: f64,
+    way: Option<Way>,
+    branches: Vec<FoundBranch>,
+}
+
+impl<'a> Search<'a> {
+    pub fn new(
+        problem: Problem<'a>,
+        plan: &'a Trajectory,
+        mode: usize,
+        set: &'a PlanningSet,
+        provision: &Provision,
+        healthy: &'a AdmissibleSet,
+        delays: &'a [f64],
+    ) -> Self {
+        let model = problem.model();
+        let mut outside: Vec<(f64, f64)> = (0..plan.intervals())
+            .flat_map(|k| violation_intervals(plan, &model.vehicle, &model.environment(), &set.rows, k).0)
+            .map(|interval| (interval.from, interval.to))
+            .collect();
+        outside.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let held = problem.mission().limits_after_fault();
+        let places = held.iter().filter(|held| held.limit.volume.is_some()).cloned().collect();
+        Search {
+            branches: Branches::new(problem, healthy, set, plan.model, held),
+            spins: matches!(provision, Provision::WithoutYaw(_)),
+            simulation: quiet(model),
+            last: BTreeMap::new(),
+            problem,
+            plan,
+            mode,
+            outside,
+            places,
+            delays,
+        }
+    }
+
+    /// The outcomes at instants up to [`APART`] from each other, and at those at which they change to [`RESOLUTION`].
+    pub fn all(mut self) -> (ModeRecovery, Vec<FoundBranch>, Effort) {
+        let duration = self.plan.duration();
+        let count = (duration / APART).ceil().min(FINE).max(1.0);
+        let mut found: Vec<Found> = Vec::new();
+        for k in 0..=count as usize {
+            let next = self.at(duration * k as f64 / count);
+            if let Some(before) = found.last().filter(|before| before.way != next.way) {
+                let (mut a, mut way) = (before.at, before.way);
+                let mut b = next.at;
+                let mut between = Vec::new();
+                while b - a > RESOLUTION {
+                    let middle = self.at(0.5 * (a + b));
+                    match middle.way == way {
+                        true => a = middle.at,
+                        false if middle.way == next.way => b = middle.at,
+                        // A third outcome lies between: its own bounds are looked for after it.
+                        false => (a, way) = (middle.at, middle.way),
+                    }
+                    between.push(middle);
+                }
+                between.sort_by(|a, b| a.at.total_cmp(&b.at));
+                found.extend(between);
+            }
+            found.push(next);
+        }
+        let instants = found.len();
+        let (mut pieces, mut branches): (Vec<Piece>, Vec<FoundBranch>) = (Vec::new(), Vec::new());
+        for Found { at, way, branches: of_delays } in found {
+            let index = of_delays.into_iter().next_back().map(|branch| {
+                branches.push(branch);
+                branches.len() - 1
+            });
+            match pieces.last_mut().filter(|piece| piece.way == way) {
+                Some(piece) => {
+                    piece.to = at;
+                    piece.branches.extend(index);
+                }
+                None => {
+                    // A change counts for the worse outcome: a gap reaches to the instants around it.
+                    let from = match (pieces.last_mut(), way) {
+                        (Some(before), None) => before.to,
+                        (Some(before), Some(_)) if before.way.is_none() => {
+                            before.to = at;
+                            at
+                        }
+                        _ => at,
+                    };
+                    pieces.push(Piece { from, to: at, way, branches: index.into_iter().collect() });
+                }
+            }
+        }
+        (ModeRecovery { mode: self.mode, not_attempted: None, pieces, instants }, branches, self.branches.effort)
+    }
+
+    /// The first way out, in the order of the spec, that there is for each delay.
+    fn at(&mut self, at: f64) -> Found {
+        cancel::checkpoint();
+        let none = Found { at, way: None, branches: Vec::new() };
+        let model = self.problem.model();
+        let carried = |delay: &f64| carry(model, &self.simulation, self.plan, self.mode, at, *delay);
+        let Some(carried) = self.delays.iter().map(carried).collect::<Option<Vec<Carried>>>() else { return none };
+        let leaves =
+            |held: &HeldLimit, p: &[f64; 3]| held.limit.violation_at(*p).is_some_and(|over| over > held.yields);
+        if carried.iter().flat_map(|c| &c.path).any(|p| self.places.iter().any(|held| leaves(held, p))) {
+            return none;
+        }
+        for recovery in model.recovery(self.mode) {
+            if let Some(found) = self.way(*recovery, at, &carried) {
+                return found;
+            }
+        }
+        none
+    }
+
+    fn way(&mut self, recovery: Recovery, at: f64, carried: &[Carried]) -> Option<Found> {
+        match recovery {
+            Recovery::Continue => self.continued(at, carried),
+            Recovery::LandAt(_) | Recovery::LandAtSites => {
+                let sites = self.by_distance(self.problem.mission().sites_of(recovery), &carried[0].state);
+                sites.into_iter().find_map(|site| self.landed(at, carried, Way::LandAt(site), &|_| None))
+            }
+            Recovery::LandHere => self.landed_here(at, carried),
+        }
+    }
+
+    fn by_distance(&self, mut sites: Vec<usize>, state: &NodeState) -> Vec<usize> {
+        let all = &self.problem.mission().after_fault.sites;
+        let distance = |site: &usize| (all[*site].at[0] - state[X][0]).hypot(all[*site].at[1] - state[Y][0]);
+        sites.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        sites
+    }
+
+    /// Back to the plan within some time, after which the plan stays inside the set.
+    fn continued(&mut self, at: f64, carried: &[Carried]) -> Option<Found> {
+        let last_outside = self.outside.iter().map(|o| o.1).fold(f64::NEG_INFINITY, f64::max);
+        let way = if self.spins { Way::ContinueSpinning } else { Way::Continue };
+        let within = self.problem.model().plan.recovery.within;
+        self.for_each_delay(at, carried, way, |search, delay, state, last| {
+            let mut times = BACK_IN.into_iter().filter(|time| *time <= within);
+            times.find_map(|time| {
+                let joins_at = at + delay + time;
+                if last_outside > joins_at {
+                    return None;
+                }
+                let goal = Goal::Rejoin(search.planned(joins_at));
+                let known = last.filter(|known| known.grid.total == time);
+                let about = known.and_then(|known| search.branches.find_about(state, &goal, known));
+                about.or_else(|| search.branches.find(state, &goal, time))
+            })
+        })
+    }
+
+    /// The state of the plan, at rest after its end.
+    fn planned(&self, at: f64) -> NodeState {
+        if at < self.plan.duration() {
+            return self.plan.at(at);
+        }
+        self.plan.nodes[self.plan.intervals()].map(|axis| [axis[0], 0.0, 0.0, 0.0, 0.0])
+    }
+
+    /// Down at a place for each delay: that of a site, or that which `place` gives for the state.
+    fn landed(
+        &mut self,
+        at: f64,
+        carried: &[Carried],
+        way: Way,
+        place: &dyn Fn(&NodeState) -> Option<([f64; 3], f64)>,
+    ) -> Option<Found> {
+        let within = self.problem.model().plan.recovery.within;
+        self.for_each_delay(at, carried, way, |search, _, state, last| {
+            let (to, radius) = match way {
+                Way::LandAt(site) => {
+                    let site = &search.problem.mission().after_fault.sites[site];
+                    (site.at, site.radius)
+                }
+                _ => place(state)?,
+            };
+            let goal = Goal::Ground { at: to, radius };
+            if let Some(found) = last.and_then(|known| search.branches.find_about(state, &goal, known)) {
+                return Some(found);
+            }
+            let likely = search.branches.likely_duration(state, &goal);
+            let mut times: Vec<f64> =
+                LONGER.map(|factor| factor * likely).into_iter().filter(|t| *t < within).collect();
+            times.push(within);
+            times.into_iter().find_map(|time| search.branches.find(state, &goal, time))
+        })
+    }
+
+    /// Down where the vehicle comes to rest, or beside areas to keep off.
+    fn landed_here(&mut self, at: f64, carried: &[Carried]) -> Option<Found> {
+        let mission = self.problem.mission();
+        let ground = mission.ground?;
+        let size = self.problem.model().vehicle.radius();
+        let state = carried[carried.len() - 1].state;
+        let time = self.branches.likely_duration(&state, &Goal::Rest);
+        let stop = self
+            .branches
+            .find(&state, &Goal::Rest, time)
+            .or_else(|| self.branches.find(&state, &Goal::Rest, 2.0 * time))?;
+        let rest = &stop.states[stop.states.len() - 1];
+        let mut place = [rest[X][0], rest[Y][0]];
+        let mut over = mission.after_fault.too_close(place, size + HERE);
+        for _ in 0..BESIDE {
+            if over.1 <= 0.0 {
+                break;
+            }
+            place = [0, 1].map(|i| place[i] + (over.1 + HERE) * over.0[i]);
+            over = mission.after_fault.too_close(place, size + HERE);
+        }
+        if over.1 > 0.0 {
+            return None;
+        }
+        let to = [place[0], place[1], ground];
+        self.landed(at, carried, Way::LandHere, &|_| Some((to, HERE)))
+    }
+
+    /// A branch for each delay, each from the last one of its way and delay; `None` if one is not found.
+    fn for_each_delay(
+        &mut self,
+        at: f64,
+        carried: &[Carried],
+        way: Way,
+        mut find: impl FnMut(&mut Self, f64, &NodeState, Option<&Iterate>) -> Option<Iterate>,
+    ) -> Option<Found> {
+        let mut branches = Vec::with_capacity(carried.len());
+        // The longest delay is the hardest.
+        for (index, carried) in carried.iter().enumerate().rev() {
+            let key = (key(way), index);
+            let last = self.last.remove(&key);
+            let delay = self.delays[index];
+            let found = find(self, delay, &carried.state, last.as_ref())?;
+            let (mode, deviation) = (self.mode, carried.deviation);
+            branches.push(FoundBranch { mode, way, fault_at: at, delay, motion: found.trajectory(), deviation });
+            self.last.insert(key, found);
+        }
+        branches.reverse();
+        Some(Found { at, way: Some(way), branches })
+    }
+}
+
+fn key(way: Way) -> usize {
+    match way {
+        Way::Continue | Way::ContinueSpinning => 0,
+        Way::LandHere => 1,
+        Way::LandAt(site) => 2 + site,
+    }
+}
