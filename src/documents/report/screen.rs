@@ -173,6 +173,11 @@ impl Screen {
         self.line(Tone::Plain, &format!("  {EVERY_TABLE}{left}"));
     }
 
+    /// Adds the lines of another screen, none of which are left out later.
+    pub fn extend(&mut self, other: Screen) {
+        self.lines.extend(other.lines.into_iter().map(|line| Line { part: None, ..line }));
+    }
+
     /// The lines with their tones.
     pub fn lines(&self) -> impl Iterator<Item = (Tone, &str)> {
         self.lines.iter().map(|line| (line.tone, line.text.as_str()))
