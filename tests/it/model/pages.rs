@@ -86,8 +86,14 @@ fn fragment(text: &str) -> Vec<String> {
     } else if first.contains("in faults") {
         format!("{QUAD}faults {{\n{text}\n}}\n")
     } else if first.contains("in plan") {
+        let (quad, hop) = if text.contains("capture_height") {
+            let of_mission = " ground = 0 m\n limits { speed <= 8 m/s }\n start";
+            (QUAD.replace("max_speed", "time_constant = 20 ms; max_speed"), hop.replace(" start", of_mission))
+        } else {
+            (QUAD.into(), hop.into())
+        };
         format!(
-            "{QUAD}faults {{ every 1 rotor lost as M {{ severity = 9; occurrence = 4; detection = 4 }} }}\n\
+            "{quad}faults {{ every 1 rotor lost as M {{ severity = 9; occurrence = 4; detection = 4 }} }}\n\
              faults {{ every 1 rotor reduced to 60 % as W; every 2 rotors lost as L; mode worn {{ rotor 1 reduced to 80 % }} }}\n\
              {hop}plan {{\n{text}\n}}\n"
         )
