@@ -41,8 +41,8 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ),
     (
         "recovery",
-        "is a block of `plan`, written `recovery { order = [continue, land_here] }`, and a field of a fault mode, written \
-         `recovery = [continue, land_here]`",
+        "is a block of `plan`, written `recovery { order = [continue, land_here] }`, and a field of a fault mode, \
+         written `recovery = [continue, land_here]`",
     ),
     ("order", "goes into `recovery { }` of `plan`"),
     ("density", "goes into `air { density = 1.1 kg/m^3 }` of the mission"),
