@@ -2,7 +2,7 @@
 
 use super::battery;
 use super::comparison_text::name_of;
-use super::plan_screen::{not_covered, unsafe_until};
+use super::plan_screen::{unsafe_until, warn_of_not_covered};
 use super::record::rates;
 use super::screen::{Keep, Screen, Tone};
 use super::terminal::vehicle_line;
@@ -27,7 +27,7 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
     screen.gap();
     let (tone, text) = answer(model, comparison);
     screen.paragraph(tone, 2, 2, &text);
-    not_covered(model, &mut screen);
+    warn_of_not_covered(model, &mut screen);
     if let Some(text) = without_yaw::not_planned(comparison, None) {
         screen.paragraph(Tone::Bad, 2, 2, &text);
     }

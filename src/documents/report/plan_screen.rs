@@ -2,7 +2,8 @@
 
 mod coverage;
 
-pub(super) use coverage::{not_covered, unsafe_until};
+pub use coverage::CoverageRecord;
+pub(super) use coverage::{unsafe_until, warn_of_not_covered};
 
 use super::battery;
 use super::binding;
@@ -14,7 +15,7 @@ use super::record::rates;
 use super::screen::{Keep, Screen, Tone};
 use super::shape;
 use super::terminal::vehicle_line;
-use super::verdict_text::{self, statement};
+use super::verdict_text;
 use super::volumes;
 use super::waypoints;
 use super::without_yaw;
@@ -68,10 +69,17 @@ impl Answer<'_> {
         screen
     }
 
+    /// Which modes the plan covers, in sentences; empty without a plan.
+    pub fn coverage(&self) -> Vec<CoverageRecord> {
+        let run = self.comparison.runs.last();
+        let found = run.and_then(|run| Some(coverage::sentences(self, run, run.outcome.plan()?)));
+        found.unwrap_or_default()
+    }
+
     /// No plan: what was shown, and about which modes.
     fn missing(&self, screen: &mut Screen, run: &PlannerRun, outcome: &PlanOutcome) {
         let model = self.problem.model();
-        let mut text = format!("{}; planner {}", shouted(self.problem, self.comparison, run), name(run));
+        let mut text = verdict_text::headline(self.problem, self.comparison, run);
         if let PlanOutcome::Infeasible(proof) = outcome
             && !run.against.is_empty()
             && let Some(note) = without_yaw::of_proof(self.problem, self.comparison, proof)
@@ -94,12 +102,7 @@ impl Answer<'_> {
     /// A plan, and how many modes its table leaves out.
     fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) -> usize {
         let model = self.problem.model();
-        let text = format!(
-            "PLAN {}; planner {}{}",
-            shouted(self.problem, self.comparison, run),
-            name(run),
-            without_yaw::beside_the_verdict(self.comparison)
-        );
+        let text = verdict_text::headline(self.problem, self.comparison, run);
         let tone = if coverage::is_partial(self, solved) { Tone::Warning } else { Tone::Good };
         screen.paragraph(tone, 2, 2, &text);
         let hidden = coverage::write(self, screen, run, solved);
@@ -172,16 +175,6 @@ fn not_counted(model: &Model) -> String {
         |m: &usize| !model.plan.against.contains(m) && model.modes[*m].rate.is_some_and(|rate| rate > 0.0);
     let left: Vec<usize> = (0..all.len()).filter(is_left_out).collect();
     if left.is_empty() { String::new() } else { format!("; not counted: {}", within(&all, &left, NAMES)) }
-}
-
-/// `FOUND, 35 s`: the statement on a run with its verdict in capitals.
-fn shouted(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> String {
-    let (statement, word) = (statement(problem, comparison, run), run.outcome.verdict().word());
-    statement.strip_prefix(word).map_or(statement.clone(), |rest| format!("{}{rest}", word.to_uppercase()))
-}
-
-fn name(run: &PlannerRun) -> String {
-    run.planner.name().to_uppercase()
 }
 
 /// `height up to 25.4 m, 0.4 m above the highest waypoint; up to 0.4 m off the straight legs; speed 9.47 of 10 m/s`

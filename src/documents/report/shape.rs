@@ -325,7 +325,7 @@ pub fn remark(problem: Problem, solved: &MissionPlan, detours: &[Detour]) -> Opt
     let mission = problem.mission();
     match detours {
         [climb, deviation] => Some(format!(
-            "The plan {} and {}, although no volume is in the way; {} and {} forbid it{}.",
+            "The plan {}, and {}, although no volume is in the way; {} and {} forbid it{}.",
             what(mission, climb),
             what(mission, deviation),
             forbidden_by(mission, climb),

@@ -179,6 +179,9 @@ pub(super) struct AnalyzeArgs {
     /// delays of detection
     #[arg(long, conflicts_with = "sweep")]
     pub capture: bool,
+    /// Write the outcomes as one HTML page
+    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath, conflicts_with_all = ["sweep", "capture"])]
+    pub html: Option<PathBuf>,
 }
 
 #[derive(Args)]

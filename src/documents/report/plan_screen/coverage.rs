@@ -15,6 +15,7 @@ use crate::report::mode_names::within;
 use crate::report::screen::{Keep, Screen, Tone};
 use crate::report::without_yaw;
 use crate::text_table::Table;
+use serde::Serialize;
 
 /// Most columns of the names of modes, in the table and in a sentence.
 const NAMES: usize = 32;
@@ -29,15 +30,78 @@ const MOST_KINDS: usize = 3;
 /// Rows of the table that are always shown.
 const ALWAYS: usize = 3;
 
+/// What a sentence says of its modes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Covers {
+    /// The plan covers the modes at every instant.
+    Always,
+    /// It covers them by stops, as far as these were found.
+    Stops,
+    /// A fault of these modes before some instant meets a violation.
+    UnsafeUntil,
+    /// It is not planned for these modes, although they are in `against`.
+    NotPlanned,
+    /// The modes are not in `against`, or none is declared.
+    Not,
+}
+
+impl Covers {
+    /// Whether the plan does not cover modes that it is asked to cover.
+    pub fn is_bad(self) -> bool {
+        self.tone() == Tone::Bad
+    }
+
+    fn tone(self) -> Tone {
+        match self {
+            Covers::Always => Tone::Plain,
+            Covers::Stops | Covers::Not => Tone::Warning,
+            Covers::UnsafeUntil | Covers::NotPlanned => Tone::Bad,
+        }
+    }
+}
+
+/// A sentence about the fault modes that a plan covers, or does not.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct CoverageRecord {
+    /// What it says.
+    pub covers: Covers,
+    /// The sentence, as on the terminal and the page.
+    #[cfg_attr(test, schemars(length(min = 1)))]
+    pub sentence: String,
+}
+
 /// The sentences on coverage, then the table of modes; and how many modes the table leaves out.
 pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) -> usize {
-    let (model, comparison) = (answer.problem.model(), answer.comparison);
-    let all = &comparison.modes;
-    if model.modes.is_empty() {
-        screen.paragraph(Tone::Warning, 2, 2, "No fault modes are declared: this plan covers none.");
+    for CoverageRecord { covers, sentence } in sentences(answer, run, solved) {
+        screen.paragraph(covers.tone(), 2, 2, &sentence);
+    }
+    let model = answer.problem.model();
+    if answer.comparison.modes.is_empty() {
         return 0;
     }
-    let places = |wanted: &dyn Fn(usize) -> bool| (0..all.len()).filter(|&i| wanted(i)).collect::<Vec<usize>>();
+    screen.gap();
+    let (modes, hidden) = table(answer, solved, NAMES).1;
+    screen.fitted_modes(NAMES, ALWAYS, &modes, |names| table(answer, solved, names).0);
+    let reserve = if model.plan.reserve > 0.0 { " beyond the reserve" } else { "" };
+    let legend = format!("spare: what the plan leaves{reserve}, % of the healthy set's width");
+    screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &legend));
+    hidden
+}
+
+/// Which modes a plan covers and which not, in sentences.
+pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec<CoverageRecord> {
+    let (model, comparison) = (answer.problem.model(), answer.comparison);
+    let mut found = Vec::new();
+    let mut say = |covers: Covers, sentence: String| found.push(CoverageRecord { covers, sentence });
+    if model.modes.is_empty() {
+        say(Covers::Not, "No fault modes are declared: this plan covers none.".into());
+        return found;
+    }
+    let all = comparison.modes.len();
+    let places = |wanted: &dyn Fn(usize) -> bool| (0..all).filter(|&i| wanted(i)).collect::<Vec<usize>>();
     let is_captured = |i: usize| comparison.provisions[i] == Provision::Capture;
     let stops = |i: usize| solved.outside[i].last.is_some() && unsafe_until(model, solved, i).is_none();
     let is_safe = |i: usize| !is_captured(i) && solved.outside[i].last.is_none();
@@ -66,16 +130,14 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     }
     if !safe.is_empty() {
         safe.push(how_shown(answer, run));
-        screen.paragraph(Tone::Plain, 2, 2, &safe.join(" "));
+        say(Covers::Always, safe.join(" "));
     }
     let stopping = places(&|i| !is_captured(i) && stops(i));
     if !stopping.is_empty() {
         let names = named(answer, &stopping);
-        screen.paragraph(
-            Tone::Warning,
-            2,
-            2,
-            &format!(
+        say(
+            Covers::Stops,
+            format!(
                 "After {names} the plan leaves what the rotors left can give, but from every node before that a stop \
                  within it was found (`after_fault = hold`)."
             ),
@@ -84,31 +146,18 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     let unsafe_ones = places(&|i| !is_captured(i) && unsafe_until(model, solved, i).is_some());
     if !unsafe_ones.is_empty() {
         let until = unsafe_ones.iter().filter_map(|&i| unsafe_until(model, solved, i)).fold(0.0, f64::max);
-        screen.paragraph(
-            Tone::Bad,
-            2,
-            2,
-            &format!(
+        say(
+            Covers::UnsafeUntil,
+            format!(
                 "UNSAFE until {} s: after {} the rotors left cannot always give {wrench}{reserve}.",
                 fixed(until, 2),
                 named(answer, &unsafe_ones)
             ),
         );
     }
-    if let Some(text) = without_yaw::not_planned(comparison, answer.heights) {
-        screen.paragraph(Tone::Bad, 2, 2, &text);
-    }
-    not_covered(model, screen);
-    if all.is_empty() {
-        return 0;
-    }
-    screen.gap();
-    let (modes, hidden) = table(answer, solved, NAMES).1;
-    screen.fitted_modes(NAMES, ALWAYS, &modes, |names| table(answer, solved, names).0);
-    let reserve = if model.plan.reserve > 0.0 { " beyond the reserve" } else { "" };
-    let legend = format!("spare: what the plan leaves{reserve}, % of the healthy set's width");
-    screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &legend));
-    hidden
+    without_yaw::not_planned(comparison, answer.heights).into_iter().for_each(|text| say(Covers::NotPlanned, text));
+    not_covered(model).into_iter().for_each(|text| say(Covers::Not, text));
+    found
 }
 
 /// Modes that are planned against, given by their places there, with what fails in them if that is of few kinds: `M1 ..
@@ -158,15 +207,20 @@ pub fn demanded(answer: &Answer, screen: &mut Screen) {
         let places: Vec<usize> = (0..all.len()).collect();
         screen.paragraph(Tone::Plain, 2, 2, &format!("It has to cover {}.", named(answer, &places)));
     }
-    not_covered(model, screen);
+    warn_of_not_covered(model, screen);
 }
 
-/// The declared modes that are not planned against, with what they leave of the vehicle.
-pub(in crate::documents::report) fn not_covered(model: &Model, screen: &mut Screen) {
+/// The sentence of [`not_covered`] on a screen.
+pub(in crate::documents::report) fn warn_of_not_covered(model: &Model, screen: &mut Screen) {
+    not_covered(model).iter().for_each(|text| screen.paragraph(Covers::Not.tone(), 2, 2, text));
+}
+
+/// The declared modes that are not planned against, with what they leave of the vehicle; `None` if there are none.
+fn not_covered(model: &Model) -> Option<String> {
     let all = names(model);
     let left: Vec<usize> = (0..all.len()).filter(|mode| !model.plan.against.contains(mode)).collect();
     if left.is_empty() {
-        return;
+        return None;
     }
     let names = |modes: &[usize]| within(&all, modes, NAMES_IN_TEXT);
     let outcomes = |modes: &[usize]| -> Vec<(Outcome, Vec<usize>)> {
@@ -187,7 +241,7 @@ pub(in crate::documents::report) fn not_covered(model: &Model, screen: &mut Scre
         each.map(|(what, (outcome, modes))| format!("{} ({what}: {})", names(&modes), outcome.words_of(modes.len())))
             .collect()
     };
-    screen.paragraph(Tone::Warning, 2, 2, &format!("NOT covered, not in `against`: {}.", groups.join(", ")));
+    Some(format!("NOT covered, not in `against`: {}.", groups.join(", ")))
 }
 
 /// How it was shown that the plan stays inside the sets: only imposed rows are proved.
