@@ -54,6 +54,7 @@ mod tests {
     #[test]
     fn the_schemas_of_the_records_are_current() {
         check::<analysis_record::AnalysisRecord<crate::pipeline::Flip>>("analyze", "mavc analyze --format json");
+        check::<analysis_record::OutcomesRecord>("outcomes", "mavc check --format json, last line");
         check::<crate::pipeline::Program>("qp", "mavc emit qp --format json");
         check::<model_record::ModelRecord>("model", "mavc emit model --format json");
         check::<record::Record>("report", "mavc plan --report, mavc compare --report");

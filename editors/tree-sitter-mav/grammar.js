@@ -21,7 +21,7 @@ const STATEMENT_WORDS = [
   // words: statements
   'use', 'let', 'require', 'vehicle', 'faults', 'mission', 'plan', 'simulate', 'campaign', 'limits', 'mode', 'every',
   'curve', 'rotor', 'rotors', 'start', 'end', 'waypoint', 'waypoints', 'hold', 'fault', 'keep_in', 'keep_out',
-  'battery', 'air'
+  'battery', 'air', 'after_fault_limits', 'keep_off', 'landing_site', 'recovery'
   // end of words
 ];
 
@@ -79,8 +79,9 @@ module.exports = grammar({
     _block: ($) =>
       choice(
         $.vehicle, $.faults, $.mission, $.plan, $.simulate, $.campaign, $.limits, $.volume, $.mode, $.curve,
-        $.rotor_block, $.rotors_block, $.battery, $.air, alias($._every_block, $.every), alias($._start_block, $.start),
-        alias($._waypoint_block, $.waypoint), alias($._requirement_block, $.requirement),
+        $.rotor_block, $.rotors_block, $.battery, $.air, $.landing_site, $.after_fault_limits, $.recovery,
+        alias($._every_block, $.every), alias($._start_block, $.start), alias($._waypoint_block, $.waypoint),
+        alias($._requirement_block, $.requirement),
       ),
 
     // ---- blocks
@@ -93,7 +94,10 @@ module.exports = grammar({
     campaign: ($) => seq('campaign', field('body', $.body)),
     limits: ($) => seq('limits', field('body', $.body)),
     air: ($) => seq('air', field('body', $.body)),
-    volume: ($) => seq(choice('keep_in', 'keep_out'), field('name', $.name), field('body', $.body)),
+    landing_site: ($) => seq('landing_site', field('name', $.name), field('body', $.body)),
+    after_fault_limits: ($) => seq('after_fault_limits', field('body', $.body)),
+    recovery: ($) => seq('recovery', field('body', $.body)),
+    volume: ($) => seq(choice('keep_in', 'keep_out', 'keep_off'), field('name', $.name), field('body', $.body)),
     mode: ($) => seq('mode', field('name', $.name), field('title', optional($.text)), field('body', $.body)),
     rotor_block: ($) => seq('rotor', field('body', $.body)),
     rotors_block: ($) => seq('rotors', field('body', $.body)),

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyList, PyString};
 
 /// The blocks whose fields have units, by the names that Python uses.
-const GROUPS: [(&str, Group); 12] = [
+const GROUPS: [(&str, Group); 17] = [
     ("top", Group::Top),
     ("vehicle", Group::Vehicle),
     ("rotor", Group::Rotor),
@@ -20,7 +20,12 @@ const GROUPS: [(&str, Group); 12] = [
     ("waypoint", Group::Waypoint),
     ("limits", Group::Limits),
     ("volume", Group::Volume),
+    ("mission", Group::Mission),
+    ("landing_site", Group::LandingSite),
+    ("area", Group::KeepOff),
+    ("after_fault_limits", Group::AfterFaultLimits),
     ("plan", Group::Plan),
+    ("recovery", Group::Recovery),
     ("simulate", Group::Simulate),
     ("campaign", Group::Campaign),
 ];
@@ -105,6 +110,12 @@ fn call(builder: Builder, method: &str, values: &Bound<PyList>) -> PyResult<Buil
         "keep_in" => builder.keep_in(&text(0)?, &text(1)?),
         "keep_out" => builder.keep_out(&text(0)?, &text(1)?),
         "volume" => builder.volume(&text(0)?, &text(1)?, value(2)?),
+        "mission" => builder.mission(&text(0)?, value(1)?),
+        "landing_site" => builder.landing_site(&text(0)?, values.get_item(1)?.extract()?, number(2)?),
+        "keep_off" => builder.keep_off(&text(0)?, &text(1)?),
+        "area" => builder.area(&text(0)?, &text(1)?, value(2)?),
+        "after_fault_at_most" => builder.after_fault_at_most(&text(0)?, number(1)?),
+        "recovery" => builder.recovery(&text(0)?, value(1)?),
         _ => return Err(PyValueError::new_err(format!("the builder has no call {method:?}"))),
     })
 }

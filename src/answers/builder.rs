@@ -1,5 +1,6 @@
 //! Specs from Rust values instead of text.
 
+mod after_fault;
 mod mission;
 
 use crate::diagnostic::{Diagnostic, Severity, nearest};
@@ -53,8 +54,12 @@ pub struct Builder {
     modes: Vec<Mode>,
     mission: Vec<Line>,
     limits: Vec<Line>,
-    volumes: Vec<Volume>,
+    volumes: Vec<Named>,
+    /// Landing sites and areas to keep off.
+    places: Vec<Named>,
+    after_fault_limits: Vec<Line>,
     plan: Vec<Line>,
+    recovery: Vec<Line>,
     simulate: Vec<Line>,
     campaign: Vec<Line>,
     waypoints: usize,
@@ -76,8 +81,11 @@ impl Line {
     }
 }
 
+/// A block of the mission with a name.
 #[derive(Debug, Clone)]
-struct Volume {
+struct Named {
+    /// What calls are named by.
+    path: String,
     keyword: &'static str,
     name: String,
     fields: Vec<Line>,
@@ -348,20 +356,28 @@ impl Builder {
             };
             block("modes", "faults", self.modes.iter().flat_map(of_mode).collect());
         }
-        if !(self.mission.is_empty() && self.limits.is_empty() && self.volumes.is_empty() && self.plan.is_empty()) {
-            let mut mission = self.mission.clone();
-            for volume in &self.volumes {
-                let path = format!("mission.volumes.{}", volume.name);
-                mission.extend(nested(&path, &format!("{} {}", volume.keyword, word(&volume.name)), &volume.fields));
+        let mut mission = self.mission.clone();
+        for Named { path, keyword, name, fields } in self.volumes.iter().chain(&self.places) {
+            mission.extend(nested(path, &format!("{keyword} {}", word(name)), fields));
+        }
+        for (path, head, body) in [
+            ("mission.limits", "limits", &self.limits),
+            ("mission.after_fault_limits", "after_fault_limits", &self.after_fault_limits),
+        ] {
+            if !body.is_empty() {
+                mission.extend(nested(path, head, body));
             }
-            if !self.limits.is_empty() {
-                mission.extend(nested("mission.limits", "limits", &self.limits));
-            }
+        }
+        let mut plan = self.plan.clone();
+        if !self.recovery.is_empty() {
+            plan.extend(nested("plan.recovery", "recovery", &self.recovery));
+        }
+        if !(mission.is_empty() && plan.is_empty()) {
             block("mission", "mission flight", mission);
         }
-        for (name, body) in [("plan", &self.plan), ("simulate", &self.simulate), ("campaign", &self.campaign)] {
+        for (name, body) in [("plan", plan), ("simulate", self.simulate.clone()), ("campaign", self.campaign.clone())] {
             if !body.is_empty() {
-                block(name, name, body.clone());
+                block(name, name, body);
             }
         }
         lines
@@ -417,7 +433,7 @@ impl Builder {
                 self.finite(&path, &[*number]);
                 digits(*number)
             }
-            (Value::Vector(vector), Takes::Vector(..) | Takes::QuantityOrVector(..)) => {
+            (Value::Vector(vector), Takes::Vector(..) | Takes::QuantityOrVector(..) | Takes::PlanePoint(_)) => {
                 self.finite(&path, vector);
                 format!("[{}]{}", vector.map(digits).join(", "), unit(entry))
             }
@@ -428,12 +444,12 @@ impl Builder {
                 self.name(&path, text);
                 word(text)
             }
-            (Value::Names(names), Takes::WordList(_) | Takes::Names(_)) => {
+            (Value::Names(names), Takes::WordList(_) | Takes::Names(_) | Takes::NameList(_)) => {
                 names.iter().for_each(|name| self.name(&path, name));
                 format!("[{}]", names.iter().map(|name| word(name)).collect::<Vec<_>>().join(", "))
             }
             // No other field takes points.
-            (Value::Points(points), Takes::Names(_)) if group == Group::Volume => {
+            (Value::Points(points), Takes::Names(_)) if matches!(group, Group::Volume | Group::KeepOff) => {
                 points.iter().for_each(|point| self.finite(&path, point));
                 let points: Vec<String> = points.iter().map(|p| format!("[{}]", p.map(digits).join(", "))).collect();
                 format!("[{}] m", points.join(", "))
@@ -488,7 +504,7 @@ fn taken(entry: &Entry) -> String {
         Takes::Quantity(..) | Takes::QuantityOrShare(..) | Takes::Bound(..) | Takes::Share | Takes::Whole(..) => {
             "a number".into()
         }
-        Takes::Vector(..) => "three numbers".into(),
+        Takes::Vector(..) | Takes::PlanePoint(_) => "three numbers".into(),
         Takes::QuantityOrVector(..) => "a number or three numbers".into(),
         Takes::QuantityOr(..) => format!("a number or one of {words}"),
         Takes::Words(_) => format!("one of {words}"),
@@ -496,6 +512,7 @@ fn taken(entry: &Entry) -> String {
         Takes::Nothing => "no value".into(),
         Takes::Text => "a text without quotes and control characters".into(),
         Takes::Names(_) => "a name or a list of names".into(),
+        Takes::NameList(_) => "a list of names".into(),
     }
 }
 

@@ -6,6 +6,7 @@ mod diagnosis;
 mod flights;
 mod identification;
 mod records;
+mod recovery;
 mod stages;
 mod sweep;
 mod tasks;

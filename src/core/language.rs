@@ -66,6 +66,8 @@ pub enum Takes {
     Quantity(&'static str, Range),
     /// `[x, y, z]` with a unit; the usual unit.
     Vector(&'static str, Range),
+    /// `[x, y]` or `[x, y, z]` with a unit, of which the height does not matter; the usual unit.
+    PlanePoint(&'static str),
     /// A number with a unit, or `[x, y, z]`; the usual unit.
     QuantityOrVector(&'static str, Range),
     /// A number with a unit, or a share of the largest value, as in `-60 %`; the usual unit.
@@ -88,6 +90,8 @@ pub enum Takes {
     Nothing,
     /// A name or a choice of names, explained by the documentation line; words that are accepted as well.
     Names(&'static [&'static str]),
+    /// A list of names, explained by the documentation line; words that are accepted as well.
+    NameList(&'static [&'static str]),
 }
 
 /// The allowed values of a quantity.
@@ -136,9 +140,14 @@ pub enum Group {
     /// The fields of `keep_in` and `keep_out`.
     Volume,
     Air,
+    LandingSite,
+    KeepOff,
+    AfterFaultLimits,
     Plan,
     /// The fields of `require capture_height`.
     Requirement,
+    /// The fields of `recovery` in `plan`.
+    Recovery,
     Simulate,
     /// The clauses of `fault` in `simulate`.
     Strike,
@@ -149,7 +158,7 @@ pub enum Group {
 
 impl Group {
     /// Every group that has entries.
-    pub const ALL: [Group; 18] = [
+    pub const ALL: [Group; 22] = [
         Group::Top,
         Group::Vehicle,
         Group::Rotor,
@@ -163,8 +172,12 @@ impl Group {
         Group::Limits,
         Group::Volume,
         Group::Air,
+        Group::LandingSite,
+        Group::KeepOff,
+        Group::AfterFaultLimits,
         Group::Plan,
         Group::Requirement,
+        Group::Recovery,
         Group::Simulate,
         Group::Strike,
         Group::Campaign,
@@ -182,9 +195,13 @@ impl Group {
             Place::Limits => Group::Limits,
             Place::KeepIn | Place::KeepOut => Group::Volume,
             Place::Air => Group::Air,
+            Place::LandingSite => Group::LandingSite,
+            Place::KeepOff => Group::KeepOff,
+            Place::AfterFaultLimits => Group::AfterFaultLimits,
             Place::Mission => Group::Mission,
             Place::Plan => Group::Plan,
             Place::Requirement => Group::Requirement,
+            Place::Recovery => Group::Recovery,
             Place::Simulate => Group::Simulate,
             Place::Campaign => Group::Campaign,
             Place::Rotors | Place::Faults | Place::Unknown => Group::Nothing,
@@ -216,8 +233,12 @@ impl Group {
             Place::Limits => &[Group::Limits],
             Place::KeepIn | Place::KeepOut => &[Group::Volume],
             Place::Air => &[Group::Air],
+            Place::LandingSite => &[Group::LandingSite],
+            Place::KeepOff => &[Group::KeepOff],
+            Place::AfterFaultLimits => &[Group::AfterFaultLimits],
             Place::Plan => &[Group::Plan],
             Place::Requirement => &[Group::Requirement],
+            Place::Recovery => &[Group::Recovery],
             Place::Campaign => &[Group::Campaign],
             Place::Faults | Place::Unknown => &[],
         }
@@ -239,8 +260,12 @@ impl Group {
             Group::Limits => table::limits::ENTRIES,
             Group::Volume => table::volume::ENTRIES,
             Group::Air => table::air::ENTRIES,
+            Group::LandingSite => table::landing_site::ENTRIES,
+            Group::KeepOff => table::keep_off::ENTRIES,
+            Group::AfterFaultLimits => table::after_fault_limits::ENTRIES,
             Group::Plan => table::plan::ENTRIES,
             Group::Requirement => table::requirement::ENTRIES,
+            Group::Recovery => table::recovery::ENTRIES,
             Group::Simulate => table::simulate::ENTRIES,
             Group::Strike => table::strike::ENTRIES,
             Group::Campaign => table::campaign::ENTRIES,
@@ -274,21 +299,29 @@ impl Entry {
         match self.takes {
             Takes::Quantity(unit, _)
             | Takes::Vector(unit, _)
+            | Takes::PlanePoint(unit)
             | Takes::QuantityOrVector(unit, _)
             | Takes::QuantityOrShare(unit, _)
             | Takes::Bound(unit, _)
             | Takes::QuantityOr(unit, _, _) => Some(unit),
             Takes::Share | Takes::Whole(..) => Some("1"),
-            Takes::Words(_) | Takes::WordList(_) | Takes::Text | Takes::Nothing | Takes::Names(_) => None,
+            Takes::Words(_)
+            | Takes::WordList(_)
+            | Takes::Text
+            | Takes::Nothing
+            | Takes::Names(_)
+            | Takes::NameList(_) => None,
         }
     }
 
     /// The words that it accepts as values.
     pub const fn words(&self) -> &'static [&'static str] {
         match self.takes {
-            Takes::Words(words) | Takes::WordList(words) | Takes::QuantityOr(_, _, words) | Takes::Names(words) => {
-                words
-            }
+            Takes::Words(words)
+            | Takes::WordList(words)
+            | Takes::QuantityOr(_, _, words)
+            | Takes::Names(words)
+            | Takes::NameList(words) => words,
             _ => &[],
         }
     }

@@ -26,6 +26,7 @@ pub mod model_record;
 pub mod page;
 pub mod plan_screen;
 pub mod record;
+pub mod recovery;
 pub mod screen;
 pub mod shape;
 pub mod simulation;

@@ -336,3 +336,64 @@ fn built_volumes_are_the_written_ones() {
         assert!(found.iter().any(|f| f == field || field.starts_with(&format!("{f}."))), "{field}: {found:?}");
     }
 }
+
+#[test]
+fn what_follows_a_fault_is_built_as_it_is_written() {
+    let built = octocopter()
+        .vehicle("size", 0.35)
+        .mode("M1", "recovery", ["continue", "pad"])
+        .mission("ground", 0.0)
+        .mission("buffer", 4.0)
+        .landing_site("pad", [12.0, -8.0, 0.0], 2.0)
+        .keep_off("street", "polygon")
+        .area("street", "corners", [[0.0, 5.0], [40.0, 5.0], [40.0, 11.0]])
+        .area("street", "clearance", 1.0)
+        .keep_off("pond", "cylinder")
+        .area("pond", "centre", [30.0, -20.0, 0.0])
+        .area("pond", "radius", 3.0)
+        .after_fault_at_most("tilt", 0.75)
+        .recovery("order", ["continue", "land_at_sites"])
+        .recovery("detection", 0.1)
+        .recovery("within", 20.0);
+    let text = built.text();
+    assert_eq!(mavc::format(&text).unwrap(), text, "the text is laid out");
+    let written = "
+        vehicle craft {
+            layout = \"PPNNPPNN\"; arm = 21.1 cm; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2; size = 35 cm
+            rotor { max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+        }
+        faults { mode M1 { rotor 1 lost; recovery = [continue, pad] } }
+        mission flight {
+            ground = 0 m
+            buffer = 4 m
+            start at [0, 0, 2] m
+            waypoint at [10, 0, 5] m
+            limits { speed <= 6 m/s }
+            landing_site pad { at = [12, -8, 0] m; radius = 2 m }
+            keep_off street { shape = polygon; corners = [[0, 5], [40, 5], [40, 11]] m; clearance = 1 m }
+            keep_off pond { shape = cylinder; centre = [30, -20] m; radius = 3 m }
+            after_fault_limits { tilt <= 0.75 rad }
+        }
+        plan { samples = 60; recovery { order = [continue, land_at_sites]; detection = 100 ms; within = 20 s } }";
+    let written = mavc::compile(written).into_result().unwrap();
+    assert_eq!(built.build().unwrap().model().to_string(), written.model().to_string());
+    // Mistakes name the call.
+    let wrong = octocopter()
+        .landing_site("pad", [0.0, 0.0, f64::NAN], 2.0)
+        .keep_off("street", "sphere")
+        .area("yard", "radius", 2.0)
+        .after_fault_at_most("altitude", 30.0)
+        .recovery("order", "continue")
+        .recovery("until", 3.0);
+    let found: Vec<String> = problems(wrong).into_iter().map(|(field, _)| field).collect();
+    for field in [
+        "mission.landing_sites.pad.at",
+        "mission.keep_off.street.shape",
+        "mission.keep_off.yard.radius",
+        "mission.after_fault_limits.altitude",
+        "plan.recovery.order",
+        "plan.recovery.until",
+    ] {
+        assert!(found.iter().any(|f| f == field || field.starts_with(&format!("{f}."))), "{field}: {found:?}");
+    }
+}

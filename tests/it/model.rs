@@ -8,6 +8,7 @@ mod numbers;
 mod overriding;
 mod pages;
 mod reading;
+mod recovering;
 mod sense;
 mod shipped;
 

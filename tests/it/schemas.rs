@@ -203,6 +203,26 @@ fn problems_are_as_their_schema_says() {
     assert_strict(&schema, labelled.expect("some problem has a label"), &[]);
 }
 
+/// The last line of a check without errors has the outcomes of `mavc analyze`, under the same names.
+#[test]
+fn outcomes_are_as_their_schema_says() {
+    let spec = hop("weak");
+    let lines = printed(&["check", "-", "--format", "json"], &spec);
+    let (diagnostics, last) = lines.trim_end().rsplit_once('\n').expect("warnings and a last line");
+    for line in diagnostics.lines() {
+        schema("check").assert_valid(&serde_json::from_str(line).unwrap());
+    }
+    let checked: Value = serde_json::from_str(last).unwrap();
+    assert_strict(&schema("outcomes"), &checked, &[]);
+    let analyzed: Value = serde_json::from_str(&printed(&["analyze", "-", "--format", "json"], &spec)).unwrap();
+    assert_eq!([&checked["headline"], &checked["vehicle"]], [&analyzed["headline"], &analyzed["vehicle"]]);
+    let of = |record: &Value| -> Vec<(Value, Value)> {
+        record["modes"].as_array().unwrap().iter().map(|mode| (mode["name"].clone(), mode["outcome"].clone())).collect()
+    };
+    assert!(of(&checked).len() > 2);
+    assert_eq!(of(&checked), of(&analyzed));
+}
+
 #[test]
 fn certificates_are_as_their_schema_says() {
     let schema = schema("certificate");

@@ -32,6 +32,16 @@ mission hop { start at [0, 0, 2] m
 plan { planner = rip; against = [bad]; time = 6 s; samples = 40 }
 `.replace(/layout.*\n/, (line) => line.replaceAll("; ", "\n    "));
 
+/** Rotors in pairs. */
+const COAXIAL = `use "${join(root, "specs/vehicles/coaxial_x8.mav")}"
+faults {
+    every 1 rotor lost as M
+    mode arm { rotors [1, 2] lost }
+    mode worn { rotor 3 reduced to 60 % }
+    mode jam { rotor 4 stuck at 30 % }
+}
+`;
+
 export const pages = {
   plan: ["plan", "specs/paper/case1.mav"],
   compare: ["compare", "specs/paper/case1.mav"],
@@ -39,6 +49,9 @@ export const pages = {
   conflict: ["plan", "specs/paper/case1.mav", "--set", "plan.time=5s"],
   hostile: ["plan", join(folder, "hostile.mav")],
   flight: ["simulate", "specs/paper/figure12.mav"],
+  analysis: ["analyze", "examples/survey_hexa.mav"],
+  // Without a mission, with rotors one over the other and faults of every kind.
+  coaxial: ["analyze", join(folder, "coaxial.mav")],
   campaign: ["campaign", join(folder, "hostile.mav"), "--times", "3", "--seeds", "1"],
   volumes: ["plan", "specs/missions/mast_octo.mav", "--set", "plan.planner=rip", "--set", "plan.time=20s", "--set", "plan.samples=40"],
   // Maps of many instants beside each other.
@@ -62,6 +75,7 @@ export function file(name) {
 
 before(async () => {
   writeFileSync(join(folder, "hostile.mav"), HOSTILE);
+  writeFileSync(join(folder, "coaxial.mav"), COAXIAL);
   writeFileSync(join(folder, "instants.mav"), `${HOSTILE}campaign { planners = [rip, rcp, rsp] }\n`);
   if (shots) mkdirSync(shots, { recursive: true });
   const launch = (args) =>

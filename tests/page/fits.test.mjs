@@ -24,6 +24,15 @@ for (const name of Object.keys(pages)) {
     }));
 }
 
+// A reader comes to the end of a page.
+for (const [name, width, most] of [["campaign", 1400, 6000], ["instants", 1400, 6000], ["volumes", 390, 9000], ["coaxial", 390, 9000]]) {
+  test(`${name} is not too long, ${width} px`, () =>
+    open(name, { width }, async (page) => {
+      const height = await page.evaluate(() => document.documentElement.scrollHeight);
+      assert.ok(height < most, `${height} px`);
+    }));
+}
+
 test("what is cut off shows at its edge that there is more, until it is scrolled to", () =>
   open("compare", { width: 390 }, async (page) => {
     for (const theme of ["light", "dark"]) {

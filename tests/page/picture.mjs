@@ -1,8 +1,9 @@
-// Makes the picture of a page's first screen for the documents.
-//   npm run picture                 writes docs/images/page.png; npm run picture -- FILE writes FILE
+// Makes the picture of a page's first screen for the documents, and beside it a file with its words.
+//   npm run picture                 writes docs/images/page.png and page.txt; npm run picture -- FILE.png writes FILE.*
+// Letters look different on every computer, so CI compares the words and not the pixels.
 
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -23,6 +24,8 @@ await page.goto(pathToFileURL(made).href);
 await page.waitForFunction(() => document.documentElement.classList.contains("scripted"));
 await page.waitForTimeout(500);
 await page.screenshot({ path: picture });
+const words = await page.evaluate(() => `${document.querySelector("header.top").innerText}\n${document.getElementById("found").innerText}`);
+writeFileSync(picture.replace(/\.png$/, ".txt"), `${words.replaceAll("\u00a0", " ").trim()}\n`);
 await browser.close();
 rmSync(folder, { recursive: true });
 console.log(`written to ${picture}`);

@@ -217,3 +217,38 @@ test("volumes are drawn in space and in the flat views", async () => {
     });
   }
 });
+
+test("an analysis marks the rotors that each mode takes, without a mission too", async () => {
+  await open("analysis", {}, async (page) => {
+    const headline = await text(page, ".headline");
+    assert.match(headline, /^survey_hexa: any single motor lost: 4 of 6 full control/);
+    assert.equal(await page.title(), headline);
+    // Six modes, each with one rotor of six crossed out, in the row with its name.
+    const views = await page.evaluate(() =>
+      [...document.querySelectorAll("#outcomes svg")].map((view) => ({
+        label: view.getAttribute("aria-label"),
+        lost: [...view.querySelectorAll(".rotor")].flatMap((rotor, k) => (rotor.matches(".lost") ? [k + 1] : [])),
+        row: view.closest("th").firstChild.data,
+      })),
+    );
+    assert.equal(views.length, 6);
+    for (const { label, lost, row } of views) {
+      const [, mode, rotor] = label.match(/^(M\d): rotor (\d) lost$/);
+      assert.deepEqual(lost, [Number(rotor)]);
+      assert.equal(`M${rotor}`, mode);
+      assert.ok(row.includes(mode), `${row}: ${mode}`);
+    }
+    // The nose is up and y to the left: rotor 1 is at the left of rotor 4.
+    const at = await page.evaluate(() => [...document.querySelectorAll("#airframe .rotor")].map((rotor) => Number(rotor.getAttribute("cx"))));
+    assert.ok(at.length === 6 && at[0] < at[3], at);
+  });
+  await open("coaxial", { width: 390 }, async (page) => {
+    const marks = await page.evaluate(() => Object.fromEntries(["lost", "weak"].map((kind) => [kind, document.querySelectorAll(`#outcomes .${kind}`).length])));
+    // Eight single losses and one of two; one rotor reduced and one stuck.
+    assert.deepEqual(marks, { lost: 10, weak: 2 });
+    // Pairs are drawn one in the other.
+    const rotors = await page.evaluate(() => [...document.querySelectorAll("#airframe .rotor")].map((rotor) => [rotor.getAttribute("cx"), rotor.getAttribute("cy"), Number(rotor.getAttribute("r"))]));
+    assert.equal(rotors.length, 8);
+    for (let k = 0; k < 8; k += 2) assert.ok(rotors[k][0] === rotors[k + 1][0] && rotors[k][1] === rotors[k + 1][1] && rotors[k][2] > rotors[k + 1][2], k);
+  });
+});

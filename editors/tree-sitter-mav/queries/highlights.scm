@@ -18,8 +18,9 @@
 
 [
   ; words: statements of the spec
-  "air" "battery" "campaign" "curve" "end" "every" "faults" "fault" "hold" "keep_in" "keep_out" "let" "limits"
-  "mission" "mode" "plan" "require" "rotors" "rotor" "simulate" "start" "vehicle" "waypoint"
+  "after_fault_limits" "air" "battery" "campaign" "curve" "end" "every" "faults" "fault" "hold" "keep_in" "keep_off"
+  "keep_out" "landing_site" "let" "limits" "mission" "mode" "plan" "recovery" "require" "rotors" "rotor" "simulate"
+  "start" "vehicle" "waypoint"
   ; end of words
   "moving" "where" "in" "as" "reduced" "to" "stuck" "at" "towards" "along" "path" "free"
 ] @keyword
@@ -35,6 +36,7 @@
 (every name: (name) @constant)
 (strike mode: (name) @constant)
 (volume name: (name) @label)
+(landing_site name: (name) @label)
 (waypoint name: (name) @label)
 (binding name: (name) @variable)
 (curve parameter: (name) @variable.parameter)
@@ -71,7 +73,7 @@
 ((field value: (list (reference (name) @constant.builtin)))
   (#any-of? @constant.builtin
     ; words: values in lists
-    "rcp" "rip" "rsp"
+    "continue" "land_at_sites" "land_here" "rcp" "rip" "rsp"
     ; end of words
   ))
 ((clause value: (reference (name) @constant.builtin))

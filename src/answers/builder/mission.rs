@@ -1,6 +1,6 @@
 //! The mission of a built spec: waypoints, holds, limits and volumes.
 
-use super::{BuildCode, Builder, Line, Value, Volume, digits, unit, word};
+use super::{BuildCode, Builder, Line, Named, Value, digits, unit, word};
 use crate::language::Group;
 use crate::model::VolumeSide;
 
@@ -60,13 +60,25 @@ impl Builder {
     }
 
     fn limit(mut self, limit: &str, form: &str, bounds: &[f64]) -> Self {
-        let path = format!("mission.limits.{limit}");
+        let line = self.limit_line(Group::Limits, limit, form, bounds);
+        self.limits.push(line);
+        self
+    }
+
+    /// A limit of `group`, whose bounds are in SI units.
+    pub(super) fn limit_line(&mut self, group: Group, limit: &str, form: &str, bounds: &[f64]) -> Line {
+        let path = format!("{}{limit}", group.path().unwrap_or_default());
         let before = self.problems.len();
-        let unit = self.entry(Group::Limits, &path, limit).map_or(String::new(), unit);
+        let unit = self.entry(group, &path, limit).map_or(String::new(), unit);
         self.finite(&path, bounds);
         let bounds: Vec<String> = bounds.iter().map(|bound| format!("{}{unit}", digits(*bound))).collect();
-        let line = self.line(before, path, format!("{} {form} {}", word(limit), bounds.join(" .. ")));
-        self.limits.push(line);
+        self.line(before, path, format!("{} {form} {}", word(limit), bounds.join(" .. ")))
+    }
+
+    /// Sets a field of the mission, such as `ground` or `buffer` (m).
+    pub fn mission(mut self, field: &str, value: impl Into<Value>) -> Self {
+        let line = self.field(Group::Mission, "mission.", field, value.into(), " = ");
+        self.mission.push(line);
         self
     }
 
@@ -113,7 +125,7 @@ impl Builder {
         let path = format!("mission.volumes.{name}");
         self.name(&path, name);
         let shape = self.field(Group::Volume, &format!("{path}."), "shape", shape.into(), " = ");
-        self.volumes.push(Volume { keyword: side.keyword(), name: name.into(), fields: vec![shape] });
+        self.volumes.push(Named { path, keyword: side.keyword(), name: name.into(), fields: vec![shape] });
         self
     }
 

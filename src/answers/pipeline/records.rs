@@ -23,14 +23,38 @@ impl Task<'_> {
         let mut record = Record::new(problem, planning.comparison(), self.spec().sha256().into());
         record.conflict = explained.conflict.as_ref().map(|why| ConflictRecord::new(why, problem, sources));
         record.found_at_s = explained.nearby.times().collect();
-        let mut record = self.with_captures(record, planning.comparison(), self.capture_heights(planning).as_deref());
+        let heights = self.capture_heights(planning);
+        let coverage =
+            self.answered(planning, explained, heights.as_deref(), between.as_deref(), |answer| answer.coverage());
+        let mut record = self.with_captures(record, planning.comparison(), heights.as_deref());
         if let Some(planner) = record.planners.last_mut() {
             planner.between_nodes = between;
+            planner.coverage = coverage;
             if let Some(plan) = planning.plan() {
                 planner.add_detours(problem, plan, &self.known_detours(planning));
             }
         }
         record
+    }
+
+    /// What `look` makes of the answer for people.
+    fn answered<T>(
+        &self,
+        planning: &Planning,
+        explained: &Explained,
+        heights: Option<&CaptureHeights>,
+        between: Option<&[Between]>,
+        look: impl FnOnce(&Answer) -> T,
+    ) -> T {
+        look(&Answer {
+            problem: self.problem(),
+            comparison: planning.comparison(),
+            heights,
+            exposed: &self.exposed(planning.comparison(), heights).pop().unwrap_or_default(),
+            detours: &self.known_detours(planning),
+            found_at: &explained.nearby.times().collect::<Vec<_>>(),
+            between,
+        })
     }
 
     /// The report of a plan for people: the text of `mavc plan`.
@@ -65,16 +89,7 @@ impl Task<'_> {
             return Screen::of_text(&self.text(planning, explained, between));
         }
         let heights = self.capture_heights(planning);
-        let answer = Answer {
-            problem: self.problem(),
-            comparison: planning.comparison(),
-            heights: heights.as_deref(),
-            exposed: &self.exposed(planning.comparison(), heights.as_deref()).pop().unwrap_or_default(),
-            detours: &self.known_detours(planning),
-            found_at: &explained.nearby.times().collect::<Vec<_>>(),
-            between,
-        };
-        answer.screen()
+        self.answered(planning, explained, heights.as_deref(), between, |answer| answer.screen())
     }
 
     /// The record with the captures and how long its plans are lower.

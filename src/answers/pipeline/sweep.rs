@@ -1,13 +1,17 @@
-//! The values of one field of a spec at which verdicts change (`mavc analyze --sweep`).
+//! The values of one field of a spec at which outcomes and verdicts change (`mavc analyze --sweep`).
 
 use crate::admissible::edge::HoverPlace;
-use crate::admissible::verdict::{HoverVerdict, ModeAnalysis, analyze_each};
+use crate::admissible::outcome::Outcome;
+use crate::admissible::verdict::{HoverVerdict, ModeAnalysis, Standing};
 use crate::admissible::without_yaw::YawFree;
 use crate::diagnostic::{Diagnostic, Severity, nearest};
+use crate::flight::equilibrium::standings;
 use crate::language;
 use crate::model::Model;
 use crate::number::significant;
 use crate::read::{FileSet, is_override};
+use crate::report::mode_names::within;
+use crate::report::screen::WIDTH;
 use crate::report::terminal;
 use crate::source::{SourceMap, Span};
 use crate::spec::Spec;
@@ -18,9 +22,9 @@ use serde::Serialize;
 type SweepError = String;
 
 /// The code of a vehicle that weighs more than all its rotors lift.
-const TOO_HEAVY: &str = "mavc::vehicle::too_heavy";
+const TOO_HEAVY_CODE: &str = "mavc::vehicle::too_heavy";
 
-/// A verdict that changes at a value of the swept field.
+/// A change of a mode at a value of the swept field: of its outcome or of a verdict.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Flip {
@@ -28,12 +32,16 @@ pub struct Flip {
     mode: String,
     /// Value of the swept field, in the unit of the sweep.
     at: f64,
+    /// The outcome below the flip.
+    below_outcome: Outcome,
     /// The verdict below the flip.
     below: HoverVerdict,
     /// Where hover lies below the flip.
     below_hover: HoverPlace,
     /// How the mode hovers with yaw given up below the flip.
     below_yaw_free: YawFree,
+    /// The outcome above the flip.
+    above_outcome: Outcome,
     /// The verdict above the flip.
     above: HoverVerdict,
     /// Where hover lies above the flip.
@@ -42,14 +50,14 @@ pub struct Flip {
     above_yaw_free: YawFree,
 }
 
-/// A sweep over one field: the verdicts at its low end, and the changes above it.
+/// A sweep over one field: the outcomes at its low end, and the changes above it.
 pub struct Sweep {
     field: String,
     low: f64,
     high: f64,
     unit: String,
-    /// Verdicts at the low end.
-    start: Vec<(String, Standing)>,
+    /// Outcomes at the low end, of the healthy vehicle and of every mode.
+    start: Vec<(String, Outcome)>,
     pub flips: Vec<Flip>,
 }
 
@@ -58,43 +66,32 @@ impl Flip {
         Flip {
             mode,
             at,
+            below_outcome: below.outcome,
             below: below.verdict,
             below_hover: below.hover,
             below_yaw_free: below.yaw_free,
+            above_outcome: above.outcome,
             above: above.verdict,
             above_hover: above.hover,
             above_yaw_free: above.yaw_free,
         }
     }
 
-    fn above(&self) -> Standing {
-        Standing { verdict: self.above, hover: self.above_hover, yaw_free: self.above_yaw_free }
+    /// The flip that begins below an earlier one and ends above this one.
+    fn since(mut self, earlier: Flip) -> Self {
+        (self.below_outcome, self.below) = (earlier.below_outcome, earlier.below);
+        (self.below_hover, self.below_yaw_free) = (earlier.below_hover, earlier.below_yaw_free);
+        self
     }
 }
 
-/// A mode's verdict, the place of hover, and how it hovers with yaw given up; a change of any of these is a flip.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Standing {
-    verdict: HoverVerdict,
-    hover: HoverPlace,
-    yaw_free: YawFree,
-}
-
-impl Standing {
-    const TOO_HEAVY: Standing =
-        Standing { verdict: HoverVerdict::Unstable, hover: HoverPlace::Outside, yaw_free: YawFree::None };
-
-    /// `controllable`, `stabilizable, on the edge`, `stabilizable, spinning`
-    fn words(self) -> String {
-        match self.hover {
-            HoverPlace::OnEdge if self.verdict == HoverVerdict::Stabilizable => {
-                format!("{}, {}", self.verdict.name(), self.yaw_free.word())
-            }
-            HoverPlace::OnEdge => format!("{}, {}", self.verdict.name(), self.hover.word()),
-            HoverPlace::Inside | HoverPlace::Outside => self.verdict.name().into(),
-        }
-    }
-}
+/// A mode of a vehicle that all its rotors do not lift.
+const TOO_HEAVY: Standing = Standing {
+    outcome: Outcome::Lost,
+    verdict: HoverVerdict::Unstable,
+    hover: HoverPlace::Outside,
+    yaw_free: YawFree::None,
+};
 
 /// The path of the override for a swept field: a field of the table's column `sweepable`, where `vehicle.` may be
 /// left out, or a `let`.
@@ -123,6 +120,9 @@ const VEHICLE: &str = "vehicle.";
 
 /// The range is divided into this many equal parts; a part that contains a flip is bisected.
 const PARTS: usize = 64;
+
+/// Most columns of the names of modes in a line.
+const NAMES: usize = 32;
 
 /// The field that a sweep varies, and its range.
 struct Range<'a> {
@@ -162,18 +162,14 @@ struct Subject<'a> {
 impl Subject<'_> {
     /// Every mode's verdict with the field set to a value, in the order of the modes.
     fn verdicts(&self, path: &str, value: f64, unit: &str) -> Result<Vec<Standing>, SweepError> {
-        let standings = |spec: Spec| {
-            let modes = analyze_each(spec.model());
-            modes.iter().map(|m| Standing { verdict: m.verdict, hover: m.hover, yaw_free: m.yaw_free }).collect()
-        };
         let error = match self.spec.set(&format!("{path}={value}{unit}")) {
-            Ok(spec) => return Ok(standings(spec)),
+            Ok(spec) => return Ok(standings(spec.model())),
             Err(error) => error,
         };
         let mut errors = error.diagnostics.iter().filter(|d| d.severity == Severity::Error);
         match errors.find(|d| !self.is_too_heavy(d, &error.files.sources)) {
             Some(d) => Err(format!("at {}{unit}: {}", significant(value, 6), d.message)),
-            None => Ok(vec![Standing::TOO_HEAVY; self.modes.len()]),
+            None => Ok(vec![TOO_HEAVY; self.modes.len()]),
         }
     }
 
@@ -182,7 +178,7 @@ impl Subject<'_> {
     fn is_too_heavy(&self, error: &Diagnostic, sources: &SourceMap) -> bool {
         let vehicle = &self.spec.model().vehicle;
         let is_of_it = |at: Span| at == vehicle.span || at == vehicle.mass_span || is_override(sources, at);
-        error.code == TOO_HEAVY && (is_of_it(error.span) || error.labels.iter().any(|label| is_of_it(label.span)))
+        error.code == TOO_HEAVY_CODE && (is_of_it(error.span) || error.labels.iter().any(|label| is_of_it(label.span)))
     }
 }
 
@@ -229,8 +225,7 @@ impl Sweep {
                     }
                     let mut flip = Flip::new(mode.name.clone(), 0.5 * (a + b), left.1, above);
                     if let Some(entered) = flips.pop_if(|before| is_passed(before, flip.at)) {
-                        (flip.below, flip.below_hover, flip.below_yaw_free) =
-                            (entered.below, entered.below_hover, entered.below_yaw_free);
+                        flip = flip.since(entered);
                     }
                     flips.push(flip);
                     left = (b, above);
@@ -239,7 +234,8 @@ impl Sweep {
             left = right;
         }
         flips.sort_by(|a, b| a.at.total_cmp(&b.at));
-        let start = subject.modes.iter().map(|m| m.name.clone()).zip(start).collect();
+        let outcomes = start.iter().map(|standing| standing.outcome);
+        let start = subject.modes.iter().map(|m| m.name.clone()).zip(outcomes).collect();
         Ok(Sweep { field: field.into(), low, high, unit: unit.into(), start, flips })
     }
 
@@ -252,15 +248,29 @@ impl Sweep {
             significant(self.high, 6),
             self.unit
         );
-        for (mode, verdict) in &self.start {
-            out.push_str(&format!("  {mode}: {}", verdict.words()));
-            for f in self.flips.iter().filter(|f| f.mode == *mode) {
-                out.push_str(&format!("; {} above {} {}", f.above().words(), significant(f.at, 5), self.unit));
+        let mut rows: Vec<(String, Vec<usize>)> = Vec::new();
+        for (k, (mode, outcome)) in self.start.iter().enumerate() {
+            let mut text = outcome.word().to_string();
+            let mut last = *outcome;
+            for flip in self.flips.iter().filter(|flip| flip.mode == *mode) {
+                if flip.above_outcome != last {
+                    last = flip.above_outcome;
+                    text.push_str(&format!("; above {}\u{a0}{} {}", significant(flip.at, 5), self.unit, last.word()));
+                }
             }
-            out.push('\n');
+            match rows.iter_mut().find(|(same, _)| *same == text) {
+                Some((_, modes)) => modes.push(k),
+                None => rows.push((text, vec![k])),
+            }
+        }
+        let names: Vec<String> = self.start.iter().map(|(mode, _)| mode.clone()).collect();
+        for (text, modes) in &rows {
+            let row = format!("{}: {text}", within(&names, modes, NAMES));
+            let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("    ");
+            out.push_str(&format!("{}\n", textwrap::fill(&row, options).replace('\u{a0}', " ")));
         }
         if model.vehicle.is_uncertain() {
-            out.push_str("Verdicts are those of the nominal values; the intervals of the spec are ignored.\n");
+            out.push_str("Outcomes hold for all values of the spec's intervals, or are undecided.\n");
         }
         out.push_str(&format!("{} values were sampled; two changes within one step can be missed.\n", PARTS + 1));
         out

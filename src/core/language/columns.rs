@@ -50,8 +50,10 @@ impl Group {
             Group::Battery => Some("vehicle.battery."),
             Group::Mission => Some("mission."),
             Group::Limits => Some("mission.limits."),
+            Group::AfterFaultLimits => Some("mission.after_fault_limits."),
             Group::Air => Some("mission.air."),
             Group::Plan => Some("plan."),
+            Group::Recovery => Some("plan.recovery."),
             Group::Simulate => Some("simulate."),
             Group::Campaign => Some("campaign."),
             Group::PlacedRotor
@@ -60,6 +62,8 @@ impl Group {
             | Group::CurveHead
             | Group::Waypoint
             | Group::Volume
+            | Group::LandingSite
+            | Group::KeepOff
             | Group::Requirement
             | Group::Strike
             | Group::Nothing => None,

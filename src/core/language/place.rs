@@ -25,9 +25,17 @@ pub enum Place {
     KeepOut,
     /// `air { }` in a mission.
     Air,
+    /// `landing_site { }` in a mission.
+    LandingSite,
+    /// `keep_off { }` in a mission.
+    KeepOff,
+    /// `after_fault_limits { }` in a mission.
+    AfterFaultLimits,
     Plan,
     /// `require capture_height { }` in a plan.
     Requirement,
+    /// `recovery { }` in a plan.
+    Recovery,
     Simulate,
     Campaign,
     /// A block that could not be recognised: anything is allowed in it.
@@ -72,12 +80,21 @@ impl Place {
             Place::KeepIn => "in a `keep_in`",
             Place::KeepOut => "in a `keep_out`",
             Place::Air => "in `air`",
+            Place::LandingSite => "in a `landing_site`",
+            Place::KeepOff => "in a `keep_off`",
+            Place::AfterFaultLimits => "in `after_fault_limits`",
             Place::Plan => "in a `plan`",
             Place::Requirement => "in a `require` block",
+            Place::Recovery => "in `recovery`",
             Place::Simulate => "in `simulate`",
             Place::Campaign => "in `campaign`",
             Place::Unknown => "in this block",
         }
+    }
+
+    /// Whether the statements of the block are limits.
+    pub fn has_limits(self) -> bool {
+        matches!(self, Place::Limits | Place::AfterFaultLimits)
     }
 
     /// The phrase of messages after "of": "a `mission`".

@@ -19,12 +19,15 @@ pub fn markdown(group: Group) -> String {
         Group::Curve => "of a curve",
         Group::CurveHead => "after the range of a curve",
         Group::Waypoint | Group::Strike => "clause",
-        Group::Limits => "limit",
+        Group::Limits | Group::AfterFaultLimits => "limit",
         Group::Volume => "of a volume",
         Group::Air => "of the air",
+        Group::LandingSite => "of a landing site",
+        Group::KeepOff => "of an area",
+        Group::Recovery => "of the recovery",
         Group::Nothing => "",
     };
-    if group == Group::Limits {
+    if matches!(group, Group::Limits | Group::AfterFaultLimits) {
         let row = |entry: &Entry| vec![quoted(entry.name), unit(entry), forms(entry), entry.doc.to_string()];
         return rows(&[subject, "unit", "forms", ""], group.entries().iter().map(|entry| row(entry)));
     }
@@ -85,6 +88,7 @@ fn takes(entry: &Entry) -> String {
     match entry.takes {
         Takes::Quantity(..) | Takes::Bound(..) => unit(entry),
         Takes::Vector(..) => format!("three in {}", unit(entry)),
+        Takes::PlanePoint(_) => format!("two or three in {}", unit(entry)),
         Takes::QuantityOrVector(..) => format!("one or three in {}", unit(entry)),
         Takes::QuantityOrShare(..) => format!("{}, or a share as in `-60 %`", unit(entry)),
         Takes::Share => "share, as in `60 %`".into(),
@@ -96,6 +100,7 @@ fn takes(entry: &Entry) -> String {
         Takes::Nothing => "no value".into(),
         Takes::Names([]) => "name".into(),
         Takes::Names(words) => format!("names, {}", listed(words)),
+        Takes::NameList(words) => format!("list of names, {}", listed(words)),
     }
 }
 

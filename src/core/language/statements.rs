@@ -35,7 +35,11 @@ pub const BLOCKS: &[BlockEntry] = &[
     block("keep_in", Place::KeepIn, true, Place::Mission),
     block("keep_out", Place::KeepOut, true, Place::Mission),
     block("air", Place::Air, false, Place::Mission),
+    block("landing_site", Place::LandingSite, true, Place::Mission),
+    block("keep_off", Place::KeepOff, true, Place::Mission),
+    block("after_fault_limits", Place::AfterFaultLimits, false, Place::Mission),
     block("require", Place::Requirement, true, Place::Plan),
+    block("recovery", Place::Recovery, false, Place::Plan),
 ];
 
 /// The words that begin a statement in each place, other than fields.
@@ -47,9 +51,23 @@ pub const OPENERS: &[(Place, &[&str])] = &[
     (Place::Mode, &["rotor", "rotors"]),
     (
         Place::Mission,
-        &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits", "keep_in", "keep_out", "air"],
+        &[
+            "curve",
+            "start",
+            "end",
+            "waypoint",
+            "waypoints",
+            "hold",
+            "limits",
+            "keep_in",
+            "keep_out",
+            "air",
+            "landing_site",
+            "keep_off",
+            "after_fault_limits",
+        ],
     ),
-    (Place::Plan, &["require"]),
+    (Place::Plan, &["require", "recovery"]),
     (Place::Simulate, &["fault"]),
 ];
 
@@ -108,6 +126,16 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
                 "require capture_height { }",
                 "keeps the height above the mission's `ground` that a fault without control of yaw costs, as simulated",
             ),
+            statement(
+                "require",
+                "require uncovered <= SHARE",
+                "bounds the share of the time without a way out [after a fault](#after-a-fault)",
+            ),
+            statement(
+                "recovery",
+                "recovery { }",
+                "which ways out [after a fault](#after-a-fault) are sought, and how soon they end",
+            ),
         ],
     ),
     (Place::Simulate, &[statement("fault", "fault NAME at TIME", "a declared fault mode strikes at this time")]),
@@ -162,6 +190,21 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
                 "a volume that no part of the vehicle enters ([volumes](#volumes))",
             ),
             statement("air", "air { }", "the wind and the density of the air ([air](#air))"),
+            statement(
+                "landing_site",
+                "landing_site NAME { }",
+                "a place where a damaged vehicle may land ([after a fault](#after-a-fault))",
+            ),
+            statement(
+                "keep_off",
+                "keep_off NAME { }",
+                "an area where no damaged vehicle lands; it may fly over it ([after a fault](#after-a-fault))",
+            ),
+            statement(
+                "after_fault_limits",
+                "after_fault_limits { }",
+                "limits that replace those on the same quantities [after a fault](#after-a-fault)",
+            ),
         ],
     ),
 ];
@@ -241,6 +284,14 @@ pub const OTHER_WORDS: &[(&str, &str)] = &[
     ("fence", "keep_in"),
     ("obstacle", "keep_out"),
     ("no_fly", "keep_out"),
+    ("rally", "landing_site"),
+    ("rally_point", "landing_site"),
+    ("pad", "landing_site"),
+    ("landing_pad", "landing_site"),
+    ("landing_zone", "landing_site"),
+    ("no_landing", "keep_off"),
+    ("no_land", "keep_off"),
+    ("contingency", "recovery"),
     ("weather", "air"),
     ("atmosphere", "air"),
     ("motor", "rotor"),
@@ -325,7 +376,8 @@ impl StatementKind {
     pub fn fits(self, place: Place) -> bool {
         match self {
             _ if place == Place::Unknown => true,
-            StatementKind::Field => !matches!(place, Place::Limits | Place::Rotors),
+            StatementKind::Field => !place.has_limits() && place != Place::Rotors,
+            StatementKind::Limit => place.has_limits(),
             _ => self.home() == Some(place),
         }
     }

@@ -3,10 +3,11 @@
 use super::Absent::{Needed, Otherwise, Value, Written};
 use super::Range::{Any, NotNegative, Positive};
 use super::Takes::{
-    Bound, Names, Nothing, Quantity, QuantityOr, QuantityOrShare, QuantityOrVector, Share, Text, Vector, Whole,
-    WordList, Words,
+    Bound, NameList, Names, Nothing, PlanePoint, Quantity, QuantityOr, QuantityOrShare, QuantityOrVector, Share, Text,
+    Vector, Whole, WordList, Words,
 };
 use super::{Absent, Entry, Family, Sizes, Takes};
+pub use after_fault::{WAYS, after_fault_limits, keep_off, landing_site, recovery};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Defines a constant for each row of a group, and the list of all rows. After its line of documentation a row may have
@@ -30,6 +31,8 @@ macro_rules! group {
         }
     };
 }
+
+mod after_fault;
 
 const NO_DEFAULT: Absent = Otherwise("");
 
@@ -200,6 +203,8 @@ group! {
         "the reaction to this fault that the risk of the mission assumes";
     WITHOUT_YAW "without_yaw", Words(&["never", "where_needed", "always"]), Otherwise("as in `plan`"),
         "whether plans and flights give up yaw after this fault";
+    RECOVERY "recovery", NameList(WAYS), Otherwise("that of `recovery` in `plan`"),
+        "the ways out [after this fault](#after-a-fault) in the order of preference, a list";
 }
 
 group! {
@@ -347,6 +352,9 @@ group! {
          Missions for [ground stations](missions.md) are written from it, and it changes no plan";
     ORIGIN_LONGITUDE "origin_longitude", Quantity("deg", Any), Otherwise("unknown"), "its longitude, east positive";
     ORIGIN_ALTITUDE "origin_altitude", Quantity("m", Any), Otherwise("unknown"), "its height above mean sea level";
+    BUFFER "buffer", Quantity("m", NotNegative), Value(0.0, "0 m", "the same places before and after a fault"),
+        "how far beyond every `keep_in` and every limit on a place the vehicle may be [after a fault](#after-a-fault)"
+        .bounds(1e-9, 1e6);
 }
 
 group! {

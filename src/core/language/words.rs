@@ -15,7 +15,7 @@ pub fn word_list(name: &str) -> Option<Vec<&'static str>> {
         let groups = Group::ALL.into_iter().filter(|group| !Group::OF_CLAUSES.contains(group));
         groups.flat_map(Group::entries).copied()
     };
-    let is_list = |entry: &Entry| matches!(entry.takes, Takes::WordList(_));
+    let is_list = |entry: &Entry| matches!(entry.takes, Takes::WordList(_) | Takes::NameList(_));
     let openers = || OPENERS.iter().flat_map(|(_, words)| words.iter().copied());
     let is_value = |name: &str| matches!(name, "pi" | "g0");
     let functions = || FUNCTIONS.iter().map(|(name, _)| *name);

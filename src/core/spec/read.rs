@@ -31,6 +31,7 @@ mod origin;
 mod overrides;
 mod plan;
 mod plausibility;
+mod recovery;
 mod simulate;
 mod survey;
 mod understanding;

@@ -4,7 +4,8 @@
 //! # Steps
 //! 1. `qgc_plan`, `wpl` or `table` reads the file; places on the Earth become x east, y north, z up about the planned
 //!    home.
-//! 2. `items` follows MAVLink's commands and makes the waypoints of a draft, `fence` its volumes.
+//! 2. `items` follows MAVLink's commands and makes the waypoints of a draft, `fence` its volumes, `rally` its landing
+//!    sites.
 //! 3. `write` makes the text of the spec, and keeps for each of its lines the item that it came from.
 //! 4. `join` compiles this text with a vehicle, and reports each mistake at the item.
 
@@ -16,6 +17,7 @@ mod flyable;
 mod items;
 mod join;
 mod qgc_plan;
+mod rally;
 mod table;
 mod wpl;
 mod write;
@@ -83,6 +85,10 @@ fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Result<Draft, Box<Diagn
         return table::read(source, found);
     }
     let first = source.line(1);
+    let lines = || source.text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    if lines().next().is_some_and(rally::is_line) {
+        return Err(Box::new(wpl::no_mission("a list of rally points", first)));
+    }
     if super::is_spec(source) {
         return Err(Box::new(super::other(source, None)));
     }

@@ -1,5 +1,8 @@
 //! The machine-readable report of an analysis (`mavc analyze --format json`).
 
+use super::headline::{headline, headline_of};
+use crate::admissible::HEALTHY;
+use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::flight::capture::Capture;
 use crate::flight::equilibrium::{SettledSpin, settled_spins};
@@ -7,7 +10,7 @@ use crate::model::Model;
 use serde::Serialize;
 
 /// Version of this record; raised when a field or the meaning of its values changes.
-const SCHEMA: u32 = 4;
+const SCHEMA: u32 = 5;
 
 /// Controllability and admissible set of each fault mode. `F` is the record of one flip: the value of a swept field
 /// at which a verdict changes.
@@ -25,12 +28,15 @@ pub struct AnalysisRecord<'a, F> {
     /// The autopilot's numbers of their motors, in the order of the rotors, if the spec gives them.
     #[serde(skip_serializing_if = "Option::is_none")]
     motors: Option<Vec<u32>>,
+    /// What the modes leave of the vehicle in one sentence, as on the terminal and the page.
+    #[cfg_attr(test, schemars(length(min = 1)))]
+    headline: String,
     /// The healthy vehicle first, then the declared modes in the order written.
     #[cfg_attr(test, schemars(length(min = 1)))]
     modes: &'a [ModeAnalysis],
     /// Where flights settle in each mode in which they give up yaw; empty without `yaw_drag`.
     settled_spins: Vec<SettledSpin>,
-    /// With `--sweep`: where verdicts change, ascending; omitted otherwise.
+    /// With `--sweep`: where outcomes and verdicts change, ascending; omitted otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     flips: Option<&'a [F]>,
     /// With `--capture`: the height lost after each fault in which yaw is given up, by simulation; omitted otherwise.
@@ -51,10 +57,47 @@ impl<'a, F> AnalysisRecord<'a, F> {
             vehicle,
             rotors,
             motors: model.vehicle.motors(),
+            headline: headline(model, modes),
             modes,
             settled_spins: settled_spins(model),
             flips,
             captures,
         }
+    }
+}
+
+/// The last line of `mavc check --format json` for a spec without errors: what the modes leave of the vehicle. The other
+/// lines are diagnostics, which have a `code`.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct OutcomesRecord<'a> {
+    /// The spec's name as given.
+    file: &'a str,
+    /// The vehicle's name.
+    vehicle: &'a str,
+    /// What the modes leave of the vehicle in one sentence, as on the terminal.
+    #[cfg_attr(test, schemars(length(min = 1)))]
+    headline: String,
+    /// The healthy vehicle first, then the declared modes in the order written.
+    #[cfg_attr(test, schemars(length(min = 1)))]
+    modes: Vec<OutcomeOfMode<'a>>,
+}
+
+/// One mode.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct OutcomeOfMode<'a> {
+    /// The mode's name.
+    name: &'a str,
+    /// What it leaves of the vehicle in hover.
+    outcome: Outcome,
+}
+
+impl<'a> OutcomesRecord<'a> {
+    /// `outcomes` are those of the healthy vehicle, then of every declared mode.
+    pub fn new(file: &'a str, model: &'a Model, outcomes: &[Outcome]) -> Self {
+        let names = std::iter::once(HEALTHY).chain(model.modes.iter().map(|mode| mode.name.as_str()));
+        let modes = names.zip(outcomes).map(|(name, outcome)| OutcomeOfMode { name, outcome: *outcome }).collect();
+        OutcomesRecord { file, vehicle: &model.vehicle.name, headline: headline_of(model, outcomes), modes }
     }
 }

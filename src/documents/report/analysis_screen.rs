@@ -2,7 +2,7 @@
 
 use super::headline::{headline, why_undecided};
 use super::mode_names::within;
-use super::screen::{EVERY_TABLE, Screen, Tone, fits};
+use super::screen::{Keep, Screen, Tone, fits};
 use super::terminal::{airspeed, vehicle_line};
 use crate::admissible;
 use crate::admissible::airspeed::PLAUSIBLE;
@@ -44,17 +44,49 @@ pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
     screen.fitted(NAMES, |names| table(model, modes, &spins, names));
     screen.gap();
     legend(model, modes, &spins).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
-    remarks(model, modes).iter().for_each(|text| screen.remark(text));
-    screen.line(Tone::Plain, EVERY_TABLE);
+    remarks(model, modes).iter().for_each(|text| screen.remark(Keep::Finding, text));
+    screen.close(0);
     screen
 }
 
+/// The headings of the cells of a row, with the unit of each; the last of them only where some mode has a spin.
+pub(super) const HEADINGS: [(&str, &str); 5] =
+    [("after it", ""), ("climb", "N"), ("yaw", "N m"), ("max", "kg"), ("rad/s", "deg")];
+
+/// The table of outcomes, of the terminal and of the page.
+pub(super) struct Overview {
+    /// The cells of the healthy vehicle.
+    pub healthy: Vec<String>,
+    /// The modes, alike ones together: all, or of many the weakest of each outcome.
+    pub rows: Vec<Row>,
+    /// How many modes of each outcome are in no row.
+    pub others: Vec<(Outcome, usize)>,
+}
+
+impl Overview {
+    /// `spins` are those of [`settled_spins`]; without any there is no column of them.
+    pub fn of(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Self {
+        let (mut rows, others) = shown(rows(model, modes, spins));
+        let controlled: Vec<f64> =
+            rows.iter().filter(|row| row.outcome == Outcome::FullControl).map(|row| row.margin).collect();
+        let weakest = controlled.iter().copied().reduce(f64::min).filter(|_| controlled.len() > 1);
+        for row in &mut rows {
+            if row.outcome == Outcome::FullControl && weakest == Some(row.margin) {
+                row.cells[0].push_str(", weakest");
+            }
+        }
+        let healthy = modes.first().map_or(Vec::new(), |healthy| cells(model, healthy, spins));
+        Overview { healthy, rows, others }
+    }
+}
+
 /// Modes with the same row; a yaw margin that is larger in the other direction does not part them.
-struct Row {
-    outcome: Outcome,
-    cells: Vec<String>,
+pub(super) struct Row {
+    pub outcome: Outcome,
+    /// As [`HEADINGS`] has them.
+    pub cells: Vec<String>,
     /// Indices into the declared modes.
-    modes: Vec<usize>,
+    pub modes: Vec<usize>,
     /// The margin by which rows of one outcome are ordered, N and N m.
     margin: f64,
 }
@@ -128,25 +160,17 @@ fn spin(spin: &SettledSpin) -> String {
 }
 
 fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin], names: usize) -> Table {
-    let mut headings = vec!["fault", "after it", "climb N", "yaw N m", "max kg"];
-    if !spins.is_empty() {
-        headings.push("rad/s, deg");
-    }
-    let mut table = Table::new(&headings).with_words(1);
-    let first = std::iter::once("none".to_string());
-    table.row(first.chain(modes.first().map_or(Vec::new(), |healthy| cells(model, healthy, spins))).collect());
+    let mut headings = vec!["fault".to_string()];
+    headings.extend(HEADINGS.iter().take(if spins.is_empty() { 4 } else { 5 }).map(|(name, unit)| match *name {
+        "rad/s" => format!("{name}, {unit}"),
+        _ => format!("{name} {unit}").trim_end().to_string(),
+    }));
+    let mut table = Table::new(&headings.iter().map(String::as_str).collect::<Vec<_>>()).with_words(1);
+    let Overview { healthy, rows, others } = Overview::of(model, modes, spins);
+    table.row(std::iter::once("none".to_string()).chain(healthy).collect());
     let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
-    let rows = rows(model, modes, spins);
-    let (shown, others) = shown(&rows);
-    let controlled = || shown.iter().filter(|row| row.outcome == Outcome::FullControl);
-    let weakest = controlled().map(|row| row.margin).reduce(f64::min).filter(|_| controlled().count() > 1);
-    for row in &shown {
-        let mut cells = vec![within(&all, &row.modes, names)];
-        cells.extend(row.cells.iter().cloned());
-        if row.outcome == Outcome::FullControl && weakest == Some(row.margin) {
-            cells[1].push_str(", weakest");
-        }
-        table.row(cells);
+    for row in rows {
+        table.row(std::iter::once(within(&all, &row.modes, names)).chain(row.cells).collect());
     }
     for (outcome, count) in others {
         table.row(vec![format!("and {count} more"), outcome.word().into()]);
@@ -155,16 +179,16 @@ fn table(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin], names: us
 }
 
 /// The rows that are shown: all, or of many the weakest of each outcome; and how many modes of each outcome are not.
-fn shown(rows: &[Row]) -> (Vec<&Row>, Vec<(Outcome, usize)>) {
+fn shown(mut rows: Vec<Row>) -> (Vec<Row>, Vec<(Outcome, usize)>) {
     if rows.len() <= MOST_ROWS {
-        return (rows.iter().collect(), Vec::new());
+        return (rows, Vec::new());
     }
     let present: Vec<Outcome> =
         Outcome::ALL.into_iter().filter(|outcome| rows.iter().any(|row| row.outcome == *outcome)).collect();
     let each = (MOST_ROWS / present.len()).saturating_sub(1).max(1);
     let (mut shown, mut others) = (Vec::new(), Vec::new());
     for outcome in present {
-        let mut of_outcome: Vec<&Row> = rows.iter().filter(|row| row.outcome == outcome).collect();
+        let mut of_outcome: Vec<Row> = rows.extract_if(.., |row| row.outcome == outcome).collect();
         of_outcome.sort_by(|a, b| a.margin.total_cmp(&b.margin));
         let left = of_outcome.split_off(each.min(of_outcome.len()));
         let count: usize = left.iter().map(|row| row.modes.len()).sum();
@@ -175,7 +199,7 @@ fn shown(rows: &[Row]) -> (Vec<&Row>, Vec<(Outcome, usize)>) {
 }
 
 /// The meaning of the columns.
-fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Vec<String> {
+pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Vec<String> {
     let mut lines = vec!["climb: thrust left beyond hover; yaw: torque left, weaker/stronger direction".to_string()];
     if !spins.is_empty() {
         lines.push("rad/s, deg: the spin in which flights settle; its axis from the body's z axis".into());
@@ -205,7 +229,7 @@ fn speeds(model: &Model, modes: &[ModeAnalysis]) -> Option<String> {
 }
 
 /// What a reader must not overlook.
-fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
+pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     let all: Vec<String> = modes.iter().map(|mode| mode.name.clone()).collect();
     let named = |which: &dyn Fn(&ModeAnalysis) -> bool| {
         let places: Vec<usize> = (0..modes.len()).filter(|&i| which(&modes[i])).collect();

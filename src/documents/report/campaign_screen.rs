@@ -3,7 +3,7 @@
 use super::campaign_text::{by_flight, hundred, remarks};
 use super::headline::headline_of;
 use super::mode_names::within;
-use super::screen::{EVERY_TABLE, Screen, Tone};
+use super::screen::{Keep, Screen, Tone};
 use super::simulation::disturbed;
 use super::terminal::vehicle_line;
 use crate::campaign::agreement::Agreement;
@@ -56,8 +56,8 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
         losers(&mut screen, design, tally, &plans);
         screen.paragraph(Tone::Plain, 2, 2, &by_flight(&Agreement::new(design, tally).all.total));
     }
-    warnings(design, tally, &plans).iter().for_each(|text| screen.remark(text));
-    screen.line(Tone::Plain, EVERY_TABLE);
+    warnings(design, tally, &plans).iter().for_each(|text| screen.remark(Keep::Finding, text));
+    screen.close(0);
     screen
 }
 

@@ -2,6 +2,7 @@
 //! matters, the linear model outside its range.
 
 use super::battery;
+use super::screen::Keep;
 use crate::model::{LimitKind, Model};
 use crate::motion::NodeState;
 use crate::motion::checks::{
@@ -57,6 +58,16 @@ pub enum CaveatKind {
     Climb,
     /// The plan strays from a straight leg although no volume is in the way.
     Deviation,
+}
+
+impl CaveatKind {
+    /// How long a screen keeps the caveat: what the model leaves out gives way to what the plan does.
+    pub fn keep(self) -> Keep {
+        match self {
+            CaveatKind::NoDrag | CaveatKind::FewerPieces | CaveatKind::Speed => Keep::Advice,
+            _ => Keep::Finding,
+        }
+    }
 }
 
 /// The limits that a plan exceeds between its nodes by more than the check of plans tolerates, in the spec's order.
@@ -172,8 +183,8 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
         value: s.tilt.value,
         at_s: s.tilt.at,
         message: format!(
-            "Outside the linear model's range: the plan tilts to {} degrees at {} s, and the small-angle approximation \
-             holds up to about 20. The real wrench differs from the planned one there; fly slower or limit the tilt.",
+            "The plan tilts to {} degrees at {} s, and the linear model holds up to about 20: the real wrench differs \
+             from the planned one there. Fly slower, limit the tilt or plan with `model = exact`.",
             fixed(s.tilt.value.to_degrees(), 1),
             fixed(s.tilt.at, 2)
         ),
@@ -191,8 +202,8 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             value: s.least_thrust.value,
             at_s: s.least_thrust.at,
             message: format!(
-                "Outside the linear model's range: thrust falls {falls} at {} s, and a vehicle without thrust cannot \
-                 be steered by tilting it; limit the descent or the vertical acceleration.",
+                "Thrust falls {falls} at {} s, outside the linear model's range: tilting does not steer a vehicle \
+                 without thrust. Limit the descent or the vertical acceleration.",
                 fixed(s.least_thrust.at, 2)
             ),
         }

@@ -2,9 +2,9 @@
 
 use super::battery;
 use super::comparison_text::name_of;
-use super::plan_screen::{not_covered, unsafe_until};
+use super::plan_screen::{unsafe_until, warn_of_not_covered};
 use super::record::rates;
-use super::screen::{EVERY_TABLE, Screen, Tone};
+use super::screen::{Keep, Screen, Tone};
 use super::terminal::vehicle_line;
 use crate::admissible::row::VIOLATED;
 use crate::admissible::without_yaw::planned::Provision;
@@ -27,7 +27,7 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
     screen.gap();
     let (tone, text) = answer(model, comparison);
     screen.paragraph(tone, 2, 2, &text);
-    not_covered(model, &mut screen);
+    warn_of_not_covered(model, &mut screen);
     if let Some(text) = without_yaw::not_planned(comparison, None) {
         screen.paragraph(Tone::Bad, 2, 2, &text);
     }
@@ -42,14 +42,10 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
         block(&mut screen, problem, comparison, &title, |run| !is_own(run));
     }
     if !comparison.modes.is_empty() {
-        screen.paragraph(
-            Tone::Plain,
-            2,
-            2,
-            "worst violation: of a set with its reserve, in % of the healthy set's width",
-        );
+        let legend = "worst violation: of a set with its reserve, % of the healthy set's width";
+        screen.part(Keep::Legend, None, |screen| screen.line(Tone::Plain, &format!("  {legend}")));
     }
-    screen.line(Tone::Plain, EVERY_TABLE);
+    screen.close(0);
     screen
 }
 

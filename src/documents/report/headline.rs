@@ -3,7 +3,7 @@
 use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::model::{FaultMode, Model, RotorState};
-use crate::number::plural;
+use crate::number::{part_of_all, plural};
 use std::collections::BTreeSet;
 
 /// What fails in a mode, for counting modes of the same kind together.
@@ -64,6 +64,35 @@ impl Kind {
             Kind::Mixed => "mixed faults".into(),
             Kind::Nothing => "nothing fails".into(),
         }
+    }
+}
+
+/// What fails in each of some declared modes, alike ones together in the order of the first of each: `one motor lost`,
+/// `2 motors reduced to 60 %`.
+pub fn by_failure(model: &Model, modes: impl Iterator<Item = usize>) -> Vec<(String, Vec<usize>)> {
+    let mut groups: Vec<(String, Vec<usize>)> = Vec::new();
+    for mode in modes {
+        let text = failure(&model.modes[mode]);
+        match groups.iter_mut().find(|(of, _)| *of == text) {
+            Some((_, modes)) => modes.push(mode),
+            None => groups.push((text, vec![mode])),
+        }
+    }
+    groups
+}
+
+/// What fails in a mode; shares only if all its rotors have the same.
+fn failure(mode: &FaultMode) -> String {
+    let failed: Vec<&RotorState> = mode.rotors.iter().filter(|rotor| **rotor != RotorState::Sound).collect();
+    let motors = match failed.len() {
+        1 => "one motor".to_string(),
+        n => plural(n, "motor"),
+    };
+    let is_alike = failed.windows(2).all(|two| two[0] == two[1]);
+    match failed.first() {
+        Some(RotorState::Reduced(share)) if is_alike => format!("{motors} reduced to {} %", part_of_all(*share)),
+        Some(RotorState::Stuck(share)) if is_alike => format!("{motors} stuck at {} %", part_of_all(*share)),
+        _ => Kind::of(mode).of_one(),
     }
 }
 

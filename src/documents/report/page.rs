@@ -4,11 +4,12 @@
 //! Texts and numbers are made here, once, for the page and for the files of `--svg`; the script only draws. Without its
 //! script the page still has every result that matters.
 
+mod airframe;
+mod analysis;
 mod binding_table;
 mod capture;
 mod chart;
 mod content;
-mod coverage;
 mod document;
 mod embed;
 mod flown;
@@ -31,6 +32,7 @@ mod verdicts;
 mod volumes;
 mod waypoint_table;
 
+use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnostic::Diagnostic;
 use crate::flight::capture::Capture;
 use crate::flight::equilibrium::analyze_each;
@@ -41,8 +43,9 @@ use crate::report::record::Record;
 use crate::report::simulation::FlightRecord;
 use crate::source::SourceMap;
 use content::Content;
-use document::{Document, Section};
+use document::{About, Document, Section};
 pub use flown::Track;
+use serde::Serialize;
 
 /// Most modes whose sets, margins and strips are shown; if there are more, those with the smallest margins.
 const MOST_MODES: usize = 24;
@@ -89,12 +92,13 @@ pub fn plans(
     let picture = (!content.runs.is_empty()).then(|| document::picture(!comparison.modes.is_empty()));
     sections.extend(picture.is_some().then(document::motion));
     sections.push(document::sets());
-    sections.push(Section::new("spec", "Spec", spec::section(subject)));
+    sections.push(Section::new("spec", "Spec", spec::section(subject.sources, subject.diagnostics)));
     let found = match kind {
-        PageKind::Plan => summary::plan(problem, &analyses, comparison, record),
+        PageKind::Plan => summary::plan(problem, comparison, record),
         PageKind::Compare => summary::compare(mission, comparison),
     };
-    Document { subject: *subject, comparison: Some(comparison), found, picture, sections, content }.render()
+    let about = About::of_mission(subject.problem, Some(comparison));
+    Document { about, found, drawing: None, picture, sections, content }.render()
 }
 
 /// The charts of the plan (or of every planner's plan at the common time) and the sections of the sets, as names and
@@ -115,9 +119,10 @@ pub fn refused(subject: &Subject, record: &Record) -> String {
     let sections = vec![
         Section::new("modes", "Modes", verdicts::refused(model, &analyses)),
         document::sets(),
-        Section::new("spec", "Spec", spec::section(subject)),
+        Section::new("spec", "Spec", spec::section(subject.sources, subject.diagnostics)),
     ];
-    Document { subject: *subject, comparison: None, found, picture: None, sections, content }.render()
+    let about = About::of_mission(subject.problem, None);
+    Document { about, found, drawing: None, picture: None, sections, content }.render()
 }
 
 /// The page of `mavc simulate`: the flight first, then the plan that it follows.
@@ -137,10 +142,11 @@ pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: 
         Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses)),
         document::motion(),
         document::sets(),
-        Section::new("spec", "Spec", spec::section(subject)),
+        Section::new("spec", "Spec", spec::section(subject.sources, subject.diagnostics)),
     ];
     let found = summary::flight(model, record);
-    Document { subject: *subject, comparison: Some(comparison), found, picture, sections, content }.render()
+    let about = About::of_mission(subject.problem, Some(comparison));
+    Document { about, found, drawing: None, picture, sections, content }.render()
 }
 
 /// The page of `mavc campaign`.
@@ -155,10 +161,32 @@ pub fn campaign(subject: &Subject, record: &CampaignRecord) -> String {
         Section::new("agreement", "Agreement", survival::agreement(record)),
         Section::new("modes", "Modes", verdicts::refused(model, &analyses)),
         document::sets(),
-        Section::new("spec", "Spec", spec::section(subject)),
+        Section::new("spec", "Spec", spec::section(subject.sources, subject.diagnostics)),
     ];
     let found = survival::found(record);
-    Document { subject: *subject, comparison: None, found, picture: None, sections, content }.render()
+    let about = About::of_mission(subject.problem, None);
+    Document { about, found, drawing: None, picture: None, sections, content }.render()
+}
+
+/// The page of `mavc analyze`; `modes` are those of `mavc::analyze`, and `record` is the JSON report. It needs no
+/// mission.
+pub fn analysis(
+    model: &Model,
+    sources: &SourceMap,
+    diagnostics: &[Diagnostic],
+    modes: &[ModeAnalysis],
+    record: &impl Serialize,
+) -> String {
+    let content = Content::of_model(model, &sets::declared(model), record).with_places(modes);
+    let sections = vec![
+        Section::new("modes", "Margins", verdicts::details(model, modes)),
+        document::sets(),
+        Section::new("spec", "Spec", spec::section(sources, diagnostics)),
+    ];
+    let about = About { heading: format!("Vehicle {}", model.vehicle.name), model, setting: String::new() };
+    let drawing = Some(airframe::drawing(model));
+    let picture = Some(analysis::table(model, modes));
+    Document { about, found: analysis::found(model, modes), drawing, picture, sections, content }.render()
 }
 
 /// The run that the page shows first: that of the spec's own planner at T_d, otherwise the last one with a plan.

@@ -2,18 +2,20 @@
 
 mod coverage;
 
-pub(super) use coverage::{not_covered, unsafe_until};
+pub use coverage::CoverageRecord;
+pub(super) use coverage::{unsafe_until, warn_of_not_covered};
 
 use super::battery;
 use super::binding;
 use super::capture_height;
 use super::capture_height::{CaptureRecord, ExposedRecord};
-use super::caveats::{Caveat, CaveatKind, caveats};
+use super::caveats::caveats;
+use super::mode_names::within;
 use super::record::rates;
-use super::screen::{EVERY_TABLE, Screen, Tone};
+use super::screen::{Keep, Screen, Tone};
 use super::shape;
-use super::terminal::{not_looked_at, vehicle_line};
-use super::verdict_text::{self, statement};
+use super::terminal::vehicle_line;
+use super::verdict_text;
 use super::volumes;
 use super::waypoints;
 use super::without_yaw;
@@ -26,11 +28,12 @@ use crate::motion::risk::rated_risk;
 use crate::number::{fixed, percent, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun};
 use crate::verdict::Verdict;
+use std::cmp::Reverse;
 
 /// Digits of every figure.
 const DIGITS: usize = 3;
-/// Most lines up to the remarks: the rest is in the tables of `-v`.
-const MOST_LINES: usize = 22;
+/// Most columns of the names of modes whose risk is not counted.
+const NAMES: usize = 32;
 
 /// What the output is about.
 pub struct Answer<'a> {
@@ -55,18 +58,28 @@ impl Answer<'_> {
         screen.paragraph(Tone::Plain, 0, 2, &format!("{} with {}", mission.name, vehicle_line(model)));
         screen.gap();
         let Some(run) = self.comparison.runs.last() else { return screen };
-        match &run.outcome {
+        let hidden = match &run.outcome {
             PlanOutcome::Planned(solved) => self.found(&mut screen, run, solved),
-            outcome => self.missing(&mut screen, run, outcome),
-        }
-        screen.line(Tone::Plain, EVERY_TABLE);
+            outcome => {
+                self.missing(&mut screen, run, outcome);
+                0
+            }
+        };
+        screen.close(hidden);
         screen
+    }
+
+    /// Which modes the plan covers, in sentences; empty without a plan.
+    pub fn coverage(&self) -> Vec<CoverageRecord> {
+        let run = self.comparison.runs.last();
+        let found = run.and_then(|run| Some(coverage::sentences(self, run, run.outcome.plan()?)));
+        found.unwrap_or_default()
     }
 
     /// No plan: what was shown, and about which modes.
     fn missing(&self, screen: &mut Screen, run: &PlannerRun, outcome: &PlanOutcome) {
         let model = self.problem.model();
-        let mut text = format!("{}; planner {}", shouted(self.problem, self.comparison, run), name(run));
+        let mut text = verdict_text::headline(self.problem, self.comparison, run);
         if let PlanOutcome::Infeasible(proof) = outcome
             && !run.against.is_empty()
             && let Some(note) = without_yaw::of_proof(self.problem, self.comparison, proof)
@@ -86,34 +99,36 @@ impl Answer<'_> {
         screen.paragraph(Tone::Plain, 2, 2, detail);
     }
 
-    fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) {
+    /// A plan, and how many modes its table leaves out.
+    fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) -> usize {
         let model = self.problem.model();
-        let text = format!(
-            "PLAN {}; planner {}{}",
-            shouted(self.problem, self.comparison, run),
-            name(run),
-            without_yaw::beside_the_verdict(self.comparison)
-        );
+        let text = verdict_text::headline(self.problem, self.comparison, run);
         let tone = if coverage::is_partial(self, solved) { Tone::Warning } else { Tone::Good };
         screen.paragraph(tone, 2, 2, &text);
-        coverage::write(self, screen, run, solved);
+        let hidden = coverage::write(self, screen, run, solved);
         screen.gap();
-        self.figures(solved).iter().for_each(|(label, text)| {
-            screen.paragraph(Tone::Plain, 2, 11, &format!("{label:<10} {text}"));
-        });
-        screen.remarks(&self.remarks(model, solved), MOST_LINES);
+        for (keep, label, text) in self.figures(solved) {
+            let text = format!("{label:<10} {text}");
+            screen.part(keep, None, |screen| screen.paragraph(Tone::Plain, 2, 11, &text));
+        }
+        self.remarks(model, solved).iter().for_each(|(keep, text)| screen.remark(*keep, text));
+        hidden
     }
 
     /// Labelled lines of figures.
-    fn figures(&self, solved: &MissionPlan) -> Vec<(&'static str, String)> {
+    fn figures(&self, solved: &MissionPlan) -> Vec<(Keep, &'static str, String)> {
         let (model, mission) = (self.problem.model(), self.problem.mission());
         let mut lines = Vec::new();
         let reached = waypoints::waypoints(mission, solved);
-        lines.push(("waypoints", waypoints::headline(&reached)));
-        lines.push(("path", path(self.problem, solved)));
+        lines.push((Keep::Figure, "waypoints", waypoints::headline(&reached)));
+        lines.push((Keep::Figure, "path", path(self.problem, solved)));
         if let Some(record) = battery::record(model, &solved.trajectory) {
             let left = if record.left < 0.0 { "none".to_string() } else { percent(record.left) };
-            lines.push(("battery", format!("{}, {left} left ({} to keep)", record.used(), percent(record.keep))));
+            lines.push((
+                Keep::Figure,
+                "battery",
+                format!("{}, {left} left ({} to keep)", record.used(), percent(record.keep)),
+            ));
         }
         let nearest = volumes::records(self.problem, solved);
         let spare = |record: &volumes::VolumeRecord| record.distance_m - record.required_m;
@@ -121,42 +136,45 @@ impl Answer<'_> {
             let [distance, required] = [record.distance_m, record.required_m].map(|m| significant(m, DIGITS));
             let at = fixed(record.at_s, 2);
             let of = if nearest.len() > 1 { format!(", the tightest of {}", nearest.len()) } else { String::new() };
-            lines.push(("volumes", format!("{distance} m from {} at {at} s, {required} m required{of}", record.name)));
+            lines.push((
+                Keep::Figure,
+                "volumes",
+                format!("{distance} m from {} at {at} s, {required} m required{of}", record.name),
+            ));
         }
         if let Some(risk) = rated_risk(&rates(model), &solved.committed) {
-            let text = format!("{} that a fault strikes while it is unsafe.", significant(risk, DIGITS));
-            lines.push(("risk", text + &not_looked_at(model)));
+            let text = format!("probability {} of a fault while the plan is unsafe", significant(risk, DIGITS));
+            lines.push((Keep::Figure, "risk", text + &not_counted(model)));
         }
         let limits = binding::records(self.problem, solved);
         let most = limits.iter().flat_map(|leg| leg.statements.iter().map(move |of_leg| (leg, of_leg)));
         if let Some((leg, of_leg)) = most.max_by(|a, b| a.1.time_saved_s.total_cmp(&b.1.time_saved_s)) {
-            lines.push(("time", format!("most limited on leg {} by {}", leg.label(), of_leg.saved())));
+            lines.push((Keep::Reason, "time", format!("most limited on leg {} by {}", leg.label(), of_leg.saved())));
         }
         lines
     }
 
-    /// What a reader must not overlook.
-    fn remarks(&self, model: &Model, solved: &MissionPlan) -> Vec<String> {
-        let mut all: Vec<Caveat> = caveats(model, solved);
-        all.extend(shape::caveats(self.problem, solved, self.detours));
-        if let Some(record) = self.heights.and_then(|heights| CaptureRecord::new(model, heights)) {
-            all.extend(capture_height::caveat(&record, self.exposed));
-        }
-        // Detours first: a reader would not expect them.
-        let rank = |caveat: &Caveat| !matches!(caveat.kind, CaveatKind::Climb | CaveatKind::Deviation);
-        all.sort_by_key(rank);
-        all.into_iter().map(|caveat| caveat.message).collect()
+    /// The remarks, those first that a reader must not overlook; detours before all others, because a reader would not
+    /// expect them.
+    fn remarks(&self, model: &Model, solved: &MissionPlan) -> Vec<(Keep, String)> {
+        let detours = shape::remark(self.problem, solved, self.detours).map(|text| (Keep::Finding, text));
+        let height = self.heights.and_then(|heights| CaptureRecord::new(model, heights));
+        let height = height.and_then(|record| capture_height::caveat(&record, self.exposed));
+        let others = caveats(model, solved).into_iter().chain(height);
+        let mut all: Vec<(Keep, String)> =
+            detours.into_iter().chain(others.map(|caveat| (caveat.kind.keep(), caveat.message))).collect();
+        all.sort_by_key(|(keep, _)| Reverse(*keep));
+        all
     }
 }
 
-/// `FOUND, 35 s`: the statement on a run with its verdict in capitals.
-fn shouted(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> String {
-    let (statement, word) = (statement(problem, comparison, run), run.outcome.verdict().word());
-    statement.strip_prefix(word).map_or(statement.clone(), |rest| format!("{}{rest}", word.to_uppercase()))
-}
-
-fn name(run: &PlannerRun) -> String {
-    run.planner.name().to_uppercase()
+/// The modes with a rate that the risk leaves out, because the plan is not against them.
+fn not_counted(model: &Model) -> String {
+    let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
+    let is_left_out =
+        |m: &usize| !model.plan.against.contains(m) && model.modes[*m].rate.is_some_and(|rate| rate > 0.0);
+    let left: Vec<usize> = (0..all.len()).filter(is_left_out).collect();
+    if left.is_empty() { String::new() } else { format!("; not counted: {}", within(&all, &left, NAMES)) }
 }
 
 /// `height up to 25.4 m, 0.4 m above the highest waypoint; up to 0.4 m off the straight legs; speed 9.47 of 10 m/s`

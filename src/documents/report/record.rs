@@ -7,8 +7,10 @@ use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::headings::{self, HeadingRecord};
 use super::least_time;
+use super::plan_screen::CoverageRecord;
+use super::recovery::RecoveryRecord;
 use super::shape::{self, DetourRecord, ShapeRecord};
-use super::verdict_text::statement;
+use super::verdict_text::{headline, statement};
 use super::volumes::{self, VolumeRecord};
 use super::waypoints::yaw_error;
 use super::waypoints::{WaypointRecord, waypoints};
@@ -28,7 +30,7 @@ use crate::verdict::Verdict;
 use serde::Serialize;
 
 /// Version of this record; raised when a field or the meaning of its values changes.
-const SCHEMA: u32 = 3;
+const SCHEMA: u32 = 4;
 
 /// Why nothing was planned.
 const REFUSED: &str = "hover does not lie inside every set that the plan must stay in";
@@ -69,6 +71,9 @@ pub struct Record {
     /// plan, and if no mode is concerned.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub capture_height: Option<CaptureRecord>,
+    /// What can be done after each fault, in `mavc plan --recovery` and with `require uncovered`; omitted otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recovery: Option<RecoveryRecord>,
     /// With `require risk`, in `mavc plan`: the plan without protection, then after each addition of the greedy
     /// choice; null otherwise.
     #[cfg_attr(test, schemars(length(min = 1)))]
@@ -186,6 +191,11 @@ pub struct PlannerRecord {
     pub verdict: Verdict,
     /// The verdict as in the terminal, with exactly what was shown.
     pub statement: String,
+    /// The verdict and the planner, as the first sentence of the terminal and of the page.
+    pub headline: String,
+    /// In `mavc plan`: which fault modes the plan covers and which not, as the sentences below the headline; empty in
+    /// `mavc compare` and without a plan.
+    pub coverage: Vec<CoverageRecord>,
     /// Mission times, s, for each of which it was proved separately that there is no plan; nothing is claimed about
     /// other times.
     #[cfg_attr(test, schemars(inner(range(min = 0))))]
@@ -327,6 +337,7 @@ impl Record {
             conflict: None,
             rounds: None,
             capture_height: None,
+            recovery: None,
             trade_off: (!comparison.trade_off.is_empty()).then(steps),
         }
     }
@@ -355,6 +366,7 @@ impl Record {
             conflict: None,
             rounds: None,
             capture_height: None,
+            recovery: None,
             trade_off: None,
         }
     }
@@ -423,6 +435,7 @@ fn planner(problem: Problem, comparison: &Comparison, outcomes: &[Outcome], run:
         },
         verdict: run.outcome.verdict(),
         statement: statement(problem, comparison, run),
+        headline: headline(problem, comparison, run),
         time_lower_bound_s: Some(least_time::bound_for(problem, run).seconds),
         rows: run.set.rows.len() * nodes,
         ..PlannerRecord::default()

@@ -1,14 +1,18 @@
 //! Text for one screen of a terminal: lines of at most [`WIDTH`] columns, each with a tone that a terminal shows as a
 //! colour.
 
+use crate::number::plural;
 use crate::text_table::Table;
 use std::fmt;
 
 /// The width of the short texts, columns.
 pub const WIDTH: usize = 80;
 
+/// Most lines of a short text; a hint of the command may follow as the 25th line of a usual terminal.
+const LINES: usize = 24;
+
 /// The last line of a short text.
-pub const EVERY_TABLE: &str = "  -v prints every table";
+const EVERY_TABLE: &str = "-v prints every table";
 
 /// The fewest columns of names in a table.
 const NAMES: usize = 8;
@@ -27,26 +31,80 @@ pub enum Tone {
     Strong,
 }
 
+/// What may be left out of a screen without room for everything, from what is left out first to what stays longest.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Keep {
+    /// The meaning of a column.
+    Legend,
+    /// A figure that explains another one.
+    Reason,
+    /// A remark on the model.
+    Advice,
+    /// A row of a table whose first rows are those that matter most.
+    Row,
+    /// A figure.
+    Figure,
+    /// A remark that a reader must not overlook.
+    Finding,
+}
+
+/// Lines that are left out together.
+#[derive(Debug, Clone, PartialEq)]
+struct Part {
+    keep: Keep,
+    /// What is counted in the last line if the part is left out, and how many of it.
+    counted: Option<(Counted, usize)>,
+}
+
+/// What is counted if it is left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Counted {
+    Remark,
+    /// A mode in a table that begins with the tightest.
+    Mode,
+}
+
+impl Counted {
+    /// `2 remarks`, `5 modes with more to spare`; empty for none.
+    fn words(self, n: usize) -> Option<String> {
+        (n > 0).then(|| match self {
+            Counted::Remark => plural(n, "remark"),
+            Counted::Mode => format!("{} with more to spare", plural(n, "mode")),
+        })
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Line {
+    tone: Tone,
+    text: String,
+    /// The index of its part; lines without one are never left out.
+    part: Option<usize>,
+}
+
 /// Lines of text.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Screen {
-    lines: Vec<(Tone, String)>,
+    lines: Vec<Line>,
+    parts: Vec<Part>,
 }
 
 impl Screen {
     /// The lines of a longer text as they are.
     pub fn of_text(text: &str) -> Self {
-        Screen { lines: text.lines().map(|line| (Tone::Plain, line.to_string())).collect() }
+        let mut screen = Screen::default();
+        text.lines().for_each(|line| screen.lines.push(Line { tone: Tone::Plain, text: line.into(), part: None }));
+        screen
     }
 
     /// A line with a text that fits.
     pub fn line(&mut self, tone: Tone, text: &str) {
-        self.lines.push((tone, text.trim_end().to_string()));
+        self.lines.push(Line { tone, text: text.trim_end().to_string(), part: None });
     }
 
     /// An empty line, unless the last one is empty or there is none.
     pub fn gap(&mut self) {
-        if self.lines.last().is_some_and(|(_, text)| !text.is_empty()) {
+        if self.lines.last().is_some_and(|line| !line.text.is_empty()) {
             self.line(Tone::Plain, "");
         }
     }
@@ -58,24 +116,19 @@ impl Screen {
         textwrap::wrap(text, options).iter().for_each(|line| self.line(tone, line));
     }
 
-    /// A remark that a reader must not overlook: `! text`.
-    pub fn remark(&mut self, text: &str) {
-        self.paragraph(Tone::Warning, 2, 2, &format!("! {text}"));
+    /// Lines that may be left out.
+    pub fn part(&mut self, keep: Keep, counted: Option<(Counted, usize)>, write: impl FnOnce(&mut Screen)) {
+        let first = self.lines.len();
+        write(self);
+        let part = Some(self.parts.len());
+        self.lines[first..].iter_mut().for_each(|line| line.part = part);
+        self.parts.push(Part { keep, counted });
     }
 
-    /// Remarks while the screen has at most `most` lines, and the number of those that are left out.
-    pub fn remarks(&mut self, all: &[String], most: usize) {
-        for (i, text) in all.iter().enumerate() {
-            let before = self.lines.len();
-            self.remark(text);
-            let is_last = i + 1 == all.len();
-            if self.lines.len() + usize::from(!is_last) > most {
-                self.lines.truncate(before);
-                let left = all.len() - i;
-                self.remark(&format!("{left} more remark{}: -v", if left == 1 { "" } else { "s" }));
-                return;
-            }
-        }
+    /// A remark: `! text`. It may be left out, and is counted then.
+    pub fn remark(&mut self, keep: Keep, text: &str) {
+        let write = |screen: &mut Screen| screen.paragraph(Tone::Warning, 2, 2, &format!("! {text}"));
+        self.part(keep, Some((Counted::Remark, 1)), write);
     }
 
     /// A table, indented by two spaces.
@@ -89,19 +142,45 @@ impl Screen {
         self.table(&table(names));
     }
 
-    /// Adds the lines of another text.
+    /// A fitted table of modes, the tightest first, whose rows after the first `always` may be left out. `modes` are
+    /// the numbers of modes in each row.
+    pub fn fitted_modes(&mut self, most: usize, always: usize, modes: &[usize], table: impl Fn(usize) -> Table) {
+        let headings = self.lines.len();
+        self.fitted(most, table);
+        for (row, n) in modes.iter().enumerate().skip(always) {
+            self.lines[headings + 1 + row].part = Some(self.parts.len());
+            self.parts.push(Part { keep: Keep::Row, counted: Some((Counted::Mode, *n)) });
+        }
+    }
+
+    /// The last line, after parts were left out until the screen fits: of those to keep shortest the last. `hidden` is
+    /// how many modes are in no row.
+    pub fn close(&mut self, hidden: usize) {
+        let (mut remarks, mut modes) = (0, hidden);
+        while self.lines.len() >= LINES {
+            let last_of_least = |a: &usize, b: &usize| self.parts[*a].keep.cmp(&self.parts[*b].keep).then(b.cmp(a));
+            let Some(least) = self.lines.iter().filter_map(|line| line.part).min_by(last_of_least) else { break };
+            self.lines.retain(|line| line.part != Some(least));
+            match self.parts[least].counted {
+                Some((Counted::Remark, n)) => remarks += n,
+                Some((Counted::Mode, n)) => modes += n,
+                None => {}
+            }
+        }
+        let left = [Counted::Remark.words(remarks), Counted::Mode.words(modes)];
+        let left: Vec<String> = left.into_iter().flatten().collect();
+        let left = if left.is_empty() { String::new() } else { format!("; not shown: {}", left.join(", ")) };
+        self.line(Tone::Plain, &format!("  {EVERY_TABLE}{left}"));
+    }
+
+    /// Adds the lines of another screen, none of which are left out later.
     pub fn extend(&mut self, other: Screen) {
-        self.lines.extend(other.lines);
+        self.lines.extend(other.lines.into_iter().map(|line| Line { part: None, ..line }));
     }
 
     /// The lines with their tones.
     pub fn lines(&self) -> impl Iterator<Item = (Tone, &str)> {
-        self.lines.iter().map(|(tone, text)| (*tone, text.as_str()))
-    }
-
-    /// How many lines there are.
-    pub fn height(&self) -> usize {
-        self.lines.len()
+        self.lines.iter().map(|line| (line.tone, line.text.as_str()))
     }
 }
 
@@ -113,6 +192,43 @@ pub fn fits(table: &Table) -> bool {
 /// Without colours, a line break after every line.
 impl fmt::Display for Screen {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.lines.iter().try_for_each(|(_, text)| writeln!(f, "{text}"))
+        self.lines.iter().try_for_each(|line| writeln!(f, "{}", line.text))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What matters least is left out first, the last of its kind before the others, and what is left out is counted.
+    #[test]
+    fn the_least_important_parts_are_left_out() {
+        let shown = |lines: usize| {
+            let mut screen = Screen::default();
+            (0..lines).for_each(|i| screen.line(Tone::Plain, &format!("line {i}")));
+            let mut table = Table::new(&["mode"]);
+            (0..4).for_each(|row| table.row(vec![format!("row {row}")]));
+            screen.fitted_modes(8, 2, &[1, 1, 3, 2], |_| table.clone());
+            screen.part(Keep::Reason, None, |screen| screen.line(Tone::Plain, "reason"));
+            screen.remark(Keep::Advice, "advice");
+            screen.remark(Keep::Finding, "finding");
+            screen.close(0);
+            screen.to_string()
+        };
+        let all = ["row 3", "row 2", "reason", "advice", "finding"];
+        let kept = |text: &str| all.into_iter().filter(|part| text.contains(part)).collect::<Vec<_>>();
+        assert_eq!(kept(&shown(15)), all);
+        assert!(shown(15).ends_with("\n  -v prints every table\n") && shown(15).lines().count() == LINES);
+        assert_eq!(kept(&shown(16)), ["row 3", "row 2", "advice", "finding"]);
+        assert_eq!(kept(&shown(17)), ["row 3", "row 2", "finding"]);
+        assert_eq!(kept(&shown(18)), ["row 2", "finding"]);
+        let last = |text: &str| text.lines().last().unwrap().to_string();
+        let text = shown(19);
+        assert_eq!(kept(&text), ["finding"]);
+        assert_eq!(last(&text), "  -v prints every table; not shown: 1 remark, 5 modes with more to spare");
+        assert_eq!(text.lines().count(), LINES);
+        // Lines that are no part stay.
+        assert_eq!(shown(40).lines().filter(|line| line.starts_with("line")).count(), 40);
+        assert!(last(&shown(40)).ends_with("2 remarks, 5 modes with more to spare"));
     }
 }

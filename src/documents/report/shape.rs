@@ -248,15 +248,10 @@ pub fn detour_records(problem: Problem, detours: &[Detour]) -> Vec<DetourRecord>
     detours.iter().map(record).collect()
 }
 
-/// What a quick search with the statements against all detours found: `. A quick search with it found a plan of 91.2 s,
-/// 1.1 s longer`; empty if it found none.
-fn price(problem: Problem, solved: &MissionPlan, detour: &Detour, all: &[Detour]) -> String {
+/// What a quick search with the statements against all detours found, with `with` for these statements: `. A quick
+/// search with it found a plan of 91.2 s, 1.1 s longer`; empty if it found none.
+fn price(problem: Problem, solved: &MissionPlan, detour: &Detour, with: &str) -> String {
     let Some(time) = detour.tried else { return String::new() };
-    let with = match (detour.legs.len(), all.len()) {
-        (_, 2..) => "with the statements of both remarks",
-        (2.., _) if !matches!(detour.forbids, Forbids::Altitude(_)) => "with such a statement for each of these legs",
-        _ => "with it",
-    };
     let is_fixed =
         matches!(problem.model().plan.time, MissionTime::Fixed(_)) || determined(problem.mission()).is_some();
     let longer = (100.0 * (time - solved.time)).round() / 100.0;
@@ -268,38 +263,75 @@ fn price(problem: Problem, solved: &MissionPlan, detour: &Detour, all: &[Detour]
     format!(". A quick search {with} found {found}")
 }
 
+/// The statement of one detour for [`price`].
+fn alone(detour: &Detour) -> &'static str {
+    match detour.legs.len() {
+        2.. if !matches!(detour.forbids, Forbids::Altitude(_)) => "with such a statement for each of these legs",
+        _ => "with it",
+    }
+}
+
+/// `climbs 2.3 m above both waypoints of the leg to waypoint 3, at 12.31 s`
+fn what(mission: &Mission, detour: &Detour) -> String {
+    let (leg, by) = (leg_to(mission, detour.leg + 1), metres(detour.by, 3));
+    let at = fixed(detour.at, 2);
+    let others = match detour.legs.len() - 1 {
+        0 => String::new(),
+        1 => " (and 1 more leg)".into(),
+        n => format!(" (and {n} more legs)"),
+    };
+    match detour.kind {
+        DetourKind::Climb => format!("climbs {by} above both waypoints of the {leg}{others}, at {at} s"),
+        DetourKind::Deviation => format!("strays {by} from the straight {leg}{others}, at {at} s"),
+    }
+}
+
+/// `` `corridor 2 m` on waypoint 6 ``: what forbids a detour; without a value unless it was tried.
+fn forbidden_by(mission: &Mission, detour: &Detour) -> String {
+    let (statement, _) = statement(mission, detour.forbids);
+    let arrival = format!("waypoint {}", detour.leg + 2);
+    match (detour.forbids, detour.tried) {
+        (Forbids::Altitude(_), Some(_)) => format!("`{statement}` in `limits`"),
+        (Forbids::Altitude(_), None) => "`altitude <= ...` in `limits`".into(),
+        (Forbids::AltitudeOfLeg(_), Some(_)) => format!("`{statement}` after {arrival}"),
+        (Forbids::AltitudeOfLeg(_), None) => format!("`{{ altitude <= ... }}` after {arrival}"),
+        (Forbids::Corridor(_), Some(_)) => format!("`{statement}` on {arrival}"),
+        (Forbids::Corridor(_), None) => format!("`straight` or `corridor ...` on {arrival}"),
+    }
+}
+
 /// The remarks about the detours of a plan.
 pub fn caveats(problem: Problem, solved: &MissionPlan, detours: &[Detour]) -> Vec<Caveat> {
     let mission = problem.mission();
     let caveat = |detour: &Detour| {
-        let (leg, by) = (leg_to(mission, detour.leg + 1), metres(detour.by, 3));
-        let at = fixed(detour.at, 2);
-        let others = match detour.legs.len() - 1 {
-            0 => String::new(),
-            1 => " (and 1 more leg)".into(),
-            n => format!(" (and {n} more legs)"),
+        let kind = match detour.kind {
+            DetourKind::Climb => CaveatKind::Climb,
+            DetourKind::Deviation => CaveatKind::Deviation,
         };
-        let (statement, _) = statement(mission, detour.forbids);
-        let arrival = format!("waypoint {}", detour.leg + 2);
-        let (kind, what) = match detour.kind {
-            DetourKind::Climb => {
-                (CaveatKind::Climb, format!("climbs {by} above both waypoints of the {leg}{others}, at {at} s"))
-            }
-            DetourKind::Deviation => {
-                (CaveatKind::Deviation, format!("strays {by} from the straight {leg}{others}, at {at} s"))
-            }
-        };
-        let forbids = match (detour.forbids, detour.tried) {
-            (Forbids::Altitude(_), Some(_)) => format!("`{statement}` in `limits` forbids it"),
-            (Forbids::Altitude(_), None) => "`altitude <= ...` in `limits` forbids it".into(),
-            (Forbids::AltitudeOfLeg(_), Some(_)) => format!("`{statement}` after {arrival} forbids it"),
-            (Forbids::AltitudeOfLeg(_), None) => format!("`{{ altitude <= ... }}` after {arrival} forbids it"),
-            (Forbids::Corridor(_), Some(_)) => format!("`{statement}` on {arrival} forbids it"),
-            (Forbids::Corridor(_), None) => format!("`straight` or `corridor ...` on {arrival} forbids it"),
-        };
-        let price = price(problem, solved, detour, detours);
-        let message = format!("The plan {what}, although no volume is in the way; {forbids}{price}.");
+        let with = if detours.len() > 1 { "with the statements of both remarks" } else { alone(detour) };
+        let message = format!(
+            "The plan {}, although no volume is in the way; {} forbids it{}.",
+            what(mission, detour),
+            forbidden_by(mission, detour),
+            price(problem, solved, detour, with)
+        );
         Caveat { kind, limit: None, value: detour.by, at_s: detour.at, message }
     };
     detours.iter().map(caveat).collect()
+}
+
+/// The remarks of [`caveats`] as one; `None` without detours.
+pub fn remark(problem: Problem, solved: &MissionPlan, detours: &[Detour]) -> Option<String> {
+    let mission = problem.mission();
+    match detours {
+        [climb, deviation] => Some(format!(
+            "The plan {}, and {}, although no volume is in the way; {} and {} forbid it{}.",
+            what(mission, climb),
+            what(mission, deviation),
+            forbidden_by(mission, climb),
+            forbidden_by(mission, deviation),
+            price(problem, solved, climb, "with both")
+        )),
+        _ => caveats(problem, solved, detours).into_iter().map(|caveat| caveat.message).next(),
+    }
 }

@@ -1,6 +1,6 @@
 //! The verdict on a planner's run in words, with exactly what was shown.
 
-use super::least_time;
+use super::{least_time, without_yaw};
 use crate::model::{MissionTime, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::time_grid::determined;
 use crate::number::number;
@@ -62,6 +62,18 @@ pub fn statement(problem: Problem, comparison: &Comparison, run: &PlannerRun) ->
         }
         PlanOutcome::NotAttempted { why, .. } => format!("{verdict}: {why}"),
     }
+}
+
+/// The first sentence about a run on the terminal, the page and in the JSON report: `PLAN FOUND, 35 s; planner RSP`, or
+/// `PROVED INFEASIBLE at 12 s with 200 samples; planner RSP`.
+pub fn headline(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> String {
+    let (text, word) = (statement(problem, comparison, run), run.outcome.verdict().word());
+    let rest = text.strip_prefix(word).unwrap_or(&text);
+    let (plan, beside) = match run.outcome.plan() {
+        Some(_) => ("PLAN ", without_yaw::beside_the_verdict(comparison)),
+        None => ("", String::new()),
+    };
+    format!("{plan}{}{rest}; planner {}{beside}", word.to_uppercase(), run.planner.name().to_uppercase())
 }
 
 /// A sentence about the times at which the planner found plans (`found_at`, s, ascending) after it found none at the

@@ -94,16 +94,19 @@ impl WaypointRecord {
         self.name.as_ref().map_or(self.number.to_string(), |name| format!("{} {name}", self.number))
     }
 
-    /// `5 cm of 5 cm allowed (100 %)`: the error with the larger share of its tolerance.
+    /// `5 of 5 cm allowed`: the error with the larger share of its tolerance.
     pub fn largest(&self) -> String {
         match self.position_share.total_cmp(&self.yaw_share).is_ge() {
             true => {
-                let [error, allowed] = [self.position_error_m, self.position_tolerance_m].map(length);
-                format!("{error} of {allowed} allowed ({})", percent(self.position_share))
+                let [error, allowed] = [self.position_error_m, self.position_tolerance_m];
+                let (unit, per_metre) = length_unit(error.max(allowed));
+                let [error, allowed] = [error, allowed].map(|m| significant(per_metre * m, DIGITS));
+                format!("{error} of {allowed} {unit} allowed")
             }
             false => {
-                let [error, allowed] = [self.yaw_error_rad, self.yaw_tolerance_rad].map(angle);
-                format!("{error} of {allowed} of yaw allowed ({})", percent(self.yaw_share))
+                let [error, allowed] =
+                    [self.yaw_error_rad, self.yaw_tolerance_rad].map(|rad| significant(rad.to_degrees(), DIGITS));
+                format!("{error} of {allowed} deg of yaw allowed")
             }
         }
     }
@@ -146,7 +149,7 @@ pub fn met_or_missed(waypoints: &[WaypointRecord]) -> String {
     }
 }
 
-/// `21 waypoints met; tightest: waypoint 7, 5 cm of 5 cm allowed (100 %)`. The tightest has the largest share of its
+/// `21 waypoints met; tightest: waypoint 7, 5 of 5 cm allowed`. The tightest has the largest share of its
 /// tolerance, which need not be the largest error.
 pub fn headline(waypoints: &[WaypointRecord]) -> String {
     let tightest = |w: &WaypointRecord| format!("; tightest: waypoint {}, {}", w.label(), w.largest());
@@ -198,14 +201,16 @@ impl WaypointRecord {
     }
 }
 
+/// The unit in which a length is printed, and how many of it are a metre.
+fn length_unit(metres: f64) -> (&'static str, f64) {
+    if metres >= 1.0 { ("m", 1.0) } else { ("cm", 100.0) }
+}
+
 fn length(metres: f64) -> String {
-    if metres >= 1.0 {
-        format!("{} m", significant(metres, 3))
-    } else {
-        format!("{} cm", significant(100.0 * metres, 3))
-    }
+    let (unit, per_metre) = length_unit(metres);
+    format!("{} {unit}", significant(per_metre * metres, DIGITS))
 }
 
 fn angle(radians: f64) -> String {
-    format!("{} deg", significant(radians.to_degrees(), 3))
+    format!("{} deg", significant(radians.to_degrees(), DIGITS))
 }

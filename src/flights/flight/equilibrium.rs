@@ -7,7 +7,7 @@ use super::reduced_attitude::WithoutYaw;
 use super::rotors::Rotors;
 use crate::actuation::Wrench;
 use crate::admissible::outcome::Outcome;
-use crate::admissible::verdict::{self, ModeAnalysis};
+use crate::admissible::verdict::{self, ModeAnalysis, Standing};
 use crate::admissible::{AdmissibleSet, hover};
 use crate::model::{Allocation, Model, YawDrag};
 use nalgebra::Vector3;
@@ -64,8 +64,16 @@ pub fn outcome_of(model: &Model, mode: usize) -> Outcome {
 /// The outcomes of the healthy vehicle and of every mode: those of [`analyze_each`] without the figures, which take
 /// longer.
 pub fn outcomes(model: &Model) -> Vec<Outcome> {
-    let healthy = verdict::outcome(model, &AdmissibleSet::healthy(model));
-    std::iter::once(healthy).chain((0..model.modes.len()).map(|mode| outcome_of(model, mode))).collect()
+    standings(model).iter().map(|standing| standing.outcome).collect()
+}
+
+/// The words of the healthy vehicle and of every mode, with the outcomes of [`analyze_each`].
+pub fn standings(model: &Model) -> Vec<Standing> {
+    let mut all: Vec<Standing> = AdmissibleSet::each(model).map(|set| Standing::of(model, &set)).collect();
+    for (mode, standing) in all.iter_mut().skip(1).enumerate() {
+        standing.outcome = outcome(model, mode, standing.outcome);
+    }
+    all
 }
 
 /// The outcome in the mode with index `mode`, of which the wrenches give `of_wrenches`. A vehicle that flies on, or is

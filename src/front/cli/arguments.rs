@@ -179,6 +179,9 @@ pub(super) struct AnalyzeArgs {
     /// delays of detection
     #[arg(long, conflicts_with = "sweep")]
     pub capture: bool,
+    /// Write the outcomes as one HTML page
+    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath, conflicts_with_all = ["sweep", "capture"])]
+    pub html: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -256,6 +259,13 @@ pub(super) struct PlanArgs {
     /// After Ctrl-C, which ends the search with the best plan that it has, exit with 0 instead of 130
     #[arg(long)]
     pub accept_best: bool,
+    /// Look for a way out after every declared fault, at instants of the plan: back to the plan, to a landing site, or
+    /// down at once
+    #[arg(long)]
+    pub recovery: bool,
+    /// Write each way out as a table into this folder, with index.csv; implies --recovery
+    #[arg(long, value_name = "DIR")]
+    pub branches: Option<PathBuf>,
     /// Write a certificate (JSON) for `mavc verify` to this file
     #[arg(long, value_name = "CERT.JSON")]
     pub certificate: Option<PathBuf>,

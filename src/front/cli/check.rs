@@ -3,14 +3,17 @@
 mod tally;
 
 use super::progress::Watch;
+use super::results::compact_json;
 use super::spec::{self, Findings};
 use super::{CheckArgs, CheckFormat, CommandError, Deny, FINE, NO_PLAN, Options, SPEC_ERRORS, SpecArgs};
 use super::{files, specs, usage, watch};
 use crate::diagnostic::sort;
+use crate::flight::equilibrium::outcomes;
 use crate::foreign::{self, Foreign};
 use crate::import::{MAX_BYTES, mission};
 use crate::pipeline::{self, defaults_text, is_intolerable};
 use crate::read::FlightBlocks;
+use crate::report::analysis_record::OutcomesRecord;
 use crate::source::FileId;
 use crate::spec::{Compiler, Spec};
 use std::path::Path;
@@ -64,7 +67,13 @@ fn one(name: &str, args: &CheckArgs, is_alone: bool, options: &Options, tally: &
     };
     let repeated = tally.take(&mut findings);
     match args.format {
-        CheckFormat::Json => files::print(&findings.json())?,
+        CheckFormat::Json => {
+            files::print(&findings.json())?;
+            if let Some(spec) = spec.as_ref().filter(|_| count.errors == 0) {
+                let found = outcomes(spec.model());
+                files::print(&compact_json(&OutcomesRecord::new(spec::name(name), spec.model(), &found))?)?;
+            }
+        }
         CheckFormat::Short => files::print(&findings.short())?,
         CheckFormat::Human => {
             findings.print_human(name, spec.as_ref().filter(|_| is_alone), count, repeated, options)?;

@@ -5,7 +5,7 @@ use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::signals::Enough;
 use super::spec::{self, Start};
-use super::{CUT_SHORT, CommandError, Options, PlanArgs, code_of, files};
+use super::{CUT_SHORT, CommandError, INCONCLUSIVE, Options, PlanArgs, code_of, files};
 use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::MissionTime;
@@ -13,6 +13,7 @@ use crate::observer::{Observer, timed};
 use crate::pipeline::{Explained, Planning, Task, certify};
 use crate::read::FlightBlocks;
 use crate::report::page::{self, PageKind};
+use crate::report::recovery::{self, RecoveryRecord};
 use std::panic::resume_unwind;
 
 pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
@@ -54,28 +55,46 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
             Err(why) => files::eprint(&format!("mavc: no certificate was written: {why}\n")),
         }
     }
+    let wants_recovery = args.recovery || args.branches.is_some() || task.model().plan.recovery.require.is_some();
+    let recovery = match wants_recovery {
+        true => task.recovery(&planning, &watch).map_err(|e| e.to_string())?,
+        false => None,
+    };
     let between = planning.between(&task, &watch).map_err(|e| e.to_string())?;
     let conflict = task.diagnose(&explained);
     timed(&watch, "report", || {
         if let Some(plan) = planning.plan() {
             export.add(&mut results, &plan.trajectory, &task, options)?;
         }
-        let record = task.report(&planning, &explained, between.clone());
+        let mut record = task.report(&planning, &explained, between.clone());
+        record.recovery = recovery.as_ref().map(|found| RecoveryRecord::new(task.model(), found));
+        if let (Some(folder), Some(found)) = (&args.branches, &recovery) {
+            let files = recovery::files(task.problem(), found)?;
+            results.folder("a branch", "--branches", folder, files, task.spec().sources())?;
+        }
         results.report(&record)?;
         let shown: Vec<Diagnostic> = findings.diagnostics.iter().chain(&conflict).cloned().collect();
         let comparison = planning.comparison();
         results.page(|| {
             page::plans(PageKind::Plan, &subject(&task, &shown), comparison, &record, &task.capture_curves(&planning))
         });
-        let text = task.for_people(&planning, &explained, between.as_deref(), options.verbose);
+        let mut text = task.for_people(&planning, &explained, between.as_deref(), options.verbose);
+        if let Some(found) = &recovery {
+            text.gap();
+            text.extend(recovery::screen(task.model(), found, options.verbose));
+        }
         results.print(&text)?;
         results.charts(&subject(&task, &[]), comparison)?;
         results.write()?;
         results.print_beside(&text);
         conflict.iter().for_each(|why| findings.eprint_also(why));
+        let gap = if options.verbose { "\n" } else { "" };
         match (planning.plan(), &args.output) {
-            (Some(_), None) => results.hint("\nNo trajectory was written: name a file with -o traj.csv\n", options)?,
-            (Some(_), Some(path)) => results.note("\nTrajectory", Some(path), options)?,
+            (Some(_), None) => {
+                let hint = format!("{gap}No trajectory was written: name a file with -o traj.csv\n");
+                results.hint(&hint, options)?;
+            }
+            (Some(_), Some(path)) => results.note(&format!("{gap}Trajectory"), Some(path), options)?,
             (None, _) => {}
         }
         results.note_page(options)
@@ -88,6 +107,9 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
             None => "mavc: the search was cut short before it had a plan\n",
         });
         return Ok(if args.accept_best { code_of(planning.verdict()) } else { CUT_SHORT });
+    }
+    if recovery.as_ref().is_some_and(|found| task.exceeds_uncovered(found)) {
+        return Ok(INCONCLUSIVE);
     }
     Ok(code_of(planning.verdict()))
 }

@@ -106,7 +106,7 @@ fn missing_fields(context: &Context, list: &mut Vec<Offer>) {
     let place = context.place;
     for name in fields(place).into_iter().filter(|name| is_open(context, name)) {
         let entry = documentation::field(place, name);
-        let sign = if place == Place::Limits { "<=" } else { "=" };
+        let sign = if place.has_limits() { "<=" } else { "=" };
         let rank = match place {
             Place::Top => 1 + ORDER.len() as u8,
             _ if is_needed(entry) => 0,
@@ -146,7 +146,9 @@ fn openers(context: &Context, list: &mut Vec<Offer>) {
             None => (format!("{word} "), None),
         };
         // A block has at most one of these.
-        let single = ["plan", "simulate", "campaign", "rotor", "rotors", "battery", "limits"].contains(word);
+        const SINGLE: [&str; 9] =
+            ["plan", "simulate", "campaign", "rotor", "rotors", "battery", "limits", "after_fault_limits", "recovery"];
+        let single = SINGLE.contains(word);
         if single && block.is_some() && context.present.contains(*word) {
             continue;
         }
@@ -189,6 +191,11 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
         }
         (Place::Plan, "vehicle") => {
             list.extend(names(NameKind::Vehicle).map(|d| Offer::new(&d.name, ItemKind::Class, 0)));
+            return;
+        }
+        (Place::Recovery, "order") | (Place::Mode | Place::Every, "recovery") => {
+            let sites = names(NameKind::LandingSite).filter(|d| !context.listed.contains(&d.name));
+            list.extend(sites.map(|d| Offer::new(&d.name, ItemKind::Constant, 1).documented(d.doc.clone())));
             return;
         }
         (Place::Plan, "mission") => {

@@ -7,7 +7,7 @@ use std::io;
 use std::path::Path;
 
 /// The blocks with fields of their own, each with a text in which `|` stands among its fields.
-const BLOCKS: [(Place, &str); 13] = [
+const BLOCKS: [(Place, &str); 17] = [
     (Place::Vehicle, "vehicle v { | }"),
     (Place::Rotor, "vehicle v { rotor { | } }"),
     (Place::Battery, "vehicle v { battery { | } }"),
@@ -17,8 +17,12 @@ const BLOCKS: [(Place, &str); 13] = [
     (Place::Limits, "mission m { limits { | } }"),
     (Place::KeepIn, "mission m { keep_in k { | } }"),
     (Place::Air, "mission m { air { | } }"),
+    (Place::LandingSite, "mission m { landing_site l { | } }"),
+    (Place::KeepOff, "mission m { keep_off k { | } }"),
+    (Place::AfterFaultLimits, "mission m { after_fault_limits { | } }"),
     (Place::Plan, "plan { | }"),
     (Place::Requirement, "plan { require capture_height { | } }"),
+    (Place::Recovery, "plan { recovery { | } }"),
     (Place::Simulate, "simulate { | }"),
     (Place::Campaign, "campaign { | }"),
 ];

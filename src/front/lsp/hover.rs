@@ -245,7 +245,7 @@ fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Show
                 parts.push("Verdicts show once the spec has no errors.".into());
             }
         }
-        NameKind::Waypoint => {
+        NameKind::Waypoint | NameKind::LandingSite => {
             parts.extend(position(spec, definition).map(|reading| format!("at {}", valued(spec, reading))));
         }
         NameKind::Parameter => {}
@@ -253,7 +253,7 @@ fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Show
     Some(Shown { span: mention.span, text: parts.join("\n\n"), wanted })
 }
 
-/// The position of a waypoint: the value of its `at`.
+/// The position of a waypoint or landing site: the value of its `at`.
 fn position<'s>(spec: &'s Spec, definition: &Definition) -> Option<&'s Reading> {
     let clauses = spec.mentions().within(definition.statement).iter();
     let at = clauses.into_iter().find(|m| matches!(m.what, What::Field(_)) && spec.snippet(m.span) == "at")?;

@@ -116,6 +116,7 @@ impl<'a> Walk<'a> {
             (Place::Plan, "against") => Some(Names::mode),
             (Place::Plan, "vehicle") => Some(Names::vehicle),
             (Place::Plan, "mission") => Some(Names::mission),
+            (Place::Recovery, "order") | (Place::Mode | Place::Every, "recovery") => Some(Names::landing_site),
             _ => None,
         };
         // The ends of a range of modes are names of modes, like the elements of a list.

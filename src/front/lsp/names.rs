@@ -14,6 +14,7 @@ pub enum NameKind {
     /// The modes of an `every`, by what their names begin with.
     Modes,
     Waypoint,
+    LandingSite,
     /// The parameter of a curve.
     Parameter,
 }
@@ -28,6 +29,7 @@ impl NameKind {
             NameKind::Mode => "fault mode",
             NameKind::Modes => "fault modes",
             NameKind::Waypoint => "waypoint",
+            NameKind::LandingSite => "landing site",
             NameKind::Parameter => "curve parameter",
         }
     }
@@ -71,6 +73,7 @@ impl Names {
             "vehicle" => Some(NameKind::Vehicle),
             "mission" => Some(NameKind::Mission),
             "mode" => Some(NameKind::Mode),
+            "landing_site" => Some(NameKind::LandingSite),
             _ => None,
         };
         if let (Some(kind), Some(name)) = (kind, &block.name) {
@@ -114,6 +117,10 @@ impl Names {
 
     pub fn waypoint(&self, name: &str) -> Option<usize> {
         self.named(NameKind::Waypoint, name)
+    }
+
+    pub fn landing_site(&self, name: &str) -> Option<usize> {
+        self.named(NameKind::LandingSite, name)
     }
 
     pub fn vehicle(&self, name: &str) -> Option<usize> {

@@ -25,6 +25,7 @@ fn block(source: &Source, block: &Block) -> DocumentSymbol {
         "vehicle" => SymbolKind::Class,
         "mission" => SymbolKind::Function,
         "mode" => SymbolKind::Event,
+        "landing_site" => SymbolKind::Constant,
         "rotor" | "rotors" | "battery" => SymbolKind::Struct,
         _ => SymbolKind::Module,
     };

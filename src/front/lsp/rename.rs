@@ -6,6 +6,7 @@
 use super::names::NameKind;
 use super::navigation::{Somewhere, declared_in, places, places_in_all};
 use super::workspace::{Spec, Workspace};
+use crate::language::table::WAYS;
 use crate::read::vocabulary::{constants, functions, reserved_modes};
 use crate::source::Span;
 use crate::syntax::visit::Visit;
@@ -51,6 +52,7 @@ fn check_name(kind: NameKind, new: &str) -> Result<(), String> {
     let reserved = match kind {
         NameKind::Let => functions().contains(&new) || constants().contains(&new),
         NameKind::Mode | NameKind::Modes => reserved_modes().contains(&new),
+        NameKind::LandingSite => WAYS.contains(&new),
         _ => false,
     };
     if reserved { Err(format!("`{new}` belongs to the language")) } else { Ok(()) }

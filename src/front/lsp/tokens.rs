@@ -52,8 +52,23 @@ const DOCUMENTATION: u32 = 2;
 const CONSTANT: u32 = 4;
 
 /// Words between the parts of a statement, none of which begins a statement.
-const JOINING: [&str; 14] =
-    ["at", "as", "in", "to", "from", "where", "until", "moving", "lost", "reduced", "stuck", "rotor", "rotors", "risk"];
+const JOINING: [&str; 15] = [
+    "at",
+    "as",
+    "in",
+    "to",
+    "from",
+    "where",
+    "until",
+    "moving",
+    "lost",
+    "reduced",
+    "stuck",
+    "rotor",
+    "rotors",
+    "risk",
+    "uncovered",
+];
 
 /// What the numbers in a token mean.
 pub fn legend() -> SemanticTokensLegend {
@@ -117,7 +132,7 @@ fn of(spec: &Spec, what: What) -> (Token, u32) {
         NameKind::Vehicle => Token::Vehicle,
         NameKind::Mission => Token::Mission,
         NameKind::Mode | NameKind::Modes => Token::Mode,
-        NameKind::Waypoint => Token::Waypoint,
+        NameKind::Waypoint | NameKind::LandingSite => Token::Waypoint,
         NameKind::Parameter => Token::Parameter,
     };
     match what {

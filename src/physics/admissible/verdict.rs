@@ -173,7 +173,31 @@ pub(crate) fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
 /// The outcome in the mode of one set of the model, before sensors are considered: that of [`analyze`] without its
 /// figures, of which the equilibria take long.
 pub fn outcome(model: &Model, set: &AdmissibleSet) -> Outcome {
-    Outcome::of(model, set, &Found::of(model, set).verdicts(model, set))
+    Standing::of(model, set).outcome
+}
+
+/// The words of a mode without its figures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Standing {
+    /// Before sensors are considered.
+    pub outcome: Outcome,
+    pub verdict: HoverVerdict,
+    pub hover: HoverPlace,
+    pub yaw_free: YawFree,
+}
+
+impl Standing {
+    /// Those of [`analyze`].
+    pub fn of(model: &Model, set: &AdmissibleSet) -> Self {
+        let found = Found::of(model, set);
+        let verdicts = found.verdicts(model, set);
+        Standing {
+            outcome: Outcome::of(model, set, &verdicts),
+            verdict: found.verdict,
+            hover: found.hover,
+            yaw_free: verdicts.yaw_free,
+        }
+    }
 }
 
 /// What the verdicts on a set follow from.

@@ -134,7 +134,8 @@ impl<'a> Branches<'a> {
         duration: f64,
         steps: impl FnOnce(&mut ScpPlanner, &TimeGrid) -> Option<Iterate>,
     ) -> Option<Iterate> {
-        let settings = ScpSettings::DEFAULT;
+        let mut settings = ScpSettings::DEFAULT;
+        settings.subproblem.slack_of_working_set = settings.stops.slack_of_working_set;
         let course = self.course(from, goal, duration, &settings.stops)?;
         let model = self.problem.with_mission(course.mission);
         let problem = Problem::of(&model)?;

@@ -42,6 +42,23 @@ fn mistakes_have_a_code_and_a_place() {
     refused(&with("8.5466122, 50]", "8.5466122, 1e30]"), SYNTAX);
     refused(&with("\"version\": 2\n    },\n    \"rally", "\"version\": 3\n    },\n    \"rally"), UNSUPPORTED);
     refused(&with("[47.39810, 8.5459],\n                    [47.39810, 8.5463],", ""), UNSUPPORTED);
+    let rally = |points: &str| with("\"points\": [\n        ]", &format!("\"points\": {points}"));
+    for points in [
+        "7",
+        "[7]",
+        "[[47.4]]",
+        "[[47.4, \"8.5\", 3]]",
+        "[[97, 8.5, 3]]",
+        "[[47.4, 8.5, \"up\"]]",
+        "[[47.4, 1e999, 3]]",
+    ] {
+        refused(&rally(points), SYNTAX);
+    }
+    refused(&rally("[[-47.4, 8.5, 3]]"), UNSUPPORTED);
+    for line in ["RALLY 47.398", "RALLY 47.398 8.546 up", "RALLY 47.398 NaN 3", "RALLY 97 8.546 3"] {
+        refused(&format!("{WPL}{line}\n"), SYNTAX);
+    }
+    refused("#saved by Mission Planner\nRALLY\t47.398\t8.546\t50\t0\t0\t0\n", FORMAT);
     for text in ["", "\n", "<xml/>", "vehicle v { }", "QGC WPL 120\n", "QGC WPL", "1,2\n3,4\n"] {
         refused(text, FORMAT);
     }

@@ -1,6 +1,7 @@
 //! What the spec of a file says.
 
 use super::{PLAN, WPL, found, read, spec};
+use crate::cli::mavc;
 use mavc::Severity::{Error, Warning};
 use mavc::{Compiler, model::Mission};
 
@@ -229,4 +230,69 @@ fn lists_of_fences_and_rally_points_are_called_so() {
             assert!(found.len() == 1 && found[0].2.contains(words), "{found:?}");
         }
     }
+}
+
+/// Rally points of a plan, and of MAVLink's text as items and as lines of their own: on the ground below them.
+#[test]
+fn rally_points_are_landing_sites_on_the_ground() {
+    let rally = |points: &str| {
+        let member = format!(r#""rallyPoints":{{"version":2,"points":[{points}]}},"#);
+        plan(&[A, B]).replace("\"version\":1,\"mission\"", &format!("\"version\":1,{member}\"mission\""))
+    };
+    let whole = rally("[47.0005,8.0004,25],[46.9995,8,40]");
+    let flown = mission(&whole);
+    assert_eq!(flown.ground, Some(0.0));
+    let due = [[47.0005, 8.0004], [46.9995, 8.0]].map(|[a, b]| super::places::local([47.0, 8.0, 400.0], [a, b, 400.0]));
+    for (site, due) in flown.after_fault.sites.iter().zip(due) {
+        assert!((0..3).all(|i| (site.at[i] - due[i]).abs() < 1e-3) && site.radius == 2.0, "{site:?} {due:?}");
+    }
+    let text = spec("field.plan", &whole);
+    let remark = "// rally point 2, to be reached at 40 m above home: the site is on the ground below";
+    assert!(text.contains(remark) && text.matches("// assumed").count() == 2, "{text}");
+    assert_eq!((found(&whole), read("", &whole).dropped), (vec![], vec![]));
+    assert!(!spec("field.plan", &rally("")).contains("ground"));
+    // The Earth curves away below the tangent plane, and the ground with it.
+    let far = mission(&rally("[47.04,8,25]"));
+    let [site] = &far.after_fault.sites[..] else { panic!("{far:?}") };
+    assert!(site.at[2] < -1.0 && far.ground == Some(site.at[2]), "{site:?}");
+    assert_eq!(found(&rally("[47.04,8,25]")), []);
+    // In a valley the ground is that of the lowest item, which is said.
+    let valley = rally("[47.0005,8.0004,25]").replace("47.001,8,30]", "47.001,8,-20]");
+    let ground = mission(&valley).ground.unwrap();
+    assert!((ground + 20.0).abs() < 0.01 && found(&valley).iter().any(|f| f.2.contains("20 m below home")), "{ground}");
+
+    let line = |k: u8, frame: u8, command: u32, east: f64, height: f64| {
+        format!("{k}\t0\t{frame}\t{command}\t0\t0\t0\t0\t47\t{}\t{height}\t1\n", 8.0 + east)
+    };
+    let flight = line(0, 0, 16, 0.0, 400.0) + &line(1, 3, 16, 0.001, 30.0) + &line(2, 3, 16, 0.002, 30.0);
+    let points = line(3, 3, 5100, 0.0003, 20.0) + &line(4, 0, 5100, 0.0004, 450.0);
+    let text = format!("QGC WPL 110\n{flight}{points}RALLY 47.0002 8.0005 60.5 0.0 0.0 1\n");
+    let spec = spec("field.waypoints", &text);
+    let compiled = Compiler::new().text("m.mav", format!("{spec}{}", super::HEXA).as_bytes()).spec.unwrap();
+    let mission = compiled.mission().unwrap();
+    assert_eq!((mission.waypoints.len(), mission.after_fault.sites.len()), (2, 3), "{spec}");
+    for height in ["20 m above home", "450 m above sea", "60.5 m above home"] {
+        assert!(spec.contains(height), "{spec}");
+    }
+}
+
+/// A rally point outside of a fence is named as such, at its place in the file.
+#[test]
+fn a_rally_point_that_is_no_landing_site_is_an_error_at_its_place() {
+    let fence = r#""geoFence":{"version":2,"polygons":[],"circles":[{"inclusion":true,"version":1,
+        "circle":{"center":[47,8],"radius":300}}]},"#;
+    let rally = r#""rallyPoints":{"version":2,"points":[[47.0005,8,25],[47.0026,8,25]]},"#;
+    let whole = plan(&[A, B]).replace("\"version\":1,\"mission\"", &format!("\"version\":1,{fence}{rally}\"mission\""));
+    let spec = spec("field.plan", &whole);
+    let compiled = Compiler::new().text("m.mav", format!("{spec}{}", super::HEXA).as_bytes());
+    assert!(compiled.spec.is_some(), "{:?}", compiled.diagnostics);
+    let outside = whole.replace("47.0026,8,25", "47.0027,8,25");
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    std::fs::write(path("field.plan"), &outside).unwrap();
+    std::fs::write(path("v.mav"), format!("{}plan {{ samples = 60 }}\n", super::HEXA)).unwrap();
+    let ran = mavc(&["check", &path("field.plan"), "--vehicle", &path("v.mav"), "--format", "short"]);
+    let text = String::from_utf8_lossy(&ran.stdout).into_owned();
+    assert_eq!(ran.status.code(), Some(1), "{text}");
+    assert!(text.contains("error[mavc::recovery::site]: rally point 2: landing site `rally_2` reaches"), "{text}");
 }

@@ -223,6 +223,27 @@ fn modes_words_functions_and_names_are_offered_where_they_may_stand() {
 }
 
 #[test]
+fn ways_out_and_landing_sites_are_offered_and_explained() {
+    let all = offers(
+        "faults { mode a { rotor 1 lost; recovery = [continue, | ] } }\nmission m {\n ground = 0 m\n /// by the gate\n \
+         landing_site pad { at = [4, -8, 0] m; radius = 2 | }\n landing_site roof { | }\n keep_off street { | }\n \
+         after_fault_limits { | }\n |\n}\nplan {\n recovery { order = [pad, |]; detection = 20 |; | }\n require |\n |\n}\n",
+    );
+    let of = |k: usize| labels(&all[k]);
+    assert_eq!(of(0), ["land_at_sites", "land_here", "pad", "roof"]);
+    assert!(of(1).contains(&"m") && !of(1).contains(&"s"), "{:?}", of(1));
+    assert_eq!(of(2), ["at", "radius"]);
+    assert!(of(3).contains(&"corners") && !of(3).contains(&"height"), "{:?}", of(3));
+    assert!(of(4).contains(&"tilt") && !of(4).contains(&"altitude"), "{:?}", of(4));
+    assert!(of(5).contains(&"landing_site") && of(5).contains(&"buffer") && !of(5).contains(&"after_fault_limits"));
+    assert_eq!(of(6), ["continue", "land_at_sites", "land_here", "roof"]);
+    assert!(of(7).contains(&"ms") && !of(7).contains(&"m"), "{:?}", of(7));
+    assert!(of(8).contains(&"within") && !of(8).contains(&"order"), "{:?}", of(8));
+    assert!(of(9).contains(&"uncovered <="), "{:?}", of(9));
+    assert!(of(10).contains(&"samples") && !of(10).contains(&"recovery"), "{:?}", of(10));
+}
+
+#[test]
 fn comments_are_offered_nothing() {
     let all = offers(
         "// A |\n/// A |\nvehicle a {\n    // the |\n    mass = 1 kg // all |\n}\nplan { against = [M1, // x |\n] }\n// b\n|",

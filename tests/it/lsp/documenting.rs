@@ -1,11 +1,12 @@
 //! Every word that the compiler knows is described in the language reference, which is what editors show.
 
 use mavc::diagnostic::Diagnostic;
+use mavc::language::Takes;
 use mavc::lsp::{field_documentation, field_unit};
 use mavc::read::vocabulary::{clauses, fields, words};
 use mavc::syntax::Place;
 
-const PLACES: [Place; 10] = [
+const PLACES: [Place; 14] = [
     Place::Top,
     Place::Vehicle,
     Place::Rotor,
@@ -13,7 +14,11 @@ const PLACES: [Place; 10] = [
     Place::Every,
     Place::Curve,
     Place::Limits,
+    Place::LandingSite,
+    Place::KeepOff,
+    Place::AfterFaultLimits,
     Place::Plan,
+    Place::Recovery,
     Place::Simulate,
     Place::Campaign,
 ];
@@ -61,7 +66,19 @@ fn with(place: Place, name: &str, value: &str) -> Option<String> {
         Place::Mission => format!("mission m {{ waypoint {name} {value} }}"),
         Place::Curve => format!("mission m {{ curve s in 0 .. 1, points = 2 {{ {statement} }} }}"),
         Place::Limits => format!("mission m {{ limits {{ {name} <= {value} }} }}"),
+        Place::LandingSite => format!("mission m {{ landing_site l {{ {statement} }} }}"),
+        Place::KeepOff => {
+            let shape = match name {
+                "shape" => "",
+                "from" | "to" | "turn" => "shape = box; ",
+                "corners" => "shape = polygon; ",
+                _ => "shape = cylinder; ",
+            };
+            format!("mission m {{ keep_off k {{ {shape}{statement} }} }}")
+        }
+        Place::AfterFaultLimits => format!("mission m {{ after_fault_limits {{ {name} <= {value} }} }}"),
         Place::Plan => format!("plan {{ {statement} }}"),
+        Place::Recovery => format!("plan {{ recovery {{ {statement} }} }}"),
         Place::Simulate => format!("simulate {{ {statement} }}"),
         Place::Campaign => format!("campaign {{ {statement} }}"),
         _ => return None,
@@ -88,7 +105,7 @@ fn the_units_described_are_those_that_the_compiler_takes() {
         if place == Place::Simulate && matches!(name, "at" | "until") {
             continue;
         }
-        let list = matches!(name, "inertia" | "wind" | "at");
+        let list = matches!(name, "inertia" | "wind" | "at" | "from" | "to" | "centre");
         let value = |unit: &str| if list { format!("[1, 1, 1] {unit}") } else { format!("1 {unit}") };
         let right = with(place, name, &value(unit)).unwrap();
         assert!(!objects(&right), "`{unit}` for {name}: {:?}\n{right}", diagnostics(&right));
@@ -104,7 +121,8 @@ fn the_words_offered_are_those_that_the_compiler_takes() {
     let mut looked_at = 0;
     for (place, name) in known() {
         for word in words(place, name) {
-            let text = with(place, name, word).unwrap();
+            let is_list = matches!(field_documentation(place, name).unwrap().takes, Takes::NameList(_));
+            let text = with(place, name, &if is_list { format!("[{word}]") } else { word.to_string() }).unwrap();
             let odd = diagnostics(&text)
                 .into_iter()
                 .find(|d| d.message.contains(&format!("`{name}`")) && d.severity.name() == "error");

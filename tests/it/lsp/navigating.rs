@@ -122,6 +122,33 @@ fn renaming_changes_every_file_and_keeps_the_meaning() {
     pair.client.stop();
 }
 
+/// The orders of plan and modes name the sites of the mission, which another file may declare.
+#[test]
+fn landing_sites_are_found_explained_and_renamed() {
+    let root = "use \"library.mav\"\nfaults { mode gone { rotor 1 lost; recovery = [continue, p|ad] } }\nmission m {\n    ground = 0 m\n\
+        \x20   start at [0, 0, 2] m\n    waypoint at [5, 0, 2] m\n    landing_site p|ad { at = [4, -8, 0] m; radius = 2 m }\n}\n\
+        plan { against = []; recovery { order = [pa|d, land_h|ere] } }\n";
+    let mut pair = pair(root);
+    for place in [0, 2] {
+        let params = pair.at(place);
+        let found = pair.client.ask("textDocument/definition", params).unwrap();
+        assert_eq!(found["range"]["start"], json!({ "line": 6, "character": 17 }), "{found}");
+        let params = pair.at(place);
+        let shown = pair.client.ask("textDocument/hover", params).unwrap()["contents"]["value"].to_string();
+        assert!(shown.contains("landing site **pad**") && shown.contains("[4, -8, 0] m"), "{shown}");
+    }
+    let params = pair.at(3);
+    let shown = pair.client.ask("textDocument/hover", params).unwrap()["contents"]["value"].to_string();
+    assert!(shown.contains("land_here") && shown.contains("comes to rest"), "{shown}");
+    let edit = pair.rename(0, "meadow").unwrap();
+    let (_, renamed) = pair.edited(&edit);
+    assert_eq!(renamed, root.replace('|', "").replace("pad", "meadow"));
+    for (new, why) in [("continue", "belongs to the language"), ("2nd", "is not a name")] {
+        assert!(pair.rename(1, new).unwrap_err().1.contains(why), "{new}");
+    }
+    pair.client.stop();
+}
+
 #[test]
 fn families_and_ranges_are_found_and_renamed() {
     let root = ROOT.replace("[we|ak1, wo|rn, weak2]", "[we|ak, weak2 .. weak5]");

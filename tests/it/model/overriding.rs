@@ -101,3 +101,33 @@ fn what_is_no_override_is_an_error() {
         assert!(error.span.end as usize <= text.len(), "{text}");
     }
 }
+
+/// The blocks of the time after a fault are added where a spec has none, and changed where it has.
+#[test]
+fn recovery_and_the_limits_after_a_fault_can_be_set() {
+    let sets = [
+        "mission.ground=0 m",
+        "mission.buffer=3 m",
+        "mission.after_fault_limits.tilt=45deg",
+        "mission.after_fault_limits.descent=4 m/s",
+        "plan.recovery.order=[land_here]",
+        "plan.recovery.detection=100 ms .. 200 ms",
+        "plan.recovery.within=12 s",
+    ];
+    let model = with(&sets).value.unwrap();
+    let rules = model.mission.unwrap().after_fault;
+    let limits: Vec<String> = rules.limits.iter().map(ToString::to_string).collect();
+    assert_eq!((rules.buffer, limits), (3.0, vec!["tilt <= 45 deg".to_string(), "descent <= 4 m/s".to_string()]));
+    let recovery = model.plan.recovery;
+    assert_eq!((recovery.order, recovery.detection), (vec![mavc::model::Recovery::LandHere], [0.1, 0.2]));
+    assert_eq!(recovery.within, 12.0);
+    for (set, code) in [
+        ("plan.recovery.until=3 s", "mavc::name::unknown_field"),
+        ("mission.after_fault_limits.altitude=30 m", "mavc::recovery::limit"),
+        ("plan.recovery.order=[pad]", "mavc::name::unknown"),
+        ("plan.recovery.order=land_here", "mavc::recovery::order"),
+    ] {
+        let found = with(&["mission.ground=0 m", set]).diagnostics;
+        assert!(found.iter().any(|d| d.code == code), "{set}: {found:?}");
+    }
+}

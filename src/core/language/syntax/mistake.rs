@@ -212,9 +212,14 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
         "waypoints" => "waypoints from \"survey.csv\"",
         "hold" => "hold 4 s",
         "require" => "require risk <= 1e-6",
+        "landing_site" => "landing_site pad { at = [12, -8, 0] m; radius = 2 m }",
+        "keep_off" => "keep_off street { shape = box; from = [0, 0] m; to = [40, 6] m }",
+        "after_fault_limits" => "after_fault_limits { tilt <= 45 deg }",
+        "recovery" if matches!(place, Place::Mode | Place::Every) => "recovery = [continue, land_here]",
+        "recovery" => "recovery { within = 20 s }",
         "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => "rotor at [0.2, 0.15, 0] m  spin P",
         "rotor" | "rotors" => FAULT,
-        _ if place == Place::Limits => "speed <= 8 m/s` or `altitude in 1 m .. 30 m",
+        _ if place.has_limits() => "speed <= 8 m/s` or `altitude in 1 m .. 30 m",
         _ => return None,
     })
 }

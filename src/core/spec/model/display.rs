@@ -1,5 +1,7 @@
 //! The model as text, printed by `mavc emit model`.
 
+mod after_fault;
+
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -43,12 +45,13 @@ impl fmt::Display for Model {
         vehicle(f, &self.vehicle)?;
         if !self.modes.is_empty() {
             writeln!(f, "fault modes")?;
-            self.modes.iter().try_for_each(|m| mode(f, m))?;
+            self.modes.iter().try_for_each(|m| mode(f, m, self))?;
         }
         if let Some(m) = &self.mission {
             mission(f, m)?;
         }
         plan(f, &self.plan, &self.modes)?;
+        after_fault::settings(f, self)?;
         if self.simulation.written {
             simulation(f, &self.simulation, &self.modes)?;
         }
@@ -154,7 +157,7 @@ fn interval_of(spread: Spread) -> String {
     }
 }
 
-fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode) -> fmt::Result {
+fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode, model: &Model) -> fmt::Result {
     write!(f, "  {}", m.name)?;
     if let Some(title) = &m.title {
         write!(f, " \"{title}\"")?;
@@ -188,6 +191,9 @@ fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode) -> fmt::Result {
     }
     if let Some(yaw) = m.without_yaw {
         write!(f, ", without_yaw {}", yaw.name())?;
+    }
+    if let Some(ways) = &m.recovery {
+        write!(f, ", recovery {}", after_fault::order(ways, model))?;
     }
     writeln!(f)?;
     m.doc.iter().flat_map(|text| text.lines()).try_for_each(|line| writeln!(f, "    /// {line}"))
@@ -253,7 +259,7 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
     if *density_ratio != 1.0 {
         writeln!(f, "  density {} kg/m^3", number(density_ratio * STANDARD_DENSITY))?;
     }
-    Ok(())
+    after_fault::rules(f, &m.after_fault)
 }
 
 /// The limit in the words of a spec: `speed <= 8 m/s`.

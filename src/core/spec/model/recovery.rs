@@ -1,8 +1,9 @@
 //! What a vehicle may do after a fault: where it may come down, what it keeps away from, and in which order the ways
 //! out are tried.
 
-use super::{Limit, LimitKind, Mission, Model, Volume};
+use super::{Detection, Limit, LimitKind, Mission, Model, Simulation, Volume};
 use crate::body::Body;
+use crate::language::table::recovery as table;
 use crate::source::Span;
 
 /// A place where a damaged vehicle may land: it touches down within `radius` of `at`.
@@ -20,7 +21,8 @@ pub struct LandingSite {
 #[derive(Debug, Clone, PartialEq)]
 pub struct KeepOff {
     pub name: String,
-    /// Convex bodies, of which only the outline seen from above counts; the area is their union.
+    /// Convex bodies, of which only the outline seen from above counts; the area is their union. They are prisms and
+    /// cylinders without ends (`bottom` and `top` are infinite), so that the distance from one is horizontal.
     pub bodies: Vec<Body>,
     /// Horizontal distance from the outline that the vehicle keeps in addition to its size where it touches down, m.
     pub clearance: f64,
@@ -51,12 +53,12 @@ pub enum Recovery {
     LandHere,
 }
 
-/// `require recoverable`.
+/// `require uncovered <= 0 %`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Recoverable {
     /// The largest share of the time, summed over the modes and weighted with their rates, without a way out.
     pub uncovered: f64,
-    /// The place of the statement, without its braces.
+    /// The place of the statement.
     pub span: Span,
 }
 
@@ -79,9 +81,21 @@ impl Default for RecoverySettings {
         RecoverySettings {
             order: vec![Recovery::Continue, Recovery::LandAtSites, Recovery::LandHere],
             detection: [0.2, 0.2],
-            within: 30.0,
-            keep: 0.0,
+            within: table::WITHIN.value(),
+            keep: table::KEEP.value(),
             require: None,
+        }
+    }
+}
+
+impl RecoverySettings {
+    /// The settings of a plan that says nothing of them: a fault is known after the delay of `simulate`, if that gives
+    /// one.
+    pub fn unsaid(simulation: &Simulation) -> Self {
+        let unsaid = RecoverySettings::default();
+        match simulation.detection {
+            Detection::After(delay) => RecoverySettings { detection: [delay; 2], ..unsaid },
+            Detection::Never | Detection::Estimator => unsaid,
         }
     }
 }

@@ -224,6 +224,9 @@ impl<'a> Context<'a> {
             error = error.help(format!("declare it outside all blocks: `let {name} = ...`"));
         } else if !known.is_empty() {
             error = error.help(format!("use a declared name: {}", in_runs(known)));
+        } else if what == "landing site" {
+            let form = format!("landing_site {name} {{ at = [12, -8, 0] m; radius = 2 m }}");
+            error = error.help(format!("declare it in the mission, as in `{form}`"));
         } else if what == "fault mode" {
             error = error.help(format!("declare it in `faults`, as in `mode {name} {{ rotor 1 lost }}`"));
         }

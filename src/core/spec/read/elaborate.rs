@@ -11,10 +11,10 @@ use super::plan::{Draft, against, capture_height};
 use super::simulate::Around;
 use super::understanding::Understanding;
 use super::volume;
-use super::{air, lag, mission, plausibility, vehicle};
+use super::{air, lag, mission, plausibility, recovery, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::language::table;
-use crate::model::{DefaultUsed, FaultMode, Model, Vehicle};
+use crate::model::{DefaultUsed, FaultMode, Model, RecoverySettings, Vehicle};
 use crate::number::number;
 use crate::source::{FileId, Span, Spanned};
 use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile};
@@ -179,7 +179,29 @@ fn whole<'a>(
         captures_known = required.is_some();
         plan.require_capture = required;
     }
-    let is_fine = captures_known && of_waypoints_fine && lags_known && volumes_fit && model_fits && air_fits;
+    let places_fit = flown.zip(known).is_none_or(|(mission, vehicle)| {
+        // Where the waypoints do not fit, the volumes are reported already.
+        !volumes_fit || recovery::check_places(cx, mission, vehicle)
+    });
+    // The landing sites of a mission with errors are unknown.
+    let mut ways_known = true;
+    if mission.is_none() || flown.is_some() {
+        ways_known = recovery::of_modes(cx, &mut modes, flown);
+        if let Some(((plan, vehicle), simulation)) = plan.as_mut().zip(known).zip(simulation.as_ref()) {
+            let settings = std::mem::take(&mut draft.recovery).settings(cx, flown, vehicle, simulation, &mut defaults);
+            ways_known &= settings.is_some();
+            let unsaid = || RecoverySettings::unsaid(simulation);
+            plan.recovery = RecoverySettings { require: plan.recovery.require, ..settings.unwrap_or_else(unsaid) };
+        }
+    }
+    let is_fine = places_fit
+        && ways_known
+        && captures_known
+        && of_waypoints_fine
+        && lags_known
+        && volumes_fit
+        && model_fits
+        && air_fits;
     let plan = plan.filter(|_| is_fine)?;
     let (simulation, campaign) = (simulation?, campaign?);
     if mission.is_some() && flown.is_none() {

@@ -251,6 +251,32 @@ impl<'a> Context<'a> {
         Some([x, y, z])
     }
 
+    /// `[x, y] m` or `[x, y, z] m`: two coordinates of the expected dimension, in SI units; a height does not matter.
+    pub fn plane_point(&mut self, due: Expected, expr: &'a Expr) -> Option<[f64; 2]> {
+        let written = self.let_behind(expr).map_or(expr, |(_, value)| value);
+        if matches!(&written.kind, ExprKind::List { elements, .. } if elements.len() == 3) {
+            return self.triple(due, expr).map(|[x, y, _]| [x, y]);
+        }
+        self.expect_unit(due, expr);
+        let value = self.evaluate(expr)?;
+        let [x, y] = match &value {
+            Value::List(list) if matches!(list.len(), 2 | 3) => [list[0], list[1]],
+            other => {
+                let message = match other {
+                    Value::List(list) => format!("`{}` takes two or three numbers, not {}", due.what, list.len()),
+                    _ => format!("expected a point `[x, y]` for `{}`, found {}", due.what, other.kind()),
+                };
+                let error = Diagnostic::error("mavc::unit::kind", expr.span, message);
+                let error = error.here(format!("this is {}", other.kind()));
+                self.report(error.help(format!("write `[x, y] {}`", due.unit)));
+                return None;
+            }
+        };
+        let (x, y) = (self.fit(due, x, expr)?, self.fit(due, y, expr)?);
+        self.note(expr.span, &[x, y], due.unit);
+        Some([x, y])
+    }
+
     /// Reports the plain numbers of a list in which another element has an error.
     fn bare_beside_errors(&mut self, due: Expected, expr: &Expr) {
         let ExprKind::List { elements, unit: None } = &expr.kind else { return };

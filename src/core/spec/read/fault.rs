@@ -8,7 +8,7 @@ use super::context::{Context, duplicate};
 use super::expected::Expected;
 use super::expression::Value;
 use super::fields::Fields;
-use super::{after_fault, plausibility, without_yaw};
+use super::{after_fault, plausibility, recovery, without_yaw};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::mode as table;
 use crate::language::{Entry, Group};
@@ -32,6 +32,8 @@ pub(super) struct Modes {
     pub origin: Vec<usize>,
     pub statements: usize,
     pub families: Families,
+    /// The orders of ways out that modes have of their own, each with its statement, by its index.
+    pub orders: Vec<(usize, recovery::Order)>,
     names: BTreeMap<String, Span>,
     /// Some statement gave no modes because of an error: names may be missing.
     pub incomplete: bool,
@@ -72,6 +74,7 @@ impl Modes {
         let owner = format!("mode `{}`", name.value);
         let effects = Effects::read(cx, block, &owner, rotors);
         let numbers = Numbers::read(cx, owner, name.span, &block.body);
+        self.note_order(numbers.as_ref());
         let known = self.admit(cx, name, &name.value);
         let (Some(effects), Some(numbers), Some(rotors), true) = (effects, numbers, rotors, known) else {
             cx.lose(&name.value);
@@ -98,6 +101,7 @@ impl Modes {
         }
         let effect = left_by(cx, effect);
         let numbers = Numbers::read(cx, format!("`every ... as {}`", prefix.value), *span, body);
+        self.note_order(numbers.as_ref());
         let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());
         let count = cx.whole("the number of rotors", count, 1..=most, "mavc::fault::count").map(|k| (k, count.span));
         let (Some((k, at)), Some(n)) = (count, rotors) else {
@@ -149,6 +153,12 @@ impl Modes {
     /// Reports names that belong to both a mode and a family, which only all blocks together show.
     pub fn finish(&self, cx: &mut Context) {
         self.families.clashes(&self.names).for_each(|error| cx.report(error));
+    }
+
+    /// Remembers the order of the statement that is being read, until the landing sites are known.
+    fn note_order(&mut self, numbers: Option<&Numbers>) {
+        let order = numbers.and_then(|numbers| numbers.recovery.clone());
+        self.orders.extend(order.map(|order| (self.statements, order)));
     }
 
     fn push(&mut self, mode: FaultMode) {
@@ -290,6 +300,7 @@ fn indices<'a>(cx: &mut Context<'a>, expr: &'a Expr, rotors: Option<usize>) -> O
 struct Numbers {
     after_fault: Option<AfterFault>,
     without_yaw: Option<GiveUpYaw>,
+    recovery: Option<recovery::Order>,
     rate: Option<f64>,
     severity: Option<u8>,
     occurrence: Option<u8>,
@@ -307,9 +318,11 @@ impl Numbers {
         let detection = fmea(&table::DETECTION);
         let after_fault = after_fault::read(cx, &fields);
         let without_yaw = without_yaw::read(cx, &fields);
+        let recovery = fields.written("recovery", |expr| recovery::order(cx, "recovery", expr));
         Some(Numbers {
             after_fault: after_fault.optional()?,
             without_yaw: without_yaw.optional()?,
+            recovery: recovery.optional()?,
             rate: rate.optional()?,
             severity: severity.optional()?,
             occurrence: occurrence.optional()?,

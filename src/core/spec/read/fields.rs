@@ -39,6 +39,12 @@ const ELSEWHERE: &[(&str, &str)] = &[
         "goes into `air { gusts = 1 m/s }` of the mission, for plans and flights; `simulate` takes it for flights \
          alone",
     ),
+    (
+        "recovery",
+        "is a block of `plan`, written `recovery { order = [continue, land_here] }`, and a field of a fault mode, written \
+         `recovery = [continue, land_here]`",
+    ),
+    ("order", "goes into `recovery { }` of `plan`"),
     ("density", "goes into `air { density = 1.1 kg/m^3 }` of the mission"),
 ];
 

@@ -1,8 +1,9 @@
-//! The `limits` block of a mission.
+//! The `limits` and `after_fault_limits` blocks of a mission.
 
 use super::context::{Context, listed};
 use super::edits;
 use super::expected::Expected;
+use super::recovery::LIMIT;
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::table::limits as table;
 use crate::language::{Entry, Group};
@@ -60,8 +61,9 @@ const FORM: &str = "mavc::mission::limit_form";
 const ORDER: &str = "mavc::mission::limit_order";
 const VALUE: &str = "mavc::mission::limit_value";
 
-/// Reads the statements of a block: the limits without errors, and whether these are all of them.
-pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> (Vec<Limit>, bool) {
+/// Reads the statements of a block that takes the limits of `group`: the limits without errors, and whether these are
+/// all of them.
+pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement], group: Group) -> (Vec<Limit>, bool) {
     let (mut limits, mut whole) = (Vec::new(), true);
     // Name, sides (lower, upper) and place of each limit so far.
     let mut given: Vec<(&str, bool, bool, Span)> = Vec::new();
@@ -84,9 +86,13 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> (Vec<Limi
                 }
                 given.push((&name.value, sides.0, sides.1, *span));
                 match LIMITS.iter().find(|row| row.entry.name == name.value) {
+                    Some(row) if !group.has(row.entry.name) => {
+                        of_place(cx, &name.value, *span);
+                        None
+                    }
                     Some(row) => one(cx, row, relation, *span),
                     None => {
-                        unknown(cx, &name.value, name.span);
+                        unknown(cx, &name.value, name.span, group);
                         None
                     }
                 }
@@ -98,7 +104,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> (Vec<Limi
                         let error = Diagnostic::error(FORM, field.span, format!("the limit `{name}` takes no `=`"));
                         cx.report(error.here("expected a bound").help(format!("write `{name} <= ...`")));
                     }
-                    None => unknown(cx, name, field.name.span),
+                    None => unknown(cx, name, field.name.span, group),
                 }
                 None
             }
@@ -131,8 +137,18 @@ fn crossed(cx: &mut Context, limits: &[Limit]) -> Option<LimitKind> {
     Some(limit.kind.clone())
 }
 
-fn unknown(cx: &mut Context, name: &str, span: Span) {
-    let names = || Group::Limits.names();
+/// Reports a limit on a place or on the yaw in `after_fault_limits`.
+fn of_place(cx: &mut Context, name: &str, span: Span) {
+    let message = format!("`after_fault_limits` takes no limit on `{name}`");
+    let (here, help) = match name {
+        "yaw" => ("the yaw is free after a fault", "remove it"),
+        _ => ("a place", "remove it: the mission's `buffer` widens every limit on a place after a fault"),
+    };
+    cx.report(Diagnostic::error(LIMIT, span, message).here(here).help(help));
+}
+
+fn unknown(cx: &mut Context, name: &str, span: Span, group: Group) {
+    let names = || group.names();
     let error = Diagnostic::error("mavc::name::unknown_field", span, format!("unknown limit `{name}`"));
     let error = error.here("not a limit");
     const HABITS: [(&str, &str); 8] = [
@@ -146,6 +162,7 @@ fn unknown(cx: &mut Context, name: &str, span: Span) {
         ("heading", "yaw"),
     ];
     let habit = HABITS.iter().find(|(wrong, _)| *wrong == name).map(|(_, right)| *right);
+    let habit = habit.filter(|right| group.has(right));
     cx.report(match habit.or_else(|| nearest(name, names())).or_else(|| nearest_by_words(name, names())) {
         Some(near) => error.help(format!("did you mean `{near}`?")).fix(span, near),
         None => error.help(format!("use one of the limits {}", listed(&names().collect::<Vec<_>>()))),

@@ -17,7 +17,7 @@ use super::expected::Expected;
 use super::fields::Fields;
 use super::load::FileSet;
 use super::volume;
-use super::{air, edits, heading, limits, origin, plausibility, survey};
+use super::{air, edits, heading, limits, origin, plausibility, recovery, survey};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::HOLD;
@@ -25,7 +25,7 @@ use crate::language::table::mission as of_mission;
 use crate::language::table::waypoint as table;
 use crate::model::grid::Spacing;
 use crate::model::legs::{Timing, shares, unwrap_yaw};
-use crate::model::{AfterFaultRules, Air, Heading, Limit, Mission, Waypoint};
+use crate::model::{Air, Heading, Limit, Mission, Waypoint};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, Statement};
@@ -174,6 +174,7 @@ struct Body<'a> {
     /// The limits without errors, and whether others have one.
     limits: Vec<Limit>,
     limits_faulty: bool,
+    after_fault: recovery::Blocks<'a>,
     /// The number of waypoints before the first statement with an error: these are certain.
     sure: Option<usize>,
     /// The number of each waypoint as its author counts, where no curve or table with an error comes before it.
@@ -219,6 +220,9 @@ impl<'a> Body<'a> {
     }
 
     fn block(&mut self, cx: &mut Context<'a>, inner: &'a Block) {
+        if self.after_fault.take(cx, inner) {
+            return;
+        }
         if volume::is_one(inner) {
             self.volumes.push(inner);
         } else if air::is_one(inner) {
@@ -230,7 +234,7 @@ impl<'a> Body<'a> {
             cx.report(second_block("a mission may have only one `limits` block".into(), inner, first));
         } else {
             self.limit_block = Some(inner);
-            let (limits, whole) = limits::read(cx, &inner.body);
+            let (limits, whole) = limits::read(cx, &inner.body, Group::Limits);
             (self.limits, self.limits_faulty) = (limits, !whole);
         }
     }
@@ -288,6 +292,7 @@ impl<'a> Body<'a> {
         route.broken |= !in_order;
         let ground = ground(cx, fields, &route);
         let origin = origin::read(cx, fields);
+        let after_fault = self.after_fault.read(cx, fields, ground);
         if route.broken || limits_faulty {
             return None;
         }
@@ -304,7 +309,7 @@ impl<'a> Body<'a> {
             air: air?,
             ground: ground.optional()?,
             origin: origin.optional()?,
-            after_fault: AfterFaultRules::default(),
+            after_fault: after_fault?,
             span,
         })
     }

@@ -25,7 +25,7 @@ pub struct Override {
 }
 
 /// Statements that look like fields, each as it is written.
-const STATEMENTS: [(&str, &str); 8] = [
+const STATEMENTS: [(&str, &str); 11] = [
     ("fault", "simulate { fault M1 at 5 s }"),
     ("start", "start at [0, 0, 2] m"),
     ("waypoint", "waypoint at [10, 0, 5] m"),
@@ -34,6 +34,9 @@ const STATEMENTS: [(&str, &str); 8] = [
     ("every", "every 1 rotor lost as M"),
     ("keep_in", "keep_in field { shape = box; from = [0, 0, 0] m; to = [9, 9, 9] m }"),
     ("keep_out", "keep_out wall { shape = box; from = [0, 0, 0] m; to = [9, 9, 9] m }"),
+    ("landing_site", "landing_site pad { at = [12, -8, 0] m; radius = 2 m }"),
+    ("keep_off", "keep_off street { shape = box; from = [0, 0] m; to = [40, 6] m }"),
+    ("require", "require uncovered <= 0 %"),
 ];
 
 /// Reads `plan.time=20s`, `vehicle.mass=2 kg`, `vehicle.rotor.max_speed=700rad/s`, `plan.against=[M1]`,
@@ -183,7 +186,7 @@ fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagno
             Some(inner) => set(inner, rest, field),
             None if matches!(
                 (block.keyword.value.as_str(), next.value.as_str()),
-                ("vehicle", "rotor" | "battery") | ("mission", "limits")
+                ("vehicle", "rotor" | "battery") | ("mission", "limits" | "after_fault_limits") | ("plan", "recovery")
             ) =>
             {
                 let mut inner = empty(next);
@@ -195,13 +198,14 @@ fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagno
                 let message = format!("`{}` has no block `{}`", block.keyword.value, next.value);
                 let error = Diagnostic::error(CODE, next.span, message).here("unknown block");
                 Err(Box::new(error.help(
-                    "use `vehicle.rotor`, `vehicle.battery` or `mission.limits`, the inner blocks that `--set` adds",
+                    "use `vehicle.rotor`, `vehicle.battery`, `mission.limits`, `mission.after_fault_limits` or \
+                     `plan.recovery`, the inner blocks that `--set` adds",
                 )))
             }
         };
     }
     let name = &field.name.value;
-    if block.keyword.value == "limits" {
+    if matches!(block.keyword.value.as_str(), "limits" | "after_fault_limits") {
         let Some(expr) = expr_of(field).cloned() else {
             return Err(Box::new(Diagnostic::error(CODE, field.span, "a limit takes a value or a range")));
         };

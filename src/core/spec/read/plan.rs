@@ -10,19 +10,20 @@ use super::defaulted::Defaulted;
 use super::fault::Modes;
 use super::fields::Fields;
 use super::mission::{MAX_DURATION, WaypointDefaults, too_long};
-use super::{after_fault, edits, without_yaw};
+use super::{after_fault, edits, recovery, without_yaw};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::Group;
 use crate::language::table::plan as table;
 use crate::model::grid::Spacing;
 use crate::model::legs::Timing;
 use crate::model::{
-    AfterFault, GiveUpYaw, Mission, MissionTime, PlanModel, PlanRotors, PlanSettings, PlannerKind, RecoverySettings,
-    SearchEffort,
+    AfterFault, GiveUpYaw, Mission, MissionTime, PlanModel, PlanRotors, PlanSettings, PlannerKind, Recoverable,
+    RecoverySettings, SearchEffort,
 };
 use crate::read::written::Written;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
+use require::Bounded;
 
 const CHOICE: &str = "mavc::plan::choice";
 /// The numbers of a fault mode that `where` can compare.
@@ -33,9 +34,11 @@ pub(super) struct Draft<'a> {
     pub fields: Defaulted<'a>,
     /// `against` is kept apart, because it may be a condition.
     against: Option<&'a Field>,
-    require: Option<require::Risk>,
+    require: Option<require::Requirement>,
     /// `require capture_height`.
     pub capture_height: Written<capture_height::Required>,
+    /// The `recovery` block.
+    pub recovery: recovery::Draft,
     /// Whether every statement of the block could be parsed.
     is_whole: bool,
     /// Whether the planner chooses waypoint times.
@@ -73,6 +76,7 @@ impl<'a> Draft<'a> {
             against,
             require: require::read(cx, body),
             capture_height: capture_height::read(cx, body, &mut fields.used),
+            recovery: recovery::Draft::read(cx, body, &mut fields.used),
             is_whole: block.is_none_or(Block::is_whole),
             chooses_times: false,
             span,
@@ -152,10 +156,19 @@ impl<'a> Draft<'a> {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
             None => Some(self.fields.default(&table::AGAINST, (0..modes.modes.len()).collect())),
         };
-        let require_risk = self
-            .require
-            .as_ref()
-            .map_or(Written::Absent, |risk| Written::of(risk.check(cx, planner, against.as_deref(), &modes.modes)));
+        let (mut require_risk, mut require_uncovered) = (Written::Absent, Written::Absent);
+        let mut require_span = span;
+        match &self.require {
+            Some(share) if share.bounded == Bounded::Uncovered => {
+                let bound = share.at_most.map(|uncovered| Recoverable { uncovered, span: share.span });
+                require_uncovered = Written::of(bound);
+            }
+            Some(risk) => {
+                require_risk = Written::of(risk.check_risk(cx, planner, against.as_deref(), &modes.modes));
+                require_span = risk.span;
+            }
+            None => {}
+        }
         let time = self.time(cx);
         let samples = self.fields.count_or_default(cx, &table::SAMPLES, "mavc::plan::samples");
         let rounds = self.fields.count_or_default(cx, &table::ROUNDS, "mavc::plan::rounds");
@@ -204,10 +217,10 @@ impl<'a> Draft<'a> {
             rounds: rounds?,
             require_risk: require_risk.optional()?,
             require_capture: None,
-            recovery: RecoverySettings::default(),
+            recovery: RecoverySettings { require: require_uncovered.optional()?, ..RecoverySettings::default() },
             after_fault: after_fault?,
             without_yaw: without_yaw?,
-            require_span: self.require.as_ref().map_or(span, |risk| risk.span),
+            require_span,
             reserve: reserve?,
             snap_weight: snap_weight?,
             acceleration_weight: acceleration_weight?,

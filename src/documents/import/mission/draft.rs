@@ -12,6 +12,9 @@ pub struct Draft {
     pub home: Option<Home>,
     pub stops: Vec<Stop>,
     pub volumes: Vec<Volume>,
+    pub sites: Vec<Site>,
+    /// The height of the ground, m; written with sites.
+    pub ground: f64,
     /// What was left out without a place of its own, in the words of the file.
     pub dropped: Vec<String>,
     /// Comments at the head of the spec.
@@ -92,6 +95,16 @@ impl Speeds {
         let all = [("speed_horizontal", &self.horizontal), ("climb", &self.climb), ("descent", &self.descent)];
         all.into_iter().filter_map(|(name, speed)| speed.as_ref().map(|speed| (name, speed)))
     }
+}
+
+/// A landing site.
+#[derive(Debug, Clone)]
+pub struct Site {
+    pub mark: Mark,
+    /// x east, y north, z up, m.
+    pub position: [f64; 3],
+    /// The height at which the vehicle arrives, as a comment says it.
+    pub arrival: Option<String>,
 }
 
 /// A volume.

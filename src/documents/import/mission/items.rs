@@ -52,7 +52,7 @@ fn autopilot(is_ardupilot: bool) -> &'static Autopilot {
 }
 
 /// How far an item may be from home, m: the bound of a spec, less what rounding adds.
-const FARTHEST: f64 = 999e3;
+pub(super) const FARTHEST: f64 = 999e3;
 /// Heights of items, m.
 const HEIGHTS: (f64, f64) = (-10e3, 100e3);
 /// `MAV_FRAME` of heights above sea, home or the terrain, and of items without a place.

@@ -2,7 +2,7 @@
 
 use super::draft::{Draft, Home, Mark};
 use super::items::{Faults, Item, Setting, follow, place, refuse};
-use super::{LEFT_OUT, fence};
+use super::{LEFT_OUT, fence, rally};
 use crate::diagnostic::Diagnostic;
 use crate::import::json::{Json, JsonValue, parse};
 use crate::import::{FORMAT, SYNTAX, UNSUPPORTED, at};
@@ -59,19 +59,15 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     if let Some(fences) = plan.get("geoFence") {
         fence::read(fences, &setting, &mut draft)?;
     }
-    drop_rest(&plan, mission, &mut draft);
-    Ok(draft)
-}
-
-/// Members without an effect on the flight that a spec could say.
-fn drop_rest(plan: &Json, mission: &Json, draft: &mut Draft) {
-    let points = plan.get("rallyPoints").and_then(|rally| rally.get("points")).and_then(Json::list);
-    if points.is_some_and(|points| !points.is_empty()) {
-        draft.dropped.push("rallyPoints".into());
+    if let Some(points) = plan.get("rallyPoints") {
+        rally::of_plan(points, &setting, &mut draft)?;
+        rally::set_ground(&setting, &mut draft, found);
     }
+    // Without an effect on the flight of a multirotor.
     if mission.get("cruiseSpeed").is_some() {
         draft.dropped.push("cruiseSpeed".into());
     }
+    Ok(draft)
 }
 
 fn member<'j>(object: &'j Json, key: &str) -> Read<&'j Json> {

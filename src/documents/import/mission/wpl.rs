@@ -4,6 +4,7 @@
 use super::commands::{is_fence, is_rally_point};
 use super::draft::{Draft, Home, Mark};
 use super::items::{Item, Setting, follow, place, refuse};
+use super::rally;
 use crate::diagnostic::Diagnostic;
 use crate::import::{ASSUMED, FORMAT, SYNTAX, UNSUPPORTED, at};
 use crate::source::Source;
@@ -22,7 +23,7 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     if words != ["QGC", "WPL", "110"] {
         return refuse(FORMAT, &span, "only version 110 of this format has the planned home", "not `QGC WPL 110`");
     }
-    let mut items = Vec::new();
+    let (mut items, mut rallies) = (Vec::new(), Vec::new());
     for (k, (text, span)) in lines.enumerate() {
         if k >= MOST_LINES {
             return refuse(
@@ -32,7 +33,9 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
                 "the first too many",
             );
         }
-        if !text.trim_start().starts_with('#') {
+        if rally::is_line(text) {
+            rallies.push((text, span));
+        } else if !text.trim_start().starts_with('#') {
             items.push(item(text, span)?);
         }
     }
@@ -48,7 +51,9 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     let mut draft =
         Draft { format: "a mission of MAVLink (`QGC WPL 110`)", home: Some(home.clone()), ..Draft::default() };
     // Files of this format are ArduPilot's.
-    follow(rest, &Setting::of(home, true), &mut draft, found)?;
+    let setting = Setting::of(home, true);
+    let (points, flown): (Vec<Item>, Vec<Item>) = rest.iter().cloned().partition(|item| is_rally_point(item.command));
+    follow(&flown, &setting, &mut draft, found)?;
     if draft.stops.len() < 2 {
         return refuse(
             UNSUPPORTED,
@@ -57,6 +62,13 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
             "the planned home",
         );
     }
+    for point in &points {
+        rally::of_item(point, &setting, &mut draft)?;
+    }
+    for (text, span) in rallies {
+        rally::of_line(text, span, &setting, &mut draft)?;
+    }
+    rally::set_ground(&setting, &mut draft, found);
     Ok(draft)
 }
 
@@ -92,11 +104,16 @@ fn other_list(items: &[Item], first: &Item) -> Read<()> {
         () if rest.iter().all(|item| is_rally_point(item.command)) => "a list of rally points",
         () => return Ok(()),
     };
-    let span = at(rest[0].command_span.clone());
-    let error = Diagnostic::error(FORMAT, span, format!("this is {what}, not a mission")).here("its first item");
-    Err(Box::new(error.help(
-        "name the file of the mission; a plan of QGroundControl (`.plan`) has the mission and its fence in one file",
-    )))
+    Err(Box::new(no_mission(what, rest[0].command_span.clone())))
+}
+
+/// The error for a list of something else at its first item.
+pub(super) fn no_mission(what: &str, first: Range<usize>) -> Diagnostic {
+    let error = Diagnostic::error(FORMAT, at(first), format!("this is {what}, not a mission")).here("its first item");
+    error.help(
+        "name the file of the mission: a plan of QGroundControl (`.plan`) has it with its fence and its rally points; \
+         the lines of rally points may also follow those of a mission in one `QGC WPL` file",
+    )
 }
 
 fn home(item: &Item) -> Read<Home> {

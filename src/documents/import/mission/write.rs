@@ -1,6 +1,7 @@
 //! The text of a spec from a [`Draft`], and the item that each of its lines came from.
 
-use super::draft::{Draft, Mark, Shape, Speeds, Stop, Volume, Way, Yaw};
+use super::draft::{Draft, Mark, Shape, Site, Speeds, Stop, Volume, Way, Yaw};
+use super::rally::RADIUS;
 use crate::diagnostic::Diagnostic;
 use crate::import::{FORMAT, at};
 use crate::input::FileKind;
@@ -72,6 +73,7 @@ pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>, mission: &str
         };
         writer.line(&format!("    origin_altitude = {height}"), Some(&mark));
     }
+    ground(&mut writer, draft);
     let common = common_speeds(&draft.stops);
     let mut yaw = Yaw::Unsaid;
     for (k, stop) in draft.stops.iter().enumerate() {
@@ -80,8 +82,27 @@ pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>, mission: &str
     }
     limits(&mut writer, &common);
     draft.volumes.iter().for_each(|v| volume(&mut writer, v, &draft.stops));
+    (1..).zip(&draft.sites).for_each(|(number, s)| site(&mut writer, number, s));
     writer.line("}", None);
     Ok(writer.written)
+}
+
+/// The ground, which landing sites need.
+fn ground(writer: &mut Writer, draft: &Draft) {
+    let Some(first) = draft.sites.first() else { return };
+    let whose = if draft.ground == 0.0 { "the height of the planned home" } else { "the height of the lowest place" };
+    writer.line(&format!("    ground = {} m  // {whose}", short(draft.ground, MILLIMETRES)), Some(&first.mark));
+}
+
+fn site(writer: &mut Writer, number: usize, site: &Site) {
+    let mark = Some(&site.mark);
+    let arrival = site.arrival.as_ref().map_or(String::new(), |height| format!(", to be reached at {height}"));
+    let remark = format!("{}{arrival}: the site is on the ground below", site.mark.name);
+    let [x, y, z] = site.position.map(|p| short(p, MILLIMETRES));
+    writer.line(&format!("    landing_site rally_{number} {{  // {remark}"), mark);
+    writer.line(&format!("        at = [{x}, {y}, {z}] m"), mark);
+    writer.line(&format!("        radius = {} m  // assumed", short(RADIUS, MILLIMETRES)), mark);
+    writer.line("    }", mark);
 }
 
 /// The name of the mission: that of the file, as far as a spec can have it, and none of `taken`.

@@ -7,7 +7,7 @@ use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnosis::study::{Evidence, Kind, Loss};
 use crate::model::Spin;
 use crate::number::{fixed, plural, significant};
-use crate::report::screen::{Screen, Tone};
+use crate::report::screen::{Keep, Screen, Tone};
 use crate::text_table::Table;
 
 /// A capacity below this beside stronger motors is worth a remark.
@@ -30,7 +30,7 @@ pub fn screen(diagnosis: &Diagnosis) -> Screen {
             }
         }
     }
-    diagnosis.unknown.iter().for_each(|why| screen.remark(why));
+    diagnosis.unknown.iter().for_each(|why| screen.remark(Keep::Finding, why));
     screen.gap();
     flights(diagnosis, &mut screen);
     if let Some(after) = diagnosis.after.last() {

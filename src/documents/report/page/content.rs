@@ -1,7 +1,6 @@
 //! The data for the page's script.
 
 use super::chart::{Chart, Columns, rounded};
-use super::coverage::unsafe_until;
 use super::opening::{Opening, opening};
 use super::sets::{SetContent, ShownSet};
 use super::volumes::{self, NearestContent, VolumeContent};
@@ -13,6 +12,7 @@ use crate::motion::nearness::nearness;
 use crate::number::number;
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run};
 use crate::report::comparison_text::name_of;
+use crate::report::plan_screen::unsafe_until;
 use serde::Serialize;
 
 /// Cells of a heat strip.
@@ -173,20 +173,29 @@ impl Content {
     /// The data if nothing was planned.
     pub fn of_sets(subject: &Subject, shown: &[ShownSet], record: &impl Serialize) -> Self {
         let problem = subject.problem;
-        let (model, mission) = (problem.model(), problem.mission());
+        let mission = problem.mission();
         let step = mission.waypoints.len().div_ceil(MOST_WAYPOINTS);
         let waypoint = |(i, w): (usize, &crate::model::Waypoint)| WaypointContent {
             name: w.name.clone().unwrap_or_else(|| format!("waypoint {}", i + 1)),
             at: w.position.map(rounded),
             within: rounded(w.within),
         };
+        Content {
+            waypoints: mission.waypoints.iter().enumerate().step_by(step.max(1)).map(waypoint).collect(),
+            volumes: volumes::contents(problem),
+            ..Content::of_model(problem.model(), shown, record)
+        }
+    }
+
+    /// The data of a vehicle without a mission.
+    pub fn of_model(model: &Model, shown: &[ShownSet], record: &impl Serialize) -> Self {
         let whole = serde_json::to_value(record).ok();
         let small = |value: &serde_json::Value| value.to_string().len() <= MOST_RECORD;
         let mode = |set: &ShownSet| model.modes.iter().find(|mode| mode.name == set.name);
         let sets: Vec<SetContent> = shown.iter().map(|set| SetContent::new(set, mode(set))).collect();
         Content {
-            waypoints: mission.waypoints.iter().enumerate().step_by(step.max(1)).map(waypoint).collect(),
-            volumes: volumes::contents(problem),
+            waypoints: Vec::new(),
+            volumes: Vec::new(),
             rotors: model.vehicle.rotors.iter().map(|rotor| rotor.position.map(rounded)).collect(),
             hover: hover(model).into(),
             extents: extents(model),
@@ -251,7 +260,7 @@ fn run_content(subject: &Subject, label: String, solved: &MissionPlan, shown: &[
             // A cell shows no more than two decimals of a percent.
             .map(|m| (1e4 * m).round() / 100.0)
             .collect(),
-        until: s.against.and_then(|mode| unsafe_until(solved, mode)).map(rounded),
+        until: s.against.and_then(|mode| unsafe_until(model, solved, mode)).map(rounded),
     };
     let measured = shown.iter().enumerate().filter(|(_, s)| s.against.is_some());
     RunContent {

@@ -1,9 +1,10 @@
 //! The page's skeleton: head, sections in order, the time slider, and the data for the script.
 
 use super::content::Content;
+use super::embed;
 use super::prose::{prose, unbroken};
 use super::summary::{Figure, Found};
-use super::{Subject, embed};
+use crate::model::{Model, Problem};
 use crate::number::part_of_all;
 use crate::planner::studies::Comparison;
 use crate::report::terminal::vehicle_line;
@@ -24,12 +25,30 @@ impl Section {
     }
 }
 
+/// What a page is about.
+pub struct About<'a> {
+    /// Its heading, such as `Mission roof`.
+    pub heading: String,
+    pub model: &'a Model,
+    /// What the answer is for, in words; empty if there is nothing to say.
+    pub setting: String,
+}
+
+impl<'a> About<'a> {
+    /// A mission, and how it was planned.
+    pub fn of_mission(problem: Problem<'a>, comparison: Option<&Comparison>) -> Self {
+        let heading = format!("Mission {}", problem.mission().name);
+        About { heading, model: problem.model(), setting: setting(problem.model(), comparison) }
+    }
+}
+
 /// Everything that goes into a page.
 pub struct Document<'a> {
-    pub subject: Subject<'a>,
-    pub comparison: Option<&'a Comparison>,
+    pub about: About<'a>,
     pub found: Found,
-    /// What the script draws beside the headline; `None` if nothing flies.
+    /// A drawing below the headline.
+    pub drawing: Option<Markup>,
+    /// What is beside the headline; `None` if nothing is.
     pub picture: Option<Markup>,
     pub sections: Vec<Section>,
     pub content: Content,
@@ -38,27 +57,18 @@ pub struct Document<'a> {
 impl Document<'_> {
     /// The page as HTML.
     pub fn render(&self) -> String {
-        let mission = self.subject.problem.mission();
         let moves = !self.content.runs.is_empty();
         let page = html! {
             (DOCTYPE)
             html lang="en" {
-                head {
-                    meta charset="utf-8";
-                    meta name="viewport" content="width=device-width, initial-scale=1";
-                    meta http-equiv="Content-Security-Policy" content=(embed::policy(false));
-                    meta name="color-scheme" content="light dark";
-                    meta name="generator" content={ "mavc " (env!("CARGO_PKG_VERSION")) };
-                    title { (mission.name) ": " (self.found.headline.replace('`', "")) }
-                    style { (PreEscaped(embed::STYLE)) }
-                }
+                (head(&self.title()))
                 body {
                     a.skip href="#main" { "Skip to the report" }
                     header.top {
                         div {
-                            h1 { "Mission " (mission.name) }
-                            p.subject { (vehicle_line(self.subject.problem.model())) }
-                            p.subject.setting { (self.setting()) }
+                            h1 { (self.about.heading) }
+                            p.subject { (vehicle_line(self.about.model)) }
+                            @if !self.about.setting.is_empty() { p.subject.setting { (self.about.setting) } }
                         }
                         button #theme type="button" hidden { "Dark theme" }
                     }
@@ -99,14 +109,18 @@ impl Document<'_> {
 
     /// The answer, and beside it the picture.
     fn first_screen(&self) -> Markup {
-        let doc = self.subject.problem.mission().doc.as_ref();
+        let doc = self.about.model.mission.as_ref().and_then(|mission| mission.doc.as_ref());
         let doc = html! { @if let Some(doc) = doc { p.doc { (doc) } } };
         let (answer, rest) = found(&self.found);
         html! {
             @match &self.picture {
                 Some(picture) => {
                     div.first {
-                        div.answer { (answer) (doc) }
+                        div.answer {
+                            (answer)
+                            @if let Some(drawing) = &self.drawing { (drawing) }
+                            (doc)
+                        }
                         div.picture { (picture) }
                     }
                     (rest)
@@ -116,25 +130,49 @@ impl Document<'_> {
         }
     }
 
-    fn setting(&self) -> String {
-        let plan = &self.subject.problem.model().plan;
-        let declared = || plan.against.iter().map(|&i| self.subject.problem.model().modes[i].name.clone()).collect();
-        let modes: Vec<String> = self.comparison.map_or_else(declared, |c| c.modes.clone());
-        let against = match modes.len() {
-            0 => "no fault modes, ".to_string(),
-            n if n > 12 => format!("against {n} fault modes, "),
-            _ => format!("against {}, ", modes.join(", ")),
-        };
-        let mut setting = format!(
-            "{against}{} model, reserve {} % of each set, {} samples",
-            plan.model.name(),
-            part_of_all(plan.reserve),
-            plan.samples
-        );
-        for sentence in self.comparison.map_or_else(Vec::new, |comparison| without_yaw::head(comparison, None)) {
-            setting.push_str(&format!(". {sentence}"));
+    /// `roof: PLAN FOUND, 20 s; planner RSP`: what a browser's tab shows.
+    fn title(&self) -> String {
+        let of = self.about.heading.split_once(' ').map_or("", |(_, name)| name);
+        let headline = self.found.headline.replace('`', "");
+        // The headline of an analysis begins with the vehicle.
+        if headline.starts_with(&format!("{of}:")) { headline } else { format!("{of}: {headline}") }
+    }
+}
+
+/// How a mission was planned: the modes planned against, model, reserve and samples.
+fn setting(model: &Model, comparison: Option<&Comparison>) -> String {
+    let plan = &model.plan;
+    let declared = || plan.against.iter().map(|&i| model.modes[i].name.clone()).collect();
+    let modes: Vec<String> = comparison.map_or_else(declared, |c| c.modes.clone());
+    let against = match modes.len() {
+        0 => "no fault modes, ".to_string(),
+        n if n > 12 => format!("against {n} fault modes, "),
+        _ => format!("against {}, ", modes.join(", ")),
+    };
+    let mut setting = format!(
+        "{against}{} model, reserve {} % of each set, {} samples",
+        plan.model.name(),
+        part_of_all(plan.reserve),
+        plan.samples
+    );
+    for sentence in comparison.map_or_else(Vec::new, |comparison| without_yaw::head(comparison, None)) {
+        setting.push_str(&format!(". {sentence}"));
+    }
+    setting
+}
+
+/// The head of a page.
+pub fn head(title: &str) -> Markup {
+    html! {
+        head {
+            meta charset="utf-8";
+            meta name="viewport" content="width=device-width, initial-scale=1";
+            meta http-equiv="Content-Security-Policy" content=(embed::policy(false));
+            meta name="color-scheme" content="light dark";
+            meta name="generator" content={ "mavc " (env!("CARGO_PKG_VERSION")) };
+            title { (title) }
+            style { (PreEscaped(embed::STYLE)) }
         }
-        setting
     }
 }
 
@@ -147,7 +185,7 @@ fn found(found: &Found) -> (Markup, Markup) {
         found.figures.iter().enumerate().partition(|(i, figure)| *i < FIRST_FIGURES || figure.is_bad);
     let answer = html! {
         h2.headline { (prose(&found.headline)) }
-        @for part in &found.coverage { p.coverage.bad[part.is_bad] { b { (part.name) } " " (unbroken(&part.modes)) } }
+        @for part in &found.coverage { p.coverage.bad[part.covers.is_bad()] { (prose(&part.sentence)) } }
         (figures(first.into_iter().map(|(_, figure)| figure).collect()))
         @for warning in &found.warnings { p.warning { (prose(warning)) } }
     };

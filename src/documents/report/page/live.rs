@@ -3,7 +3,7 @@
 //! A page is the report page with one more element, in which the script shows the state of the spec, and with a policy
 //! that lets it listen to its own server.
 
-use super::embed;
+use super::{document, embed};
 use maud::{DOCTYPE, PreEscaped, html};
 
 /// The content security policy of a live page, as its head has it: nothing may be loaded but the events of its own
@@ -37,14 +37,7 @@ pub fn waiting(name: &str, number: u64) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta http-equiv="Content-Security-Policy" content=(embed::policy(false));
-                meta name="color-scheme" content="light dark";
-                title { (name) }
-                style { (PreEscaped(embed::STYLE)) }
-            }
+            (document::head(name))
             body {
                 header.top {
                     div { h1 { (name) } }

@@ -1,10 +1,9 @@
 //! The text of the spec, with every diagnostic below its line.
 
-use super::Subject;
 use super::prose::prose;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::read::OVERRIDE;
-use crate::source::{FileId, Source, Span};
+use crate::source::{FileId, Source, SourceMap, Span};
 use maud::{Markup, html};
 use std::ops::Range;
 
@@ -37,14 +36,14 @@ enum Message<'a> {
 }
 
 /// Every file with its remarks.
-pub fn section(subject: &Subject) -> Markup {
-    let shown = &subject.diagnostics[..subject.diagnostics.len().min(MOST_DIAGNOSTICS)];
+pub fn section(sources: &SourceMap, diagnostics: &[Diagnostic]) -> Markup {
+    let shown = &diagnostics[..diagnostics.len().min(MOST_DIAGNOSTICS)];
     let remarks: Vec<Remark> = shown.iter().flat_map(remarks).collect();
     let mut left = Budget { any: MOST_TEXT, near: MOST_NEAR };
-    let (set, files): (Vec<_>, Vec<_>) = subject.sources.iter().partition(|(_, source)| source.name == OVERRIDE);
+    let (set, files): (Vec<_>, Vec<_>) = sources.iter().partition(|(_, source)| source.name == OVERRIDE);
     let files: Vec<Markup> = files.into_iter().map(|(id, source)| file(id, source, &remarks, &mut left)).collect();
     html! {
-        h2 { (headline(subject.diagnostics)) }
+        h2 { (headline(diagnostics)) }
         @for file in files { (file) }
         @if !set.is_empty() { (overrides(&set, &remarks)) }
     }

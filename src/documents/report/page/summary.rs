@@ -1,6 +1,5 @@
 //! The top of the page: the result in one sentence and a few figures.
 
-use super::coverage::{Coverage, coverage};
 use super::flown::headline;
 use super::motion::{nearest, signed_percent};
 use super::planners::solved_runs;
@@ -14,12 +13,13 @@ use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, 
 use crate::read::OVERRIDE;
 use crate::report::battery::BatteryRecord;
 use crate::report::least_time;
+use crate::report::plan_screen::CoverageRecord;
 use crate::report::record::{PlannerRecord, Record};
 use crate::report::shape::ShapeRecord;
 use crate::report::simulation::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
 use crate::report::terminal::{in_planes, not_looked_at};
-use crate::report::verdict_text::{elsewhere, statement};
-use crate::report::waypoints::{WaypointRecord, waypoints, worst};
+use crate::report::verdict_text::elsewhere;
+use crate::report::waypoints::{waypoints, worst};
 use crate::report::without_yaw;
 use crate::tolerance::MOST_PAST_LIMIT;
 use crate::verdict::Verdict;
@@ -29,7 +29,7 @@ use crate::verdict::Verdict;
 pub struct Found {
     pub headline: String,
     /// Which fault modes the plan covers.
-    pub coverage: Vec<Coverage>,
+    pub coverage: Vec<CoverageRecord>,
     pub figures: Vec<Figure>,
     /// Caveats of the plan, or why there is none.
     pub warnings: Vec<String>,
@@ -57,19 +57,11 @@ impl Figure {
 }
 
 /// For `mavc plan`: the trajectory written is that of the last run.
-pub fn plan(problem: Problem, analyses: &[ModeAnalysis], comparison: &Comparison, record: &Record) -> Found {
+pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found {
     let model = problem.model();
     let (Some(run), Some(planner)) = (comparison.runs.last(), record.planners.last()) else { return Found::default() };
     match &run.outcome {
         PlanOutcome::Planned(solved) => {
-            let name = label(run.planner, &run.against);
-            let headline = format!(
-                "{name}: {}, a plan of {}\u{a0}s that {} {}",
-                run.outcome.verdict(),
-                number(solved.time),
-                meets(&planner.waypoints),
-                outside(comparison, solved)
-            );
             let mut figures = vec![time(problem, run, solved)];
             figures.extend(margin(comparison, solved));
             figures.extend(stays(comparison, solved));
@@ -83,10 +75,10 @@ pub fn plan(problem: Problem, analyses: &[ModeAnalysis], comparison: &Comparison
             figures.extend(planner.battery.as_ref().map(charge));
             figures.extend(shown_between(model, planner));
             let warnings = planner.warnings.iter().map(|c| c.message.clone()).collect();
-            Found { headline, coverage: coverage(model, analyses, comparison, solved), figures, warnings }
+            Found { headline: planner.headline.clone(), coverage: planner.coverage.clone(), figures, warnings }
         }
         _ => Found {
-            headline: format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run)),
+            headline: planner.headline.clone(),
             warnings: elsewhere(model, &record.found_at_s).into_iter().chain(conflict(record)).collect(),
             ..Found::default()
         },
@@ -111,7 +103,7 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
     let all: Vec<_> = solved.iter().flat_map(|(_, s)| waypoints(mission, s)).collect();
     let met = worst(&all).map_or("no plan meets them".to_string(), |worst| {
         let met = if all.iter().all(|w| w.met) { "met by every plan" } else { "missed by some plan" };
-        format!("{met}; largest error {}", worst.largest())
+        format!("{met}; tightest: waypoint {}, {}", worst.label(), worst.largest())
     });
     let waypoints = Figure::new("Waypoints", mission.waypoints.len().to_string(), met);
     let beside = format!("in addition to the healthy set's{}", in_planes(comparison));
@@ -182,40 +174,6 @@ fn capital(text: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// `and stays inside the sets of all modes planned against`, or which sets it leaves and for how long.
-fn outside(comparison: &Comparison, solved: &MissionPlan) -> String {
-    let mut left: Vec<(usize, f64)> = solved
-        .outside
-        .iter()
-        .enumerate()
-        .filter(|(_, o)| o.last.is_some())
-        .map(|(mode, o)| (mode, o.seconds))
-        .collect();
-    left.sort_by(|a, b| b.1.total_cmp(&a.1));
-    match left.as_slice() {
-        _ if comparison.modes.is_empty() => "and is planned against no fault mode".into(),
-        [] if comparison.provisions.iter().all(|provision| *provision == Provision::WithYaw) => {
-            "and stays inside the sets of all modes planned against".into()
-        }
-        [] => match without_yaw::without_rows(comparison).len() {
-            n if n == comparison.modes.len() => "and provides for no fault mode".into(),
-            0 => "and stays inside the sets and cores of all modes planned against".into(),
-            _ => format!(
-                "and stays inside the sets and cores of all modes with rows{}",
-                without_yaw::beside_the_verdict(comparison)
-            ),
-        },
-        [(i, seconds)] => {
-            format!("and leaves {} for {} s", without_yaw::sets_of(comparison, &[*i]), short_seconds(*seconds))
-        }
-        [(i, seconds), rest @ ..] => {
-            let sets = if without_yaw::measured_by(comparison) == "core" { "cores" } else { "sets" };
-            let (name, seconds) = (&comparison.modes[*i], short_seconds(*seconds));
-            format!("and leaves the {sets} of {} modes, that of {name} for {seconds} s", rest.len() + 1)
-        }
-    }
-}
-
 fn time(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Figure {
     let model = problem.model();
     let gap = least_time::gap(problem, run).filter(|_| model.plan.chooses_times);
@@ -268,21 +226,12 @@ fn stays(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
     }
 }
 
-/// `meets 21 waypoints`
-fn meets(waypoints: &[WaypointRecord]) -> String {
-    match waypoints.iter().filter(|w| !w.met).count() {
-        0 => format!("meets {} waypoints", waypoints.len()),
-        missed => format!("misses {missed} of {} waypoints", waypoints.len()),
-    }
-}
-
 /// The error with the largest share of its tolerance.
 fn waypoint_error(planner: &PlannerRecord) -> Option<Figure> {
     let worst = worst(&planner.waypoints)?;
-    let note = format!("{}, at waypoint {}", worst.largest(), worst.label());
+    let note = format!("of its tolerance: {}, at waypoint {}", worst.largest(), worst.label());
     Some(
-        Figure::new("Largest waypoint error", percent(worst.share()), note)
-            .bad_if(planner.waypoints.iter().any(|w| !w.met)),
+        Figure::new("Tightest waypoint", percent(worst.share()), note).bad_if(planner.waypoints.iter().any(|w| !w.met)),
     )
 }
 

@@ -35,15 +35,21 @@ pub fn section(model: &Model, comparison: &Comparison, analyses: &[ModeAnalysis]
         PlanOutcome::Planned(solved) => Some((super::content::run_label(comparison, i, solved.time), solved.as_ref())),
         _ => None,
     });
-    table(model, analyses, solved.as_ref().map(|(label, s)| (label.as_str(), *s)))
+    let solved = solved.as_ref().map(|(label, s)| (label.as_str(), *s));
+    table(model, analyses, solved, &headline(model, analyses))
 }
 
 /// The table if nothing was planned.
 pub fn refused(model: &Model, analyses: &[ModeAnalysis]) -> Markup {
-    table(model, analyses, None)
+    table(model, analyses, None, &headline(model, analyses))
 }
 
-fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &MissionPlan)>) -> Markup {
+/// The table below another that has the outcomes.
+pub fn details(model: &Model, analyses: &[ModeAnalysis]) -> Markup {
+    table(model, analyses, None, "Verdicts and margins of each mode")
+}
+
+fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &MissionPlan)>, title: &str) -> Markup {
     let row = |index: usize| {
         let place = index.checked_sub(1).and_then(|m| model.plan.against.iter().position(|&a| a == m));
         let of_plan = place.zip(solved);
@@ -88,7 +94,7 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     let count = rows.len();
     let (shown, folded) = if count > MOST_OPEN { fold(rows) } else { (rows, Vec::new()) };
     html! {
-        h2 { (unbroken(&headline(model, analyses))) }
+        h2 { (unbroken(title)) }
         (table::table(frame, &heads, html! { @for row in &shown { (cells(model, row, columns)) } }))
         @if !folded.is_empty() {
             details {
@@ -209,11 +215,7 @@ struct Columns {
 
 fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
     let Row { analysis: a, title, mode, outside, committed } = row;
-    let class = match a.outcome {
-        Outcome::FullControl => "good",
-        Outcome::FliesOn | Outcome::Caught | Outcome::Undecided => "edge",
-        Outcome::NoMargin | Outcome::Lost => "bad",
-    };
+    let class = class_of(a.outcome);
     let edge = a.edge_words().map_or_else(String::new, |words| format!(", {words}"));
     let yaw = if a.verdict == HoverVerdict::Stabilizable { " without yaw" } else { "" };
     let [seconds, last] = outside.map_or_else(|| [dash(), dash()], |o| violation_cells(o.seconds, o.last));
@@ -249,6 +251,15 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
                 td.n { (text_of(&airspeed)) }
             }
         }
+    }
+}
+
+/// The class of an outcome, for its colour.
+pub fn class_of(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::FullControl => "good",
+        Outcome::FliesOn | Outcome::Caught | Outcome::Undecided => "edge",
+        Outcome::NoMargin | Outcome::Lost => "bad",
     }
 }
 

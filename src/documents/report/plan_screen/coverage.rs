@@ -8,12 +8,14 @@ use crate::certify::between::{Between, CORES, Shown, WRENCH};
 use crate::flight::equilibrium::outcome_of;
 use crate::model::{AfterFault, Mission, Model, PlannerKind};
 use crate::motion::wrench_model::WrenchModel;
-use crate::number::{fixed, part_of_all, percent, plural};
+use crate::number::{fixed, part_of_all, percent};
 use crate::planner::studies::{MissionPlan, PlannerRun};
+use crate::report::headline::by_failure;
 use crate::report::mode_names::within;
-use crate::report::screen::{Screen, Tone};
+use crate::report::screen::{Keep, Screen, Tone};
 use crate::report::without_yaw;
 use crate::text_table::Table;
+use serde::Serialize;
 
 /// Most columns of the names of modes, in the table and in a sentence.
 const NAMES: usize = 32;
@@ -23,15 +25,83 @@ const MOST_ROWS: usize = 7;
 /// The outcomes of up to this many modes that are not planned against are worked out.
 const MOST_WORKED_OUT: usize = 64;
 
-/// The sentences on coverage, then the table of modes.
-pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) {
-    let (model, comparison) = (answer.problem.model(), answer.comparison);
-    let all = &comparison.modes;
-    if model.modes.is_empty() {
-        screen.paragraph(Tone::Warning, 2, 2, "No fault modes are declared: this plan covers none.");
-        return;
+/// Most kinds of faults that a sentence tells apart.
+const MOST_KINDS: usize = 3;
+/// Rows of the table that are always shown.
+const ALWAYS: usize = 3;
+
+/// What a sentence says of its modes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Covers {
+    /// The plan covers the modes at every instant.
+    Always,
+    /// It covers them by stops, as far as these were found.
+    Stops,
+    /// A fault of these modes before some instant meets a violation.
+    UnsafeUntil,
+    /// It is not planned for these modes, although they are in `against`.
+    NotPlanned,
+    /// The modes are not in `against`, or none is declared.
+    Not,
+}
+
+impl Covers {
+    /// Whether the plan does not cover modes that it is asked to cover.
+    pub fn is_bad(self) -> bool {
+        self.tone() == Tone::Bad
     }
-    let places = |wanted: &dyn Fn(usize) -> bool| (0..all.len()).filter(|&i| wanted(i)).collect::<Vec<usize>>();
+
+    fn tone(self) -> Tone {
+        match self {
+            Covers::Always => Tone::Plain,
+            Covers::Stops | Covers::Not => Tone::Warning,
+            Covers::UnsafeUntil | Covers::NotPlanned => Tone::Bad,
+        }
+    }
+}
+
+/// A sentence about the fault modes that a plan covers, or does not.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct CoverageRecord {
+    /// What it says.
+    pub covers: Covers,
+    /// The sentence, as on the terminal and the page.
+    #[cfg_attr(test, schemars(length(min = 1)))]
+    pub sentence: String,
+}
+
+/// The sentences on coverage, then the table of modes; and how many modes the table leaves out.
+pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) -> usize {
+    for CoverageRecord { covers, sentence } in sentences(answer, run, solved) {
+        screen.paragraph(covers.tone(), 2, 2, &sentence);
+    }
+    let model = answer.problem.model();
+    if answer.comparison.modes.is_empty() {
+        return 0;
+    }
+    screen.gap();
+    let (modes, hidden) = table(answer, solved, NAMES).1;
+    screen.fitted_modes(NAMES, ALWAYS, &modes, |names| table(answer, solved, names).0);
+    let reserve = if model.plan.reserve > 0.0 { " beyond the reserve" } else { "" };
+    let legend = format!("spare: what the plan leaves{reserve}, % of the healthy set's width");
+    screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &legend));
+    hidden
+}
+
+/// Which modes a plan covers and which not, in sentences.
+pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec<CoverageRecord> {
+    let (model, comparison) = (answer.problem.model(), answer.comparison);
+    let mut found = Vec::new();
+    let mut say = |covers: Covers, sentence: String| found.push(CoverageRecord { covers, sentence });
+    if model.modes.is_empty() {
+        say(Covers::Not, "No fault modes are declared: this plan covers none.".into());
+        return found;
+    }
+    let all = comparison.modes.len();
+    let places = |wanted: &dyn Fn(usize) -> bool| (0..all).filter(|&i| wanted(i)).collect::<Vec<usize>>();
     let is_captured = |i: usize| comparison.provisions[i] == Provision::Capture;
     let stops = |i: usize| solved.outside[i].last.is_some() && unsafe_until(model, solved, i).is_none();
     let is_safe = |i: usize| !is_captured(i) && solved.outside[i].last.is_none();
@@ -48,11 +118,11 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     };
     let mut safe = Vec::new();
     if !with_yaw.is_empty() {
-        let names = within(all, &with_yaw, NAMES_IN_TEXT);
+        let names = named(answer, &with_yaw);
         safe.push(format!("After {names} at any instant the rotors left still give {wrench}{reserve}."));
     }
     if !without_yaw.is_empty() {
-        let names = within(all, &without_yaw, NAMES_IN_TEXT);
+        let names = named(answer, &without_yaw);
         safe.push(format!(
             "After {names} at any instant the rotors left still give {wrench} except about yaw{reserve}: the heading \
              is not held."
@@ -60,16 +130,14 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     }
     if !safe.is_empty() {
         safe.push(how_shown(answer, run));
-        screen.paragraph(Tone::Plain, 2, 2, &safe.join(" "));
+        say(Covers::Always, safe.join(" "));
     }
     let stopping = places(&|i| !is_captured(i) && stops(i));
     if !stopping.is_empty() {
-        let names = within(all, &stopping, NAMES_IN_TEXT);
-        screen.paragraph(
-            Tone::Warning,
-            2,
-            2,
-            &format!(
+        let names = named(answer, &stopping);
+        say(
+            Covers::Stops,
+            format!(
                 "After {names} the plan leaves what the rotors left can give, but from every node before that a stop \
                  within it was found (`after_fault = hold`)."
             ),
@@ -78,29 +146,42 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     let unsafe_ones = places(&|i| !is_captured(i) && unsafe_until(model, solved, i).is_some());
     if !unsafe_ones.is_empty() {
         let until = unsafe_ones.iter().filter_map(|&i| unsafe_until(model, solved, i)).fold(0.0, f64::max);
-        screen.paragraph(
-            Tone::Bad,
-            2,
-            2,
-            &format!(
+        say(
+            Covers::UnsafeUntil,
+            format!(
                 "UNSAFE until {} s: after {} the rotors left cannot always give {wrench}{reserve}.",
                 fixed(until, 2),
-                within(all, &unsafe_ones, NAMES_IN_TEXT)
+                named(answer, &unsafe_ones)
             ),
         );
     }
-    if let Some(text) = without_yaw::not_planned(comparison, answer.heights) {
-        screen.paragraph(Tone::Bad, 2, 2, &text);
+    without_yaw::not_planned(comparison, answer.heights).into_iter().for_each(|text| say(Covers::NotPlanned, text));
+    not_covered(model).into_iter().for_each(|text| say(Covers::Not, text));
+    found
+}
+
+/// Modes that are planned against, given by their places there, with what fails in them if that is of few kinds: `M1 ..
+/// M8 (one motor lost)`.
+fn named(answer: &Answer, places: &[usize]) -> String {
+    let model = answer.problem.model();
+    let of = by_failure(model, declared(model, places).into_iter());
+    if of.len() > MOST_KINDS {
+        return within(&names(model), &declared(model, places), NAMES_IN_TEXT);
     }
-    not_covered(model, screen);
-    if !all.is_empty() {
-        screen.gap();
-        let hidden = table(answer, solved, NAMES).1;
-        screen.fitted(NAMES, |names| table(answer, solved, names).0);
-        if hidden > 0 {
-            screen.line(Tone::Plain, &format!("  and {} with more to spare, -v", plural(hidden, "mode")));
-        }
-    }
+    let each = of.iter().map(|(what, modes)| format!("{} ({what})", within(&names(model), modes, NAMES_IN_TEXT)));
+    each.collect::<Vec<_>>().join(", ")
+}
+
+/// The names of the declared modes.
+fn names(model: &Model) -> Vec<String> {
+    model.modes.iter().map(|mode| mode.name.clone()).collect()
+}
+
+/// The places among the declared modes of those at some places in `against`, ascending.
+fn declared(model: &Model, places: &[usize]) -> Vec<usize> {
+    let mut modes: Vec<usize> = places.iter().map(|&i| model.plan.against[i]).collect();
+    modes.sort_unstable();
+    modes
 }
 
 /// Until when a fault of the mode with this place in `against` meets a violation, s: the last one, or, if the mission
@@ -124,31 +205,43 @@ pub fn demanded(answer: &Answer, screen: &mut Screen) {
     let (model, all) = (answer.problem.model(), &answer.comparison.modes);
     if !all.is_empty() {
         let places: Vec<usize> = (0..all.len()).collect();
-        screen.paragraph(Tone::Plain, 2, 2, &format!("It has to cover {}.", within(all, &places, NAMES_IN_TEXT)));
+        screen.paragraph(Tone::Plain, 2, 2, &format!("It has to cover {}.", named(answer, &places)));
     }
-    not_covered(model, screen);
+    warn_of_not_covered(model, screen);
 }
 
-/// The declared modes that are not planned against, with what they leave of the vehicle.
-pub(in crate::documents::report) fn not_covered(model: &Model, screen: &mut Screen) {
-    let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
+/// The sentence of [`not_covered`] on a screen.
+pub(in crate::documents::report) fn warn_of_not_covered(model: &Model, screen: &mut Screen) {
+    not_covered(model).iter().for_each(|text| screen.paragraph(Covers::Not.tone(), 2, 2, text));
+}
+
+/// The declared modes that are not planned against, with what they leave of the vehicle; `None` if there are none.
+fn not_covered(model: &Model) -> Option<String> {
+    let all = names(model);
     let left: Vec<usize> = (0..all.len()).filter(|mode| !model.plan.against.contains(mode)).collect();
     if left.is_empty() {
-        return;
+        return None;
     }
-    let mut text = String::from("NOT covered: ");
-    if left.len() > MOST_WORKED_OUT {
-        text.push_str(&within(&all, &left, NAMES_IN_TEXT));
+    let names = |modes: &[usize]| within(&all, modes, NAMES_IN_TEXT);
+    let outcomes = |modes: &[usize]| -> Vec<(Outcome, Vec<usize>)> {
+        let each: Vec<Outcome> = modes.iter().map(|&mode| outcome_of(model, mode)).collect();
+        let of = |outcome: Outcome| {
+            (0..modes.len()).filter(|&i| each[i] == outcome).map(|i| modes[i]).collect::<Vec<usize>>()
+        };
+        Outcome::ALL.into_iter().map(|outcome| (outcome, of(outcome))).filter(|(_, of)| !of.is_empty()).collect()
+    };
+    let kinds = by_failure(model, left.iter().copied());
+    let groups: Vec<String> = if left.len() > MOST_WORKED_OUT {
+        vec![names(&left)]
+    } else if kinds.len() > MOST_KINDS {
+        let each = outcomes(&left).into_iter();
+        each.map(|(outcome, modes)| format!("{} ({})", names(&modes), outcome.words_of(modes.len()))).collect()
     } else {
-        let outcomes: Vec<Outcome> = left.iter().map(|&mode| outcome_of(model, mode)).collect();
-        let groups = Outcome::ALL.into_iter().filter_map(|outcome| {
-            let of: Vec<usize> = (0..left.len()).filter(|&i| outcomes[i] == outcome).map(|i| left[i]).collect();
-            let words = outcome.words_of(of.len());
-            (!of.is_empty()).then(|| format!("{} ({words})", within(&all, &of, NAMES_IN_TEXT)))
-        });
-        text.push_str(&groups.collect::<Vec<_>>().join(", "));
-    }
-    screen.paragraph(Tone::Warning, 2, 2, &format!("{text}: not in `against`."));
+        let each = kinds.iter().flat_map(|(what, modes)| outcomes(modes).into_iter().map(move |of| (what, of)));
+        each.map(|(what, (outcome, modes))| format!("{} ({what}: {})", names(&modes), outcome.words_of(modes.len())))
+            .collect()
+    };
+    Some(format!("NOT covered, not in `against`: {}.", groups.join(", ")))
 }
 
 /// How it was shown that the plan stays inside the sets: only imposed rows are proved.
@@ -168,9 +261,9 @@ fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
     }
 }
 
-/// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first; and how
-/// many modes are left out.
-fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, usize) {
+/// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first; how many
+/// modes each row has, and how many are left out.
+fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<usize>, usize)) {
     let (model, comparison) = (answer.problem.model(), answer.comparison);
     let headings = ["fault", "spare", "tightest", "unsafe until"];
     let mut rows: Vec<(f64, Vec<usize>, Vec<String>)> = Vec::new();
@@ -197,10 +290,10 @@ fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, usize) 
     let hidden = rows.split_off(rows.len().min(MOST_ROWS));
     let mut table = Table::new(&headings);
     for (_, modes, cells) in &rows {
-        let name = within(&comparison.modes, modes, names);
+        let name = within(&self::names(model), &declared(model, modes), names);
         table.row(std::iter::once(name).chain(cells.iter().cloned()).collect());
     }
-    (table, hidden.iter().map(|row| row.1.len()).sum())
+    (table, (rows.iter().map(|row| row.1.len()).collect(), hidden.iter().map(|row| row.1.len()).sum()))
 }
 
 /// `, to waypoint 3`: the leg on which an instant is.

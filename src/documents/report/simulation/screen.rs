@@ -6,10 +6,11 @@ use super::text::{
     trespass,
 };
 use crate::number::{fixed, number, plural, significant};
-use crate::report::screen::{EVERY_TABLE, Screen, Tone};
+use crate::report::screen::{Keep, Screen, Tone};
 use crate::report::terminal::vehicle_line;
 use crate::report::volumes::VolumeRecord;
 use crate::text_table::Table;
+use std::cmp::Reverse;
 
 /// Most faults in the table.
 const MOST_FAULTS: usize = 6;
@@ -74,8 +75,8 @@ pub fn screen(flown: &Flown) -> Screen {
     }));
     lines.push(manner(model));
     lines.iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
-    remarks(flown, &record).iter().for_each(|text| screen.remark(text));
-    screen.line(Tone::Plain, EVERY_TABLE);
+    remarks(flown, &record).iter().for_each(|(keep, text)| screen.remark(*keep, text));
+    screen.close(0);
     screen
 }
 
@@ -102,8 +103,8 @@ fn faults(screen: &mut Screen, record: &FlightRecord) {
     }
 }
 
-/// What a reader must not overlook.
-fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<String> {
+/// The remarks, those first that a reader must not overlook.
+fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<(Keep, String)> {
     let model = flown.model;
     let mut all = Vec::new();
     let spin = record.gave_up_yaw_at_s.and(record.spin.as_ref());
@@ -127,6 +128,8 @@ fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<String> {
         ));
     }
     all.extend(indistinguishable(flown));
-    all.extend(record.warnings.iter().map(|caveat| caveat.message.clone()));
+    let of_plan = record.warnings.iter().map(|caveat| (caveat.kind.keep(), caveat.message.clone()));
+    let mut all: Vec<(Keep, String)> = all.into_iter().map(|text| (Keep::Finding, text)).chain(of_plan).collect();
+    all.sort_by_key(|(keep, _)| Reverse(*keep));
     all
 }

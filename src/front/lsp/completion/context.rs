@@ -156,7 +156,7 @@ impl Context {
         }
         match (self.place, opener.as_str()) {
             (Place::Top, "let") if word(2) == "=" => value(word(1)),
-            (Place::Limits, name) => match statement.len() {
+            (place, name) if place.has_limits() => match statement.len() {
                 1 => Before::LimitName(name.to_string()),
                 _ => value(name),
             },
@@ -179,7 +179,7 @@ impl Context {
                 if words.is_empty() { value("time") } else { Before::Words(words) }
             }
             (Place::Plan, "require") => match statement.len() {
-                1 => Before::Words(&["risk <=", "capture_height {"]),
+                1 => Before::Words(&["risk <=", "uncovered <=", "capture_height {"]),
                 _ => value(""),
             },
             (Place::Simulate, "fault") if statement.len() == 1 => Before::Mode,

@@ -4,7 +4,7 @@
 
 use super::core::disc;
 use crate::actuation::{Actuation, Wrench, signed_root};
-use crate::admissible::allocation::{Allocator, Bounds, bounded};
+use crate::admissible::allocation::{Allocator, Bounds, MOST_ROTORS, bounded};
 use crate::admissible::{AdmissibleSet, HEALTHY, edge, hover};
 use crate::geometry::polytope::Polytope;
 use crate::model::{Model, Spin, Vehicle, YawDrag};
@@ -47,6 +47,17 @@ pub struct System<'a> {
     allocation: Allocation,
     /// Mechanical power of healthy hover, W.
     healthy: f64,
+    /// Whether some rotor has inertia.
+    has_momentum: bool,
+}
+
+/// What balances at an angular velocity, or a guess of it.
+#[derive(Default)]
+struct Guess {
+    /// That of the rotors, N m s about z.
+    momentum: f64,
+    /// Those of [`bounded`].
+    multipliers: Wrench,
 }
 
 /// Steps of the momentum of the rotors, which depends on the thrusts and they on it.
@@ -66,7 +77,8 @@ impl<'a> System<'a> {
         let vehicle = &model.vehicle;
         let thrusts = Allocator::new(vehicle).thrusts(&hover(model));
         let healthy = power(vehicle, &thrusts, &vec![1.0; vehicle.rotors.len()]);
-        System { model, set, yaw_free, drag, allocation: Allocation::new(model, set), healthy }
+        let has_momentum = vehicle.rotors.iter().any(|rotor| rotor.inertia > 0.0);
+        System { model, set, yaw_free, drag, allocation: Allocation::new(model, set), healthy, has_momentum }
     }
 
     /// The wrench that an angular velocity (rad/s) takes: (96). `momentum` (N m s) is that of the rotors.
@@ -89,17 +101,16 @@ impl<'a> System<'a> {
 
     /// The wrench and the thrusts at an angular velocity; `None` if the mode does not produce it.
     fn balance(&self, w: &Vector3<f64>) -> Option<(Wrench, Vec<f64>)> {
-        let has_momentum = self.model.vehicle.rotors.iter().any(|rotor| rotor.inertia > 0.0);
-        let (mut momentum, mut wrench) = (0.0, self.wrench(w, 0.0));
-        let mut thrusts = self.allocation.thrusts(&wrench);
-        for _ in 0..if has_momentum { STEPS } else { 0 } {
+        let (mut momentum, mut wrench, mut multipliers) = (0.0, self.wrench(w, 0.0), Wrench::zeros());
+        let mut thrusts = self.allocation.thrusts(&wrench, &mut multipliers);
+        for _ in 0..if self.has_momentum { STEPS } else { 0 } {
             let next = self.momentum(&thrusts);
             if (next - momentum).abs() <= 1e-12 * (1.0 + next.abs()) {
                 break;
             }
             momentum = next;
             wrench = self.wrench(w, momentum);
-            thrusts = self.allocation.thrusts(&wrench);
+            thrusts = self.allocation.thrusts(&wrench, &mut multipliers);
         }
         let width = edge::width(&self.set.hover);
         self.set.polytope.contains(&wrench, width).then_some((wrench, thrusts))
@@ -125,30 +136,35 @@ impl<'a> System<'a> {
     /// its equality is a quadratic equation in the rate.
     pub fn about(&self, axis: &Vector3<f64>) -> Vec<RelaxedHover> {
         let [equality] = &self.set.polytope.equalities[..] else { return Vec::new() };
-        // Secant steps on the equality as a function of the rate take the momentum of the rotors and a drag of second
-        // order along; they start from a scan for changes of sign.
-        let off = |rate: f64| {
-            let wrench = self.wrench(&(axis * rate), self.momentum_near(&(axis * rate)));
-            equality.normal.dot(&wrench) - equality.offset
+        // The equality as a function of the rate takes the momentum of the rotors and a drag of second order along. Its
+        // roots are found between changes of sign; what balances at one rate is the first guess at the next.
+        let mut guess = Guess::default();
+        let mut off = |rate: f64| {
+            let w = axis * rate;
+            self.settle(&w, &mut guess);
+            equality.normal.dot(&self.wrench(&w, guess.momentum)) - equality.offset
         };
         let most = self.fastest();
-        let rates: Vec<f64> = (0..=SCAN).map(|k| most * (2.0 * k as f64 / SCAN as f64 - 1.0)).collect();
-        let values: Vec<f64> = rates.iter().map(|rate| off(*rate)).collect();
-        let crossings = (1..rates.len()).filter(|&k| (values[k - 1] < 0.0) != (values[k] < 0.0));
-        let roots = crossings.map(|k| bisect(&off, rates[k - 1], rates[k]));
-        roots.filter_map(|rate| self.at(&(axis * rate))).collect()
+        let rates = (0..=SCAN).map(|k| most * (2.0 * k as f64 / SCAN as f64 - 1.0));
+        let points: Vec<(f64, f64)> = rates.map(|rate| (rate, off(rate))).collect();
+        let crossings = points.windows(2).filter(|two| (two[0].1 < 0.0) != (two[1].1 < 0.0));
+        let roots: Vec<f64> = crossings.map(|two| root(&mut off, two[0], two[1])).collect();
+        roots.into_iter().filter_map(|rate| self.at(&(axis * rate))).collect()
     }
 
-    /// The momentum of the rotors at an angular velocity, N m s.
-    fn momentum_near(&self, w: &Vector3<f64>) -> f64 {
-        if self.model.vehicle.rotors.iter().all(|rotor| rotor.inertia == 0.0) {
-            return 0.0;
+    /// Moves a guess to what balances at an angular velocity.
+    fn settle(&self, w: &Vector3<f64>, guess: &mut Guess) {
+        if !self.has_momentum {
+            return;
         }
-        let mut momentum = 0.0;
         for _ in 0..STEPS {
-            momentum = self.momentum(&self.allocation.thrusts(&self.wrench(w, momentum)));
+            let before = guess.momentum;
+            let thrusts = self.allocation.thrusts(&self.wrench(w, before), &mut guess.multipliers);
+            guess.momentum = self.momentum(&thrusts);
+            if (guess.momentum - before).abs() <= ROUNDING * guess.momentum.abs() {
+                break;
+            }
         }
-        momentum
     }
 
     /// A rate (rad/s) above those of all equilibria: that of the largest yaw torque of the set.
@@ -197,17 +213,35 @@ impl<'a> System<'a> {
 /// Rates at which an equation is evaluated to find its changes of sign.
 const SCAN: usize = 64;
 
-/// The root of a function between two arguments with values of different sign, by bisection to the last digits.
-fn bisect(of: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let is_negative = of(low) < 0.0;
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        match (of(middle) < 0.0) == is_negative {
-            true => low = middle,
-            false => high = middle,
+/// Most steps of [`root`], which takes about ten.
+const MOST_STEPS: usize = 100;
+/// Relative changes below this are rounding.
+const ROUNDING: f64 = 1e-15;
+
+/// The root of a function between two arguments with values of different sign, by the Illinois method: false position
+/// that halves the value at an end that stays. M. Dowell, P. Jarratt, *A modified regula falsi method for computing the
+/// root of an equation*, BIT 11 (1971), doi 10.1007/BF01934364.
+fn root(of: &mut impl FnMut(f64) -> f64, mut low: (f64, f64), mut high: (f64, f64)) -> f64 {
+    let mut last = f64::NAN;
+    for _ in 0..MOST_STEPS {
+        let at = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+        if !at.is_finite() || (at - last).abs() <= ROUNDING * at.abs() {
+            break;
+        }
+        let value = of(at);
+        let (replaced, kept) =
+            if (value < 0.0) == (low.1 < 0.0) { (&mut low, &mut high) } else { (&mut high, &mut low) };
+        let stays = replaced.0 == last;
+        *replaced = (at, value);
+        if stays {
+            kept.1 /= 2.0;
+        }
+        last = at;
+        if value == 0.0 {
+            break;
         }
     }
-    0.5 * (low + high)
+    last
 }
 
 /// Torque times speed of the rotors at these thrusts (N), W; a weak rotor gives the share `capacity` of the thrust of
@@ -258,13 +292,13 @@ impl Allocation {
     }
 
     /// Thrusts (N) with the smallest sum of squares of the shares of their ranges that give the wrench, or come nearest
-    /// to it.
-    fn thrusts(&self, wrench: &Wrench) -> Vec<f64> {
-        let (none, all) = (vec![0.0; self.columns.len()], vec![1.0; self.columns.len()]);
-        let bounds = Bounds { least: &none, most: &all };
+    /// to it. `multipliers` are where the search starts, and then where it ended.
+    fn thrusts(&self, wrench: &Wrench, multipliers: &mut Wrench) -> Vec<f64> {
+        let n = self.columns.len();
+        let bounds = Bounds { least: &[0.0; MOST_ROTORS][..n], most: &[1.0; MOST_ROTORS][..n] };
         let w = (wrench - self.offset).component_mul(&self.scale);
-        let lambda = bounded(&self.columns, bounds, &w, &Wrench::repeat(1e12), Wrench::zeros());
-        let share = |k: usize, column: &Wrench| bounds.clip(k, column.dot(&lambda));
+        *multipliers = bounded(&self.columns, bounds, &w, &Wrench::repeat(1e12), *multipliers);
+        let share = |k: usize, column: &Wrench| bounds.clip(k, column.dot(multipliers));
         let columns = self.columns.iter().enumerate();
         columns.map(|(k, column)| self.lowest[k] + self.range[k] * share(k, column)).collect()
     }

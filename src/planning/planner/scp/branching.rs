@@ -65,6 +65,10 @@ impl ScpPlanner<'_, '_> {
                 let reached = iterate.with_states(iterate.towards(&stepped.states, share));
                 let now = self.violation(&reached);
                 let enough = now <= violation - settings.sufficient_decrease * share * (violation - stepped.sigma);
+                if share == 1.0 && !enough {
+                    // A rejected step would otherwise be proposed again.
+                    working_set.extend(self.rows_between(&reached));
+                }
                 if linear || violation.is_infinite() || enough || share < 2.0 * settings.min_share {
                     break (reached, now);
                 }

@@ -46,7 +46,7 @@ fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
         "curve" if !is_field => Rule::strict_curve,
         "waypoint" if has_body && !is_field => Rule::strict_waypoint,
         _ if has_body => Rule::strict_block,
-        _ if place == Place::Limits => Rule::strict_limit,
+        _ if place.has_limits() => Rule::strict_limit,
         _ if is_field => Rule::strict_field,
         "require" if place == Place::Plan => Rule::strict_require,
         "use" => Rule::strict_import,

@@ -69,7 +69,7 @@ pub(in crate::language::syntax) fn check_head(block: &mut Block, kind: Place) ->
 pub(in crate::language::syntax) fn misplaced(kind: StatementKind, place: Place, text: &str, span: Span) -> Diagnostic {
     let word = super::token(text, 0, super::is_name);
     let (whole, span) = (span, Span { end: span.start + word.len() as u32, ..span });
-    if kind == StatementKind::Field && place == Place::Limits {
+    if kind == StatementKind::Field && place.has_limits() {
         let value = text.split_once('=').map_or("", |(_, value)| value.trim());
         let (limit, relation) = match (word.strip_prefix("max_"), word.strip_prefix("min_")) {
             _ if value.contains("..") => (word, "in"),
@@ -110,6 +110,7 @@ pub(in crate::language::syntax) fn misplaced(kind: StatementKind, place: Place, 
             "a campaign sets its own faults: remove it, or move it into `simulate { .. }`"
         }
         Place::Simulate => "move it into `simulate { .. }`",
+        Place::Plan => "move it into `plan { .. }`",
         _ => "move it into a `mission`",
     };
     let message = format!("{what} belongs {}, not {}", home.phrase(), place.phrase());
@@ -162,10 +163,11 @@ pub(super) fn headless(statement: &Broken) -> Option<Diagnostic> {
 fn opens_block(word: &str, rest: &str) -> bool {
     let title_or_nothing = rest.is_empty() || rest.starts_with('"');
     match word {
-        "vehicle" | "mission" | "mode" => {
+        "vehicle" | "mission" | "mode" | "landing_site" | "keep_off" => {
             title_or_nothing || rest.trim_start_matches(super::is_name).trim_start().chars().all(|c| c == '"')
         }
-        "faults" | "plan" | "simulate" | "campaign" | "limits" | "rotor" | "rotors" | "battery" => title_or_nothing,
+        "faults" | "plan" | "simulate" | "campaign" | "limits" | "after_fault_limits" | "recovery" | "rotor"
+        | "rotors" | "battery" => title_or_nothing,
         "curve" => rest.contains(".."),
         _ => false,
     }
@@ -180,7 +182,7 @@ pub(super) fn openers(place: Place) -> String {
              beside it"
                 .to_string()
         }
-        _ if place == Place::Limits => "a limit is written like `speed <= 8 m/s`".to_string(),
+        _ if place.has_limits() => "a limit is written like `speed <= 8 m/s`".to_string(),
         Some((last, others)) if place == Place::Mission => {
             format!("write {} or {last}; the last waypoint is the goal", others.join(", "))
         }

@@ -201,7 +201,19 @@ fn unknown_block(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
 }
 
 /// Statements that are always blocks.
-const BLOCKS: [&str; 8] = ["vehicle", "faults", "mode", "mission", "limits", "plan", "simulate", "campaign"];
+const BLOCKS: [&str; 11] = [
+    "vehicle",
+    "faults",
+    "mode",
+    "mission",
+    "limits",
+    "landing_site",
+    "keep_off",
+    "after_fault_limits",
+    "plan",
+    "simulate",
+    "campaign",
+];
 
 /// `mode worn rotor 3 lost`
 fn braceless(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
@@ -299,7 +311,7 @@ fn relation(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     };
     let span = statement.span(failure.at, failure.at + found.len());
     let what = match statement.place {
-        Place::Limits => "a limit",
+        place if place.has_limits() => "a limit",
         _ if is_requirement => "a requirement",
         _ => "a condition",
     };
@@ -382,7 +394,7 @@ fn wrong_start(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
         Diagnostic::error("mavc::syntax::unexpected", statement.span(0, found.len()), message)
             .here("expected a name or a keyword")
             .help(match statement.place {
-                Place::Limits => "begin with the limit: `speed <= 8 m/s`, `altitude in 1 m .. 30 m`",
+                place if place.has_limits() => "begin with the limit: `speed <= 8 m/s`, `altitude in 1 m .. 30 m`",
                 _ => "begin with a keyword, or with the name of a field: `name = value`",
             }),
     )

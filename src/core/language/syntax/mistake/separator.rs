@@ -74,7 +74,7 @@ fn begins(statement: &Broken, at: usize) -> bool {
     }
     let rest = statement.text[at + word.len()..].trim_start_matches([' ', '\t']);
     let place = statement.place;
-    let in_limits = place == Place::Limits && (rest.starts_with("in ") || rest.starts_with(['<', '>']));
+    let in_limits = place.has_limits() && (rest.starts_with("in ") || rest.starts_with(['<', '>']));
     let opens = place.openers().contains(&word) && !rest.starts_with(['+', '-', '*', '/', '^', ')', ',']);
     let is_field = rest.starts_with('=') && !["==", "=>", "=<"].iter().any(|mark| rest.starts_with(mark));
     is_field || in_limits || opens && (!rest.is_empty() || statement.has_body)

@@ -2,6 +2,7 @@
 
 use super::super::limits as reader;
 use crate::diagnostic::Diagnostic;
+use crate::language::Group;
 use crate::language::table::waypoint as table;
 use crate::model::legs::distance;
 use crate::model::volume::corridor;
@@ -123,7 +124,7 @@ pub fn read<'a>(
         }
         Some((from, fields.clause(table::ARRIVE.name).unwrap_or(expr.span)))
     });
-    let (limits, whole) = reader::read(cx, &clauses.body);
+    let (limits, whole) = reader::read(cx, &clauses.body, Group::Limits);
     let leg = LegClauses {
         to: to.unwrap_or(0),
         stop: stop_span.is_some(),

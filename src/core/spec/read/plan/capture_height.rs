@@ -56,9 +56,15 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block, defaults: &mut Vec<DefaultUse
             cx.report(error.here("needs a bound").help("write `require risk <= 1e-6`"));
             return None;
         }
+        Some(("uncovered", at)) => {
+            let message = "`require uncovered` takes a bound, not a block";
+            let error = Diagnostic::error("mavc::plan::require", at, message).here("needs a bound");
+            cx.report(error.help("write `require uncovered <= 0 %`; its settings go into `recovery { }`"));
+            return None;
+        }
         Some((other, at)) => {
             let error = Diagnostic::error("mavc::plan::require", at, format!("`{other}` cannot be required"));
-            let error = error.here("neither `risk` nor `capture_height`");
+            let error = error.here("none of `risk`, `uncovered` and `capture_height`");
             cx.report(error.help("write `require capture_height { }`").fix(at, "capture_height"));
             return None;
         }

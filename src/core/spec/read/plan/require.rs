@@ -1,4 +1,5 @@
-//! `require risk <= 1e-6`: a bound that the plan must satisfy. `require capture_height { }` has a reader of its own.
+//! `require risk <= 1e-6` and `require uncovered <= 0 %`: a bound that the plan must satisfy. `require capture_height { }`
+//! has a reader of its own.
 
 use crate::diagnostic::Diagnostic;
 use crate::model::{FaultMode, PlannerKind};
@@ -6,37 +7,37 @@ use crate::number::number;
 use crate::read::context::Context;
 use crate::read::expected::Expected;
 use crate::source::Span;
-use crate::syntax::ast::Statement;
+use crate::syntax::ast::{Expr, Statement};
 
 const CODE: &str = "mavc::plan::require";
 
+/// What is bounded.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Bounded {
+    /// The risk of the mission, a probability.
+    Risk,
+    /// The share of the time without a way out after a fault.
+    Uncovered,
+    /// A name that is not known, which is reported.
+    Unknown,
+}
+
 /// The statement, before the modes are known.
-pub(super) struct Risk {
-    /// A probability; `None` if it has an error.
-    at_most: Option<f64>,
+pub(super) struct Requirement {
+    pub bounded: Bounded,
+    /// A probability or a share; `None` if it has an error.
+    pub at_most: Option<f64>,
     pub span: Span,
 }
 
 /// Reads the statement, if there is one.
-pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<Risk> {
-    let mut found: Option<Risk> = None;
+pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<Requirement> {
+    let mut found: Option<Requirement> = None;
     for statement in body {
         let Statement::Require { name, at_most: bound, span } = statement else { continue };
-        if let Some(first) = &found {
-            let error = Diagnostic::error("mavc::name::duplicate", *span, "`require` is given twice in `plan`");
-            cx.report(error.here("given again").also(first.span, "first given here").help("keep the smaller bound"));
-            continue;
-        }
-        let at_most = match name.value.as_str() {
-            "risk" => cx.number(Expected::new("risk", "1"), bound).and_then(|value| {
-                if (0.0..1.0).contains(&value) {
-                    return Some(value);
-                }
-                let error = Diagnostic::error(CODE, bound.span, "the required risk must be from 0 to below 1");
-                let error = error.here(format!("this is {}", number(value)));
-                cx.report(error.help("write a probability for the whole mission, such as `1e-6`"));
-                None
-            }),
+        let (bounded, at_most) = match name.value.as_str() {
+            "risk" => (Bounded::Risk, risk(cx, bound)),
+            "uncovered" => (Bounded::Uncovered, cx.share("the required `uncovered`", bound, CODE)),
             "capture_height" => {
                 let message = "`require capture_height` takes no bound: the height is simulated";
                 let error = Diagnostic::error(CODE, bound.span, message).here("remove the bound");
@@ -45,23 +46,52 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<Ri
             }
             other => {
                 let error = Diagnostic::error(CODE, name.span, format!("`{other}` cannot be required"));
-                let error = error.here("neither `risk` nor `capture_height`");
+                let error = error.here("none of `risk`, `uncovered` and `capture_height`");
                 cx.report(error.help(
-                    "write `require risk <= 1e-6` or `require capture_height { }`; limits go into \
-                    the mission's `limits` block",
+                    "write `require risk <= 1e-6`, `require uncovered <= 0 %` or `require capture_height { }`; limits \
+                     go into the mission's `limits` block",
                 ));
-                None
+                (Bounded::Unknown, None)
             }
         };
-        found = Some(Risk { at_most, span: *span });
+        match &found {
+            None => found = Some(Requirement { bounded, at_most, span: *span }),
+            Some(first) => cx.report(second(first, bounded, *span)),
+        }
     }
     found
 }
 
-impl Risk {
-    /// The bound, if it can be required: the planner is free to choose the modes, and every mode has a rate. Reports
-    /// errors otherwise.
-    pub fn check(
+/// The error for a second bound.
+fn second(first: &Requirement, bounded: Bounded, span: Span) -> Diagnostic {
+    let is_both =
+        matches!((first.bounded, bounded), (Bounded::Risk, Bounded::Uncovered) | (Bounded::Uncovered, Bounded::Risk));
+    let error = if is_both {
+        let error = Diagnostic::error(CODE, span, "a plan cannot require both `risk` and `uncovered`");
+        error.here("a second bound").help("remove one: with a bound on the risk the planner chooses what to protect")
+    } else {
+        let error = Diagnostic::error("mavc::name::duplicate", span, "`require` is given twice in `plan`");
+        error.here("given again").help("keep the smaller bound")
+    };
+    error.also(first.span, "first given here")
+}
+
+/// A probability.
+fn risk<'a>(cx: &mut Context<'a>, bound: &'a Expr) -> Option<f64> {
+    let value = cx.number(Expected::new("risk", "1"), bound)?;
+    if (0.0..1.0).contains(&value) {
+        return Some(value);
+    }
+    let error = Diagnostic::error(CODE, bound.span, "the required risk must be from 0 to below 1");
+    let error = error.here(format!("this is {}", number(value)));
+    cx.report(error.help("write a probability for the whole mission, such as `1e-6`"));
+    None
+}
+
+impl Requirement {
+    /// The bound on the risk, if it can be required: the planner is free to choose the modes, and every mode has a
+    /// rate. Reports errors otherwise.
+    pub fn check_risk(
         &self,
         cx: &mut Context,
         planner: Option<PlannerKind>,

@@ -14,9 +14,8 @@ const NO_WAY: &str = "mavc::volume::no_way";
 
 /// Adds the limits of the mission's volumes; whether the waypoints keep them.
 pub fn impose(cx: &mut Context, mission: &mut Mission, vehicle: &Vehicle) -> bool {
-    if mission.volumes.is_empty() {
-        return true;
-    }
+    let areas = mission.after_fault.keep_off.first().map(|area| area.span);
+    let Some(first) = mission.volumes.first().map(|volume| volume.span).or(areas) else { return true };
     let size = vehicle.radius();
     if vehicle.size.is_none() && vehicle.propeller_radius.is_none() {
         let message = format!(
@@ -25,7 +24,6 @@ pub fn impose(cx: &mut Context, mission: &mut Mission, vehicle: &Vehicle) -> boo
             significant(size, 3)
         );
         let warning = Diagnostic::warning("mavc::volume::unknown_size", vehicle.span, message);
-        let first = mission.volumes[0].span;
         let warning = warning.here("neither `size` nor `propeller_radius`").also(first, "a volume that keeps it");
         cx.report(warning.help("add `propeller_radius = 12 cm` or `size = 40 cm` to the vehicle, with its own values"));
     }

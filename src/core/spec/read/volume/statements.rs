@@ -1,30 +1,21 @@
 //! Reads `keep_in` and `keep_out` blocks.
 
+use super::outline::{self, CORNERS, SHAPE, SIZE};
 use crate::body::Body;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::volume as table;
 use crate::language::{Entry, Group};
-use crate::model::volume::{Side, Volume, split};
+use crate::model::volume::{Side, Volume};
 use crate::number::number;
 use crate::read::context::{Context, duplicate};
 use crate::read::expected::Expected;
-use crate::read::expression::Value;
 use crate::read::fields::Fields;
-use crate::read::mission::MAX_DISTANCE;
-use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, ExprKind};
+use crate::syntax::ast::Block;
 
-const SHAPE: &str = "mavc::volume::shape";
-const SIZE: &str = "mavc::volume::size";
-const TOO_MANY: &str = "mavc::volume::too_many";
+pub(super) const TOO_MANY: &str = "mavc::volume::too_many";
 
-/// The most volumes of a mission: every one is checked at every instant.
-const MOST: usize = 100;
-
-/// The most corners of a polygon: to divide it takes at most their number cubed.
-const MOST_CORNERS: usize = 200;
-
-const CORNERS: &str = "mavc::volume::corners";
+/// The most volumes of a mission, and the most areas to keep off: every one is checked at every instant.
+pub(super) const MOST: usize = 100;
 
 /// The fields that each shape takes; `shape` and `clearance` belong to all.
 const TAKEN: [(&str, &[&str]); 5] = [
@@ -73,7 +64,7 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Volume> {
     let clearance = fields.quantity(cx, &table::CLEARANCE, SIZE).or_default(|| table::CLEARANCE.value());
     fields.demand(cx, "shape", "shape = box");
     let shape = fields.word(cx, SHAPE, &table::SHAPE).value()?;
-    misplaced(cx, &fields, shape);
+    outline::misplaced(cx, &fields, shape, Group::Volume, &TAKEN);
     let read = Reader { fields: &fields, side };
     let bodies = match shape {
         "box" => read.cuboid(cx),
@@ -82,40 +73,9 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Volume> {
         "sphere" => read.sphere(cx),
         _ => read.half_space(cx),
     };
-    let bodies = bodies.filter(|bodies| is_near(cx, &fields, bodies));
+    let bodies = bodies.filter(|bodies| outline::is_near(cx, &fields, bodies));
     let volume = Volume { name, side, bodies: bodies?, clearance: clearance?, span };
     (block.name.is_some() && block.is_whole()).then_some(volume)
-}
-
-/// Whether a volume lies within [`MAX_DISTANCE`] of the origin; reports one that does not.
-fn is_near(cx: &mut Context, fields: &Fields, bodies: &[Body]) -> bool {
-    let farthest = |body: &Body| match body {
-        Body::HalfSpace { offset, .. } => offset.abs(),
-        _ => {
-            let (low, high) = body.extent();
-            low.into_iter().chain(high).map(f64::abs).fold(0.0, f64::max)
-        }
-    };
-    let far = bodies.iter().map(farthest).fold(0.0, f64::max);
-    if far <= MAX_DISTANCE {
-        return true;
-    }
-    let message = format!("{} reaches more than 1000 km from the origin", fields.owner);
-    let error = Diagnostic::error(SIZE, fields.span, message).here(format!("{} km", number(far / 1e3)));
-    cx.report(error.help("place the origin where the mission starts, and write lengths in m"));
-    false
-}
-
-/// Reports fields that belong to another shape.
-fn misplaced<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, shape: &str) {
-    let taken = TAKEN.iter().find(|row| row.0 == shape).map_or(&[][..], |row| row.1);
-    for entry in Group::Volume.entries().iter().filter(|e| !["shape", "clearance"].contains(&e.name)) {
-        let Some(span) = fields.span_of(entry.name).filter(|_| !taken.contains(&entry.name)) else { continue };
-        let list: Vec<String> = taken.iter().map(|field| format!("`{field}`")).collect();
-        let error = Diagnostic::error(SHAPE, span, format!("`shape = {shape}` takes no `{}`", entry.name));
-        let help = format!("remove it, or choose another shape; this one takes {}", list.join(", "));
-        cx.report(error.here("belongs to another shape").help(help));
-    }
 }
 
 struct Reader<'f, 'a> {
@@ -137,24 +97,8 @@ impl<'a> Reader<'_, 'a> {
         let to = self.vector(cx, &table::TO, "to = [50, 50, 30] m");
         let turn = self.fields.written("turn", |expr| cx.number(Expected::of(&table::TURN), expr));
         let (from, to, turn) = (from?, to?, turn.or_default(|| table::TURN.value())?);
-        if let Some(axis) = (0..3).find(|&i| from[i] >= to[i]) {
-            let name = ["x", "y", "z"][axis];
-            let message = format!("`from` must be below `to` on every axis, and is not on {name}");
-            let (a, b) = (self.fields.span_of("from"), self.fields.span_of("to"));
-            let error = Diagnostic::error(SIZE, b.unwrap_or(self.fields.span), message);
-            let error = error.here(format!("{name} = {} m", number(to[axis])));
-            let error = error.also(a.unwrap_or(self.fields.span), format!("{name} = {} m", number(from[axis])));
-            cx.report(error.help("exchange the two numbers: `from` is the lowest corner, `to` the highest"));
-            return None;
-        }
-        let [x, y] = [0, 1].map(|i| 0.5 * (from[i] + to[i]));
-        let [a, b] = [0, 1].map(|i| 0.5 * (to[i] - from[i]));
-        let (s, c) = turn.sin_cos();
-        let corner = |(u, v): (f64, f64)| [x + c * u - s * v, y + s * u + c * v];
-        let corners = match turn == 0.0 {
-            true => vec![[from[0], from[1]], [to[0], from[1]], [to[0], to[1]], [from[0], to[1]]],
-            false => [(-a, -b), (a, -b), (a, b), (-a, b)].map(corner).to_vec(),
-        };
+        outline::in_order(cx, self.fields, from, to)?;
+        let corners = outline::rectangle([from[0], from[1]], [to[0], to[1]], turn);
         Some(vec![Body::Prism { corners, bottom: from[2], top: to[2] }])
     }
 
@@ -189,7 +133,7 @@ impl<'a> Reader<'_, 'a> {
 
     fn polygon(&self, cx: &mut Context<'a>) -> Option<Vec<Body>> {
         let expr = self.fields.demand(cx, "corners", "corners = [[0, 0], [4, 0], [4, 3]] m");
-        let corners = expr.and_then(|expr| corners(cx, expr));
+        let corners = expr.and_then(|expr| outline::corners(cx, expr));
         let bottom = self.quantity(cx, &table::BOTTOM, "bottom = 0 m");
         let top = self.quantity(cx, &table::TOP, "top = 20 m");
         let (expr, corners, bottom, top) = (expr?, corners?, bottom?, top?);
@@ -199,14 +143,7 @@ impl<'a> Reader<'_, 'a> {
             cx.report(error.here(format!("{} m", number(top))).help(format!("write more than {} m", number(bottom))));
             return None;
         }
-        let parts = match split::convex_parts(&corners) {
-            Ok(parts) => parts,
-            Err(why) => {
-                let error = Diagnostic::error(CORNERS, expr.span, format!("the corners do not bound an area: {why}"));
-                cx.report(error.here("no polygon").help("give each corner once, in order along the edge"));
-                return None;
-            }
-        };
+        let parts = outline::convex_parts(cx, expr, &corners)?;
         if self.side == Side::KeepIn && parts.len() > 1 {
             let error = Diagnostic::error(CORNERS, expr.span, "the polygon of a `keep_in` must be convex");
             let help =
@@ -216,45 +153,4 @@ impl<'a> Reader<'_, 'a> {
         }
         Some(parts.into_iter().map(|corners| Body::Prism { corners, bottom, top }).collect())
     }
-}
-
-/// `[[x, y], [x, y], ...] m`, m.
-fn corners<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<[f64; 2]>> {
-    let due = Expected::new("corners", "m");
-    let wrong = |cx: &mut Context<'a>, span: Span, here: &str| {
-        let error = Diagnostic::error(CORNERS, span, "`corners` takes a list of points `[x, y]`").here(here);
-        cx.report(error.help("write `[[0, 0], [4, 0], [4, 3]] m`, with at least three corners"));
-        None
-    };
-    let ExprKind::List { elements, unit } = &expr.kind else { return wrong(cx, expr.span, "not a list") };
-    if elements.len() < 3 {
-        return wrong(cx, expr.span, "fewer than three corners");
-    }
-    if elements.len() > MOST_CORNERS {
-        let message = format!("a polygon may have at most {MOST_CORNERS} corners");
-        let error = Diagnostic::error(CORNERS, expr.span, message).here(format!("this one has {}", elements.len()));
-        cx.report(error.help("leave out corners that hardly bend the edge"));
-        return None;
-    }
-    let unit = match unit {
-        Some(text) => Some((text, cx.unit(text)?)),
-        None => None,
-    };
-    let mut found = Vec::with_capacity(elements.len());
-    for element in elements {
-        let list = match cx.evaluate(element)? {
-            Value::List(list) if list.len() == 2 => list,
-            _ => return wrong(cx, element.span, "not a point `[x, y]`"),
-        };
-        let mut point = [0.0; 2];
-        for (to, quantity) in point.iter_mut().zip(list) {
-            let quantity = match unit {
-                Some((text, unit)) => cx.attach_one(quantity, unit, text, element.span)?,
-                None => quantity,
-            };
-            *to = cx.lower(due, quantity, element)?;
-        }
-        found.push(point);
-    }
-    Some(found)
 }

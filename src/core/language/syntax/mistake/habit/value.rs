@@ -2,7 +2,7 @@
 
 use super::super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::Diagnostic;
-use crate::language::{Place, is_clause};
+use crate::language::is_clause;
 use crate::syntax::cut;
 
 /// `arm = 0,211 m`, `max_speed = 8,500 rpm`
@@ -239,7 +239,7 @@ pub(super) fn in_parentheses(statement: &Broken, failure: &Failure) -> Option<Di
     let open =
         statement.text[..failure.at].rfind(['(', ')', '[', ']']).filter(|&i| statement.text[i..].starts_with('('))?;
     let span = statement.span(open, open + 1);
-    if statement.place == Place::Limits {
+    if statement.place.has_limits() {
         let error = Diagnostic::error("mavc::syntax::range", span, "a range is written with `..`, not with a comma");
         return Some(error.here("not a range").help("write it like `altitude in 1 m .. 30 m`"));
     }

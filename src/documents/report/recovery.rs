@@ -1,0 +1,286 @@
+//! What can be done after a fault: its record, and the text for a terminal.
+
+use super::screen::{Screen, Tone};
+use super::trajectory_csv;
+use crate::model::{Model, Problem};
+use crate::number::{fixed, number, percent, plural, significant};
+use crate::recovery::{FoundBranch, ModeRecovery, NotAttempted, Piece, Recovery, Way};
+use crate::text_table::Table;
+use serde::Serialize;
+
+/// What can be done after each fault, at the instants that were looked at. Nothing is claimed between them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct RecoveryRecord {
+    /// How long after it a fault is known, s: one delay, or the shortest and the longest. There is a branch for each.
+    #[cfg_attr(test, schemars(length(min = 1, max = 2)))]
+    pub detection_s: Vec<f64>,
+    /// The longest time of a branch, s.
+    pub within_s: f64,
+    /// How the outcomes were found: at instants, each with branches that were checked at the instants of their grids.
+    #[cfg_attr(test, schemars(extend("const" = BASIS)))]
+    pub basis: &'static str,
+    /// The number of pairs of a mode and an instant that were looked at.
+    pub instants: usize,
+    /// The share of the time without a way out over all modes, weighted with their rates if all have one.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
+    pub uncovered: f64,
+    /// Whether `uncovered` is weighted with rates.
+    pub weighted: bool,
+    /// With `require uncovered`: the largest share that it allows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub required: Option<f64>,
+    /// Every declared mode, in their order.
+    pub modes: Vec<ModeRecord>,
+}
+
+/// The value of [`RecoveryRecord::basis`].
+pub const BASIS: &str = "checked at instants";
+
+/// The outcomes of the faults of one mode.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct ModeRecord {
+    pub name: String,
+    /// Why no way out was sought: `no hover`, hover is outside the mode's set; `caught`, the vehicle has to be caught,
+    /// which `capture_height` is about. Omitted if one was sought.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, schemars(extend("enum" = ["no hover", "caught"])))]
+    pub not_attempted: Option<&'static str>,
+    /// In the order of time.
+    pub pieces: Vec<PieceRecord>,
+    /// For how long there is no way out, s.
+    pub uncovered_s: f64,
+}
+
+/// A time during which the faults of a mode have one outcome.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct PieceRecord {
+    /// s since the start of the plan.
+    pub from_s: f64,
+    pub to_s: f64,
+    /// `none` where none was found.
+    #[cfg_attr(test, schemars(extend("enum" = OUTCOMES)))]
+    pub outcome: &'static str,
+    /// The landing site of `land at site`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub site: Option<String>,
+    /// The branch in the middle of the piece, a file name of `--branches`; null if there is none.
+    pub branch: Option<String>,
+    /// All branches of the piece.
+    pub branches: Vec<String>,
+}
+
+/// The words of outcomes.
+pub const OUTCOMES: [&str; 5] = ["continue", "continue spinning", "land at site", "land here", "none"];
+
+fn outcome(way: Option<Way>) -> &'static str {
+    match way {
+        Some(Way::Continue) => OUTCOMES[0],
+        Some(Way::ContinueSpinning) => OUTCOMES[1],
+        Some(Way::LandAt(_)) => OUTCOMES[2],
+        Some(Way::LandHere) => OUTCOMES[3],
+        None => OUTCOMES[4],
+    }
+}
+
+/// The share of the time without a way out over all modes, and whether it is weighted with their rates.
+pub fn uncovered(model: &Model, recovery: &Recovery) -> (f64, bool) {
+    let rates: Option<Vec<f64>> = model.modes.iter().map(|mode| mode.rate).collect();
+    let weighted = rates.as_ref().is_some_and(|rates| rates.iter().sum::<f64>() > 0.0);
+    let weight = |mode: usize| rates.as_ref().filter(|_| weighted).map_or(1.0, |rates| rates[mode]);
+    let all: f64 = recovery.modes.iter().map(|mode| weight(mode.mode) * recovery.duration).sum();
+    let open: f64 = recovery.modes.iter().map(|mode| weight(mode.mode) * mode.uncovered()).sum();
+    (if all > 0.0 { open / all } else { 0.0 }, weighted)
+}
+
+/// `M1_12.50s_200ms`: mode, instant of the fault, delay.
+fn branch_name(model: &Model, branch: &FoundBranch) -> String {
+    let FoundBranch { mode, fault_at, delay, .. } = branch;
+    format!("{}_{fault_at:.3}s_{:.0}ms", model.modes[*mode].name, 1e3 * delay)
+}
+
+impl RecoveryRecord {
+    pub fn new(model: &Model, recovery: &Recovery) -> Self {
+        let (uncovered, weighted) = uncovered(model, recovery);
+        let name = |index: &usize| branch_name(model, &recovery.branches[*index]) + ".csv";
+        let site = |way: Option<Way>| match (way, &model.mission) {
+            (Some(Way::LandAt(site)), Some(mission)) => Some(mission.after_fault.sites[site].name.clone()),
+            _ => None,
+        };
+        let piece = |piece: &Piece| PieceRecord {
+            from_s: piece.from,
+            to_s: piece.to,
+            outcome: outcome(piece.way),
+            site: site(piece.way),
+            branch: piece.branches.get(piece.branches.len() / 2).map(name),
+            branches: piece.branches.iter().map(name).collect(),
+        };
+        let mode = |found: &ModeRecovery| ModeRecord {
+            name: model.modes[found.mode].name.clone(),
+            not_attempted: found.not_attempted.map(|why| match why {
+                NotAttempted::NoHover => "no hover",
+                NotAttempted::Caught => "caught",
+            }),
+            pieces: found.pieces.iter().map(piece).collect(),
+            uncovered_s: found.uncovered(),
+        };
+        RecoveryRecord {
+            detection_s: recovery.delays.clone(),
+            within_s: recovery.within,
+            basis: BASIS,
+            instants: recovery.modes.iter().map(|mode| mode.instants).sum(),
+            uncovered,
+            weighted,
+            required: model.plan.recovery.require.map(|require| require.uncovered),
+            modes: recovery.modes.iter().map(mode).collect(),
+        }
+    }
+}
+
+/// The files of `--branches`: a table for each branch, in the form of the plan's, and `index.csv`.
+pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u8>)>, String> {
+    let (model, mission) = (problem.model(), problem.mission());
+    let mut index = String::from("file,mode,outcome,site,fault_s,delay_s,begins_s,ends_s,deviation_m\n");
+    let mut files = Vec::with_capacity(recovery.branches.len() + 1);
+    for branch in &recovery.branches {
+        let name = branch_name(model, branch) + ".csv";
+        let site = match branch.way {
+            Way::LandAt(site) => &mission.after_fault.sites[site].name,
+            _ => "",
+        };
+        let begins = branch.fault_at + branch.delay;
+        index.push_str(&format!(
+            "{name},{},{},{site},{},{},{begins},{},{}\n",
+            model.modes[branch.mode].name,
+            outcome(Some(branch.way)),
+            branch.fault_at,
+            branch.delay,
+            begins + branch.motion.duration(),
+            branch.deviation
+        ));
+        files.push((name, trajectory_csv::table(&branch.motion, model, None)?.into_bytes()));
+    }
+    files.push(("index.csv".into(), index.into_bytes()));
+    Ok(files)
+}
+
+/// Columns of a strip.
+const STRIP: usize = 40;
+
+/// The most modes that have a line on the screen.
+const MOST_MODES: usize = 10;
+
+/// The sign of an outcome on a strip. Where several share a column, the last of this order is shown.
+fn sign(way: Option<Way>) -> (usize, char) {
+    match way {
+        Some(Way::Continue) => (0, '='),
+        Some(Way::ContinueSpinning) => (1, '~'),
+        Some(Way::LandAt(_)) => (2, 'L'),
+        Some(Way::LandHere) => (3, 'h'),
+        None => (4, 'x'),
+    }
+}
+
+fn strip(mode: &ModeRecovery, duration: f64) -> String {
+    let of_column = |column: usize| {
+        let [from, to] = [column, column + 1].map(|c| duration * c as f64 / STRIP as f64);
+        let here = mode.pieces.iter().filter(|piece| piece.to >= from && piece.from <= to);
+        here.map(|piece| sign(piece.way)).max().map_or(' ', |(_, sign)| sign)
+    };
+    (0..STRIP).map(of_column).collect()
+}
+
+/// The outcomes of all faults as a few lines, with a strip for each mode: those with the longest gaps first, all of them
+/// if `verbose`.
+pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
+    let mut screen = Screen::default();
+    let (open, _) = uncovered(model, recovery);
+    let required = model.plan.recovery.require.map(|require| require.uncovered);
+    let tone = match (open, required) {
+        (open, Some(required)) if open > required => Tone::Bad,
+        (open, None) if open > 0.0 => Tone::Warning,
+        _ => Tone::Good,
+    };
+    screen.paragraph(tone, 2, 2, &headline(model, recovery));
+    let mut table = Table::new(&["fault", &scale(recovery.duration), "open s"]);
+    let mut modes: Vec<&ModeRecovery> = recovery.modes.iter().collect();
+    modes.sort_by(|a, b| b.uncovered().total_cmp(&a.uncovered()));
+    let shown = if verbose { modes.len() } else { modes.len().min(MOST_MODES) };
+    for mode in &modes[..shown] {
+        let bar = match mode.not_attempted {
+            None => strip(mode, recovery.duration),
+            Some(NotAttempted::NoHover) => "not sought: hover is outside its set".into(),
+            Some(NotAttempted::Caught) => "not sought: it has to be caught".into(),
+        };
+        table.row(vec![model.modes[mode.mode].name.clone(), bar, significant(mode.uncovered(), 3)]);
+    }
+    table.render_left(1).lines().for_each(|line| screen.line(Tone::Plain, &format!("  {line}")));
+    if shown < modes.len() {
+        screen.line(Tone::Plain, &format!("  {} more with shorter gaps: -v", plural(modes.len() - shown, "mode")));
+    }
+    screen.line(Tone::Plain, &format!("  {}", legend(recovery)));
+    let (gaps, rest) = gaps(model, recovery, if verbose { usize::MAX } else { 3 });
+    for gap in gaps {
+        screen.paragraph(Tone::Warning, 2, 2, &gap);
+    }
+    if rest > 0 {
+        screen.line(Tone::Plain, &format!("  {} more: -v", plural(rest, "gap")));
+    }
+    let premise = format!(
+        "Looked at {} instants, not between them. Delays are simulated without noise; branches keep the fault's set \
+         with {} % in reserve.",
+        recovery.modes.iter().map(|mode| mode.instants).sum::<usize>(),
+        significant(100.0 * model.plan.reserve, 3)
+    );
+    screen.paragraph(Tone::Plain, 2, 2, &premise);
+    screen
+}
+
+/// `0 s                                20 s`
+fn scale(duration: f64) -> String {
+    let end = format!("{} s", significant(duration, 3));
+    format!("0 s{end:>width$}", width = STRIP - 3)
+}
+
+fn legend(recovery: &Recovery) -> String {
+    let mut signs: Vec<(usize, char)> =
+        recovery.modes.iter().flat_map(|mode| &mode.pieces).map(|piece| sign(piece.way)).collect();
+    signs.sort_unstable();
+    signs.dedup();
+    let words = ["flies on", "flies on spinning", "lands at a site", "lands where it is", "none found"];
+    signs.iter().map(|(order, sign)| format!("{sign} {}", words[*order])).collect::<Vec<_>>().join("   ")
+}
+
+/// The outcome of all faults in one sentence.
+fn headline(model: &Model, recovery: &Recovery) -> String {
+    let delays = match recovery.delays[..] {
+        [least, most] => format!("{} to {} ms", number(1e3 * least), number(1e3 * most)),
+        _ => format!("{} ms", number(1e3 * recovery.delays[0])),
+    };
+    let (open, weighted) = uncovered(model, recovery);
+    let of = if weighted { "of the failure rate" } else { "of time x fault" };
+    let known = format!("known after {delays}, down or back on the plan within {} s", number(recovery.within));
+    match open == 0.0 {
+        true => format!("AFTER A FAULT {known}: a way out at every instant looked at"),
+        false => format!("AFTER A FAULT {known}: no way out found for {} {of}", percent(open)),
+    }
+}
+
+/// The longest gaps, and how many more there are.
+fn gaps(model: &Model, recovery: &Recovery, most: usize) -> (Vec<String>, usize) {
+    let mut all: Vec<(&ModeRecovery, &Piece)> = recovery
+        .modes
+        .iter()
+        .filter(|mode| mode.not_attempted.is_none())
+        .flat_map(|mode| mode.pieces.iter().filter(|piece| piece.way.is_none()).map(move |piece| (mode, piece)))
+        .collect();
+    all.sort_by(|a, b| (b.1.to - b.1.from).total_cmp(&(a.1.to - a.1.from)));
+    let rest = all.len().saturating_sub(most);
+    let sentence = |(mode, piece): &(&ModeRecovery, &Piece)| {
+        let [from, to] = [piece.from, piece.to].map(|t| fixed(t, 2));
+        format!("! {} from {from} to {to} s: none found", model.modes[mode.mode].name)
+    };
+    (all.iter().take(most).map(sentence).collect(), rest)
+}

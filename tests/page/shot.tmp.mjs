@@ -1,0 +1,10 @@
+import { chromium } from "playwright-core";
+const [,, file, out, width="1400", theme="light", full=""] = process.argv;
+const b = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox","--use-gl=angle","--use-angle=swiftshader","--enable-unsafe-swiftshader"] });
+const p = await b.newPage({ viewport: { width: +width, height: +width<500?844:900 }, colorScheme: theme });
+p.on("console", m => console.log(m.text()));
+await p.goto("file://"+file); await p.waitForTimeout(900);
+console.log(file, width, "height", await p.evaluate(()=>document.documentElement.scrollHeight), "wide", await p.evaluate(()=>document.documentElement.scrollWidth));
+console.log(await p.evaluate(()=>[...document.querySelectorAll("main > section")].map(s=>s.id+":"+Math.round(s.getBoundingClientRect().height)).join(" ")));
+if (out !== "-") await p.screenshot({ path: out, fullPage: !!full });
+await b.close();
