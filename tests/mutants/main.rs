@@ -2,7 +2,7 @@
 //! `mavc import`: none may panic, take more than a minute of processor time, or make the program grow past 500 MB.
 //!
 //! `cargo test` runs a few hundred of each. `cargo test --release --test mutants -- --count 1000000 --seed 1` is the
-//! long run, whose result docs/performance.md holds; `--write DIR --count 1000` writes the mutants of specs for
+//! long run, whose result CONTRIBUTING.md holds; `--write DIR --count 1000` writes the mutants of specs for
 //! tests/mutants/commands.py, which sends them through every command.
 
 mod files;

@@ -1,0 +1,3 @@
+(body "}" @end) @indent
+(list "]" @end) @indent
+(parenthesized ")" @end) @indent
