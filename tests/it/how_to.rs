@@ -27,6 +27,12 @@ fn the_page_on_planners_tells_the_truth() {
 
 #[test]
 #[ignore = "long"]
+fn the_page_on_ways_out_tells_the_truth() {
+    follow("docs/how-to/recovery.md", (1, 1));
+}
+
+#[test]
+#[ignore = "long"]
 fn the_page_on_reserves_tells_the_truth() {
     follow("docs/how-to/reserve.md", (1, 0));
 }

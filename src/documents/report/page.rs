@@ -22,6 +22,7 @@ mod path_harm;
 mod planners;
 mod predicted;
 mod prose;
+mod recovery;
 mod sets;
 mod spec;
 mod summary;
@@ -82,6 +83,9 @@ pub fn plans(
     let content = Content::of_plans(subject, comparison, &shown, record).with_places(&analyses);
     let mut sections = vec![Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses))];
     if kind == PageKind::Plan {
+        if let Some(section) = recovery::section(record) {
+            sections.insert(0, section);
+        }
         sections.extend(record.planners.last().and_then(waypoint_table::section));
         sections.extend(record.planners.last().and_then(|planner| volumes::section(problem, planner)));
         sections.extend(record.planners.last().and_then(|planner| binding_table::section(mission, planner)));

@@ -94,6 +94,9 @@ pub struct NearMissRecord {
 /// The words of outcomes.
 pub const OUTCOMES: [&str; 5] = ["continue", "continue spinning", "land at site", "land here", "none"];
 
+/// The words for people, in the order of [`OUTCOMES`].
+pub const WORDS: [&str; 5] = ["flies on", "flies on spinning", "lands at a site", "lands where it is", "none found"];
+
 fn outcome(way: Option<Way>) -> &'static str {
     match way {
         Some(Way::Continue) => OUTCOMES[0],
@@ -234,7 +237,8 @@ pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
         (open, None) if open > 0.0 => Tone::Warning,
         _ => Tone::Good,
     };
-    screen.paragraph(tone, 2, 2, &headline(model, recovery));
+    let record = RecoveryRecord::new(model, recovery);
+    screen.paragraph(tone, 2, 2, &format!("AFTER A FAULT {}", sentence(&record)));
     let mut table = Table::new(&["fault", &scale(recovery.duration), "open s"]);
     let mut modes: Vec<&ModeRecovery> = recovery.modes.iter().collect();
     modes.sort_by(|a, b| b.uncovered().total_cmp(&a.uncovered()));
@@ -259,20 +263,10 @@ pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
     if rest > 0 {
         screen.line(Tone::Plain, &format!("  {} more: -v", plural(rest, "gap")));
     }
-    let premise = format!(
-        "Looked at {} instants, not between them. Delays are simulated without noise; branches keep the fault's set \
-         with {} % in reserve.",
-        recovery.modes.iter().map(|mode| mode.instants).sum::<usize>(),
-        significant(100.0 * model.plan.reserve, 3)
-    );
-    screen.paragraph(Tone::Plain, 2, 2, &premise);
-    let flights = format!(
-        "Simulated with the noise and gusts of `simulate`: {} of {} branches end as planned.",
-        recovery.survived,
-        recovery.branches.len()
-    );
-    let tone = if recovery.survived < recovery.branches.len() { Tone::Warning } else { Tone::Plain };
-    screen.paragraph(tone, 2, 2, &flights);
+    let all_survive = record.survived == record.flown;
+    for (text, tone) in premise(&record, model.plan.reserve).iter().zip([Tone::Plain, tone_of_flights(all_survive)]) {
+        screen.paragraph(tone, 2, 2, text);
+    }
     screen.gap();
     screen
 }
@@ -288,23 +282,40 @@ fn legend(recovery: &Recovery) -> String {
         recovery.modes.iter().flat_map(|mode| &mode.pieces).map(|piece| sign(piece.way)).collect();
     signs.sort_unstable();
     signs.dedup();
-    let words = ["flies on", "flies on spinning", "lands at a site", "lands where it is", "none found"];
-    signs.iter().map(|(order, sign)| format!("{sign} {}", words[*order])).collect::<Vec<_>>().join("   ")
+    signs.iter().map(|(order, sign)| format!("{sign} {}", WORDS[*order])).collect::<Vec<_>>().join("   ")
+}
+
+fn tone_of_flights(all_survive: bool) -> Tone {
+    if all_survive { Tone::Plain } else { Tone::Warning }
 }
 
 /// The outcome of all faults in one sentence.
-fn headline(model: &Model, recovery: &Recovery) -> String {
-    let delays = match recovery.delays[..] {
+pub fn sentence(record: &RecoveryRecord) -> String {
+    let delays = match record.detection_s[..] {
         [least, most] => format!("{} to {} ms", number(1e3 * least), number(1e3 * most)),
-        _ => format!("{} ms", number(1e3 * recovery.delays[0])),
+        _ => format!("{} ms", number(1e3 * record.detection_s[0])),
     };
-    let (open, weighted) = uncovered(model, recovery);
-    let of = if weighted { "of the failure rate" } else { "of time x fault" };
-    let known = format!("known after {delays}, down or back on the plan within {} s", number(recovery.within));
-    match open == 0.0 {
-        true => format!("AFTER A FAULT {known}: a way out at every instant looked at"),
-        false => format!("AFTER A FAULT {known}: no way out found for {} {of}", percent(open)),
+    let of = if record.weighted { "of the failure rate" } else { "of time x fault" };
+    let known = format!("known after {delays}, down or back on the plan within {} s", number(record.within_s));
+    match record.uncovered == 0.0 {
+        true => format!("{known}: a way out at every instant looked at"),
+        false => format!("{known}: no way out found for {} {of}", percent(record.uncovered)),
     }
+}
+
+/// On what the outcomes rest: what was computed, and what was flown.
+pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
+    let computed = format!(
+        "Looked at {} instants, not between them. Delays are simulated without noise; branches keep the fault's set with \
+         {} % in reserve.",
+        record.instants,
+        significant(100.0 * reserve, 3)
+    );
+    let flown = format!(
+        "Simulated with the noise and gusts of `simulate`: {} of {} branches end as planned.",
+        record.survived, record.flown
+    );
+    [computed, flown]
 }
 
 /// The longest gaps, and how many more there are.
