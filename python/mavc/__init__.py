@@ -5,7 +5,7 @@ and flies campaigns; `sweep` maps many specs. docs/python.md has a tour.
 """
 
 from . import _mavc
-from .builder import FaultMode, Mission, Rotor, Vehicle, Volume, Waypoint, build
+from .builder import FaultMode, KeepOff, LandingSite, Mission, Rotor, Vehicle, Volume, Waypoint, build
 from .errors import (
     BuildError,
     Cancelled,
@@ -43,7 +43,9 @@ __all__ = [
     "Fix",
     "Imported",
     "InternalError",
+    "KeepOff",
     "Label",
+    "LandingSite",
     "Log",
     "Mission",
     "Mode",

@@ -121,24 +121,54 @@ class Volume(_Fields):
         return [(f"keep_{self.keep}", [self.name, self.shape]), *fields]
 
 
+class LandingSite:
+    """A place where a damaged vehicle may touch down within `radius` (m) of `at` (m)."""
+
+    def __init__(self, name: str, at: Sequence[float], radius: float) -> None:
+        self.name, self.at, self.radius = name, at, radius
+
+    def _calls(self) -> list[Call]:
+        return [("landing_site", [self.name, _vector("landing_site", "at", self.at), checked("landing_site", "radius", self.radius)])]
+
+
+class KeepOff(_Fields):
+    """An area where no damaged vehicle lands, a `box`, `cylinder` or `polygon` seen from above; it may fly over it."""
+
+    def __init__(self, name: str, shape: str, **fields: Any) -> None:
+        super().__init__(**fields)
+        self.name, self.shape = name, shape
+
+    def _calls(self) -> list[Call]:
+        fields = [("area", [self.name, *call[1]]) for call in _set("area", self.fields)]
+        return [("keep_off", [self.name, self.shape]), *fields]
+
+
 @dataclass
 class Mission:
     """Waypoints, the first of which is the start, limits and volumes. A limit is a bound from above, or a pair of bounds, either of
-    which may be `None`: `limits={"speed": 6.0, "altitude": (1.0, None)}`."""
+    which may be `None`: `limits={"speed": 6.0, "altitude": (1.0, None)}`. `fields` are those of the block, such as `ground` (m); the
+    last three concern the time after a fault, and limits there are bounds from above."""
 
     waypoints: Sequence[Waypoint | Sequence[float]]
     limits: Mapping[str, Bounds] = field(default_factory=dict)
     volumes: Sequence[Volume] = ()
     start_moving: bool = False
     end_moving: bool = False
+    fields: Mapping[str, Any] = field(default_factory=dict)
+    landing_sites: Sequence[LandingSite] = ()
+    keep_off: Sequence[KeepOff] = ()
+    after_fault_limits: Mapping[str, float] = field(default_factory=dict)
 
     def _calls(self) -> list[Call]:
-        calls: list[Call] = [("start_moving", [])] if self.start_moving else []
+        calls = _set("mission", self.fields)
+        calls += [("start_moving", [])] if self.start_moving else []
         for waypoint in self.waypoints:
             calls += (waypoint if isinstance(waypoint, Waypoint) else Waypoint(waypoint))._calls()
         calls += [("end_moving", [])] if self.end_moving else []
         calls += [_limit(name, bounds) for name, bounds in self.limits.items()]
-        return calls + [call for volume in self.volumes for call in volume._calls()]
+        calls += [call for block in (*self.volumes, *self.landing_sites, *self.keep_off) for call in block._calls()]
+        after_fault = self.after_fault_limits.items()
+        return calls + [("after_fault_at_most", [name, checked("after_fault_limits", name, bound)]) for name, bound in after_fault]
 
 
 def build(
@@ -147,13 +177,14 @@ def build(
     mission: Mission | None = None,
     *,
     plan: Mapping[str, Any] | None = None,
+    recovery: Mapping[str, Any] | None = None,
     simulate: Mapping[str, Any] | None = None,
     strikes: Iterable[tuple[str, float]] = (),
     campaign: Mapping[str, Any] | None = None,
     top: Mapping[str, Any] | None = None,
     set: Overrides = (),
 ) -> Spec:
-    """Builds a spec. `strikes` are pairs of a fault mode and the time (s) at which it strikes in simulations; `top` are the fields
+    """Builds a spec. `recovery` are the fields of that block in `plan`. `strikes` are pairs of a fault mode and the time (s) at which it strikes in simulations; `top` are the fields
     outside all blocks, such as `gravity`; `set` has overrides, for what has no value here, such as an interval.
 
     Raises BuildError with every mistake in the values, and SpecError if an override has one.
@@ -161,7 +192,7 @@ def build(
     calls = _set("top", top or {}) + vehicle._calls()
     calls += [call for mode in faults for call in mode._calls()]
     calls += mission._calls() if mission is not None else []
-    calls += _set("plan", plan or {}) + _set("simulate", simulate or {})
+    calls += _set("plan", plan or {}) + _set("recovery", recovery or {}) + _set("simulate", simulate or {})
     calls += [("strike", [mode, _plain("s", at)]) for mode, at in strikes]
     text, problems = _mavc.build(calls + _set("campaign", campaign or {}))
     if problems:

@@ -66,6 +66,30 @@ def test_values_and_text_are_one_spec():
     assert mavc.format(built.text) == built.text
 
 
+def test_what_follows_a_fault():
+    built = mavc.build(
+        octo(size=0.5),
+        [mavc.FaultMode("M1", lost=1, recovery=["continue", "pad"])],
+        mavc.Mission(
+            [(0, 0, 2), (10, 0, 5)],
+            fields={"ground": 0.0, "buffer": 3.0},
+            landing_sites=[mavc.LandingSite("pad", (4, -8, 0), 2.0)],
+            keep_off=[mavc.KeepOff("street", "polygon", corners=[[0, 5], [40, 5], [40, 11]], clearance=1.0)],
+            after_fault_limits={"descent": 4.0},
+        ),
+        recovery={"order": ["continue", "land_at_sites"], "within": 20.0},
+    )
+    for line in [
+        "recovery = [continue, pad]",
+        "landing_site pad {",
+        "keep_off street {",
+        "descent <= 4 m/s",
+        "order  = [continue, land_at_sites]",
+    ]:
+        assert line in built.text, built.text
+    assert mavc.compile(built.text).sha256 == built.sha256
+
+
 def test_placed_rotors():
     places = [(0.2, 0.2, 0), (0.2, -0.2, 0), (-0.2, -0.2, 0), (-0.2, 0.2, 0)]
     rotors = [mavc.Rotor(at, spin) for at, spin in zip(places, "PNPN")]

@@ -1,4 +1,4 @@
-//! The rows of what concerns the time after a fault: landing sites, areas to keep off, limits, and `recovery` in `plan`.
+//! The rows of what concerns the time after a fault: sites, areas to keep off, limits, and `recovery` in `plan`.
 
 use super::*;
 

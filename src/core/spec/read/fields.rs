@@ -41,8 +41,8 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ),
     (
         "recovery",
-        "is a block of `plan`, written `recovery { order = [continue, land_here] }`, and a field of a fault mode, written \
-         `recovery = [continue, land_here]`",
+        "is a block of `plan`, written `recovery { order = [continue, land_here] }`, and a field of a fault mode, \
+         written `recovery = [continue, land_here]`",
     ),
     ("order", "goes into `recovery { }` of `plan`"),
     ("density", "goes into `air { density = 1.1 kg/m^3 }` of the mission"),
@@ -190,6 +190,9 @@ impl<'a> Fields<'a> {
         if matches!(word, "at" | "position") && known.has("x") {
             error = error.help("write the coordinates separately: `x = ..`, `y = ..` and `z = ..`");
             self.accounted.extend(["x", "y", "z"]);
+        } else if word == "position" && known.has("at") {
+            error = error.help("did you mean `at`?").fix(name.span, "at");
+            self.accounted.push("at");
         } else if let Some(place) = elsewhere(word).filter(|_| !surer) {
             error = error.help(place);
         } else if let Some(near) = near.filter(|_| is_override(cx.sources, name.span)) {

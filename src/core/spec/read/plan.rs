@@ -163,6 +163,7 @@ impl<'a> Draft<'a> {
                 let bound = share.at_most.map(|uncovered| Recoverable { uncovered, span: share.span });
                 require_uncovered = Written::of(bound);
             }
+            Some(unknown) if unknown.bounded == Bounded::Unknown => require_risk = Written::Faulty,
             Some(risk) => {
                 require_risk = Written::of(risk.check_risk(cx, planner, against.as_deref(), &modes.modes));
                 require_span = risk.span;

@@ -12,6 +12,7 @@ use crate::syntax::cut;
 const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     keyword_colon,
     value::pi_and_unit,
+    value::way_of_two_words,
     no_such_clause,
     name_form,
     value::in_parentheses,

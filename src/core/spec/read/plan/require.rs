@@ -1,5 +1,5 @@
-//! `require risk <= 1e-6` and `require uncovered <= 0 %`: a bound that the plan must satisfy. `require capture_height { }`
-//! has a reader of its own.
+//! `require risk <= 1e-6` and `require uncovered <= 0 %`: a bound that the plan must satisfy. `require capture_height
+//! { }` has a reader of its own.
 
 use crate::diagnostic::Diagnostic;
 use crate::model::{FaultMode, PlannerKind};

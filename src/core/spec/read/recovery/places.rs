@@ -4,7 +4,7 @@ use super::SITE;
 use crate::body::Body;
 use crate::diagnostic::Diagnostic;
 use crate::model::{DistanceFrom, LandingSite, Limit, LimitKind, Mission, Vehicle};
-use crate::number::significant;
+use crate::number::{number, significant};
 use crate::read::context::Context;
 
 /// Checks every landing site of a mission whose volumes are imposed on this vehicle; whether all fit. Reports the first
@@ -39,7 +39,10 @@ fn of_limits(site: &LandingSite, mission: &Mission) -> Option<Diagnostic> {
     };
     let help = match is_apart {
         true => "move the site, or reduce its `radius`".to_string(),
-        false => format!("move the site, reduce its `radius`, or widen the mission's `buffer` by {by} m"),
+        false => {
+            let centimetres = number((over * 100.0).ceil() / 100.0);
+            format!("move the site, reduce its `radius`, or widen the mission's `buffer` by {centimetres} m")
+        }
     };
     let kept = match limit.volume {
         Some(_) => "the vehicle keeps its size and the `clearance` from this",

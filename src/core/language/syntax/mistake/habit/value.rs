@@ -174,6 +174,30 @@ fn is_factor(word: &str) -> bool {
     word == "%" || word.len() <= 3 && word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') && !other
 }
 
+/// `[continue, land here]`, `[land at pad]`
+pub(super) fn way_of_two_words(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, before) = statement.before(failure.at);
+    if before != "land" || !matches!(statement.word(), "order" | "recovery") {
+        return None;
+    }
+    let (end, written) = match statement.found(failure.at) {
+        "here" => (failure.at + "here".len(), "land_here"),
+        "at" => {
+            let rest = &statement.text[failure.at + "at".len()..];
+            let at = statement.text.len() - rest.trim_start().len();
+            let name = statement.found(at);
+            let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+            (at + name.len(), if name == "sites" { "land_at_sites" } else { Some(name).filter(|_| is_name)? })
+        }
+        _ => return None,
+    };
+    let span = statement.span(start, end);
+    let message = format!("`{}` is not one word", cut(&statement.text[start..end]));
+    let error = Diagnostic::error("mavc::syntax::unexpected", span, message);
+    let error = error.here("a way out is one word, or the name of a landing site");
+    Some(error.help(format!("write `{}`", cut(written))).fix(span, written))
+}
+
 /// `a m` with a name: only numbers and brackets take a unit.
 pub(super) fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
