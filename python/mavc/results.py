@@ -247,9 +247,9 @@ class Plan:
 
     @property
     def headline(self) -> str:
-        """Whether there is a plan, in one line."""
-        rest = self.planner["statement"].removeprefix(self.verdict)
-        return f"{'PLAN ' if self else ''}{self.verdict.upper()}{rest}; planner {self.planner['name'].upper()}"
+        """Whether there is a plan, in one line, as in the terminal."""
+        headline: str = self.planner["headline"]
+        return headline
 
     def __bool__(self) -> bool:
         """Whether there is a plan."""

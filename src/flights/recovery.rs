@@ -6,6 +6,7 @@
 //! the instants that were looked at; between them nothing is claimed.
 
 pub mod carry;
+pub mod flown;
 mod search;
 
 use crate::admissible::AdmissibleSet;
@@ -57,6 +58,19 @@ pub struct Piece {
     pub way: Option<Way>,
     /// The branches at the instants of the piece, for the longest delay, as indices into [`Recovery::branches`].
     pub branches: Vec<usize>,
+    /// Of a gap: a landing site that is reached from its middle in more time than is allowed.
+    pub near_miss: Option<NearMiss>,
+}
+
+/// A landing that takes too long.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearMiss {
+    /// An index into the mission's landing sites.
+    pub site: usize,
+    /// When the fault strikes, s since the start of the plan.
+    pub at: f64,
+    /// The time from the fault's detection to the touchdown in which a landing was found, s.
+    pub takes: f64,
 }
 
 /// The outcomes of the faults of one mode.
@@ -93,6 +107,8 @@ pub struct Recovery {
     pub within: f64,
     /// The duration of the plan, s.
     pub duration: f64,
+    /// How many of the branches end as planned in simulated flights, one each.
+    pub survived: usize,
     pub effort: Effort,
 }
 
@@ -123,7 +139,7 @@ pub fn recovery(problem: Problem, plan: &Trajectory) -> Recovery {
         };
         match not_attempted {
             Some(_) => {
-                let piece = Piece { from: 0.0, to: plan.duration(), way: None, branches: Vec::new() };
+                let piece = Piece { from: 0.0, to: plan.duration(), way: None, branches: Vec::new(), near_miss: None };
                 (ModeRecovery { mode, not_attempted, pieces: vec![piece], instants: 0 }, Vec::new(), Effort::default())
             }
             None => Search::new(problem, plan, mode, &set, &provision, &healthy, &delays).all(),
@@ -135,6 +151,7 @@ pub fn recovery(problem: Problem, plan: &Trajectory) -> Recovery {
         branches: Vec::new(),
         within: settings.within,
         duration: plan.duration(),
+        survived: 0,
         effort: Effort::default(),
         delays: delays.clone(),
     };
@@ -145,6 +162,7 @@ pub fn recovery(problem: Problem, plan: &Trajectory) -> Recovery {
         found.modes.push(mode);
         found.effort += effort;
     }
+    found.survived = flown::survivors(model, plan, &found);
     found
 }
 

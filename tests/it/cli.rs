@@ -22,9 +22,19 @@ pub fn mavc(args: &[&str]) -> Output {
 }
 
 pub fn mavc_with(args: &[&str], input: &str) -> Output {
+    run_in(Path::new(env!("CARGO_MANIFEST_DIR")), args, input)
+}
+
+/// The exit code, standard output and standard error of a run in a folder.
+pub fn mavc_in(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    let output = run_in(folder, args, "");
+    (code(&output), out(&output), err(&output))
+}
+
+fn run_in(folder: &Path, args: &[&str], input: &str) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_mavc"))
         .args(args)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(folder)
         .env("NO_COLOR", "1")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

@@ -52,6 +52,7 @@ mod planning;
 mod programs;
 mod pseudo_inverse;
 mod readme;
+mod recovery;
 mod render;
 mod reproduction;
 mod rest_to_rest;

@@ -11,7 +11,7 @@ use crate::admissible::parallel::least_angle;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::flight::equilibrium::{SettledSpin, settled_spins};
 use crate::model::{Allocation, Model};
-use crate::number::{down, part_of_all, significant};
+use crate::number::{down, number, part_of_all, significant};
 use crate::report::battery;
 use crate::text_table::Table;
 
@@ -216,9 +216,17 @@ fn speeds(model: &Model, modes: &[ModeAnalysis]) -> Option<String> {
     let healthy = modes.first()?.airspeed.as_ref()?;
     let speed = |mode: &ModeAnalysis| mode.airspeed.as_ref().map_or(0.0, |air| air.largest_m_per_s.unwrap_or(0.0));
     let least = modes.iter().skip(1).min_by(|a, b| speed(a).total_cmp(&speed(b)));
+    let heading = if model.environment().is_isotropic() { "" } else { " in the worst heading" };
+    // Where every speed is beyond what the drag is for, none is of use.
+    if modes.iter().all(|mode| speed(mode) > PLAUSIBLE) {
+        let most = number(PLAUSIBLE);
+        return Some(format!(
+            "steady airspeed with the plan's reserve{heading}: over {most} m/s in every mode, where drag in proportion \
+             to speed is not plausible"
+        ));
+    }
     let after =
         least.and_then(|mode| Some(format!(", least after {}: {}", mode.name, airspeed(mode.airspeed.as_ref()?))));
-    let heading = if model.environment().is_isotropic() { "" } else { " in the worst heading" };
     let implausible = modes.iter().any(|mode| speed(mode) > PLAUSIBLE);
     let note = if implausible { "; drag in proportion to speeds over 40 m/s is not plausible" } else { "" };
     Some(format!(

@@ -5,7 +5,7 @@ use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::Exposed;
 use crate::flight::capture::heights::CaptureHeights;
 use crate::model::Model;
-use crate::number::{fixed, number, significant};
+use crate::number::{fixed, number, plural, significant};
 use crate::text_table::{Table, indented};
 use serde::Serialize;
 
@@ -107,13 +107,6 @@ impl ExposedRecord {
             _ => parts.concat(),
         }
     }
-
-    /// `by up to 5.43 m`
-    fn by(&self) -> String {
-        self.short_m.map_or("for which no height is known to be enough".into(), |short| {
-            format!("by up to {} m at {} s", significant(short, 3), fixed(self.short_at_s, 2))
-        })
-    }
 }
 
 /// The caveat of a plan that flies lower than its captures ask for although its spec does not require the height: that
@@ -123,18 +116,21 @@ pub fn caveat(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<Cavea
         return None;
     }
     let worst = exposed.iter().reduce(|a, b| if b.seconds > a.seconds { b } else { a })?;
-    let others = match exposed.len() - 1 {
-        0 => String::new(),
-        1 => " It is too low for one more mode.".into(),
-        n => format!(" It is too low for {n} more modes."),
+    let (strikes, modes) = (format!("If mode {} strikes {}", worst.mode, worst.when()), exposed.len() - 1);
+    let message = match worst.short_m {
+        Some(short) => format!(
+            "{strikes}, the plan is too low to regain level flight above the ground, by up to {} m at {} s; simulated, \
+             not proved.{} Add `require capture_height {{ }}` to `plan`, or fly higher.",
+            significant(short, 3),
+            fixed(worst.short_at_s, 2),
+            if modes > 0 { format!(" It is too low for {} more.", plural(modes, "mode")) } else { String::new() }
+        ),
+        None => format!(
+            "{strikes}, no height is known to be enough to regain level flight: not every simulated flight does; not \
+             proved.{}",
+            if modes > 0 { format!(" The plan is too low for {} more.", plural(modes, "mode")) } else { String::new() }
+        ),
     };
-    let message = format!(
-        "If mode {} strikes {}, the plan is too low to regain level flight above the ground, {}; simulated, not \
-         proved.{others} Add `require capture_height {{ }}` to `plan`, or fly higher.",
-        worst.mode,
-        worst.when(),
-        worst.by()
-    );
     let at_s = worst.short_at_s;
     Some(Caveat { kind: CaveatKind::CaptureHeight, limit: None, value: worst.seconds, at_s, message })
 }

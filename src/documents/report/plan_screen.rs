@@ -122,6 +122,7 @@ impl Answer<'_> {
         let reached = waypoints::waypoints(mission, solved);
         lines.push((Keep::Figure, "waypoints", waypoints::headline(&reached)));
         lines.push((Keep::Figure, "path", path(self.problem, solved)));
+        lines.extend(wind(model).map(|text| (Keep::Figure, "wind", text)));
         if let Some(record) = battery::record(model, &solved.trajectory) {
             let left = if record.left < 0.0 { "none".to_string() } else { percent(record.left) };
             lines.push((
@@ -166,6 +167,22 @@ impl Answer<'_> {
         all.sort_by_key(|(keep, _)| Reverse(*keep));
         all
     }
+}
+
+/// The winds that the plan is for: `planned for [6, 3, 0] m/s +- [1, 1, 0] m/s`; `None` without drag and in still air.
+fn wind(model: &Model) -> Option<String> {
+    let air = &model.mission.as_ref()?.air;
+    let is_still = air.wind == [0.0; 3] && air.wind_spread == [0.0; 3] && air.gusts == 0.0;
+    if is_still || !model.environment().has_drag() {
+        return None;
+    }
+    let vector = |v: [f64; 3]| format!("[{}]", v.map(|x| significant(x, DIGITS)).join(", "));
+    let spread = match air.wind_spread {
+        [0.0, 0.0, 0.0] => String::new(),
+        spread => format!(" +- {} m/s", vector(spread)),
+    };
+    let gusts = if air.gusts > 0.0 { "; its gusts are left to `mavc simulate`" } else { "" };
+    Some(format!("planned for {} m/s{spread}{gusts}", vector(air.wind)))
 }
 
 /// The modes with a rate that the risk leaves out, because the plan is not against them.

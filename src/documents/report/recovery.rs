@@ -27,6 +27,11 @@ pub struct RecoveryRecord {
     pub uncovered: f64,
     /// Whether `uncovered` is weighted with rates.
     pub weighted: bool,
+    /// The number of branches for the longest delay, each of which was flown once by simulation, with the noise and
+    /// gusts of `simulate`.
+    pub flown: usize,
+    /// How many of these flights ended as planned.
+    pub survived: usize,
     /// With `require uncovered`: the largest share that it allows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub required: Option<f64>,
@@ -70,6 +75,20 @@ pub struct PieceRecord {
     pub branch: Option<String>,
     /// All branches of the piece.
     pub branches: Vec<String>,
+    /// Of a gap, if there is one: a landing site that is reached from its middle in more time than is allowed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub near_miss: Option<NearMissRecord>,
+}
+
+/// A landing that takes longer than is allowed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct NearMissRecord {
+    pub site: String,
+    /// When the fault strikes, s since the start of the plan.
+    pub fault_s: f64,
+    /// The time from the fault's detection to the touchdown in which a landing was found, s.
+    pub takes_s: f64,
 }
 
 /// The words of outcomes.
@@ -95,6 +114,11 @@ pub fn uncovered(model: &Model, recovery: &Recovery) -> (f64, bool) {
     (if all > 0.0 { open / all } else { 0.0 }, weighted)
 }
 
+/// The name of a landing site; empty without a mission.
+fn site_name(model: &Model, site: usize) -> &str {
+    model.mission.as_ref().and_then(|mission| mission.after_fault.sites.get(site)).map_or("", |site| &site.name)
+}
+
 /// `M1_12.50s_200ms`: mode, instant of the fault, delay.
 fn branch_name(model: &Model, branch: &FoundBranch) -> String {
     let FoundBranch { mode, fault_at, delay, .. } = branch;
@@ -105,8 +129,8 @@ impl RecoveryRecord {
     pub fn new(model: &Model, recovery: &Recovery) -> Self {
         let (uncovered, weighted) = uncovered(model, recovery);
         let name = |index: &usize| branch_name(model, &recovery.branches[*index]) + ".csv";
-        let site = |way: Option<Way>| match (way, &model.mission) {
-            (Some(Way::LandAt(site)), Some(mission)) => Some(mission.after_fault.sites[site].name.clone()),
+        let site = |way: Option<Way>| match way {
+            Some(Way::LandAt(site)) => Some(site_name(model, site).into()),
             _ => None,
         };
         let piece = |piece: &Piece| PieceRecord {
@@ -116,6 +140,11 @@ impl RecoveryRecord {
             site: site(piece.way),
             branch: piece.branches.get(piece.branches.len() / 2).map(name),
             branches: piece.branches.iter().map(name).collect(),
+            near_miss: piece.near_miss.map(|miss| NearMissRecord {
+                site: site_name(model, miss.site).into(),
+                fault_s: miss.at,
+                takes_s: miss.takes,
+            }),
         };
         let mode = |found: &ModeRecovery| ModeRecord {
             name: model.modes[found.mode].name.clone(),
@@ -133,6 +162,8 @@ impl RecoveryRecord {
             instants: recovery.modes.iter().map(|mode| mode.instants).sum(),
             uncovered,
             weighted,
+            flown: recovery.branches.len(),
+            survived: recovery.survived,
             required: model.plan.recovery.require.map(|require| require.uncovered),
             modes: recovery.modes.iter().map(mode).collect(),
         }
@@ -141,13 +172,13 @@ impl RecoveryRecord {
 
 /// The files of `--branches`: a table for each branch, in the form of the plan's, and `index.csv`.
 pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u8>)>, String> {
-    let (model, mission) = (problem.model(), problem.mission());
+    let model = problem.model();
     let mut index = String::from("file,mode,outcome,site,fault_s,delay_s,begins_s,ends_s,deviation_m\n");
     let mut files = Vec::with_capacity(recovery.branches.len() + 1);
     for branch in &recovery.branches {
         let name = branch_name(model, branch) + ".csv";
         let site = match branch.way {
-            Way::LandAt(site) => &mission.after_fault.sites[site].name,
+            Way::LandAt(site) => site_name(model, site),
             _ => "",
         };
         let begins = branch.fault_at + branch.delay;
@@ -214,9 +245,9 @@ pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
             Some(NotAttempted::NoHover) => "not sought: hover is outside its set".into(),
             Some(NotAttempted::Caught) => "not sought: it has to be caught".into(),
         };
-        table.row(vec![model.modes[mode.mode].name.clone(), bar, significant(mode.uncovered(), 3)]);
+        table.row(vec![model.modes[mode.mode].name.clone(), bar, fixed(mode.uncovered(), 2)]);
     }
-    table.render_left(1).lines().for_each(|line| screen.line(Tone::Plain, &format!("  {line}")));
+    table.render_left(2).lines().for_each(|line| screen.line(Tone::Plain, line));
     if shown < modes.len() {
         screen.line(Tone::Plain, &format!("  {} more with shorter gaps: -v", plural(modes.len() - shown, "mode")));
     }
@@ -235,6 +266,14 @@ pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
         significant(100.0 * model.plan.reserve, 3)
     );
     screen.paragraph(Tone::Plain, 2, 2, &premise);
+    let flights = format!(
+        "Simulated with the noise and gusts of `simulate`: {} of {} branches end as planned.",
+        recovery.survived,
+        recovery.branches.len()
+    );
+    let tone = if recovery.survived < recovery.branches.len() { Tone::Warning } else { Tone::Plain };
+    screen.paragraph(tone, 2, 2, &flights);
+    screen.gap();
     screen
 }
 
@@ -280,7 +319,11 @@ fn gaps(model: &Model, recovery: &Recovery, most: usize) -> (Vec<String>, usize)
     let rest = all.len().saturating_sub(most);
     let sentence = |(mode, piece): &(&ModeRecovery, &Piece)| {
         let [from, to] = [piece.from, piece.to].map(|t| fixed(t, 2));
-        format!("! {} from {from} to {to} s: none found", model.modes[mode.mode].name)
+        let near = piece.near_miss.map(|miss| {
+            let [at, takes, within] = [miss.at, miss.takes, recovery.within].map(|t| significant(t, 3));
+            format!("; at {at} s, {} takes {takes} s of {within} s", site_name(model, miss.site))
+        });
+        format!("! {} from {from} to {to} s: none found{}", model.modes[mode.mode].name, near.unwrap_or_default())
     };
     (all.iter().take(most).map(sentence).collect(), rest)
 }

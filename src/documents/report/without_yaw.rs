@@ -123,8 +123,8 @@ pub fn not_planned(comparison: &Comparison, heights: Option<&CaptureHeights>) ->
     let falls = heights.map_or("by a height that `mavc analyze --capture` simulates".into(), height);
     (!modes.is_empty()).then(|| {
         format!(
-            "Not planned for {}: no torque is left in some direction, so no row provides for such a fault. The vehicle \
-             falls until its spin catches it, {falls}; not proved.",
+            "Not planned for {}: no torque is left in some direction, whatever the path. The vehicle falls until its \
+             spin catches it, {falls}; not proved.",
             listed(&modes)
         )
     })

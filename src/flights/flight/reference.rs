@@ -42,6 +42,50 @@ pub enum Course<'a> {
     Plan(&'a Trajectory),
     /// A stop, then hover or a descent.
     Stop(Box<Stop>),
+    /// A plan that is left for a branch.
+    Branch(Box<Branching<'a>>),
+}
+
+/// A plan up to some time, then a branch, then rest where that ends, or the plan again.
+#[derive(Debug, Clone)]
+pub struct Branching<'a> {
+    pub plan: &'a Trajectory,
+    /// When the branch begins, s since the start of the plan.
+    pub begins: f64,
+    /// The branch from 0 s on.
+    pub motion: &'a Trajectory,
+    /// Whether the branch ends in the plan.
+    pub returns: bool,
+}
+
+impl Branching<'_> {
+    fn at(&self, t: f64) -> Reference {
+        let ends = self.begins + self.motion.duration();
+        match t {
+            t if t < self.begins || (t > ends && self.returns) => along(self.plan, t),
+            t => along(self.motion, t - self.begins),
+        }
+    }
+}
+
+/// The reference along a motion, at its last position at rest after its end.
+fn along(motion: &Trajectory, t: f64) -> Reference {
+    if t > motion.duration() {
+        let s = &motion.nodes[motion.intervals()];
+        let position = Vector3::new(s[X][0], s[Y][0], s[Z][0]);
+        return Reference { position, yaw: [s[YAW][0], 0.0, 0.0], ..Reference::default() };
+    }
+    let s = motion.at(t);
+    let order = |i: usize| Vector3::new(s[X][i], s[Y][i], s[Z][i]);
+    let [psi, rate, acceleration, ..] = s[YAW];
+    Reference {
+        position: order(0),
+        velocity: order(1),
+        acceleration: order(2),
+        jerk: order(3),
+        snap: order(4),
+        yaw: [psi, rate, acceleration],
+    }
 }
 
 impl Reference {
@@ -83,31 +127,16 @@ impl Course<'_> {
         match self {
             Course::Plan(trajectory) => trajectory.duration(),
             Course::Stop(stop) => stop.at_rest(),
+            Course::Branch(branching) => branching.plan.duration().max(branching.begins + branching.motion.duration()),
         }
     }
 
     /// The reference at `t` s since the start.
     pub fn at(&self, t: f64) -> Reference {
         match self {
-            Course::Plan(trajectory) if t <= trajectory.duration() => {
-                let s = trajectory.at(t);
-                let order = |i: usize| Vector3::new(s[X][i], s[Y][i], s[Z][i]);
-                let [psi, rate, acceleration, ..] = s[YAW];
-                Reference {
-                    position: order(0),
-                    velocity: order(1),
-                    acceleration: order(2),
-                    jerk: order(3),
-                    snap: order(4),
-                    yaw: [psi, rate, acceleration],
-                }
-            }
-            Course::Plan(trajectory) => {
-                let s = &trajectory.nodes[trajectory.intervals()];
-                let position = Vector3::new(s[X][0], s[Y][0], s[Z][0]);
-                Reference { position, yaw: [s[YAW][0], 0.0, 0.0], ..Reference::default() }
-            }
+            Course::Plan(trajectory) => along(trajectory, t),
             Course::Stop(stop) => stop.at(t),
+            Course::Branch(branching) => branching.at(t),
         }
     }
 }

@@ -1,17 +1,19 @@
 //! The ways out after the faults of one mode, instant by instant.
 
 use super::carry::{Carried, carry, quiet};
-use super::{APART, FINE, FoundBranch, ModeRecovery, Piece, RESOLUTION, Way};
+use super::{APART, FINE, FoundBranch, ModeRecovery, NearMiss, Piece, RESOLUTION, Way};
 use crate::admissible::without_yaw::planned::Provision;
 use crate::admissible::{AdmissibleSet, trimmed};
 use crate::cancel;
+use crate::energy::Power;
 use crate::model::{HeldLimit, Model, Problem, Recovery, Simulation};
-use crate::motion::outside::violation_intervals;
+use crate::motion::outside::{outside, violation_intervals};
 use crate::motion::{NodeState, Trajectory, X, Y};
 use crate::planner::branch::{Branches, Goal};
 use crate::planner::scp::Iterate;
 use crate::planner::selection::PlanningSet;
 use crate::solve::Effort;
+use crate::tolerance::MOST_OUTSIDE;
 use std::collections::BTreeMap;
 
 /// Times in which a branch goes back to the plan, s, in the order tried. Chosen by hand.
@@ -23,6 +25,15 @@ const LONGER: [f64; 3] = [1.0, 1.45, 2.1];
 
 /// A vehicle that lands where it comes to rest may touch down this far from there, m. Chosen by hand.
 const HERE: f64 = 1.0;
+
+/// The longest gaps of a mode for which it is looked how near a landing site was, and the times tried there, as
+/// multiples of the longest allowed. Chosen by hand.
+const GAPS: usize = 2;
+const MORE_TIME: [f64; 3] = [1.25, 1.6, 2.5];
+
+/// The margin from the facets of the mode's set that branches keep at the instants of their grids, in widths of the
+/// healthy set: between instants 3.5e-4 more was seen. Chosen by hand.
+const MARGIN: f64 = 1e-3;
 
 /// Places beside areas to keep off that are tried. Chosen by hand.
 const BESIDE: usize = 4;
@@ -37,6 +48,7 @@ pub(super) struct Search<'a> {
     problem: Problem<'a>,
     plan: &'a Trajectory,
     mode: usize,
+    set: &'a PlanningSet,
     spins: bool,
     /// When the plan is outside the mode's set, s; ascending.
     outside: Vec<(f64, f64)>,
@@ -44,6 +56,8 @@ pub(super) struct Search<'a> {
     places: Vec<HeldLimit>,
     branches: Branches<'a>,
     simulation: Simulation,
+    /// Where the spec asks for charge that is left.
+    power: Option<Power>,
     delays: &'a [f64],
     /// The last branch for each way and delay.
     last: BTreeMap<(usize, usize), Iterate>,
@@ -67,22 +81,24 @@ impl<'a> Search<'a> {
         delays: &'a [f64],
     ) -> Self {
         let model = problem.model();
-        let mut outside: Vec<(f64, f64)> = (0..plan.intervals())
+        let mut left: Vec<(f64, f64)> = (0..plan.intervals())
             .flat_map(|k| violation_intervals(plan, &model.vehicle, &model.environment(), &set.rows, k).0)
             .map(|interval| (interval.from, interval.to))
             .collect();
-        outside.sort_by(|a, b| a.0.total_cmp(&b.0));
+        left.sort_by(|a, b| a.0.total_cmp(&b.0));
         let held = problem.mission().limits_after_fault();
         let places = held.iter().filter(|held| held.limit.volume.is_some()).cloned().collect();
         Search {
-            branches: Branches::new(problem, healthy, set, plan.model, held),
+            branches: Branches::new(problem, healthy, set, MARGIN, plan.model, held),
             spins: matches!(provision, Provision::WithoutYaw(_)),
             simulation: quiet(model),
+            power: if model.plan.recovery.keep > 0.0 { Power::of(model) } else { None },
             last: BTreeMap::new(),
             problem,
             plan,
             mode,
-            outside,
+            set,
+            outside: left,
             places,
             delays,
         }
@@ -136,11 +152,54 @@ impl<'a> Search<'a> {
                         }
                         _ => at,
                     };
-                    pieces.push(Piece { from, to: at, way, branches: index.into_iter().collect() });
+                    pieces.push(Piece { from, to: at, way, branches: index.into_iter().collect(), near_miss: None });
                 }
             }
         }
+        self.look_for_near_misses(&mut pieces);
         (ModeRecovery { mode: self.mode, not_attempted: None, pieces, instants }, branches, self.branches.effort)
+    }
+
+    /// Which sites would be reached from the middles of the longest gaps, given more time.
+    fn look_for_near_misses(&mut self, pieces: &mut [Piece]) {
+        let model = self.problem.model();
+        let within = model.plan.recovery.within;
+        let mut gaps: Vec<&mut Piece> = pieces.iter_mut().filter(|piece| piece.way.is_none()).collect();
+        gaps.sort_by(|a, b| (b.to - b.from).total_cmp(&(a.to - a.from)));
+        for gap in gaps.into_iter().take(GAPS) {
+            let at = 0.5 * (gap.from + gap.to);
+            let delay = self.delays[self.delays.len() - 1];
+            let Some(carried) = carry(model, &self.simulation, self.plan, self.mode, at, delay) else { continue };
+            let sites =
+                model.recovery(self.mode).iter().flat_map(|way| self.problem.mission().sites_of(*way)).collect();
+            let sites = self.by_distance(sites, &carried.state);
+            gap.near_miss = sites.into_iter().find_map(|site| {
+                let to = &self.problem.mission().after_fault.sites[site];
+                let goal = Goal::Ground { at: to.at, radius: to.radius };
+                let mut times = MORE_TIME.into_iter().map(|factor| factor * within);
+                let takes = times.find(|time| self.branches.find(&carried.state, &goal, *time).is_some())?;
+                Some(NearMiss { site, at, takes })
+            });
+        }
+    }
+
+    /// The share of the battery's charge that is left after a motion that follows the plan up to a time; `None` if the
+    /// spec does not ask for it.
+    fn left_after(&self, until: f64, motion: &Trajectory) -> Option<f64> {
+        let (power, battery) = (self.power.as_ref()?, self.problem.model().vehicle.battery.as_ref()?);
+        let energy = power.along(&self.plan.part(0.0, until)).energy + power.along(motion).energy;
+        Some(1.0 - energy / battery.energy())
+    }
+
+    /// Whether a motion is outside the set at some instant, also between those at which its rows were imposed.
+    fn leaves_the_set(&self, motion: &Trajectory) -> bool {
+        let model = self.problem.model();
+        outside(motion, &model.vehicle, &model.environment(), &self.set.rows).max_violation > MOST_OUTSIDE
+    }
+
+    /// Whether too little charge is left after a motion that follows the plan up to a time.
+    fn drains(&self, until: f64, motion: &Trajectory) -> bool {
+        self.left_after(until, motion).is_some_and(|left| left < self.problem.model().plan.recovery.keep)
     }
 
     /// The first way out, in the order of the spec, that there is for each delay.
@@ -281,8 +340,16 @@ impl<'a> Search<'a> {
             let last = self.last.remove(&key);
             let delay = self.delays[index];
             let found = find(self, delay, &carried.state, last.as_ref())?;
-            let (mode, deviation) = (self.mode, carried.deviation);
-            branches.push(FoundBranch { mode, way, fault_at: at, delay, motion: found.trajectory(), deviation });
+            let (mode, deviation, motion) = (self.mode, carried.deviation, found.trajectory());
+            let whole = match way {
+                Way::LandAt(_) | Way::LandHere => motion.clone(),
+                // The battery holds the rest of the plan too.
+                Way::Continue | Way::ContinueSpinning => self.plan.part(at + delay, self.plan.duration() - at - delay),
+            };
+            if self.leaves_the_set(&motion) || self.drains(at + delay, &whole) {
+                return None;
+            }
+            branches.push(FoundBranch { mode, way, fault_at: at, delay, motion, deviation });
             self.last.insert(key, found);
         }
         branches.reverse();

@@ -89,8 +89,8 @@ pub struct Branches<'a> {
     /// The problem of the plan; the limits of its mission are replaced by `limits`.
     problem: Problem<'a>,
     healthy: &'a AdmissibleSet,
-    /// The admissible set of the fault mode.
-    set: &'a PlanningSet,
+    /// The admissible set of the fault mode, as far as branches may use it.
+    set: PlanningSet,
     /// The wrench model of the plan, and of branches.
     wrench: WrenchModel,
     /// The limits that hold on branches.
@@ -99,16 +99,20 @@ pub struct Branches<'a> {
 }
 
 impl<'a> Branches<'a> {
-    /// `set` is the admissible set of the fault mode, `wrench` the model that the plan was made with.
+    /// `set` is the admissible set of the fault mode, from whose facets branches keep a `margin` at the instants of their
+    /// grids, in widths of the healthy set. `wrench` is the model that the plan was made with.
     pub fn new(
         problem: Problem<'a>,
         healthy: &'a AdmissibleSet,
-        set: &'a PlanningSet,
+        set: &PlanningSet,
+        margin: f64,
         wrench: WrenchModel,
         limits: Vec<HeldLimit>,
     ) -> Self {
         let with_leeway = |held: HeldLimit| HeldLimit { limit: with_leeway(&held.limit), ..held };
         let limits = limits.into_iter().map(with_leeway).collect();
+        let mut set = set.clone();
+        set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset -= margin);
         Branches { problem, healthy, set, wrench, limits, effort: Effort::default() }
     }
 
@@ -146,7 +150,7 @@ impl<'a> Branches<'a> {
         };
         let mut hover = HoverPlanner::new(problem, self.healthy);
         hover.branch = Some(Branch { from: *from, to });
-        let found = steps(&mut ScpPlanner::with_settings(&mut hover, self.wrench, self.set, settings), &grid);
+        let found = steps(&mut ScpPlanner::with_settings(&mut hover, self.wrench, &self.set, settings), &grid);
         self.effort += hover.effort;
         found
     }

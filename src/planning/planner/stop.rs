@@ -36,7 +36,7 @@ impl<'a> Stops<'a> {
     pub fn new(problem: Problem<'a>, healthy: &'a AdmissibleSet, set: &'a PlanningSet, wrench: WrenchModel) -> Self {
         let general = problem.mission().limits.iter().filter(|limit| limit.is_general());
         let limits = general.map(|limit| HeldLimit { limit: limit.clone(), yields: 0.0 }).collect();
-        let branches = Branches::new(problem, healthy, set, wrench, limits);
+        let branches = Branches::new(problem, healthy, set, 0.0, wrench, limits);
         Stops { branches, gravity: problem.model().gravity, last: None }
     }
 

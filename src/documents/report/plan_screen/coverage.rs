@@ -85,6 +85,9 @@ pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Mi
     screen.gap();
     let (modes, hidden) = table(answer, solved, NAMES).1;
     screen.fitted_modes(NAMES, ALWAYS, &modes, |names| table(answer, solved, names).0);
+    if answer.comparison.provisions.iter().all(|provision| *provision == Provision::Capture) {
+        return hidden;
+    }
     let reserve = if model.plan.reserve > 0.0 { " beyond the reserve" } else { "" };
     let legend = format!("spare: what the plan leaves{reserve}, % of the healthy set's width");
     screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &legend));

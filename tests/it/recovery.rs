@@ -1,0 +1,280 @@
+//! Ways out after a fault: each one found against what a way out is, closed forms, and the command.
+
+use crate::cli::mavc_in;
+use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
+use mavc::admissible::AdmissibleSet;
+use mavc::model::{
+    FaultMode, LandingSite, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem, Recovery,
+    RotorState,
+};
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::selection::sets::of_one_mode;
+use mavc::planner::studies::{PlanOutcome, Scope, compare};
+use mavc::recovery::carry::{carry, quiet};
+use mavc::recovery::{FoundBranch, Way, recovery};
+use mavc::source::Span;
+use nalgebra::Vector3;
+
+fn planned(model: &Model) -> Trajectory {
+    let comparison = compare(Problem::of(model).unwrap(), Scope::Plan, None);
+    match &comparison.runs.last().unwrap().outcome {
+        PlanOutcome::Planned(plan) => plan.trajectory.clone(),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn site(at: [f64; 3], radius: f64) -> LandingSite {
+    LandingSite { name: "pad".into(), at, radius, span: Span::default() }
+}
+
+/// An octocopter that loses rotor 1 on its way over two legs, with a site beside them.
+fn over_a_site(wrench: PlanModel) -> Model {
+    let mut model = octocopter("PPNNPPNN");
+    model.modes = vec![lost(&model, &[1])];
+    let points = [[0.0, 0.0, 4.0], [12.0, 0.0, 8.0], [12.0, 8.0, 5.0]].map(|p| waypoint(p, 0.0));
+    let limits = vec![limit(LimitKind::Speed, 6.0), limit(LimitKind::Descent, 3.0)];
+    let mut flown = Mission { limits, ground: Some(0.0), ..mission(points.to_vec()) };
+    flown.after_fault.sites = vec![site([6.0, 4.0, 0.0], 1.5)];
+    model.mission = Some(flown);
+    model.plan.planner = PlannerKind::Rip;
+    model.plan.model = wrench;
+    model.plan.samples = 40;
+    model.plan.reserve = 0.1;
+    model.plan.time = MissionTime::Fixed(8.0);
+    model.plan.recovery.detection = [0.1, 0.1];
+    model.plan.recovery.within = 20.0;
+    model
+}
+
+/// The direction of the thrust of a motion in still air.
+fn thrust(state: &NodeState, gravity: f64) -> Vector3<f64> {
+    Vector3::new(state[X][2], state[Y][2], state[Z][2] + gravity).normalize()
+}
+
+/// A branch begins where the fault left the vehicle, stays inside the set and the limits, and ends on the site, at rest
+/// near the fault, or in the plan. Evaluated at instants of its own.
+fn is_a_way_out(model: &Model, set: &PlanningSet, plan: &Trajectory, branch: &FoundBranch) {
+    let FoundBranch { way, fault_at, delay, motion, .. } = branch;
+    let carried = carry(model, &quiet(model), plan, branch.mode, *fault_at, *delay).expect("it does not turn over");
+    let begin = motion.at(0.0);
+    for axis in [X, Y, Z, YAW] {
+        for order in 0..=1 {
+            let (is, due) = (begin[axis][order], carried.state[axis][order]);
+            assert!((is - due).abs() < 1e-4, "{axis} {order}: {is}, {due}");
+        }
+    }
+    if motion.model == mavc::motion::wrench_model::WrenchModel::Exact {
+        let apart = (thrust(&begin, model.gravity) - thrust(&carried.state, model.gravity)).norm();
+        assert!(apart < 1e-4, "the attitude jumps by {apart}");
+    }
+    let environment = model.environment();
+    let steps = 37 * motion.intervals();
+    let mission = model.mission.as_ref().unwrap();
+    let speed = |s: &NodeState| [X, Y, Z].map(|axis| s[axis][1].powi(2)).iter().sum::<f64>().sqrt();
+    for i in 0..=steps {
+        let state = motion.at(motion.duration() * i as f64 / steps as f64);
+        let wrench = motion.wrench(&model.vehicle, &environment, &state);
+        for row in &set.rows {
+            let over = row.violation(&wrench);
+            assert!(over <= 1e-4, "{way:?} from {fault_at} s, {i} of {steps}: {over}");
+        }
+        assert!(speed(&state) <= 6.0f64.max(speed(&carried.state)) + 1e-2, "{} m/s", speed(&state));
+        assert!(state[Z][0] >= -1e-3, "below the ground: {}", state[Z][0]);
+    }
+    let end = motion.nodes.last().unwrap();
+    match way {
+        Way::Continue | Way::ContinueSpinning => {
+            let joined = plan.at(fault_at + delay + motion.duration());
+            for axis in [X, Y, Z, YAW] {
+                assert!((end[axis][0] - joined[axis][0]).abs() < 1e-4 && (end[axis][1] - joined[axis][1]).abs() < 1e-3);
+            }
+        }
+        Way::LandAt(_) | Way::LandHere => {
+            assert!(speed(end) < 1e-4 && (0.0..0.03).contains(&(end[Z][0] + 1e-3)), "{end:?}");
+            assert!(motion.duration() <= model.plan.recovery.within + 1e-9);
+        }
+    }
+    if let Way::LandAt(index) = way {
+        let site = &mission.after_fault.sites[*index];
+        let aside = (end[X][0] - site.at[0]).hypot(end[Y][0] - site.at[1]);
+        assert!(aside <= site.radius + 1e-3, "{aside} m from the middle of the site");
+    }
+}
+
+fn finds_ways_out(wrench: PlanModel) {
+    let mut model = over_a_site(wrench);
+    let plan = planned(&model);
+    let healthy = AdmissibleSet::healthy(&model);
+    let (set, _) = of_one_mode(&model, 0, &healthy);
+    for order in [vec![Recovery::Continue], vec![Recovery::LandAtSites], vec![Recovery::LandHere]] {
+        model.plan.recovery.order = order.clone();
+        let found = recovery(Problem::of(&model).unwrap(), &plan);
+        println!("{wrench:?} {order:?}: {:?}", found.modes[0].pieces);
+        assert!(found.branches.len() > 4, "{order:?}: {} branches", found.branches.len());
+        found.branches.iter().for_each(|branch| is_a_way_out(&model, &set, &plan, branch));
+    }
+}
+
+#[test]
+#[ignore = "long"]
+fn what_is_found_is_a_way_out() {
+    finds_ways_out(PlanModel::Exact);
+}
+
+#[test]
+fn what_is_found_in_the_hover_model_is_a_way_out() {
+    finds_ways_out(PlanModel::Hover);
+}
+
+/// What is left of each rotor.
+const LEFT: f64 = 0.4;
+
+/// Without torques the remaining thrust brakes at `a = T/m - g`: where a descent at v is nearer to the ground than
+/// `v^2/(2 a)`, nothing can be done, and well before there is.
+#[test]
+fn a_descent_that_cannot_be_braked_has_no_way_out() {
+    for wrench in [PlanModel::Hover, PlanModel::Exact] {
+        let mut model = octocopter("PPNNPPNN");
+        model.modes = vec![FaultMode { rotors: vec![RotorState::Reduced(LEFT); 8], ..lost(&model, &[]) }];
+        let points = vec![waypoint([0.0, 0.0, 40.0], 0.0), waypoint([0.0, 0.0, 1.0], 0.0)];
+        model.mission = Some(Mission { ground: Some(0.0), ..mission(points) });
+        model.plan.planner = PlannerKind::Rip;
+        model.plan.model = wrench;
+        model.plan.samples = 60;
+        model.plan.time = MissionTime::Fixed(6.0);
+        model.plan.recovery.detection = [0.05, 0.05];
+        model.plan.recovery.order = vec![Recovery::LandHere];
+        let plan = planned(&model);
+        let vehicle = &model.vehicle;
+        let thrust: f64 = vehicle.rotors.iter().map(|r| LEFT * r.max_thrust()).sum();
+        let brakes = thrust / vehicle.mass - model.gravity;
+        assert!(brakes > 0.5, "{brakes}");
+        // The height that is needed over the one that there is, where the fault becomes known.
+        let share = |at: f64| {
+            let state = carry(&model, &quiet(&model), &plan, 0, at, 0.05).unwrap().state;
+            let down = (-state[Z][1]).max(0.0);
+            down * down / (2.0 * brakes) / state[Z][0]
+        };
+        let found = recovery(Problem::of(&model).unwrap(), &plan);
+        println!("{wrench:?}: {:?}", found.modes[0].pieces);
+        let (mut hopeless, mut easy) = (0, 0);
+        for k in 0..=60 {
+            let at = plan.duration() * f64::from(k) / 60.0;
+            let has_one = |piece: &&mavc::recovery::Piece| piece.from <= at && at <= piece.to;
+            let way = found.modes[0].pieces.iter().find(has_one).and_then(|piece| piece.way);
+            if share(at) > 1.0 {
+                hopeless += 1;
+                assert_eq!(way, None, "{wrench:?}: {at} s needs {} of the height", share(at));
+            }
+            if share(at) < 0.4 && at < 2.0 {
+                easy += 1;
+                assert_eq!(way, Some(Way::LandHere), "{wrench:?}: {at} s needs {} of the height", share(at));
+            }
+        }
+        assert!(hopeless > 5 && easy > 5, "{hopeless} {easy}");
+    }
+}
+
+/// A site that cannot be reached in the time is none; with more time it is one; its near miss says so.
+#[test]
+fn a_site_out_of_reach_is_no_way_out() {
+    let mut model = over_a_site(PlanModel::Hover);
+    let mission = model.mission.as_mut().unwrap();
+    mission.after_fault.sites = vec![site([60.0, 0.0, 0.0], 1.0)];
+    model.plan.recovery.order = vec![Recovery::LandAtSites];
+    let plan = planned(&model);
+    let mut before = f64::INFINITY;
+    // At 6 m/s, 48 m take 8 s.
+    for (within, reached) in [(7.5, false), (16.0, true), (30.0, true)] {
+        model.plan.recovery.within = within;
+        let found = recovery(Problem::of(&model).unwrap(), &plan);
+        let open = found.modes[0].uncovered();
+        println!("within {within} s: {open} s open, {:?}", found.modes[0].pieces);
+        assert!(open <= before, "more time leaves more open");
+        assert_eq!(found.branches.is_empty(), !reached);
+        if !reached {
+            let miss = found.modes[0].pieces[0].near_miss.expect("the site can be reached");
+            assert!(miss.site == 0 && miss.takes > within, "{miss:?}");
+        }
+        before = open;
+    }
+}
+
+/// A plan that stays inside the set of the fault is flown on from every instant.
+#[test]
+fn after_rcp_every_fault_is_flown_through() {
+    let mut model = over_a_site(PlanModel::Hover);
+    model.plan.against = vec![0];
+    model.plan.planner = PlannerKind::Rcp;
+    model.plan.recovery.detection = [0.02, 0.05];
+    let plan = planned(&model);
+    let found = recovery(Problem::of(&model).unwrap(), &plan);
+    let [piece] = &found.modes[0].pieces[..] else { panic!("{:?}", found.modes[0].pieces) };
+    assert_eq!((piece.from, piece.to, piece.way), (0.0, plan.duration(), Some(Way::Continue)));
+}
+
+const SPEC: &str = "
+vehicle octo {
+    layout  = \"PPNNPPNN\"
+    arm     = 21 cm
+    mass    = 1.8 kg
+    inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor { max_thrust = 6.5 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+}
+faults { every 1 rotor lost as M }
+mission field {
+    ground = 0 m
+    start at [0, 0, 4] m
+    waypoint at [30, 0, 10] m
+    limits { speed <= 6 m/s; descent <= 3 m/s }
+    landing_site pad { at = [10, 6, 0] m; radius = 2 m }
+    keep_off road { shape = box; from = [-50, -4] m; to = [50, 3] m }
+}
+plan {
+    model   = hover
+    against = [M1]
+    time    = 9 s
+    samples = 40
+    recovery { order = [land_at_sites]; detection = 100 ms; within = 12 s }
+";
+
+#[test]
+fn the_command_shows_ways_out_and_writes_them() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("field.mav"), format!("{SPEC}}}")).unwrap();
+    let args = ["plan", "field.mav", "--branches", "out", "--report", "report.json"];
+    let (code, text, errors) = mavc_in(folder.path(), &args);
+    assert_eq!(code, 0, "{errors}");
+    assert!(text.contains("AFTER A FAULT known after 100 ms"), "{text}");
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    let report: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.path().join("report.json")).unwrap()).unwrap();
+    let recovery = &report["recovery"];
+    assert_eq!(recovery["basis"], "checked at instants");
+    let modes = recovery["modes"].as_array().unwrap();
+    assert_eq!(modes.len(), 8);
+    let index = std::fs::read_to_string(folder.path().join("out/index.csv")).unwrap();
+    let mut listed = 0;
+    for piece in modes.iter().flat_map(|mode| mode["pieces"].as_array().unwrap()) {
+        for branch in piece["branches"].as_array().unwrap() {
+            let name = branch.as_str().unwrap();
+            assert!(index.contains(name) && folder.path().join("out").join(name).is_file(), "{name}");
+            listed += 1;
+        }
+    }
+    assert!(listed > 20 && index.lines().count() == listed + 1, "{listed}\n{index}");
+}
+
+/// With a bound that is not met the plan and its gaps are written, and the exit code says so.
+#[test]
+fn a_bound_on_what_is_uncovered_decides_the_exit_code() {
+    let folder = tempfile::tempdir().unwrap();
+    for (bound, expected) in [("99 %", 4), ("100 %", 0)] {
+        std::fs::write(folder.path().join("field.mav"), format!("{SPEC}    require uncovered <= {bound}\n}}")).unwrap();
+        let args = ["plan", "field.mav", "-o", "plan.csv", "--set", "plan.recovery.within=4s"];
+        let (code, text, errors) = mavc_in(folder.path(), &args);
+        assert_eq!(code, expected, "{text}{errors}");
+        assert!(text.contains("none found") && folder.path().join("plan.csv").is_file(), "{text}");
+    }
+}
