@@ -51,7 +51,7 @@ def test_plan(name, command):
     assert plan.csv == command.read("t.csv")
     assert plan.certificate() == command.read("c.json")
     assert plan.html() == command.read("p.html")
-    assert ran.out == plan.text + "\nTrajectory written to t.csv\nPage written to p.html\n"
+    assert ran.out == plan.text + "Trajectory written to t.csv\nPage written to p.html\n"
     assert ran.err == plan.diagnostics.text
     accepted = compiled(name).verify(plan.certificate())
     # Its name decides where lines are broken.

@@ -16,6 +16,8 @@ use crate::report::{self, terminal};
 use crate::spec::Spec;
 use crate::text_table::Table;
 
+// The path of a method of `Answer` stands for one lifetime only.
+#[expect(clippy::redundant_closure_for_method_calls)]
 impl Task<'_> {
     /// The report of a plan: `mavc plan --report`.
     pub fn report(&self, planning: &Planning, explained: &Explained, between: Option<Vec<Between>>) -> Record {

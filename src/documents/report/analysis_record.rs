@@ -66,8 +66,8 @@ impl<'a, F> AnalysisRecord<'a, F> {
     }
 }
 
-/// The last line of `mavc check --format json` for a spec without errors: what the modes leave of the vehicle. The other
-/// lines are diagnostics, which have a `code`.
+/// The last line of `mavc check --format json` for a spec without errors: what the modes leave of the vehicle. The
+/// other lines are diagnostics, which have a `code`.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomesRecord<'a> {

@@ -123,12 +123,12 @@ pub fn caveat(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<Cavea
              not proved.{} Add `require capture_height {{ }}` to `plan`, or fly higher.",
             significant(short, 3),
             fixed(worst.short_at_s, 2),
-            if modes > 0 { format!(" It is too low for {} more.", plural(modes, "mode")) } else { String::new() }
+            if modes > 0 { format!(" It is too low for {}.", plural(modes, "more mode")) } else { String::new() }
         ),
         None => format!(
             "{strikes}, no height is known to be enough to regain level flight: not every simulated flight does; not \
              proved.{}",
-            if modes > 0 { format!(" The plan is too low for {} more.", plural(modes, "mode")) } else { String::new() }
+            if modes > 0 { format!(" The plan is exposed to {}.", plural(modes, "more mode")) } else { String::new() }
         ),
     };
     let at_s = worst.short_at_s;

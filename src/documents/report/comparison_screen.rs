@@ -42,7 +42,7 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
         block(&mut screen, problem, comparison, &title, |run| !is_own(run));
     }
     if !comparison.modes.is_empty() {
-        let legend = "worst violation: of a set with its reserve, % of the healthy set's width";
+        let legend = "violation: the worst of a set with its reserve, % of the healthy set's width";
         screen.part(Keep::Legend, None, |screen| screen.line(Tone::Plain, &format!("  {legend}")));
     }
     screen.close(0);
@@ -149,7 +149,7 @@ fn block(
     let mut headings = vec!["planner", "time"];
     headings.push(if model.vehicle.battery.is_some() { "energy" } else { "objective" });
     if n > 0 {
-        headings.extend(["covers", "worst violation", "unsafe until"]);
+        headings.extend(["covers", "violation", "unsafe until"]);
     }
     if has_risk {
         headings.push("risk");

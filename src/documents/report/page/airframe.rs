@@ -59,9 +59,9 @@ pub fn drawing(model: &Model) -> Markup {
         figure #airframe {
             (view(model, None, &label))
             figcaption.note {
-                "From above, nose up. P turns counter-clockwise (" (of(Spin::P)) "), N clockwise (" (of(Spin::N)) "). In \
-                 the table: " span.lost-word { "red, dashed" } " is lost, " span.weak-word { "amber" } " is reduced or \
-                 stuck."
+                "From above, nose up. P turns counter-clockwise (" (of(Spin::P)) "), N clockwise (" (of(Spin::N))
+                "). In the table: " span.lost-word { "red, dashed" } " is lost, " span.weak-word { "amber" }
+                " is reduced or stuck."
             }
         }
     }
@@ -107,8 +107,8 @@ fn view(model: &Model, mode: Option<&FaultMode>, label: &str) -> Markup {
                 @if disc.is_alone && state(k) == RotorState::Lost {
                     @let half = 0.62 * disc.radius;
                     @let [left, right, top, bottom] = [x - half, x + half, y - half, y + half].map(rounded);
-                    path.cross d={ "M " (left) " " (top) " L " (right) " " (bottom) " M " (left) " " (bottom) " L " (right)
-                        " " (top) } {}
+                    line.cross x1=(left) y1=(top) x2=(right) y2=(bottom) {}
+                    line.cross x1=(left) y1=(bottom) x2=(right) y2=(top) {}
                 }
             }
             @if mode.is_none() {
