@@ -116,8 +116,8 @@ impl Trajectory {
         self.within(k, (t - self.times[k]).clamp(0.0, self.times[k + 1] - self.times[k]))
     }
 
-    /// The part of this trajectory that begins at `from` s and takes `duration` s, as one from 0 s on; at rest after the
-    /// end of the whole.
+    /// The part of this trajectory that begins at `from` s and takes `duration` s, as one from 0 s on; at rest after
+    /// the end of the whole.
     pub fn part(&self, from: f64, duration: f64) -> Trajectory {
         let inner = self.times.iter().zip(&self.nodes).filter(|(t, _)| (from < **t) & (**t < from + duration));
         let (mut times, mut nodes) = (vec![0.0], vec![self.at(from)]);

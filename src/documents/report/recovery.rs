@@ -36,7 +36,7 @@ pub struct RecoveryRecord {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub required: Option<f64>,
     /// Every declared mode, in their order.
-    pub modes: Vec<ModeRecord>,
+    pub modes: Vec<ModeRecoveryRecord>,
 }
 
 /// The value of [`RecoveryRecord::basis`].
@@ -45,7 +45,8 @@ pub const BASIS: &str = "checked at instants";
 /// The outcomes of the faults of one mode.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ModeRecord {
+pub struct ModeRecoveryRecord {
+    /// The name of the mode.
     pub name: String,
     /// Why no way out was sought: `no hover`, hover is outside the mode's set; `caught`, the vehicle has to be caught,
     /// which `capture_height` is about. Omitted if one was sought.
@@ -64,6 +65,7 @@ pub struct ModeRecord {
 pub struct PieceRecord {
     /// s since the start of the plan.
     pub from_s: f64,
+    /// s since the start of the plan.
     pub to_s: f64,
     /// `none` where none was found.
     #[cfg_attr(test, schemars(extend("enum" = OUTCOMES)))]
@@ -84,6 +86,7 @@ pub struct PieceRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct NearMissRecord {
+    /// The name of the landing site.
     pub site: String,
     /// When the fault strikes, s since the start of the plan.
     pub fault_s: f64,
@@ -149,7 +152,7 @@ impl RecoveryRecord {
                 takes_s: miss.takes,
             }),
         };
-        let mode = |found: &ModeRecovery| ModeRecord {
+        let mode = |found: &ModeRecovery| ModeRecoveryRecord {
             name: model.modes[found.mode].name.clone(),
             not_attempted: found.not_attempted.map(|why| match why {
                 NotAttempted::NoHover => "no hover",
@@ -226,8 +229,8 @@ fn strip(mode: &ModeRecovery, duration: f64) -> String {
     (0..STRIP).map(of_column).collect()
 }
 
-/// The outcomes of all faults as a few lines, with a strip for each mode: those with the longest gaps first, all of them
-/// if `verbose`.
+/// The outcomes of all faults as a few lines, with a strip for each mode: those with the longest gaps first, all of
+/// them if `verbose`.
 pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
     let mut screen = Screen::default();
     let (open, _) = uncovered(model, recovery);
@@ -306,8 +309,8 @@ pub fn sentence(record: &RecoveryRecord) -> String {
 /// On what the outcomes rest: what was computed, and what was flown.
 pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
     let computed = format!(
-        "Looked at {} instants, not between them. Delays are simulated without noise; branches keep the fault's set with \
-         {} % in reserve.",
+        "Looked at {} instants, not between them. Delays are simulated without noise; branches keep the fault's set \
+         with {} % in reserve.",
         record.instants,
         significant(100.0 * reserve, 3)
     );

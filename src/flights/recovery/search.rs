@@ -6,7 +6,7 @@ use crate::admissible::without_yaw::planned::Provision;
 use crate::admissible::{AdmissibleSet, trimmed};
 use crate::cancel;
 use crate::energy::Power;
-use crate::model::{HeldLimit, Model, Problem, Recovery, Simulation};
+use crate::model::{HeldLimit, LandingSite, Model, Problem, Recovery, Simulation};
 use crate::motion::outside::{outside, violation_intervals};
 use crate::motion::{NodeState, Trajectory, X, Y};
 use crate::planner::branch::{Branches, Goal};
@@ -107,7 +107,7 @@ impl<'a> Search<'a> {
     /// The outcomes at instants up to [`APART`] from each other, and at those at which they change to [`RESOLUTION`].
     pub fn all(mut self) -> (ModeRecovery, Vec<FoundBranch>, Effort) {
         let duration = self.plan.duration();
-        let count = (duration / APART).ceil().min(FINE).max(1.0);
+        let count = (duration / APART).ceil().clamp(1.0, FINE);
         let mut found: Vec<Found> = Vec::new();
         for k in 0..=count as usize {
             let next = self.at(duration * k as f64 / count);
@@ -227,7 +227,10 @@ impl<'a> Search<'a> {
             Recovery::Continue => self.continued(at, carried),
             Recovery::LandAt(_) | Recovery::LandAtSites => {
                 let sites = self.by_distance(self.problem.mission().sites_of(recovery), &carried[0].state);
-                sites.into_iter().find_map(|site| self.landed(at, carried, Way::LandAt(site), &|_| None))
+                sites.into_iter().find_map(|site| {
+                    let LandingSite { at: to, radius, .. } = self.problem.mission().after_fault.sites[site];
+                    self.landed(at, carried, Way::LandAt(site), to, radius)
+                })
             }
             Recovery::LandHere => self.landed_here(at, carried),
         }
@@ -268,24 +271,11 @@ impl<'a> Search<'a> {
         self.plan.nodes[self.plan.intervals()].map(|axis| [axis[0], 0.0, 0.0, 0.0, 0.0])
     }
 
-    /// Down at a place for each delay: that of a site, or that which `place` gives for the state.
-    fn landed(
-        &mut self,
-        at: f64,
-        carried: &[Carried],
-        way: Way,
-        place: &dyn Fn(&NodeState) -> Option<([f64; 3], f64)>,
-    ) -> Option<Found> {
+    /// Down within a radius of a place for each delay, m.
+    fn landed(&mut self, at: f64, carried: &[Carried], way: Way, to: [f64; 3], radius: f64) -> Option<Found> {
         let within = self.problem.model().plan.recovery.within;
+        let goal = Goal::Ground { at: to, radius };
         self.for_each_delay(at, carried, way, |search, _, state, last| {
-            let (to, radius) = match way {
-                Way::LandAt(site) => {
-                    let site = &search.problem.mission().after_fault.sites[site];
-                    (site.at, site.radius)
-                }
-                _ => place(state)?,
-            };
-            let goal = Goal::Ground { at: to, radius };
             if let Some(found) = last.and_then(|known| search.branches.find_about(state, &goal, known)) {
                 return Some(found);
             }
@@ -321,8 +311,7 @@ impl<'a> Search<'a> {
         if over.1 > 0.0 {
             return None;
         }
-        let to = [place[0], place[1], ground];
-        self.landed(at, carried, Way::LandHere, &|_| Some((to, HERE)))
+        self.landed(at, carried, Way::LandHere, [place[0], place[1], ground], HERE)
     }
 
     /// A branch for each delay, each from the last one of its way and delay; `None` if one is not found.

@@ -99,8 +99,8 @@ pub struct Branches<'a> {
 }
 
 impl<'a> Branches<'a> {
-    /// `set` is the admissible set of the fault mode, from whose facets branches keep a `margin` at the instants of their
-    /// grids, in widths of the healthy set. `wrench` is the model that the plan was made with.
+    /// `set` is the admissible set of the fault mode, from whose facets branches keep a `margin` at the instants of
+    /// their grids, in widths of the healthy set. `wrench` is the model that the plan was made with.
     pub fn new(
         problem: Problem<'a>,
         healthy: &'a AdmissibleSet,

@@ -506,6 +506,9 @@ impl Checked<'_> {
                 "`require risk` is not checked: a certificate does not contain the protection of the plan".into(),
             );
         }
+        if self.setting.model().plan.recovery.require.is_some() {
+            weaker.push("`require uncovered` is not checked: a certificate contains no ways out".into());
+        }
         let total = self.motion.times[self.motion.times.len() - 1];
         Found { shown, weaker, undecided: self.undecided.clone(), total }
     }

@@ -191,8 +191,8 @@ impl KeepOff {
 }
 
 impl AfterFaultRules {
-    /// By how much a vehicle of this size (m) that touches down at a point is too close to an area to keep off, with the
-    /// direction away from it; m, not positive where it is far enough from all.
+    /// By how much a vehicle of this size (m) that touches down at a point is too close to an area to keep off, m, with
+    /// the direction away from it; not positive where it is far enough from all.
     pub fn too_close(&self, p: [f64; 2], size: f64) -> ([f64; 2], f64) {
         let each = self.keep_off.iter().map(|area| {
             let (away, distance) = area.separation(p);

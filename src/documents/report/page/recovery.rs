@@ -5,7 +5,7 @@ use super::prose::unbroken;
 use super::table::{self, Frame, numbers, table};
 use crate::number::fixed;
 use crate::report::record::Record;
-use crate::report::recovery::{ModeRecord, OUTCOMES, RecoveryRecord, WORDS, premise, sentence};
+use crate::report::recovery::{ModeRecoveryRecord, OUTCOMES, PieceRecord, RecoveryRecord, WORDS, premise, sentence};
 use maud::{Markup, html};
 
 /// Width and height of a strip in its own units.
@@ -32,8 +32,13 @@ pub fn section(record: &Record) -> Option<Section> {
     let body = html! {
         h2 { (unbroken(&sentence(recovery))) }
         p.legend {
-            @for (order, word) in WORDS.iter().enumerate().filter(|(order, _)| has(recovery, OUTCOMES[*order])) {
-                span { svg.way.{ "way-" (order) } viewBox="0 0 10 10" aria-hidden="true" { rect width="10" height="10" {} } " " (word) }
+            @for order in (0..OUTCOMES.len()).filter(|order| has(recovery, OUTCOMES[*order])) {
+                span {
+                    svg.way.{ "way-" (order) } viewBox="0 0 10 10" aria-hidden="true" {
+                        rect width="10" height="10" {}
+                    }
+                    " " (WORDS[order])
+                }
             }
         }
         (table(frame, &heads, rows))
@@ -46,17 +51,23 @@ fn has(recovery: &RecoveryRecord, outcome: &str) -> bool {
     recovery.modes.iter().flat_map(|mode| &mode.pieces).any(|piece| piece.outcome == outcome)
 }
 
-fn strip(mode: &ModeRecord) -> Markup {
+fn strip(mode: &ModeRecoveryRecord) -> Markup {
     let duration = mode.pieces.last().map_or(1.0, |piece| piece.to_s).max(f64::MIN_POSITIVE);
     let place = |t: f64| WIDTH * t / duration;
+    let [view, label] = [format!("0 0 {WIDTH} {HEIGHT}"), format!("Outcomes of {}", mode.name)];
     html! {
-        svg.ways viewBox={ "0 0 " (WIDTH) " " (HEIGHT) } preserveAspectRatio="none" role="img" aria-label={ "Outcomes of " (mode.name) } {
-            @for piece in &mode.pieces {
-                @let order = OUTCOMES.iter().position(|outcome| *outcome == piece.outcome).unwrap_or(OUTCOMES.len() - 1);
-                rect.{ "way-" (order) } x=(place(piece.from_s)) width=(place(piece.to_s - piece.from_s).max(NARROWEST)) height=(HEIGHT) {
-                    title { (fixed(piece.from_s, 2)) " to " (fixed(piece.to_s, 2)) " s: " (piece.site.as_deref().unwrap_or(WORDS[order])) }
-                }
-            }
+        svg.ways viewBox=(view) preserveAspectRatio="none" role="img" aria-label=(label) {
+            @for piece in &mode.pieces { (part(piece, &place)) }
         }
+    }
+}
+
+fn part(piece: &PieceRecord, place: &dyn Fn(f64) -> f64) -> Markup {
+    let order = OUTCOMES.iter().position(|outcome| *outcome == piece.outcome).unwrap_or(OUTCOMES.len() - 1);
+    let (from, width) = (place(piece.from_s), place(piece.to_s - piece.from_s).max(NARROWEST));
+    let [begins, ends] = [piece.from_s, piece.to_s].map(|t| fixed(t, 2));
+    let outcome = piece.site.as_deref().unwrap_or(WORDS[order]);
+    html! {
+        rect.{ "way-" (order) } x=(from) width=(width) height=(HEIGHT) { title { (begins) " to " (ends) " s: " (outcome) } }
     }
 }

@@ -402,9 +402,9 @@ pub struct StopSettings {
     pub shares: [f64; 5],
     /// Intervals in each part.
     pub intervals_per_part: usize,
-    /// [`SubproblemSettings::slack_of_working_set`] of branches: their grids are small, and programs that lack rows give
-    /// steps that are rejected. Measured on one mode of `specs/missions/tower_hexa.mav`: with 0.1, 2,472 programs and no
-    /// branch at 8 % of the instants; with 0.5, 810 programs and a branch at all.
+    /// [`SubproblemSettings::slack_of_working_set`] of branches: their grids are small, and programs that lack rows
+    /// give steps that are rejected. Measured on one mode of `specs/missions/tower_hexa.mav`: with 0.1, 2,472 programs
+    /// and no branch at 8 % of the instants; with 0.5, 810 programs and a branch at all.
     pub slack_of_working_set: f64,
     /// The shortest duration tried, s, unless braking with 2 g takes longer; `stop` tries longer ones in a fixed ratio.
     pub min_duration: f64,
