@@ -59,8 +59,7 @@ fn is_a_way_out(model: &Model, set: &PlanningSet, plan: &Trajectory, branch: &Fo
     let carried = carry(model, &quiet(model), plan, branch.mode, *fault_at, *delay).expect("it does not turn over");
     let begin = motion.at(0.0);
     for axis in [X, Y, Z, YAW] {
-        for order in 0..=1 {
-            let (is, due) = (begin[axis][order], carried.state[axis][order]);
+        for (order, (is, due)) in begin[axis].iter().zip(&carried.state[axis]).take(2).enumerate() {
             assert!((is - due).abs() < 1e-4, "{axis} {order}: {is}, {due}");
         }
     }

@@ -68,6 +68,8 @@ fn part(piece: &PieceRecord, place: &dyn Fn(f64) -> f64) -> Markup {
     let [begins, ends] = [piece.from_s, piece.to_s].map(|t| fixed(t, 2));
     let outcome = piece.site.as_deref().unwrap_or(WORDS[order]);
     html! {
-        rect.{ "way-" (order) } x=(from) width=(width) height=(HEIGHT) { title { (begins) " to " (ends) " s: " (outcome) } }
+        rect.{ "way-" (order) } x=(from) width=(width) height=(HEIGHT) {
+            title { (begins) " to " (ends) " s: " (outcome) }
+        }
     }
 }
