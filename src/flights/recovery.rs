@@ -89,7 +89,7 @@ pub struct ModeRecovery {
 /// Why no way out was sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NotAttempted {
-    /// The vehicle cannot hover inside the mode's set.
+    /// Hover is outside the mode's set, or inside without a margin.
     NoHover,
     /// It has to be caught: see the captures.
     Caught,

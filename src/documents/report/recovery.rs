@@ -48,8 +48,8 @@ pub const BASIS: &str = "checked at instants";
 pub struct ModeRecoveryRecord {
     /// The name of the mode.
     pub name: String,
-    /// Why no way out was sought: `no hover`, hover is outside the mode's set; `caught`, the vehicle has to be caught,
-    /// which `capture_height` is about. Omitted if one was sought.
+    /// Why no way out was sought: `no hover`, hover has no margin inside the mode's set; `caught`, the vehicle has to be
+    /// caught, which `capture_height` is about. Omitted if one was sought.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, schemars(extend("enum" = ["no hover", "caught"])))]
     pub not_attempted: Option<&'static str>,
@@ -249,7 +249,7 @@ pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
     for mode in &modes[..shown] {
         let bar = match mode.not_attempted {
             None => strip(mode, recovery.duration),
-            Some(NotAttempted::NoHover) => "not sought: hover is outside its set".into(),
+            Some(NotAttempted::NoHover) => "not sought: no margin to hover with".into(),
             Some(NotAttempted::Caught) => "not sought: it has to be caught".into(),
         };
         table.row(vec![model.modes[mode.mode].name.clone(), bar, fixed(mode.uncovered(), 2)]);

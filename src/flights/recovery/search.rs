@@ -38,10 +38,10 @@ const MARGIN: f64 = 1e-3;
 /// Places beside areas to keep off that are tried. Chosen by hand.
 const BESIDE: usize = 4;
 
-/// Whether rest is outside a set.
+/// Whether rest is outside a set, or inside it with less than the margin that branches keep.
 pub(super) fn cannot_hover(model: &Model, set: &PlanningSet) -> bool {
     let at_rest = trimmed(model, &model.environment());
-    set.rows.iter().any(|row| row.violation(&at_rest) > if row.equality { 1e-6 } else { 0.0 })
+    set.rows.iter().any(|row| row.violation(&at_rest) > if row.equality { MARGIN } else { -MARGIN })
 }
 
 pub(super) struct Search<'a> {
