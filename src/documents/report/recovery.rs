@@ -48,8 +48,8 @@ pub const BASIS: &str = "checked at instants";
 pub struct ModeRecoveryRecord {
     /// The name of the mode.
     pub name: String,
-    /// Why no way out was sought: `no hover`, hover has no margin inside the mode's set; `caught`, the vehicle has to be
-    /// caught, which `capture_height` is about. Omitted if one was sought.
+    /// Why no way out was sought: `no hover`, hover has no margin inside the mode's set; `caught`, the vehicle has to
+    /// be caught, which `capture_height` is about. Omitted if one was sought.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, schemars(extend("enum" = ["no hover", "caught"])))]
     pub not_attempted: Option<&'static str>,
