@@ -166,7 +166,8 @@ class Mission:
             calls += (waypoint if isinstance(waypoint, Waypoint) else Waypoint(waypoint))._calls()
         calls += [("end_moving", [])] if self.end_moving else []
         calls += [_limit(name, bounds) for name, bounds in self.limits.items()]
-        calls += [call for block in (*self.volumes, *self.landing_sites, *self.keep_off) for call in block._calls()]
+        blocks: list[Volume | LandingSite | KeepOff] = [*self.volumes, *self.landing_sites, *self.keep_off]
+        calls += [call for block in blocks for call in block._calls()]
         after_fault = self.after_fault_limits.items()
         return calls + [("after_fault_at_most", [name, checked("after_fault_limits", name, bound)]) for name, bound in after_fault]
 

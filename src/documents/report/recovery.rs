@@ -315,7 +315,7 @@ pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
         significant(100.0 * reserve, 3)
     );
     let flown = format!(
-        "Simulated with the noise and gusts of `simulate`: {} of {} branches end as planned.",
+        "Simulated with the noise and gusts of the spec: {} of {} branches end as planned.",
         record.survived, record.flown
     );
     [computed, flown]

@@ -30,7 +30,7 @@ pub fn section(record: &Record) -> Option<Section> {
         }
     };
     let body = html! {
-        h2 { (unbroken(&sentence(recovery))) }
+        h2 { "After a fault " (unbroken(&sentence(recovery))) }
         p.legend {
             @for order in (0..OUTCOMES.len()).filter(|order| has(recovery, OUTCOMES[*order])) {
                 span {
