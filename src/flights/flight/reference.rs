@@ -2,7 +2,7 @@
 
 use crate::flatness::rotor_drag;
 use crate::model::Environment;
-use crate::motion::{Trajectory, X, Y, YAW, Z};
+use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use nalgebra::Vector3;
 
 /// Nominal deceleration of a stop, m/s^2.
@@ -75,20 +75,24 @@ fn along(motion: &Trajectory, t: f64) -> Reference {
         let position = Vector3::new(s[X][0], s[Y][0], s[Z][0]);
         return Reference { position, yaw: [s[YAW][0], 0.0, 0.0], ..Reference::default() };
     }
-    let s = motion.at(t);
-    let order = |i: usize| Vector3::new(s[X][i], s[Y][i], s[Z][i]);
-    let [psi, rate, acceleration, ..] = s[YAW];
-    Reference {
-        position: order(0),
-        velocity: order(1),
-        acceleration: order(2),
-        jerk: order(3),
-        snap: order(4),
-        yaw: [psi, rate, acceleration],
-    }
+    Reference::of(motion.at(t))
 }
 
 impl Reference {
+    /// The reference of the derivatives of position and yaw at an instant.
+    fn of(state: NodeState) -> Reference {
+        let order = |i: usize| Vector3::new(state[X][i], state[Y][i], state[Z][i]);
+        let [psi, rate, acceleration, ..] = state[YAW];
+        Reference {
+            position: order(0),
+            velocity: order(1),
+            acceleration: order(2),
+            jerk: order(3),
+            snap: order(4),
+            yaw: [psi, rate, acceleration],
+        }
+    }
+
     /// The reference with acceleration, jerk and snap replaced by those of the thrust over mass less gravity, like
     /// [`crate::motion::in_air`]: what a controller demands that knows this air. In free fall, where the attitude of a
     /// drag for each axis of the body is not defined, the drag is taken to be isotropic.
@@ -190,17 +194,7 @@ impl Stop {
     pub(super) fn at(&self, t: f64) -> Reference {
         let s = t - self.begin;
         let [x, y, z, yaw] = &self.axes;
-        let orders = [x.at(s), y.at(s), z.at(s)];
-        let order = |i: usize| Vector3::new(orders[0][i], orders[1][i], orders[2][i]);
-        let [psi, rate, acceleration, ..] = yaw.at(s);
-        let mut reference = Reference {
-            position: order(0),
-            velocity: order(1),
-            acceleration: order(2),
-            jerk: order(3),
-            snap: order(4),
-            yaw: [psi, rate, acceleration],
-        };
+        let mut reference = Reference::of([x.at(s), y.at(s), z.at(s), yaw.at(s)]);
         let down = t - self.at_rest();
         if self.descends && down > 0.0 {
             // The speed of the descent is DESCENT (3 u^2 - 2 u^3) with u = t / EASING until u = 1.
