@@ -335,7 +335,7 @@ fn gaps(model: &Model, recovery: &Recovery, most: usize) -> (Vec<String>, usize)
         let [from, to] = [piece.from, piece.to].map(|t| fixed(t, 2));
         let near = piece.near_miss.map(|miss| {
             let [at, takes, within] = [miss.at, miss.takes, recovery.within].map(|t| significant(t, 3));
-            format!("; at {at} s, {} takes {takes} s of {within} s", site_name(model, miss.site))
+            format!("; at {at} s, {} was reached in {takes} s, not in {within} s", site_name(model, miss.site))
         });
         format!("! {} from {from} to {to} s: none found{}", model.modes[mode.mode].name, near.unwrap_or_default())
     };

@@ -50,8 +50,8 @@ pub(super) struct Search<'a> {
     mode: usize,
     set: &'a PlanningSet,
     spins: bool,
-    /// When the plan is outside the mode's set, s; ascending.
-    outside: Vec<(f64, f64)>,
+    /// The last instant at which the plan is outside the mode's set, s; minus infinity without one.
+    last_outside: f64,
     /// The limits on places that the vehicle may not violate before the fault is known.
     places: Vec<HeldLimit>,
     branches: Branches<'a>,
@@ -81,11 +81,9 @@ impl<'a> Search<'a> {
         delays: &'a [f64],
     ) -> Self {
         let model = problem.model();
-        let mut left: Vec<(f64, f64)> = (0..plan.intervals())
-            .flat_map(|k| violation_intervals(plan, &model.vehicle, &model.environment(), &set.rows, k).0)
-            .map(|interval| (interval.from, interval.to))
-            .collect();
-        left.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let intervals = (0..plan.intervals())
+            .flat_map(|k| violation_intervals(plan, &model.vehicle, &model.environment(), &set.rows, k).0);
+        let last_outside = intervals.map(|interval| interval.to).fold(f64::NEG_INFINITY, f64::max);
         let held = problem.mission().limits_after_fault();
         let places = held.iter().filter(|held| held.limit.volume.is_some()).cloned().collect();
         Search {
@@ -98,7 +96,7 @@ impl<'a> Search<'a> {
             plan,
             mode,
             set,
-            outside: left,
+            last_outside,
             places,
             delays,
         }
@@ -111,22 +109,8 @@ impl<'a> Search<'a> {
         let mut found: Vec<Found> = Vec::new();
         for k in 0..=count as usize {
             let next = self.at(duration * k as f64 / count);
-            if let Some(before) = found.last().filter(|before| before.way != next.way) {
-                let (mut a, mut way) = (before.at, before.way);
-                let mut b = next.at;
-                let mut between = Vec::new();
-                while b - a > RESOLUTION {
-                    let middle = self.at(0.5 * (a + b));
-                    match middle.way == way {
-                        true => a = middle.at,
-                        false if middle.way == next.way => b = middle.at,
-                        // A third outcome lies between: its own bounds are looked for after it.
-                        false => (a, way) = (middle.at, middle.way),
-                    }
-                    between.push(middle);
-                }
-                between.sort_by(|a, b| a.at.total_cmp(&b.at));
-                found.extend(between);
+            if let Some(before) = found.last().map(|before| (before.at, before.way)) {
+                self.changes(before, (next.at, next.way), &mut found);
             }
             found.push(next);
         }
@@ -158,6 +142,18 @@ impl<'a> Search<'a> {
         }
         self.look_for_near_misses(&mut pieces);
         (ModeRecovery { mode: self.mode, not_attempted: None, pieces, instants }, branches, self.branches.effort)
+    }
+
+    /// Adds outcomes between two instants until those of neighbours are the same or [`RESOLUTION`] apart.
+    fn changes(&mut self, before: (f64, Option<Way>), after: (f64, Option<Way>), found: &mut Vec<Found>) {
+        if before.1 == after.1 || after.0 - before.0 <= RESOLUTION {
+            return;
+        }
+        let middle = self.at(0.5 * (before.0 + after.0));
+        let between = (middle.at, middle.way);
+        self.changes(before, between, found);
+        found.push(middle);
+        self.changes(between, after, found);
     }
 
     /// Which sites would be reached from the middles of the longest gaps, given more time.
@@ -245,14 +241,13 @@ impl<'a> Search<'a> {
 
     /// Back to the plan within some time, after which the plan stays inside the set.
     fn continued(&mut self, at: f64, carried: &[Carried]) -> Option<Found> {
-        let last_outside = self.outside.iter().map(|o| o.1).fold(f64::NEG_INFINITY, f64::max);
         let way = if self.spins { Way::ContinueSpinning } else { Way::Continue };
         let within = self.problem.model().plan.recovery.within;
         self.for_each_delay(at, carried, way, |search, delay, state, last| {
             let mut times = BACK_IN.into_iter().filter(|time| *time <= within);
             times.find_map(|time| {
                 let joins_at = at + delay + time;
-                if last_outside > joins_at {
+                if search.last_outside > joins_at {
                     return None;
                 }
                 let goal = Goal::Rejoin(search.planned(joins_at));
@@ -333,7 +328,9 @@ impl<'a> Search<'a> {
             let whole = match way {
                 Way::LandAt(_) | Way::LandHere => motion.clone(),
                 // The battery holds the rest of the plan too.
-                Way::Continue | Way::ContinueSpinning => self.plan.part(at + delay, self.plan.duration() - at - delay),
+                Way::Continue | Way::ContinueSpinning => {
+                    self.plan.part(at + delay, (self.plan.duration() - at - delay).max(RESOLUTION))
+                }
             };
             if self.leaves_the_set(&motion) || self.drains(at + delay, &whole) {
                 return None;

@@ -228,7 +228,7 @@ impl<'a> Branches<'a> {
         let of = |held: &HeldLimit| {
             let over = violation(&held.limit, from, &environment);
             let over = match held.limit.kind {
-                LimitKind::Tilt => over + turns_further(from),
+                LimitKind::Tilt => over + turns_further(from, environment.gravity),
                 _ => over,
             };
             let by = if over > 0.0 { (over + LEEWAY * over.max(1.0)).min(held.yields) } else { 0.0 };
@@ -277,13 +277,10 @@ impl<'a> Branches<'a> {
 const STOPS_TURNING: f64 = 15.0;
 
 /// By how much a vehicle tilts further before its turning is stopped, rad, at about the rate at which its thrust turns.
-fn turns_further(state: &NodeState) -> f64 {
-    let rate = state[X][3].hypot(state[Y][3]) / (state[X][2].powi(2) + state[Y][2].powi(2) + GRAVITY.powi(2)).sqrt();
+fn turns_further(state: &NodeState, gravity: f64) -> f64 {
+    let rate = state[X][3].hypot(state[Y][3]) / (state[X][2].powi(2) + state[Y][2].powi(2) + gravity.powi(2)).sqrt();
     rate * rate / (2.0 * STOPS_TURNING)
 }
-
-/// m/s^2, for an estimate.
-const GRAVITY: f64 = 9.8;
 
 /// Speed where no limit bounds it, m/s. Chosen by hand.
 const USUAL_SPEED: f64 = 8.0;
