@@ -1,12 +1,11 @@
-//! Solving programs with Clarabel (P. J. Goulart, Y. Chen, 2024). No other module imports the solver.
+//! Solving programs with Clarabel, by the crate `mavc-solver`. No other module imports it.
 //!
 //! A result of the solver is reported only after it has been checked in plain arithmetic on the program's data:
 //! `docs/method/hover-model.md`.
 
 use crate::cancel;
 use crate::qp::{Cone, QuadraticProgram, Sparse};
-use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+use mavc_solver::{Conic, CscMatrix, DefaultSettings, Ended, SolverStatus, Stop, SupportedConeT};
 use std::time::{Duration, Instant};
 
 /// The largest violation of a row in a solution; rows are scaled to order one.
@@ -260,20 +259,17 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance, near: &[
         ..DefaultSettings::default()
     };
     let begin = Instant::now();
-    let solver = DefaultSolver::new(&matrix(&program.p), &q, &matrix(&program.a), &b, &cones, settings);
-    let Ok(mut solver) = solver else { return (None, Effort::default()) };
-    if let Some(cancel) = cancel::current() {
-        solver.set_termination_callback(move |_| cancel.is_cancelled());
-    }
-    solver.solve();
+    let stop = cancel::current().map(|cancel| -> Stop { Box::new(move || cancel.is_cancelled()) });
+    let conic = Conic { p: &matrix(&program.p), q: &q, a: &matrix(&program.a), b: &b, cones: &cones };
+    let ended = mavc_solver::solve(&conic, settings, stop);
     cancel::checkpoint();
-    let iterations = solver.solution.iterations as usize;
+    let Some(Ended { status, mut x, z, iterations }) = ended else { return (None, Effort::default()) };
+    let iterations = iterations as usize;
     let size = program.p.nzval.len() + program.a.nzval.len() + program.q.len() + program.b.len();
     let work = (iterations * size) as u64;
     let effort = Effort { solves: 1, iterations, work, starts: 0, time: begin.elapsed() };
-    let mut found = solver.solution;
-    found.x.iter_mut().zip(near).for_each(|(x, near)| *x += near);
-    (Some(Raw { status: found.status, x: found.x, z: found.z }), effort)
+    x.iter_mut().zip(near).for_each(|(x, near)| *x += near);
+    (Some(Raw { status, x, z }), effort)
 }
 
 /// The bound X on the entries of points for which infeasibility is proved, in the program's scaling: ten times the

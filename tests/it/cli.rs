@@ -7,6 +7,7 @@ mod many;
 mod reports;
 mod results;
 mod shell;
+pub mod shipped;
 mod stuck;
 mod sweeps;
 mod watching;

@@ -4,16 +4,16 @@ use crate::cli::{code, err, folder, mavc, text};
 use serde_json::Value;
 
 /// Plans a mission with these options for `plan` and checks its certificate; the time found, s.
-fn planned(spec: &str, planner: &str, effort: &str) -> f64 {
+fn planned(spec: &str, planner: &str, samples: usize, effort: &str) -> f64 {
     let dir = folder();
     let (proof, report) = (dir.path().join("proof.json"), dir.path().join("report.json"));
-    let planner = format!("plan.planner={planner}");
-    let plan = ["plan", spec, "--set", &planner, "--effort", effort];
+    let (planner, samples) = (format!("plan.planner={planner}"), format!("plan.samples={samples}"));
+    let plan = ["plan", spec, "--set", &planner, "--set", &samples, "--effort", effort];
     let written = ["--certificate", text(&proof), "--report", text(&report)];
     let ran = mavc(&[&plan[..], &written].concat());
     assert_eq!(code(&ran), 0, "{spec} {planner}: {}", err(&ran));
     // The effort is no part of what was shown.
-    let checked = mavc(&["verify", text(&proof), spec, "--set", &planner]);
+    let checked = mavc(&["verify", text(&proof), spec, "--set", &planner, "--set", &samples]);
     assert_eq!(code(&checked), 0, "{spec} {planner}: {}", err(&checked));
     let report: Value = serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap();
     report["planners"][0]["time_s"].as_f64().unwrap()
@@ -23,22 +23,36 @@ fn spec(seed: &str) -> String {
     format!("tests/specs/generated/{seed}.mav")
 }
 
+/// The samples of a spec that does not give them.
+const SAMPLES: usize = 200;
+
+/// On coarse grids; a survey is below, and all are planned on their own grids in the second tier.
 #[test]
-fn a_survey_and_windows_are_planned_quickly() {
-    planned(&spec("001"), "rcp", "quick");
-    planned(&spec("003"), "rip", "quick");
+fn windows_a_slalom_and_a_ring_are_planned_quickly() {
+    planned(&spec("003"), "rip", 40, "quick");
+    planned(&spec("008"), "rcp", 40, "quick");
+    planned(&spec("012"), "rip", 40, "quick");
 }
 
 #[test]
-fn a_slalom_and_a_ring_are_planned_quickly() {
-    planned(&spec("008"), "rcp", "quick");
-    planned(&spec("012"), "rip", "quick");
+#[ignore = "long"]
+fn a_survey_and_windows_are_planned_on_their_own_grids() {
+    planned(&spec("001"), "rcp", SAMPLES, "quick");
+    planned(&spec("003"), "rip", SAMPLES, "quick");
 }
 
 #[test]
-fn a_pick_and_another_slalom_are_planned_quickly() {
-    planned(&spec("018"), "rip", "quick");
-    planned(&spec("024"), "rcp", "quick");
+#[ignore = "long"]
+fn a_slalom_and_a_ring_are_planned_on_their_own_grids() {
+    planned(&spec("008"), "rcp", SAMPLES, "quick");
+    planned(&spec("012"), "rip", SAMPLES, "quick");
+}
+
+#[test]
+#[ignore = "long"]
+fn a_pick_and_another_slalom_are_planned_on_their_own_grids() {
+    planned(&spec("018"), "rip", SAMPLES, "quick");
+    planned(&spec("024"), "rcp", SAMPLES, "quick");
 }
 
 /// The second pass: between waypoints at 25 m the plan stays near their height and its lanes, with every planner.
@@ -63,7 +77,7 @@ fn a_survey_flies_its_lanes_at_their_height() {
 #[ignore = "long"]
 fn a_yaw_along_the_path_does_not_stop_a_slalom() {
     for planner in ["rip", "rcp"] {
-        let time = planned(&spec("000"), planner, "normal");
+        let time = planned(&spec("000"), planner, SAMPLES, "normal");
         assert!(time < 25.0, "{planner}: {time}");
     }
 }

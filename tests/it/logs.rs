@@ -99,7 +99,9 @@ fn a_spec_is_identified_and_has_the_thrust_that_flew() {
 
 #[test]
 fn damaged_logs_end_in_an_answer_or_a_diagnostic() {
-    let whole = log(Fault::Capacity(3, 8.0, 0.0), 12.0, 25.0, 50.0, 3);
+    // Short, and found: what is damaged would be answered.
+    let whole = log(Fault::Capacity(3, 4.0, 0.0), 7.0, 10.0, 25.0, 3);
+    assert_eq!(losses(&whole).first().map(|loss| loss.motor + 1), Some(3));
     let mut noise = Noise(11);
     for _ in 0..40 {
         let mut bytes = whole.clone();

@@ -140,7 +140,7 @@ fn a_descent_that_cannot_be_braked_has_no_way_out() {
         model.mission = Some(Mission { ground: Some(0.0), ..mission(points) });
         model.plan.planner = PlannerKind::Rip;
         model.plan.model = wrench;
-        model.plan.samples = 60;
+        model.plan.samples = 40;
         model.plan.time = MissionTime::Fixed(6.0);
         model.plan.recovery.detection = [0.05, 0.05];
         model.plan.recovery.order = vec![Recovery::LandHere];
@@ -221,7 +221,11 @@ vehicle octo {
     inertia = [0.0429, 0.0429, 0.0748] kg*m^2
     rotor { max_thrust = 6.5 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
 }
-faults { every 1 rotor lost as M }
+faults {
+    mode M1 { rotor 1 lost }
+    mode M4 { rotor 4 lost }
+    mode M6 { rotor 6 lost }
+}
 mission field {
     ground = 0 m
     start at [0, 0, 4] m
@@ -252,7 +256,7 @@ fn the_command_shows_ways_out_and_writes_them() {
     let recovery = &report["recovery"];
     assert_eq!(recovery["basis"], "checked at instants");
     let modes = recovery["modes"].as_array().unwrap();
-    assert_eq!(modes.len(), 8);
+    assert_eq!(modes.len(), 3);
     let index = std::fs::read_to_string(folder.path().join("out/index.csv")).unwrap();
     let mut listed = 0;
     for piece in modes.iter().flat_map(|mode| mode["pieces"].as_array().unwrap()) {
@@ -262,7 +266,7 @@ fn the_command_shows_ways_out_and_writes_them() {
             listed += 1;
         }
     }
-    assert!(listed > 20 && index.lines().count() == listed + 1, "{listed}\n{index}");
+    assert!(listed > 8 && index.lines().count() == listed + 1, "{listed}\n{index}");
 }
 
 /// With a bound that is not met the plan and its gaps are written, and the exit code says so.

@@ -1,5 +1,6 @@
 //! What people see first: answers of one screen, on every shipped spec and on unusual ones; every table with `-v`.
 
+use crate::cli::shipped::planned;
 use crate::cli::{code, err, folder, mavc, mavc_with, out};
 use std::path::{Path, PathBuf};
 use std::process::Output;
@@ -53,7 +54,7 @@ fn analyses_and_checks_fit_on_a_screen() {
 #[test]
 fn plans_and_flights_fit_on_a_screen() {
     for spec in ["examples/survey_hexa.mav", "examples/parcel_quad.mav", "specs/paper/case2.mav"] {
-        fits(&["plan", spec], &mavc(&["plan", spec]));
+        planned(spec, |plan| fits(&["plan", spec], &plan.output));
     }
     let spec = "specs/paper/figure12.mav";
     fits(&["simulate", spec], &mavc(&["simulate", spec]));
@@ -180,9 +181,10 @@ fn modes_named(row: &str) -> usize {
 /// A plan that leaves sets says until when, before any figure; one that covers them says so, and what is not covered.
 #[test]
 fn the_answer_comes_first() {
-    let first = |args: &[&str]| out(&mavc(args)).lines().take(8).collect::<Vec<_>>().join(" ");
+    let begin = |text: &str| text.lines().take(8).collect::<Vec<_>>().join(" ");
+    let first = |args: &[&str]| begin(&out(&mavc(args)));
     let survey = "examples/survey_hexa.mav";
-    let safe = first(&["plan", survey]);
+    let safe = planned(survey, |plan| begin(&out(&plan.output)));
     assert!(
         safe.contains("PLAN FOUND, 35 s") && safe.contains("After M1 .. M4 (one motor lost) at any instant"),
         "{safe}"

@@ -1,6 +1,7 @@
 //! The short output of `mavc plan`: the answer, what is covered and what is not, and what a reader must not overlook.
 
 mod coverage;
+mod price;
 
 pub use coverage::CoverageRecord;
 pub(super) use coverage::{unsafe_until, warn_of_not_covered};
@@ -107,7 +108,7 @@ impl Answer<'_> {
         screen.paragraph(tone, 2, 2, &text);
         let hidden = coverage::write(self, screen, run, solved);
         screen.gap();
-        for (keep, label, text) in self.figures(solved) {
+        for (keep, label, text) in self.figures(run, solved) {
             let text = format!("{label:<10} {text}");
             screen.part(keep, None, |screen| screen.paragraph(Tone::Plain, 2, 11, &text));
         }
@@ -116,9 +117,10 @@ impl Answer<'_> {
     }
 
     /// Labelled lines of figures.
-    fn figures(&self, solved: &MissionPlan) -> Vec<(Keep, &'static str, String)> {
+    fn figures(&self, run: &PlannerRun, solved: &MissionPlan) -> Vec<(Keep, &'static str, String)> {
         let (model, mission) = (self.problem.model(), self.problem.mission());
         let mut lines = Vec::new();
+        lines.extend(price::of_plan(self, run, solved).map(|text| (Keep::Figure, "price", text)));
         let reached = waypoints::waypoints(mission, solved);
         lines.push((Keep::Figure, "waypoints", waypoints::headline(&reached)));
         lines.push((Keep::Figure, "path", path(self.problem, solved)));

@@ -1,0 +1,77 @@
+//! What covering the fault modes costs, as far as the run of one planner shows it without further planning.
+
+use super::{Answer, DIGITS};
+use crate::model::PlannerKind;
+use crate::motion::Trajectory;
+use crate::motion::outside::outside;
+use crate::number::{fixed, percent, significant};
+use crate::planner::studies::{MissionPlan, PlannerRun, Run};
+use crate::planner::timing::kinematics::least_time_within;
+use crate::report::battery;
+
+/// A difference of energies below this share is called none: rounding to three digits hides it.
+const SAME_ENERGY: f64 = 5e-4;
+
+/// `at most 0.89 s (0.912 %) over the fastest motion that ignores faults`; `None` if the plan is to guard no mode.
+pub fn of_plan(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Option<String> {
+    let comparison = answer.comparison;
+    if run.planner == PlannerKind::Rip || comparison.modes.is_empty() {
+        return None;
+    }
+    let seconds = |time: f64| format!("{} s", significant(time, DIGITS + 1));
+    if let Some(without) = comparison.trade_off.first() {
+        let risk = significant(without.risk, DIGITS);
+        return Some(match solved.time > without.time {
+            true => format!(
+                "{} ({}) over the plan without protection, whose risk is {risk}",
+                seconds(solved.time - without.time),
+                percent(solved.time / without.time - 1.0)
+            ),
+            false => format!("no time: without protection the risk is {risk} in the same {}", seconds(solved.time)),
+        });
+    }
+    match (run.run, run.planner, comparison.selected_by.first()) {
+        (Run::Common, PlannerKind::Rsp, Some(_)) if comparison.selected.is_empty() => {
+            Some("nothing: RIP, which ignores faults, has the same plan".into())
+        }
+        (Run::Common, PlannerKind::Rsp, Some(rip)) => Some(format!(
+            "no time: RIP, which ignores faults, takes the same {}{}{}",
+            seconds(solved.time),
+            unsafe_until(answer, rip),
+            more_energy(answer, rip, solved)
+        )),
+        (Run::Common, ..) => {
+            Some(format!("no time at {}; `mavc compare` finds it at the shortest times", seconds(solved.time)))
+        }
+        (Run::Own, ..) => {
+            // The bound is about the limits alone, so it holds for every motion that ignores faults.
+            let least = least_time_within(answer.problem);
+            match least.seconds > 0.0 && !least.is_above(solved.time) {
+                true => Some(format!(
+                    "at most {} ({}) over the fastest motion that ignores faults",
+                    seconds(solved.time - least.seconds),
+                    percent(solved.time / least.seconds - 1.0)
+                )),
+                false => Some("not known from this planner alone; `mavc compare` finds it".into()),
+            }
+        }
+    }
+}
+
+/// ` and is unsafe until 18.90 s`: the last violation of a plan that ignores faults, over all modes.
+fn unsafe_until(answer: &Answer, rip: &Trajectory) -> String {
+    let (model, sets) = (answer.problem.model(), &answer.comparison.sets);
+    let last = sets.iter().filter_map(|set| outside(rip, &model.vehicle, &model.environment(), &set.rows).last);
+    last.reduce(f64::max).map_or(String::new(), |last| format!(" and is unsafe until {} s", fixed(last, 2)))
+}
+
+/// `; covering uses 0.4 % more energy`: what a plan takes from the battery beyond one that ignores faults.
+fn more_energy(answer: &Answer, rip: &Trajectory, solved: &MissionPlan) -> String {
+    let energy = |trajectory: &Trajectory| Some(battery::record(answer.problem.model(), trajectory)?.energy_j);
+    let Some((ignoring, covering)) = energy(rip).zip(energy(&solved.trajectory)) else { return String::new() };
+    let more = covering / ignoring - 1.0;
+    match more.abs() < SAME_ENERGY {
+        true => String::new(),
+        false => format!("; covering uses {} {} energy", percent(more.abs()), if more > 0.0 { "more" } else { "less" }),
+    }
+}
