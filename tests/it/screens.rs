@@ -206,6 +206,37 @@ fn the_answer_comes_first() {
     assert!(out(&mavc_with(&["plan", "-"], &text)).contains("NOT covered, not in `against`: M2"));
 }
 
+/// What covering the faults costs: at a fixed time against the RIP plan that RSP selects from, at a shortest time against
+/// a bound that no fault enters, and nothing about plans that cover none.
+#[test]
+fn a_plan_names_its_price() {
+    let price = |text: &str| -> Option<String> {
+        text.lines().find_map(|line| Some(line.trim_start().strip_prefix("price")?.trim_start().to_string()))
+    };
+    let survey = "examples/survey_hexa.mav";
+    let fixed = planned(survey, |plan| price(&out(&plan.output))).unwrap();
+    let ignoring = out(&mavc(&["plan", survey, "--set", "plan.planner=rip"]));
+    let until = |text: &str| -> f64 {
+        let number = text.to_lowercase().split("unsafe until ").nth(1).unwrap().split(" s").next().unwrap().to_string();
+        number.parse().unwrap()
+    };
+    assert!(fixed.starts_with("no time: ignoring faults also takes 35 s, "), "{fixed}");
+    // RSP selects from the plan before its second pass.
+    assert!((until(&fixed) - until(&ignoring)).abs() < 0.1, "{fixed}\n{ignoring}");
+    assert_eq!(price(&ignoring), None, "{ignoring}");
+
+    let text = |plan: &str| spec("PPNNPPNN", "3.4 kg", "every 1 rotor lost as M", plan);
+    let shortest = out(&mavc_with(&["plan", "-"], &text("against = [M1]; time = minimum; planner = rcp")));
+    let figure = |before: &str, after: &str| -> f64 {
+        let words = shortest.split_whitespace().collect::<Vec<_>>().join(" ");
+        words.split(before).nth(1).unwrap().split(after).next().unwrap().parse().unwrap()
+    };
+    let (time, least, most) = (figure("FOUND, ", " s"), figure("less than ", " s"), figure("at most ", " s"));
+    assert!((time - least - most).abs() < 0.02 && most > 0.0, "{shortest}");
+    let fixed = out(&mavc_with(&["plan", "-"], &text("against = [M1]; time = 9 s; planner = rcp")));
+    assert!(price(&fixed).unwrap().starts_with("no time at 9 s; `mavc compare`"), "{fixed}");
+}
+
 /// All figures of before stand behind `-v`, which every command takes.
 #[test]
 fn every_table_is_a_flag_away() {
