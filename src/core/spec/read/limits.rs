@@ -3,6 +3,7 @@
 use super::context::{Context, listed};
 use super::edits;
 use super::expected::Expected;
+use super::fields::elsewhere;
 use super::recovery::LIMIT;
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::table::limits as table;
@@ -163,9 +164,11 @@ fn unknown(cx: &mut Context, name: &str, span: Span, group: Group) {
     ];
     let habit = HABITS.iter().find(|(wrong, _)| *wrong == name).map(|(_, right)| *right);
     let habit = habit.filter(|right| group.has(right));
-    cx.report(match habit.or_else(|| nearest(name, names())).or_else(|| nearest_by_words(name, names())) {
-        Some(near) => error.help(format!("did you mean `{near}`?")).fix(span, near),
-        None => error.help(format!("use one of the limits {}", listed(&names().collect::<Vec<_>>()))),
+    let near = habit.or_else(|| nearest(name, names())).or_else(|| nearest_by_words(name, names()));
+    cx.report(match (near, elsewhere(name)) {
+        (Some(near), _) => error.help(format!("did you mean `{near}`?")).fix(span, near),
+        (None, Some(place)) => error.help(place),
+        (None, None) => error.help(format!("use one of the limits {}", listed(&names().collect::<Vec<_>>()))),
     });
 }
 

@@ -9,7 +9,8 @@ use crate::number::significant;
 /// What lets a vehicle hover that the wind alone prevents from it.
 pub(super) const HELP: &str = "check the units of `drag`, or lower it or the `wind` of the mission";
 
-/// The label of a mode that would hover in still air, if only with yaw given up; `None` if the air is not the cause.
+/// The label of a mode that would keep control in still air, or hover with yaw given up if it does not even do that in
+/// the wind; `None` if the air is not the cause.
 pub(super) fn is_the_cause(model: &Model, mode: &ModeAnalysis) -> Option<String> {
     let environment = model.environment();
     let speed = environment.wind.iter().map(|w| w * w).sum::<f64>().sqrt();
@@ -23,7 +24,8 @@ pub(super) fn is_the_cause(model: &Model, mode: &ModeAnalysis) -> Option<String>
         None => AdmissibleSet::healthy(&still),
     };
     let found = analyze(&still, &set);
-    (found.keeps_full_control() || found.yaw_free != YawFree::None).then(|| {
+    let hovers_again = mode.yaw_free == YawFree::None && found.yaw_free != YawFree::None;
+    (found.keeps_full_control() || hovers_again).then(|| {
         let most = model.vehicle.drag.into_iter().fold(0.0, f64::max);
         let up_to = if environment.is_isotropic() { "" } else { "up to " };
         format!(
