@@ -90,10 +90,15 @@ fn check_names_the_drag_that_keeps_a_vehicle_from_hovering() {
 #[test]
 fn check_blames_the_wind_only_for_what_still_air_would_change() {
     let survey = std::fs::read_to_string("examples/survey_hexa.mav").unwrap();
-    let in_wind = survey
-        .replacen("mass ", "drag = 0.5 N*s/m\n    mass ", 1)
-        .replacen("limits {", "air { wind = [4, 0, 0] m/s }\n    limits {", 1);
-    assert_eq!(in_wind.len(), survey.len() + "drag = 0.5 N*s/m\n    ".len() + "air { wind = [4, 0, 0] m/s }\n    ".len());
+    let in_wind = survey.replacen("mass ", "drag = 0.5 N*s/m\n    mass ", 1).replacen(
+        "limits {",
+        "air { wind = [4, 0, 0] m/s }\n    limits {",
+        1,
+    );
+    assert_eq!(
+        in_wind.len(),
+        survey.len() + "drag = 0.5 N*s/m\n    ".len() + "air { wind = [4, 0, 0] m/s }\n    ".len()
+    );
     for text in [&survey, &in_wind] {
         let (code, told) = run(&["check", "-", "--set", "plan.against=[M5]"], text);
         assert_eq!(code, Some(3), "{told}");

@@ -5,6 +5,7 @@ use crate::admissible::without_yaw::planned::Provision;
 use crate::model::PlannerKind;
 use crate::motion::Trajectory;
 use crate::motion::outside::outside;
+use crate::motion::time_grid::determined;
 use crate::number::{fixed, percent, significant};
 use crate::planner::studies::{MissionPlan, PlannerRun, Run};
 use crate::planner::timing::kinematics::least_time_within;
@@ -37,20 +38,21 @@ pub fn of_plan(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Optio
             false => format!("no time: without protection the risk is {risk} in the same {}", seconds(solved.time)),
         });
     }
-    match (run.run, run.planner, comparison.selected_by.first()) {
-        (Run::Common, PlannerKind::Rsp, Some(_)) if comparison.selected.is_empty() => {
+    let is_fixed = run.run == Run::Common || determined(answer.problem.mission()).is_some();
+    match (is_fixed, run.planner, comparison.selected_by.first()) {
+        (true, PlannerKind::Rsp, Some(_)) if comparison.selected.is_empty() => {
             Some("nothing: the plan that ignores faults is the same".into())
         }
-        (Run::Common, PlannerKind::Rsp, Some(rip)) => Some(format!(
+        (true, PlannerKind::Rsp, Some(rip)) => Some(format!(
             "no time: ignoring faults also takes {}{}{}",
             seconds(solved.time),
             last_violation(answer, rip),
             more_energy(answer, rip, solved)
         )),
-        (Run::Common, ..) => {
+        (true, ..) => {
             Some(format!("no time at {}; `mavc compare` finds it at the shortest times", seconds(solved.time)))
         }
-        (Run::Own, ..) => {
+        (false, ..) => {
             // The bound is about the limits alone, so it holds for every motion that ignores faults.
             let least = least_time_within(answer.problem);
             let is_near = solved.time <= (1.0 + MOST_OVER) * least.seconds && !least.is_above(solved.time);

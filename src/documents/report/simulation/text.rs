@@ -217,9 +217,13 @@ pub fn turned(turns: usize) -> String {
     }
 }
 
-/// `; no fault struck`, because such a flight shows nothing about faults.
+/// `; no fault struck`, because such a flight shows nothing about faults, and how to have one strike.
 pub fn no_fault(record: &FlightRecord) -> &'static str {
-    if record.faults.iter().any(|fault| fault.struck) { "" } else { "; no fault struck" }
+    match &record.faults[..] {
+        [] => "; no fault struck: `fault NAME at 5 s` in `simulate` lets one",
+        faults if faults.iter().any(|fault| fault.struck) => "",
+        _ => "; no fault struck",
+    }
 }
 
 /// Why a flight in which the vehicle was not lost is not survived.
