@@ -16,7 +16,7 @@ const MOST_OVER: f64 = 0.5;
 /// A difference of energies below this share is called none: rounding to three digits hides it.
 const SAME_ENERGY: f64 = 5e-4;
 
-/// `at most 0.89 s (0.912 %) over the fastest motion that ignores faults`; `None` if the plan covers no mode or is not
+/// `at most 0.89 s (0.912 %) over the fastest motion ignoring faults`; `None` if the plan covers no mode or is not
 /// made to.
 pub fn of_plan(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Option<String> {
     let comparison = answer.comparison;
@@ -58,7 +58,7 @@ pub fn of_plan(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Optio
             let is_near = solved.time <= (1.0 + MOST_OVER) * least.seconds && !least.is_above(solved.time);
             match is_near {
                 true => Some(format!(
-                    "at most {} ({}) over the fastest motion that ignores faults",
+                    "at most {} ({}) over the fastest motion ignoring faults",
                     seconds(solved.time - least.seconds),
                     percent(solved.time / least.seconds - 1.0)
                 )),
