@@ -11,7 +11,7 @@ mod stages;
 mod sweep;
 mod tasks;
 
-pub use certificates::{Rejected, Uncertified, certify, verify, verify_within};
+pub use certificates::{Rejected, Uncertified, certify, verify, verify_within, with_ways_out};
 pub use diagnosis::{Diagnosed, Undiagnosed, diagnose};
 pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict};
 pub use identification::{Identified, identify};

@@ -12,12 +12,14 @@ mod search;
 use crate::admissible::AdmissibleSet;
 use crate::admissible::without_yaw::planned::Provision;
 use crate::cancel;
+use crate::certificate::{FamilyRecord, MotionRecord, RecoveryClaim};
 use crate::model::Problem;
 use crate::motion::Trajectory;
 use crate::planner::selection::sets::of_one_mode;
 use crate::solve::Effort;
 use rayon::prelude::*;
 use search::Search;
+use std::collections::BTreeMap;
 
 /// A way out after a fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,6 +86,38 @@ pub struct ModeRecovery {
     pub pieces: Vec<Piece>,
     /// The number of instants that were looked at.
     pub instants: usize,
+    /// What is shown between these instants, if that was sought.
+    pub families: Option<Families>,
+}
+
+/// Families of branches of one mode.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Families {
+    /// Those that the checker of certificates accepts, in the order of time.
+    pub proved: Vec<FamilyRecord>,
+    /// The branches that they refer to.
+    pub branches: Vec<MotionRecord>,
+    /// The longest time between two instants with the same outcome for which no family was found, with the reason.
+    pub not_proved: Option<NotProved>,
+}
+
+/// A time for which no family was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NotProved {
+    /// s since the start of the plan.
+    pub from: f64,
+    pub to: f64,
+    pub why: String,
+}
+
+impl Families {
+    /// For how long every fault has a way out that is shown, s.
+    pub fn proved_s(&self) -> f64 {
+        // Those of the same instants, for several delays, count once.
+        let mut instants: Vec<[f64; 2]> = self.proved.iter().map(|family| [family.from_s, family.to_s]).collect();
+        instants.dedup();
+        instants.iter().map(|[from, to]| to - from).sum()
+    }
 }
 
 /// Why no way out was sought.
@@ -121,8 +155,8 @@ const FINE: f64 = 160.0;
 /// The times at which outcomes change are bisected to this, s.
 pub const RESOLUTION: f64 = 0.05;
 
-/// Looks for ways out after every declared fault, along a plan.
-pub fn recovery(problem: Problem, plan: &Trajectory) -> Recovery {
+/// Looks for ways out after every declared fault, along a plan: at instants, and with `between` for families of them.
+pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery {
     let model = problem.model();
     let settings = &model.plan.recovery;
     let healthy = AdmissibleSet::healthy(model);
@@ -140,9 +174,11 @@ pub fn recovery(problem: Problem, plan: &Trajectory) -> Recovery {
         match not_attempted {
             Some(_) => {
                 let piece = Piece { from: 0.0, to: plan.duration(), way: None, branches: Vec::new(), near_miss: None };
-                (ModeRecovery { mode, not_attempted, pieces: vec![piece], instants: 0 }, Vec::new(), Effort::default())
+                let families = between.then(Families::default);
+                let none = ModeRecovery { mode, not_attempted, pieces: vec![piece], instants: 0, families };
+                (none, Vec::new(), Effort::default())
             }
-            None => Search::new(problem, plan, mode, &set, &provision, &healthy, &delays).all(),
+            None => Search::new(problem, plan, (mode, &set, &provision), &healthy, &delays, between).all(),
         }
     };
     let each: Vec<_> = (0..model.modes.len()).into_par_iter().map(of_mode).collect();
@@ -164,6 +200,26 @@ pub fn recovery(problem: Problem, plan: &Trajectory) -> Recovery {
     }
     found.survived = flown::survivors(model, plan, &found);
     found
+}
+
+impl Recovery {
+    /// The families of all modes for a certificate; `None` if none were found.
+    pub fn claim(&self) -> Option<RecoveryClaim> {
+        let mut claim = RecoveryClaim { branches: Vec::new(), families: Vec::new() };
+        for Families { proved, branches, .. } in self.modes.iter().filter_map(|mode| mode.families.as_ref()) {
+            let mut place = BTreeMap::new();
+            for family in proved {
+                let corners = family.corners.map(|index| {
+                    *place.entry(index).or_insert_with(|| {
+                        claim.branches.push(branches[index].clone());
+                        claim.branches.len() - 1
+                    })
+                });
+                claim.families.push(FamilyRecord { corners, ..family.clone() });
+            }
+        }
+        (!claim.families.is_empty()).then_some(claim)
+    }
 }
 
 impl ModeRecovery {

@@ -18,6 +18,7 @@ mod resources;
 mod selection;
 mod sets;
 mod tampering;
+mod ways_out;
 mod winds;
 mod wrench;
 

@@ -108,7 +108,7 @@ fn finds_ways_out(wrench: PlanModel) {
     let (set, _) = of_one_mode(&model, 0, &healthy);
     for order in [vec![Recovery::Continue], vec![Recovery::LandAtSites], vec![Recovery::LandHere]] {
         model.plan.recovery.order = order.clone();
-        let found = recovery(Problem::of(&model).unwrap(), &plan);
+        let found = recovery(Problem::of(&model).unwrap(), &plan, false);
         println!("{wrench:?} {order:?}: {:?}", found.modes[0].pieces);
         assert!(found.branches.len() > 4, "{order:?}: {} branches", found.branches.len());
         found.branches.iter().for_each(|branch| is_a_way_out(&model, &set, &plan, branch));
@@ -164,7 +164,7 @@ fn some_descents_cannot_be_braked(wrench: PlanModel) {
         let down = (-state[Z][1]).max(0.0);
         down * down / (2.0 * brakes) / state[Z][0]
     };
-    let found = recovery(Problem::of(&model).unwrap(), &plan);
+    let found = recovery(Problem::of(&model).unwrap(), &plan, false);
     println!("{wrench:?}: {:?}", found.modes[0].pieces);
     let (mut hopeless, mut easy) = (0, 0);
     for k in 0..=60 {
@@ -195,7 +195,7 @@ fn a_site_out_of_reach_is_no_way_out() {
     // At 6 m/s, 48 m take 8 s.
     for (within, reached) in [(7.5, false), (16.0, true), (30.0, true)] {
         model.plan.recovery.within = within;
-        let found = recovery(Problem::of(&model).unwrap(), &plan);
+        let found = recovery(Problem::of(&model).unwrap(), &plan, false);
         let open = found.modes[0].uncovered();
         println!("within {within} s: {open} s open, {:?}", found.modes[0].pieces);
         assert!(open <= before, "more time leaves more open");
@@ -216,7 +216,7 @@ fn after_rcp_every_fault_is_flown_through() {
     model.plan.planner = PlannerKind::Rcp;
     model.plan.recovery.detection = [0.02, 0.05];
     let plan = planned(&model);
-    let found = recovery(Problem::of(&model).unwrap(), &plan);
+    let found = recovery(Problem::of(&model).unwrap(), &plan, false);
     let [piece] = &found.modes[0].pieces[..] else { panic!("{:?}", found.modes[0].pieces) };
     assert_eq!((piece.from, piece.to, piece.way), (0.0, plan.duration(), Some(Way::Continue)));
 }

@@ -1,9 +1,10 @@
 //! Certificates: making one from an outcome, and deciding whether it holds.
 
 use super::tasks::{OtherSpec, Planning};
-use crate::certificate::Certificate;
+use crate::certificate::{Certificate, Claim};
 use crate::certify as write;
 use crate::model::Problem;
+use crate::recovery::Recovery;
 use crate::spec::Spec;
 use crate::verify::Accepted;
 use crate::verify::cost::Budget;
@@ -36,6 +37,14 @@ pub fn certify(spec: &Spec, planning: &Planning) -> Result<Certificate, Uncertif
     let problem = Problem::of(kept.as_ref().unwrap_or(spec.model()));
     let Some(problem) = problem else { return Err(Uncertified::Other("the spec has no mission".into())) };
     write::of(problem, planning.comparison(), spec.sha256().into()).map_err(Uncertified::Other)
+}
+
+/// Adds the families of ways out that were found along a plan to its certificate, which [`verify`] then decides too.
+pub fn with_ways_out(mut certificate: Certificate, recovery: &Recovery) -> Certificate {
+    if let Claim::Plan(claim) = &mut certificate.claim {
+        claim.recovery = recovery.claim();
+    }
+    certificate
 }
 
 /// Why an outcome has no certificate.

@@ -11,10 +11,31 @@ impl Task<'_> {
     /// # Errors
     /// `planning` is the outcome for another spec.
     pub fn recovery(&self, planning: &Planning, observer: &dyn Observer) -> Result<Option<Recovery>, OtherSpec> {
+        self.ways_out(planning, observer, false)
+    }
+
+    /// The same, and families of ways out between these instants for a certificate.
+    ///
+    /// # Errors
+    /// `planning` is the outcome for another spec.
+    pub fn recovery_between(
+        &self,
+        planning: &Planning,
+        observer: &dyn Observer,
+    ) -> Result<Option<Recovery>, OtherSpec> {
+        self.ways_out(planning, observer, true)
+    }
+
+    fn ways_out(
+        &self,
+        planning: &Planning,
+        observer: &dyn Observer,
+        between: bool,
+    ) -> Result<Option<Recovery>, OtherSpec> {
         planning.check_spec(self.spec())?;
         let Some(plan) = planning.plan() else { return Ok(None) };
         observer.begins("looking for a way out after each fault");
-        Ok(Some(timed(observer, "recovery", || recovery(self.problem(), &plan.trajectory))))
+        Ok(Some(timed(observer, "recovery", || recovery(self.problem(), &plan.trajectory, between))))
     }
 
     /// Whether a larger share of the time has no way out than `require uncovered` allows.

@@ -5,9 +5,12 @@
 //! from the spec, and the checker derives them itself.
 
 mod bounded;
+mod recovery;
 
 use bounded::{at_most, numbers, rotors};
 use serde::{Deserialize, Serialize};
+
+pub use recovery::{FamilyRecord, MAX_BRANCH_NODES, RecoveryClaim, StateTolerance, WayRecord};
 
 /// Largest certificate file, bytes.
 pub const MAX_BYTES: usize = 64 << 20;
@@ -96,6 +99,9 @@ pub struct PlanClaim {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub least_time_s: Option<f64>,
+    /// Ways out after faults, with `--recovery`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub recovery: Option<RecoveryClaim>,
 }
 
 /// A mode for which the plan gives up yaw.

@@ -21,6 +21,7 @@ pub mod plan;
 mod premise;
 pub mod proof;
 mod read;
+pub mod recovery;
 mod schedule;
 pub mod series;
 pub mod sets;

@@ -38,7 +38,9 @@ pub use plan_settings::{
     PlanSettings, PlannerKind, SearchEffort,
 };
 pub use problem::Problem;
-pub use recovery::{AfterFaultRules, HeldLimit, KeepOff, LandingSite, Recoverable, Recovery, RecoverySettings};
+pub use recovery::{
+    AfterFaultRules, HeldLimit, KeepOff, LandingSite, Recoverable, Recovery, RecoverySettings, STOPS_TURNING, TOUCHDOWN,
+};
 pub use volume::{Boundary, Side as VolumeSide, Volume};
 pub use without_yaw::GiveUpYaw;
 pub use yaw_drag::YawDrag;

@@ -4,7 +4,7 @@ use super::screen::{Screen, Tone};
 use super::trajectory_csv;
 use crate::model::{Model, Problem};
 use crate::number::{fixed, number, percent, plural, significant};
-use crate::recovery::{FoundBranch, ModeRecovery, NotAttempted, Piece, Recovery, Way};
+use crate::recovery::{Families, FoundBranch, ModeRecovery, NotAttempted, Piece, Recovery, Way};
 use crate::text_table::Table;
 use serde::Serialize;
 
@@ -57,6 +57,9 @@ pub struct ModeRecoveryRecord {
     pub pieces: Vec<PieceRecord>,
     /// For how long there is no way out, s.
     pub uncovered_s: f64,
+    /// For how long a way out is proved at every instant, as the certificate shows, s. Omitted without --certificate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub proved_s: Option<f64>,
 }
 
 /// A time during which the faults of a mode have one outcome.
@@ -160,6 +163,7 @@ impl RecoveryRecord {
             }),
             pieces: found.pieces.iter().map(piece).collect(),
             uncovered_s: found.uncovered(),
+            proved_s: found.families.as_ref().map(Families::proved_s),
         };
         RecoveryRecord {
             detection_s: recovery.delays.clone(),
@@ -266,6 +270,9 @@ pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
     if rest > 0 {
         screen.line(Tone::Plain, &format!("  {} more: -v", plural(rest, "gap")));
     }
+    if let Some(text) = between(model, recovery) {
+        screen.paragraph(Tone::Plain, 2, 2, &text);
+    }
     let all_survive = record.survived == record.flown;
     for (text, tone) in premise(&record, model.plan.reserve).iter().zip([Tone::Plain, tone_of_flights(all_survive)]) {
         screen.paragraph(tone, 2, 2, text);
@@ -319,6 +326,30 @@ pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
         record.survived, record.flown
     );
     [computed, flown]
+}
+
+/// For how much of the time with a way out that is proved at every instant, and why not for the rest; `None` if no
+/// proof was sought.
+fn between(model: &Model, recovery: &Recovery) -> Option<String> {
+    let families: Vec<(&ModeRecovery, &Families)> =
+        recovery.modes.iter().filter_map(|mode| Some((mode, mode.families.as_ref()?))).collect();
+    if families.is_empty() {
+        return None;
+    }
+    let proved: f64 = families.iter().map(|(_, families)| families.proved_s()).sum();
+    let with_a_way: f64 = families.iter().map(|(mode, _)| recovery.duration - mode.uncovered()).sum();
+    let share = if with_a_way > 0.0 { proved / with_a_way } else { 0.0 };
+    let longest = families.iter().filter_map(|(mode, families)| Some((mode, families.not_proved.as_ref()?)));
+    let longest = longest.max_by(|(_, a), (_, b)| (a.to - a.from).total_cmp(&(b.to - b.from)));
+    let why = longest.map(|(mode, why)| {
+        let [from, to] = [why.from, why.to].map(|t| fixed(t, 2));
+        format!(" Not proved, for example: {} from {from} to {to} s ({}).", model.modes[mode.mode].name, why.why)
+    });
+    Some(format!(
+        "Proved at every instant, by the certificate: {} of the time with a way out.{}",
+        percent(share),
+        why.unwrap_or_default()
+    ))
 }
 
 /// The longest gaps, and how many more there are.

@@ -1,5 +1,7 @@
 //! The ways out after the faults of one mode, instant by instant.
 
+mod families;
+
 use super::carry::{Carried, carry, quiet};
 use super::{APART, FINE, FoundBranch, ModeRecovery, NearMiss, Piece, RESOLUTION, Way};
 use crate::admissible::without_yaw::planned::Provision;
@@ -9,7 +11,7 @@ use crate::energy::Power;
 use crate::model::{HeldLimit, LandingSite, Model, Problem, Recovery, Simulation};
 use crate::motion::outside::{outside, violation_intervals};
 use crate::motion::{NodeState, Trajectory, X, Y};
-use crate::planner::branch::{Branches, Goal};
+use crate::planner::branch::{Branches, Goal, Room};
 use crate::planner::scp::Iterate;
 use crate::planner::selection::PlanningSet;
 use crate::solve::Effort;
@@ -31,17 +33,13 @@ const HERE: f64 = 1.0;
 const GAPS: usize = 2;
 const MORE_TIME: [f64; 3] = [1.25, 1.6, 2.5];
 
-/// The margin from the facets of the mode's set that branches keep at the instants of their grids, in widths of the
-/// healthy set: between instants 3.5e-4 more was seen. Chosen by hand.
-const MARGIN: f64 = 1e-3;
-
 /// Places beside areas to keep off that are tried. Chosen by hand.
 const BESIDE: usize = 4;
 
 /// Whether rest is outside a set, or inside it with less than the margin that branches keep.
 pub(super) fn cannot_hover(model: &Model, set: &PlanningSet) -> bool {
-    let at_rest = trimmed(model, &model.environment());
-    set.rows.iter().any(|row| row.violation(&at_rest) > if row.equality { MARGIN } else { -MARGIN })
+    let (at_rest, margin) = (trimmed(model, &model.environment()), Room::LITTLE.of_set);
+    set.rows.iter().any(|row| row.violation(&at_rest) > if row.equality { margin } else { -margin })
 }
 
 pub(super) struct Search<'a> {
@@ -54,7 +52,9 @@ pub(super) struct Search<'a> {
     last_outside: f64,
     /// The limits on places that the vehicle may not violate before the fault is known.
     places: Vec<HeldLimit>,
-    branches: Branches<'a>,
+    /// Sought first: those that keep enough room for families about them, if these are sought.
+    roomy: Option<Branches<'a>>,
+    tight: Branches<'a>,
     simulation: Simulation,
     /// Where the spec asks for charge that is left.
     power: Option<Power>,
@@ -68,17 +68,17 @@ struct Found {
     at: f64,
     way: Option<Way>,
     branches: Vec<FoundBranch>,
+    iterates: Vec<Iterate>,
 }
 
 impl<'a> Search<'a> {
     pub fn new(
         problem: Problem<'a>,
         plan: &'a Trajectory,
-        mode: usize,
-        set: &'a PlanningSet,
-        provision: &Provision,
+        (mode, set, provision): (usize, &'a PlanningSet, &Provision),
         healthy: &'a AdmissibleSet,
         delays: &'a [f64],
+        between: bool,
     ) -> Self {
         let model = problem.model();
         let intervals = (0..plan.intervals())
@@ -87,7 +87,8 @@ impl<'a> Search<'a> {
         let held = problem.mission().limits_after_fault();
         let places = held.iter().filter(|held| held.limit.volume.is_some()).cloned().collect();
         Search {
-            branches: Branches::new(problem, healthy, set, MARGIN, plan.model, held),
+            roomy: between.then(|| Branches::new(problem, healthy, set, Room::WIDE, plan.model, held.clone())),
+            tight: Branches::new(problem, healthy, set, Room::LITTLE, plan.model, held),
             spins: matches!(provision, Provision::WithoutYaw(_)),
             simulation: quiet(model),
             power: if model.plan.recovery.keep > 0.0 { Power::of(model) } else { None },
@@ -115,8 +116,9 @@ impl<'a> Search<'a> {
             found.push(next);
         }
         let instants = found.len();
+        let families = self.families(&found);
         let (mut pieces, mut branches): (Vec<Piece>, Vec<FoundBranch>) = (Vec::new(), Vec::new());
-        for Found { at, way, branches: of_delays } in found {
+        for Found { at, way, branches: of_delays, .. } in found {
             let index = of_delays.into_iter().next_back().map(|branch| {
                 branches.push(branch);
                 branches.len() - 1
@@ -141,7 +143,10 @@ impl<'a> Search<'a> {
             }
         }
         self.look_for_near_misses(&mut pieces);
-        (ModeRecovery { mode: self.mode, not_attempted: None, pieces, instants }, branches, self.branches.effort)
+        let mut effort = self.tight.effort;
+        effort += self.roomy.map_or_else(Effort::default, |roomy| roomy.effort);
+        let recovery = ModeRecovery { mode: self.mode, not_attempted: None, pieces, instants, families };
+        (recovery, branches, effort)
     }
 
     /// Adds outcomes between two instants until those of neighbours are the same or [`RESOLUTION`] apart.
@@ -165,7 +170,7 @@ impl<'a> Search<'a> {
         for gap in gaps.into_iter().take(GAPS) {
             let at = 0.5 * (gap.from + gap.to);
             let delay = self.delays[self.delays.len() - 1];
-            let Some(carried) = carry(model, &self.simulation, self.plan, self.mode, at, delay) else { continue };
+            let Some(carried) = self.carried(at, delay) else { continue };
             let sites =
                 model.recovery(self.mode).iter().flat_map(|way| self.problem.mission().sites_of(*way)).collect();
             let sites = self.by_distance(sites, &carried.state);
@@ -173,7 +178,7 @@ impl<'a> Search<'a> {
                 let to = &self.problem.mission().after_fault.sites[site];
                 let goal = Goal::Ground { at: to.at, radius: to.radius };
                 let mut times = MORE_TIME.into_iter().map(|factor| factor * within);
-                let takes = times.find(|time| self.branches.find(&carried.state, &goal, *time).is_some())?;
+                let takes = times.find(|time| self.tight.find(&carried.state, &goal, *time).is_some())?;
                 Some(NearMiss { site, at, takes })
             });
         }
@@ -198,12 +203,17 @@ impl<'a> Search<'a> {
         self.left_after(until, motion).is_some_and(|left| left < self.problem.model().plan.recovery.keep)
     }
 
+    /// The vehicle `delay` s after a fault at `at` s; `None` if it turns over.
+    fn carried(&self, at: f64, delay: f64) -> Option<Carried> {
+        carry(self.problem.model(), &self.simulation, self.plan, self.mode, at, delay)
+    }
+
     /// The first way out, in the order of the spec, that there is for each delay.
     fn at(&mut self, at: f64) -> Found {
         cancel::checkpoint();
-        let none = Found { at, way: None, branches: Vec::new() };
+        let none = Found { at, way: None, branches: Vec::new(), iterates: Vec::new() };
         let model = self.problem.model();
-        let carried = |delay: &f64| carry(model, &self.simulation, self.plan, self.mode, at, *delay);
+        let carried = |delay: &f64| self.carried(at, *delay);
         let Some(carried) = self.delays.iter().map(carried).collect::<Option<Vec<Carried>>>() else { return none };
         let leaves =
             |held: &HeldLimit, p: &[f64; 3]| held.limit.violation_at(*p).is_some_and(|over| over > held.yields);
@@ -244,17 +254,14 @@ impl<'a> Search<'a> {
         let way = if self.spins { Way::ContinueSpinning } else { Way::Continue };
         let within = self.problem.model().plan.recovery.within;
         self.for_each_delay(at, carried, way, |search, delay, state, last| {
-            let mut times = BACK_IN.into_iter().filter(|time| *time <= within);
-            times.find_map(|time| {
-                let joins_at = at + delay + time;
-                if search.last_outside > joins_at {
-                    return None;
-                }
-                let goal = Goal::Rejoin(search.planned(joins_at));
-                let known = last.filter(|known| known.grid.total == time);
-                let about = known.and_then(|known| search.branches.find_about(state, &goal, known));
-                about.or_else(|| search.branches.find(state, &goal, time))
-            })
+            let joins_inside = |time: &f64| search.last_outside <= at + delay + time;
+            let mut times: Vec<f64> = BACK_IN.into_iter().filter(|time| *time <= within).filter(joins_inside).collect();
+            // The longer a motion lasts, the less its end depends on its start.
+            if search.roomy.is_some() {
+                times.reverse();
+            }
+            let last = last.filter(|known| times.contains(&known.grid.total));
+            search.branch(state, last, &times, |search, time| Goal::Rejoin(search.planned(at + delay + time)))
         })
     }
 
@@ -271,14 +278,27 @@ impl<'a> Search<'a> {
         let within = self.problem.model().plan.recovery.within;
         let goal = Goal::Ground { at: to, radius };
         self.for_each_delay(at, carried, way, |search, _, state, last| {
-            if let Some(found) = last.and_then(|known| search.branches.find_about(state, &goal, known)) {
-                return Some(found);
-            }
-            let likely = search.branches.likely_duration(state, &goal);
+            let likely = search.tight.likely_duration(state, &goal);
             let mut times: Vec<f64> =
                 LONGER.map(|factor| factor * likely).into_iter().filter(|t| *t < within).collect();
             times.push(within);
-            times.into_iter().find_map(|time| search.branches.find(state, &goal, time))
+            search.branch(state, last, &times, |_, _| goal)
+        })
+    }
+
+    /// A branch from a state about the last one, or else in one of some times, s; one with room if there is one.
+    fn branch(
+        &mut self,
+        state: &NodeState,
+        last: Option<&Iterate>,
+        times: &[f64],
+        goal: impl Fn(&Self, f64) -> Goal,
+    ) -> Option<Iterate> {
+        let about = last.map(|known| (known, goal(self, known.grid.total)));
+        let goals: Vec<(f64, Goal)> = times.iter().map(|time| (*time, goal(self, *time))).collect();
+        self.roomy.iter_mut().chain([&mut self.tight]).find_map(|branches| {
+            let found = about.as_ref().and_then(|(known, goal)| branches.find_about(state, goal, known));
+            found.or_else(|| goals.iter().find_map(|(time, goal)| branches.find(state, goal, *time)))
         })
     }
 
@@ -288,11 +308,8 @@ impl<'a> Search<'a> {
         let ground = mission.ground?;
         let size = self.problem.model().vehicle.radius();
         let state = carried[carried.len() - 1].state;
-        let time = self.branches.likely_duration(&state, &Goal::Rest);
-        let stop = self
-            .branches
-            .find(&state, &Goal::Rest, time)
-            .or_else(|| self.branches.find(&state, &Goal::Rest, 2.0 * time))?;
+        let time = self.tight.likely_duration(&state, &Goal::Rest);
+        let stop = self.branch(&state, None, &[time, 2.0 * time], |_, _| Goal::Rest)?;
         let rest = &stop.states[stop.states.len() - 1];
         let mut place = [rest[X][0], rest[Y][0]];
         let mut over = mission.after_fault.too_close(place, size + HERE);
@@ -317,7 +334,7 @@ impl<'a> Search<'a> {
         way: Way,
         mut find: impl FnMut(&mut Self, f64, &NodeState, Option<&Iterate>) -> Option<Iterate>,
     ) -> Option<Found> {
-        let mut branches = Vec::with_capacity(carried.len());
+        let (mut branches, mut iterates) = (Vec::with_capacity(carried.len()), Vec::with_capacity(carried.len()));
         // The longest delay is the hardest.
         for (index, carried) in carried.iter().enumerate().rev() {
             let key = (key(way), index);
@@ -336,10 +353,12 @@ impl<'a> Search<'a> {
                 return None;
             }
             branches.push(FoundBranch { mode, way, fault_at: at, delay, motion, deviation });
+            iterates.push(found.clone());
             self.last.insert(key, found);
         }
         branches.reverse();
-        Some(Found { at, way: Some(way), branches })
+        iterates.reverse();
+        Some(Found { at, way: Some(way), branches, iterates })
     }
 }
 

@@ -260,7 +260,7 @@ pub(super) struct PlanArgs {
     #[arg(long)]
     pub accept_best: bool,
     /// Look for a way out after every declared fault, at instants of the plan: back to the plan, to a landing site, or
-    /// down at once
+    /// down at once. With --certificate also between instants, where that can be proved
     #[arg(long)]
     pub recovery: bool,
     /// Write each way out as a table into this folder, with index.csv; implies --recovery

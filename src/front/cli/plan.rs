@@ -10,7 +10,7 @@ use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::MissionTime;
 use crate::observer::{Observer, timed};
-use crate::pipeline::{Explained, Planning, Task, certify};
+use crate::pipeline::{Explained, Planning, Task, certify, with_ways_out};
 use crate::read::FlightBlocks;
 use crate::report::page::{self, PageKind};
 use crate::report::recovery::{self, RecoveryRecord};
@@ -47,19 +47,23 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         true => Explained::default(),
         false => task.explain(&planning, &watch).map_err(|e| e.to_string())?,
     };
+    let wants_recovery = args.recovery || args.branches.is_some() || task.model().plan.recovery.require.is_some();
+    let recovery = match (wants_recovery, places.certificate.is_some()) {
+        (true, true) => task.recovery_between(&planning, &watch).map_err(|e| e.to_string())?,
+        (true, false) => task.recovery(&planning, &watch).map_err(|e| e.to_string())?,
+        (false, _) => None,
+    };
     let mut results = Results::new(&places);
     if places.certificate.is_some() {
         watch.begins("making the certificate");
         match timed(&watch, "certify", || certify(task.spec(), &planning)) {
-            Ok(certificate) => results.certificate(&certificate)?,
+            Ok(certificate) => results.certificate(&match &recovery {
+                Some(recovery) => with_ways_out(certificate, recovery),
+                None => certificate,
+            })?,
             Err(why) => files::eprint(&format!("mavc: no certificate was written: {why}\n")),
         }
     }
-    let wants_recovery = args.recovery || args.branches.is_some() || task.model().plan.recovery.require.is_some();
-    let recovery = match wants_recovery {
-        true => task.recovery(&planning, &watch).map_err(|e| e.to_string())?,
-        false => None,
-    };
     let between = planning.between(&task, &watch).map_err(|e| e.to_string())?;
     let conflict = task.diagnose(&explained);
     timed(&watch, "report", || {

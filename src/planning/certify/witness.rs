@@ -15,8 +15,13 @@ pub(super) fn certificate(
     sha256: String,
 ) -> Certificate {
     let selected_by = selected_by.iter().map(motion).collect();
-    let claim =
-        PlanClaim { motion: motion(trajectory), selected_by, without_yaw: without_yaw(model), least_time_s: None };
+    let claim = PlanClaim {
+        motion: motion(trajectory),
+        selected_by,
+        without_yaw: without_yaw(model),
+        least_time_s: None,
+        recovery: None,
+    };
     let (model, claim) = (model_of(trajectory), Claim::Plan(claim));
     Certificate { schema: SCHEMA, spec_sha256: sha256, model, capture_height_m: None, claim }
 }
@@ -39,7 +44,7 @@ fn without_yaw(model: &Model) -> Vec<SpinRecord> {
 }
 
 /// The model of the wrench that the plan uses.
-pub(super) fn model_of(trajectory: &Trajectory) -> DynamicModel {
+pub fn model_of(trajectory: &Trajectory) -> DynamicModel {
     match trajectory.model {
         WrenchModel::HoverAt(_) | WrenchModel::HoverFollowing => DynamicModel::Hover,
         WrenchModel::Exact => DynamicModel::Exact,
@@ -47,7 +52,7 @@ pub(super) fn model_of(trajectory: &Trajectory) -> DynamicModel {
 }
 
 /// A trajectory as a record.
-pub(super) fn motion(trajectory: &Trajectory) -> MotionRecord {
+pub fn motion(trajectory: &Trajectory) -> MotionRecord {
     let nodes = &trajectory.nodes;
     let vertical = |s: &NodeState| match model_of(trajectory) {
         DynamicModel::Hover => Vertical::Hover([s[Z][0], s[Z][1], s[Z][2]]),

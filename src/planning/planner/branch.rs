@@ -8,7 +8,10 @@ mod ends;
 
 use crate::admissible::AdmissibleSet;
 use crate::model::grid::Spacing;
-use crate::model::{DistanceFrom, Heading, HeldLimit, Leg, Limit, LimitKind, Mission, OnLeg, Part, Problem, Waypoint};
+use crate::model::{
+    DistanceFrom, Heading, HeldLimit, Leg, Limit, LimitKind, Mission, OnLeg, Part, Problem, STOPS_TURNING, TOUCHDOWN,
+    Waypoint,
+};
 use crate::motion::checks::violation;
 use crate::motion::time_grid::{LegGrid, TimeGrid};
 use crate::motion::wrench_model::WrenchModel;
@@ -50,9 +53,6 @@ pub enum Goal {
     Ground { at: [f64; 3], radius: f64 },
 }
 
-/// A branch comes to rest this close above the ground, m: rows of a point alone would leave a solver no room.
-const TOUCHDOWN: f64 = 0.02;
-
 /// A descent begins at most this high above its place of landing, m, and within the radius of it. Chosen by hand.
 const DESCENT_FROM: f64 = 3.0;
 
@@ -84,6 +84,27 @@ const INTERVALS_OF_DESCENT: usize = 8;
 /// only, and a fault may strike at a limit. Chosen by hand.
 const LEEWAY: f64 = 1e-4;
 
+/// What branches keep free at the instants of their grids.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Room {
+    /// From the facets of the mode's set, in widths of the healthy set.
+    pub of_set: f64,
+    /// From limits, as a share of these.
+    pub of_limits: f64,
+    /// From limits on places, m or rad.
+    pub of_places: f64,
+    /// From the ground, m.
+    pub of_ground: f64,
+}
+
+impl Room {
+    /// Hardly any. Between instants branches were seen up to 3.5e-4 outside the set. Chosen by hand.
+    pub const LITTLE: Room = Room { of_set: 1e-3, of_limits: -LEEWAY, of_places: -LEEWAY, of_ground: 0.0 };
+
+    /// What families of branches need, whose motions are shown to hold limits at every instant. Chosen by hand.
+    pub const WIDE: Room = Room { of_set: 0.03, of_limits: 0.02, of_places: 0.05, of_ground: 0.25 * TOUCHDOWN };
+}
+
 /// Looks for branches inside the set of one fault mode.
 pub struct Branches<'a> {
     /// The problem of the plan; the limits of its mission are replaced by `limits`.
@@ -95,25 +116,25 @@ pub struct Branches<'a> {
     wrench: WrenchModel,
     /// The limits that hold on branches.
     limits: Vec<HeldLimit>,
+    room: Room,
     pub effort: Effort,
 }
 
 impl<'a> Branches<'a> {
-    /// `set` is the admissible set of the fault mode, from whose facets branches keep a `margin` at the instants of
-    /// their grids, in widths of the healthy set. `wrench` is the model that the plan was made with.
+    /// `set` is the admissible set of the fault mode, `wrench` the model that the plan was made with.
     pub fn new(
         problem: Problem<'a>,
         healthy: &'a AdmissibleSet,
         set: &PlanningSet,
-        margin: f64,
+        room: Room,
         wrench: WrenchModel,
         limits: Vec<HeldLimit>,
     ) -> Self {
-        let with_leeway = |held: HeldLimit| HeldLimit { limit: with_leeway(&held.limit), ..held };
-        let limits = limits.into_iter().map(with_leeway).collect();
+        let within = |held: HeldLimit| HeldLimit { limit: room.within(&held.limit), ..held };
+        let limits = limits.into_iter().map(within).collect();
         let mut set = set.clone();
-        set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset -= margin);
-        Branches { problem, healthy, set, wrench, limits, effort: Effort::default() }
+        set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset -= room.of_set);
+        Branches { problem, healthy, set, wrench, limits, room, effort: Effort::default() }
     }
 
     /// A branch of `duration` s from a state to a goal; `None` if none is found.
@@ -180,7 +201,9 @@ impl<'a> Branches<'a> {
             let above = (from[Z][0] - at[2]).clamp(0.0, DESCENT_FROM);
             legs.push(LegGrid::new(self.descent_time(above), INTERVALS_OF_DESCENT));
             let size = self.problem.model().vehicle.radius();
-            let floor = if from[Z][0] > at[2] + size { at[2] + size } else { at[2] };
+            let inside = self.room.of_places.max(0.0);
+            let floor = if from[Z][0] > at[2] + size + inside { at[2] + size + inside } else { at[2] };
+            let (ground, inner) = (at[2] + self.room.of_ground, radius - inside);
             let on = |leg: usize, part: Part, kind: LimitKind, lower: Option<f64>, upper: Option<f64>| {
                 let on = OnLeg { leg, part, name: "landing".into() };
                 Limit { kind, lower, upper, span: Span::default(), volume: None, leg: Some(Arc::new(on)) }
@@ -189,8 +212,8 @@ impl<'a> Branches<'a> {
             limits
                 .extend((0..parts).map(|leg| on(leg, Part::Whole, LimitKind::Z, Some(floor.min(at[2] + above)), None)));
             limits.push(on(parts, Part::Start, LimitKind::Z, Some(at[2] + 0.9 * above), None));
-            limits.push(on(parts, Part::Whole, axis, None, Some(radius)));
-            limits.push(on(parts, Part::Whole, LimitKind::Z, Some(at[2]), None));
+            limits.push(on(parts, Part::Whole, axis, None, Some(inner)));
+            limits.push(on(parts, Part::Whole, LimitKind::Z, Some(ground), None));
             limits.push(on(parts, Part::End, LimitKind::Z, None, Some(at[2] + TOUCHDOWN)));
         }
         let flown = self.problem.mission();
@@ -273,9 +296,6 @@ impl<'a> Branches<'a> {
     }
 }
 
-/// An angular acceleration that stops a vehicle's turning, rad/s^2. Chosen by hand.
-const STOPS_TURNING: f64 = 15.0;
-
 /// By how much a vehicle tilts further before its turning is stopped, rad, at about the rate at which its thrust turns.
 fn turns_further(state: &NodeState, gravity: f64) -> f64 {
     let rate = state[X][3].hypot(state[Y][3]) / (state[X][2].powi(2) + state[Y][2].powi(2) + gravity.powi(2)).sqrt();
@@ -301,7 +321,10 @@ fn position(state: &NodeState) -> [f64; 3] {
     [state[X][0], state[Y][0], state[Z][0]]
 }
 
-fn with_leeway(limit: &Limit) -> Limit {
-    let by = |bound: f64| if place(&limit.kind) { LEEWAY } else { LEEWAY * bound.abs() };
-    Limit { lower: limit.lower.map(|b| b - by(b)), upper: limit.upper.map(|b| b + by(b)), ..limit.clone() }
+impl Room {
+    /// A limit with this room kept free.
+    fn within(self, limit: &Limit) -> Limit {
+        let by = |bound: f64| if place(&limit.kind) { self.of_places } else { self.of_limits * bound.abs() };
+        Limit { lower: limit.lower.map(|b| b + by(b)), upper: limit.upper.map(|b| b - by(b)), ..limit.clone() }
+    }
 }

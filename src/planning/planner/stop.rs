@@ -8,7 +8,7 @@ use crate::admissible::AdmissibleSet;
 use crate::model::{HeldLimit, Problem};
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, Z};
-use crate::planner::branch::{Branches, Goal};
+use crate::planner::branch::{Branches, Goal, Room};
 use crate::planner::scp::settings::StopSettings;
 use crate::planner::scp::{Iterate, ScpSettings};
 use crate::planner::selection::PlanningSet;
@@ -36,7 +36,7 @@ impl<'a> Stops<'a> {
     pub fn new(problem: Problem<'a>, healthy: &'a AdmissibleSet, set: &'a PlanningSet, wrench: WrenchModel) -> Self {
         let general = problem.mission().limits.iter().filter(|limit| limit.is_general());
         let limits = general.map(|limit| HeldLimit { limit: limit.clone(), yields: 0.0 }).collect();
-        let branches = Branches::new(problem, healthy, set, 0.0, wrench, limits);
+        let branches = Branches::new(problem, healthy, set, Room { of_set: 0.0, ..Room::LITTLE }, wrench, limits);
         Stops { branches, gravity: problem.model().gravity, last: None }
     }
 

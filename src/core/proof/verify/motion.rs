@@ -149,16 +149,9 @@ impl Motion {
         })
     }
 
-    /// Enclosures of all derivatives over a part `at` of a piece, s since the piece began, by Taylor's formula about
-    /// the middle of the part: d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
+    /// Enclosures of all derivatives over a part `at` of a piece, s since the piece began.
     pub fn over(&self, piece: usize, at: Interval) -> State {
-        let left = self.node_in(piece, piece);
-        let middle = Interval::point(at.middle());
-        let spread = at - middle;
-        left.map(|axis| {
-            let centre = shifted(&axis, middle);
-            if at.low == at.high { centre } else { shifted(&centre, spread) }
-        })
+        self.node_in(piece, piece).map(|axis| over(&axis, at))
     }
 
     /// The gaps between the end of a piece and its right node: `[axis][derivative]`, below the input's order.
@@ -171,6 +164,14 @@ impl Motion {
             })
         })
     }
+}
+
+/// Enclosures of a polynomial's derivatives over the times `at`, from those at 0, by Taylor's formula about the middle
+/// of these times: d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
+pub fn over(derivatives: &Axis, at: Interval) -> Axis {
+    let middle = Interval::point(at.middle());
+    let centre = shifted(derivatives, middle);
+    if at.low == at.high { centre } else { shifted(&centre, at - middle) }
 }
 
 /// Derivatives of a polynomial after a time `by`.

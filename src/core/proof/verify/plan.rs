@@ -11,12 +11,13 @@ use super::interval::{Interval, exceeds};
 use super::motion::{Motion, X, Y, YAW, Z};
 use super::premise::{Premise, Premises};
 use super::proof::{Family, cost_at_nodes};
+use super::recovery::{Covered, Recovering};
 use super::sets::{HEALTHY, Plane, Sets, planes_at_most};
 use super::wrench::{Dynamics, Held};
 use super::{Refusal, Rejection, Shown, joints, lag, least_time, limits, required, required_whole, schedule, wind};
-use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
+use crate::certificate::{DynamicModel, MotionRecord, PlanClaim, RecoveryClaim};
 use crate::model::{Heading, Mission, Model, PlannerKind, Problem};
-use crate::number::number;
+use crate::number::{number, significant};
 use crate::source::Span;
 use std::collections::HashSet;
 use std::f64::consts::PI;
@@ -25,6 +26,7 @@ use std::sync::{Arc, OnceLock};
 pub use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use selection::Selecting;
 
+pub(super) use along::upright;
 pub use along::{POINTS_OF_A_GRID, wrench_family};
 
 /// In the exact model the vertical part of the thrust is at least this share of the weight.
@@ -287,7 +289,40 @@ impl<'a> Setting<'a> {
             true => checked.check_between(&mut purse, &mut found),
             false => checked.nodes_only(&mut found),
         }
+        if let Some(recovery) = &claim.recovery
+            && between
+        {
+            self.recovery(&checked.motion, recovery, &mut purse, &mut found)?;
+        }
         Ok(found)
+    }
+
+    /// Decides the ways out of a claim.
+    fn recovery(
+        &self,
+        plan: &Motion,
+        claim: &RecoveryClaim,
+        purse: &mut WorkLeft,
+        found: &mut Found,
+    ) -> Result<(), Rejection> {
+        let (recovering, before) = (Recovering::new(self, plan), purse.0);
+        for Covered { mode, seconds, tolerance } in recovering.decide_all(claim, purse)? {
+            let [seconds, total] = [seconds, found.total].map(|s| significant(s, 4));
+            let of = [tolerance.position_m, tolerance.velocity_m_s].map(|t| significant(t, 2));
+            let turned = [tolerance.tilt_rad, tolerance.turning_rad_s].map(|t| significant(t.to_degrees(), 2));
+            let statement = format!(
+                "after {mode}, for {seconds} of {total} s: a way out from every state within {} m, {} m/s, {} deg and \
+                 {} deg/s of the expected one",
+                of[0], of[1], turned[0], turned[1]
+            );
+            found.shown.push(Shown { statement, reach: None });
+        }
+        if purse.0 == 0 && before > 0 {
+            found
+                .weaker
+                .push("the budget ended before every way out was decided; a larger `--budget` may show more".into());
+        }
+        Ok(())
     }
 
     /// Checks all conditions at the nodes of one motion.
@@ -507,7 +542,7 @@ impl Checked<'_> {
             );
         }
         if self.setting.model().plan.recovery.require.is_some() {
-            weaker.push("`require uncovered` is not checked: a certificate contains no ways out".into());
+            weaker.push("`require uncovered` is not checked: a certificate need not contain every way out".into());
         }
         let total = self.motion.times[self.motion.times.len() - 1];
         Found { shown, weaker, undecided: self.undecided.clone(), total }

@@ -85,6 +85,36 @@ impl Dynamics<'_> {
         }
     }
 
+    /// The quantity `held` of motions whose derivatives are functions of parameters, in one wind, about the yaw of
+    /// `state`, which encloses all of them.
+    pub fn held_by_models(&self, held: Held, state: &State, models: &Models) -> Wrench<Taylor> {
+        match held {
+            Held::Wrench => rated(self.by_models::<4>(state, models)),
+            Held::Commands { tau } => rated(self.by_models::<5>(state, models).map(|w| w + w.rate().times(tau))),
+        }
+    }
+
+    fn by_models<const N: usize>(&self, state: &State, models: &Models) -> [Series<N, Taylor>; 4] {
+        match self.model {
+            DynamicModel::Hover => self.hover(state, [X, Y, Z, YAW].map(|axis| of_models(&models[axis], 2))),
+            DynamicModel::Exact => {
+                let along = |rate: f64| {
+                    let mut thrust = [X, Y, Z].map(|axis| of_models::<N>(&models[axis], 2));
+                    thrust[Z] = thrust[Z] + Series::constant(Taylor::of(Interval::point(self.environment.gravity)));
+                    if self.environment.has_drag() {
+                        for axis in [X, Y, Z] {
+                            let wind = Series::constant(Taylor::of(Interval::point(self.environment.wind[axis])));
+                            let air = of_models::<N>(&models[axis], 1) - wind;
+                            thrust[axis] = thrust[axis] + air.times(Interval::point(rate));
+                        }
+                    }
+                    thrust
+                };
+                self.exact(state, &self.environment.drag_rates.map(along))
+            }
+        }
+    }
+
     /// The thrust over mass as a function of the wind's deviation, which changes its value and none of its derivatives,
     /// m/s^2. An interval of winds has the same drag along all axes.
     fn thrust_by_wind<const N: usize>(&self, state: &State) -> Vector<N, Taylor> {
@@ -148,20 +178,26 @@ impl Dynamics<'_> {
     /// T = m (g + z''), tau = (Ixx phi'', Iyy theta'', Izz psi'') with phi = (s x'' - c y'')/g, theta = (c x'' + s
     /// y'')/g: the series of phi and theta hold their second derivatives.
     fn about_hover<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
+        self.hover(state, [X, Y, Z, YAW].map(|axis| series(&state[axis], 2)))
+    }
+
+    /// The same with the second derivatives given.
+    fn hover<const N: usize, S: Scalar>(&self, state: &State, second: [Series<N, S>; 4]) -> [Series<N, S>; 4] {
         let g = Interval::point(self.environment.gravity);
+        let [ax, ay, az, yaw_acceleration] = second;
         let yaw = match self.one_yaw {
             Some(psi) => Series::constant(Interval::point(psi)),
             None => series(&state[YAW], 0),
         };
-        let (s, c) = yaw.sin_cos();
-        let (ax, ay) = (series(&state[X], 2), series(&state[Y], 2));
-        let over_g = |a: Series<N>| Series(a.0.map(|x| x / g));
+        let (s, c): (Series<N>, Series<N>) = yaw.sin_cos();
+        let (s, c) = (s.lifted(), c.lifted());
+        let over_g = |a: Series<N, S>| a.times(Interval::ONE / g);
         let roll = over_g(s * ax - c * ay).rate().rate();
         let pitch = over_g(c * ax + s * ay).rate().rate();
         let [ixx, iyy, izz] = self.vehicle.inertia.map(Interval::point);
-        let lift = series(&state[Z], 2) + Series::constant(g);
+        let lift = az + Series::constant(S::of(g));
         let thrust = lift.times(Interval::point(self.vehicle.mass));
-        [thrust, roll.times(ixx), pitch.times(iyy), series(&state[YAW], 2).times(izz)]
+        [thrust, roll.times(ixx), pitch.times(iyy), yaw_acceleration.times(izz)]
     }
 
     /// The thrust carries m (p'' + g e_z) and the drag along b_3; of ZYX angles the heading is that of b_1, which is
@@ -202,6 +238,22 @@ impl Dynamics<'_> {
         let thrust = size.times(Interval::point(self.vehicle.mass));
         [thrust, tau[0], tau[1], tau[2]]
     }
+}
+
+/// Derivatives as functions of parameters: `[axis][order]`.
+pub type Models = [[Taylor; 6]; 4];
+
+/// The series of an axis's derivative of some order.
+fn of_models<const N: usize>(axis: &[Taylor; 6], order: usize) -> Series<N, Taylor> {
+    let mut factorial = 1.0;
+    Series(std::array::from_fn(|n| {
+        factorial *= n.max(1) as f64;
+        match axis.get(order + n) {
+            Some(&derivative) if n < 2 => derivative,
+            Some(&derivative) => derivative.scaled(Interval::ONE / Interval::point(factorial)),
+            None => Taylor::of(Interval::ZERO),
+        }
+    }))
 }
 
 /// The thrust over mass with the same drag along all axes, `p'' + g e_z + rate (p' - wind)`, over all possible winds,

@@ -6,6 +6,13 @@ use crate::body::Body;
 use crate::language::table::recovery as table;
 use crate::source::Span;
 
+/// A landing ends at rest at most this high above the ground, m: rows of a point alone would leave a solver no room.
+pub const TOUCHDOWN: f64 = 0.02;
+
+/// The angular acceleration at which a vehicle's turning is stopped when a fault becomes known, rad/s^2: until then it
+/// may tilt further than a limit allows. Chosen by hand.
+pub const STOPS_TURNING: f64 = 15.0;
+
 /// A place where a damaged vehicle may land: it touches down within `radius` of `at`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LandingSite {

@@ -94,7 +94,7 @@ impl<'a> Setting<'a> {
     }
 
     /// The quantities that must stay in sets.
-    pub(super) fn held(&self) -> Vec<Held> {
+    pub fn held(&self) -> Vec<Held> {
         let wrench = self.premises.has(Premise::Sets).then_some(Held::Wrench);
         let commands = self.commands.filter(|_| self.premises.has(Premise::Commands));
         wrench.into_iter().chain(commands).collect()
@@ -342,7 +342,7 @@ impl Found {
 /// With a drag for each axis of the body, the thrust before the drag along that axis. Where the drag differs along x
 /// and y, this of alpha and of beta, and `0.005 - (alpha_f beta_f + alpha_u beta_u)/g^2`: where all three hold, the
 /// body's z axis points up.
-fn upright(environment: &Environment) -> Family<'static> {
+pub fn upright(environment: &Environment) -> Family<'static> {
     let environment = *environment;
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         let g = Interval::point(environment.gravity);
