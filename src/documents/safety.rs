@@ -46,7 +46,7 @@ const ASSUMPTIONS: [&str; 7] = [
     "The spec is true: masses, inertias, places and thrust of rotors, rates and sites are as written.",
     "A fault is known after the delays of the spec; a fault that stays undetected is not covered.",
     "Ways out hold at the instants looked at; between them nothing is shown.",
-    "A vehicle that follows a way out in one simulated flight follows it.",
+    "A way out is followed, also where its one simulated flight did not end as planned.",
     "A second fault in the same mission is a loss of control, because no way out is sought after it.",
     "mavc reads the spec as its author means it, and the parts of mavc that certificates trust have no error.",
 ];
@@ -107,6 +107,13 @@ impl<'a> Case<'a> {
 
     fn share(&self, mode: usize, phase: &Phase) -> Vec<Share<'_>> {
         self.evidence.modes[mode].within(phase)
+    }
+
+    /// The pairs of modes that both have a way out at some time: where they have none, each alone loses control.
+    fn pairs_with_ways_out(&self) -> Vec<[usize; 2]> {
+        let evidence = &self.evidence;
+        let is_covered = |mode: &usize| evidence.modes[*mode].uncovered() < evidence.duration;
+        self.pairs.iter().map(|(pair, _)| *pair).filter(|pair| pair.iter().all(is_covered)).collect()
     }
 
     /// The names of the modes without a rate, if others have one: what probabilities leave out.

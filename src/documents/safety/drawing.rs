@@ -20,7 +20,7 @@ const RADIUS: usize = 24;
 const GAP: usize = 18;
 /// Letters of a line in a box of the width of goals and of the right column; beside a circle.
 const LETTERS: usize = 64;
-const LETTERS_ASIDE: usize = 68;
+const LETTERS_ASIDE: usize = 62;
 const LETTERS_OF_SOLUTION: usize = 58;
 
 /// The drawing of an argument.

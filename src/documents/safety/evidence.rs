@@ -4,6 +4,7 @@
 use super::SEVERITIES;
 use crate::model::{Mission, Problem};
 use crate::number::number;
+use crate::recovery::RESOLUTION;
 use serde::Deserialize;
 
 /// The outcomes of all modes along a plan.
@@ -129,12 +130,12 @@ impl ModeEvidence {
 
     /// For how long a fault in this phase has no way out, s.
     pub fn uncovered_within(&self, phase: &Phase) -> f64 {
-        self.within(phase).iter().filter(|share| share.outcome == NONE).map(|share| share.seconds).sum()
+        self.within(phase).iter().filter(|share| share.outcome == NONE).fold(0.0, |all, share| all + share.seconds)
     }
 
     /// For how long there is no way out, s.
     pub fn uncovered(&self) -> f64 {
-        self.pieces.iter().filter(|piece| piece.outcome == NONE).map(|piece| piece.to - piece.from).sum()
+        self.pieces.iter().filter(|piece| piece.outcome == NONE).fold(0.0, |all, piece| all + piece.to - piece.from)
     }
 }
 
@@ -267,7 +268,7 @@ fn phases(mission: &Mission, arrivals: &[f64], duration: f64) -> Result<Vec<Phas
 /// The outcomes of one mode.
 fn of_mode(mission: &Mission, found: ModeOutcomes, duration: f64) -> Result<ModeEvidence, String> {
     let name = &found.name;
-    let mut pieces = Vec::with_capacity(found.pieces.len());
+    let mut pieces: Vec<Piece> = Vec::with_capacity(found.pieces.len());
     let mut reached = 0.0;
     for piece in found.pieces {
         let word = piece.outcome.as_str();
@@ -277,11 +278,20 @@ fn of_mode(mission: &Mission, found: ModeOutcomes, duration: f64) -> Result<Mode
         if let Some(site) = piece.site.iter().find(|site| sites.iter().all(|known| known.name != **site)) {
             return Err(format!("it lands {name} at `{site}`, which is not a landing site of the spec"));
         }
-        if !((piece.from_s - reached).abs() <= ROUNDING && piece.to_s >= piece.from_s) {
+        let is_next = piece.from_s >= reached - ROUNDING && piece.from_s <= reached + RESOLUTION + ROUNDING;
+        if !(is_next && piece.to_s >= piece.from_s) {
             return Err(format!("the outcomes of {name} do not follow each other at {} s", number(piece.from_s)));
         }
+        // The outcome changes somewhere between two instants that were looked at: the worse one counts for all of it.
+        let from = match pieces.last_mut() {
+            Some(Piece { to, outcome: earlier, .. }) if *earlier > outcome => {
+                *to = piece.from_s;
+                piece.from_s
+            }
+            _ => reached,
+        };
         reached = piece.to_s;
-        let PieceOfReport { from_s: from, to_s: to, site, branches, .. } = piece;
+        let PieceOfReport { to_s: to, site, branches, .. } = piece;
         pieces.push(Piece { from, to, outcome, site, branches });
     }
     match (reached - duration).abs() <= ROUNDING {

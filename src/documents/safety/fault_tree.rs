@@ -107,10 +107,7 @@ impl Tree<'_, '_> {
                 self.event_without_rate(&format!("{name}-covered"), &format!("{name} strikes with a way out"));
             }
         }
-        let evidence = &self.case.evidence;
-        let covered = |mode: &usize| evidence.modes[*mode].uncovered() < evidence.duration;
-        let all = self.case.pairs.iter().map(|(pair, _)| *pair);
-        let doubles: Vec<[usize; 2]> = all.filter(|pair| pair.iter().all(covered)).collect();
+        let doubles = self.case.pairs_with_ways_out();
         self.pairs(&doubles);
     }
 

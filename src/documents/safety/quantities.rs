@@ -182,6 +182,10 @@ pub fn record(case: &Case) -> Value {
             "probability": probability,
         })
     });
+    let cut_sets: Vec<Value> = match q.rated.is_empty() {
+        true => without_rates(case, &event),
+        false => singles.chain(doubles).collect(),
+    };
     let modes = q.rated.iter().enumerate().map(|(at, one)| {
         json!({
             "mode": name(one.mode),
@@ -207,12 +211,32 @@ pub fn record(case: &Case) -> Value {
         "left_of_target": q.budget(),
         "modes_without_rate": case.unrated(),
         "modes": modes.collect::<Vec<_>>(),
-        "cut_sets": singles.chain(doubles).collect::<Vec<_>>(),
+        "cut_sets": cut_sets,
         "severities": SEVERITIES.iter().map(|(outcome, effect, word)| {
             json!({"outcome": outcome, "effect": effect, "severity": word})
         }).collect::<Vec<_>>(),
         "assumptions": super::ASSUMPTIONS,
     })
+}
+
+/// The cut sets of a spec without rates; `event` names the event of a mode in a phase.
+fn without_rates(case: &Case, event: &dyn Fn(usize, &Phase) -> String) -> Vec<Value> {
+    let model = case.model();
+    let mut sets = Vec::new();
+    for mode in 0..model.modes.len() {
+        for phase in &case.evidence.phases {
+            let seconds = case.evidence.modes[mode].uncovered_within(phase);
+            if seconds > 0.0 {
+                sets.push(json!({"events": [event(mode, phase)], "uncovered_s": seconds, "probability": null}));
+            }
+        }
+    }
+    let pairs = case.pairs_with_ways_out();
+    sets.extend(pairs.into_iter().map(|pair| {
+        let events = pair.map(|mode| format!("{}-covered", model.modes[mode].name));
+        json!({"events": events, "probability": null})
+    }));
+    sets
 }
 
 /// A number as the fault tree writes it.
