@@ -262,3 +262,19 @@ fn local_effect(model: &Model, mode: usize) -> String {
     effects.dedup();
     effects.join("; ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::together;
+    use crate::model::RotorState::{Lost, Reduced, Sound, Stuck};
+
+    #[test]
+    fn two_faults_of_a_rotor_need_a_joint_effect() {
+        assert_eq!(
+            together(&[Lost, Sound, Sound], &[Reduced(0.5), Stuck(0.2), Sound]),
+            Some(vec![Lost, Stuck(0.2), Sound])
+        );
+        assert_eq!(together(&[Reduced(0.5)], &[Reduced(0.5)]), Some(vec![Reduced(0.5)]));
+        assert_eq!(together(&[Reduced(0.5)], &[Reduced(0.7)]), None);
+    }
+}

@@ -1,9 +1,9 @@
 //! The argument in goal structuring notation: goals, the strategy over modes, solutions that are files with their
 //! hashes, and assumptions.
 //!
-//! Rules of the notation that hold here and are tested: the root is a goal; goals are supported by goals, strategies and
-//! solutions, strategies by goals; solutions, contexts and assumptions support nothing further; nothing is in a circle;
-//! a goal or strategy without support is marked as undeveloped.
+//! Rules of the notation that hold here and are tested: the root is a goal; goals are supported by goals, strategies
+//! and solutions, strategies by goals; solutions, contexts and assumptions support nothing further; nothing is in a
+//! circle; a goal or strategy without support is marked as undeveloped.
 
 use super::evidence::NONE;
 use super::quantities::with_interval;

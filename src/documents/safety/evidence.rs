@@ -1,5 +1,5 @@
-//! What the report of `mavc plan --recovery` says of each mode, read from its JSON and compared with the spec: for which
-//! part of the mission a fault has which outcome.
+//! What the report of `mavc plan --recovery` says of each mode, read from its JSON and compared with the spec: for
+//! which part of the mission a fault has which outcome.
 
 use super::SEVERITIES;
 use crate::model::{Mission, Problem};
@@ -135,7 +135,12 @@ impl ModeEvidence {
 
     /// For how long there is no way out, s.
     pub fn uncovered(&self) -> f64 {
-        self.pieces.iter().filter(|piece| piece.outcome == NONE).fold(0.0, |all, piece| all + piece.to - piece.from)
+        self.with_outcome(NONE)
+    }
+
+    /// For how long a fault has an outcome, an index into [`SEVERITIES`], s.
+    pub fn with_outcome(&self, outcome: usize) -> f64 {
+        self.pieces.iter().filter(|piece| piece.outcome == outcome).fold(0.0, |all, piece| all + piece.to - piece.from)
     }
 }
 

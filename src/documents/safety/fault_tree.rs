@@ -77,8 +77,8 @@ impl Tree<'_, '_> {
         for name in self.case.unrated() {
             let _ = writeln!(
                 self.data,
-                "    <define-house-event name=\"{name}\">\n      <label>{name} has no rate in the spec: left out of the \
-                 probability</label>\n      <constant value=\"false\"/>\n    </define-house-event>"
+                "    <define-house-event name=\"{name}\">\n      <label>{name} has no rate in the spec: left out of \
+                 the probability</label>\n      <constant value=\"false\"/>\n    </define-house-event>"
             );
         }
     }
@@ -139,8 +139,8 @@ impl Tree<'_, '_> {
     fn event(&mut self, name: &str, label: &str, mode: &str) {
         let _ = writeln!(
             self.data,
-            "    <define-basic-event name=\"{name}\">\n      <label>{}</label>\n      <exponential>\n        <parameter \
-             name=\"rate-{mode}\"/>\n        <parameter name=\"time-{name}\"/>\n      </exponential>\n    \
+            "    <define-basic-event name=\"{name}\">\n      <label>{}</label>\n      <exponential>\n        \
+             <parameter name=\"rate-{mode}\"/>\n        <parameter name=\"time-{name}\"/>\n      </exponential>\n    \
              </define-basic-event>",
             escaped(label)
         );

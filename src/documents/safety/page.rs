@@ -7,9 +7,13 @@ use crate::number::{fixed, number, plural, significant};
 use maud::{DOCTYPE, Markup, html};
 
 /// Few rules, so that the page prints.
-const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}table{border-collapse:\
-                     collapse;margin:1rem 0}td,th{border:1px solid #bbb;padding:.2rem .6rem;text-align:left;\
-                     vertical-align:top}code{word-break:break-all}dt{font-weight:bold;margin-top:.8rem}img{max-width:100%}";
+const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}\
+                     table{border-collapse:collapse;margin:1rem 0}\
+                     td,th{border:1px solid #bbb;padding:.2rem .6rem;text-align:left;vertical-align:top}\
+                     code{word-break:break-all}dt{font-weight:bold;margin-top:.8rem}img{max-width:100%}";
+
+/// The page loads nothing but its drawing, and runs no script.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src 'self'";
 
 /// What none of the files covers.
 const NOT_COVERED: [&str; 7] = [
@@ -43,7 +47,7 @@ pub fn page(case: &Case) -> String {
         html lang="en" {
             head {
                 meta charset="utf-8";
-                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src 'self'";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
                 title { (title) }
                 style { (maud::PreEscaped(STYLE)) }
             }
@@ -57,7 +61,11 @@ pub fn page(case: &Case) -> String {
                 table {
                     @for (name, what) in FILES { tr { td { a href=(name) { (name) } } td { (what) } } }
                 }
-                p { "report.json " code { (sha256(case.report)) } br; "certificate.json " code { (sha256(case.certificate)) } }
+                p {
+                    (REPORT) " " code { (sha256(case.report)) }
+                    br;
+                    (CERTIFICATE) " " code { (sha256(case.certificate)) }
+                }
                 h2 { "Questions of an assessor" }
                 dl {
                     @for (question, answer) in questions(case) { dt { (question) } dd { (answer) } }
@@ -191,7 +199,12 @@ fn importance(case: &Case) -> Markup {
     let q = &case.quantities;
     html! {
         table {
-            tr { th { "mode" } th { "rate, 1/h" } th { "saved if it never strikes" } th { "saved by a second more with a way out" } }
+            tr {
+                th { "mode" }
+                th { "rate, 1/h" }
+                th { "saved if it never strikes" }
+                th { "saved by a second more with a way out" }
+            }
             @for (at, saved) in by_importance(q) {
                 @let one = &q.rated[at];
                 tr {
@@ -214,7 +227,7 @@ fn modes(case: &Case) -> Markup {
                     td { (mode.name) }
                     td {
                         @for (outcome, (word, ..)) in SEVERITIES.iter().enumerate() {
-                            @let seconds: f64 = evidence.pieces.iter().filter(|piece| piece.outcome == outcome).map(|piece| piece.to - piece.from).sum();
+                            @let seconds = evidence.with_outcome(outcome);
                             @if seconds > 0.0 { (word) ": " (fixed(seconds, 2)) br; }
                         }
                         @if let Some(why) = &evidence.not_attempted { "not attempted: " (why) }
