@@ -238,7 +238,7 @@ fn each_broken_link_is_reported_where_it_is() {
     }
 
     // A rate or a site: the folder is that of another spec, and every file of the new one differs.
-    let moved = ("at = [10, 6, 0] m", "at = [10, 6.5, 0] m");
+    let moved = ("at = [10, 6, 0] m", "at = [10, 12, 0] m");
     for (from, to) in [moved, ("2e-6 1/h", "3e-6 1/h")] {
         write(folder, "field.mav", &SPEC.replace(from, to));
         let (code, _, errors) = check();

@@ -8,7 +8,7 @@ use crate::number::{number, shortest};
 use crate::report::headline::by_failure;
 
 /// The columns of the FMEA worksheet: the usual ones, and after them what mavc adds.
-const FMEA: [&str; 22] = [
+const FMEA: [&str; 23] = [
     "item",
     "function",
     "mode",
@@ -31,9 +31,10 @@ const FMEA: [&str; 22] = [
     "effect_s",
     "exposure_s",
     "basis",
+    "spec_sha256",
 ];
 
-const FHA: [&str; 11] = [
+const FHA: [&str; 12] = [
     "failure_condition",
     "modes",
     "phase",
@@ -45,6 +46,7 @@ const FHA: [&str; 11] = [
     "mode_seconds",
     "probability_per_mission",
     "modes_without_rate",
+    "spec_sha256",
 ];
 
 /// One row for each mode, phase and outcome.
@@ -85,6 +87,7 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
                 shortest(rounded(share.seconds)),
                 shortest(if share.outcome == NONE { rounded(share.seconds) } else { 0.0 }),
                 basis(evidence, share.outcome).into(),
+                case.spec_sha256.into(),
             ])?;
         }
     }
@@ -129,6 +132,7 @@ pub fn fha(case: &Case) -> Result<Vec<u8>, csv::Error> {
                     shortest(rounded(hit.seconds)),
                     hit.probability.map(shortest).unwrap_or_default(),
                     names(&hit.unrated),
+                    case.spec_sha256.into(),
                 ])?;
             }
         }
