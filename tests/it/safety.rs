@@ -120,7 +120,7 @@ fn enumerated(tree: &str) -> (f64, BTreeSet<BTreeSet<String>>) {
     let is_minimal =
         |set: &&BTreeSet<&str>| !failing.iter().any(|other| other.len() < set.len() && other.is_subset(set));
     let minimal = failing.iter().filter(is_minimal);
-    (probability, minimal.map(|set| set.iter().map(|name| name.to_string()).collect()).collect())
+    (probability, minimal.map(|set| set.iter().map(ToString::to_string).collect()).collect())
 }
 
 #[test]

@@ -56,7 +56,7 @@ const DIGITS: usize = 15;
 /// Hours below this are rounding of a difference, h.
 const NO_TIME: f64 = 1e-12;
 
-/// A number to [`DIGITS`] digits.
+/// A number with the digits that files have in common.
 pub fn rounded(x: f64) -> f64 {
     format!("{x:.*e}", DIGITS - 1).parse().expect("a number is read as it was printed")
 }
