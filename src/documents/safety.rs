@@ -192,6 +192,15 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
+/// The most modes of which pairs are formed: 19,900 pairs, each with a gate and a set of its own. Chosen by hand.
+pub const MOST_MODES: usize = 200;
+
+/// The modes that the fault tree counts: those with a rate, or all if none has one.
+pub fn counted(model: &Model) -> Vec<usize> {
+    let any = model.modes.iter().any(|mode| mode.rate.is_some());
+    (0..model.modes.len()).filter(|&mode| !any || model.modes[mode].rate.is_some()).collect()
+}
+
 /// The modes with a rate, and their exposures.
 fn rated(model: &Model, evidence: &Evidence) -> Vec<Rated> {
     let of_mode = |(index, mode): (usize, &crate::model::FaultMode)| {
@@ -206,10 +215,9 @@ fn rated(model: &Model, evidence: &Evidence) -> Vec<Rated> {
     model.modes.iter().enumerate().filter_map(of_mode).collect()
 }
 
-/// All pairs of different modes that have a rate, or of all modes if none has one.
+/// All pairs of different modes that are [`counted`].
 fn pairs(model: &Model) -> Vec<([usize; 2], Option<Outcome>)> {
-    let any = model.modes.iter().any(|mode| mode.rate.is_some());
-    let counted: Vec<usize> = (0..model.modes.len()).filter(|&mode| !any || model.modes[mode].rate.is_some()).collect();
+    let counted = counted(model);
     let mut pairs = Vec::new();
     let mut joint = model.clone();
     joint.modes.clear();

@@ -4,7 +4,7 @@ use super::tasks::Task;
 use crate::certificate::{Certificate, Claim};
 use crate::number::number;
 use crate::safety::evidence::Evidence;
-use crate::safety::{CERTIFICATE, Case, REPORT};
+use crate::safety::{CERTIFICATE, Case, MOST_MODES, REPORT, counted};
 use crate::verify::Accepted;
 
 impl Task<'_> {
@@ -13,13 +13,20 @@ impl Task<'_> {
     ///
     /// # Errors
     /// Which of the two is wrong, and why: it is not the JSON that it must be, is of another spec, names what the spec
-    /// does not have, or the two are of different plans.
+    /// does not have, or the two are of different plans. Or the spec has too many modes for a fault tree.
     pub fn safety_case<'a>(
         &'a self,
         report: &'a [u8],
         certificate: &'a [u8],
         accepted: &'a Accepted,
     ) -> Result<Case<'a>, String> {
+        let modes = counted(self.model()).len();
+        if modes > MOST_MODES {
+            return Err(format!(
+                "the fault tree would have pairs of {modes} modes, at most {MOST_MODES} are allowed: give a rate to \
+                 fewer modes"
+            ));
+        }
         let evidence = Evidence::read(self.problem(), self.spec().sha256(), report)
             .map_err(|why| format!("cannot use {REPORT}: {why}"))?;
         let end = plan_end(certificate).map_err(|why| format!("cannot use {CERTIFICATE}: {why}"))?;

@@ -3,6 +3,7 @@
 use super::evidence::{ModeEvidence, NONE, Phase};
 use super::quantities::{exponential, hours, rounded};
 use super::{Case, SEVERITIES, item, local_effect};
+use crate::admissible::outcome::Outcome;
 use crate::flight::equilibrium::outcome_of;
 use crate::number::{number, shortest};
 use crate::report::headline::by_failure;
@@ -59,6 +60,7 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
         _ => format!("assumed known after {} ms", number(1e3 * case.evidence.detection[0])),
     };
     let count = |n: Option<u8>| n.map(|n| n.to_string()).unwrap_or_default();
+    let in_hover: Vec<Outcome> = (0..model.modes.len()).map(|mode| outcome_of(model, mode)).collect();
     for (index, phase, shares) in case.shares() {
         let (mode, evidence) = (&model.modes[index], &case.evidence.modes[index]);
         let item = item(model, index);
@@ -71,7 +73,7 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
                 harmless(mode.title.as_deref().unwrap_or_default()),
                 phase.label(),
                 local_effect(model, index),
-                format!("in hover: {}", outcome_of(model, index).word()),
+                format!("in hover: {}", in_hover[index].word()),
                 effect.into(),
                 share.site.unwrap_or_default().into(),
                 severity.into(),
