@@ -314,3 +314,20 @@ fn without_rates_there_are_cut_sets_and_no_probability() {
     let doubles = cut_sets.iter().filter(|set| set.len() == 2).count();
     assert!(doubles == 3 && cut_sets.len() > 3, "{cut_sets:?}");
 }
+
+/// Refused before the search.
+#[test]
+fn too_many_modes_are_refused_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let modes = |count: usize| {
+        let share = |k: usize| 0.25 * k as f64;
+        let mode = |k: usize| format!("mode m{k} {{ rotors [1] reduced to {} %; rate = 1e-6 1/h }}\n", share(k));
+        (1..=count).map(mode).collect::<String>()
+    };
+    let [before, after] = [SPEC.find("    mode M1").unwrap(), SPEC.find("}\nmission").unwrap()];
+    let spec = format!("{}{}{}", &SPEC[..before], modes(201), &SPEC[after..]).replace("[M1, board]", "[m201]");
+    write(folder.path(), "field.mav", &spec);
+    let (code, text, errors) = mavc_in(folder.path(), &["safety", "field.mav", "-o", "out", "-q"]);
+    assert!(code == 2 && errors.contains("pairs of 201 modes, at most 200"), "{text}{errors}");
+    assert!(!folder.path().join("out").exists());
+}

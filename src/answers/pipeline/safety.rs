@@ -8,6 +8,21 @@ use crate::safety::{CERTIFICATE, Case, MOST_MODES, REPORT, counted};
 use crate::verify::Accepted;
 
 impl Task<'_> {
+    /// Whether the modes of the spec fit a fault tree, to be asked before minutes of search.
+    ///
+    /// # Errors
+    /// There are too many.
+    pub fn fits_fault_tree(&self) -> Result<(), String> {
+        let modes = counted(self.model()).len();
+        if modes > MOST_MODES {
+            return Err(format!(
+                "the fault tree would have pairs of {modes} modes, at most {MOST_MODES} are allowed: give a rate to \
+                 fewer modes"
+            ));
+        }
+        Ok(())
+    }
+
     /// The case of this spec. `report` is that of `mavc plan --recovery`, and `accepted` what the checker says of
     /// `certificate`; both are JSON.
     ///
@@ -20,13 +35,7 @@ impl Task<'_> {
         certificate: &'a [u8],
         accepted: &'a Accepted,
     ) -> Result<Case<'a>, String> {
-        let modes = counted(self.model()).len();
-        if modes > MOST_MODES {
-            return Err(format!(
-                "the fault tree would have pairs of {modes} modes, at most {MOST_MODES} are allowed: give a rate to \
-                 fewer modes"
-            ));
-        }
+        self.fits_fault_tree()?;
         let evidence = Evidence::read(self.problem(), self.spec().sha256(), report)
             .map_err(|why| format!("cannot use {REPORT}: {why}"))?;
         let end = plan_end(certificate).map_err(|why| format!("cannot use {CERTIFICATE}: {why}"))?;

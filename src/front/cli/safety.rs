@@ -28,6 +28,7 @@ pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
         Start::Refused => return Ok(NO_PLAN),
         Start::Ended(code) => return Ok(code),
     };
+    task.fits_fault_tree()?;
     let [report, certificate] = match (&args.report, &args.certificate) {
         (Some(report), Some(certificate)) => read([report, certificate])?,
         _ if args.check => read([&args.output.join(REPORT), &args.output.join(CERTIFICATE)])?,
