@@ -8,6 +8,8 @@ pub mod exchange;
 pub mod import;
 pub mod log;
 pub mod report;
+#[cfg(feature = "report")]
+pub mod safety;
 
 #[cfg(test)]
 #[path = "core/base/schemas.rs"]

@@ -9,6 +9,8 @@ mod physics;
 mod planning;
 
 pub use answers::{builder, observer, pipeline};
+#[cfg(feature = "report")]
+pub use documents::safety;
 pub use documents::{exchange, import, log, report};
 pub use flights::{campaign, diagnosis, flight, recovery};
 #[cfg(feature = "cli")]

@@ -7,6 +7,8 @@ mod flights;
 mod identification;
 mod records;
 mod recovery;
+#[cfg(feature = "report")]
+mod safety;
 mod stages;
 mod sweep;
 mod tasks;

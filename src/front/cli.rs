@@ -24,6 +24,7 @@ mod plan;
 mod progress;
 mod rate;
 mod results;
+mod safety;
 mod shell;
 mod signals;
 mod simulate;
@@ -40,8 +41,8 @@ use crate::source::visible;
 use crate::verdict::Verdict;
 use arguments::{
     AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, DiagnoseArgs, EmitArgs, EmitFormat, FmtArgs,
-    Format, IdentifyArgs, ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SimulateArgs, SpecArgs, Stage,
-    VerifyArgs, ViewArgs,
+    Format, IdentifyArgs, ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SafetyArgs, SimulateArgs, SpecArgs,
+    Stage, VerifyArgs, ViewArgs,
 };
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};
@@ -108,6 +109,7 @@ pub fn run() -> u8 {
         Command::Compare(args) => compare::run(args, &options),
         Command::View(args) => view::run(args, &options),
         Command::Verify(args) => verify::run(args, &options),
+        Command::Safety(args) => safety::run(args, &options),
         Command::Simulate(args) => simulate::run(args, &options),
         Command::Campaign(args) => campaign::run(args, &options),
         Command::Diagnose(args) => diagnose::run(args, &options),

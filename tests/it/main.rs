@@ -59,6 +59,7 @@ mod rest_to_rest;
 mod reversible;
 mod risk;
 mod rounds;
+mod safety;
 mod schemas;
 mod screens;
 mod several;

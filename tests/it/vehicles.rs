@@ -98,6 +98,7 @@ pub fn lost(model: &Model, rotors: &[usize]) -> FaultMode {
         occurrence: None,
         detection: None,
         rate: None,
+        rate_spread: Spread::NONE,
         after_fault: None,
         without_yaw: None,
         recovery: None,

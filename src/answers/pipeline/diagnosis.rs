@@ -8,7 +8,7 @@ use crate::diagnosis::study::{Kind, Loss, Study, study};
 use crate::diagnostic::Diagnostic;
 use crate::flight::equilibrium::analyze_each;
 use crate::log::{self, MISSING, Unreadable};
-use crate::model::{FaultMode, Model, RotorState};
+use crate::model::{FaultMode, Model, RotorState, Spread};
 use crate::report::diagnosis::{Against, Diagnosis};
 use crate::source::Span;
 use crate::spec::Spec;
@@ -199,6 +199,7 @@ fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> ModeAnalysis {
         occurrence: None,
         detection: None,
         rate: None,
+        rate_spread: Spread::NONE,
         after_fault: None,
         without_yaw: None,
         recovery: None,

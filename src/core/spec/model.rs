@@ -250,6 +250,8 @@ pub struct FaultMode {
     pub detection: Option<u8>,
     /// Failure rate, 1/s.
     pub rate: Option<f64>,
+    /// The interval of the rate, relative to its middle.
+    pub rate_spread: Spread,
     /// The mode's own reaction to the fault, if it gives one: see [`Model::after_fault`].
     pub after_fault: Option<AfterFault>,
     /// Whether yaw is given up after this fault, if the mode says so: see [`Model::gives_up_yaw`].

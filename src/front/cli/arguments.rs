@@ -68,6 +68,9 @@ pub(super) enum Command {
     View(ViewArgs),
     /// Check a certificate written by `plan --certificate`, without the planner
     Verify(VerifyArgs),
+    /// Plan the mission, look for a way out after each fault, and write the files of a safety assessment: FMEA, fault
+    /// tree, argument
+    Safety(SafetyArgs),
     /// Plan the mission, then simulate a flight with the faults of the spec
     Simulate(SimulateArgs),
     /// Simulate flights of every planner's plan with every fault mode, at many instants and with many noise seeds
@@ -297,6 +300,29 @@ pub(super) struct VerifyArgs {
     #[command(flatten)]
     pub spec: SpecArgs,
     /// Limit the time and memory of the check; a larger budget may also prove more between the nodes
+    #[arg(long, value_name = "10s,500MB")]
+    pub budget: Option<Budget>,
+}
+
+#[derive(Args)]
+pub(super) struct SafetyArgs {
+    #[command(flatten)]
+    pub spec: SpecArgs,
+    /// Write the files into this folder, which is created if it is missing. Exit code 4 also means that the risk
+    /// exceeds `require risk`
+    #[arg(short, long, value_name = "DIR", value_hint = clap::ValueHint::DirPath)]
+    pub output: PathBuf,
+    /// Take the ways out from this report of `plan --recovery` instead of planning
+    #[arg(long, value_name = "REPORT.JSON", requires = "certificate", value_hint = clap::ValueHint::FilePath)]
+    pub report: Option<PathBuf>,
+    /// Take the certificate of the same run from this file
+    #[arg(long, value_name = "CERT.JSON", requires = "report", value_hint = clap::ValueHint::FilePath)]
+    pub certificate: Option<PathBuf>,
+    /// Write nothing; check that the files in the folder follow from the spec, and from the report and the certificate
+    /// in the folder. Exit code 5 if one does not
+    #[arg(long, conflicts_with_all = ["report", "certificate"])]
+    pub check: bool,
+    /// Limit the time and memory of the check of the certificate
     #[arg(long, value_name = "10s,500MB")]
     pub budget: Option<Budget>,
 }

@@ -130,7 +130,7 @@ fn try_statements(task: &Task, planning: &Planning, watch: &Watch) -> Result<(),
 }
 
 /// Plans the mission. Where its time is searched for, the first Ctrl-C ends the search with the best plan that it has.
-fn plan(task: &Task, cancel: &Cancel, watch: &Watch) -> Result<Planning, CommandError> {
+pub(super) fn plan(task: &Task, cancel: &Cancel, watch: &Watch) -> Result<Planning, CommandError> {
     let _enough = (task.model().plan.time == MissionTime::Minimum).then(|| Enough::new(cancel.clone()));
     within(cancel, || task.plan(watch))
 }

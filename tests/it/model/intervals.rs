@@ -94,3 +94,23 @@ fn intervals_are_printed_as_they_are_written() {
     assert_eq!(diagnostics, vec![]);
     assert_eq!(model.unwrap().mission.unwrap().waypoints[1].position[0], 1.0);
 }
+
+/// A rate may be zero, an interval around it may not.
+#[test]
+fn a_rate_is_one_number_or_an_interval() {
+    let checked = |rate: &str| check(&format!("{QUAD}\nfaults {{ mode a {{ rotor 1 lost; rate = {rate} }} }}\n"));
+    for (rate, per_hour, low, high) in
+        [("1e-5 1/h +- 50 %", 1e-5, 0.5, 1.5), ("(2 +- 0.5) 1/h", 2.0, 0.75, 1.25), ("0 1/h", 0.0, 1.0, 1.0)]
+    {
+        let (model, diagnostics) = checked(rate);
+        assert_eq!(diagnostics, vec![], "{rate}");
+        let mode = &model.unwrap().modes[0];
+        assert!((3600.0 * mode.rate.unwrap() - per_hour).abs() <= 1e-12 * per_hour);
+        close(mode.rate_spread, low, high);
+    }
+    for rate in ["0 1/h +- 10 %", "1e-5 1/h +- 100 %", "1e-5 1/h +- 1e-6"] {
+        let (_, diagnostics) = checked(rate);
+        let [error] = &diagnostics[..] else { panic!("{rate}: {diagnostics:?}") };
+        assert_eq!(error.code, "mavc::unit::interval", "{rate}");
+    }
+}

@@ -184,7 +184,7 @@ fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode, model: &Model) -> fmt::Result
         write!(f, ", rpn {rpn}")?;
     }
     if let Some(rate) = m.rate {
-        write!(f, ", rate {} 1/h", number(rate * 3600.0))?;
+        write!(f, ", rate {} 1/h{}", number(rate * 3600.0), interval_of(m.rate_spread))?;
     }
     if let Some(then) = m.after_fault {
         write!(f, ", after_fault {}", then.name())?;

@@ -12,7 +12,7 @@ use super::{after_fault, plausibility, recovery, without_yaw};
 use crate::diagnostic::Diagnostic;
 use crate::language::table::mode as table;
 use crate::language::{Entry, Group};
-use crate::model::{AfterFault, FaultMode, GiveUpYaw, RotorState};
+use crate::model::{AfterFault, FaultMode, GiveUpYaw, RotorState, Spread};
 use crate::number::number;
 use crate::source::{Span, Spanned, visible};
 use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
@@ -302,6 +302,7 @@ struct Numbers {
     without_yaw: Option<GiveUpYaw>,
     recovery: Option<recovery::Order>,
     rate: Option<f64>,
+    rate_spread: Spread,
     severity: Option<u8>,
     occurrence: Option<u8>,
     detection: Option<u8>,
@@ -310,7 +311,7 @@ struct Numbers {
 impl Numbers {
     fn read<'a>(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement]) -> Option<Self> {
         let fields = Fields::of_block(cx, owner, span, body, Group::Mode);
-        let rate = fields.quantity(cx, &table::RATE, "mavc::fault::rate");
+        let rate = fields.written(table::RATE.name, |expr| cx.maybe_interval(&table::RATE, expr, "mavc::fault::rate"));
         let mut fmea =
             |entry: &'static Entry| fields.count(cx, entry, "mavc::fault::fmea").and_then(|x| u8::try_from(x).ok());
         let severity = fmea(&table::SEVERITY);
@@ -319,11 +320,13 @@ impl Numbers {
         let after_fault = after_fault::read(cx, &fields);
         let without_yaw = without_yaw::read(cx, &fields);
         let recovery = fields.written("recovery", |expr| recovery::order(cx, "recovery", expr));
+        let rate = rate.optional()?;
         Some(Numbers {
             after_fault: after_fault.optional()?,
             without_yaw: without_yaw.optional()?,
             recovery: recovery.optional()?,
-            rate: rate.optional()?,
+            rate: rate.map(|(rate, _)| rate),
+            rate_spread: rate.map_or(Spread::NONE, |(_, spread)| spread),
             severity: severity.optional()?,
             occurrence: occurrence.optional()?,
             detection: detection.optional()?,
@@ -340,6 +343,7 @@ impl Numbers {
             occurrence: self.occurrence,
             detection: self.detection,
             rate: self.rate,
+            rate_spread: self.rate_spread,
             after_fault: self.after_fault,
             without_yaw: self.without_yaw,
             recovery: None,

@@ -4,6 +4,7 @@ use super::context::Context;
 use super::expected::Expected;
 use super::expression::{Value, is_bare, trailing_unit};
 use crate::diagnostic::Diagnostic;
+use crate::language::Entry;
 use crate::model::Spread;
 use crate::number::number;
 use crate::source::Span;
@@ -94,13 +95,27 @@ impl<'a> Context<'a> {
         None
     }
 
+    /// A quantity of the language table in SI units, and the interval around it as factors of it, if one is written. An
+    /// interval lies above zero, even if one number may be zero.
+    pub(super) fn maybe_interval(
+        &mut self,
+        entry: &'static Entry,
+        expr: &'a Expr,
+        code: &'static str,
+    ) -> Option<(f64, Spread)> {
+        match written(expr) {
+            Some(_) => self.interval(Expected::of(entry), expr, code),
+            None => self.quantity(entry, expr, code).map(|value| (value, Spread::NONE)),
+        }
+    }
+
     /// Reports an interval where one number is expected.
     pub(super) fn no_interval(&mut self, value: &'a Expr, by: &'a Expr, span: Span) -> Option<Value> {
         let error = Diagnostic::error(INTERVAL, span, "an interval is not allowed here").here("expected one number");
         let [value, by] = [value, by].map(|e| self.sources.snippet(e.span).to_string());
         self.report(error.help(format!(
-            "write `{value}` without `+- {by}`; an interval is allowed only in the fields `mass`, and in a rotor \
-             `max_thrust`, `thrust_coefficient`, `torque_per_thrust`, `drag_coefficient` and `max_speed`"
+            "write `{value}` without `+- {by}`; an interval is allowed only in the fields `mass` and `rate`, and in a \
+             rotor `max_thrust`, `thrust_coefficient`, `torque_per_thrust`, `drag_coefficient` and `max_speed`"
         )));
         None
     }

@@ -1,0 +1,59 @@
+//! The case of a safety assessment: from a report with ways out and an accepted certificate.
+
+use super::tasks::Task;
+use crate::certificate::{Certificate, Claim};
+use crate::number::number;
+use crate::safety::evidence::Evidence;
+use crate::safety::{CERTIFICATE, Case, MOST_MODES, REPORT, counted};
+use crate::verify::Accepted;
+
+impl Task<'_> {
+    /// Whether the modes of the spec fit a fault tree, to be asked before minutes of search.
+    ///
+    /// # Errors
+    /// There are too many.
+    pub fn fits_fault_tree(&self) -> Result<(), String> {
+        let modes = counted(self.model()).len();
+        if modes > MOST_MODES {
+            return Err(format!(
+                "the fault tree would have pairs of {modes} modes, at most {MOST_MODES} are allowed: give a rate to \
+                 fewer modes"
+            ));
+        }
+        Ok(())
+    }
+
+    /// The case of this spec. `report` is that of `mavc plan --recovery`, and `accepted` what the checker says of
+    /// `certificate`; both are JSON.
+    ///
+    /// # Errors
+    /// Which of the two is wrong, and why: it is not the JSON that it must be, is of another spec, names what the spec
+    /// does not have, or the two are of different plans. Or the spec has too many modes for a fault tree.
+    pub fn safety_case<'a>(
+        &'a self,
+        report: &'a [u8],
+        certificate: &'a [u8],
+        accepted: &'a Accepted,
+    ) -> Result<Case<'a>, String> {
+        self.fits_fault_tree()?;
+        let evidence = Evidence::read(self.problem(), self.spec().sha256(), report)
+            .map_err(|why| format!("cannot use {REPORT}: {why}"))?;
+        let end = plan_end(certificate).map_err(|why| format!("cannot use {CERTIFICATE}: {why}"))?;
+        if end != evidence.duration {
+            let [end, duration] = [end, evidence.duration].map(number);
+            return Err(format!(
+                "cannot use {CERTIFICATE}: its plan takes {end} s, that of {REPORT} {duration} s: write both in one run"
+            ));
+        }
+        Ok(Case::new(self.problem(), self.spec().sha256(), evidence, [report, certificate], accepted))
+    }
+}
+
+/// When the plan of a certificate ends, s.
+fn plan_end(certificate: &[u8]) -> Result<f64, String> {
+    let certificate: Certificate = serde_json::from_slice(certificate).map_err(|e| e.to_string())?;
+    match certificate.claim {
+        Claim::Plan(plan) => plan.motion.times_s.last().copied().ok_or_else(|| "its motion is empty".into()),
+        Claim::Infeasible(_) | Claim::TooEarly(_) => Err("it proves that there is no plan".into()),
+    }
+}

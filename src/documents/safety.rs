@@ -1,0 +1,288 @@
+//! What a plan with its ways out means for a safety assessment: an FMEA worksheet, functional hazards, a fault tree, an
+//! argument, and a page that links them. All are written from the same three texts, the spec, the report of
+//! `mavc plan --recovery` and the certificate, so that they cannot disagree.
+
+mod argument;
+mod drawing;
+pub mod evidence;
+mod fault_tree;
+mod page;
+pub mod quantities;
+mod worksheets;
+
+use crate::admissible::outcome::Outcome;
+use crate::flight::equilibrium::analyze_each;
+use crate::model::{Model, Problem, RotorState};
+use crate::number::{fixed, number, plural, significant};
+use crate::verify::Accepted;
+use evidence::{Evidence, Phase, Share};
+use quantities::{Quantities, Rated};
+use sha2::{Digest, Sha256};
+
+/// A safety assessment's input.
+pub struct Case<'a> {
+    pub problem: Problem<'a>,
+    pub spec_sha256: &'a str,
+    pub evidence: Evidence,
+    /// The bytes of the report and of the certificate.
+    pub report: &'a [u8],
+    pub certificate: &'a [u8],
+    /// What the checker says of the certificate.
+    pub accepted: &'a Accepted,
+    pub quantities: Quantities,
+    /// Two different modes in one mission, as indices into the model's modes, and what both together leave of the
+    /// vehicle; `None` where a rotor has two faults whose joint effect the spec does not determine.
+    pub pairs: Vec<([usize; 2], Option<Outcome>)>,
+}
+
+/// The names of the report and the certificate in the folder.
+pub const REPORT: &str = "report.json";
+pub const CERTIFICATE: &str = "certificate.json";
+
+/// What is assumed; each line is a node of the argument and a row of the page.
+const ASSUMPTIONS: [&str; 7] = [
+    "Each mode strikes at a constant rate, independently of all others; a failure with one cause for several rotors is \
+     a mode of its own.",
+    "The spec is true: masses, inertias, places and thrust of rotors, rates and sites are as written.",
+    "A fault is known after the delays of the spec; a fault that stays undetected is not covered.",
+    "Ways out hold at the instants looked at; between them nothing is shown.",
+    "A way out is followed, also where its one simulated flight did not end as planned.",
+    "A second fault in the same mission is a loss of control, because no way out is sought after it.",
+    "mavc reads the spec as its author means it, and the parts of mavc that certificates trust have no error.",
+];
+
+/// Outcomes with their effect and a word for how severe they are: mavc's own proposal, in the order of
+/// [`crate::report::recovery::OUTCOMES`].
+pub const SEVERITIES: [(&str, &str, &str); 5] = [
+    ("continue", "flies on along the plan to its end", "minor"),
+    ("continue spinning", "flies on along the plan; the heading is lost", "major"),
+    ("land at site", "lands at a prepared site; the mission is lost", "major"),
+    ("land here", "lands where it comes to rest, outside the areas to keep off", "hazardous"),
+    ("none", "no way out was found: counted as loss of control", "catastrophic"),
+];
+
+impl<'a> Case<'a> {
+    /// The case of a plan; `evidence` is read from `report` ([`Evidence::read`]).
+    pub fn new(
+        problem: Problem<'a>,
+        spec_sha256: &'a str,
+        evidence: Evidence,
+        [report, certificate]: [&'a [u8]; 2],
+        accepted: &'a Accepted,
+    ) -> Self {
+        let model = problem.model();
+        let rated = rated(model, &evidence);
+        let quantities = Quantities::new(rated, evidence.duration, model.plan.require_risk);
+        let pairs = pairs(model);
+        Case { problem, spec_sha256, evidence, report, certificate, accepted, quantities, pairs }
+    }
+
+    /// The files of the folder, by name.
+    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, String> {
+        let json = |value: &serde_json::Value| serde_json::to_string_pretty(value).map(|text| text + "\n");
+        let argument = argument::argument(self);
+        let own: Vec<(&str, Vec<u8>)> = vec![
+            ("fmea.csv", worksheets::fmea(self).map_err(|e| e.to_string())?),
+            ("fha.csv", worksheets::fha(self).map_err(|e| e.to_string())?),
+            ("faulttree.xml", fault_tree::open_psa(self).into_bytes()),
+            ("quantities.json", json(&quantities::record(self)).map_err(|e| e.to_string())?.into_bytes()),
+            ("argument.json", json(&argument.json(self)).map_err(|e| e.to_string())?.into_bytes()),
+            ("argument.svg", drawing::svg(self, &argument).into_bytes()),
+            ("index.html", page::page(self).into_bytes()),
+            (REPORT, self.report.to_vec()),
+            (CERTIFICATE, self.certificate.to_vec()),
+        ];
+        Ok(own.into_iter().map(|(name, bytes)| (name.to_string(), bytes)).collect())
+    }
+
+    fn model(&self) -> &'a Model {
+        self.problem.model()
+    }
+
+    /// For each mode, and each phase of the mission in which it may strike, what happens and for how long.
+    fn shares(&self) -> impl Iterator<Item = (usize, &Phase, Vec<Share<'_>>)> {
+        let modes = 0..self.model().modes.len();
+        modes.flat_map(move |mode| self.evidence.phases.iter().map(move |phase| (mode, phase, self.share(mode, phase))))
+    }
+
+    fn share(&self, mode: usize, phase: &Phase) -> Vec<Share<'_>> {
+        self.evidence.modes[mode].within(phase)
+    }
+
+    /// The pairs of modes that both have a way out at some time: where they have none, each alone loses control.
+    fn pairs_with_ways_out(&self) -> Vec<[usize; 2]> {
+        let evidence = &self.evidence;
+        let is_covered = |mode: &usize| evidence.modes[*mode].uncovered() < evidence.duration;
+        self.pairs.iter().map(|(pair, _)| *pair).filter(|pair| pair.iter().all(is_covered)).collect()
+    }
+
+    /// The names of the modes without a rate, if others have one: what probabilities leave out.
+    fn unrated(&self) -> Vec<&'a str> {
+        let is_quantified = !self.quantities.rated.is_empty();
+        let missing = self.model().modes.iter().filter(|mode| is_quantified && mode.rate.is_none());
+        missing.map(|mode| mode.name.as_str()).collect()
+    }
+
+    /// Whether the probability exceeds the target of the spec.
+    pub fn exceeds_target(&self) -> bool {
+        self.quantities.budget().is_some_and(|left| left < 0.0)
+    }
+
+    /// The answer for people.
+    pub fn text(&self) -> String {
+        let q = &self.quantities;
+        let name = &self.problem.mission().name;
+        let mut text = match q.probability {
+            Some(p) => {
+                let hours = self.evidence.duration / 3600.0;
+                format!(
+                    "{name}: loss of control {} a mission of {} s, {} a flight hour\n",
+                    short(p),
+                    significant(self.evidence.duration, 4),
+                    short(p / hours)
+                )
+            }
+            None => format!("{name}: no mode has a rate, so no probability is stated\n"),
+        };
+        if let (Some(target), Some(left)) = (q.target, q.budget()) {
+            let word = if left < 0.0 { "exceeds" } else { "meets" };
+            text += &format!("  {word} the target of the spec, {}: {} left\n", short(target), short(left));
+        }
+        if let Some([low, high]) = q.interval {
+            text += &format!("  over the intervals of the rates: {} to {}\n", short(low), short(high));
+        }
+        let unrated = self.unrated();
+        if !unrated.is_empty() {
+            text += &format!("  without {}, which {} no rate\n", unrated.join(", "), has(unrated.len()));
+        }
+        let [singles, doubles] = [q.singles().count(), q.doubles().count()];
+        if q.probability.is_some() {
+            text += &format!("  {}, {}\n", plural(singles, "single cut set"), plural(doubles, "double cut set"));
+        }
+        for (at, single) in q.by_contribution().into_iter().take(3) {
+            let [seconds, p] = [fixed(single.seconds, 2), short(single.probability)];
+            let mode = &self.model().modes[at].name;
+            text += &format!("  {mode} on {}: {seconds} s without a way out, {p}\n", single.phase.label());
+        }
+        text += &format!("  certificate: {}\n", self.accepted.headline);
+        for why in &self.accepted.weaker {
+            text += &format!("  weaker than the spec requires: {why}\n");
+        }
+        text
+    }
+}
+
+fn has(count: usize) -> &'static str {
+    if count == 1 { "has" } else { "have" }
+}
+
+/// A probability or a rate for people.
+fn short(p: f64) -> String {
+    if p == 0.0 { "0".into() } else { format!("{p:.3e}") }
+}
+
+/// SHA-256 in hexadecimal digits.
+fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
+}
+
+/// A text for an attribute or an element of XML.
+fn escaped(text: &str) -> String {
+    let text = crate::source::visible::line(text).into_owned();
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// The most modes of which pairs are formed: 19,900 pairs, each with a gate and a set of its own. Chosen by hand.
+pub const MOST_MODES: usize = 200;
+
+/// The modes that the fault tree counts: those with a rate, or all if none has one.
+pub fn counted(model: &Model) -> Vec<usize> {
+    let any = model.modes.iter().any(|mode| mode.rate.is_some());
+    (0..model.modes.len()).filter(|&mode| !any || model.modes[mode].rate.is_some()).collect()
+}
+
+/// The modes with a rate, and their exposures.
+fn rated(model: &Model, evidence: &Evidence) -> Vec<Rated> {
+    let of_mode = |(index, mode): (usize, &crate::model::FaultMode)| {
+        let rate = quantities::rounded(3600.0 * mode.rate?);
+        let open = |phase: &Phase| {
+            let seconds = evidence.modes[index].uncovered_within(phase);
+            (seconds > 0.0).then(|| (phase.clone(), seconds))
+        };
+        let exposed = evidence.phases.iter().filter_map(open).collect();
+        Some(Rated { mode: index, rate_per_h: rate, spread: mode.rate_spread, exposed })
+    };
+    model.modes.iter().enumerate().filter_map(of_mode).collect()
+}
+
+/// All pairs of different modes that are [`counted`].
+fn pairs(model: &Model) -> Vec<([usize; 2], Option<Outcome>)> {
+    let counted = counted(model);
+    let mut pairs = Vec::new();
+    let mut joint = model.clone();
+    joint.modes.clear();
+    for (at, &a) in counted.iter().enumerate() {
+        for &b in &counted[at + 1..] {
+            let rotors = together(&model.modes[a].rotors, &model.modes[b].rotors);
+            joint.modes.extend(rotors.clone().map(|rotors| {
+                let name = format!("{}_{}", model.modes[a].name, model.modes[b].name);
+                crate::model::FaultMode { name, rotors, ..model.modes[a].clone() }
+            }));
+            pairs.push(([a, b], rotors.is_some()));
+        }
+    }
+    let mut outcomes = analyze_each(&joint).into_iter().skip(1).map(|found| found.outcome);
+    pairs.into_iter().map(|(pair, known)| (pair, if known { outcomes.next() } else { None })).collect()
+}
+
+/// What two faults leave of each rotor: a lost rotor stays lost; `None` if a rotor has two other faults that differ.
+fn together(a: &[RotorState], b: &[RotorState]) -> Option<Vec<RotorState>> {
+    let both = |(a, b): (&RotorState, &RotorState)| match (*a, *b) {
+        (RotorState::Lost, _) | (_, RotorState::Lost) => Some(RotorState::Lost),
+        (RotorState::Sound, other) | (other, RotorState::Sound) => Some(other),
+        (one, other) => (one == other).then_some(one),
+    };
+    a.iter().zip(b).map(both).collect()
+}
+
+/// `rotor 3`, `rotors 1 and 2`: what fails in a mode.
+fn item(model: &Model, mode: usize) -> String {
+    let failed = model.modes[mode].rotors.iter().enumerate().filter(|(_, state)| **state != RotorState::Sound);
+    let failed: Vec<String> = failed.map(|(rotor, _)| (rotor + 1).to_string()).collect();
+    match &failed[..] {
+        [] => "none".into(),
+        [one] => format!("rotor {one}"),
+        [others @ .., last] => format!("rotors {} and {last}", others.join(" ")),
+    }
+}
+
+/// What the rotors of a mode still give.
+fn local_effect(model: &Model, mode: usize) -> String {
+    let of_state = |state: &RotorState| match state {
+        RotorState::Sound => None,
+        RotorState::Lost => Some("no thrust and no torque".to_string()),
+        RotorState::Reduced(share) => {
+            Some(format!("{} % of the thrust and torque of the speed", number(100.0 * share)))
+        }
+        RotorState::Stuck(share) => Some(format!("thrust stays at {} % of full thrust", number(100.0 * share))),
+    };
+    let mut effects: Vec<String> = model.modes[mode].rotors.iter().filter_map(of_state).collect();
+    effects.dedup();
+    effects.join("; ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::together;
+    use crate::model::RotorState::{Lost, Reduced, Sound, Stuck};
+
+    #[test]
+    fn two_faults_of_a_rotor_need_a_joint_effect() {
+        assert_eq!(
+            together(&[Lost, Sound, Sound], &[Reduced(0.5), Stuck(0.2), Sound]),
+            Some(vec![Lost, Stuck(0.2), Sound])
+        );
+        assert_eq!(together(&[Reduced(0.5)], &[Reduced(0.5)]), Some(vec![Reduced(0.5)]));
+        assert_eq!(together(&[Reduced(0.5)], &[Reduced(0.7)]), None);
+    }
+}

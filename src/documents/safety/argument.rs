@@ -1,0 +1,220 @@
+//! The argument in goal structuring notation: goals, the strategy over modes, solutions that are files with their
+//! hashes, and assumptions.
+//!
+//! Rules of the notation that hold here and are tested: the root is a goal; goals are supported by goals, strategies
+//! and solutions, strategies by goals; solutions, contexts and assumptions support nothing further; nothing is in a
+//! circle; a goal or strategy without support is marked as undeveloped.
+
+use super::evidence::NONE;
+use super::quantities::with_interval;
+use super::{ASSUMPTIONS, CERTIFICATE, Case, REPORT, SEVERITIES, sha256, short};
+use crate::number::fixed;
+use serde_json::{Value, json};
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    Goal,
+    Strategy,
+    Solution,
+    Context,
+    Assumption,
+}
+
+impl Kind {
+    fn word(self) -> &'static str {
+        match self {
+            Kind::Goal => "goal",
+            Kind::Strategy => "strategy",
+            Kind::Solution => "solution",
+            Kind::Context => "context",
+            Kind::Assumption => "assumption",
+        }
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    pub id: String,
+    pub kind: Kind,
+    pub text: String,
+    /// What supports it, by `id`.
+    pub supported_by: Vec<String>,
+    /// The contexts and assumptions in which it holds, by `id`.
+    pub in_context_of: Vec<String>,
+    /// Whether its support is missing.
+    pub undeveloped: bool,
+    /// Of a solution: the file, and its hash.
+    pub file: Option<(&'static str, String)>,
+}
+
+/// The nodes, the root first.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Argument {
+    pub nodes: Vec<Node>,
+}
+
+impl Argument {
+    /// The node with this `id`.
+    pub fn node(&self, id: &str) -> Option<&Node> {
+        self.nodes.iter().find(|node| node.id == id)
+    }
+
+    fn add(&mut self, kind: Kind, text: impl Into<String>) -> usize {
+        let prefix = match kind {
+            Kind::Goal => "G",
+            Kind::Strategy => "S",
+            Kind::Solution => "Sn",
+            Kind::Context => "C",
+            Kind::Assumption => "A",
+        };
+        let number = 1 + self.nodes.iter().filter(|node| node.kind == kind).count();
+        self.nodes.push(Node {
+            id: format!("{prefix}{number}"),
+            kind,
+            text: text.into(),
+            supported_by: Vec::new(),
+            in_context_of: Vec::new(),
+            undeveloped: false,
+            file: None,
+        });
+        self.nodes.len() - 1
+    }
+
+    fn support(&mut self, what: usize, by: usize) {
+        let id = self.nodes[by].id.clone();
+        self.nodes[what].supported_by.push(id);
+    }
+
+    fn hold(&mut self, what: usize, within: usize) {
+        let id = self.nodes[within].id.clone();
+        self.nodes[what].in_context_of.push(id);
+    }
+
+    fn solve(&mut self, goal: usize, file: &'static str, hash: &str, what: &str) {
+        let solution = self.add(Kind::Solution, format!("{file}{what}"));
+        self.nodes[solution].file = Some((file, hash.into()));
+        self.support(goal, solution);
+    }
+
+    /// The argument for programs.
+    pub fn json(&self, case: &Case) -> Value {
+        let nodes = self.nodes.iter().map(|node| {
+            let mut value = json!({
+                "id": node.id,
+                "type": node.kind.word(),
+                "text": node.text,
+                "supported_by": node.supported_by,
+                "in_context_of": node.in_context_of,
+                "undeveloped": node.undeveloped,
+            });
+            if let Some((file, hash)) = &node.file {
+                value["file"] = json!(file);
+                value["sha256"] = json!(hash);
+            }
+            value
+        });
+        json!({"spec_sha256": case.spec_sha256, "root": "G1", "nodes": nodes.collect::<Vec<_>>()})
+    }
+}
+
+/// The argument of a case.
+pub fn argument(case: &Case) -> Argument {
+    let (model, q) = (case.problem.model(), &case.quantities);
+    let mission = &case.problem.mission().name;
+    let vehicle = &model.vehicle.name;
+    let hashes = [sha256(case.report), sha256(case.certificate), sha256(super::fault_tree::open_psa(case).as_bytes())];
+    let [report, certificate, tree] = &hashes;
+    let mut argument = Argument::default();
+    let target = match (q.target, q.budget()) {
+        (Some(target), Some(left)) if left < 0.0 => format!("; the target {} is not met", short(target)),
+        (Some(target), Some(_)) => format!("; the target {} is met", short(target)),
+        _ => String::new(),
+    };
+    let root = argument.add(
+        Kind::Goal,
+        match q.probability {
+            Some(p) => format!(
+                "{vehicle} loses control on {mission} after a declared fault with the probability {} a mission{target}",
+                with_interval(p, q.interval)
+            ),
+            None => format!("It is known for each declared fault whether {vehicle} finds a way out on {mission}"),
+        },
+    );
+    let spec = argument.add(Kind::Context, format!("spec, SHA-256 {}", case.spec_sha256));
+    argument.hold(root, spec);
+    for text in ASSUMPTIONS {
+        let assumed = argument.add(Kind::Assumption, text);
+        argument.hold(root, assumed);
+    }
+    let strategy = argument.add(Kind::Strategy, "Over the plan, each declared mode, and two modes in one mission");
+    argument.support(root, strategy);
+    let plan = argument.add(Kind::Goal, "The motion from which ways out begin is a plan of the spec");
+    argument.support(strategy, plan);
+    argument.solve(plan, CERTIFICATE, certificate, &format!(": {}", case.accepted.headline));
+    for why in &case.accepted.weaker {
+        let open = argument.add(Kind::Assumption, format!("The certificate leaves open: {why}"));
+        argument.hold(plan, open);
+    }
+    for mode in 0..model.modes.len() {
+        let (text, undeveloped) = of_mode(case, mode);
+        let goal = argument.add(Kind::Goal, text);
+        argument.support(strategy, goal);
+        let name = &model.modes[mode].name;
+        if undeveloped {
+            argument.nodes[goal].undeveloped = true;
+        } else {
+            argument.solve(goal, REPORT, report, &format!(", outcomes of {name}"));
+            let is_counted = q.rated.iter().any(|one| one.mode == mode && !one.exposed.is_empty());
+            if is_counted {
+                argument.solve(goal, "faulttree.xml", tree, &format!(", gate {name}-without-way-out"));
+            }
+        }
+    }
+    let two: f64 = q.doubles().map(|(_, p)| p).sum();
+    let pairs = argument.add(
+        Kind::Goal,
+        match q.doubles().next() {
+            Some(_) => format!("Two modes strike in one mission with a probability of at most {}", short(two)),
+            None => "Two modes do not strike in one mission".into(),
+        },
+    );
+    argument.support(strategy, pairs);
+    match q.doubles().next() {
+        Some(_) => argument.solve(pairs, "faulttree.xml", tree, ", gates of two modes"),
+        None => argument.nodes[pairs].undeveloped = true,
+    }
+    argument
+}
+
+/// The goal of a mode, and whether its support is missing.
+fn of_mode(case: &Case, mode: usize) -> (String, bool) {
+    let (name, evidence) = (&case.problem.model().modes[mode].name, &case.evidence.modes[mode]);
+    let open = evidence.uncovered();
+    if evidence.pieces.iter().all(|piece| piece.outcome != NONE) {
+        let mut found: Vec<usize> = evidence.pieces.iter().map(|piece| piece.outcome).collect();
+        found.sort_unstable();
+        found.dedup();
+        let words: Vec<&str> = found.into_iter().map(|outcome| SEVERITIES[outcome].0).collect();
+        return (format!("{name} has a way out at every instant looked at: {}", words.join(", ")), false);
+    }
+    let [open, all] = [open, case.evidence.duration].map(|s| fixed(s, 2));
+    let singles = case.quantities.singles().filter(|(of, _)| *of == mode);
+    let p: f64 = singles.map(|(_, single)| single.probability).sum();
+    let why = match evidence.not_attempted.as_deref() {
+        Some("caught") => "; it has to be caught, so none was sought",
+        Some(_) => "; hover has no margin, so none was sought",
+        None => "",
+    };
+    match case.problem.model().modes[mode].rate {
+        Some(_) => {
+            let text = format!(
+                "{name} strikes without a way out with a probability of at most {} a mission ({open} of {all} s{why})",
+                short(p)
+            );
+            (text, false)
+        }
+        None => {
+            (format!("{name} strikes only where it has a way out; none was found for {open} of {all} s{why}"), true)
+        }
+    }
+}

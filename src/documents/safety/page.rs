@@ -1,0 +1,240 @@
+//! The page that links the files of the folder and answers an assessor's questions.
+
+use super::quantities::{by_importance, with_interval};
+use super::{ASSUMPTIONS, CERTIFICATE, Case, REPORT, SEVERITIES, sha256, short};
+use crate::admissible::outcome::Outcome;
+use crate::number::{fixed, number, plural, significant};
+use maud::{DOCTYPE, Markup, html};
+
+/// Few rules, so that the page prints.
+const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}\
+                     table{border-collapse:collapse;margin:1rem 0}\
+                     td,th{border:1px solid #bbb;padding:.2rem .6rem;text-align:left;vertical-align:top}\
+                     code{word-break:break-all}dt{font-weight:bold;margin-top:.8rem}img{max-width:100%}";
+
+/// The page loads nothing but its drawing, and runs no script.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src 'self'";
+
+/// What none of the files covers.
+const NOT_COVERED: [&str; 7] = [
+    "faults that the spec does not declare, and undetected ones",
+    "ways out after a second fault",
+    "instants between those that were looked at",
+    "failures of structure, battery, sensors, link, software and pilot, unless they are modes of the spec",
+    "harm to people and property on the ground: the outcomes are those of the vehicle",
+    "that the controller of the real vehicle follows a way out",
+    "compliance with any regulation or standard",
+];
+
+/// The files, and what is in each.
+const FILES: [(&str, &str); 8] = [
+    ("fmea.csv", "FMEA worksheet: one row for each mode, phase and outcome"),
+    ("fha.csv", "functional hazards: failure condition, phase, outcome, severity"),
+    ("faulttree.xml", "fault tree (Open-PSA model exchange format)"),
+    ("quantities.json", "probabilities, cut sets, what matters most"),
+    ("argument.svg", "the argument in goal structuring notation"),
+    ("argument.json", "the same for programs"),
+    (REPORT, "the plan and the ways out, from which all of these are written"),
+    (CERTIFICATE, "the certificate of the plan, which mavc verify accepted"),
+];
+
+/// The page.
+pub fn page(case: &Case) -> String {
+    let (q, model, mission) = (&case.quantities, case.problem.model(), case.problem.mission());
+    let title = format!("Safety assessment of {} on {}", model.vehicle.name, mission.name);
+    let markup = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                title { (title) }
+                style { (maud::PreEscaped(STYLE)) }
+            }
+            body {
+                h1 { (title) }
+                p {
+                    "Written by mavc " (env!("CARGO_PKG_VERSION")) " from the spec with the SHA-256 "
+                    code { (case.spec_sha256) } ". Change the spec and write the folder again; edit no file by hand."
+                }
+                h2 { "Files" }
+                table {
+                    @for (name, what) in FILES { tr { td { a href=(name) { (name) } } td { (what) } } }
+                }
+                p {
+                    (REPORT) " " code { (sha256(case.report)) }
+                    br;
+                    (CERTIFICATE) " " code { (sha256(case.certificate)) }
+                }
+                h2 { "Questions of an assessor" }
+                dl {
+                    @for (question, answer) in questions(case) { dt { (question) } dd { (answer) } }
+                }
+                @if q.probability.is_some() {
+                    h2 { "What matters most" }
+                    (importance(case))
+                }
+                h2 { "Each mode" }
+                (modes(case))
+                h2 { "Severities" }
+                p { "mavc's own proposal, derived from the outcome alone. Replace it by your own." }
+                table {
+                    tr { th { "outcome" } th { "effect" } th { "severity class" } }
+                    @for (outcome, effect, word) in SEVERITIES { tr { td { (outcome) } td { (effect) } td { (word) } } }
+                }
+                h2 { "Assumptions" }
+                ol { @for text in ASSUMPTIONS { li { (text) } } }
+                h2 { "Not covered" }
+                ul { @for text in NOT_COVERED { li { (text) } } }
+                h2 { "Argument" }
+                img src="argument.svg" alt="The argument; argument.json has its text";
+            }
+        }
+    };
+    markup.into_string() + "\n"
+}
+
+/// Ten questions, and the answers that the folder gives.
+fn questions(case: &Case) -> Vec<(&'static str, String)> {
+    let (q, e) = (&case.quantities, &case.evidence);
+    let model = case.problem.model();
+    let probability = match (q.probability, q.per_flight_hour()) {
+        (Some(p), Some(hourly)) => {
+            let unrated = case.unrated();
+            let without = match unrated.is_empty() {
+                true => String::new(),
+                false => format!(" Not included, for want of a rate: {}.", unrated.join(", ")),
+            };
+            format!(
+                "{} for each mission of {} s; {} for each flight hour if such missions follow each other.{without}",
+                with_interval(p, q.interval),
+                significant(e.duration, 4),
+                short(hourly)
+            )
+        }
+        _ => "Not covered: no mode of the spec has a rate.".into(),
+    };
+    let target = match (q.target, q.budget()) {
+        (Some(target), Some(left)) if left >= 0.0 => {
+            format!("Yes: the spec allows {}, and {} of it is left.", short(target), short(left))
+        }
+        (Some(target), Some(left)) => format!("No: the spec allows {}, exceeded by {}.", short(target), short(-left)),
+        (Some(_), None) => "Not covered: no mode has a rate.".into(),
+        (None, _) => "Not covered: the spec states none (require risk).".into(),
+    };
+    let open: Vec<String> = (0..model.modes.len())
+        .filter(|&mode| e.modes[mode].uncovered() > 0.0)
+        .map(|mode| format!("{} for {} s", model.modes[mode].name, fixed(e.modes[mode].uncovered(), 2)))
+        .collect();
+    let gaps = match open.is_empty() {
+        true => "At every instant that was looked at, yes.".into(),
+        false => format!("No: {}. fmea.csv has the phases.", open.join(", ")),
+    };
+    let most = q.by_contribution().into_iter().next();
+    let most = most.map_or("No single fault contributes.".into(), |(mode, single)| {
+        let name = &model.modes[mode].name;
+        format!(
+            "{name} on the {}: {} s, {}.",
+            single.phase.label(),
+            fixed(single.seconds, 2),
+            short(single.probability)
+        )
+    });
+    let several =
+        (0..model.modes.len()).filter(|&mode| model.modes[mode].capacities().iter().filter(|c| **c < 1.0).count() > 1);
+    let several: Vec<&str> = several.map(|mode| model.modes[mode].name.as_str()).collect();
+    let common = match several.is_empty() {
+        true => "Not covered: no mode of the spec affects several rotors by their capacity.".into(),
+        false => format!("As declared, each with a rate of its own: {}.", several.join(", ")),
+    };
+    let hovering = |pair: &&([usize; 2], Option<Outcome>)| pair.1 == Some(Outcome::FullControl);
+    let doubles = format!(
+        "Each pair counts as a loss of control. Of {}, {} would leave full control in hover; no way out is sought.",
+        plural(case.pairs.len(), "pair"),
+        case.pairs.iter().filter(hovering).count()
+    );
+    let detection = match e.detection[..] {
+        [least, most] => format!("{} to {} ms", number(1e3 * least), number(1e3 * most)),
+        _ => format!("{} ms", number(1e3 * e.detection[0])),
+    };
+    let proved = match case.accepted.weaker.is_empty() {
+        true => format!("The plan: {}. Ways out are not proved.", case.accepted.headline),
+        false => format!(
+            "The plan, less than the spec requires: {}. It leaves open: {}. Ways out are not proved.",
+            case.accepted.headline,
+            case.accepted.weaker.join("; ")
+        ),
+    };
+    vec![
+        ("How likely is a loss of control?", probability),
+        ("Is the target met?", target),
+        ("Is there a way out after every single fault?", gaps),
+        ("Which fault contributes most, and when?", most),
+        ("What of common causes?", common),
+        ("What of two faults in one mission?", doubles),
+        (
+            "How soon must a fault be known?",
+            format!("Within {detection}: assumed, not shown. An undetected fault is not covered."),
+        ),
+        (
+            "On what do the ways out rest?",
+            format!(
+                "A search at {} instants, each way out at most {} s long; {} of {} ended as planned in one simulated \
+                 flight each.",
+                e.instants,
+                number(e.within),
+                e.survived,
+                e.flown
+            ),
+        ),
+        ("What is proved?", proved),
+        (
+            "What of people on the ground?",
+            "Not covered: phases, heights and sites are in fha.csv and fmea.csv, densities of people are not.".into(),
+        ),
+    ]
+}
+
+fn importance(case: &Case) -> Markup {
+    let q = &case.quantities;
+    html! {
+        table {
+            tr {
+                th { "mode" }
+                th { "rate, 1/h" }
+                th { "saved if it never strikes" }
+                th { "saved by a second more with a way out" }
+            }
+            @for (at, saved) in by_importance(q) {
+                @let one = &q.rated[at];
+                tr {
+                    td { (case.problem.model().modes[one.mode].name) }
+                    td { (short(one.rate_per_h)) }
+                    td { (short(saved)) }
+                    td { @if one.exposed.is_empty() { "it has one always" } @else { (short(q.saved_by_a_second(at))) } }
+                }
+            }
+        }
+    }
+}
+
+fn modes(case: &Case) -> Markup {
+    html! {
+        table {
+            tr { th { "mode" } th { "outcomes, s" } th { "no way out, s" } }
+            @for (mode, evidence) in case.problem.model().modes.iter().zip(&case.evidence.modes) {
+                tr {
+                    td { (mode.name) }
+                    td {
+                        @for (outcome, (word, ..)) in SEVERITIES.iter().enumerate() {
+                            @let seconds = evidence.with_outcome(outcome);
+                            @if seconds > 0.0 { (word) ": " (fixed(seconds, 2)) br; }
+                        }
+                        @if let Some(why) = &evidence.not_attempted { "not attempted: " (why) }
+                    }
+                    td { (fixed(evidence.uncovered(), 2)) }
+                }
+            }
+        }
+    }
+}

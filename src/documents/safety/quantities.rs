@@ -1,0 +1,320 @@
+//! The probability of a loss of control, its cut sets, and what matters most.
+//!
+//! A mode with the rate `r` strikes as a Poisson process, so its strikes in separate parts of the mission are
+//! independent events. There is one event for the seconds of each phase without a way out, `1 - exp(-r u)`, and one for
+//! all the others together, `1 - exp(-r c)`. Control is lost if an event of the first kind occurs, or events of two
+//! modes. The shares of exposure are the times of exponential events rather than factors: this is exact for any rate,
+//! where a factor would be so for small ones.
+
+use super::evidence::Phase;
+use super::{Case, SEVERITIES, short};
+use crate::model::Spread;
+use crate::number::shortest;
+use serde_json::{Value, json};
+
+/// A mode with a rate, and when it finds no way out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rated {
+    /// An index into the model's modes.
+    pub mode: usize,
+    /// 1/h, in the middle of its interval.
+    pub rate_per_h: f64,
+    /// The interval of the rate.
+    pub spread: Spread,
+    /// The phases with seconds without a way out, and how many.
+    pub exposed: Vec<(Phase, f64)>,
+}
+
+/// An event that alone loses control: a mode strikes where it has no way out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Single<'a> {
+    pub phase: &'a Phase,
+    /// s without a way out.
+    pub seconds: f64,
+    pub probability: f64,
+}
+
+/// The probability of a loss of control, and what it follows from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantities {
+    /// The modes with a rate, in the order of the model's.
+    pub rated: Vec<Rated>,
+    /// The duration of the mission, s.
+    pub duration: f64,
+    /// For one mission; `None` if no mode has a rate.
+    pub probability: Option<f64>,
+    /// For the lowest and the highest rates, if some are intervals.
+    pub interval: Option<[f64; 2]>,
+    /// The largest probability that the spec allows for one mission: `require risk`.
+    pub target: Option<f64>,
+}
+
+/// Significant digits of the numbers that files have in common. One less than `f64` has, so that a number is printed
+/// as it is written: 1e-5 1/h is not 1e-5 after a change of units and back.
+const DIGITS: usize = 15;
+
+/// Hours below this are rounding of a difference, h.
+const NO_TIME: f64 = 1e-12;
+
+/// A number with the digits that files have in common.
+pub fn rounded(x: f64) -> f64 {
+    format!("{x:.*e}", DIGITS - 1).parse().expect("a number is read as it was printed")
+}
+
+/// Seconds as hours.
+pub fn hours(seconds: f64) -> f64 {
+    rounded(seconds / 3600.0)
+}
+
+/// The probability that an event with a rate (1/h) occurs within a time (h).
+pub fn exponential(rate_per_h: f64, time_h: f64) -> f64 {
+    -(-rate_per_h * time_h).exp_m1()
+}
+
+impl Rated {
+    /// The time in which there is a way out, h, of a mission of so many seconds.
+    pub fn covered_h(&self, duration: f64) -> f64 {
+        let open: f64 = self.exposed.iter().map(|(_, seconds)| hours(*seconds)).sum();
+        let covered = rounded(hours(duration) - open);
+        if covered < NO_TIME { 0.0 } else { covered }
+    }
+}
+
+/// The probability of a loss of control with all rates scaled by `scale` of their spread.
+fn loss(rated: &[Rated], duration: f64, scale: impl Fn(Spread) -> f64) -> f64 {
+    let rate = |one: &Rated| one.rate_per_h * scale(one.spread);
+    let exposed = |one: &Rated| one.exposed.iter().map(|(_, seconds)| hours(*seconds)).sum::<f64>();
+    let alone = exponential(rated.iter().map(|one| rate(one) * exposed(one)).sum(), 1.0);
+    // The probabilities that none, exactly one, and at least two of the modes so far strike where they have a way out.
+    // Only sums of positive terms: a difference from 1 would lose all digits.
+    let (mut none, mut one, mut more) = (1.0, 0.0, 0.0);
+    for mode in rated {
+        let strikes = exponential(rate(mode), mode.covered_h(duration));
+        more += one * strikes;
+        one = one * (1.0 - strikes) + none * strikes;
+        none *= 1.0 - strikes;
+    }
+    alone + (1.0 - alone) * more
+}
+
+impl Quantities {
+    pub fn new(rated: Vec<Rated>, duration: f64, target: Option<f64>) -> Self {
+        let probability = (!rated.is_empty()).then(|| loss(&rated, duration, |_| 1.0));
+        let is_uncertain = rated.iter().any(|one| !one.spread.is_none());
+        let interval = is_uncertain.then(|| [loss(&rated, duration, |s| s.low), loss(&rated, duration, |s| s.high)]);
+        Quantities { rated, duration, probability, interval, target }
+    }
+
+    /// For each hour of flight, if missions like this one follow each other.
+    pub fn per_flight_hour(&self) -> Option<f64> {
+        self.probability.map(|p| p / hours(self.duration))
+    }
+
+    /// What the target leaves, with the highest rates; negative if it is exceeded. `None` without a target or rates.
+    pub fn budget(&self) -> Option<f64> {
+        let worst = self.interval.map(|[_, high]| high).or(self.probability)?;
+        Some(self.target? - worst)
+    }
+
+    /// The cut sets of one event, each with the index of its mode in the model.
+    pub fn singles(&self) -> impl Iterator<Item = (usize, Single<'_>)> {
+        self.rated.iter().flat_map(|one| {
+            one.exposed.iter().map(|(phase, seconds)| {
+                let probability = exponential(one.rate_per_h, hours(*seconds));
+                (one.mode, Single { phase, seconds: *seconds, probability })
+            })
+        })
+    }
+
+    /// The cut sets of two events, as indices into the model's modes, with their probabilities.
+    pub fn doubles(&self) -> impl Iterator<Item = ([usize; 2], f64)> {
+        let strikes: Vec<(usize, f64)> = self
+            .rated
+            .iter()
+            .map(|one| (one.mode, exponential(one.rate_per_h, one.covered_h(self.duration))))
+            .filter(|(_, p)| *p > 0.0)
+            .collect();
+        let pairs: Vec<_> = (0..strikes.len())
+            .flat_map(|a| (a + 1..strikes.len()).map(move |b| (a, b)))
+            .map(|(a, b)| ([strikes[a].0, strikes[b].0], strikes[a].1 * strikes[b].1))
+            .collect();
+        pairs.into_iter()
+    }
+
+    /// The single cut sets, the most probable first; of equal ones those that come first in the spec.
+    pub fn by_contribution(&self) -> Vec<(usize, Single<'_>)> {
+        let mut all: Vec<_> = self.singles().collect();
+        all.sort_by(|a, b| b.1.probability.total_cmp(&a.1.probability));
+        all
+    }
+
+    /// By how much the probability falls if a mode never strikes.
+    pub fn saved_without(&self, at: usize) -> f64 {
+        let others: Vec<Rated> =
+            self.rated.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, one)| one.clone()).collect();
+        self.probability.map_or(0.0, |p| p - loss(&others, self.duration, |_| 1.0))
+    }
+
+    /// By how much the probability falls if the mode finds a way out for one more second.
+    pub fn saved_by_a_second(&self, at: usize) -> f64 {
+        exponential(self.rated[at].rate_per_h, 1.0 / 3600.0)
+    }
+}
+
+/// The quantities for programs.
+pub fn record(case: &Case) -> Value {
+    let q = &case.quantities;
+    let model = case.model();
+    let name = |mode: usize| model.modes[mode].name.as_str();
+    let event = |mode: usize, phase: &Phase| format!("{}-uncovered-{}", name(mode), phase.tag());
+    let singles = q.by_contribution().into_iter().map(|(mode, single)| {
+        json!({
+            "events": [event(mode, single.phase)],
+            "uncovered_s": single.seconds,
+            "probability": single.probability,
+        })
+    });
+    let doubles = q.doubles().map(|([a, b], probability)| {
+        let joint = case.pairs.iter().find(|(pair, _)| *pair == [a, b]).and_then(|(_, outcome)| *outcome);
+        json!({
+            "events": [format!("{}-covered", name(a)), format!("{}-covered", name(b))],
+            "hover_with_both": joint.map_or("not looked at", |outcome| outcome.word()),
+            "probability": probability,
+        })
+    });
+    let cut_sets: Vec<Value> = match q.rated.is_empty() {
+        true => without_rates(case, &event),
+        false => singles.chain(doubles).collect(),
+    };
+    let modes = q.rated.iter().enumerate().map(|(at, one)| {
+        json!({
+            "mode": name(one.mode),
+            "rate_per_h": one.rate_per_h,
+            "rate_interval_per_h": (!one.spread.is_none())
+                .then(|| [one.spread.low, one.spread.high].map(|share| rounded(share * one.rate_per_h))),
+            "uncovered_s": case.evidence.modes[one.mode].uncovered(),
+            "saved_if_it_never_strikes": q.saved_without(at),
+            "saved_by_a_second_with_a_way_out": q.saved_by_a_second(at),
+        })
+    });
+    json!({
+        "spec_sha256": case.spec_sha256,
+        "report_sha256": super::sha256(case.report),
+        "certificate_sha256": super::sha256(case.certificate),
+        "mission_s": q.duration,
+        "loss_of_control": {
+            "per_mission": q.probability,
+            "per_flight_hour": q.per_flight_hour(),
+            "per_mission_over_rate_intervals": q.interval,
+        },
+        "target_per_mission": q.target,
+        "left_of_target": q.budget(),
+        "modes_without_rate": case.unrated(),
+        "modes": modes.collect::<Vec<_>>(),
+        "cut_sets": cut_sets,
+        "severities": SEVERITIES.iter().map(|(outcome, effect, word)| {
+            json!({"outcome": outcome, "effect": effect, "severity": word})
+        }).collect::<Vec<_>>(),
+        "assumptions": super::ASSUMPTIONS,
+    })
+}
+
+/// The cut sets of a spec without rates; `event` names the event of a mode in a phase.
+fn without_rates(case: &Case, event: &dyn Fn(usize, &Phase) -> String) -> Vec<Value> {
+    let model = case.model();
+    let mut sets = Vec::new();
+    for mode in 0..model.modes.len() {
+        for phase in &case.evidence.phases {
+            let seconds = case.evidence.modes[mode].uncovered_within(phase);
+            if seconds > 0.0 {
+                sets.push(json!({"events": [event(mode, phase)], "uncovered_s": seconds, "probability": null}));
+            }
+        }
+    }
+    let pairs = case.pairs_with_ways_out();
+    sets.extend(pairs.into_iter().map(|pair| {
+        let events = pair.map(|mode| format!("{}-covered", model.modes[mode].name));
+        json!({"events": events, "probability": null})
+    }));
+    sets
+}
+
+/// A number as the fault tree writes it.
+pub fn written(x: f64) -> String {
+    shortest(x)
+}
+
+/// Modes with what matters most: the probability that each would save, the largest first.
+pub fn by_importance(q: &Quantities) -> Vec<(usize, f64)> {
+    let mut all: Vec<(usize, f64)> = (0..q.rated.len()).map(|at| (at, q.saved_without(at))).collect();
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all
+}
+
+/// The sentence about a probability and its interval.
+pub fn with_interval(p: f64, interval: Option<[f64; 2]>) -> String {
+    match interval {
+        Some([low, high]) => {
+            format!("{} ({} to {} over the intervals of the rates)", short(p), short(low), short(high))
+        }
+        None => short(p),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::evidence::PhaseKind;
+    use super::*;
+
+    fn phase() -> Phase {
+        Phase { kind: PhaseKind::Leg, waypoint: 2, name: None, from: 0.0, to: 1800.0, heights: [0.0; 2] }
+    }
+
+    fn mode(rate_per_h: f64, open: f64) -> Rated {
+        let exposed = if open > 0.0 { vec![(phase(), open)] } else { Vec::new() };
+        Rated { mode: 0, rate_per_h, spread: Spread::NONE, exposed }
+    }
+
+    /// All combinations of events, one by one.
+    fn enumerated(rated: &[Rated], duration: f64) -> f64 {
+        let events: Vec<(usize, bool, f64)> = rated
+            .iter()
+            .enumerate()
+            .flat_map(|(at, one)| {
+                let open = one.exposed.iter().map(move |(_, s)| (at, true, exponential(one.rate_per_h, hours(*s))));
+                open.chain([(at, false, exponential(one.rate_per_h, one.covered_h(duration)))])
+            })
+            .collect();
+        let mut lost = 0.0;
+        for which in 0_u32..1 << events.len() {
+            let occurs = |k: usize| which >> k & 1 == 1;
+            let weight: f64 = events.iter().enumerate().map(|(k, e)| if occurs(k) { e.2 } else { 1.0 - e.2 }).product();
+            let alone = events.iter().enumerate().any(|(k, e)| occurs(k) && e.1);
+            let modes = events.iter().enumerate().filter(|(k, e)| occurs(*k) && !e.1).count();
+            lost += if alone || modes >= 2 { weight } else { 0.0 };
+        }
+        lost
+    }
+
+    #[test]
+    fn the_closed_form_is_the_sum_over_all_combinations() {
+        for scale in [1e-5, 1e-2, 1.0, 30.0] {
+            let rated = [mode(scale, 0.0), mode(2.0 * scale, 90.0), mode(0.5 * scale, 1800.0), mode(3.0 * scale, 1.25)];
+            let [closed, summed] = [loss(&rated, 1800.0, |_| 1.0), enumerated(&rated, 1800.0)];
+            assert!((closed / summed - 1.0).abs() < 1e-12, "{scale}: {closed} {summed}");
+        }
+    }
+
+    #[test]
+    fn two_rare_faults_keep_their_digits() {
+        let rated = [mode(1e-9, 0.0), mode(1e-9, 0.0)];
+        let expected = exponential(1e-9, 0.5).powi(2);
+        assert!((loss(&rated, 1800.0, |_| 1.0) / expected - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn numbers_are_rounded_as_they_are_written() {
+        assert_eq!(rounded(3600.0 * (1e-5 / 3600.0)), 1e-5);
+        assert_eq!(hours(1800.0), 0.5);
+    }
+}

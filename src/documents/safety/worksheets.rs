@@ -1,0 +1,183 @@
+//! The FMEA worksheet and the list of functional hazards, as CSV (RFC 4180).
+
+use super::evidence::{ModeEvidence, NONE, Phase};
+use super::quantities::{exponential, hours, rounded};
+use super::{Case, SEVERITIES, item, local_effect};
+use crate::admissible::outcome::Outcome;
+use crate::flight::equilibrium::outcome_of;
+use crate::number::{number, shortest};
+use crate::report::headline::by_failure;
+
+/// The columns of the FMEA worksheet: the usual ones, and after them what mavc adds.
+const FMEA: [&str; 23] = [
+    "item",
+    "function",
+    "mode",
+    "title",
+    "phase",
+    "local_effect",
+    "next_effect",
+    "end_effect",
+    "site",
+    "severity_class",
+    "detection_method",
+    "provision",
+    "S",
+    "O",
+    "D",
+    "RPN",
+    "rate_per_h",
+    "phase_from_s",
+    "phase_to_s",
+    "effect_s",
+    "exposure_s",
+    "basis",
+    "spec_sha256",
+];
+
+const FHA: [&str; 12] = [
+    "failure_condition",
+    "modes",
+    "phase",
+    "height_from_m",
+    "height_to_m",
+    "outcome",
+    "effect",
+    "severity_class",
+    "mode_seconds",
+    "probability_per_mission",
+    "modes_without_rate",
+    "spec_sha256",
+];
+
+/// One row for each mode, phase and outcome.
+pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
+    let model = case.model();
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record(FMEA)?;
+    let known = match case.evidence.detection[..] {
+        [least, most] => format!("assumed known after {} to {} ms", number(1e3 * least), number(1e3 * most)),
+        _ => format!("assumed known after {} ms", number(1e3 * case.evidence.detection[0])),
+    };
+    let count = |n: Option<u8>| n.map(|n| n.to_string()).unwrap_or_default();
+    let in_hover: Vec<Outcome> = (0..model.modes.len()).map(|mode| outcome_of(model, mode)).collect();
+    for (index, phase, shares) in case.shares() {
+        let (mode, evidence) = (&model.modes[index], &case.evidence.modes[index]);
+        let item = item(model, index);
+        for share in shares {
+            let (_, effect, severity) = SEVERITIES[share.outcome];
+            table.write_record([
+                item.clone(),
+                format!("thrust and torque of {item}"),
+                mode.name.clone(),
+                harmless(mode.title.as_deref().unwrap_or_default()),
+                phase.label(),
+                local_effect(model, index),
+                format!("in hover: {}", in_hover[index].word()),
+                effect.into(),
+                share.site.unwrap_or_default().into(),
+                severity.into(),
+                known.clone(),
+                share.branches.join(" "),
+                count(mode.severity),
+                count(mode.occurrence),
+                count(mode.detection),
+                mode.rpn().map(|rpn| rpn.to_string()).unwrap_or_default(),
+                mode.rate.map(|rate| shortest(rounded(3600.0 * rate))).unwrap_or_default(),
+                shortest(phase.from),
+                shortest(phase.to),
+                shortest(rounded(share.seconds)),
+                shortest(if share.outcome == NONE { rounded(share.seconds) } else { 0.0 }),
+                basis(evidence, share.outcome).into(),
+                case.spec_sha256.into(),
+            ])?;
+        }
+    }
+    table.into_inner().map_err(|e| e.into_error().into())
+}
+
+/// On what an outcome rests.
+fn basis(mode: &ModeEvidence, outcome: usize) -> &'static str {
+    match (mode.not_attempted.as_deref(), outcome) {
+        (Some("caught"), _) => "not attempted: the vehicle has to be caught",
+        (Some(_), _) => "not attempted: hover has no margin",
+        (None, NONE) => "not found at the instants looked at",
+        (None, _) => "found at the instants looked at, simulated once each",
+    }
+}
+
+/// One row for each kind of failure, phase and outcome.
+pub fn fha(case: &Case) -> Result<Vec<u8>, csv::Error> {
+    let model = case.model();
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record(FHA)?;
+    for (condition, modes) in by_failure(model, 0..model.modes.len()) {
+        for phase in &case.evidence.phases {
+            for (outcome, (word, effect, severity)) in SEVERITIES.iter().enumerate() {
+                let hit = hit(case, &modes, phase, outcome);
+                if hit.modes.is_empty() {
+                    continue;
+                }
+                let names = |modes: &[usize]| {
+                    modes.iter().map(|&mode| model.modes[mode].name.as_str()).collect::<Vec<_>>().join(" ")
+                };
+                let [low, high] = phase.heights;
+                table.write_record([
+                    condition.clone(),
+                    names(&hit.modes),
+                    phase.label(),
+                    shortest(low),
+                    shortest(high),
+                    (*word).into(),
+                    (*effect).into(),
+                    (*severity).into(),
+                    shortest(rounded(hit.seconds)),
+                    hit.probability.map(shortest).unwrap_or_default(),
+                    names(&hit.unrated),
+                    case.spec_sha256.into(),
+                ])?;
+            }
+        }
+    }
+    table.into_inner().map_err(|e| e.into_error().into())
+}
+
+/// The modes that have an outcome in a phase.
+#[derive(Default)]
+struct Hit {
+    modes: Vec<usize>,
+    /// Summed over the modes.
+    seconds: f64,
+    /// That one of the modes with a rate strikes then; `None` if none has one.
+    probability: Option<f64>,
+    unrated: Vec<usize>,
+}
+
+fn hit(case: &Case, modes: &[usize], phase: &Phase, outcome: usize) -> Hit {
+    let mut hit = Hit::default();
+    let mut expected: Option<f64> = None;
+    for &mode in modes {
+        let seconds: f64 =
+            case.share(mode, phase).iter().filter(|share| share.outcome == outcome).map(|share| share.seconds).sum();
+        if seconds == 0.0 {
+            continue;
+        }
+        hit.modes.push(mode);
+        hit.seconds += seconds;
+        match case.model().modes[mode].rate {
+            Some(rate) => *expected.get_or_insert(0.0) += rounded(3600.0 * rate) * hours(seconds),
+            None => hit.unrated.push(mode),
+        }
+    }
+    hit.probability = expected.map(|expected| exponential(expected, 1.0));
+    hit
+}
+
+/// A text of the spec that no table program takes for a formula.
+fn harmless(text: &str) -> String {
+    let text = crate::source::visible::line(text).into_owned();
+    match text.starts_with(['=', '+', '-', '@']) {
+        true => format!("'{text}"),
+        false => text,
+    }
+}
