@@ -48,8 +48,8 @@ pub struct FamilyRecord {
     pub delays_s: [f64; 2],
     /// Where the motions lead.
     pub way: WayRecord,
-    /// The branches, from 0, after a fault at `from_s` and at `to_s` with the shortest delay, and at these instants with
-    /// the longest. They have the same node times.
+    /// The branches, from 0, after a fault at `from_s` and at `to_s` with the shortest delay, and at these instants
+    /// with the longest. They have the same node times.
     pub corners: [usize; 4],
     /// How far the state may be from the expected one: that of the plan at that instant, plus the blend of how far the
     /// branches begin from the plan.

@@ -50,6 +50,8 @@ pub const BYTES_OF_A_CORE_ROW: u64 = 256;
 pub const BYTES_OF_A_MEMBER: u64 = 512;
 /// Bytes of a node of a motion.
 pub const BYTES_OF_A_NODE: u64 = 1024;
+/// Bytes of a node of a branch, as a record and as a motion.
+pub const BYTES_OF_A_BRANCH_NODE: u64 = 512;
 /// Bytes of a multiplier.
 pub const BYTES_OF_A_MULTIPLIER: u64 = 160;
 

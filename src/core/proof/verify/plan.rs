@@ -143,6 +143,9 @@ impl<'a> Setting<'a> {
         let of_motion = self.estimate_of_motion(&claim.motion, imposed.len() as u64 + 1)?;
         all.add(of_motion.units, of_motion.bytes);
         all.add(least_time::cost(self.problem).units, 0);
+        let branches = claim.recovery.iter().flat_map(|recovery| &recovery.branches);
+        let nodes: u64 = branches.map(|branch| branch.nodes() as u64).sum();
+        all.add(times(nodes, cost::COST_PER_JOINT), times(nodes, cost::BYTES_OF_A_BRANCH_NODE));
         let of_others = self.estimate_of_selecting(&claim.selected_by)?;
         all.add(of_others.units, of_others.bytes);
         Ok(all)

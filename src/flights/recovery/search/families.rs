@@ -1,8 +1,8 @@
 //! Families of branches between instants, as the checker of certificates accepts them.
 //!
-//! The instants between two with the same outcome, and the delays, are divided until what a fault does to the vehicle is
-//! nearly linear in both. Branches with the same times at the corners, their blends and all motions near these are a
-//! family, if it passes the checker.
+//! The instants between two with the same outcome, and the delays, are divided until what a fault does to the vehicle
+//! is nearly linear in both. Branches with the same times at the corners, their blends and all motions near these are
+//! a family, if it passes the checker.
 
 use super::super::{Families, NotProved, Way};
 use super::{Found, HERE, Search};

@@ -179,7 +179,7 @@ impl Cover<'_, '_, '_, '_> {
     fn ends(&self, cell: Cell) -> Ends {
         let at_corners = [[0, 0], [1, 0], [0, 1], [1, 1]]
             .map(|[s, r]| along(self.plan, self.start.known([s, r].map(|share| Interval::point(f64::from(share))))));
-        let start = self.from_the_plan(cell, 0.0, &blended(&at_corners, cell));
+        let start = self.short_of_the_plan(cell, 0.0, &blended(&at_corners, cell));
         let expected = self.tube.over(0, Interval::ZERO, cell, &Ends { start, ..Ends::NONE });
         let within = self.start.deviations(&expected);
         let start = std::array::from_fn(|axis| std::array::from_fn(|i| start[axis][i] + within[axis][i]));
@@ -188,7 +188,7 @@ impl Cover<'_, '_, '_, '_> {
             Way::Back => {
                 let last = self.tube.branch().pieces() - 1;
                 let blends = self.tube.expansion(last, self.tube.branch().duration(last), cell);
-                Ends { start, end: self.from_the_plan(cell, self.tube.duration(), &blends) }
+                Ends { start, end: self.short_of_the_plan(cell, self.tube.duration(), &blends) }
             }
         }
     }
@@ -199,7 +199,7 @@ impl Cover<'_, '_, '_, '_> {
     /// `y(J) - b = y(J_m) - b_m + (y' dJ/ds - db/ds) ds + (y' dJ/dr - db/dr) dr - d^2b/(ds dr) ds dr`,
     ///
     /// with ds and dr from the middle m of the cell, and y' over all J.
-    fn from_the_plan(&self, cell: Cell, after: f64, [middle, by_s, by_r, crossed]: &[State; 4]) -> Deviations {
+    fn short_of_the_plan(&self, cell: Cell, after: f64, [middle, by_s, by_r, crossed]: &[State; 4]) -> Deviations {
         let centre = cell.map(|share| Interval::point(share.middle()));
         let [ds, dr] = [cell[0] - centre[0], cell[1] - centre[1]];
         let after = Interval::point(after);

@@ -6,6 +6,7 @@ use super::super::plan::Setting;
 use super::super::wrench::thrust_over_mass;
 use super::tube::{Cell, Deviations};
 use crate::certificate::{DynamicModel, FamilyRecord, StateTolerance};
+use crate::model::Rotor;
 use crate::number::number;
 
 /// The states of a family when its faults become known: near the blends of its branches' initial states.
@@ -92,7 +93,7 @@ impl<'s, 'a> StartAbout<'s, 'a> {
     pub fn near_the_plan(&self, corners: [&Motion; 4], plan: &Motion) -> Result<(), String> {
         let vehicle = &self.setting.model().vehicle;
         let environment = &self.setting.dynamics().environment;
-        let largest: f64 = vehicle.rotors.iter().map(|rotor| rotor.max_thrust()).sum();
+        let largest: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
         for (index, branch) in corners.into_iter().enumerate() {
             let (fault, delay) = (self.faults[index % 2], self.delays[index / 2]);
             let flown = along(plan, Interval::new(fault, fault + delay));

@@ -2,9 +2,8 @@
 
 use super::super::motion::{Motion, X, Y, YAW, Z};
 use super::tube::Tube;
-use crate::body::Body;
 use crate::certificate::{FamilyRecord, WayRecord};
-use crate::model::{DistanceFrom, HeldLimit, Limit, LimitKind, Mission, Model, Obstacle, Recovery, TOUCHDOWN};
+use crate::model::{Body, DistanceFrom, HeldLimit, Limit, LimitKind, Mission, Model, Obstacle, Recovery, TOUCHDOWN};
 use crate::number::number;
 use crate::source::Span;
 use crate::tolerance::MOST_PAST_LIMIT;
