@@ -2,7 +2,7 @@
 //! fault mode's set and within the limits after a fault, to a place to land or back to the plan.
 //!
 //! Each family is covered by cells of its two dimensions, the instant of the fault and the delay until it is known. For
-//! a cell and a part of time, all its motions are enclosed at once ([`tube`]); what does not fit is bisected.
+//! a cell and a part of time, all its motions are enclosed at once (`tube`); what does not fit is bisected.
 //! docs/certificates.md states what is shown as a theorem.
 
 mod cover;
