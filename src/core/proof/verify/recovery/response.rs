@@ -128,6 +128,6 @@ mod tests {
                 }
             }
         }
-        assert_eq!(Response::new(0, 1.0).over(Interval::new(1.0, 2.0)), [Interval::ZERO; 6]);
+        assert_eq!(Response::new(0, 1.0).over(Interval::new(1.1, 2.0)), [Interval::ZERO; 6]);
     }
 }
