@@ -72,7 +72,7 @@ pub fn exponential(rate_per_h: f64, time_h: f64) -> f64 {
 }
 
 impl Rated {
-    /// The time in which there is a way out, h, of a mission of so many seconds.
+    /// The time in which there is a way out, h, of a mission of this many seconds.
     pub fn covered_h(&self, duration: f64) -> f64 {
         let open: f64 = self.exposed.iter().map(|(_, seconds)| hours(*seconds)).sum();
         let covered = rounded(hours(duration) - open);
