@@ -67,8 +67,8 @@ impl<'m> Tube<'m> {
         if self.one_delay { 1 } else { 2 }
     }
 
-    /// Enclosures over a part of a piece, s since it began, of all derivatives of the blend in the middle of a cell, and
-    /// there of their rates of change with s, with r and with both.
+    /// Enclosures over a part of a piece, s since it began, of all derivatives of the blend in the middle of a cell,
+    /// and there of their rates of change with s, with r and with both.
     pub fn expansion(&self, piece: usize, part: Interval, cell: Cell) -> [State; 4] {
         let [middle, by_s, by_r, crossed] = blended(&self.corners.map(|motion| motion.node_in(piece, piece)), cell);
         if self.one_delay {
