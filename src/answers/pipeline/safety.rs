@@ -54,6 +54,8 @@ fn plan_end(certificate: &[u8]) -> Result<f64, String> {
     let certificate: Certificate = serde_json::from_slice(certificate).map_err(|e| e.to_string())?;
     match certificate.claim {
         Claim::Plan(plan) => plan.motion.times_s.last().copied().ok_or_else(|| "its motion is empty".into()),
-        Claim::Infeasible(_) | Claim::TooEarly(_) => Err("it proves that there is no plan".into()),
+        Claim::Infeasible(_) | Claim::TooEarly(_) => {
+            Err("it proves infeasibility, so there is no plan to assess".into())
+        }
     }
 }

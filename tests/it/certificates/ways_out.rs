@@ -221,6 +221,14 @@ fn false_ways_out_are_refused() {
         let place = middle(claim);
         claim.families[place].tolerance.turning_rad_s = 3.0;
     });
+    refused(&model, &found, "the landing", |claim| {
+        // The same without a last part, in which it has to be above the site.
+        claim.families.iter_mut().for_each(|family| family.way = mavc::certificate::WayRecord::LandAt("far".into()));
+        for branch in &mut claim.branches {
+            let (parts, last) = (branch.waypoint_nodes.len(), branch.times_s.len() - 1);
+            branch.waypoint_nodes[parts - 2] = last;
+        }
+    });
     refused(&model, &found, "negative", |claim| claim.families[0].tolerance.tilt_rad = -0.1);
     refused(&model, &found, "no fault mode", |claim| claim.families[0].mode = "M99".into());
     refused(&model, &found, "not among", |claim| claim.families[0].corners[2] = claim.branches.len());

@@ -52,6 +52,8 @@ struct OfMode {
     until: f64,
     /// The instants for which only delays up to some are decided, and these, s.
     open: Option<([f64; 2], f64)>,
+    /// What the families so far show.
+    covered: Covered,
 }
 
 /// What the families of a mode show.
@@ -84,7 +86,9 @@ impl OfMode {
             );
         }
         self.open = (most < last).then_some(([from_s, to_s], most));
+        self.covered.tolerance = self.covered.tolerance.largest(&record.tolerance);
         if self.open.is_none() {
+            self.covered.seconds += to_s - from_s;
             self.until = to_s;
         }
         Ok(())
@@ -131,19 +135,8 @@ impl<'s, 'a> Recovering<'s, 'a> {
         if purse.0 > 0 {
             self.ends()?;
         }
-        let of_mode = |(mode, of_mode): (&String, &OfMode)| {
-            let families = claim.families.iter().filter(|family| family.mode == *mode && family.to_s <= of_mode.until);
-            let mut covered = Covered { mode: mode.clone(), seconds: 0.0, tolerance: StateTolerance::default() };
-            for family in families {
-                // The families of the same instants count once.
-                if family.delays_s[0] == self.setting.model().plan.recovery.detection[0] {
-                    covered.seconds += family.to_s - family.from_s;
-                }
-                covered.tolerance = covered.tolerance.largest(&family.tolerance);
-            }
-            covered
-        };
-        Ok(self.modes.iter().map(of_mode).filter(|covered| covered.seconds > 0.0).collect())
+        let each = self.modes.into_values().map(|of_mode| of_mode.covered);
+        Ok(each.filter(|covered| covered.seconds > 0.0).collect())
     }
 
     /// Decides a family, which has to begin where the one before it in the same mode ended, or later.
@@ -223,7 +216,9 @@ impl<'s, 'a> Recovering<'s, 'a> {
             })
         };
         let inside = (0..pieces).rev().take_while(is_inside).count();
-        Ok(OfMode { mode, inside_from: self.plan.times[pieces - inside], planes, until: 0.0, open: None })
+        let inside_from = if inside > 0 { self.plan.times[pieces - inside] } else { f64::INFINITY };
+        let covered = Covered { mode: name.into(), seconds: 0.0, tolerance: StateTolerance::default() };
+        Ok(OfMode { mode, inside_from, planes, until: 0.0, open: None, covered })
     }
 
     /// Whether a family, whose mode was looked at, has all motions that it claims.
@@ -244,7 +239,7 @@ impl<'s, 'a> Recovering<'s, 'a> {
             return Err(named("families are not decided where the drag differs along x and y".into()));
         }
         let way = Way::of(record, model, setting.mission(), of_mode.mode).map_err(named)?;
-        let tube = Tube::new(corners).map_err(named)?;
+        let tube = Tube::new(corners, record.delays_s[0] == record.delays_s[1]).map_err(named)?;
         let within = model.plan.recovery.within;
         if exceeds(tube.duration(), within + MOST_MISS) {
             let took = number(tube.duration());

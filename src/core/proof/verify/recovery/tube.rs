@@ -21,7 +21,7 @@ const WINDOWS: [f64; 4] = [f64::INFINITY, 6.0, 4.0, 3.0];
 /// start and at their end.
 pub struct Tube<'m> {
     corners: [&'m Motion; 4],
-    /// Whether C = A and D = B: there is one delay.
+    /// Whether there is one delay, and only A and B count.
     one_delay: bool,
     /// In the order of derivatives; those to deviations at the end are the same backwards.
     responses: [Response; 4],
@@ -41,7 +41,7 @@ impl Ends {
 impl<'m> Tube<'m> {
     /// # Errors
     /// The branches do not have the same times or parts.
-    pub fn new(corners: [&'m Motion; 4]) -> Result<Self, String> {
+    pub fn new(corners: [&'m Motion; 4], one_delay: bool) -> Result<Self, String> {
         let [a, b, c, d] = corners;
         let differs = |other: &&Motion| other.times != a.times || other.waypoint_nodes != a.waypoint_nodes;
         if [b, c, d].iter().any(differs) {
@@ -49,7 +49,7 @@ impl<'m> Tube<'m> {
         }
         let duration = a.times[a.pieces()];
         let responses = std::array::from_fn(|order| Response::new(order, WINDOWS[order].min(duration)));
-        Ok(Tube { corners, one_delay: std::ptr::eq(a, c) && std::ptr::eq(b, d), responses })
+        Ok(Tube { corners, one_delay, responses })
     }
 
     /// One of the branches, whose node times all have.

@@ -109,7 +109,7 @@ impl Place {
         let branch = tube.branch();
         let pieces = branch.pieces();
         let parts = &branch.waypoint_nodes;
-        let begins = parts.len().checked_sub(2).map_or(0, |part| parts[part].min(pieces));
+        let begins = parts.len().checked_sub(2).map_or(0, |part| parts[part].min(pieces - 1));
         let above = |height: f64| HeldLimit { limit: limit(LimitKind::Z, Some(height), None), yields: f64::INFINITY };
         let mut all = vec![(above(self.floor), 0..begins), (above(self.ground), 0..pieces)];
         let last_part = |limit: &Limit| (HeldLimit { limit: limit.clone(), yields: 0.0 }, begins..pieces);
