@@ -1,9 +1,8 @@
 //! The check of plans: every trajectory found is verified at the nodes before it is called a plan.
 
 use super::witness::certificate;
-use crate::model::{MissionTime, Model, PlanSettings, PlannerKind, Problem};
+use crate::model::{MissionTime, Model, PlannerKind, Problem};
 use crate::motion::Trajectory;
-use crate::planner::studies::rounds::Round;
 use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run, Verification};
 use crate::verify::{self, Refusal, Settings};
 
@@ -22,20 +21,6 @@ pub fn check(problem: Problem, comparison: &mut Comparison) {
         run.outcome = PlanOutcome::Planned(plainer);
         let selected_by = if run.planner == PlannerKind::Rsp { &comparison.selected_by[..] } else { &[] };
         decide(&as_planned(problem, run, risk_required), &mut run.outcome, selected_by);
-    }
-}
-
-/// Checks the plans of every number of rounds. The outcome of one that fails becomes [`NotFound::Check`].
-pub fn check_rounds(problem: Problem, rounds: &mut [Round]) {
-    let mut planned = problem.model().clone();
-    planned.plan.planner = PlannerKind::Rsp;
-    planned.plan.require_risk = None;
-    for round in rounds {
-        planned.plan.rounds = round.rounds;
-        decide(&planned, &mut round.common, &round.common_selected_by);
-        let open =
-            Model { plan: PlanSettings { time: MissionTime::Minimum, ..planned.plan.clone() }, ..planned.clone() };
-        decide(&open, &mut round.own, &round.own_selected_by);
     }
 }
 

@@ -7,7 +7,6 @@ use crate::motion::Trajectory;
 use crate::motion::outside::Outside;
 use crate::motion::time_grid::determined;
 use crate::number::number;
-use crate::planner::hover::Planned;
 use crate::planner::scp::sensitivity::LegBinding;
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Addition;
@@ -204,9 +203,6 @@ pub struct Comparison {
     pub selected_by: Vec<Trajectory>,
     /// If the spec requires a risk: the plan without protection, then the result of each addition.
     pub trade_off: Vec<Addition>,
-    /// The plans of RIP and of the tightest RCP at their own shortest times, if they were sought: initial guesses of
-    /// further plans.
-    pub known: Vec<Planned>,
     /// The plan of the last run before its second pass, until plans are checked.
     pub plainer: Option<Box<MissionPlan>>,
     pub effort: Effort,

@@ -239,7 +239,6 @@ impl<'a> Setting<'a> {
             selected_by: Vec::new(),
             trade_off: Vec::new(),
             plainer: None,
-            known: Vec::new(),
             effort: Effort::default(),
         }
     }
