@@ -1,7 +1,7 @@
 //! The check of plans: every trajectory found is verified at the nodes before it is called a plan.
 
 use super::witness::certificate;
-use crate::model::{MissionTime, Model, PlannerKind, Problem};
+use crate::model::{MissionTime, Model, Problem};
 use crate::motion::Trajectory;
 use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run, Verification};
 use crate::verify::{self, Refusal, Settings};

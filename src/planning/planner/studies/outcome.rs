@@ -205,6 +205,8 @@ pub struct Comparison {
     pub own_selected_by: Option<Vec<Trajectory>>,
     /// If the spec requires a risk: the plan without protection, then the result of each addition.
     pub trade_off: Vec<Addition>,
+    /// Where `plan` sought it for RSP: the shortest time of RCP against all modes jointly, s.
+    pub covering_time: Option<f64>,
     /// The plan of the last run before its second pass, until plans are checked.
     pub plainer: Option<Box<MissionPlan>>,
     pub effort: Effort,
