@@ -14,6 +14,9 @@ const LINES: usize = 24;
 /// The last line of a short text.
 const EVERY_TABLE: &str = "-v prints every table";
 
+/// Which modes are not shown.
+const MORE_TO_SPARE: &str = " with more to spare";
+
 /// The fewest columns of names in a table.
 const NAMES: usize = 8;
 
@@ -101,8 +104,8 @@ impl Counted {
     fn words(self, n: usize) -> Option<String> {
         (n > 0).then(|| match self {
             Counted::Remark => plural(n, "remark"),
-            Counted::Figure => format!("{} of figures", plural(n, "line")),
-            Counted::Mode => format!("{} with more to spare", plural(n, "mode")),
+            Counted::Figure => plural(n, "figure"),
+            Counted::Mode => format!("{}{MORE_TO_SPARE}", plural(n, "mode")),
         })
     }
 }
@@ -205,7 +208,11 @@ impl Screen {
         let left = [Counted::Remark.words(remarks), Counted::Figure.words(figures), Counted::Mode.words(modes)];
         let left: Vec<String> = left.into_iter().flatten().collect();
         let left = if left.is_empty() { String::new() } else { format!("; not shown: {}", left.join(", ")) };
-        self.line(Tone::Plain, &format!("  {EVERY_TABLE}{left}"));
+        let mut last = format!("  {EVERY_TABLE}{left}");
+        if last.len() > WIDTH {
+            last = last.replace(MORE_TO_SPARE, "");
+        }
+        self.line(Tone::Plain, &last);
     }
 
     /// Adds the lines of another screen, none of which are left out later.

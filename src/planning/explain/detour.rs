@@ -190,6 +190,8 @@ pub fn try_statements(problem: Problem, solved: &MissionPlan, detours: &mut [Det
         // What was proved of the mission with the statements is not proved of the mission without them.
         plan.infeasible_at = solved.infeasible_at.filter(|&below| below < plan.time);
         plan.infeasible_above = Vec::new();
+        // It counts limits of the mission with the statements.
+        plan.binding = Vec::new();
         certify::check(problem, &mut found);
         return (Some(found).filter(|found| found.runs.iter().all(|run| run.outcome.plan().is_some())), effort);
     }
