@@ -72,8 +72,8 @@ fn read(names: [&std::path::PathBuf; 2]) -> Result<Pair, CommandError> {
 
 /// Plans, looks for ways out, and certifies; an exit code if there is no plan or no certificate of it.
 fn planned(task: &Task, watch: &Watch, options: &Options) -> Result<Result<Pair, u8>, CommandError> {
-    let planning = plan::plan(task, &Cancel::new(), watch)?;
-    let Some(found) = task.recovery(&planning, watch).map_err(|e| e.to_string())? else {
+    let mut planning = plan::plan(task, &Cancel::new(), watch)?;
+    let Some(found) = task.recovery(&mut planning, false, watch).map_err(|e| e.to_string())? else {
         files::print_screen(&task.for_people(&planning, &Explained::default(), None, options.verbose))?;
         return Ok(Err(code_of(planning.verdict())));
     };
