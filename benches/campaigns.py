@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Campaigns over quadcopters, hexacopters and octocopters: what predicts losses, and whether better plans suffer less.
+"""Campaigns over quadcopters, hexacopters and octocopters: flights lost, and what the path suffers.
 
     python3 benches/campaigns.py target/release/mavc [TIMES SEEDS]
 
@@ -115,24 +115,6 @@ def path_row(record):
     return [", ".join(cells) for cells in rows]
 
 
-def predictor_rows(record):
-    for p in record["predictors"]:
-        counts = [str(p[k]) for k in ("hits", "misses", "false_alarms", "correct_negatives")]
-        scores = [number(p[k], 3) for k in ("brier", "brier_by_class", "brier_base")]
-        yield [p["predictor"].replace("_", " ")] + counts + [number(p["phi"])] + scores
-
-
-def harm_row(record):
-    """Violation duration against each harm, over modes with hover inside: over all pairs, and within modes (their number)."""
-    of = {c["harm"]: c for c in record["agreement"][1]["harm"] if c["quality"] == "violation_duration"}
-    row = [str(of["lost"]["pairs"])]
-    for harm in ("lost", "deviation", "waypoints_missed", "heading_broken"):
-        c = of[harm]
-        within = f"{number(c['within_modes'])} ({c['modes']})" if c["modes"] else "-"
-        row += [f"{number(c['rank_correlation'])}; {within}"]
-    return row
-
-
 def table(headings, rows):
     print("| " + " | ".join(headings) + " |")
     print("|" + "---|" * len(headings))
@@ -144,7 +126,7 @@ def table(headings, rows):
 def main():
     mavc = str(Path(sys.argv[1]).resolve())
     times, seeds = sys.argv[2:4] if len(sys.argv) > 3 else ("12", "2")
-    lost, path, predicted, harm = [], [], [], []
+    lost, path = [], []
     flights = 0
     with tempfile.TemporaryDirectory() as name:
         for case in CASES:
@@ -157,17 +139,11 @@ def main():
                 title = [case[0], delay.replace("ms", " ms")]
                 lost.append(title + lost_row(record))
                 path.append(title + path_row(record))
-                predicted += [title + row for row in predictor_rows(record)]
-                harm.append(title + harm_row(record))
     each = "RIP, RSP, RCP"
     print(f"Lost ({each})\n")
     table(["campaign", "delay", "T_d", "healthy", "struck, hover inside", "lost", "struck, others", "lost"], lost)
     print(f"The path, modes with hover inside ({each})\n")
     table(["campaign", "delay", "deviation [m]", "missed (healthy)", "limits", "heading"], path)
-    counts = ["hits", "misses", "false alarms", "correct negatives"]
-    table(["campaign", "delay", "predictor", *counts, "phi", "Brier", "by class", "base rate"], predicted)
-    print("Violation duration against harm, modes with hover inside: all pairs; within modes (modes)\n")
-    table(["campaign", "delay", "pairs", "lost", "deviation", "missed", "heading"], harm)
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     print(f"{flights} flights, {used.ru_utime + used.ru_stime:.0f} s of processor time", file=sys.stderr)
 

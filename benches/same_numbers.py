@@ -40,6 +40,12 @@ RENAMED = {
     "given_away": "unreached_share",
 }
 
+# What reports no longer have.
+REMOVED = {
+    "rounds",  # plan and compare, schema 4 -> 5
+    "predictors", "harm", "rank_correlation", "rank_strength", "pairs",  # campaign, schema 4 -> 5
+}
+
 # Values that are sentences for people.
 SENTENCES = {"statement", "message", "help", "label", "text", "what", "why", "schema", "undecided", "detail"}
 
@@ -47,7 +53,7 @@ SENTENCES = {"statement", "message", "help", "label", "text", "what", "why", "sc
 def numbers(value):
     """A report without sentences, with its present keys."""
     if isinstance(value, dict):
-        return {RENAMED.get(k, k): numbers(v) for k, v in value.items() if k not in SENTENCES}
+        return {RENAMED.get(k, k): numbers(v) for k, v in value.items() if k not in SENTENCES | REMOVED}
     if isinstance(value, list):
         return [numbers(v) for v in value]
     return value

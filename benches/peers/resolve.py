@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Solves exported problems again with independent solvers and compares the results.
 
-Reads the JSON of `mavc emit qp --format json` (P the upper triangle, q, constant, A, b, cones), or free MPS with
-QUADOBJ, which HiGHS reads itself. Exit code 1 if verdicts or objectives differ.
+Reads the JSON of `mavc emit qp --format json` (P the upper triangle, q, constant, A, b, cones). Exit code 1 if verdicts
+or objectives differ.
 """
 
 import argparse
@@ -16,7 +16,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from case import PeerError, main_with_errors
-from solvers import SOLVERS, Problem, highs_verdict, quiet_highs
+from solvers import SOLVERS, Problem
 
 DEFAULT = "clarabel,ecos,scs,piqp,highs"
 
@@ -77,29 +77,6 @@ def resolve(problem, names, trials=1):
     return records
 
 
-def resolve_mps(path):
-    """The same for an MPS file; the objective is computed again from the model that HiGHS read."""
-    import highspy
-
-    solver = quiet_highs()
-    if solver.readModel(path) == highspy.HighsStatus.kError:
-        raise PeerError(f"HiGHS cannot read {path}")
-    begin = time.perf_counter()
-    status, x = highs_verdict(solver)
-    record = {"solver": "highs", "status": status, "seconds": time.perf_counter() - begin}
-    if x is not None:
-        lp, hessian = solver.getLp(), solver.getModel().hessian_
-        objective = lp.offset_ + np.array(lp.col_cost_) @ x
-        if hessian.dim_:
-            data = (hessian.value_, hessian.index_, hessian.start_)
-            half = sp.csc_matrix(data, shape=(hessian.dim_, hessian.dim_))  # a triangle with the diagonal
-            objective += x @ (half @ x) - 0.5 * (half.diagonal() * x * x).sum()
-        row = np.array(solver.getSolution().row_value)
-        missed = np.concatenate([np.array(lp.row_lower_) - row, row - np.array(lp.row_upper_)])
-        record |= {"objective": float(objective), "violation": float(max(0.0, missed.max()))}
-    return [record]
-
-
 def disagreements(records, expected=None, tolerance=1e-5):
     """What contradicts the expected objective, or the first verdict if there is none, in words.
 
@@ -122,9 +99,7 @@ def disagreements(records, expected=None, tolerance=1e-5):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument(
-        "problem", nargs="+", help="exported JSON, free MPS (named *.mps), or - for JSON on standard input"
-    )
+    parser.add_argument("problem", nargs="+", help="exported JSON, or - for standard input")
     parser.add_argument("--solvers", default=DEFAULT, help=f"any of {','.join(SOLVERS)} (default %(default)s)")
     parser.add_argument("--expect", type=float, metavar="VALUE", help="the objective that mavc reports")
     parser.add_argument("--tolerance", type=float, default=1e-5, help="of objectives (default %(default)g)")
@@ -134,10 +109,7 @@ def main():
         raise PeerError(f"unknown solver; there are {', '.join(SOLVERS)}")
     failed = False
     for path in options.problem:
-        if path.endswith(".mps"):
-            records = resolve_mps(path)
-        else:
-            records = resolve(read_json(read_text(path), path), names)
+        records = resolve(read_json(read_text(path), path), names)
         print(path)
         for r in records:
             solved = f"{r['objective']:18.9f}  rows missed by {r['violation']:.1e}" if "objective" in r else ""

@@ -57,7 +57,7 @@ pub fn compare(arguments: Arguments) -> Value {
         let task = Task::to_compare(&of.spec);
         found.extend_from_slice(task.as_ref().map_or_else(|refusal| refusal.diagnostics(), Task::remarks));
         sort(&mut found);
-        let record = task.ok().map(|task| json(&task.comparison_report(&task.compare(reports), None)));
+        let record = task.ok().map(|task| json(&task.comparison_report(&task.compare(reports))));
         (record, shown(&found, of.spec.sources()))
     })?;
     object(arguments.py(), found)

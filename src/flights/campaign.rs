@@ -8,13 +8,9 @@
 pub mod agreement;
 pub mod cases;
 pub mod columns;
-pub mod correlations;
 pub mod design;
 pub mod merge;
-#[cfg(feature = "parquet")]
-pub mod parquet;
 pub mod path;
-pub mod predictors;
 pub mod rows;
 pub mod run;
 pub mod scan;

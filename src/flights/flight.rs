@@ -355,7 +355,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                     duration = if lands {
                         rest + height / DESCENT + LANDING_MARGIN
                     } else {
-                        duration.max(simulation.duration.unwrap_or(0.0)).max(rest + 5.0)
+                        simulation.duration.map_or(duration, |asked| duration.max(asked)).max(rest + 5.0)
                     };
                     course = Course::Stop(Box::new(stop));
                     reference = course.at(t);

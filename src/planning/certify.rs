@@ -14,7 +14,7 @@ use crate::planner::studies::{Comparison, PlanOutcome, Proof, Verification};
 use crate::planner::timing::kinematics::{ROUNDING, least_time_within};
 use crate::verify::{self, Settings};
 
-pub use check::{check, check_rounds, is_plan};
+pub use check::{check, is_plan};
 pub use witness::{model_of, motion};
 
 /// The certificate of the last run's outcome. It is verified before it is returned.

@@ -9,7 +9,6 @@
 //! into a program is described in `docs/method/hover-model.md` and `exact-planner.md`.
 
 pub mod build;
-pub mod mps;
 
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -1,8 +1,8 @@
 //! Campaigns: statistics against values worked by hand, cases, rows, and shards as schedulers run them.
 
+mod agreement;
 mod columns;
 mod losses;
-mod predictors;
 mod statistics;
 
 use mavc::campaign::cases::{Cases, Shard, fault_time, noise_seed};
@@ -309,42 +309,6 @@ fn wrong_usage_ends_with_2() {
     assert_eq!(std::fs::read_dir(desk.folder.path()).unwrap().count(), 1);
 }
 
-#[cfg(not(feature = "parquet"))]
-#[test]
-fn parquet_names_its_feature() {
-    let desk = Desk::new();
-    let told = desk.run(&["hop.mav", "-o", "rows.parquet"], 2);
-    assert!(told.contains("--features parquet"), "{told}");
-}
-
-#[cfg(feature = "parquet")]
-#[test]
-fn parquet_holds_what_the_csv_holds() {
-    use parquet::file::reader::{FileReader, SerializedFileReader};
-    let desk = Desk::new();
-    let size = ["hop.mav", "--times", "3", "--seeds", "2", "--quiet", "-o"];
-    desk.run(&[&size[..], &["rows.csv"]].concat(), 0);
-    desk.run(&[&size[..], &["rows.parquet"]].concat(), 0);
-    desk.run(&["merge", "-o", "merged.parquet", "rows.csv"], 0);
-    assert!(!desk.path("rows.parquet.part").exists());
-    let read = |name: &str| -> Vec<String> {
-        let reader = SerializedFileReader::new(std::fs::File::open(desk.path(name)).unwrap()).unwrap();
-        let cell = |field: &parquet::record::Field| match field {
-            parquet::record::Field::Null => String::new(),
-            parquet::record::Field::Str(text) => text.clone(),
-            parquet::record::Field::Double(value) => mavc::number::shortest(*value),
-            other => other.to_string(),
-        };
-        let line =
-            |row: parquet::record::Row| row.get_column_iter().map(|(_, f)| cell(f)).collect::<Vec<_>>().join(",");
-        let names: Vec<String> =
-            reader.metadata().file_metadata().schema().get_fields().iter().map(|f| f.name().to_string()).collect();
-        std::iter::once(names.join(",")).chain(reader.get_row_iter(None).unwrap().map(|r| line(r.unwrap()))).collect()
-    };
-    assert_eq!(read("rows.parquet"), desk.lines("rows.csv"));
-    assert_eq!(read("merged.parquet"), desk.lines("rows.csv"));
-}
-
 #[test]
 fn reports_are_as_their_schema_says() {
     let desk = Desk::new();
@@ -362,16 +326,13 @@ fn reports_are_as_their_schema_says() {
     assert_eq!((&gone["name"], &gone["hover_inside"]), (&Value::from("gone"), &Value::from(false)));
     assert_eq!(gone["last_violation_s"], 4.0);
     assert_eq!(gone["flights"]["survival"]["share"], 0.0);
-    predictors::are_those_of_the_rows(&desk, &whole);
+    agreement::are_those_of_the_rows(&desk, &whole);
     for pointer in [
         "",
         "/planners/0",
         "/planners/0/modes/0",
         "/planners/0/modes/0/flights",
         "/agreement/0/by_flight/0",
-        "/agreement/0/harm/0",
-        "/predictors/0",
-        "/predictors/0/classes/0",
         "/planners/0/healthy/path",
         "/planners/0/modes/0/times/0",
     ] {

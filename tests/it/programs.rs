@@ -9,13 +9,12 @@ use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory};
 use mavc::planner::hover::{ACCEPTED, Decision, FEASIBLE, HoverPlanner, Planned};
 use mavc::planner::selection::PlanningSet;
-use mavc::planner::transcription::{Purpose, Transcription, UNBOUNDED};
+use mavc::planner::transcription::{Purpose, Transcription};
 use mavc::planner::working_set::WorkingSet;
-use mavc::qp::{Cone, QuadraticProgram, RowOrigin, Sparse, mps};
+use mavc::qp::{QuadraticProgram, RowOrigin, Sparse};
 use mavc::solve::{Outcome, Solution, residuals, solve};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
-use std::collections::BTreeMap;
 
 /// RIP where `against` is empty, else RCP against all of it.
 fn planning_set(model: &Model) -> (PlanningSet, AdmissibleSet) {
@@ -369,80 +368,4 @@ proptest! {
         let expected = dense.transpose() * DMatrix::from_column_slice(6, 1, &y);
         prop_assert!(sparse.transposed_times(&y).iter().zip(expected.iter()).all(|(a, b)| (a - b).abs() < 1e-12));
     }
-}
-
-/// A program as its MPS text says it.
-#[derive(Debug, Default)]
-struct Mps {
-    kinds: Vec<char>,
-    columns: usize,
-    a: Vec<(usize, usize, f64)>,
-    p: Vec<(usize, usize, f64)>,
-    q: BTreeMap<usize, f64>,
-    b: BTreeMap<usize, f64>,
-    constant: f64,
-    free: usize,
-}
-
-fn parse_mps(text: &str) -> Mps {
-    let mut mps = Mps::default();
-    let mut section = String::new();
-    let index = |name: &str| name[1..].parse::<usize>().unwrap();
-    for line in text.lines() {
-        let words: Vec<&str> = line.split_whitespace().collect();
-        if !line.starts_with(' ') {
-            section = words[0].to_string();
-            continue;
-        }
-        let value = || words[2].parse::<f64>().unwrap();
-        match (section.as_str(), words[1]) {
-            ("ROWS", "cost") => assert_eq!(words[0], "N"),
-            ("ROWS", row) => {
-                assert_eq!(index(row), mps.kinds.len());
-                mps.kinds.push(words[0].chars().next().unwrap());
-            }
-            ("COLUMNS", "cost") => {
-                mps.columns += 1;
-                assert_eq!(mps.q.insert(index(words[0]), value()), None);
-            }
-            ("COLUMNS", row) => mps.a.push((index(row), index(words[0]), value())),
-            ("RHS", "cost") => mps.constant = -value(),
-            ("RHS", row) => assert_eq!(mps.b.insert(index(row), value()), None),
-            ("BOUNDS", _) => {
-                assert_eq!((words[0], index(words[2])), ("FR", mps.free));
-                mps.free += 1;
-            }
-            ("QUADOBJ", other) => mps.p.push((index(words[0]), index(other), value())),
-            other => panic!("{other:?}"),
-        }
-    }
-    assert_eq!(section, "ENDATA");
-    mps
-}
-
-#[test]
-fn mps_reads_back_as_the_same_program() {
-    let mut model = paper_case(PlannerKind::Rip, &[]);
-    model.plan.samples = 20;
-    let (set, _) = planning_set(&model);
-    let with_cones = full_program(Problem::of(&model).unwrap(), &set, 24.0, Purpose::Plan { slack: 0.0 });
-    assert!(with_cones.cones.iter().any(|c| matches!(c, Cone::SecondOrder(_))));
-    assert_eq!(mps::render(&with_cones, "viviani"), None);
-
-    model.mission.as_mut().unwrap().waypoints.iter_mut().for_each(|w| w.within = UNBOUNDED);
-    let program = full_program(Problem::of(&model).unwrap(), &set, 24.0, Purpose::Plan { slack: 0.0 });
-    let text = mps::render(&program, "viviani").unwrap();
-    assert!(text.starts_with("NAME viviani\nROWS\n"));
-    let read = parse_mps(&text);
-    let (n, m) = (program.variables(), program.b.len());
-    assert_eq!((read.columns, read.free, read.kinds.len()), (n, n, m));
-    assert_eq!(Sparse::from_entries(m, n, &read.a), program.a);
-    assert_eq!(Sparse::from_entries(n, n, &read.p), program.p);
-    assert!(read.p.iter().all(|(r, c, _)| r <= c));
-    assert_eq!(read.q.values().copied().collect::<Vec<_>>(), program.q);
-    assert!((0..m).all(|i| read.b.get(&i).copied().unwrap_or(0.0) == program.b[i]));
-    assert_eq!(read.constant, program.constant);
-    let kinds: String = read.kinds.iter().collect();
-    let equal: usize = program.cones.iter().map(|c| if let Cone::Zero(n) = c { *n } else { 0 }).sum();
-    assert_eq!(kinds, "E".repeat(equal) + &"L".repeat(m - equal));
 }

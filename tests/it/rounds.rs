@@ -9,7 +9,6 @@ use mavc::motion::Trajectory;
 use mavc::motion::outside::PARTS;
 use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
-use mavc::planner::studies::rounds::rounds;
 use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Run, Scope, compare};
 use mavc::planner::timing::search::Hint;
 use mavc::planner::working_set::WorkingSet;
@@ -215,104 +214,6 @@ fn zero_rounds_are_reported() {
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
-
-    #[test]
-    #[ignore = "long"]
-    fn rounds_side_by_side() {
-        let mut model = tight();
-        model.plan.samples = 60;
-        model.plan.time = MissionTime::Minimum;
-        let mut comparison = run(&model, Scope::Everything);
-        let told = std::sync::Mutex::new(Vec::new());
-        let tell = |round: &str, time: f64| told.lock().unwrap().push((round.to_string(), time));
-        let found = rounds(Problem::of(&model).unwrap(), &mut comparison, 0..=3, Some(&tell));
-        // Progress names the rounds and the times tried.
-        let told = told.into_inner().unwrap();
-        let at = comparison.common_time.unwrap();
-        for round in ["round 0", "round 1"] {
-            assert!(told.iter().any(|(name, time)| name == round && (time - at).abs() < 1e-9), "{told:?}");
-        }
-        let solved = |outcome: &PlanOutcome| match outcome {
-            PlanOutcome::Planned(s) => Some(s.clone()),
-            _ => None,
-        };
-        assert_eq!(found.iter().map(|r| r.rounds).collect::<Vec<_>>(), [0, 1, 2, 3]);
-        // Each round imposes more, so at one time it costs no less.
-        let costs: Vec<f64> = found.iter().filter_map(|r| Some(solved(&r.common)?.objective)).collect();
-        assert!(costs.len() >= 2 && costs.windows(2).all(|w| w[1] >= w[0] * (1.0 - 1e-6)), "{costs:?}");
-        assert!(found.windows(2).all(|w| w[0].selected <= w[1].selected));
-        assert_eq!((found[0].selected, found[1].selected), (0, comparison.selected.len()));
-        let rip = comparison.runs.iter().find(|r| r.planner == PlannerKind::Rip).unwrap();
-        let PlanOutcome::Planned(rip) = &rip.outcome else { panic!("RIP has a plan") };
-        let own = solved(&found[0].own).unwrap();
-        assert!((own.time - rip.time).abs() < 0.05 + 1e-9, "{} {}", own.time, rip.time);
-        // At each own time this number of rounds, planned at that time, has a plan, and the time is not shorter than
-        // RIP's.
-        for round in &found[1..] {
-            let own = solved(&round.own).expect("a time at which such a plan exists");
-            assert!(own.time >= rip.time - 0.05 && own.time <= 1.1 * at, "{}", own.time);
-            let mut there = model.clone();
-            there.plan.time = MissionTime::Fixed(own.time);
-            let again = planned(there, PlannerKind::Rsp, round.rounds);
-            let close = only(&again).objective / own.objective - 1.0;
-            assert!(close.abs() < 1e-6, "{close}");
-        }
-    }
-
-    #[test]
-    #[ignore = "long"]
-    fn rounds_are_reported_in_the_exact_model() {
-        let MissionTime::Fixed(time) = short().plan.time else { panic!("a fixed time") };
-        let spec = format!(
-            r#"
-    vehicle octo {{
-        layout  = "PPNNPPNN"
-        arm     = 0.211 m
-        mass    = 1.8 kg
-        inertia = [0.0429, 0.0429, 0.0748] kg*m^2
-        rotor {{ thrust_coefficient = 8.5485e-6 N*s^2/rad^2; drag_coefficient = 1.3678e-7 N*m*s^2/rad^2; max_speed = 874 rad/s }}
-    }}
-    faults {{ mode M1 {{ rotor 1 lost }} }}
-    mission hop {{
-        start at [0, 0, 3] m
-        waypoint at [5, 2, 4] m  within 5 cm
-        limits {{ tilt <= 40 deg }}
-    }}
-    plan {{ time = {time} s; samples = 20; reserve = 0 % }}
-    "#
-        );
-        let folder = tempfile::tempdir().unwrap();
-        let report = folder.path().join("report.json");
-        let ran = mavc_with(&["compare", "-v", "-", "--rounds", "0..2", "--report", report.to_str().unwrap()], &spec);
-        let text = String::from_utf8(ran.stdout).unwrap() + &String::from_utf8(ran.stderr).unwrap();
-        assert_eq!(ran.status.code(), Some(0), "{text}");
-        let json: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
-        assert_eq!(json["model"], "exact");
-        let rounds = json["rounds"].as_array().unwrap();
-        assert_eq!(rounds.iter().map(|r| r["rounds"].as_u64().unwrap()).collect::<Vec<_>>(), [0, 1, 2]);
-        assert_eq!((rounds[0]["selected"].as_u64(), rounds[0]["verdict"].as_str()), (Some(0), Some("found")));
-        assert!(rounds[1]["selected"].as_u64() > Some(0), "{text}");
-        let rip =
-            json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rip" && r["run"] == "common").unwrap();
-        // A plan is reported in the same way in both tables.
-        let [objective, other] = [rip, &rounds[0]].map(|run| run["objective"].as_f64().unwrap());
-        assert!((objective / other - 1.0).abs() < 1e-9, "{objective} {other}");
-        let rsp =
-            json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rsp" && r["run"] == "common").unwrap();
-        let [objective, other] = [rsp, &rounds[1]].map(|run| run["objective"].as_f64().unwrap());
-        assert!((objective / other - 1.0).abs() < 1e-9, "{objective} {other}");
-        // Where the time is fixed there is no other for each round.
-        for round in rounds.iter().filter(|r| r["verdict"] == "found") {
-            assert_eq!(round["own_time_s"].as_f64(), Some(time));
-            assert!(round["violation_duration_s"].as_array().unwrap().len() == 1, "{round}");
-        }
-        let table = text.split("Rounds of selection, at T_d = ").nth(1).unwrap_or_else(|| panic!("{text}"));
-        let selected = |line: &str| line.split_whitespace().take(2).map(str::to_string).collect::<Vec<_>>();
-        let rows: Vec<Vec<String>> = table.lines().skip(2).take(3).map(selected).collect();
-        let told: Vec<Vec<String>> =
-            rounds.iter().map(|r| vec![r["rounds"].to_string(), r["selected"].to_string()]).collect();
-        assert_eq!(rows, told, "{text}");
-    }
 
     #[test]
     #[ignore = "long"]

@@ -6,11 +6,10 @@ use crate::diagnostic::Diagnostic;
 use crate::explain::diagnose::diagnose;
 use crate::flight::capture::heights::CaptureHeights;
 use crate::planner::studies::Comparison;
-use crate::planner::studies::rounds::Round;
 use crate::report::capture_height::{self, CaptureRecord};
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::plan_screen::Answer;
-use crate::report::record::{Record, RoundRecord};
+use crate::report::record::Record;
 use crate::report::screen::Screen;
 use crate::report::{self, terminal};
 use crate::spec::Spec;
@@ -107,13 +106,10 @@ impl Task<'_> {
     }
 
     /// The report of a comparison: `mavc compare --report`.
-    pub fn comparison_report(&self, comparison: &Comparison, rounds: Option<&[Round]>) -> Record {
+    pub fn comparison_report(&self, comparison: &Comparison) -> Record {
         let record = Record::new(self.problem(), comparison, self.spec().sha256().into());
         let heights = self.capture_heights_of(comparison);
-        let mut record = self.with_captures(record, comparison, heights.as_deref());
-        let of_round = |round: &Round| RoundRecord::new(self.mission(), round);
-        record.rounds = rounds.map(|all| all.iter().map(of_round).collect());
-        record
+        self.with_captures(record, comparison, heights.as_deref())
     }
 }
 

@@ -9,7 +9,7 @@ use crate::planner::hover::{FEASIBLE, HoverPlanner};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use crate::planner::transcription::{Purpose, Transcription};
-use crate::qp::{QuadraticProgram, mps};
+use crate::qp::QuadraticProgram;
 use crate::report::model_record::ModelRecord;
 use crate::spec::Spec;
 use serde::Serialize;
@@ -31,18 +31,13 @@ pub struct Program {
     pub program: QuadraticProgram,
 }
 
-/// Why a program cannot be printed.
+/// The program has more than 1,200,000 rows and is not printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NotPrinted {
-    /// It has second-order cones, which MPS cannot express.
-    ConesInMps,
-    /// It has more than 1,200,000 rows.
-    Rows {
-        /// Number of rows.
-        rows: usize,
-        /// Number of samples with which it would have few enough, if that is enough for the mission.
-        samples: Option<usize>,
-    },
+pub struct NotPrinted {
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of samples with which it would have few enough, if that is enough for the mission.
+    pub samples: Option<usize>,
 }
 
 /// Rows of the largest program that is printed. A million rows take 320 MB.
@@ -50,32 +45,16 @@ const MOST_ROWS: usize = 1_200_000;
 
 impl NotPrinted {
     /// Its code (`docs/diagnostics`).
-    pub fn code(self) -> &'static str {
-        match self {
-            NotPrinted::ConesInMps => "mavc::emit::cones",
-            NotPrinted::Rows { .. } => "mavc::emit::rows",
-        }
-    }
+    pub const CODE: &str = "mavc::emit::rows";
 }
 
 impl fmt::Display for NotPrinted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let code = self.code();
-        match self {
-            NotPrinted::ConesInMps => {
-                writeln!(f, "error[{code}]: this program has second-order cones, which MPS cannot express")?;
-                write!(f, "  help: use `--format json`; without waypoint tolerances (`--set plan.within=1e6km`) and ")?;
-                writeln!(f, "without limits on\n        norms the program has no cones")
-            }
-            NotPrinted::Rows { rows, samples } => {
-                writeln!(f, "error[{code}]: this program has {rows} rows; at most {MOST_ROWS} are printed")?;
-                match samples {
-                    Some(samples) => {
-                        writeln!(f, "  help: use fewer samples, for example `--set plan.samples={samples}`")
-                    }
-                    None => writeln!(f, "  help: state fewer volumes or fault modes"),
-                }
-            }
+        let (code, rows) = (Self::CODE, self.rows);
+        writeln!(f, "error[{code}]: this program has {rows} rows; at most {MOST_ROWS} are printed")?;
+        match self.samples {
+            Some(samples) => writeln!(f, "  help: use fewer samples, for example `--set plan.samples={samples}`"),
+            None => writeln!(f, "  help: state fewer volumes or fault modes"),
         }
     }
 }
@@ -86,14 +65,6 @@ impl Program {
     /// The program for people: `mavc emit qp`.
     pub fn to_text(&self) -> String {
         format!("mission time {} s\n{}", self.time_s, self.program)
-    }
-
-    /// The program as free MPS.
-    ///
-    /// # Errors
-    /// [`NotPrinted::ConesInMps`].
-    pub fn to_mps(&self) -> Result<String, NotPrinted> {
-        mps::render(&self.program, "mavc").ok_or(NotPrinted::ConesInMps)
     }
 }
 
@@ -145,7 +116,7 @@ impl Task<'_> {
     /// time grid over that time.
     ///
     /// # Errors
-    /// [`NotPrinted::Rows`]
+    /// [`NotPrinted`]
     pub fn program(&self, planning: &Planning) -> Result<Option<Program>, NotPrinted> {
         let (problem, model, time_s) = (self.problem(), self.model(), planning.time());
         let healthy = AdmissibleSet::healthy(model);
@@ -160,7 +131,7 @@ impl Task<'_> {
             // Rows grow with samples; each leg needs some of them.
             let samples = model.plan.samples * MOST_ROWS / rows;
             let is_enough = samples > 2 * problem.mission().waypoints.len();
-            return Err(NotPrinted::Rows { rows, samples: is_enough.then_some(samples) });
+            return Err(NotPrinted { rows, samples: is_enough.then_some(samples) });
         }
         let program = transcription.full_program(Purpose::Plan { slack: FEASIBLE });
         Ok(Some(Program { schema: 1, time_s, program }))

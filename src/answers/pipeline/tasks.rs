@@ -13,7 +13,6 @@ use crate::flight::capture::heights::CaptureHeights;
 use crate::model::MAX_SAMPLES_OF_A_SEARCH;
 use crate::model::{Mission, Model, Problem};
 use crate::observer::{Observer, Silent, timed};
-use crate::planner::studies::rounds::{Round, rounds};
 use crate::planner::studies::{
     Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Scope, compare as compare_planners,
 };
@@ -353,16 +352,6 @@ impl<'s> Task<'s> {
     /// Plans with RIP, the joint RCP and RSP at the common time only: the plans that a campaign flies.
     pub fn at_common_time(&self, observer: &dyn Observer) -> Comparison {
         self.run(Scope::Common, observer)
-    }
-
-    /// Plans with RSP for each number of rounds of selection from `wanted.0` to `wanted.1`, after a comparison.
-    pub fn rounds(&self, comparison: &mut Comparison, wanted: (usize, usize), observer: &dyn Observer) -> Vec<Round> {
-        let tries = |round: &str, time: f64| observer.tries(round, time);
-        timed(observer, "rounds", || {
-            let mut found = rounds(self.problem(), comparison, wanted.0..=wanted.1, Some(&tries));
-            certify::check_rounds(self.problem(), &mut found);
-            found
-        })
     }
 
     fn run(&self, scope: Scope, observer: &dyn Observer) -> Comparison {

@@ -482,7 +482,7 @@ impl Limit {
         if self.volume.is_some() {
             return 1.0;
         }
-        self.upper.unwrap_or(0.0).abs().max(self.lower.unwrap_or(0.0).abs()).max(1.0)
+        self.lower.into_iter().chain(self.upper).map(f64::abs).fold(1.0, f64::max)
     }
 
     /// Whether the limit holds on all legs.

@@ -13,6 +13,7 @@ use crate::geodesy::{Geodetic, TangentPlane};
 use crate::model::{Mission, Model, Origin};
 use crate::motion::{Trajectory, X, Y, Z};
 use crate::number::significant;
+use crate::report::recovery::Footprint;
 use items::Items;
 
 /// The largest distance (m) of the plan from the straight lines between items, unless it is given.
@@ -67,17 +68,6 @@ fn spot(plane: &TangentPlane, p: [f64; 3]) -> Spot {
 
 fn plane_of(origin: Origin) -> TangentPlane {
     TangentPlane::at(Geodetic { latitude: origin.latitude, longitude: origin.longitude, height: origin.altitude })
-}
-
-/// A way out on a map.
-pub struct Footprint<'b> {
-    /// The file with its table.
-    pub file: String,
-    pub mode: &'b str,
-    pub outcome: &'b str,
-    /// The instant of the fault, s since the start of the plan.
-    pub fault_s: f64,
-    pub motion: &'b Trajectory,
 }
 
 /// The ground projections of ways out as GeoJSON; `None` if the mission does not say where it is.

@@ -1,8 +1,8 @@
 //! Which constraints limit the time of a plan, leg by leg.
 
-use crate::model::{Limit, LimitKind, Mission, Problem};
+use crate::model::{Limit, Mission, Problem};
 use crate::number::{fixed, number, significant};
-use crate::planner::scp::sensitivity::Statement;
+use crate::planner::scp::sensitivity::{Statement, Unit};
 use crate::planner::studies::MissionPlan;
 use crate::text_table::Table;
 use serde::Serialize;
@@ -76,11 +76,10 @@ fn record(problem: Problem, statement: Statement, time_saved_s: f64) -> Statemen
     let (kind, text, relaxed_by) = match statement {
         Statement::Limit(limit) => {
             let limit = &mission.limits[limit];
-            let relaxed_by = match limit.kind {
-                LimitKind::X | LimitKind::Y | LimitKind::Z => "10 cm",
-                LimitKind::Face(_) | LimitKind::Distance(_) | LimitKind::Clearance(_) => "10 cm",
-                LimitKind::Yaw => "1 deg",
-                _ => "1 %",
+            let relaxed_by = match Unit::of(&limit.kind) {
+                Unit::Position => "10 cm",
+                Unit::Yaw => "1 deg",
+                Unit::Share => "1 %",
             };
             ("limit", bound(limit), relaxed_by)
         }

@@ -12,7 +12,6 @@ use crate::admissible::without_yaw::YawFree;
 use crate::campaign::agreement::Agreement;
 use crate::campaign::cases::Shard;
 use crate::campaign::design::{Design, Missing};
-use crate::campaign::predictors::Forecast;
 use crate::campaign::statistics::{QUANTILES, Share, Summary, wilson};
 use crate::campaign::tally::{Cell, Group, Tally};
 use crate::flight::capture::CaptureHeight;
@@ -21,7 +20,7 @@ use crate::verdict::Verdict;
 use serde::Serialize;
 
 /// Version of this record; raised when a field or the meaning of its values changes.
-const SCHEMA: u32 = 4;
+const SCHEMA: u32 = 5;
 
 /// Simulated flights with faults along the plans of several planners: survival, tracking errors, and whether the
 /// plans predict which flights are lost. SI units.
@@ -70,8 +69,6 @@ pub struct CampaignRecord {
     /// Whether the plans predict which flights are lost: over all modes, then over the modes with hover inside their
     /// sets; empty if nothing was flown.
     pub agreement: Vec<AgreementRecord>,
-    /// Everything that predicts losses, over all modes and all distinct plans; empty if nothing was flown.
-    pub predictors: Vec<Forecast>,
 }
 
 /// A part of a campaign.
@@ -252,7 +249,7 @@ impl CampaignRecord {
             healthy: Some(GroupRecord::new(tally.healthy(p))),
             modes: (0..design.model.modes.len()).map(|m| mode(design, tally, p, m)).collect(),
         });
-        let Agreement { all, inside, forecasts } = Agreement::new(design, tally);
+        let Agreement { all, inside } = Agreement::new(design, tally);
         CampaignRecord {
             campaign: Some(design.id.to_string()),
             shard: (shard != Shard::WHOLE).then_some(ShardRecord { index: shard.index + 1, of: shard.of }),
@@ -261,7 +258,6 @@ impl CampaignRecord {
             flights: tally.flights(),
             planners: planners.chain(design.missing.iter().map(missing)).collect(),
             agreement: vec![AgreementRecord::new("all", &all), AgreementRecord::new("inside", &inside)],
-            predictors: forecasts,
             ..CampaignRecord::without_flights(design.model, &[], spec_sha256)
         }
     }
@@ -287,7 +283,6 @@ impl CampaignRecord {
             after_fault: simulation.after_fault.name(),
             planners: left_out.iter().map(missing).collect(),
             agreement: Vec::new(),
-            predictors: Vec::new(),
         }
     }
 }

@@ -96,7 +96,7 @@ fn off_heading(s: &Simulation) -> String {
     format!("heading {} degrees off for {} s or at the end, ", number(limit.to_degrees()), number(s.lost_yaw_after))
 }
 
-/// One planner: its flights by mode, and the map.
+/// One planner: its flights by mode.
 fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> String {
     let against = match plan.against.as_slice() {
         [] => "no mode".to_string(),
@@ -145,9 +145,6 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &CampaignPlan) -> Str
         [remarks::lost_healthy(tally, p), remarks::lost_before(design, tally, p), remarks::diverged(design, tally, p)]
     {
         out.push_str(&paragraph(remark));
-    }
-    if !modes.is_empty() {
-        out.push_str(&path::maps(design, tally, p, &modes));
     }
     out.pop();
     out

@@ -10,8 +10,7 @@ use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind, Problem
 use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
-use crate::number::{fixed, number, percent, significant};
-use crate::planner::studies::rounds::Round;
+use crate::number::{fixed, number, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Proof, Run, label};
 use crate::planner::timing::kinematics::least_time_within;
 use crate::text_table::{Table, indented};
@@ -311,56 +310,4 @@ fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
         table.row(cells);
     }
     table
-}
-
-/// Output of `mavc compare --rounds`: each number of rounds at T_d, and its own shortest time if the time is free.
-pub fn rounds(problem: Problem, comparison: &Comparison, rounds: &[Round]) -> String {
-    let (model, mission) = (problem.model(), problem.mission());
-    let Some(common) = comparison.common_time else {
-        return "\nNo plan was found for any mode, so there is no time at which to select facets.\n".into();
-    };
-    let is_free = model.plan.time == MissionTime::Minimum && determined(mission).is_none();
-    let mut out = format!("\nRounds of selection, at T_d = {} s; 0 is RIP, 1 the paper's RSP\n", number(common));
-    let mut table = Table::new(&[
-        "rounds",
-        "facets",
-        "e_R [m]",
-        "e_psi [rad]",
-        "largest [cm]",
-        "objective",
-        "margin",
-        "violated [s]",
-        "own T [s]",
-    ]);
-    for round in rounds {
-        let mut cells = vec![round.rounds.to_string(), round.selected.to_string()];
-        match &round.common {
-            PlanOutcome::Planned(s) => {
-                let e = errors(mission, s);
-                cells.extend([significant(e.position, 4), significant(e.yaw, 3), significant(100.0 * e.largest, 3)]);
-                cells.push(number(s.objective));
-                cells.push(s.smallest_margin().map_or("-".into(), percent));
-                cells.push(fixed(s.outside.iter().map(|o| o.seconds).fold(0.0, f64::max), 2));
-            }
-            outcome => cells.extend([outcome.verdict().word(), "", "", "", "", ""].map(String::from)),
-        }
-        cells.push(match &round.own {
-            _ if !is_free => "-".into(),
-            PlanOutcome::Planned(s) => number(s.time),
-            outcome => outcome.verdict().word().into(),
-        });
-        table.row(cells);
-    }
-    out.push_str(&table.render(2));
-    out.push_str(
-        "  margin: the smallest over all modes, in shares of the healthy set's width; violated: the longest over all \
-         modes.\n",
-    );
-    out.push_str(match is_free {
-        true => {
-            "  Each own time was found with the selection repeated there; 0.05 s below it no such plan was found.\n"
-        }
-        false => "  The time is fixed: no own time was searched for.\n",
-    });
-    out
 }

@@ -19,10 +19,16 @@ enum Kind {
 
 impl Kind {
     fn of(mode: &FaultMode) -> Self {
-        let count = |wanted: fn(&RotorState) -> bool| mode.rotors.iter().filter(|rotor| wanted(rotor)).count();
-        let lost = count(|rotor| matches!(rotor, RotorState::Lost));
-        let reduced = count(|rotor| matches!(rotor, RotorState::Reduced(_)));
-        match (lost, reduced, count(|rotor| matches!(rotor, RotorState::Stuck(_)))) {
+        let (mut lost, mut reduced, mut stuck) = (0, 0, 0);
+        for rotor in &mode.rotors {
+            match rotor {
+                RotorState::Sound => {}
+                RotorState::Lost => lost += 1,
+                RotorState::Reduced(_) => reduced += 1,
+                RotorState::Stuck(_) => stuck += 1,
+            }
+        }
+        match (lost, reduced, stuck) {
             (0, 0, 0) => Kind::Nothing,
             (lost, 0, 0) => Kind::Lost(lost),
             (0, _, 0) => Kind::Reduced,

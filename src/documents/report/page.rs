@@ -20,7 +20,6 @@ mod opening;
 mod outline;
 mod path_harm;
 mod planners;
-mod predicted;
 mod prose;
 mod recovery;
 mod sets;

@@ -24,13 +24,12 @@ use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
 use crate::motion::wrench_model::WrenchModel;
 use crate::planner::studies::protect::{Addition, Protection};
-use crate::planner::studies::rounds::Round;
 use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run, Verification};
 use crate::verdict::Verdict;
 use serde::Serialize;
 
 /// Version of this record; raised when a field or the meaning of its values changes.
-const SCHEMA: u32 = 4;
+const SCHEMA: u32 = 5;
 
 /// Why nothing was planned.
 const REFUSED: &str = "hover does not lie inside every set that the plan must stay in";
@@ -65,8 +64,6 @@ pub struct Record {
     pub found_at_s: Vec<f64>,
     /// Why there is no plan; null if there is one, if no statement could be blamed, and in `mavc compare`.
     pub conflict: Option<ConflictRecord>,
-    /// Results for each number of selection rounds; null without `compare --rounds`.
-    pub rounds: Option<Vec<RoundRecord>>,
     /// The height that a fault without control of yaw costs, by simulation; omitted without a `ground`, without a
     /// plan, and if no mode is concerned.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -110,51 +107,6 @@ impl AdditionRecord {
             Protection::All => ("all", None, None),
         };
         AdditionRecord { added, mode, facets, time_s: step.time, risk: step.risk }
-    }
-}
-
-/// Results for one number of selection rounds.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct RoundRecord {
-    /// How often facets are selected: 0 is RIP, 1 the paper's RSP.
-    pub rounds: usize,
-    /// Facets of the modes' sets selected at T_d.
-    pub selected: usize,
-    /// Whether there is a plan at T_d, as for planners.
-    #[cfg_attr(test, schemars(with = "String", extend("enum" = Verdict::ALL.map(Verdict::word))))]
-    pub verdict: Verdict,
-    /// At T_d; (48).
-    pub objective: Option<f64>,
-    /// At T_d; (49), m.
-    pub position_error_m: Option<f64>,
-    /// At T_d; (50), rad.
-    pub yaw_error_rad: Option<f64>,
-    /// At T_d, over all modes, in widths of the healthy set; negative if the plan leaves a set.
-    pub smallest_margin: Option<f64>,
-    /// At T_d: how long the plan violates each mode's set, s, in the order of `against`; empty without a plan.
-    #[cfg_attr(test, schemars(inner(range(min = 0))))]
-    pub violation_duration_s: Vec<f64>,
-    /// The shortest time found at which there is a plan with this many rounds, with the selection repeated there, s.
-    pub own_time_s: Option<f64>,
-}
-
-impl RoundRecord {
-    /// The record of one number of rounds.
-    pub fn new(mission: &Mission, round: &Round) -> Self {
-        let common = round.common.plan();
-        let e = common.map(|s| errors(mission, s));
-        RoundRecord {
-            rounds: round.rounds,
-            selected: round.selected,
-            verdict: round.common.verdict(),
-            objective: common.map(|s| s.objective),
-            position_error_m: e.map(|e| e.position),
-            yaw_error_rad: e.map(|e| e.yaw),
-            smallest_margin: common.and_then(MissionPlan::smallest_margin),
-            violation_duration_s: common.iter().flat_map(|s| s.outside.iter().map(|o| o.seconds)).collect(),
-            own_time_s: round.own.plan().map(|s| s.time),
-        }
     }
 }
 
@@ -335,7 +287,6 @@ impl Record {
             planners,
             found_at_s: Vec::new(),
             conflict: None,
-            rounds: None,
             capture_height: None,
             recovery: None,
             trade_off: (!comparison.trade_off.is_empty()).then(steps),
@@ -364,7 +315,6 @@ impl Record {
             planners: vec![planner],
             found_at_s: Vec::new(),
             conflict: None,
-            rounds: None,
             capture_height: None,
             recovery: None,
             trade_off: None,

@@ -2,8 +2,8 @@
 
 use super::screen::{Screen, Tone};
 use super::trajectory_csv;
-use crate::exchange::mission::{self, Footprint};
 use crate::model::{Model, Problem};
+use crate::motion::Trajectory;
 use crate::number::{fixed, number, percent, plural, significant};
 use crate::recovery::{Families, FoundBranch, ModeRecovery, NotAttempted, Piece, Recovery, Way};
 use crate::text_table::Table;
@@ -221,8 +221,7 @@ impl RecoveryRecord {
     }
 }
 
-/// The files of `--branches`: a table for each branch, in the form of the plan's, `index.csv`, and, if the mission says
-/// where it is, `footprints.geojson`.
+/// The files of `--branches`: a table for each branch, in the form of the plan's, and `index.csv`.
 pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u8>)>, String> {
     let model = problem.model();
     let mut index = String::from("file,mode,outcome,site,fault_s,delay_s,begins_s,ends_s,deviation_m\n");
@@ -246,20 +245,30 @@ pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u
         files.push((name, trajectory_csv::table(&branch.motion, model, None)?.into_bytes()));
     }
     files.push(("index.csv".into(), index.into_bytes()));
-    let footprints: Vec<Footprint> = recovery
-        .branches
-        .iter()
-        .map(|branch| Footprint {
-            file: branch_name(model, branch) + ".csv",
-            mode: &model.modes[branch.mode].name,
-            outcome: outcome(Some(branch.way)),
-            fault_s: branch.fault_at,
-            motion: &branch.motion,
-        })
-        .collect();
-    let map = mission::footprints(problem.mission(), &footprints);
-    files.extend(map.map(|text| ("footprints.geojson".to_string(), text.into_bytes())));
     Ok(files)
+}
+
+/// A way out on a map.
+pub struct Footprint<'b> {
+    /// The file with its table.
+    pub file: String,
+    pub mode: &'b str,
+    pub outcome: &'b str,
+    /// The instant of the fault, s since the start of the plan.
+    pub fault_s: f64,
+    pub motion: &'b Trajectory,
+}
+
+/// What is drawn of each branch on a map.
+pub fn footprints<'b>(model: &'b Model, recovery: &'b Recovery) -> Vec<Footprint<'b>> {
+    let of_branch = |branch: &'b FoundBranch| Footprint {
+        file: branch_name(model, branch) + ".csv",
+        mode: &model.modes[branch.mode].name,
+        outcome: outcome(Some(branch.way)),
+        fault_s: branch.fault_at,
+        motion: &branch.motion,
+    };
+    recovery.branches.iter().map(of_branch).collect()
 }
 
 /// Columns of a strip.

@@ -7,10 +7,8 @@
 //! such modes from the others is of little value, so the modes with hover inside their sets are also counted
 //! separately.
 
-use super::correlations::{Correlation, correlations};
 use super::design::Design;
-use super::predictors::Forecast;
-use super::statistics::{Contingency, spearman};
+use super::statistics::Contingency;
 use super::tally::Tally;
 use crate::model::PlannerKind;
 
@@ -19,8 +17,6 @@ use crate::model::PlannerKind;
 pub struct Agreement {
     pub all: Scope,
     pub inside: Scope,
-    /// Every predictor, over all modes.
-    pub forecasts: Vec<Forecast>,
 }
 
 /// Agreement over some modes.
@@ -30,12 +26,6 @@ pub struct Scope {
     /// Over all distinct plans, and for each planner. If planners share a plan, the total counts it once.
     pub total: Contingency,
     pub planners: Vec<(PlannerKind, Contingency)>,
-    /// Between violation duration and share lost, over plans and modes.
-    pub rank_correlation: Option<f64>,
-    /// Pairs of plan and mode with struck flights.
-    pub pairs: usize,
-    /// Whether worse plans do more harm to the path.
-    pub harm: Vec<Correlation>,
 }
 
 impl Agreement {
@@ -45,7 +35,6 @@ impl Agreement {
         Agreement {
             all: Scope::new(design, tally, (0..design.cases.modes).collect()),
             inside: Scope::new(design, tally, (0..design.cases.modes).filter(hold).collect()),
-            forecasts: Forecast::all(design, tally),
         }
     }
 }
@@ -53,31 +42,21 @@ impl Agreement {
 impl Scope {
     fn new(design: &Design, tally: &Tally, modes: Vec<usize>) -> Self {
         let mut scope = Scope { modes: modes.len(), ..Scope::default() };
-        let mut pairs = Vec::new();
         for (p, plan) in design.plans.iter().enumerate() {
             let is_repeated = design.is_repeated(p);
             let mut table = Contingency::default();
             for &m in &modes {
                 let outside = &plan.outside[m];
-                let (mut struck, mut lost) = (0, 0);
                 for (k, cell) in tally.cells(p, m).iter().enumerate() {
                     let predicted = outside.last.is_some_and(|last| design.fault_time(k) < last);
                     table.add(predicted, cell.lost, cell.struck);
                     if !is_repeated {
                         scope.total.add(predicted, cell.lost, cell.struck);
                     }
-                    struck += cell.struck;
-                    lost += cell.lost;
-                }
-                if struck > 0 && !is_repeated {
-                    pairs.push((outside.seconds, lost as f64 / struck as f64));
                 }
             }
             scope.planners.push((plan.planner, table));
         }
-        scope.rank_correlation = spearman(&pairs);
-        scope.pairs = pairs.len();
-        scope.harm = correlations(design, tally, &modes);
         scope
     }
 }

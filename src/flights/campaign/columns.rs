@@ -1,5 +1,5 @@
 //! The columns of a campaign's rows, in one table. It gives the header and the lines of the CSV, how they are read
-//! back, the columns of Parquet, and the table in docs/campaigns.md.
+//! back, their types in Python, and the table in docs/campaigns.md.
 
 use super::rows::{FlightOutcome, Path, Row};
 use crate::number::shortest;

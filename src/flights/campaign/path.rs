@@ -1,4 +1,4 @@
-//! What faults do to the path: sums over flights, and the measures by which plans are compared.
+//! What faults do to the path: sums over flights.
 
 use super::rows::{FlightOutcome, Row};
 use super::statistics::Moments;
@@ -58,52 +58,5 @@ impl PathCell {
         self.missed += path.missed;
         self.limits += usize::from(path.limits.any());
         self.heading += usize::from(path.heading_broken);
-    }
-}
-
-/// How much a path suffers: each is a mean over the struck flights of a plan and a mode, lost flights included.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Harm {
-    /// Share of the flights that were lost.
-    Lost,
-    /// Mean of the largest distances from the reference since the fault, m.
-    Deviation,
-    /// Share of the due waypoints that were missed, less the share that flights without a fault miss: a plan that uses
-    /// up the tolerance of a waypoint misses it by any tracking error.
-    WaypointsMissed,
-    /// Share of the flights that broke a limit.
-    LimitsBroken,
-    /// Share of the flights that broke the heading.
-    HeadingBroken,
-}
-
-impl Harm {
-    pub const ALL: [Harm; 5] =
-        [Harm::Lost, Harm::Deviation, Harm::WaypointsMissed, Harm::LimitsBroken, Harm::HeadingBroken];
-
-    /// Its name in tables.
-    pub fn words(self) -> &'static str {
-        match self {
-            Harm::Lost => "flights lost",
-            Harm::Deviation => "deviation",
-            Harm::WaypointsMissed => "waypoints missed",
-            Harm::LimitsBroken => "limits broken",
-            Harm::HeadingBroken => "heading broken",
-        }
-    }
-
-    /// Its value for the flights of `path`, of which `lost` were lost, along a plan whose flights without a fault are
-    /// `healthy`; `None` without flights, or without a waypoint that was due.
-    pub fn of(self, path: &PathSums, lost: usize, healthy: &PathSums) -> Option<f64> {
-        let share = |count: usize, of: usize| (of > 0).then(|| count as f64 / of as f64);
-        match self {
-            Harm::Lost => share(lost, path.flights),
-            Harm::Deviation => path.deviation.summary().map(|s| s.mean),
-            Harm::WaypointsMissed => Some(share(path.missed, path.due)? - share(healthy.missed, healthy.due)?),
-            Harm::LimitsBroken => share(path.any_limit, path.flights),
-            Harm::HeadingBroken => share(path.heading, path.flights),
-        }
     }
 }

@@ -5,7 +5,7 @@ use serde::Serialize;
 /// The standard normal distribution's 97.5 % point.
 const Z: f64 = 1.959_963_984_540_054;
 
-/// A phi coefficient or rank correlation below this is no better than chance.
+/// A phi coefficient below this is no better than chance.
 const CHANCE: f64 = 0.1;
 /// From here on it is moderate.
 const MODERATE: f64 = 0.3;
@@ -77,7 +77,7 @@ pub enum Strength {
 }
 
 impl Strength {
-    /// The class of a phi coefficient or rank correlation; `None` if it is undefined.
+    /// The class of a phi coefficient; `None` if it is undefined.
     pub fn of(measure: Option<f64>) -> Strength {
         match measure {
             None => Strength::Undefined,
@@ -229,85 +229,6 @@ impl Contingency {
         let margins = (a + b) * (c + d) * (a + c) * (b + d);
         (margins > 0.0).then(|| (a * d - b * c) / margins.sqrt())
     }
-}
-
-/// Spearman's rank correlation (1904) with mean ranks for ties, from -1 to 1; `None` if one side never varies.
-pub fn spearman(pairs: &[(f64, f64)]) -> Option<f64> {
-    let x = ranks(pairs.iter().map(|p| p.0));
-    let y = ranks(pairs.iter().map(|p| p.1));
-    let mean = (pairs.len() as f64 + 1.0) / 2.0;
-    let sum = |f: &dyn Fn(f64, f64) -> f64| x.iter().zip(&y).map(|(x, y)| f(x - mean, y - mean)).sum::<f64>();
-    let spread = sum(&|x, _| x * x) * sum(&|_, y| y * y);
-    (spread > 0.0).then(|| sum(&|x, y| x * y) / spread.sqrt())
-}
-
-/// A 95 % confidence interval.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Interval {
-    /// Lower end.
-    pub low: f64,
-    /// Upper end.
-    pub high: f64,
-}
-
-/// The interval of a rank correlation over `n` independent pairs, by Fisher's transform with the variance of Bonett and
-/// Wright (2000), (1 + r^2/2)/(n - 3); `None` for fewer than [`FEWEST`] pairs and for a perfect correlation.
-pub fn rank_interval(correlation: f64, n: usize) -> Option<Interval> {
-    if n < FEWEST || correlation.abs() >= 1.0 {
-        return None;
-    }
-    let half = Z * ((1.0 + 0.5 * correlation * correlation) / (n as f64 - 3.0)).sqrt();
-    let at = |offset: f64| (correlation.atanh() + offset).tanh();
-    Some(Interval { low: at(-half), high: at(half) })
-}
-
-/// Fewest pairs for which an interval of a rank correlation is given.
-pub const FEWEST: usize = 10;
-
-/// Spearman's rank correlation with ranks taken within each group, about the group's mean rank: it compares the members
-/// of a group with each other, not the groups. Also the number of groups in which both sides vary; `None` if there are
-/// none.
-pub fn spearman_within(groups: &[Vec<(f64, f64)>]) -> (Option<f64>, usize) {
-    let (mut products, mut x_squares, mut y_squares, mut varied) = (0.0, 0.0, 0.0, 0);
-    for group in groups {
-        let mean = (group.len() as f64 + 1.0) / 2.0;
-        let [x, y] = [ranks(group.iter().map(|p| p.0)), ranks(group.iter().map(|p| p.1))];
-        let spread = |ranks: &[f64]| ranks.iter().map(|r| (r - mean).powi(2)).sum::<f64>();
-        if spread(&x) > 0.0 && spread(&y) > 0.0 {
-            varied += 1;
-            products += x.iter().zip(&y).map(|(x, y)| (x - mean) * (y - mean)).sum::<f64>();
-            x_squares += spread(&x);
-            y_squares += spread(&y);
-        }
-    }
-    ((varied > 0).then(|| products / (x_squares * y_squares).sqrt()), varied)
-}
-
-/// The Brier score (1950) of predicted probabilities: the mean of (probability - outcome)^2, with outcome 1 for a loss.
-/// Each entry has a probability, and how many of the flights that have it were lost, of how many. `None` without
-/// flights.
-pub fn brier(predicted: &[(f64, usize, usize)]) -> Option<f64> {
-    let flights: usize = predicted.iter().map(|p| p.2).sum();
-    let squares = predicted.iter().map(|&(probability, lost, of)| {
-        lost as f64 * (1.0 - probability).powi(2) + (of - lost) as f64 * probability * probability
-    });
-    (flights > 0).then(|| squares.sum::<f64>() / flights as f64)
-}
-
-/// Ranks from 1; equal values have the mean of their ranks.
-fn ranks(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    let values: Vec<f64> = values.collect();
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
-    let mut ranks = vec![0.0; values.len()];
-    let mut first = 0;
-    for group in order.chunk_by(|&a, &b| values[a] == values[b]) {
-        let shared = first as f64 + (group.len() as f64 + 1.0) / 2.0;
-        group.iter().for_each(|&k| ranks[k] = shared);
-        first += group.len();
-    }
-    ranks
 }
 
 #[cfg(test)]

@@ -309,8 +309,8 @@ fn bounds<'a>(trajectory: &Trajectory, mission: &'a Mission) -> Vec<Bound<'a>> {
             }
             Some(_) => return None,
         };
-        let is_place = matches!(limit.kind, LimitKind::X | LimitKind::Y | LimitKind::Z) || limit.volume.is_some();
-        let size = if is_place { 1.0 } else { limit.size() };
+        let is_position = limit.kind.is_of_place() && !limit.kind.is_of_yaw();
+        let size = if is_position { 1.0 } else { limit.size() };
         Some(Bound { limit, class, slack: LIMIT_BROKEN * size, span })
     };
     mission.limits.iter().filter_map(bound).collect()

@@ -35,8 +35,8 @@ pub struct Change {
     pub uncovered_before: f64,
 }
 
-/// Plans again with more and more room, and if the spec leaves the time open then in more and more time, until at most a
-/// share `bound` of the time has no way out, as `uncovered` measures it. Without success the plan that leaves the
+/// Plans again with more and more room, and if the spec leaves the time open then in more and more time, until at most
+/// a share `bound` of the time has no way out, as `uncovered` measures it. Without success the plan that leaves the
 /// smallest share, if it is smaller than that of the first. `tries` receives each reserve, and the time where it is
 /// given, s, before they are tried.
 pub fn replanned(

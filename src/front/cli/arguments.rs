@@ -345,9 +345,6 @@ pub(super) struct CompareArgs {
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
     #[arg(long, value_name = "REPORT.JSON")]
     pub report: Option<PathBuf>,
-    /// Also compare numbers of rounds of selection at the common time T_d, such as 0..5
-    #[arg(long, value_name = "FIRST..LAST", value_hint = clap::ValueHint::Other)]
-    pub rounds: Option<String>,
     /// Write the report as one HTML page with charts, which needs no network
     #[arg(long, value_name = "REPORT.HTML")]
     pub html: Option<PathBuf>,
@@ -398,8 +395,7 @@ pub(super) struct EmitArgs {
     pub stage: Stage,
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// The format of `qp`: text, json (P, q, A, b, cones, origins of rows) or free MPS, which has no cones. `model` has
-    /// json too, with all digits
+    /// The format of `qp`, json with P, q, A, b, cones and the origins of rows, or of `model`, json with all digits
     #[arg(long, value_enum, default_value_t = EmitFormat::Text)]
     pub format: EmitFormat,
 }
@@ -407,7 +403,7 @@ pub(super) struct EmitArgs {
 impl EmitArgs {
     /// Whether the stage is printed in this format.
     pub fn has_format(&self) -> bool {
-        matches!((self.stage, self.format), (_, EmitFormat::Text) | (Stage::Qp, _) | (Stage::Model, EmitFormat::Json))
+        matches!((self.stage, self.format), (_, EmitFormat::Text) | (Stage::Qp | Stage::Model, EmitFormat::Json))
     }
 
     /// Whether the flight blocks matter: the model is printed with them, and MuJoCo has the rate of `simulate`.
@@ -447,7 +443,6 @@ pub(super) struct ImportArgs {
 pub(super) enum EmitFormat {
     Text,
     Json,
-    Mps,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]

@@ -4,7 +4,6 @@ mod arguments;
 mod flying;
 mod merge;
 mod output;
-mod parquet;
 mod places;
 
 use super::progress::Watch;

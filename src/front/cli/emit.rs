@@ -6,14 +6,14 @@ use super::spec::{self, Findings, Start};
 use super::{CommandError, EmitArgs, EmitFormat, FINE, NO_PLAN, Options, SPEC_ERRORS, Stage, USAGE, files};
 use crate::diagnostic::sort;
 use crate::observer::Silent;
-use crate::pipeline::{NotPrinted, Task, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
+use crate::pipeline::{Task, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
 use crate::read::FlightBlocks;
 use crate::source::visible;
 use crate::spec::Spec;
 
 pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, CommandError> {
     if !args.has_format() {
-        return Err("--format json is for the stages model and qp, --format mps for qp".into());
+        return Err("--format json is for the stages model and qp".into());
     }
     let watch = Watch::new(options);
     if args.stage == Stage::Ast {
@@ -64,20 +64,14 @@ fn planned(args: &EmitArgs, spec: &Spec, findings: &mut Findings, options: &Opti
     let program = match task.program(&planning) {
         Ok(Some(program)) => program,
         Ok(None) => return Err(format!("the mission has no time grid over {} s", planning.time())),
-        Err(refusal) => return Ok(refused(refusal)),
+        Err(refusal) => {
+            files::eprint(&refusal.to_string());
+            return Ok(USAGE);
+        }
     };
     let text = match args.format {
         EmitFormat::Text => program.to_text(),
         EmitFormat::Json => compact_json(&program)?,
-        EmitFormat::Mps => match program.to_mps() {
-            Ok(text) => text,
-            Err(refusal) => return Ok(refused(refusal)),
-        },
     };
     files::print(&text).map(|()| FINE)
-}
-
-fn refused(refusal: NotPrinted) -> u8 {
-    files::eprint(&refusal.to_string());
-    USAGE
 }

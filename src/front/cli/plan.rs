@@ -8,6 +8,7 @@ use super::spec::{self, Start};
 use super::{CUT_SHORT, CommandError, DenyOfPlan, INCONCLUSIVE, Options, PlanArgs, code_of, files};
 use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::Diagnostic;
+use crate::exchange::mission;
 use crate::model::MissionTime;
 use crate::observer::{Observer, timed};
 use crate::pipeline::{Explained, Planning, Task, certify, with_ways_out};
@@ -77,7 +78,10 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         is_unsafe = coverage.map(|sentence| sentence.covers).any(Covers::is_bad);
         record.recovery = recovery.as_ref().map(|found| RecoveryRecord::new(task.model(), found));
         if let (Some(folder), Some(found)) = (&args.branches, &recovery) {
-            let files = recovery::files(task.problem(), found)?;
+            let mut files = recovery::files(task.problem(), found)?;
+            // If the mission says where it is.
+            let map = mission::footprints(task.problem().mission(), &recovery::footprints(task.model(), found));
+            files.extend(map.map(|text| ("footprints.geojson".to_string(), text.into_bytes())));
             results.folder("a branch", "--branches", folder, files, task.spec().sources())?;
         }
         results.report(&record)?;

@@ -275,6 +275,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         acai_yaw_free: found.acai_yaw_free,
         critical_mass_kg: heaviest(&set.polytope, size).and_then(|t| mass_at_rest(model, t)),
         critical_mass_yaw_free_kg: heaviest(yaw_free, size).and_then(|t| mass_at_rest(model, t)),
+        // A thrust that the wind alone takes up holds no mass: any lighter vehicle needs more thrust.
         least_mass_kg: lift(&set.polytope, size).map(|(low, _)| mass_at_rest(model, low).unwrap_or(0.0)),
         airspeed: Airspeed::of(model, set),
         without_yaw: without_yaw::figures(model, set, yaw_free, found.place_yaw_free),

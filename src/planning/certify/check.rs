@@ -1,9 +1,8 @@
 //! The check of plans: every trajectory found is verified at the nodes before it is called a plan.
 
 use super::witness::certificate;
-use crate::model::{MissionTime, Model, PlanSettings, PlannerKind, Problem};
+use crate::model::{MissionTime, Model, Problem};
 use crate::motion::Trajectory;
-use crate::planner::studies::rounds::Round;
 use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run, Verification};
 use crate::verify::{self, Refusal, Settings};
 
@@ -25,20 +24,6 @@ pub fn check(problem: Problem, comparison: &mut Comparison) {
     }
     comparison.runs = runs;
     comparison.plainer = None;
-}
-
-/// Checks the plans of every number of rounds. The outcome of one that fails becomes [`NotFound::Check`].
-pub fn check_rounds(problem: Problem, rounds: &mut [Round]) {
-    let mut planned = problem.model().clone();
-    planned.plan.planner = PlannerKind::Rsp;
-    planned.plan.require_risk = None;
-    for round in rounds {
-        planned.plan.rounds = round.rounds;
-        decide(&planned, &mut round.common, &round.common_selected_by);
-        let open =
-            Model { plan: PlanSettings { time: MissionTime::Minimum, ..planned.plan.clone() }, ..planned.clone() };
-        decide(&open, &mut round.own, &round.own_selected_by);
-    }
 }
 
 /// Whether a trajectory of `time` s passes the check as a plan of the mission. An undecided check counts as passed.

@@ -10,7 +10,7 @@ use crate::certificate::{
     Certificate, Claim, DynamicModel, FacetRecord, FacetWeight, InfeasibleClaim, MAX_FACETS, MAX_MULTIPLIERS,
     Multiplier, RowRecord, SCHEMA, Side,
 };
-use crate::model::{LimitKind, Mission, Model, PlanModel, Problem};
+use crate::model::{Mission, Model, PlanModel, Problem};
 use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{Trajectory, YAW};
@@ -178,9 +178,7 @@ impl Part {
         let of_yaw = match *row {
             RowRecord::Rest { axis, .. } => axis == YAW,
             RowRecord::WaypointYaw { .. } => true,
-            RowRecord::Limit { limit, .. } => {
-                matches!(mission.limits[limit].kind, LimitKind::Yaw | LimitKind::YawRate | LimitKind::YawAcceleration)
-            }
+            RowRecord::Limit { limit, .. } => mission.limits[limit].kind.is_of_yaw(),
             _ => false,
         };
         self == Part::Both || of_yaw == (self == Part::Yaw)

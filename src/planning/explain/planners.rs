@@ -2,7 +2,7 @@
 
 use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
-use crate::model::{Environment, LimitKind, Mission, Model, PlannerKind, Problem, Vehicle};
+use crate::model::{Environment, Mission, Model, PlannerKind, Problem, Vehicle};
 use crate::motion::checks::{peak_of, violation};
 use crate::motion::time_grid::time_grid;
 use crate::planner::hover::{Decision, Planned};
@@ -158,10 +158,7 @@ fn exceeds_a_limit(planned: &Planned, mission: &Mission, environment: &Environme
     // A yaw that follows from the motion is required at nodes only.
     mission.limits.iter().filter(|limit| !limit.kind.is_heading()).any(|limit| {
         let bound = limit.lower.into_iter().chain(limit.upper).map(f64::abs).fold(0.0, f64::max);
-        let scale = match limit.kind {
-            LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => 1.0,
-            _ => bound.max(COARSE),
-        };
+        let scale = if limit.kind.describe().quantity.is_coordinate() { 1.0 } else { bound.max(COARSE) };
         peak_of(limit, mission, &trajectory, |state| violation(limit, state, environment)).value > COARSE * scale
     })
 }

@@ -140,7 +140,7 @@ fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
                 return None;
             }
             let upper = upper.filter(|u| *u > 0.0 && (lower.is_none() || lower == Some(-u)))?;
-            if matches!(kind, LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw) {
+            if kind.describe().quantity.is_coordinate() {
                 return None;
             }
             let scale = kind.describe().unit_in_si;

@@ -164,7 +164,10 @@ impl Statement {
                     n => format!("{n} points met"),
                 }
             }
-            Statement::Arrival(i) => format!("at {} s", number(mission.waypoints[i].time.unwrap_or(0.0))),
+            Statement::Arrival(i) => match mission.waypoints[i].time {
+                Some(time) => format!("at {} s", number(time)),
+                None => "at any time".into(),
+            },
             Statement::Hold(i) => format!("holding for {} s", number(mission.waypoints[i].hold)),
             Statement::Stop(_) => "coming to rest".into(),
             Statement::RestAtStart => "starting at rest".into(),

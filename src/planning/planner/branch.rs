@@ -17,7 +17,6 @@ use crate::motion::time_grid::{LegGrid, TimeGrid};
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::hover::HoverPlanner;
-use crate::planner::limits::place;
 use crate::planner::scp::settings::StopSettings;
 use crate::planner::scp::{Iterate, ScpPlanner, ScpSettings};
 use crate::planner::selection::PlanningSet;
@@ -324,7 +323,7 @@ fn position(state: &NodeState) -> [f64; 3] {
 impl Room {
     /// A limit with this room kept free.
     fn within(self, limit: &Limit) -> Limit {
-        let by = |bound: f64| if place(&limit.kind) { self.of_places } else { self.of_limits * bound.abs() };
+        let by = |bound: f64| if limit.kind.is_of_place() { self.of_places } else { self.of_limits * bound.abs() };
         Limit { lower: limit.lower.map(|b| b + by(b)), upper: limit.upper.map(|b| b - by(b)), ..limit.clone() }
     }
 }

@@ -20,7 +20,6 @@ use crate::motion::NodeState;
 use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
 use crate::planner::branch::Branch;
-use crate::planner::limits::place;
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::kinematics::least_time_within;
 use crate::planner::timing::search::{Hint, NoTime, Shortest};
@@ -254,7 +253,8 @@ impl<'a> HoverPlanner<'a> {
     pub(super) fn is_plan_when_slowed(&self, planned: &Planned, set: &PlanningSet, factor: f64) -> bool {
         let WrenchModel::HoverAt(_) = planned.model else { return false };
         let own_times = self.mission().waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some());
-        let least_rates = self.mission().limits.iter().any(|l| !place(&l.kind) && l.lower.is_some_and(|b| b > 0.0));
+        let least_rates =
+            self.mission().limits.iter().any(|l| !l.kind.is_of_place() && l.lower.is_some_and(|b| b > 0.0));
         // Parts of a core's rows of different order may cancel.
         if own_times || least_rates || set.has_cores() {
             return false;

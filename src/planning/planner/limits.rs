@@ -33,17 +33,6 @@ pub(super) fn room_of(limit: &Limit, room: f64) -> f64 {
     limit.volume.as_ref().map_or(0.0, |volume| volume.half_width.map_or(room, |half| room.min(0.25 * half)))
 }
 
-/// Whether a limit bounds a place (x, y, z, yaw or a volume), and so does not depend on time.
-pub(super) fn place(kind: &LimitKind) -> bool {
-    use LimitKind::{Clearance, Distance, Face, X, Y, Yaw, Z};
-    matches!(kind, X | Y | Z | Yaw | Face(_) | Distance(_) | Clearance(_))
-}
-
-/// Whether a limit bounds the yaw.
-pub(super) fn is_of_yaw(kind: &LimitKind) -> bool {
-    matches!(kind, LimitKind::Yaw | LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading(_))
-}
-
 /// The share (1 + delta)^m - 1 by which a bound on a derivative of order m grows with the relative change delta of a
 /// duration, in a program.
 #[derive(Debug, Clone, Default)]
@@ -205,8 +194,12 @@ impl Transcription<'_> {
         let mut cone = |reach: Affine, parts: Vec<Affine>| {
             builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
         };
-        match (limit.kind.describe().quantity, &limit.kind, upper) {
-            (Quantity::Axis { axis, order, sign }, ..) if self.plans(axis) => {
+        let quantity = limit.kind.describe().quantity;
+        if !self.plans(if quantity.is_of_yaw() { YAW } else { X }) {
+            return;
+        }
+        match (quantity, upper) {
+            (Quantity::Axis { axis, order, sign }, _) => {
                 let value = self.derivative(instant, axis, order).times(sign);
                 for (bound, side) in [(upper, 1.0), (lower, -1.0)] {
                     let Some(bound) = bound else { continue };
@@ -215,7 +208,7 @@ impl Transcription<'_> {
                     builder.nonnegative(row, origin);
                 }
             }
-            (_, LimitKind::Tilt, Some(upper)) if self.plans(X) => {
+            (Quantity::Tilt, Some(upper)) => {
                 // The cone is convex, so that it contains the thrust in every wind if it does so in the extreme ones;
                 // of those that differ in their vertical part alone, the one that lifts most is the hardest.
                 let lifts_most = self.winds.iter().map(|wind| wind.wind[Z]).fold(f64::NEG_INFINITY, f64::max);
@@ -226,7 +219,7 @@ impl Transcription<'_> {
                     cone(reach, vec![x, y]);
                 }
             }
-            (_, LimitKind::Jerk, Some(upper)) if self.plans(X) && self.jumps_in_jerk() => {
+            (Quantity::Norm { .. }, Some(upper)) if limit.kind == LimitKind::Jerk && self.jumps_in_jerk() => {
                 let beside = self.intervals_beside(instant);
                 for (interval, step) in beside.filter(|(interval, _)| self.covers_interval(limit, *interval)) {
                     let mut slope = self.derivative(interval + 1, Z, 2);
@@ -236,17 +229,17 @@ impl Transcription<'_> {
                     cone(widening.bound(upper, 3, 1.0), parts);
                 }
             }
-            (Quantity::Norm { axes, order }, _, Some(upper)) if self.plans(X) => {
+            (Quantity::Norm { axes, order }, Some(upper)) => {
                 cone(widening.bound(upper, order, 1.0), parts(axes, order));
             }
-            (_, &LimitKind::Face(normal), Some(upper)) if self.plans(X) => {
+            (Quantity::Along(normal), Some(upper)) => {
                 let mut row = widening.bound(upper, 0, 1.0);
                 row.add(&along(normal, &parts(&[X, Y, Z], 0)), -1.0);
                 builder.nonnegative(row, origin);
             }
-            (_, LimitKind::Distance(from), Some(upper)) if self.plans(X) => {
+            (Quantity::Distance(from), Some(upper)) => {
                 let reach = widening.bound(upper, 0, 1.0);
-                let centre = match from {
+                let centre = match &from {
                     DistanceFrom::Point(centre) => &centre[..],
                     DistanceFrom::Axis(centre) => &centre[..],
                     DistanceFrom::Line { point, along } => {
@@ -259,7 +252,7 @@ impl Transcription<'_> {
                 cone(reach, from_centre);
             }
             // The cone does not depend on the duration: all velocities change alike.
-            (_, &LimitKind::Arrival(direction), Some(upper)) if self.plans(X) => {
+            (Quantity::Arrival(direction), Some(upper)) => {
                 let velocity = parts(&[X, Y, Z], 1);
                 let mut reach = along(direction, &velocity).times(upper.tan());
                 reach.add(&widening.share, ARRIVAL_UNIT);
@@ -267,10 +260,10 @@ impl Transcription<'_> {
             }
             // Linear in yaw, position and velocity about the states nearby; without these there is no row, and the
             // program is a relaxation.
-            (_, LimitKind::Heading(target), Some(upper)) if self.plans(YAW) => {
+            (Quantity::Heading(target), Some(upper)) => {
                 let near = self.states.filter(|_| instant.is_multiple_of(self.parts));
                 let Some(near) = near.and_then(|states| states.get(instant / self.parts)) else { return };
-                let heading = FollowedYaw::of(*target, upper, near);
+                let heading = FollowedYaw::of(target, upper, near);
                 let (order, sign) = match target {
                     Target::Towards { .. } => (0, -1.0),
                     Target::AlongPath => (1, 1.0),
@@ -304,7 +297,7 @@ impl Transcription<'_> {
             }
             // The distance is at least that from the plane that separates the body from a position nearby. Without such
             // a position there is no row, and the program is a relaxation.
-            (_, LimitKind::Clearance(obstacle), None) if self.plans(X) => {
+            (Quantity::Clearance(obstacle), _) => {
                 let near = self.positions.and_then(|positions| positions.get(instant));
                 let (Some(&near), Some(lower)) = (near, lower) else { return };
                 let Separation { normal, support, .. } = obstacle.body.separation(near);
@@ -312,7 +305,9 @@ impl Transcription<'_> {
                 row.add(&widening.clearance(lower), -1.0);
                 builder.nonnegative(row, origin);
             }
-            _ => {}
+            // They have an upper bound; without one nothing is bounded.
+            (Quantity::Norm { .. } | Quantity::Tilt | Quantity::Along(_) | Quantity::Distance(_), None) => {}
+            (Quantity::Arrival(_) | Quantity::Heading(_), None) => {}
         }
     }
 
@@ -363,17 +358,19 @@ impl Transcription<'_> {
         let length = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
         let share = |violation: f64, scale: f64| if scale > 0.0 { violation / scale - sigma } else { violation };
         let position = [state[X][0], state[Y][0], state[Z][0]];
-        match (limit.kind.describe().quantity, &limit.kind, limit.upper) {
-            (Quantity::Axis { axis, order, sign }, ..) if self.plans(axis) => {
+        let quantity = limit.kind.describe().quantity;
+        if !self.plans(if quantity.is_of_yaw() { YAW } else { X }) {
+            return f64::NEG_INFINITY;
+        }
+        match (quantity, limit.upper) {
+            (Quantity::Axis { axis, order, sign }, _) => {
                 let value = sign * state[axis][order];
                 let over = limit.upper.map(|upper| share(value - upper, widens(order, upper)));
                 let under = limit.lower.map(|lower| share(lower - value, widens(order, lower)));
                 over.into_iter().chain(under).fold(f64::NEG_INFINITY, f64::max)
             }
-            (Quantity::Norm { axes, order }, _, Some(upper)) if self.plans(X) => {
-                share(length(axes, order) - upper, upper)
-            }
-            (_, LimitKind::Tilt, Some(upper)) if self.plans(X) => {
+            (Quantity::Norm { axes, order }, Some(upper)) => share(length(axes, order) - upper, upper),
+            (Quantity::Tilt, Some(upper)) => {
                 let (g, tan) = (self.model.gravity, upper.tan());
                 let out = |wind: &Environment| {
                     let state = in_air(state, wind);
@@ -381,21 +378,20 @@ impl Transcription<'_> {
                 };
                 share(self.winds.iter().map(out).fold(f64::NEG_INFINITY, f64::max), g * tan)
             }
-            (_, LimitKind::Face(_) | LimitKind::Distance(_), Some(upper)) if self.plans(X) => {
+            (Quantity::Along(_) | Quantity::Distance(_), Some(upper)) => {
                 limit.value_at(position).map_or(f64::NEG_INFINITY, |value| value - upper)
             }
-            (_, &LimitKind::Arrival(direction), Some(upper)) if self.plans(X) => {
+            (Quantity::Arrival(direction), Some(upper)) => {
                 let (ahead, aside) = split(direction, [X, Y, Z].map(|axis| state[axis][1]));
                 share(aside - upper.tan() * ahead, ARRIVAL_UNIT)
             }
-            (_, LimitKind::Heading(target), Some(upper)) if self.plans(YAW) => {
-                FollowedYaw::of(*target, upper, state).violation() - sigma
-            }
-            (_, LimitKind::Clearance(obstacle), None) if self.plans(X) => {
+            (Quantity::Heading(target), Some(upper)) => FollowedYaw::of(target, upper, state).violation() - sigma,
+            (Quantity::Clearance(obstacle), _) => {
                 let short = limit.lower.map(|lower| lower - obstacle.body.separation(position).distance);
                 short.map_or(f64::NEG_INFINITY, |short| share(short, CLEARANCE_UNIT))
             }
-            _ => f64::NEG_INFINITY,
+            (Quantity::Norm { .. } | Quantity::Tilt | Quantity::Along(_) | Quantity::Distance(_), None)
+            | (Quantity::Arrival(_) | Quantity::Heading(_), None) => f64::NEG_INFINITY,
         }
     }
 

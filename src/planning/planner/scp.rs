@@ -51,7 +51,7 @@ use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::comfort::Comfort;
 use crate::planner::hover::{ACCEPTED, HoverPlanner, Planned};
-use crate::planner::limits::{covers, place, room_of};
+use crate::planner::limits::{covers, room_of};
 use crate::planner::selection::PlanningSet;
 use crate::planner::spline::NodeSpline;
 use crate::planner::transcription::{Row, RowAt, Transcription, splines};

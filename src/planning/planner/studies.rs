@@ -9,7 +9,7 @@ mod found;
 mod order;
 mod outcome;
 pub mod protect;
-pub mod rounds;
+mod rounds;
 mod setting;
 mod single_modes;
 mod single_planner;

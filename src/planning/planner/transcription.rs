@@ -18,7 +18,7 @@ use crate::planner::branch::Branch;
 use crate::planner::comfort::Comfort;
 use crate::planner::commands::{CommandAt, CommandMaps, Slope};
 use crate::planner::cores::{CoreAt, Scaling};
-use crate::planner::limits::{Widening, is_of_yaw};
+use crate::planner::limits::Widening;
 use crate::planner::selection::PlanningSet;
 use crate::planner::spline::NodeSpline;
 use crate::planner::wrench_expression::WrenchExpression;
@@ -368,7 +368,7 @@ impl<'a> Transcription<'a> {
         let inequalities = || (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality);
         let at_each = |row: Row| (0..self.instants()).map(move |instant| RowAt { row, instant });
         // A program of yaw alone has no rows of the other limits, of which there may be thousands.
-        let limits = self.mission.limits.iter().enumerate().filter(|(_, l)| self.plans(X) || is_of_yaw(&l.kind));
+        let limits = self.mission.limits.iter().enumerate().filter(|(_, l)| self.plans(X) || l.kind.is_of_yaw());
         let limits = limits.flat_map(move |(index, limit)| {
             at_each(Row::Limit(index)).filter(move |row| self.covers(limit, row.instant))
         });

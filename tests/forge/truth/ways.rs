@@ -69,7 +69,7 @@ fn is_false(
 
 /// Farther from the plan than the largest thrust and the weight can bring a vehicle within the delay.
 fn begins_elsewhere(model: &Model, plan: &Trajectory, blend: &Blend, [at, delay]: [f64; 2]) -> bool {
-    let full: f64 = model.vehicle.rotors.iter().map(|rotor| rotor.max_thrust()).sum();
+    let full: f64 = model.vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).sum();
     let (there, first) = (plan.at((at + delay).min(plan.duration())), blend.at(0.0));
     let apart = [X, Y, Z].iter().map(|&axis| (there[axis][0] - first[axis][0]).powi(2)).sum::<f64>().sqrt();
     // Both thrusts over the mass are at most the largest.

@@ -79,7 +79,6 @@ fn flights_that_diverge_are_counted_apart_and_end_with_9() {
     assert!(diverged >= 2 && all.iter().filter(|r| !r.is_lost() && !r.is_survived()).count() == diverged, "{all:?}");
     let printed = text(&ran);
     assert!(printed.contains(&format!("{diverged} flights diverged: the integration broke down")), "{printed}");
-    assert!(printed.contains(", ? diverged"), "{printed}");
     let record: Value = serde_json::from_slice(&desk.bytes("r.json")).unwrap();
     crate::schemas::schema("campaign").assert_valid(&record);
     let modes = record["planners"][0]["modes"].as_array().unwrap();

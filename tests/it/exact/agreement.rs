@@ -106,7 +106,7 @@ fn a_campaign_flies_the_plan() {
 fn a_shortest_plan_leaves_sets_only_for_time() {
     for seed in [3, 5] {
         let planned = found(&free(random_mission(seed), PlannerKind::Rsp), Scope::Plan);
-        let (plan, rcp) = (solved(last(&planned)), planned.known.last().unwrap().grid.total);
+        let (plan, rcp) = (solved(last(&planned)), planned.covering_time.unwrap());
         let leaves = plan.outside.iter().any(|outside| outside.last.is_some());
         assert!(!leaves || plan.time < rcp - (3e-3 * plan.time).max(0.05), "{seed}: {} {rcp}", plan.time);
     }

@@ -24,6 +24,33 @@ pub enum Quantity<'l> {
     Heading(Target),
 }
 
+impl Quantity<'_> {
+    /// Whether it is a coordinate: x, y, z or yaw.
+    pub fn is_coordinate(&self) -> bool {
+        matches!(self, Quantity::Axis { order: 0, .. })
+    }
+
+    /// Whether it follows from position and yaw alone, and so does not depend on time.
+    pub fn is_of_place(&self) -> bool {
+        match self {
+            Quantity::Axis { order, .. } | Quantity::Norm { order, .. } => *order == 0,
+            Quantity::Along(_) | Quantity::Distance(_) | Quantity::Clearance(_) => true,
+            Quantity::Tilt | Quantity::Arrival(_) | Quantity::Heading(_) => false,
+        }
+    }
+
+    /// Whether it depends on the yaw.
+    pub fn is_of_yaw(&self) -> bool {
+        match self {
+            Quantity::Axis { axis, .. } => *axis == 3,
+            Quantity::Norm { axes, .. } => axes.contains(&3),
+            Quantity::Heading(_) => true,
+            Quantity::Tilt | Quantity::Along(_) | Quantity::Distance(_) => false,
+            Quantity::Clearance(_) | Quantity::Arrival(_) => false,
+        }
+    }
+}
+
 /// How people name a kind of limit, and what it measures.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Description<'l> {
@@ -93,6 +120,16 @@ impl LimitKind {
                 of("angle to the direction of the yaw", "yaw", "deg", DEGREE, Quantity::Heading(*target))
             }
         }
+    }
+
+    /// [`Quantity::is_of_place`]
+    pub fn is_of_place(&self) -> bool {
+        self.describe().quantity.is_of_place()
+    }
+
+    /// [`Quantity::is_of_yaw`]
+    pub fn is_of_yaw(&self) -> bool {
+        self.describe().quantity.is_of_yaw()
     }
 
     /// Whether it is the distance from a body to keep out of.

@@ -153,7 +153,8 @@ impl Mission {
                 }
                 None if is_replaced(limit) || !limit.kind.concerns_safety() => None,
                 None => {
-                    let by = if limit.kind.is_coordinate() { rules.buffer } else { 0.0 };
+                    let is_position = limit.kind.describe().quantity.is_coordinate() && !limit.kind.is_of_yaw();
+                    let by = if is_position { rules.buffer } else { 0.0 };
                     Some(HeldLimit { limit: limit.widened(by), yields: f64::INFINITY })
                 }
             });
@@ -181,11 +182,6 @@ impl LimitKind {
             LimitKind::Acceleration | LimitKind::AccelerationHorizontal | LimitKind::Jerk => false,
             LimitKind::Arrival(_) | LimitKind::Heading(_) => false,
         }
-    }
-
-    /// Whether it bounds a coordinate of the position.
-    fn is_coordinate(&self) -> bool {
-        matches!(self, LimitKind::X | LimitKind::Y | LimitKind::Z)
     }
 }
 

@@ -46,8 +46,8 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ),
     (
         "coaxial",
-        "pairs are written motor by motor, in place of `layout`: `rotors { rotor at [0.2, 0.2, 0.03] m  spin P; rotor at \
-         [0.2, 0.2, -0.03] m  spin N; ... }`",
+        "pairs are written motor by motor, in place of `layout`: `rotors { rotor at [0.2, 0.2, 0.03] m  spin P; \
+         rotor at [0.2, 0.2, -0.03] m  spin N; ... }`",
     ),
     ("order", "goes into `recovery { }` of `plan`"),
     ("density", "goes into `air { density = 1.1 kg/m^3 }` of the mission"),

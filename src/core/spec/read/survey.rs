@@ -219,9 +219,12 @@ impl Row {
         if value("weight").is_some_and(|v| v < 0.0) {
             return Err(wrong("mavc::mission::weight", "weight", "cannot be negative"));
         }
+        let [Some(x), Some(y), Some(z)] = ["x", "y", "z"].map(value) else {
+            return Err(wrong(CODE, "x", "and the other coordinates are needed in every row"));
+        };
         Ok(Stop {
             name,
-            position: ["x", "y", "z"].map(|axis| value(axis).unwrap_or(0.0)),
+            position: [x, y, z],
             yaw: value("yaw"),
             within: value("within").unwrap_or(defaults.within),
             yaw_within: value("yaw_within").unwrap_or(defaults.yaw_within),

@@ -428,8 +428,8 @@ fn check_motors(cx: &mut Context, mounts: &[Mount]) {
     let Some((first, at)) = numbered.and_then(|k| Some((k, clause(k)?))) else { return };
     for (k, mount) in mounts.iter().enumerate() {
         let before = mounts[..k].iter().position(|other| mount.motor.is_some() && other.motor == mount.motor);
-        if let Some((span, other)) = clause(k).zip(before.and_then(clause)) {
-            let message = format!("motor {} turns two rotors", mount.motor.unwrap_or_default());
+        if let (Some(motor), Some((span, other))) = (mount.motor, clause(k).zip(before.and_then(clause))) {
+            let message = format!("motor {motor} turns two rotors");
             let error = Diagnostic::error(MOTOR, span, message).here("given again").also(other, "first given here");
             cx.report(error.help("give each rotor the number of its own motor"));
         }

@@ -1,7 +1,6 @@
-//! Predictions against flights, and plans against what the path suffers.
+//! Predictions of plans against flights.
 
 use crate::campaign::agreement::Scope;
-use crate::campaign::correlations::Correlation;
 use crate::campaign::statistics::{Contingency, Strength};
 use serde::Serialize;
 
@@ -18,14 +17,6 @@ pub struct AgreementRecord {
     /// fault strikes before `last_violation_s`. Only flights still flying when the fault struck.
     #[cfg_attr(test, schemars(length(min = 1)))]
     pub by_flight: Vec<TableRecord>,
-    /// Spearman's, between `violation_duration_s` and the share lost, over pairs of plan and mode.
-    pub rank_correlation: Option<f64>,
-    /// The strength of this correlation.
-    pub rank_strength: Strength,
-    /// Pairs of plan and mode with struck flights.
-    pub pairs: usize,
-    /// Whether worse plans do more harm to the path: every quality of a plan against every harm.
-    pub harm: Vec<Correlation>,
 }
 
 /// Predictions of plans against flights.
@@ -59,10 +50,6 @@ impl AgreementRecord {
             modes,
             mode_count: scope.modes,
             by_flight: std::iter::once(table(None, &scope.total)).chain(each).collect(),
-            rank_correlation: scope.rank_correlation,
-            rank_strength: Strength::of(scope.rank_correlation),
-            pairs: scope.pairs,
-            harm: scope.harm.clone(),
         }
     }
 }

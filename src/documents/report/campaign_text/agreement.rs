@@ -1,9 +1,7 @@
-//! Whether the plans, and what is known of the modes, predict which flights are lost and what the path suffers.
+//! Whether the plans predict which flights are lost.
 
 use crate::campaign::agreement::{Agreement, Scope};
-use crate::campaign::correlations::Correlation;
-use crate::campaign::predictors::{ClassCount, Forecast};
-use crate::campaign::statistics::{Contingency, FEWEST, Strength};
+use crate::campaign::statistics::{Contingency, Strength};
 use crate::number::{fixed, part_of_all, plural};
 use crate::text_table::{Table, indented};
 
@@ -14,7 +12,7 @@ pub(super) fn agreement(agreement: &Agreement) -> String {
          yaw is given up. Only flights that were still flying when the fault struck are counted. A plan that several \
          planners share is counted once.",
     ));
-    let Agreement { all, inside, forecasts } = agreement;
+    let Agreement { all, inside } = agreement;
     if inside.modes == all.modes {
         out.push_str(&scope(all));
     } else if inside.modes == 0 {
@@ -30,8 +28,6 @@ pub(super) fn agreement(agreement: &Agreement) -> String {
         ));
         out.push_str(&scope(inside));
     }
-    out.push_str(&predictors(forecasts));
-    out.push_str(&harm(&all.harm, &inside.harm));
     out.push('\n');
     out.push_str(&indented(
         "Intervals treat flights as independent. Flights struck at the same instant differ only in their noise, so \
@@ -64,7 +60,7 @@ fn scope(scope: &Scope) -> String {
             indented(&format!("{name} predicts no loss, yet {} of {all} were lost.", t.misses))
         })
         .collect();
-    table.render(2) + &indented(&by_flight(&scope.total)) + &called_safe + &indented(&by_mode(scope))
+    table.render(2) + &indented(&by_flight(&scope.total)) + &called_safe
 }
 
 /// The interpretation of phi.
@@ -95,91 +91,4 @@ pub fn by_flight(t: &Contingency) -> String {
             format!("Flight by flight, the prediction {what}{phi}.")
         }
     }
-}
-
-/// The interpretation of the rank correlation.
-fn by_mode(scope: &Scope) -> String {
-    let rho = scope.rank_correlation;
-    let what = match Strength::of(rho) {
-        Strength::Undefined => {
-            return "Violation durations cannot be ranked against losses: one of the two never varies.".into();
-        }
-        Strength::Opposite => "longer violations go with fewer losses",
-        Strength::Chance => "the duration of violations predicts losses no better than chance",
-        Strength::Weak => "longer violations correlate weakly with more losses",
-        Strength::Moderate => "longer violations correlate moderately with more losses",
-        Strength::Strong => "longer violations correlate strongly with more losses",
-    };
-    let rho = rho.map_or(String::new(), |rho| fixed(rho, 2));
-    format!("Over {} of plan and mode, {what} (Spearman's rank correlation {rho}).", plural(scope.pairs, "pair"))
-}
-
-/// Every predictor against the flights, and the shares lost in its classes.
-fn predictors(forecasts: &[Forecast]) -> String {
-    if forecasts.is_empty() {
-        return String::new();
-    }
-    let mut out = String::from("\n  Predicted lost against lost, for everything that predicts, over all modes\n");
-    let share =
-        |a: usize, b: usize| if b == 0 { "-".into() } else { format!("{} %", part_of_all(a as f64 / b as f64)) };
-    let score = |score: Option<f64>| score.map_or("-".into(), |score| fixed(score, 3));
-    let mut table = Table::new(&[
-        "predictor",
-        "hits",
-        "misses",
-        "false alarms",
-        "correct negatives",
-        "phi",
-        "Brier",
-        "by class",
-        "base rate",
-    ]);
-    for forecast in forecasts {
-        let t = &forecast.counts;
-        let mut cells = vec![forecast.predictor.words().to_string()];
-        cells.extend([t.hits, t.misses, t.false_alarms, t.correct_negatives].map(|n| n.to_string()));
-        cells.push(t.phi().map_or("undefined".into(), |phi| fixed(phi, 2)));
-        cells.extend([forecast.brier, forecast.brier_by_class, forecast.brier_base].map(score));
-        table.row(cells);
-    }
-    out.push_str(&table.render(2));
-    out.push_str(&indented(
-        "Brier: mean squared error of the predicted probability of loss, 0 is best. First the prediction as 0 or 1; by \
-         class: the share lost in the same class with the other modes; base rate: the share lost with the other modes, \
-         which a predictor has to beat.",
-    ));
-    for Forecast { predictor, classes, .. } in forecasts {
-        let class = |c: &ClassCount| {
-            let predicted = if c.predicted_lost { "lost" } else { "safe" };
-            format!("{} ({predicted}): {} of {} lost, {}", c.class, c.lost, c.struck, share(c.lost, c.struck))
-        };
-        let classes: Vec<String> = classes.iter().map(class).collect();
-        out.push_str(&indented(&format!("{}: {}.", predictor.words(), classes.join("; "))));
-    }
-    out
-}
-
-/// Whether worse plans do more harm, over all modes and over those with hover inside their sets or cores.
-fn harm(all: &[Correlation], inside: &[Correlation]) -> String {
-    let mut out = String::from(
-        "\n  Do worse plans do more harm? Spearman's rank correlation over pairs of plan and mode (95 % interval)\n",
-    );
-    let value = |r: Option<f64>| r.map_or("-".into(), |r| fixed(r, 2));
-    let over = |c: &Correlation| match c.interval {
-        Some(i) => format!("{} ({} .. {})", value(c.rank_correlation), fixed(i.low, 2), fixed(i.high, 2)),
-        None => value(c.rank_correlation),
-    };
-    let mut table = Table::new(&["quality", "harm", "all modes", "hover inside", "within modes", "modes"]);
-    for (a, i) in all.iter().zip(inside) {
-        let (quality, harm) = (a.quality.words().to_string(), a.harm.words().to_string());
-        table.row(vec![quality, harm, over(a), over(i), value(i.within_modes), i.modes.to_string()]);
-    }
-    out.push_str(&table.render(2));
-    out.push_str(&indented(&format!(
-        "Each pair has the mean over its struck flights, lost ones included. Within modes: over ranks within each mode \
-         with hover inside its set or core, so that plans are compared and not modes; modes: those in which both vary. \
-         Pairs are not independent, since plans and modes resemble each other, and fewer than {FEWEST} pairs have no \
-         interval: a small correlation of few pairs means nothing."
-    )));
-    out
 }

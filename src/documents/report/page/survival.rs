@@ -1,6 +1,5 @@
 //! A campaign: survival, the map over instants of the fault, and whether the plans predicted the losses.
 
-use super::predicted;
 use super::prose::true_minus;
 use super::summary::{Figure, Found};
 use super::table::{self, Frame, counts, numbers, words};
@@ -241,10 +240,7 @@ fn cell(cells: &[CellRecord]) -> Markup {
 
 fn by_planner(agreement: &AgreementRecord, modes: &str) -> Markup {
     let heads = [words("Planner"), numbers("Share lost", "%"), counts("phi")];
-    let caption = html! {
-        "Over " (modes) "; rank correlation of violation duration and share lost: "
-        (agreement.rank_correlation.map_or("none".into(), |r| true_minus(&significant(r, 3))))
-    };
+    let caption = html! { "Over " (modes) };
     let rows = html! {
         @for t in &agreement.by_flight {
             tr {
@@ -268,16 +264,12 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
         h2 { "Do the plans predict which flights are lost?" }
         p.note {
             "Predicted lost: the fault strikes before the plan's last violation of the mode's set. phi: agreement of \
-             predicted and actual losses, 1 for perfect agreement, 0 for no better than chance. Intervals and \
-             correlations treat flights as independent."
+             predicted and actual losses, 1 for perfect agreement, 0 for no better than chance. Intervals treat \
+             flights as independent."
         }
         @for a in &record.agreement {
             (by_planner(a, &modes(a)))
             @if let Some(all) = a.by_flight.first() { p.note { (true_minus(&by_flight(&all.counts))) } }
-        }
-        @if !record.predictors.is_empty() {
-            details { summary { "Each predictor, and the harm to the path" }
-                (predicted::predictors(record)) (predicted::harm(record)) }
         }
     }
 }

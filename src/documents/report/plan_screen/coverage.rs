@@ -173,9 +173,9 @@ fn advice(answer: &Answer, run: &PlannerRun) -> String {
     if run.planner != PlannerKind::Rsp || answer.problem.model().plan.require_risk.is_some() {
         return String::new();
     }
-    match comparison.known.last().filter(|_| run.run == Run::Own) {
-        Some(rcp) => {
-            format!(" `--set plan.planner=rcp` covers all modes in {} s.", significant(rcp.grid.total, DIGITS_OF_TIME))
+    match comparison.covering_time.filter(|_| run.run == Run::Own) {
+        Some(time) => {
+            format!(" `--set plan.planner=rcp` covers all modes in {} s.", significant(time, DIGITS_OF_TIME))
         }
         None => " `--set plan.rounds=3` or `--set plan.planner=rcp` may cover them.".into(),
     }

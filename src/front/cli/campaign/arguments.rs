@@ -22,7 +22,7 @@ pub struct CampaignArgs {
     /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
     #[arg(long = "set", value_name = "FIELD=VALUE")]
     pub set: Vec<String>,
-    /// Write one row for each flight to this file: CSV, or Parquet if it ends in .parquet; `-` for standard output
+    /// Write one row for each flight to this CSV file; `-` for standard output
     #[arg(short, long, value_name = "ROWS.CSV")]
     pub output: Option<PathBuf>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
@@ -52,7 +52,7 @@ pub struct CampaignArgs {
 pub enum Action {
     /// Join the rows of all parts that `--shard` flew
     Merge {
-        /// Write all rows to this file: CSV, or Parquet if it ends in .parquet
+        /// Write all rows to this CSV file
         #[arg(short, long, value_name = "ALL.CSV")]
         output: PathBuf,
         /// The rows of every part (CSV), in any order

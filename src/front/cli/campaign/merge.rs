@@ -3,14 +3,12 @@
 use super::super::files::{self, cannot_read, reason};
 use super::super::target::Target;
 use super::super::{CommandError, FINE, Options};
-use super::parquet;
 use crate::campaign::merge::{MergeError, merge};
 use crate::input::open_regular;
-use std::io::{BufReader, BufWriter, ErrorKind, Seek, SeekFrom, Write};
+use std::io::{BufReader, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 pub fn run(output: &Path, rows: &[PathBuf], options: &Options) -> Result<u8, CommandError> {
-    parquet::is_possible(output)?;
     let target = Target::new(output)?;
     for path in rows {
         target.must_spare(path.to_str())?;
@@ -26,24 +24,13 @@ pub fn run(output: &Path, rows: &[PathBuf], options: &Options) -> Result<u8, Com
         MergeError::Content(what) => format!("cannot merge: {what}"),
     };
     let cannot = |e| problem(MergeError::Write(e));
-    let merged = if parquet::is_wanted(output) {
-        // Parquet needs all rows at once; a file without a name holds them meanwhile.
-        let mut whole = BufWriter::new(tempfile::tempfile().map_err(cannot)?);
-        let merged = merge(sources, &mut whole).map_err(problem)?;
-        let mut whole = whole.into_inner().map_err(|e| cannot(e.into_error()))?;
-        whole.seek(SeekFrom::Start(0)).map_err(cannot)?;
-        parquet::convert(BufReader::new(whole), &target)?;
-        merged
-    } else {
-        let mut out = BufWriter::new(target.begin()?);
-        let merged = match merge(sources, &mut out) {
-            Err(MergeError::Write(e)) if e.kind() == ErrorKind::BrokenPipe => return Ok(FINE),
-            merged => merged.map_err(problem)?,
-        };
-        out.flush().map_err(cannot)?;
-        out.into_inner().map_err(|e| cannot(e.into_error()))?.finish()?;
-        merged
+    let mut out = BufWriter::new(target.begin()?);
+    let merged = match merge(sources, &mut out) {
+        Err(MergeError::Write(e)) if e.kind() == ErrorKind::BrokenPipe => return Ok(FINE),
+        merged => merged.map_err(problem)?,
     };
+    out.flush().map_err(cannot)?;
+    out.into_inner().map_err(|e| cannot(e.into_error()))?.finish()?;
     if !options.quiet {
         let (n, files) = (merged.cases, rows.len());
         files::eprint(&format!("mavc: campaign {}: {n} flights from {files} files\n", merged.campaign));

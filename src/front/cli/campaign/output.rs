@@ -3,7 +3,7 @@
 
 use super::super::files::{cannot_read, reason};
 use super::super::target::{Pieces, Target, cannot_write};
-use super::{CommandError, parquet};
+use super::CommandError;
 use crate::campaign::cases::Shard;
 use crate::campaign::design::Design;
 use crate::campaign::rows::header;
@@ -27,7 +27,6 @@ enum RowDestination<'a> {
         file: File,
         part: PathBuf,
         path: &'a Path,
-        target: &'a Target,
     },
     /// The file holds every row already.
     Complete(&'a Path),
@@ -58,9 +57,7 @@ impl<'a> Output<'a> {
             let _ = writeln!(stream, "{}", header());
             return Ok((Output { place: RowDestination::Stream(stream) }, empty()));
         };
-        // Parquet is not read back; it is made anew.
-        let whole = if parquet::is_wanted(path) { None } else { complete(path, design, shard) };
-        if let Some(tally) = whole {
+        if let Some(tally) = complete(path, design, shard) {
             return Ok((Output { place: RowDestination::Complete(path) }, tally));
         }
         if holds_rows(path) {
@@ -72,7 +69,7 @@ impl<'a> Output<'a> {
         }
         let part = part_of(path);
         let (file, tally) = resume(&part, design, shard)?;
-        Ok((Output { place: RowDestination::Part { file, part, path, target } }, tally))
+        Ok((Output { place: RowDestination::Part { file, part, path } }, tally))
     }
 
     pub fn is_complete(&self) -> bool {
@@ -113,13 +110,8 @@ impl<'a> Output<'a> {
 
     /// Renames the file of all rows to its final name.
     pub fn finish(self) -> Result<(), Stop> {
-        let RowDestination::Part { mut file, part, path, target } = self.place else { return Ok(()) };
+        let RowDestination::Part { file, part, path } = self.place else { return Ok(()) };
         let cannot = |e: Error| Stop::Failed(cannot_write(path, &e));
-        if parquet::is_wanted(path) {
-            file.seek(SeekFrom::Start(0)).map_err(cannot)?;
-            parquet::convert(BufReader::new(&file), target).map_err(Stop::Failed)?;
-            return std::fs::remove_file(&part).map_err(cannot);
-        }
         if let Ok(there) = path.metadata() {
             file.set_permissions(there.permissions()).map_err(cannot)?;
         }

@@ -1,6 +1,6 @@
 //! The places that the rows, the report and the page of a campaign go to.
 
-use super::{CampaignArgs, output, parquet};
+use super::{CampaignArgs, output};
 use crate::cli::results::{self, apart};
 use crate::cli::spec::Findings;
 use crate::cli::target::{Target, write};
@@ -26,7 +26,6 @@ impl<'a> Places<'a> {
     pub fn new(args: &'a CampaignArgs) -> Result<Self, CommandError> {
         let target = |name: Option<&Path>| name.map(Target::new).transpose();
         let (rows, report) = (target(args.output.as_deref())?, target(args.report.as_deref())?);
-        args.output.as_deref().map_or(Ok(()), parquet::is_possible)?;
         let page = target(args.html.as_deref())?;
         rows_apart(&rows, &report)?;
         rows_apart(&rows, &page)?;

@@ -49,15 +49,35 @@ pub struct LegBinding {
     pub statements: Vec<(Statement, f64)>,
 }
 
+/// By what a limit is relaxed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// [`PLACE`]
+    Position,
+    /// [`YAW_PLACE`]
+    Yaw,
+    /// [`SHARE`] of its bound.
+    Share,
+}
+
+impl Unit {
+    pub fn of(kind: &LimitKind) -> Self {
+        match (kind.is_of_place(), kind.is_of_yaw()) {
+            (true, false) => Unit::Position,
+            (true, true) => Unit::Yaw,
+            (false, _) => Unit::Share,
+        }
+    }
+}
+
 /// The spec relaxed by a unit.
 fn relaxed(mission: &Mission) -> Mission {
     let mut mission = mission.clone();
     for limit in &mut mission.limits {
-        let room = |bound: f64| match limit.kind {
-            LimitKind::X | LimitKind::Y | LimitKind::Z => PLACE,
-            LimitKind::Face(_) | LimitKind::Distance(_) | LimitKind::Clearance(_) => PLACE,
-            LimitKind::Yaw => YAW_PLACE,
-            _ => SHARE * bound.abs(),
+        let room = |bound: f64| match Unit::of(&limit.kind) {
+            Unit::Position => PLACE,
+            Unit::Yaw => YAW_PLACE,
+            Unit::Share => SHARE * bound.abs(),
         };
         (limit.upper, limit.lower) = (limit.upper.map(|u| u + room(u)), limit.lower.map(|l| l - room(l)));
     }

@@ -76,7 +76,7 @@ impl ScpPlanner<'_, '_> {
         }
         // Limits on places have no width for a tightening, except distances from bodies.
         let limits = &self.hover.mission().limits;
-        let is_place = |limit: &Limit| place(&limit.kind) && !limit.kind.is_clearance();
+        let is_place = |limit: &Limit| limit.kind.is_of_place() && !limit.kind.is_clearance();
         over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if is_place(&limits[limit])));
         over.into_iter().collect()
     }

@@ -1,7 +1,6 @@
 //! The violation of facets and limits by an iterate, and row generation: which rows the next subproblem needs.
 
 use super::*;
-use crate::model::LimitKind;
 use crate::motion::winds::OverWinds;
 use crate::qp::QuadraticProgram;
 use std::cell::Cell;
@@ -66,7 +65,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let position = [state[X][0], state[Y][0], state[Z][0]];
         // Limits on places have no width for a margin.
         let of_limit = move |limit: &Limit| match holds(limit) && !limit.is_violated_by_less(position, floor()) {
-            true => form.violation_of(limit, state, 0.0) - if place(&limit.kind) { ACCEPTED } else { 0.0 },
+            true => form.violation_of(limit, state, 0.0) - if limit.kind.is_of_place() { ACCEPTED } else { 0.0 },
             false => f64::NEG_INFINITY,
         };
         let limits = self.hover.mission().limits.iter().map(of_limit);
@@ -301,16 +300,14 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// The rows of limits on x, y, z and yaw, at every node, and on directions of arrival: they do not depend on time.
     pub(super) fn places(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
-        self.limits_at_nodes(grid, |limit| place(&limit.kind) || limit.kind.is_arrival()).collect()
+        self.limits_at_nodes(grid, |limit| limit.kind.is_of_place() || limit.kind.is_arrival()).collect()
     }
 
     /// The rows that each subproblem has at every node: limits on x, y, z and yaw, which do not depend on time, and on
     /// yaw rate, yaw acceleration and a yaw that follows from the motion. Yaw costs little, and its acceleration would
     /// oscillate beyond its bounds wherever no row limits it.
     pub(super) fn rows_everywhere(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
-        let is_yaw =
-            |kind: &LimitKind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Heading(_));
-        self.limits_at_nodes(grid, |limit| place(&limit.kind) || is_yaw(&limit.kind)).collect()
+        self.limits_at_nodes(grid, |limit| limit.kind.is_of_place() || limit.kind.is_of_yaw()).collect()
     }
 }
 

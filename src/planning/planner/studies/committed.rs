@@ -21,8 +21,8 @@ impl Setting<'_> {
             .map(|(((&mode, set), out), provision)| match self.model().after_fault(mode) {
                 // No row says anything of such a fault.
                 _ if *provision == Provision::Capture => trajectory.duration(),
-                AfterFault::Hold => self.without_stop(trajectory, set),
-                _ => out.committed(),
+                AfterFault::Hold | AfterFault::Land => self.without_stop(trajectory, set),
+                AfterFault::Continue => out.committed(),
             })
             .collect()
     }

@@ -95,9 +95,7 @@ impl Setting<'_> {
             runs.push(self.run(PlannerKind::Rcp, against, Run::Own, self.own(found), set));
         }
         let is_local = self.finds_local_optima();
-        let own = [Some(&rip).filter(|_| !is_local || self.fixed_time().is_some()), tightest.as_ref()];
-        let known = own.into_iter().flatten().filter_map(Found::planned).cloned().collect();
-        let mut out = Comparison { runs, common_time, known, effort, ..self.without_runs() };
+        let mut out = Comparison { runs, common_time, effort, ..self.without_runs() };
         if let Some(at) = common_time {
             let binding = tightest.as_ref().and_then(Found::planned);
             let (decision, spent) = match is_local {

@@ -7,7 +7,6 @@ use crate::motion::Trajectory;
 use crate::motion::outside::Outside;
 use crate::motion::time_grid::determined;
 use crate::number::number;
-use crate::planner::hover::Planned;
 use crate::planner::scp::sensitivity::LegBinding;
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Addition;
@@ -206,9 +205,8 @@ pub struct Comparison {
     pub own_selected_by: Option<Vec<Trajectory>>,
     /// If the spec requires a risk: the plan without protection, then the result of each addition.
     pub trade_off: Vec<Addition>,
-    /// The plans of RIP and of the tightest RCP at their own shortest times, if they were sought: initial guesses of
-    /// further plans.
-    pub known: Vec<Planned>,
+    /// Where `plan` sought it for RSP: the shortest time of RCP against all modes jointly, s.
+    pub covering_time: Option<f64>,
     /// The plan of the last run before its second pass, until plans are checked.
     pub plainer: Option<Box<MissionPlan>>,
     /// Whether the plan of the last run was planned again, with more room than its planner asks for.

@@ -240,13 +240,13 @@ impl<'a> Setting<'a> {
             provisions: self.sets.provisions.clone(),
             runs: Vec::new(),
             common_time: self.fixed_time(),
+            covering_time: None,
             selected: Vec::new(),
             selected_by: Vec::new(),
             own_selected_by: None,
             trade_off: Vec::new(),
             plainer: None,
             for_ways_out: false,
-            known: Vec::new(),
             effort: Effort::default(),
         }
     }

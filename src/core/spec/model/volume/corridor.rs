@@ -46,11 +46,12 @@ const CORNERS: usize = 16;
 /// Steps of the search, each of which leaves two thirds of the interval: to 1e-7 of a leg.
 const STEPS: usize = 40;
 
-/// A leg whose corridor is closed: the waypoint where it arrives and the limits, both by index.
+/// A leg whose corridor is closed: the waypoint where it arrives and the limit that closes it, both by index.
 pub struct Closed {
     pub waypoint: usize,
     pub by: usize,
-    pub corridor: usize,
+    /// Its half width, m.
+    pub half_width: f64,
 }
 
 /// A bound that a body forbids, with the box that has all of what it forbids.
@@ -64,17 +65,18 @@ pub fn closed(limits: &[Limit], waypoints: &[Waypoint]) -> Option<Closed> {
     let forbidding = limits.iter().enumerate().filter(|(_, limit)| limit.is_general());
     let forbidding: Vec<Forbidding> =
         forbidding.filter_map(|(limit, own)| Some(Forbidding { limit, reach: Reach::of(own)? })).collect();
-    limits.iter().enumerate().find_map(|(corridor, limit)| {
+    limits.iter().find_map(|limit| {
         let on = limit.leg.as_deref()?;
         let LimitKind::Distance(DistanceFrom::Line { along, .. }) = limit.kind else { return None };
-        let radius = limit.upper? + slack(limit);
+        let half_width = limit.upper?;
+        let radius = half_width + slack(limit);
         let ends = waypoints.get(on.leg..=on.leg + 1)?;
         // A cross-section that is forbidden whole has its middle on the line between the ends.
         let line = [0, 1].map(|i| ends[i].position);
         let near = forbidding.iter().filter(|body| body.reach.meets(line));
         let ends = [0, 1].map(|i| (Vector3::from(ends[i].position), ends[i].within));
         let by = { near }.find(|body| closes(&limits[body.limit], ends, Vector3::from(along), radius))?.limit;
-        Some(Closed { waypoint: on.leg + 1, by, corridor })
+        Some(Closed { waypoint: on.leg + 1, by, half_width })
     })
 }
 

@@ -109,9 +109,9 @@ fn is_straight_free(bodies: &[(&Limit, Option<Reach>)], ends: &[Waypoint]) -> bo
     })
 }
 
+/// Whether a position keeps a limit; limits on other quantities say nothing of it.
 fn is_kept(limit: &Limit, p: [f64; 3]) -> bool {
-    let value = limit.value_at(p).unwrap_or(0.0);
-    limit.upper.is_none_or(|upper| value <= upper) && limit.lower.is_none_or(|lower| value >= lower)
+    limit.violation_at(p).is_none_or(|violation| violation <= 0.0)
 }
 
 /// Boxes between planes across the axes.
@@ -235,8 +235,10 @@ impl Boxes {
 
     /// The boxes, by axis, that a bound may close.
     fn near(&self, limit: &Limit) -> [Range<usize>; 3] {
-        let (low, high) = body(limit).map_or(([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]), Body::extent);
-        let margin = limit.lower.filter(|_| body(limit).is_some()).unwrap_or(0.0);
+        let (low, high, margin) = match body(limit).zip(limit.lower) {
+            Some((body, clearance)) => (body.extent().0, body.extent().1, clearance),
+            None => ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3], 0.0),
+        };
         [0, 1, 2].map(|axis| self.touching(axis, low[axis] - margin, high[axis] + margin))
     }
 

@@ -3,7 +3,7 @@
 use super::SITE;
 use crate::body::Body;
 use crate::diagnostic::Diagnostic;
-use crate::model::{DistanceFrom, LandingSite, Limit, LimitKind, Mission, Vehicle};
+use crate::model::{DistanceFrom, LandingSite, Limit, Mission, Quantity, Vehicle};
 use crate::number::{number, significant};
 use crate::read::context::Context;
 
@@ -78,31 +78,20 @@ fn violation(limit: &Limit, site: &LandingSite) -> Option<f64> {
         let below = limit.lower.map_or(f64::NEG_INFINITY, |lower| lower - (c - radius));
         limit.upper.map_or(below, |upper| below.max(c + radius - upper))
     };
-    match &limit.kind {
-        LimitKind::X => Some(between(x)),
-        LimitKind::Y => Some(between(y)),
-        LimitKind::Z => Some(z - limit.upper?),
-        LimitKind::Face(normal) => Some(dot(*normal, [x, y, z]) + radius * normal[0].hypot(normal[1]) - limit.upper?),
-        LimitKind::Distance(DistanceFrom::Point([a, b, c])) => {
+    match limit.kind.describe().quantity {
+        Quantity::Axis { axis: 0, order: 0, .. } => Some(between(x)),
+        Quantity::Axis { axis: 1, order: 0, .. } => Some(between(y)),
+        Quantity::Axis { axis: 2, order: 0, .. } => Some(z - limit.upper?),
+        Quantity::Along(normal) => Some(dot(normal, [x, y, z]) + radius * normal[0].hypot(normal[1]) - limit.upper?),
+        Quantity::Distance(DistanceFrom::Point([a, b, c])) => {
             Some(((x - a).hypot(y - b) + radius).hypot(z - c) - limit.upper?)
         }
-        LimitKind::Distance(DistanceFrom::Axis([a, b])) => Some((x - a).hypot(y - b) + radius - limit.upper?),
-        LimitKind::Clearance(obstacle) => Some(limit.lower? - apart(&obstacle.body, site)),
+        Quantity::Distance(DistanceFrom::Axis([a, b])) => Some((x - a).hypot(y - b) + radius - limit.upper?),
+        Quantity::Clearance(obstacle) => Some(limit.lower? - apart(&obstacle.body, site)),
         // Corridors belong to legs.
-        LimitKind::Distance(DistanceFrom::Line { .. }) => None,
-        LimitKind::Yaw
-        | LimitKind::Speed
-        | LimitKind::SpeedHorizontal
-        | LimitKind::Climb
-        | LimitKind::Descent
-        | LimitKind::Acceleration
-        | LimitKind::AccelerationHorizontal
-        | LimitKind::Jerk
-        | LimitKind::YawRate
-        | LimitKind::YawAcceleration
-        | LimitKind::Tilt
-        | LimitKind::Arrival(_)
-        | LimitKind::Heading(_) => None,
+        Quantity::Distance(DistanceFrom::Line { .. }) => None,
+        Quantity::Axis { .. } | Quantity::Norm { .. } | Quantity::Tilt => None,
+        Quantity::Arrival(_) | Quantity::Heading(_) => None,
     }
 }
 

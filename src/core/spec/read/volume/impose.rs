@@ -45,11 +45,11 @@ fn ends(mission: &Mission, to: usize) -> [(String, Span); 2] {
 fn leaves_corridors(cx: &mut Context, mission: &Mission, size: f64) -> bool {
     let Some(found) = corridor::closed(&mission.limits, &mission.waypoints) else { return true };
     let [(from, from_span), (to, to_span)] = ends(mission, found.waypoint);
-    let (by, corridor) = (&mission.limits[found.by], &mission.limits[found.corridor]);
+    let by = &mission.limits[found.by];
     let message = format!("no straight way leads from {from} to {to}: `{}` closes it", by.name());
     let error = Diagnostic::error(NO_WAY, to_span, message).here("cannot be reached along a straight line");
     let error = error.also(from_span, "from here").also(by.span, "closes the way");
-    let (kept, radius) = (significant(size, 3), significant(corridor.upper.unwrap_or(0.0), 3));
+    let (kept, radius) = (significant(size, 3), significant(found.half_width, 3));
     cx.report(error.help(format!(
         "let the leg go around, by a waypoint beside the volume or without `straight` or `corridor`: it stays within \
          {radius} m of its line, and the vehicle keeps {kept} m and the `clearance` from the boundary"
