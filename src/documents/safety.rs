@@ -99,14 +99,17 @@ impl<'a> Case<'a> {
         let between = match () {
             () if proved == 0.0 => "Ways out hold between the instants looked at; this is not shown.".into(),
             () if proved < covered => format!(
-                "The certificate proves {} s of the {} s x fault that count as covered; in the rest, ways out hold between \
-                 the instants looked at, which is not shown.",
+                "The certificate proves {} s of the {} s x fault that count as covered, from the states that a \
+                 simulation expects, within its tolerances; in the rest, ways out hold between the instants looked at, \
+                 which is not shown.",
                 fixed(proved, 2),
                 fixed(covered, 2)
             ),
-            () => "After a fault the vehicle is, when the fault is known, within the tolerances of the certificate of the \
-                   state that a simulation expects; from there a way out is proved at every instant."
-                .into(),
+            () => {
+                "When a fault is known, the vehicle is in the state that a simulation expects, within the tolerances \
+                   of the certificate; from there a way out is proved at every instant."
+                    .into()
+            }
         };
         [
             "Each mode strikes at a constant rate, independently of all others; a failure with one cause for several \
@@ -115,8 +118,8 @@ impl<'a> Case<'a> {
             "The spec is true: masses, inertias, places and thrust of rotors, rates and sites are as written.".into(),
             "A fault is known after the delays of the spec; a fault that stays undetected is not covered.".into(),
             between,
-            "One simulated flight stands for all flights of a way out. Where it did not end as planned, the time to the \
-             instants around it counts as a loss of control."
+            "One simulated flight stands for all flights of a way out. Where it did not end as planned, the time to \
+             the instants around it counts as a loss of control."
                 .into(),
             "A second fault in the same mission is a loss of control, because no way out is sought after it.".into(),
             "The tolerances within which a certificate shows its statements (docs/certificates.md, The theorem) are \

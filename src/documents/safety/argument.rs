@@ -118,8 +118,8 @@ impl Argument {
 }
 
 /// What a loss of control is.
-const LOST: &str = "Loss of control: a mode strikes where it is uncovered, because no way out is known or its simulated \
-                    flight failed, or two modes strike in one mission";
+const LOST: &str = "Loss of control: a mode strikes where it is uncovered, because no way out is known or its \
+                    simulated flight failed, or two modes strike in one mission";
 
 /// The argument of a case.
 pub fn argument(case: &Case) -> Argument {
@@ -236,8 +236,8 @@ fn of_mode(case: &Case, mode: usize) -> (String, bool) {
     match case.problem.model().modes[mode].rate {
         Some(_) => {
             let text = format!(
-                "{name} strikes where it is uncovered with a probability of at most {} a mission ({open} of {all} s \
-                 uncovered{why})",
+                "{name} strikes where it is uncovered with a probability of at most {} a mission ({open} of {all} \
+                 s{why})",
                 short(p)
             );
             (text, false)

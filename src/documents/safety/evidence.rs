@@ -353,7 +353,8 @@ fn of_mode(mission: &Mission, found: ModeOutcomes, duration: f64) -> Result<Mode
             return Err(format!("the outcomes of {name} do not follow each other at {} s", number(piece.from_s)));
         }
         for part in parts(name, piece, outcome)? {
-            // The outcome changes somewhere between two instants that were looked at: the worse one counts for all of it.
+            // The outcome changes somewhere between two instants that were looked at: the worse one counts for all
+            // of it.
             let from = match pieces.last_mut() {
                 Some(Piece { to, outcome: earlier, .. }) if *earlier > part.outcome => {
                     *to = part.from;

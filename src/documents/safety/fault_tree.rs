@@ -6,8 +6,8 @@ use crate::model::RotorState;
 use std::fmt::Write;
 
 /// The tree: control is lost if one mode strikes where it is uncovered, without a way out or with one whose simulated
-/// flight failed, or if two modes strike. The rate of a mode is a parameter; one that is known to an interval is a uniform
-/// deviate, whose mean is the rate.
+/// flight failed, or if two modes strike. The rate of a mode is a parameter; one that is known to an interval is a
+/// uniform deviate, whose mean is the rate.
 ///
 /// Names of modes are letters, digits and `_`, so that a `-` separates the parts of a name.
 pub fn open_psa(case: &Case) -> String {

@@ -33,8 +33,8 @@ const FORMS: [&str; 4] = [
     "fmea.csv: a worksheet of failure modes and effects with the usual columns; S, O, D and RPN are the spec's. The \
      standard for such worksheets, IEC 60812:2018, was not read and is not quoted; conformity is not claimed.",
     "fha.csv: a list of functional hazards. Its columns and severity classes are mavc's, from no standard.",
-    "faulttree.xml: Open-PSA Model Exchange Format, version 2.0, as scram 0.16.2 reads it. scram takes the mean of a rate \
-     that is an interval.",
+    "faulttree.xml: Open-PSA Model Exchange Format, version 2.0, as scram 0.16.2 reads it. scram takes the mean of a \
+     rate that is an interval.",
     "argument.svg and argument.json: Goal Structuring Notation; meant is the Community Standard, Version 3. Goals are \
      supported by goals, strategies and solutions, strategies by goals; both hold in contexts and assumptions.",
 ];
@@ -69,8 +69,8 @@ pub fn page(case: &Case) -> String {
                 p {
                     "Written by mavc " (env!("CARGO_PKG_VERSION")) " from the spec with the SHA-256 "
                     code { (case.spec_sha256) } ". Change the spec and write the folder again; edit no file by hand. "
-                    code { "mavc safety SPEC -o DIR --check" } " finds files that do not follow from the spec, the report and \
-                     the certificate."
+                    code { "mavc safety SPEC -o DIR --check" } " finds files that do not follow from the spec, the \
+                     report and the certificate."
                 }
                 h2 { "Files" }
                 table {
@@ -126,7 +126,8 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
                 format!(" If ways out whose simulated flight failed covered their time: {} a mission.", short(p))
             });
             format!(
-                "{} for each mission of {} s; {} for each flight hour if such missions follow each other.{failed}{without}",
+                "{} for each mission of {} s; {} for each flight hour if such missions follow each \
+                 other.{failed}{without}",
                 with_interval(p, q.interval),
                 significant(e.duration, 4),
                 short(hourly)
@@ -252,7 +253,8 @@ fn importance(case: &Case) -> Markup {
                     td { (case.problem.model().modes[one.mode].name) }
                     td {
                         (short(one.rate_per_h))
-                        @if !one.spread.is_none() { (format!(" ({} to {})", short(one.interval()[0]), short(one.interval()[1]))) }
+                        @let [low, high] = one.interval().map(short);
+                        @if !one.spread.is_none() { " (" (low) " to " (high) ")" }
                     }
                     td { (short(saved)) }
                     td { @if one.exposed.is_empty() { "always covered" } @else { (short(q.saved_by_a_second(at))) } }

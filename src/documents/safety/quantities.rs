@@ -2,9 +2,9 @@
 //!
 //! A mode with the rate `r` strikes as a Poisson process, so its strikes in separate parts of the mission are
 //! independent events. There is one event for the uncovered seconds of each phase, without a way out or with one whose
-//! simulated flight failed, `1 - exp(-r u)`, and one for all the others together, `1 - exp(-r c)`. Control is lost if an event of the first kind occurs, or events of two
-//! modes. The shares of exposure are the times of exponential events rather than factors: this is exact for any rate,
-//! where a factor would be so for small ones.
+//! simulated flight failed, `1 - exp(-r u)`, and one for all the others together, `1 - exp(-r c)`. Control is lost if
+//! an event of the first kind occurs, or events of two modes. The shares of exposure are the times of exponential
+//! events rather than factors: this is exact for any rate, where a factor would be so for small ones.
 
 use super::evidence::{FAILED, Phase};
 use super::{Case, SEVERITIES, short};

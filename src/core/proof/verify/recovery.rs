@@ -60,8 +60,8 @@ struct OfMode {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Covered {
     pub mode: String,
-    /// The instants of a fault from which every state within the tolerances has a way out after every delay, s since the
-    /// start of the plan: from and to, in the order of time.
+    /// From and to which instant a fault has a way out after every delay, from every state within the tolerances, s
+    /// since the start of the plan; in the order of time.
     pub instants: Vec<[f64; 2]>,
     /// For how long that is, s.
     pub seconds: f64,
