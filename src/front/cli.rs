@@ -40,9 +40,9 @@ mod watch;
 use crate::source::visible;
 use crate::verdict::Verdict;
 use arguments::{
-    AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, DiagnoseArgs, EmitArgs, EmitFormat, FmtArgs,
-    Format, IdentifyArgs, ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SafetyArgs, SimulateArgs, SpecArgs,
-    Stage, VerifyArgs, ViewArgs,
+    AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, DenyOfPlan, DiagnoseArgs, EmitArgs,
+    EmitFormat, FmtArgs, Format, IdentifyArgs, ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SafetyArgs,
+    SimulateArgs, SpecArgs, Stage, VerifyArgs, ViewArgs,
 };
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};

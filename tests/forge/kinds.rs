@@ -19,6 +19,7 @@ mod selection;
 mod shape;
 mod sides;
 mod times;
+mod ways;
 mod witness;
 
 use super::motion::{Timetable, Wish, add_spline};
@@ -76,7 +77,7 @@ const fn unfounded(name: &'static str, premises: &'static [Premise], make: Make)
 
 /// Every kind.
 pub fn all() -> Vec<Kind> {
-    let families: [&[Kind]; 19] = [
+    let families: [&[Kind]; 20] = [
         joints::KINDS,
         pieces::KINDS,
         times::KINDS,
@@ -96,6 +97,7 @@ pub fn all() -> Vec<Kind> {
         capture_height::KINDS,
         cores::KINDS,
         outlines::KINDS,
+        ways::KINDS,
     ];
     families.into_iter().flatten().map(|k| Kind { ..*k }).collect()
 }

@@ -7,6 +7,8 @@
 
 mod arguments;
 mod kinds;
+#[path = "../it/members.rs"]
+mod members;
 mod motion;
 mod numbers;
 mod specs;
@@ -18,7 +20,7 @@ mod vehicles;
 
 use arguments::Arguments;
 use kinds::{Kind, Known};
-use mavc::certificate::Certificate;
+use mavc::certificate::{Certificate, Claim};
 use mavc::verify::cost::Budget;
 use mavc::verify::{self, Accepted, Premise, Premises, Read, Settings};
 use numbers::Numbers;
@@ -93,7 +95,11 @@ fn honest(specs: &[Spec]) -> Vec<String> {
         Some(format!("the honest certificate of {} is refused: {}", spec.name, found.err()?.sentence()))
     };
     let meant: Vec<&Spec> = specs.iter().filter(|spec| !spec.is_void).collect();
-    meant.par_iter().filter_map(refused).collect()
+    let with_ways = specs.iter().filter_map(|spec| {
+        let found = verify::decide(&spec.with_ways(spec.ways.clone()?), spec.model(), Settings::default());
+        Some(format!("the honest ways out of {} are refused: {}", spec.name, found.err()?.sentence()))
+    });
+    meant.par_iter().filter_map(refused).collect::<Vec<_>>().into_iter().chain(with_ways).collect()
 }
 
 /// A set that the checker cannot work out is named, whatever the motion; what is wrong otherwise.
@@ -160,5 +166,9 @@ fn passes_without(spec: &Spec, forgery: &Certificate, known: Known, premise: Pre
         let read = Read { certificate: forgery.clone(), hash: Default::default() };
         return verify::verify(&read, spec.model(), SHA, settings).is_ok();
     }
-    verify::decide_at_nodes(forgery, spec.model(), settings).is_ok_and(|verdict| !is_named(&verdict, known))
+    let found = match &forgery.claim {
+        Claim::Plan(claim) if claim.recovery.is_some() => verify::decide(forgery, spec.model(), settings),
+        _ => verify::decide_at_nodes(forgery, spec.model(), settings),
+    };
+    found.is_ok_and(|verdict| !is_named(&verdict, known))
 }

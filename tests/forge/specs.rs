@@ -8,12 +8,14 @@ mod particular;
 use super::motion::{Timetable, Wish, add_spline, certificate};
 use super::numbers::Numbers;
 use super::truth::{Falsehood, Outline, Truth};
-use mavc::certificate::{Certificate, Claim};
+use mavc::certificate::{Certificate, Claim, RecoveryClaim};
 use mavc::model::{
-    Allocation, Environment, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread, Volume,
+    Allocation, Environment, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, Problem, RotorSpread,
+    Spread, Volume,
 };
 use mavc::motion::checks::{peak, violation};
 use mavc::motion::{Trajectory, X, Y, YAW, Z};
+use mavc::recovery::recovery;
 use rayon::prelude::*;
 
 pub use foreign::WEAKER;
@@ -37,12 +39,14 @@ pub struct Draft {
     pub capture_height: Option<f64>,
     /// Those of the spec's volumes, where all of them are polygons.
     pub outlines: Vec<Outline>,
+    /// Whether the honest certificate has ways out.
+    pub ways: bool,
 }
 
 impl Draft {
     pub fn new(name: &'static str, total: f64, model: Model, limits: &[(LimitKind, f64)]) -> Self {
         let (limits, outlines) = (limits.to_vec(), Vec::new());
-        Draft { name, model, total, limits, harder: false, motion: None, capture_height: None, outlines }
+        Draft { name, model, total, limits, harder: false, motion: None, capture_height: None, outlines, ways: false }
     }
 }
 
@@ -86,6 +90,8 @@ pub struct Spec {
     pub harder: Vec<(Harder, Certificate)>,
     /// m above the ground
     pub capture_height: Option<f64>,
+    /// The ways out after faults, which only kinds about them claim.
+    pub ways: Option<RecoveryClaim>,
     /// No certificate of this spec proves anything: its reserve is taken about a hover outside a set.
     pub is_void: bool,
 }
@@ -126,6 +132,15 @@ impl Spec {
         self.claiming(&self.honest)
     }
 
+    /// The honest certificate with ways out.
+    pub fn with_ways(&self, ways: RecoveryClaim) -> Certificate {
+        let mut made = self.certificate();
+        if let Claim::Plan(claim) = &mut made.claim {
+            claim.recovery = Some(ways);
+        }
+        made
+    }
+
     /// A claim that another motion is the plan.
     pub fn claiming(&self, motion: &Trajectory) -> Certificate {
         self.claim(motion, &self.selected_by)
@@ -156,7 +171,7 @@ impl Spec {
     /// # Panics
     /// Where the draft's honest plan is none: a mistake in the list.
     pub fn of(draft: Draft) -> Self {
-        let Draft { name, mut model, total, limits, harder, motion, capture_height, outlines } = draft;
+        let Draft { name, mut model, total, limits, harder, motion, capture_height, outlines, ways } = draft;
         let honest = motion.or_else(|| smooth(&model, total)).unwrap_or_else(|| panic!("{name}: no motion"));
         let air = model.environment();
         let wanted = limits.into_iter().map(|(kind, share)| reached(&honest, kind, share, &air));
@@ -182,7 +197,11 @@ impl Spec {
         };
         let found = if harder { foreign::harder(&model, total) } else { Vec::new() };
         let easier = easier(&model).into_iter().map(|(how, model)| (how, Truth::of(&model))).collect();
-        Spec { name, truth, honest, selected_by, easier, harder: found, capture_height, is_void }
+        let ways = ways.then(|| {
+            let problem = Problem::of(&model).expect("a mission");
+            recovery(problem, &honest, true).claim().unwrap_or_else(|| panic!("{name}: no ways out"))
+        });
+        Spec { name, truth, honest, selected_by, easier, harder: found, capture_height, ways, is_void }
     }
 }
 

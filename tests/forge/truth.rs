@@ -12,6 +12,7 @@
 
 mod cores;
 mod outline;
+mod ways;
 
 use super::motion::{AXES, equations, of_record};
 use cores::Core;
@@ -80,6 +81,8 @@ pub enum Falsehood {
     Height,
     /// The spec requires a reserve about hover, which lies outside a set that it shrinks.
     Reserve,
+    /// A way out that is none.
+    Way,
 }
 
 /// What a motion has to keep.
@@ -181,7 +184,13 @@ impl Truth {
             self.requires_height(height) && motion.is_some_and(|motion| self.keeps_height(&motion, height))
         };
         let of_height = certificate.capture_height_m.filter(|&height| !keeps_height(height));
-        self.of_claim(claim).or_else(|| of_height.map(|_| Falsehood::Height))
+        self.of_claim(claim).or_else(|| of_height.map(|_| Falsehood::Height)).or_else(|| self.misleads(claim))
+    }
+
+    /// Whether the ways out of a claim are none.
+    fn misleads(&self, claim: &PlanClaim) -> Option<Falsehood> {
+        let plan = of_record(&claim.motion, self.equations)?;
+        claim.recovery.as_ref().filter(|ways| ways::are_false(&self.model, &plan, ways)).map(|_| Falsehood::Way)
     }
 
     /// Whether a certificate of the spec may give this height, m above the ground.

@@ -40,6 +40,7 @@ mod legs;
 mod logs;
 mod lsp;
 mod many;
+mod members;
 mod method;
 mod mjcf;
 mod model;

@@ -9,7 +9,7 @@ use mavc::motion::shape::{Place, Shape, Turned, distance_from_segment};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory};
 use mavc::observer::Silent;
-use mavc::planner::studies::{MissionPlan, Scope, compare};
+use mavc::planner::studies::{MissionPlan, Scope, Verification, compare};
 use mavc::report::{shape, terminal};
 
 /// A motion of the exact model through the states at these times; waypoints are at the nodes given.
@@ -199,7 +199,14 @@ fn statements_are_tried_and_priced() {
         assert!(untried.contains("`altitude <= ...` in `limits` forbids it."), "{untried}");
         assert!(untried.contains("`straight` or `corridor ...` on waypoint 2 forbids it."), "{untried}");
         assert!(is_cheap(task.problem()));
-        try_statements(task.problem(), &mut found);
+        let (shorter, _) = try_statements(task.problem(), &plan, &mut found);
+        // A plan that keeps more is one of this mission too; at a fixed time there is no shorter one.
+        let shorter = shorter.map(|shorter| shorter.runs.last().unwrap().outcome.plan().unwrap().clone());
+        // What limits its time counts limits that this mission does not have.
+        assert!(shorter.as_ref().is_none_or(|plan| plan.binding.is_empty()));
+        let checked = shorter.as_ref().is_some_and(|plan| plan.verification == Verification::Passed);
+        assert_eq!(checked, time == "minimum");
+        assert!(shorter.is_none_or(|plan| Some(plan.time) == found[0].tried && plan.time < 60.0));
         assert!(found.iter().all(|detour| detour.tried.is_some()), "{found:?}");
         let text = terminal::detours(task.problem(), &plan, &found).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
@@ -225,8 +232,8 @@ fn statements_are_tried_and_priced() {
 fn text_record_and_schema_agree() {
     let spec = spec_of("", "", "6 s");
     let task = Task::new(&spec).unwrap();
-    let planning = task.plan(&Silent);
-    task.detours(&planning, &Silent).unwrap();
+    let mut planning = task.plan(&Silent);
+    task.detours(&mut planning, &Silent).unwrap();
     let record = serde_json::to_value(task.report(&planning, &mavc::Explained::default(), None)).unwrap();
     schema("report").assert_valid(&record);
     let shape = &record["planners"][0]["shape"];

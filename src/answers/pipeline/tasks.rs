@@ -198,7 +198,7 @@ pub struct Planning {
     /// The captures against which it is measured, once they are simulated.
     pub(super) capture_heights: OnceLock<Option<Arc<CaptureHeights>>>,
     /// The detours of its plan, once statements against them were tried.
-    detours: OnceLock<Vec<Detour>>,
+    detours: Option<Vec<Detour>>,
 }
 
 impl Planning {
@@ -334,7 +334,7 @@ impl<'s> Task<'s> {
             spec: self.spec.identity(),
             height,
             capture_heights: OnceLock::new(),
-            detours: OnceLock::new(),
+            detours: None,
         }
     }
 
@@ -386,26 +386,36 @@ impl<'s> Task<'s> {
     }
 
     /// Tries statements that forbid the detours of the plan, if it has some and one quick search is cheap; what is
-    /// found is in later reports of `planning`, which otherwise name statements without values. Returns the detours.
+    /// found is in later reports of `planning`, which otherwise name statements without values. A plan found so that
+    /// is shorter takes the place of the plan. Returns the detours.
     ///
     /// # Errors
     /// `planning` is the outcome for another spec.
-    pub fn detours<'p>(&self, planning: &'p Planning, observer: &dyn Observer) -> Result<&'p [Detour], OtherSpec> {
+    pub fn detours<'p>(&self, planning: &'p mut Planning, observer: &dyn Observer) -> Result<&'p [Detour], OtherSpec> {
         planning.check_spec(self.spec)?;
-        Ok(planning.detours.get_or_init(|| {
+        if planning.detours.is_none() {
             let mut detours = self.untried(planning);
-            if !detours.is_empty() && detour::is_cheap(self.problem()) {
+            if let Some(plan) = planning.plan()
+                && !detours.is_empty()
+                && detour::is_cheap(self.problem())
+            {
                 observer.begins("the plan climbs or strays from its legs; trying statements that forbid it");
-                let effort = timed(observer, "detours", || detour::try_statements(self.problem(), &mut detours));
-                observer.asked(None, &effort);
+                let tried = timed(observer, "detours", || detour::try_statements(self.problem(), plan, &mut detours));
+                observer.asked(None, &tried.1);
+                if let Some(shorter) = tried.0 {
+                    planning.comparison = shorter;
+                    planning.capture_heights = OnceLock::new();
+                    detours = self.untried(planning);
+                }
             }
-            detours
-        }))
+            planning.detours = Some(detours);
+        }
+        Ok(planning.detours.as_deref().unwrap_or_default())
     }
 
     /// The detours of the plan with what was tried.
     pub(super) fn known_detours(&self, planning: &Planning) -> Vec<Detour> {
-        planning.detours.get().cloned().unwrap_or_else(|| self.untried(planning))
+        planning.detours.clone().unwrap_or_else(|| self.untried(planning))
     }
 
     fn untried(&self, planning: &Planning) -> Vec<Detour> {

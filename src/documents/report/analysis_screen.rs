@@ -204,11 +204,24 @@ pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin
     if !spins.is_empty() {
         lines.push("rad/s, deg: the spin in which flights settle; its axis from the body's z axis".into());
     }
+    if modes.iter().skip(1).any(|mode| mode.outcome == Outcome::FliesOn) {
+        lines.push("flies on: a balance is left; `mavc simulate` flies the change to it".into());
+    }
+    lines.extend(planned_against(model));
     if model.vehicle.is_uncertain() {
         lines.push("outcomes hold for all values of the intervals; figures are those of the middle".into());
     }
     lines.extend(speeds(model, modes));
     lines
+}
+
+/// `plans are made against M1 .. M4, not M5, M6`; `None` without a mission, and if they are made against all modes.
+fn planned_against(model: &Model) -> Option<String> {
+    model.mission.as_ref()?;
+    let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
+    let (yes, no): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|mode| model.plan.against.contains(mode));
+    let names = |modes: &[usize]| if modes.is_empty() { "no mode".into() } else { within(&all, modes, NAMES) };
+    (!no.is_empty()).then(|| format!("plans are made against {}, not {} (`against`)", names(&yes), names(&no)))
 }
 
 /// `steady airspeed with the reserve: 23.1 m/s without a fault, least after M2: 12.3 m/s`

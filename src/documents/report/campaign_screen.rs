@@ -164,11 +164,14 @@ fn differences(design: &Design, tally: &Tally, plans: &[Survival]) -> Vec<String
             let p = sign_test(fewer, more);
             let word = if p < SIGNIFICANT { "significant" } else { "not significant" };
             let p = if p < 1e-4 { "p < 0.0001".to_string() } else { format!("p = {}", significant(p, 2)) };
-            format!(
-                "{} against {}: loses a smaller share at {fewer} instants of a mode, a larger one at {more}: {word} \
-                 ({p})",
-                other.name, first.name
-            )
+            let (other, first) = (&other.name, &first.name);
+            match fewer + more {
+                0 => format!("{other} loses as many flights as {first} at every instant of every mode"),
+                _ => format!(
+                    "{other} loses fewer flights than {first} at {fewer} pairs of mode and instant, more at {more}: \
+                     {word} ({p})"
+                ),
+            }
         })
         .collect();
     if !texts.is_empty() {

@@ -60,6 +60,19 @@ impl CaptureRecord {
     }
 }
 
+/// The height that a plan keeps and what remains, in one line: `6.64 m kept above the ground outside 5 m of start and
+/// end; near them L4 has too little height for 8.65 s (simulated)`; `None` where the spec requires none.
+pub fn figure(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<String> {
+    let (height, radius) = record.height_m.zip(record.radius_m)?;
+    let worst = exposed.iter().max_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let near = worst.map_or(String::new(), |worst| {
+        let seconds = significant(worst.seconds, 3);
+        format!("; near them {} has too little for up to {seconds} s (simulated)", worst.mode)
+    });
+    let [height, radius] = [height, radius].map(|m| significant(m, 3));
+    Some(format!("{height} m kept above the ground outside {radius} m of start and end{near}"))
+}
+
 /// When a plan is lower than the captures of a mode ask for.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -126,8 +139,7 @@ pub fn caveat(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<Cavea
             if modes > 0 { format!(" It is too low for {}.", plural(modes, "more mode")) } else { String::new() }
         ),
         None => format!(
-            "{strikes}, no height is known to be enough to regain level flight: not every simulated flight does; not \
-             proved.{}",
+            "{strikes}, some simulated flights never regain level flight, so no height was shown to be enough.{}",
             if modes > 0 { format!(" The plan is exposed to {}.", plural(modes, "more mode")) } else { String::new() }
         ),
     };

@@ -166,10 +166,10 @@ fn own_note(problem: Problem, comparison: &Comparison) -> String {
         .as_ref()
         .filter(|_| is_beside)
         .map(|at| format!("The spec requires {at} s; these times were searched for in addition, for comparison."));
-    let selected = at
-        .as_ref()
-        .filter(|_| selects(comparison))
-        .map(|at| format!("RSP uses the facets selected at T_d = {at} s, also at its own time."));
+    let selected = at.as_ref().filter(|_| selects(comparison)).map(|at| match comparison.own_selected_by {
+        Some(_) => "RSP's shortest time is for the facets selected at RCP's shortest time.".to_string(),
+        None => format!("RSP uses the facets selected at T_d = {at} s, also at its own time."),
+    });
     let text: Vec<String> = bound.into_iter().chain(beside).chain(selected).collect();
     if text.is_empty() {
         return String::new();

@@ -3,7 +3,7 @@
 mod coverage;
 mod price;
 
-pub use coverage::CoverageRecord;
+pub use coverage::{CoverageRecord, Covers};
 pub(super) use coverage::{unsafe_until, warn_of_not_covered};
 
 use super::battery;
@@ -13,7 +13,7 @@ use super::capture_height::{CaptureRecord, ExposedRecord};
 use super::caveats::caveats;
 use super::mode_names::within;
 use super::record::rates;
-use super::screen::{Keep, Screen, Tone};
+use super::screen::{Counted, Keep, Screen, Tone};
 use super::shape;
 use super::terminal::vehicle_line;
 use super::verdict_text;
@@ -33,6 +33,8 @@ use std::cmp::Reverse;
 
 /// Digits of every figure.
 const DIGITS: usize = 3;
+/// Smaller distances from a volume are not told apart, m.
+const NEAREST: f64 = 0.01;
 /// Most columns of the names of modes whose risk is not counted.
 const NAMES: usize = 32;
 
@@ -110,7 +112,7 @@ impl Answer<'_> {
         screen.gap();
         for (keep, label, text) in self.figures(run, solved) {
             let text = format!("{label:<10} {text}");
-            screen.part(keep, None, |screen| screen.paragraph(Tone::Plain, 2, 11, &text));
+            screen.part(keep, Some((Counted::Figure, 1)), |screen| screen.paragraph(Tone::Plain, 2, 11, &text));
         }
         self.remarks(model, solved).iter().for_each(|(keep, text)| screen.remark(*keep, text));
         hidden
@@ -125,6 +127,9 @@ impl Answer<'_> {
         lines.push((Keep::Figure, "waypoints", waypoints::headline(&reached)));
         lines.push((Keep::Figure, "path", path(self.problem, solved)));
         lines.extend(wind(model).map(|text| (Keep::Figure, "wind", text)));
+        let captures = self.heights.and_then(|heights| CaptureRecord::new(model, heights));
+        let capture = captures.and_then(|record| capture_height::figure(&record, self.exposed));
+        lines.extend(capture.map(|text| (Keep::Figure, "capture", text)));
         if let Some(record) = battery::record(model, &solved.trajectory) {
             let left = if record.left < 0.0 { "none".to_string() } else { percent(record.left) };
             lines.push((
@@ -136,17 +141,24 @@ impl Answer<'_> {
         let nearest = volumes::records(self.problem, solved);
         let spare = |record: &volumes::VolumeRecord| record.distance_m - record.required_m;
         if let Some(record) = nearest.iter().min_by(|a, b| spare(a).total_cmp(&spare(b))) {
-            let [distance, required] = [record.distance_m, record.required_m].map(|m| significant(m, DIGITS));
+            let distance = match record.distance_m < NEAREST {
+                true => "under 1 cm".to_string(),
+                false => format!("{} m", significant(record.distance_m, DIGITS)),
+            };
+            let required = match record.required_m > 0.0 {
+                true => format!("{} m required", significant(record.required_m, DIGITS)),
+                false => "without a `clearance` for the flight's errors".to_string(),
+            };
             let at = fixed(record.at_s, 2);
             let of = if nearest.len() > 1 { format!(", the tightest of {}", nearest.len()) } else { String::new() };
-            lines.push((
-                Keep::Figure,
-                "volumes",
-                format!("{distance} m from {} at {at} s, {required} m required{of}", record.name),
-            ));
+            let text = format!("{distance} from {} at {at} s, {required}{of}", record.name);
+            lines.push((Keep::Figure, "volumes", text));
         }
         if let Some(risk) = rated_risk(&rates(model), &solved.committed) {
-            let text = format!("probability {} of a fault while the plan is unsafe", significant(risk, DIGITS));
+            let text = match risk > 0.0 {
+                true => format!("probability {} of a fault while the plan is unsafe", significant(risk, DIGITS)),
+                false => "none from the modes planned against, which the plan covers".into(),
+            };
             lines.push((Keep::Figure, "risk", text + &not_counted(model)));
         }
         let limits = binding::records(self.problem, solved);
@@ -196,12 +208,12 @@ fn not_counted(model: &Model) -> String {
     if left.is_empty() { String::new() } else { format!("; not counted: {}", within(&all, &left, NAMES)) }
 }
 
-/// `height up to 25.4 m, 0.4 m above the highest waypoint; up to 0.4 m off the straight legs; speed 9.47 of 10 m/s`
+/// `height up to 25.4 m, 0.4 m above the highest waypoint; 0.4 m off the straight legs; speed 9.47 of 10 m/s`
 fn path(problem: Problem, solved: &MissionPlan) -> String {
     let record = shape::record(problem, solved);
     let mut parts = vec![
         format!("height up to {}, {}", record.height.value(), record.height.relation()),
-        format!("up to {} off the straight legs", record.deviation.value()),
+        format!("{} off the straight legs", record.deviation.value()),
     ];
     let (mission, environment) = (problem.mission(), problem.model().environment());
     for kind in [LimitKind::Speed, LimitKind::Tilt] {

@@ -345,9 +345,11 @@ pub fn sentence(record: &RecoveryRecord) -> String {
 
 /// On what the outcomes rest: what was computed, and what was flown.
 pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
+    // A plan can be covered at an instant from which no way out is found.
+    let strayed = if record.uncovered > 0.0 { "; when the fault is known, the vehicle has left the plan" } else { "" };
     let computed = format!(
-        "Looked at {} instants, not between them. Delays are simulated without noise; branches keep the fault's set \
-         with {} % in reserve.",
+        "Looked at {} instants, not between them. Delays are simulated without noise{strayed}. Branches keep the \
+         fault's set with {} % in reserve.",
         record.instants,
         significant(100.0 * reserve, 3)
     );
@@ -391,6 +393,8 @@ fn gaps(model: &Model, recovery: &Recovery, most: usize) -> (Vec<String>, usize)
         .flat_map(|mode| mode.pieces.iter().filter(|piece| piece.way.is_none()).map(move |piece| (mode, piece)))
         .collect();
     all.sort_by(|a, b| (b.1.to - b.1.from).total_cmp(&(a.1.to - a.1.from)));
+    // One more line says as much as a line that counts it.
+    let most = if all.len() == most.saturating_add(1) { all.len() } else { most };
     let rest = all.len().saturating_sub(most);
     let sentence = |(mode, piece): &(&ModeRecovery, &Piece)| {
         let [from, to] = [piece.from, piece.to].map(|t| fixed(t, 2));

@@ -14,8 +14,41 @@ const LINES: usize = 24;
 /// The last line of a short text.
 const EVERY_TABLE: &str = "-v prints every table";
 
+/// Which modes are not shown.
+const MORE_TO_SPARE: &str = " with more to spare";
+
 /// The fewest columns of names in a table.
 const NAMES: usize = 8;
+
+/// A space at which no line ends.
+const JOINT: char = '\u{a0}';
+
+/// Units that stay on the line of their number.
+const UNITS: [&str; 16] =
+    ["%", "m", "cm", "mm", "s", "ms", "N", "kg", "deg", "degrees", "m/s", "deg/s", "rad/s", "J", "Wh", "Hz"];
+
+/// Code of at most so many columns stays on one line.
+const CODE: usize = 32;
+
+/// The text, with numbers joined to their units, and the words of short code.
+fn unbroken(text: &str) -> String {
+    let code = |(i, span): (usize, &str)| match i % 2 == 1 && span.len() <= CODE {
+        true => span.replace(' ', &JOINT.to_string()),
+        false => span.to_string(),
+    };
+    let text = text.split('`').enumerate().map(code).collect::<Vec<_>>().join("`");
+    let mut joined = String::with_capacity(text.len());
+    let mut after_number = false;
+    for (i, word) in text.split(' ').enumerate() {
+        let is_unit = UNITS.contains(&word.trim_end_matches([',', ';', '.', ':', ')']));
+        if i > 0 {
+            joined.push(if after_number && is_unit { JOINT } else { ' ' });
+        }
+        joined.push_str(word);
+        after_number = word.ends_with(|c: char| c.is_ascii_digit());
+    }
+    joined
+}
 
 /// What a line means, for its colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,6 +93,8 @@ struct Part {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Counted {
     Remark,
+    /// A labelled line of figures.
+    Figure,
     /// A mode in a table that begins with the tightest.
     Mode,
 }
@@ -69,7 +104,8 @@ impl Counted {
     fn words(self, n: usize) -> Option<String> {
         (n > 0).then(|| match self {
             Counted::Remark => plural(n, "remark"),
-            Counted::Mode => format!("{} with more to spare", plural(n, "mode")),
+            Counted::Figure => plural(n, "figure"),
+            Counted::Mode => format!("{}{MORE_TO_SPARE}", plural(n, "mode")),
         })
     }
 }
@@ -113,7 +149,8 @@ impl Screen {
     pub fn paragraph(&mut self, tone: Tone, indent: usize, hanging: usize, text: &str) {
         let [first, later] = [indent, indent + hanging].map(|n| " ".repeat(n));
         let options = textwrap::Options::new(WIDTH).initial_indent(&first).subsequent_indent(&later);
-        textwrap::wrap(text, options).iter().for_each(|line| self.line(tone, line));
+        let joined = unbroken(text);
+        textwrap::wrap(&joined, options).iter().for_each(|line| self.line(tone, &line.replace(JOINT, " ")));
     }
 
     /// Lines that may be left out.
@@ -156,21 +193,26 @@ impl Screen {
     /// The last line, after parts were left out until the screen fits: of those to keep shortest the last. `hidden` is
     /// how many modes are in no row.
     pub fn close(&mut self, hidden: usize) {
-        let (mut remarks, mut modes) = (0, hidden);
+        let (mut remarks, mut figures, mut modes) = (0, 0, hidden);
         while self.lines.len() >= LINES {
             let last_of_least = |a: &usize, b: &usize| self.parts[*a].keep.cmp(&self.parts[*b].keep).then(b.cmp(a));
             let Some(least) = self.lines.iter().filter_map(|line| line.part).min_by(last_of_least) else { break };
             self.lines.retain(|line| line.part != Some(least));
             match self.parts[least].counted {
                 Some((Counted::Remark, n)) => remarks += n,
+                Some((Counted::Figure, n)) => figures += n,
                 Some((Counted::Mode, n)) => modes += n,
                 None => {}
             }
         }
-        let left = [Counted::Remark.words(remarks), Counted::Mode.words(modes)];
+        let left = [Counted::Remark.words(remarks), Counted::Figure.words(figures), Counted::Mode.words(modes)];
         let left: Vec<String> = left.into_iter().flatten().collect();
         let left = if left.is_empty() { String::new() } else { format!("; not shown: {}", left.join(", ")) };
-        self.line(Tone::Plain, &format!("  {EVERY_TABLE}{left}"));
+        let mut last = format!("  {EVERY_TABLE}{left}");
+        if last.len() > WIDTH {
+            last = last.replace(MORE_TO_SPARE, "");
+        }
+        self.line(Tone::Plain, &last);
     }
 
     /// Adds the lines of another screen, none of which are left out later.

@@ -1,6 +1,7 @@
 //! The verdict on a planner's run in words, with exactly what was shown.
 
 use super::{least_time, without_yaw};
+use crate::flight::indistinguishable::listed;
 use crate::model::{MissionTime, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::time_grid::determined;
 use crate::number::number;
@@ -132,23 +133,20 @@ fn times(proved: &[f64]) -> String {
 /// before the rest, and the selected facets.
 fn conditions(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> String {
     let (model, mission) = (problem.model(), problem.mission());
-    let mut conditions = vec![format!("with {} samples", model.plan.samples)];
+    let samples = format!("{} samples", model.plan.samples);
+    let mut conditions = vec![samples.as_str()];
     // Waypoint times that are searched for are only locally optimal.
     if model.plan.chooses_times {
-        conditions.push("for these waypoint times".into());
+        conditions.push("these waypoint times");
     }
     if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
-        conditions.push("for the yaw planned first".into());
+        conditions.push("the yaw planned first");
     }
     // The rows imposed beyond the healthy set follow from plans, and a proof holds for these rows only.
     if run.planner == PlannerKind::Rsp && model.plan.require_risk.is_some() {
-        conditions.push("for the protection chosen to meet the required risk".into());
+        conditions.push("the protection chosen to meet the required risk");
     } else if run.planner == PlannerKind::Rsp && !comparison.selected.is_empty() {
-        let selects = match comparison.selected_by.len() {
-            0 | 1 => "the RIP plan selects",
-            _ => "the RIP plan and the plans of further rounds select",
-        };
-        conditions.push(format!("for the facets that {selects}"));
+        conditions.push("the facets that RSP guards");
     }
-    format!(" {}", conditions.join(", "))
+    format!(" with {}", listed(&conditions))
 }

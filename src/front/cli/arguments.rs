@@ -163,6 +163,11 @@ pub(super) enum Deny {
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum DenyOfPlan {
+    Unsafe,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub(super) enum Format {
     Human,
     Json,
@@ -262,6 +267,9 @@ pub(super) struct PlanArgs {
     /// After Ctrl-C, which ends the search with the best plan that it has, exit with 0 instead of 130
     #[arg(long)]
     pub accept_best: bool,
+    /// Treat a plan that does not cover every mode in `against` as none: exit code 4. It is written all the same
+    #[arg(long, value_name = "unsafe", value_enum)]
+    pub deny: Option<DenyOfPlan>,
     /// Look for a way out after every declared fault, at instants of the plan: back to the plan, to a landing site, or
     /// down at once. With --certificate also between instants, where that can be proved
     #[arg(long)]

@@ -1,12 +1,14 @@
-//! `mavc explain`: prints the page of a diagnostic code, or lists codes.
+//! `mavc explain`: prints the page of a diagnostic code, or lists the codes of a kind, or the kinds.
 
 use super::{CommandError, FINE, USAGE, files};
 use crate::diagnostic::{codes, nearest};
+use crate::report::screen::WIDTH;
 use crate::source::visible;
+use std::collections::BTreeMap;
 
 pub fn run(code: Option<&str>) -> Result<u8, CommandError> {
     let Some(code) = code else {
-        files::print(&listed(codes::all()))?;
+        files::print(&kinds())?;
         return Ok(FINE);
     };
     if let Some(page) = codes::lookup(code) {
@@ -43,11 +45,21 @@ fn of_kind(kind: &str) -> impl Iterator<Item = &'static codes::CodePage> {
     codes::all().iter().filter(move |page| page.code.starts_with(&within))
 }
 
-/// One line for each code, with its title.
-fn listed<'p>(pages: impl IntoIterator<Item = &'p codes::CodePage>) -> String {
-    let pages: Vec<_> = pages.into_iter().collect();
-    let width = pages.iter().map(|page| page.code.len()).max().unwrap_or(0);
-    pages.iter().map(|page| format!("{:<width$}  {}\n", page.code, page.title)).collect()
+/// Each code, with its title below.
+fn listed(pages: Vec<&codes::CodePage>) -> String {
+    let below = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    pages.into_iter().map(|page| format!("{}\n{}\n", page.code, textwrap::fill(page.title, &below))).collect()
+}
+
+/// The kinds of codes, the middle words, with the number of codes of each.
+fn kinds() -> String {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for page in codes::all() {
+        *counts.entry(page.code.split("::").nth(1).unwrap_or_default()).or_default() += 1;
+    }
+    let mut text = "Kinds of codes, and how many there are:\n".to_string();
+    text.extend(counts.iter().map(|(kind, count)| format!("  {kind:<10} {count:>3}\n")));
+    text + "`mavc explain KIND` lists the codes of a kind, `mavc explain CODE` explains one.\n"
 }
 
 /// The message about an unknown code, with the nearest one, by the whole code or by its last word.

@@ -5,7 +5,7 @@ use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
 use super::signals::Enough;
 use super::spec::{self, Start};
-use super::{CUT_SHORT, CommandError, INCONCLUSIVE, Options, PlanArgs, code_of, files};
+use super::{CUT_SHORT, CommandError, DenyOfPlan, INCONCLUSIVE, Options, PlanArgs, code_of, files};
 use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::MissionTime;
@@ -13,6 +13,7 @@ use crate::observer::{Observer, timed};
 use crate::pipeline::{Explained, Planning, Task, certify, with_ways_out};
 use crate::read::FlightBlocks;
 use crate::report::page::{self, PageKind};
+use crate::report::plan_screen::Covers;
 use crate::report::recovery::{self, RecoveryRecord};
 use std::panic::resume_unwind;
 
@@ -38,9 +39,9 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
     export.fits(task.model())?;
     watch.wants(task.model().plan.planner);
     let cancel = Cancel::new();
-    let planning = plan(&task, &cancel, &watch)?;
+    let mut planning = plan(&task, &cancel, &watch)?;
     if !cancel.is_enough() && planning.plan().is_some() {
-        try_statements(&task, &planning, &watch)?;
+        try_statements(&task, &mut planning, &watch)?;
     }
     // A search that was cut short shows nothing about statements.
     let explained = match cancel.is_enough() && planning.plan().is_none() {
@@ -66,11 +67,14 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
     }
     let between = planning.between(&task, &watch).map_err(|e| e.to_string())?;
     let conflict = task.diagnose(&explained);
+    let mut is_unsafe = false;
     timed(&watch, "report", || {
         if let Some(plan) = planning.plan() {
             export.add(&mut results, &plan.trajectory, &task, options)?;
         }
         let mut record = task.report(&planning, &explained, between.clone());
+        let coverage = record.planners.iter().flat_map(|planner| &planner.coverage);
+        is_unsafe = coverage.map(|sentence| sentence.covers).any(Covers::is_bad);
         record.recovery = recovery.as_ref().map(|found| RecoveryRecord::new(task.model(), found));
         if let (Some(folder), Some(found)) = (&args.branches, &recovery) {
             let files = recovery::files(task.problem(), found)?;
@@ -112,7 +116,9 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         });
         return Ok(if args.accept_best { code_of(planning.verdict()) } else { CUT_SHORT });
     }
-    if recovery.as_ref().is_some_and(|found| task.exceeds_uncovered(found)) {
+    if args.deny == Some(DenyOfPlan::Unsafe) && is_unsafe
+        || recovery.as_ref().is_some_and(|found| task.exceeds_uncovered(found))
+    {
         return Ok(INCONCLUSIVE);
     }
     Ok(code_of(planning.verdict()))
@@ -122,7 +128,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
 const STACK: usize = 8 << 20;
 
 /// Tries statements against the detours of a plan. The first Ctrl-C ends this search alone: the plan is there.
-fn try_statements(task: &Task, planning: &Planning, watch: &Watch) -> Result<(), CommandError> {
+fn try_statements(task: &Task, planning: &mut Planning, watch: &Watch) -> Result<(), CommandError> {
     let cancel = Cancel::new();
     let _enough = Enough::new(cancel.clone());
     let tried = within(&cancel, || task.detours(planning, watch).map(|_| ()))?;

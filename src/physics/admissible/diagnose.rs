@@ -74,7 +74,12 @@ pub(crate) fn diagnose_by(
         let Some(mut answer) = answer.or_else(faint) else { continue };
         answer.also = without_yaw::could_be_planned(model, &mode, index).filter(|_| answer.severity == Severity::Error);
         match found.iter_mut().find(|earlier| earlier.is_same(&answer)) {
-            Some(earlier) => earlier.modes.push(mode.name),
+            Some(earlier) => {
+                earlier.modes.push(mode.name);
+                if earlier.span != span && !earlier.others.contains(&span) {
+                    earlier.others.push(span);
+                }
+            }
             None => found.push(Answer { modes: vec![mode.name], ..answer }),
         }
     }
@@ -95,17 +100,32 @@ struct Answer {
     reserve: bool,
     /// Names of the modes; empty for the healthy vehicle.
     modes: Vec<String>,
+    /// The other places of these modes.
+    others: Vec<Span>,
     /// A further way to plan.
     also: Option<&'static str>,
 }
 
 impl Answer {
     fn new(severity: Severity, code: &'static str, span: Span, what: &str, label: String, help: &'static str) -> Self {
-        Answer { severity, code, span, what: what.into(), label, help, reserve: false, modes: Vec::new(), also: None }
+        Answer {
+            severity,
+            code,
+            span,
+            what: what.into(),
+            label,
+            help,
+            reserve: false,
+            modes: Vec::new(),
+            others: Vec::new(),
+            also: None,
+        }
     }
 
+    /// Whether two modes have the same finding, wherever they stand.
     fn is_same(&self, other: &Answer) -> bool {
-        (self.span, &self.what, &self.label) == (other.span, &other.what, &other.label)
+        let of = |answer: &Answer| (answer.code, answer.help, answer.also);
+        of(self) == of(other) && (&self.what, &self.label) == (&other.what, &other.label)
     }
 
     fn diagnostic(self, model: &Model) -> Diagnostic {
@@ -130,6 +150,9 @@ impl Answer {
         let mut diagnostic = Diagnostic::new(self.severity, self.code, self.span, message).here(self.label).help(help);
         if self.reserve && is_written(model, "plan.reserve") {
             diagnostic = diagnostic.also(model.plan.reserve_span, "the required reserve");
+        }
+        for &other in self.others.iter().take(NAMED) {
+            diagnostic = diagnostic.also(other, "likewise");
         }
         let them = if self.modes.len() == 1 { "it" } else { "them" };
         if pointed {
@@ -173,6 +196,7 @@ fn nearly_parallel(row: &Parallel, span: Span) -> Option<Answer> {
         help: "leave the mode out of `against`, or place the rotors so that the remaining ones separate the two axes",
         reserve: false,
         modes: Vec::new(),
+        others: Vec::new(),
         also: None,
     })
 }

@@ -11,18 +11,20 @@ use crate::verify::{self, Refusal, Settings};
 /// [`NotFound::Check`] with the reason. If that is the plan of a second pass, the plan before it takes its place.
 pub fn check(problem: Problem, comparison: &mut Comparison) {
     let risk_required = !comparison.trade_off.is_empty();
-    for run in &mut comparison.runs {
-        let planned = as_planned(problem, run, risk_required);
-        let selected_by = if run.planner == PlannerKind::Rsp { &comparison.selected_by[..] } else { &[] };
-        decide(&planned, &mut run.outcome, selected_by);
-    }
-    if let (Some(run), Some(plainer)) = (comparison.runs.last_mut(), comparison.plainer.take())
+    let mut runs = std::mem::take(&mut comparison.runs);
+    let decide_run = |run: &mut PlannerRun| {
+        let selected_by = comparison.selected_by(run.planner, run.run);
+        decide(&as_planned(problem, run, risk_required), &mut run.outcome, selected_by);
+    };
+    runs.iter_mut().for_each(decide_run);
+    if let (Some(run), Some(plainer)) = (runs.last_mut(), &comparison.plainer)
         && run.outcome.plan().is_none()
     {
-        run.outcome = PlanOutcome::Planned(plainer);
-        let selected_by = if run.planner == PlannerKind::Rsp { &comparison.selected_by[..] } else { &[] };
-        decide(&as_planned(problem, run, risk_required), &mut run.outcome, selected_by);
+        run.outcome = PlanOutcome::Planned(plainer.clone());
+        decide_run(run);
     }
+    comparison.runs = runs;
+    comparison.plainer = None;
 }
 
 /// Checks the plans of every number of rounds. The outcome of one that fails becomes [`NotFound::Check`].

@@ -5,9 +5,9 @@ use crate::cancel;
 use crate::certify;
 use crate::model::legs::distance;
 use crate::model::volume::{corridor, passage};
-use crate::model::{Limit, LimitKind, Mission, OnLeg, Part, PlanModel, Problem, SearchEffort};
+use crate::model::{Limit, LimitKind, Mission, MissionTime, OnLeg, Part, PlanModel, Problem, SearchEffort};
 use crate::motion::shape::Shape;
-use crate::planner::studies::{MissionPlan, Scope, compare};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, compare};
 use crate::solve::Effort;
 use std::sync::Arc;
 
@@ -168,22 +168,34 @@ pub fn is_cheap(problem: Problem) -> bool {
 }
 
 /// Plans with the statements that forbid all detours, once, by a quick search whatever the spec's effort, and records
-/// the time of the plan if there is one.
-pub fn try_statements(problem: Problem, detours: &mut [Detour]) -> Effort {
+/// the time of the plan if there is one. A plan that keeps more statements is one of the mission too: if it is shorter
+/// than `solved`, and the mission's time is searched for, it is returned, checked for the mission as it is written.
+pub fn try_statements(problem: Problem, solved: &MissionPlan, detours: &mut [Detour]) -> (Option<Comparison>, Effort) {
     let mut other = problem.model().clone();
     other.plan.effort = SearchEffort::Quick;
     if let Some(mission) = &mut other.mission {
         let limits: Vec<Limit> = detours.iter().flat_map(|detour| limits(problem.mission(), detour)).collect();
         mission.limits.extend(limits);
     }
-    let Some(other) = Problem::of(&other) else { return Effort::default() };
+    let Some(other) = Problem::of(&other) else { return (None, Effort::default()) };
     let mut found = compare(other, Scope::Plan, None);
     certify::check(other, &mut found);
     // A search that was ended early says little about the price.
     let plan = found.runs.last().and_then(|run| run.outcome.plan()).filter(|_| !cancel::is_enough());
     let time = plan.map(|plan| plan.time);
     detours.iter_mut().for_each(|detour| detour.tried = time);
-    found.effort
+    let effort = found.effort;
+    let is_shorter = problem.model().plan.time == MissionTime::Minimum && time.is_some_and(|time| time < solved.time);
+    if let (true, Some(PlanOutcome::Planned(plan))) = (is_shorter, found.runs.last_mut().map(|run| &mut run.outcome)) {
+        // What was proved of the mission with the statements is not proved of the mission without them.
+        plan.infeasible_at = solved.infeasible_at.filter(|&below| below < plan.time);
+        plan.infeasible_above = Vec::new();
+        // It counts limits of the mission with the statements.
+        plan.binding = Vec::new();
+        certify::check(problem, &mut found);
+        return (Some(found).filter(|found| found.runs.iter().all(|run| run.outcome.plan().is_some())), effort);
+    }
+    (None, effort)
 }
 
 /// The limits that the statements against a detour impose, one statement for each leg or one for all.

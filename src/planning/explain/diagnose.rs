@@ -83,7 +83,7 @@ fn headline(explanation: &Explanation, places: usize, problem: Problem) -> Strin
         (true, None) => format!(" in {a_mission_of}{} s, ample time for {it}", number(conflict.time)),
         (false, _) => String::new(),
     };
-    let facets = if conflict.only_for_selection { " and the facets that the RIP plan selects" } else { "" };
+    let facets = if conflict.only_for_selection { " and the facets that RSP guards" } else { "" };
     let grid = match conflict.only_for_samples {
         true => format!(" with {} samples{facets}", model.plan.samples),
         false => String::new(),

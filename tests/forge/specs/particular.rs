@@ -5,7 +5,11 @@ use super::Draft;
 use super::list::{OCTO, compiled, elevator, exact, octo, shuttle, uncertain, weakened, with};
 use crate::motion::{Timetable, equations};
 use crate::truth::Outline;
-use mavc::model::{GiveUpYaw, Mission, MissionTime, Model, PlannerKind, Rotor, RotorState, Spread, YawDrag};
+use crate::vehicles::{limit, mission, waypoint};
+use mavc::model::{
+    GiveUpYaw, LandingSite, LimitKind, Mission, MissionTime, Model, PlannerKind, Recovery, Rotor, RotorState, Spread,
+    YawDrag,
+};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, Z};
 use std::f64::consts::TAU;
@@ -208,9 +212,33 @@ fn beside_others() -> Model {
 }
 
 /// Every draft.
+/// A short leg beside a landing site, which the vehicle reaches after the loss of its first rotor.
+fn beside_a_site() -> Draft {
+    let flight = mission(vec![waypoint([0.0, 0.0, 4.0], 0.0), waypoint([3.0, 0.0, 4.5], 0.0)]);
+    let mut model = octo(flight, PlannerKind::Rip, 12);
+    model.modes.truncate(1);
+    let site = |name: &str, x: f64| LandingSite {
+        name: name.into(),
+        at: [x, 3.0, 0.0],
+        radius: 1.5,
+        span: Default::default(),
+    };
+    let flown = model.mission.as_mut().expect("a mission");
+    flown.ground = Some(0.0);
+    flown.limits = vec![limit(LimitKind::Speed, 6.0), limit(LimitKind::Descent, 3.0)];
+    flown.after_fault.sites = vec![site("pad", 3.0), site("far", 60.0)];
+    model.plan.reserve = 0.1;
+    model.plan.time = MissionTime::Fixed(4.0);
+    model.plan.recovery.order = vec![Recovery::LandAtSites];
+    model.plan.recovery.detection = [0.1, 0.15];
+    model.plan.recovery.within = 15.0;
+    Draft { ways: true, ..Draft::new("beside a landing site", 4.0, model, &[]) }
+}
+
 pub fn drafts() -> Vec<Draft> {
     use PlannerKind::{Rcp, Rsp};
     let mut list = vec![
+        beside_a_site(),
         void("reserve about nothing", weak(Rcp, 0.1), -8.0),
         void("reserve about nothing, exact", exact(weak(Rcp, 0.1)), -8.0),
         void("reserve about nothing, RSP", exact(weak(Rsp, 0.1)), -8.0),

@@ -2,6 +2,7 @@
 //! here by the definition, from states of simulated flights, and followed in plain `f64`; false claims are refused.
 
 use super::{Numbers, SHA, decide, planned};
+use crate::members::{Blend, kept};
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::admissible::AdmissibleSet;
 use mavc::certificate::{Certificate, Claim, MotionRecord, RecoveryClaim};
@@ -76,24 +77,6 @@ fn trajectory(record: &MotionRecord, like: &Trajectory) -> Trajectory {
     }
 }
 
-/// Derivatives up to the fourth at t of the polynomial of degree 9 on [0, w] whose derivatives up to the fourth vanish
-/// at both ends, except that of order i at 0, which is 1: `w^i x^i/i! (1-x)^5 sum over m <= 4-i of binom(4+m, m) x^m`.
-fn response(i: usize, w: f64, t: f64) -> [f64; 5] {
-    if t >= w {
-        return [0.0; 5];
-    }
-    let mut c = [0.0; 10];
-    for (j, a) in [1.0, -5.0, 10.0, -10.0, 5.0, -1.0].into_iter().enumerate() {
-        for (m, b) in [1.0, 5.0, 15.0, 35.0, 70.0].into_iter().enumerate().take(5 - i) {
-            c[i + j + m] += a * b / [1.0, 1.0, 2.0, 6.0][i];
-        }
-    }
-    std::array::from_fn(|k| {
-        let term = |n: usize| c[n] * (0..k).map(|l| (n - l) as f64).product::<f64>() * (t / w).powi((n - k) as i32);
-        (k..10).map(term).sum::<f64>() * w.powi(i as i32 - k as i32)
-    })
-}
-
 #[test]
 fn a_way_out_is_claimed_from_every_state_in_which_a_fault_becomes_known() {
     for detection in [[0.2; 2], [0.1, 0.2]] {
@@ -110,32 +93,13 @@ fn a_way_out_is_claimed_from_every_state_in_which_a_fault_becomes_known() {
         for _ in 0..150 {
             let family = &claim.families[numbers.below(claim.families.len())];
             let [s, r] = [0, 1].map(|_| 0.5 + 0.5 * numbers.unit());
-            let at = family.from_s + s * (family.to_s - family.from_s);
-            let delay = family.delays_s[0] + r * (family.delays_s[1] - family.delays_s[0]);
+            let [at, delay] = Blend::when(family, s, r);
             let struck = carry(&model, &quiet(&model), &plan, 0, at, delay).unwrap().state;
-            let weights = [(1.0 - r) * (1.0 - s), (1.0 - r) * s, r * (1.0 - s), r * s];
-            let corners = family.corners.map(|corner| &branches[corner]);
-            let blend = |t: f64| -> NodeState {
-                let states = corners.map(|corner| corner.at(t));
-                std::array::from_fn(|axis| {
-                    std::array::from_fn(|k| states.iter().zip(weights).map(|(state, w)| w * state[axis][k]).sum())
-                })
-            };
-            let (first, duration) = (blend(0.0), corners[0].duration());
-            // In the hover model a fault changes z'' and the yaw's second derivative at once.
-            let kept = |axis: usize| if axis == X || axis == Y { 4 } else { 2 };
-            let windows = [duration, 6.0, 4.0, 3.0].map(|w: f64| w.min(duration));
-            let flown = |t: f64| -> NodeState {
-                let mut state = blend(t);
-                for axis in [X, Y, Z, YAW] {
-                    for i in 0..kept(axis) {
-                        let values = response(i, windows[i], t);
-                        let by = struck[axis][i] - first[axis][i];
-                        state[axis].iter_mut().zip(values).for_each(|(slot, value)| *slot += by * value);
-                    }
-                }
-                state
-            };
+            let blend = Blend::new(family.corners.map(|corner| &branches[corner]), s, r);
+            let (first, duration) = (blend.at(0.0), blend.duration());
+            let apart: NodeState =
+                std::array::from_fn(|axis| std::array::from_fn(|k| struck[axis][k] - first[axis][k]));
+            let flown = |t: f64| blend.with(&apart, t);
             let begin = flown(0.0);
             for axis in [X, Y, Z, YAW] {
                 for (flown, struck) in begin[axis].iter().zip(&struck[axis]).take(kept(axis)) {

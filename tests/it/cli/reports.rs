@@ -37,13 +37,13 @@ fn comparisons_say_what_their_times_are() {
     let text = compared(&[]);
     let said = flat(&text);
     assert!(said.contains("The spec requires 9 s; these times were searched for in addition"), "{text}");
-    assert!(said.contains("RSP uses the facets selected at T_d = 9 s"), "{text}");
+    assert!(said.contains("RSP's shortest time is for the facets selected at RCP's shortest time."), "{text}");
     assert!(said.contains("All planners at T_d = 9 s, the time that the spec requires"), "{text}");
     // No table of the paper's is one of this mission.
     assert!(!said.contains("Table"), "{text}");
 
     let free = flat(&compared(&["plan.time=minimum"]));
-    assert!(!free.contains("The spec requires"), "{free}");
+    assert!(!free.contains("The spec requires") && free.contains("RSP uses the facets selected at T_d"), "{free}");
     assert!(free.contains("the shortest time of RCP against all modes jointly"), "{free}");
     let alone = flat(&compared(&["plan.time=minimum", "plan.against=[M1]"]));
     assert!(alone.contains(", RCP's shortest time planner"), "{alone}");
@@ -54,6 +54,28 @@ fn comparisons_say_what_their_times_are() {
     assert!(said.contains("at the only time that the mission's fixed times allow"), "{said}");
     assert!(said.contains("T_d = 9 s, the time that the mission's fixed times give"), "{said}");
     assert!(said.contains("The time is fixed: no own time was searched for") && !said.contains("requires"), "{said}");
+}
+
+/// A plan that is unsafe after a mode in `against` is found all the same, unless the user denies it; RSP's says what
+/// covers all modes.
+#[test]
+fn unsafe_plans_can_be_denied() {
+    let plan = |planner: &str, more: &[&str]| {
+        let planner = format!("plan.planner={planner}");
+        let args = [&["plan", "-", "--set", "plan.time=minimum", "--set", &planner, "-o", "-"], more].concat();
+        mavc_with(&args, TURN)
+    };
+    let ignored = plan("rip", &[]);
+    let denied = plan("rip", &["--deny", "unsafe"]);
+    assert_eq!((code(&ignored), code(&denied)), (0, 4));
+    assert!(!out(&ignored).is_empty() && out(&denied) == out(&ignored));
+    assert_eq!(code(&plan("rcp", &["--deny", "unsafe"])), 0);
+    let fast = ["plan", "-", "--set", "plan.time=1.9s", "--set", "plan.against=all"];
+    let said = flat(&out(&mavc_with(&fast, TURN)));
+    let [bad, advice] = ["UNSAFE until 1.71 s: after M1", "`--set plan.planner=rcp` may cover them."];
+    assert!(said.contains(bad) && said.find(bad) < said.find(advice), "{said}");
+    // What is unsafe comes before what is covered.
+    assert!(said.find(bad) < said.find("at any instant the rotors left"), "{said}");
 }
 
 /// One line where there is nothing to explain.
@@ -86,9 +108,11 @@ fn without_a_plan_to_select_by_there_is_no_rsp() {
         text.contains("No RIP plan was found at T_d = 0.5 s to select facets from, so RSP selects none."),
         "{text}"
     );
-    // A proof for RIP is one for RSP at that time; RSP's own time is not searched for.
+    // A proof for RIP is one for RSP at that time. RSP's shortest time is that of `plan` without a time.
     let rows: Vec<&str> = text.lines().filter_map(|line| line.trim().strip_prefix("RSP  ")).map(str::trim).collect();
-    assert_eq!(rows, ["not attempted", "proved infeasible"], "{text}");
+    let least = out(&mavc_with(&["plan", "-", "--set", "plan.time=minimum"], TURN));
+    let least = least.lines().find_map(|line| line.trim().strip_prefix("PLAN FOUND, ")?.split(" s,").next());
+    assert_eq!((rows[0].split("  ").next(), rows[1]), (least, "proved infeasible"), "{text}");
     assert!(!text.contains("RSP guards"), "{text}");
     assert!(!text.contains("Margin of each plan"), "a heading without plans:\n{text}");
 }

@@ -101,6 +101,33 @@ fn a_campaign_flies_the_plan() {
     one_plan_at_a_time(Scope::Common, &[PlannerKind::Rsp]);
 }
 
+/// RSP leaves a mode's set at its shortest time only where that saves time beside RCP, which leaves none.
+#[test]
+fn a_shortest_plan_leaves_sets_only_for_time() {
+    for seed in [3, 5] {
+        let planned = found(&free(random_mission(seed), PlannerKind::Rsp), Scope::Plan);
+        let (plan, rcp) = (solved(last(&planned)), planned.known.last().unwrap().grid.total);
+        let leaves = plan.outside.iter().any(|outside| outside.last.is_some());
+        assert!(!leaves || plan.time < rcp - (3e-3 * plan.time).max(0.05), "{seed}: {} {rcp}", plan.time);
+    }
+}
+
+/// The time that the spec fixes does not matter for the shortest time: RSP's facets are selected at RCP's.
+#[test]
+#[ignore = "long"]
+fn a_fixed_time_leaves_rsps_shortest_time() {
+    let mut fixed = free(random_mission(3), PlannerKind::Rsp);
+    let planned = found(&fixed, Scope::Plan);
+    let least = solved(last(&planned)).time;
+    fixed.plan.time = MissionTime::Fixed(30.0);
+    let compared = found(&fixed, Scope::Everything);
+    let own = solved(run(&compared, PlannerKind::Rsp, 2, Run::Own));
+    assert!(least < 30.0 && (own.time - least).abs() <= 5e-3 * least, "{} {least}", own.time);
+    let mut checked = compared.clone();
+    mavc::certify::check(Problem::of(&fixed).unwrap(), &mut checked);
+    assert!(checked.runs.iter().all(|run| run.outcome.plan().is_some()));
+}
+
 #[test]
 #[ignore = "long"]
 fn a_comparison_shows_the_plan() {

@@ -75,6 +75,12 @@ mod tests {
     }
 
     #[test]
+    fn titles_are_sentences() {
+        let broken: Vec<&str> = all().iter().filter(|page| !page.title.ends_with('.')).map(|page| page.code).collect();
+        assert!(broken.is_empty(), "the first line of a page is one sentence: {broken:?}");
+    }
+
+    #[test]
     fn no_code_has_two_pages() {
         let mut codes: Vec<_> = all().iter().map(|p| p.code).collect();
         codes.sort_unstable();

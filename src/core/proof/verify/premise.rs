@@ -48,10 +48,20 @@ pub enum Premise {
     Inputs,
     /// No least time is above the bound from distances and limits.
     LeastTime,
+    /// The families of ways out of a mode follow each other, and take in every delay.
+    WayFollows,
+    /// Ways out take no longer than the spec allows.
+    WayTime,
+    /// They begin where a fault can bring the vehicle.
+    WayStart,
+    /// They stay inside the mode's set and within the limits after a fault.
+    WayRows,
+    /// They lead to where they say.
+    WayEnd,
 }
 
 impl Premise {
-    pub const ALL: [Premise; 22] = [
+    pub const ALL: [Premise; 27] = [
         Premise::Spec,
         Premise::Equations,
         Premise::Shape,
@@ -74,6 +84,11 @@ impl Premise {
         Premise::Facets,
         Premise::Inputs,
         Premise::LeastTime,
+        Premise::WayFollows,
+        Premise::WayTime,
+        Premise::WayStart,
+        Premise::WayRows,
+        Premise::WayEnd,
     ];
 }
 

@@ -15,6 +15,7 @@ use super::cost::WorkLeft;
 use super::interval::exceeds;
 use super::motion::Motion;
 use super::plan::{Setting, upright, wrench_family};
+use super::premise::Premise;
 use super::proof::{Family, throughout};
 use super::sets::Plane;
 use super::wrench::Held;
@@ -83,7 +84,7 @@ impl OfMode {
         };
         let ordered = from_s < to_s && (least < most || first == last && least == most);
         let inside = 0.0 <= from_s && to_s <= plan.times[plan.pieces()] && most <= last;
-        if !(follows && ordered && inside) {
+        if setting.premises.has(Premise::WayFollows) && !(follows && ordered && inside) {
             return Err(
                 "its instants or delays do not follow those of the family before it, or are not the spec's".into()
             );
@@ -118,7 +119,9 @@ impl<'s, 'a> Recovering<'s, 'a> {
                 return Err(named(format!("{} nodes are more than {MAX_BRANCH_NODES}", record.nodes())));
             }
             let motion = self.setting.motion(record).map_err(|why| named(why.detail))?;
-            joints::check(&motion).map_err(|why| named(why.detail))?;
+            if self.setting.premises.has(Premise::Joints) {
+                joints::check(&motion).map_err(|why| named(why.detail))?;
+            }
             Ok(motion)
         });
         each.collect()
@@ -136,7 +139,7 @@ impl<'s, 'a> Recovering<'s, 'a> {
                 decided => decided?,
             }
         }
-        if purse.0 > 0 {
+        if purse.0 > 0 && self.setting.premises.has(Premise::WayFollows) {
             self.ends()?;
         }
         let each = self.modes.into_values().map(|of_mode| of_mode.covered);
@@ -246,21 +249,27 @@ impl<'s, 'a> Recovering<'s, 'a> {
         let way = Way::of(record, model, setting.mission(), of_mode.mode).map_err(named)?;
         let tube = Tube::new(corners, record.delays_s[0] == record.delays_s[1]).map_err(named)?;
         let within = model.plan.recovery.within;
-        if exceeds(tube.duration(), within + MOST_MISS) {
+        if setting.premises.has(Premise::WayTime) && exceeds(tube.duration(), within + MOST_MISS) {
             let took = number(tube.duration());
             return Err(named(format!("its motions take {took} s; {} s are allowed", number(within))));
         }
         let start = StartAbout::new(record, setting).map_err(named)?;
-        start.near_the_plan(corners, self.plan).map_err(named)?;
+        if setting.premises.has(Premise::WayStart) {
+            start.near_the_plan(corners, self.plan).map_err(named)?;
+        }
         let mut own = Vec::new();
         match &way {
+            _ if !setting.premises.has(Premise::WayEnd) => {}
             Way::Back => self.joins(record, of_mode, &start, &tube).map_err(named)?,
             Way::Down(place) => {
                 place.reached_by(corners).map_err(named)?;
                 own = place.limits(&tube);
             }
         }
-        let rows = self.rows(of_mode, &way, &tube, &own);
+        let mut rows = self.rows(of_mode, &way, &tube, &own);
+        if !setting.premises.has(Premise::WayRows) {
+            rows.drain(..rows.len() - own.len());
+        }
         Ok(Cover {
             tube: &tube,
             rows: &rows,

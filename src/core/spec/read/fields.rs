@@ -44,6 +44,11 @@ const ELSEWHERE: &[(&str, &str)] = &[
         "is a block of `plan`, written `recovery { order = [continue, land_here] }`, and a field of a fault mode, \
          written `recovery = [continue, land_here]`",
     ),
+    (
+        "coaxial",
+        "pairs are written motor by motor, in place of `layout`: `rotors { rotor at [0.2, 0.2, 0.03] m  spin P; rotor at \
+         [0.2, 0.2, -0.03] m  spin N; ... }`",
+    ),
     ("order", "goes into `recovery { }` of `plan`"),
     ("density", "goes into `air { density = 1.1 kg/m^3 }` of the mission"),
 ];

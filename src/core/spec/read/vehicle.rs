@@ -352,6 +352,23 @@ fn exact_sin_cos(angle: f64) -> (f64, f64) {
     angle.sin_cos()
 }
 
+/// How motors above each other are written.
+const COAXIAL: &str = "write motors that share an arm one by one: `rotors { rotor at [0.2, 0.2, 0.03] m  spin \
+                                  P; rotor at [0.2, 0.2, -0.03] m  spin N; ... }`";
+
+/// How a frame that is given by its name is written.
+fn frame(name: &str) -> Option<&'static str> {
+    let name = name.to_ascii_lowercase();
+    let has = |parts: &[&str]| parts.iter().any(|part| name.contains(part));
+    match () {
+        () if has(&["coax", "y6", "x8", "y4", "octoquad", "octaquad"]) => Some(COAXIAL),
+        () if has(&["quad", "x4"]) => Some("write the motors' directions in turn, such as `\"PNPN\"`"),
+        () if has(&["hex", "x6"]) => Some("write the motors' directions in turn, such as `\"PNPNPN\"`"),
+        () if has(&["oct"]) => Some("write the motors' directions in turn, such as `\"PNPNPNPN\"`"),
+        () => None,
+    }
+}
+
 fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
     let ExprKind::Text(text) = &expr.kind else {
         let error =
@@ -378,7 +395,7 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
                 error.help(format!("write `{corrected}`")).fix(expr.span, corrected)
             }
             upper @ ('P' | 'N') => error.help(format!("write `{upper}`")).fix(span, upper.to_string()),
-            _ => error.help("write `P` (counter-clockwise seen from above) or `N` (clockwise)"),
+            _ => error.help(frame(text).unwrap_or("write `P` (counter-clockwise seen from above) or `N` (clockwise)")),
         };
         cx.report(error);
         return None;

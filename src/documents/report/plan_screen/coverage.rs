@@ -8,8 +8,8 @@ use crate::certify::between::{Between, CORES, Shown, WRENCH};
 use crate::flight::equilibrium::outcome_of;
 use crate::model::{AfterFault, Mission, Model, PlannerKind};
 use crate::motion::wrench_model::WrenchModel;
-use crate::number::{fixed, part_of_all, percent};
-use crate::planner::studies::{MissionPlan, PlannerRun};
+use crate::number::{fixed, part_of_all, percent, significant};
+use crate::planner::studies::{MissionPlan, PlannerRun, Run};
 use crate::report::headline::by_failure;
 use crate::report::mode_names::within;
 use crate::report::screen::{Keep, Screen, Tone};
@@ -25,6 +25,8 @@ const MOST_ROWS: usize = 7;
 /// The outcomes of up to this many modes that are not planned against are worked out.
 const MOST_WORKED_OUT: usize = 64;
 
+/// Digits of a mission time.
+const DIGITS_OF_TIME: usize = 4;
 /// Most kinds of faults that a sentence tells apart.
 const MOST_KINDS: usize = 3;
 /// Rows of the table that are always shown.
@@ -119,6 +121,20 @@ pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec
         WrenchModel::Exact => "this plan's thrust and torques",
         _ => "the thrust and torques that the linear model gives this plan",
     };
+    // What is unsafe comes first.
+    let unsafe_ones = places(&|i| !is_captured(i) && unsafe_until(model, solved, i).is_some());
+    if !unsafe_ones.is_empty() {
+        let until = unsafe_ones.iter().filter_map(|&i| unsafe_until(model, solved, i)).fold(0.0, f64::max);
+        say(
+            Covers::UnsafeUntil,
+            format!(
+                "UNSAFE until {} s: after {} the rotors left cannot always give {wrench}{reserve}.{}",
+                fixed(until, 2),
+                named(answer, &unsafe_ones),
+                advice(answer, run)
+            ),
+        );
+    }
     let mut safe = Vec::new();
     if !with_yaw.is_empty() {
         let names = named(answer, &with_yaw);
@@ -146,21 +162,23 @@ pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec
             ),
         );
     }
-    let unsafe_ones = places(&|i| !is_captured(i) && unsafe_until(model, solved, i).is_some());
-    if !unsafe_ones.is_empty() {
-        let until = unsafe_ones.iter().filter_map(|&i| unsafe_until(model, solved, i)).fold(0.0, f64::max);
-        say(
-            Covers::UnsafeUntil,
-            format!(
-                "UNSAFE until {} s: after {} the rotors left cannot always give {wrench}{reserve}.",
-                fixed(until, 2),
-                named(answer, &unsafe_ones)
-            ),
-        );
-    }
     without_yaw::not_planned(comparison, answer.heights).into_iter().for_each(|text| say(Covers::NotPlanned, text));
     not_covered(model).into_iter().for_each(|text| say(Covers::Not, text));
     found
+}
+
+/// What covers the modes that RSP leaves out: its facets were selected too few times.
+fn advice(answer: &Answer, run: &PlannerRun) -> String {
+    let comparison = answer.comparison;
+    if run.planner != PlannerKind::Rsp || answer.problem.model().plan.require_risk.is_some() {
+        return String::new();
+    }
+    match comparison.known.last().filter(|_| run.run == Run::Own) {
+        Some(rcp) => {
+            format!(" `--set plan.planner=rcp` covers all modes in {} s.", significant(rcp.grid.total, DIGITS_OF_TIME))
+        }
+        None => " `--set plan.rounds=3` or `--set plan.planner=rcp` may cover them.".into(),
+    }
 }
 
 /// Modes that are planned against, given by their places there, with what fails in them if that is of few kinds: `M1 ..
@@ -254,13 +272,15 @@ fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
     let is_proved = !rows.is_empty() && rows.iter().all(|rows| rows.shown == Shown::Proved);
     match (run.planner, is_proved) {
         (PlannerKind::Rsp, _) if answer.comparison.selected.is_empty() && answer.comparison.trade_off.is_empty() => {
-            "Computed along the plan; RSP had no facet to guard.".into()
+            "Computed along the plan, not proved: RSP had nothing to guard.".into()
         }
         (PlannerKind::Rcp, true) => "Proved at every instant.".into(),
         (PlannerKind::Rcp, false) => "Checked on a grid of instants, not proved between them.".into(),
-        (PlannerKind::Rsp, true) => "Computed along the plan; the facets that it guards are proved.".into(),
+        (PlannerKind::Rsp, true) => {
+            "Proved for the constraints that RSP guards, computed along the plan for the rest.".into()
+        }
         (PlannerKind::Rsp, false) => "Computed along the plan, not proved.".into(),
-        (PlannerKind::Rip, _) => "Computed along the plan; RIP guards no fault mode.".into(),
+        (PlannerKind::Rip, _) => "Computed along the plan, not proved: RIP guards no mode.".into(),
     }
 }
 

@@ -5,6 +5,9 @@ use super::text::{
     DIVERGED, beyond_plan, duration, ending, heading, indistinguishable, length, loss, manner, no_fault, to_its_end,
     trespass,
 };
+use crate::admissible::outcome::Outcome;
+use crate::flight::equilibrium::outcome_of;
+use crate::model::FaultMode;
 use crate::number::{fixed, number, plural, significant};
 use crate::report::screen::{Keep, Screen, Tone};
 use crate::report::terminal::vehicle_line;
@@ -121,11 +124,19 @@ fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<(Keep, String)> {
     }
     let gave_up = record.gave_up_yaw_at_s.unwrap_or(f64::INFINITY);
     if matches!(record.outcome, OutcomeRecord::Lost { cause: "position", at_s, .. } if at_s > gave_up) {
-        all.push(format!(
-            "a vehicle falls before its spin catches it (`mavc analyze --capture`); with a larger `lost_beyond` than \
-             {} m the fall does not count as a loss",
-            number(model.simulation.lost_beyond)
-        ));
+        let is_struck = |of: &FaultMode| record.faults.iter().any(|fault| fault.struck && fault.mode == of.name);
+        let mut struck = (0..model.modes.len()).filter(|&mode| is_struck(&model.modes[mode])).peekable();
+        let is_some = struck.peek().is_some();
+        all.push(match is_some && struck.all(|mode| outcome_of(model, mode) == Outcome::FliesOn) {
+            true => "a balance without yaw is left (`mavc analyze`), but this flight did not come to it: a shorter \
+                     `detection` or slower flight may help"
+                .into(),
+            false => format!(
+                "a vehicle falls before its spin catches it (`mavc analyze --capture`); with a larger `lost_beyond` \
+                 than {} m the fall does not count as a loss",
+                number(model.simulation.lost_beyond)
+            ),
+        });
     }
     all.extend(indistinguishable(flown));
     let of_plan = record.warnings.iter().map(|caveat| (caveat.kind.keep(), caveat.message.clone()));

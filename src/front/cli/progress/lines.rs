@@ -1,4 +1,5 @@
-//! Plain lines of progress, for logs: the first after ten seconds, then one every ten seconds.
+//! Plain lines of progress, for logs: the first after ten seconds, then one every ten seconds, or less and less often
+//! while nothing changes.
 
 use crate::cli::files;
 use std::sync::LazyLock;
@@ -40,17 +41,25 @@ impl Lines {
 }
 
 /// Prints the latest message and the time since the start: first after `first`, then once in each `every`, until the
-/// channel is closed.
+/// channel is closed. A message that stays the same is repeated after twice as long each time.
 fn follow(messages: &Receiver<String>, first: Duration, every: Duration, mut print: impl FnMut(Duration, &str)) {
     let begin = Instant::now();
     let (mut due, mut last) = (first, String::new());
+    // What was printed last, and when; and how long the same may stay unsaid.
+    let (mut printed, mut pause): (Option<(String, Duration)>, Duration) = (None, every);
     loop {
         match messages.recv_timeout(due.saturating_sub(begin.elapsed())) {
             Ok(message) => last = message,
             Err(RecvTimeoutError::Timeout) => {
                 let elapsed = begin.elapsed();
-                print(elapsed, &last);
                 due = elapsed + every;
+                match printed.as_ref().filter(|(said, _)| *said == last) {
+                    Some((_, at)) if elapsed < *at + pause => continue,
+                    Some(_) => pause *= 2,
+                    None => pause = every,
+                }
+                print(elapsed, &last);
+                printed = Some((last.clone(), elapsed));
             }
             Err(RecvTimeoutError::Disconnected) => return,
         }
@@ -95,6 +104,21 @@ mod tests {
             printed.push(message.to_string());
         });
         assert_eq!(printed, ["RSP: is 9.00 s enough?"]);
+    }
+
+    #[test]
+    fn what_stays_the_same_is_said_less_and_less_often() {
+        let (sender, receiver) = sent(&["RIP: is 9.00 s enough?"]);
+        let (mut sender, mut said) = (Some(sender), Vec::new());
+        follow(&receiver, Duration::ZERO, Duration::from_millis(4), |elapsed, _| {
+            said.push(elapsed);
+            if said.len() == 5 {
+                sender.take();
+            }
+        });
+        assert_eq!(said.len(), 5);
+        let pause = said[4] - said[0];
+        assert!(pause >= Duration::from_millis(4 + 8 + 16 + 32), "{said:?}");
     }
 
     #[test]

@@ -71,11 +71,22 @@ impl Setting<'_> {
         self.at_most(rip, joint.planned())
     }
 
-    /// RSP's shortest time; `hint.initial_guesses` holds the RIP plan that selects, then plans that RSP's set allows.
+    /// RSP's shortest time; `hint.initial_guesses` holds the RIP plan that selects, then the joint RCP's plan, which
+    /// RSP's set allows. In the exact model that one is taken if RSP leaves some mode's set and hardly saves time by
+    /// it; the hover model keeps to the paper's RSP.
     pub(super) fn rsp_own(&self, name: &str, set: &PlanningSet, hint: Hint, working_set: WorkingSet) -> Found {
         let allowed: Vec<Planned> = hint.initial_guesses.iter().skip(1).cloned().collect();
         let found = self.search(name, set, hint, working_set);
-        allowed.iter().fold(found, Found::or_shorter)
+        let found = allowed.iter().fold(found, Found::or_shorter);
+        let leaves = |plan: &Planned| !self.sets.violated(self.model(), plan).is_empty();
+        match (found.planned(), allowed.first().filter(|_| self.finds_local_optima())) {
+            (Some(own), Some(rcp))
+                if rcp.grid.total <= own.grid.total + hardly_shorter(own.grid.total) && leaves(own) =>
+            {
+                found.replaced_by(rcp)
+            }
+            _ => found,
+        }
     }
 
     /// RSP's plan at one mission time, s, from `initial_guesses`, and if that finds none from the joint RCP's plan at
@@ -119,6 +130,11 @@ impl Setting<'_> {
         let found = if again.result.is_ok() { again } else { rip };
         Found { effort, ..found.or_shorter(better) }
     }
+}
+
+/// A difference from a mission time, s, that no plan should leave a mode's set for. Chosen by hand.
+fn hardly_shorter(time: f64) -> f64 {
+    (0.003 * time).max(0.05)
 }
 
 /// RSP's shortest time if nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one

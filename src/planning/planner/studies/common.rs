@@ -62,6 +62,7 @@ impl Setting<'_> {
         }
         let joint = self.search("RCP", &self.sets.joint, Hint::default(), WorkingSet::default());
         out.effort += joint.effort;
+        out.known = joint.planned().cloned().into_iter().collect();
         out.common_time = match &joint.result {
             Ok(s) => Some(s.time),
             Err(_) => {

@@ -1,8 +1,10 @@
 //! Every planner at its own shortest time and at T_d.
 
 use super::found::{Found, hint_from};
+use super::single_planner::NO_COMMON_TIME;
 use super::{Comparison, NOTHING_TO_SELECT_BY, PlanOutcome, Run, Setting, label};
 use crate::model::PlannerKind;
+use crate::motion::Trajectory;
 use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::candidates::nothing_selected_at;
@@ -20,6 +22,14 @@ struct KnownPlans<'k> {
     rip_at: &'k Decision,
     /// The joint RCP's plan at its own time, which RSP's set allows.
     rcp: Option<&'k Planned>,
+}
+
+/// RSP at its own shortest time.
+struct OwnRsp {
+    outcome: PlanOutcome,
+    set: PlanningSet,
+    /// The plans that select the facets, if these are not those at T_d.
+    selected_by: Option<Vec<Trajectory>>,
 }
 
 impl Setting<'_> {
@@ -69,7 +79,9 @@ impl Setting<'_> {
         effort += rip.effort;
 
         let longest_single = singles.iter().filter_map(|f| f.time()).max_by(f64::total_cmp);
-        let common_time = self.fixed_time().or(joint.and_then(Found::time)).or(longest_single);
+        // Where `plan` selects RSP's facets for its shortest time.
+        let selecting_time = joint.and_then(Found::time).or(longest_single);
+        let common_time = self.fixed_time().or(selecting_time);
 
         let none: &[String] = &[];
         let mut runs = vec![self.run(PlannerKind::Rip, none, Run::Own, self.own(&rip), &self.sets.rip)];
@@ -101,22 +113,32 @@ impl Setting<'_> {
             let selected = &out.selected;
             let mut common =
                 vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.sets.rip)];
+            let fixed_elsewhere = self.fixed_time().is_some_and(|fixed| selecting_time != Some(fixed));
             let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
                 || {
+                    if fixed_elsewhere && !self.sets.names.is_empty() {
+                        let (common, mut effort) = self.rsp_at_fixed_time(&rsp_set, at, &decision, selected.is_empty());
+                        self.ended(1);
+                        let (own, spent) = self.rsp_selected_at(selecting_time, joint.or(tightest.as_ref()));
+                        effort += spent;
+                        self.ended(1);
+                        return (own, common, effort);
+                    }
                     let (known, of) = match &tightest {
                         Some(found) => (found, &self.sets.joint),
                         None => (&rip, &self.sets.rip),
                     };
                     let working_set = known.working_set.translated(of, &rsp_set);
                     let at_once = Some(&decision).filter(|_| selected.is_empty());
-                    self.rsp_own_and_common(
+                    let (own, common, effort) = self.rsp_own_and_common(
                         &rsp_set,
                         at,
                         KnownPlans { rip: &rip, rip_at: &decision, rcp: binding },
                         above_rip.clone(),
                         at_once,
                         working_set,
-                    )
+                    );
+                    (OwnRsp { outcome: own, set: rsp_set.clone(), selected_by: None }, common, effort)
                 },
                 || {
                     let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
@@ -138,12 +160,53 @@ impl Setting<'_> {
                 common.push(run);
                 out.effort += spent;
             }
-            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, rsp, &rsp_set));
+            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, rsp.outcome, &rsp.set));
+            out.own_selected_by = rsp.selected_by;
             common.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp_common, &rsp_set));
             out.runs.extend(common);
         }
-        put_in_order(&mut out.runs, self.sets.names.len());
+        put_in_order(&mut out.runs, self.sets.names.len(), out.own_selected_by.is_none());
         out
+    }
+
+    /// RSP's plan at the time that the spec fixes, s, where RIP's decision selects; as `plan` makes it.
+    fn rsp_at_fixed_time(
+        &self,
+        set: &PlanningSet,
+        at: f64,
+        rip: &Decision,
+        nothing_selected: bool,
+    ) -> (PlanOutcome, Effort) {
+        match rip {
+            Decision::Feasible(_) if nothing_selected => (self.common(at, rip), Effort::default()),
+            Decision::Feasible(planned) => {
+                let (decision, effort) = self.rsp_at("RSP", set, at, &[planned], None);
+                (self.common(at, &decision), effort)
+            }
+            _ => (self.without_rip(at, rip), Effort::default()),
+        }
+    }
+
+    /// RSP's shortest time as `plan` finds it if the spec fixes no time: for the facets selected at `at` s, the joint
+    /// RCP's shortest time, whatever time the spec fixes.
+    fn rsp_selected_at(&self, at: Option<f64>, rcp: Option<&Found>) -> (OwnRsp, Effort) {
+        let mut selection = self.without_runs();
+        let selected = match at {
+            Some(at) => self.rsp_set_at(at, rcp.and_then(Found::planned), &mut selection).map(|found| (at, found)),
+            None => {
+                let at = self.fixed_time().unwrap_or(f64::NAN);
+                Err(PlanOutcome::NotAttempted { at, why: NO_COMMON_TIME.into() })
+            }
+        };
+        let (outcome, set) = match selected {
+            Ok((at, (set, initial_guesses))) => {
+                let found = self.rsp_shortest(&set, at, selection.selected.is_empty(), &initial_guesses);
+                selection.effort += found.effort;
+                (self.own(&found), set)
+            }
+            Err(outcome) => (outcome, self.sets.rip.clone()),
+        };
+        (OwnRsp { outcome, set, selected_by: Some(selection.selected_by) }, selection.effort)
     }
 
     /// RSP at its own shortest time and at T_d, in this order. The own time is not below RIP's, and not above T_d if

@@ -10,27 +10,28 @@ use crate::planner::timing::search::Shortest;
 impl Found {
     /// The same, or the plan of a smaller set if that is shorter: a search that proves nothing can end with a longer
     /// plan for the larger set.
-    pub(super) fn or_shorter(mut self, other: &Planned) -> Found {
-        let (own, proved) = match &self.result {
-            Ok(s) => (s.time, s.infeasible_at),
-            Err(_) => (f64::INFINITY, None),
-        };
+    pub(super) fn or_shorter(self, other: &Planned) -> Found {
+        let own = self.time().unwrap_or(f64::INFINITY);
+        if other.grid.total < own { self.replaced_by(other) } else { self }
+    }
+
+    /// The plan of a smaller set in place of the one that the search found. A proof about a shorter time stays.
+    pub(super) fn replaced_by(mut self, other: &Planned) -> Found {
         let time = other.grid.total;
-        if time < own {
-            let infeasible_at = proved.filter(|&below| below < time);
-            self.result = Ok(Shortest { time, planned: other.clone(), infeasible_at, infeasible_above: Vec::new() });
-        }
+        let infeasible_at = self.time_below().filter(|&below| below < time);
+        self.result = Ok(Shortest { time, planned: other.clone(), infeasible_at, infeasible_above: Vec::new() });
         self
     }
 }
 
 /// Puts own times in order. A planner's plan at T_d may be shorter than the one that its own search found, and replaces
 /// it; then, from the smallest set to the largest (joint RCP, single modes, RSP, RIP), a shorter plan of an inner set
-/// replaces a longer one.
-pub(super) fn put_in_order(runs: &mut [PlannerRun], modes: usize) {
+/// replaces a longer one. RSP's plan at T_d may replace its own only if the same facets are selected for both.
+pub(super) fn put_in_order(runs: &mut [PlannerRun], modes: usize, one_selection: bool) {
     let common: Vec<PlannerRun> = runs.iter().filter(|run| run.run == Run::Common).cloned().collect();
     for own in runs.iter_mut().filter(|run| run.run == Run::Own) {
-        let same = common.iter().find(|run| run.planner == own.planner && run.against == own.against);
+        let is_comparable = own.planner != PlannerKind::Rsp || one_selection;
+        let same = common.iter().find(|run| is_comparable && run.planner == own.planner && run.against == own.against);
         if let Some(PlanOutcome::Planned(at)) = same.map(|run| &run.outcome) {
             own.outcome = shorter(&own.outcome, at);
         }

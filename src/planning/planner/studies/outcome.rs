@@ -202,6 +202,8 @@ pub struct Comparison {
     pub selected: Vec<SetRow>,
     /// The plans at T_d that RSP selects them by: the RIP plan, then one for each further round.
     pub selected_by: Vec<Trajectory>,
+    /// The plans that RSP selects facets by for its own shortest time, if the spec fixes T_d elsewhere.
+    pub own_selected_by: Option<Vec<Trajectory>>,
     /// If the spec requires a risk: the plan without protection, then the result of each addition.
     pub trade_off: Vec<Addition>,
     /// The plans of RIP and of the tightest RCP at their own shortest times, if they were sought: initial guesses of
@@ -213,6 +215,15 @@ pub struct Comparison {
 }
 
 impl Comparison {
+    /// The plans that select the facets of one of the runs; none but for RSP.
+    pub fn selected_by(&self, planner: PlannerKind, run: Run) -> &[Trajectory] {
+        match (planner, run, &self.own_selected_by) {
+            (PlannerKind::Rsp, Run::Own, Some(own)) => own,
+            (PlannerKind::Rsp, ..) => &self.selected_by,
+            (PlannerKind::Rip | PlannerKind::Rcp, ..) => &[],
+        }
+    }
+
     /// Whether there is a plan at the spec's mission time, or at any planner's own time if the spec gives none. A run
     /// that found nothing leaves the question open, whatever the others found.
     pub fn verdict(&self, problem: Problem) -> Verdict {

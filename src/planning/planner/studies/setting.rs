@@ -237,6 +237,7 @@ impl<'a> Setting<'a> {
             common_time: self.fixed_time(),
             selected: Vec::new(),
             selected_by: Vec::new(),
+            own_selected_by: None,
             trade_off: Vec::new(),
             plainer: None,
             known: Vec::new(),

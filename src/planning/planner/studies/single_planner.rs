@@ -12,7 +12,8 @@ use crate::solve::Effort;
 use std::iter;
 
 /// Why RSP is not attempted where no mode has a plan.
-const NO_COMMON_TIME: &str = "no plan was found for any fault mode alone, so there is no time T_d to select facets at";
+pub(super) const NO_COMMON_TIME: &str =
+    "no plan was found for any fault mode alone, so there is no time T_d to select facets at";
 
 impl Setting<'_> {
     /// The spec's own planner, at the spec's time or at its shortest.
@@ -50,29 +51,11 @@ impl Setting<'_> {
                 let found = self.rip_own();
                 (Run::Own, self.own_with_binding(&found, &set), found.planned().cloned(), found.effort)
             }
-            None if nothing_selected && !initial_guesses.is_empty() => {
-                let found = nothing_selected_at(&initial_guesses[0]);
-                (Run::Own, self.own_with_binding(&found, &set), found.planned().cloned(), found.effort)
-            }
             None => {
-                // The SCP planner starts from RCP's plan, which RSP's set allows; the hover planner's search uses the
-                // verdict on T_d.
-                let rcp = initial_guesses.get(1).filter(|_| self.finds_local_optima());
-                let hint = match (out.common_time, rcp) {
-                    (None, _) => Hint::default(),
-                    (Some(common), Some(rcp)) => hint_from(common, Decision::Feasible(Box::new(rcp.clone()))),
-                    (Some(common), None) => {
-                        let (decision, effort) = at(common);
-                        out.effort += effort;
-                        hint_from(common, decision)
-                    }
+                let found = match out.common_time.filter(|_| kind == PlannerKind::Rsp) {
+                    Some(common) => self.rsp_shortest(&set, common, nothing_selected, &initial_guesses),
+                    None => self.search(name, &set, Hint::default(), WorkingSet::default()),
                 };
-                let found = self.rsp_own(
-                    name,
-                    &set,
-                    Hint { initial_guesses: initial_guesses.clone(), ..hint },
-                    WorkingSet::default(),
-                );
                 (Run::Own, self.own_with_binding(&found, &set), found.planned().cloned(), found.effort)
             }
         };
@@ -109,6 +92,17 @@ impl Setting<'_> {
                 outcome => outcome,
             });
         };
+        self.rsp_set_at(time, rcp, out)
+    }
+
+    /// Steps (d) and (e): the RIP plan at `time` s, and the healthy set with the facets that it violates; also the
+    /// initial guesses of RSP's plan, RIP's and then RCP's. `rcp` is the joint RCP's plan at that time.
+    pub(super) fn rsp_set_at(
+        &self,
+        time: f64,
+        rcp: Option<&Planned>,
+        out: &mut Comparison,
+    ) -> Result<(PlanningSet, Vec<Planned>), PlanOutcome> {
         let (decision, effort) = self.rip_at("RIP", time, rcp, None);
         out.effort += effort;
         match decision {
@@ -118,5 +112,35 @@ impl Setting<'_> {
             }
             _ => Err(self.without_rip(time, &decision)),
         }
+    }
+
+    /// RSP's shortest time for the facets selected at T_d = `common`; `initial_guesses` are those of
+    /// [`Self::rsp_set_at`].
+    pub(super) fn rsp_shortest(
+        &self,
+        set: &PlanningSet,
+        common: f64,
+        nothing_selected: bool,
+        initial_guesses: &[Planned],
+    ) -> Found {
+        if let (true, Some(rip)) = (nothing_selected, initial_guesses.first()) {
+            return nothing_selected_at(rip);
+        }
+        let mut effort = Effort::default();
+        // The SCP planner starts from RCP's plan, which RSP's set allows; the hover planner's search uses the verdict
+        // on T_d.
+        let decision = match initial_guesses.get(1).filter(|_| self.finds_local_optima()) {
+            Some(rcp) => Decision::Feasible(Box::new(rcp.clone())),
+            None => {
+                let guesses: Vec<&Planned> = initial_guesses.iter().collect();
+                let (decision, spent) = self.rsp_at("RSP", set, common, &guesses, None);
+                effort += spent;
+                decision
+            }
+        };
+        let hint = Hint { initial_guesses: initial_guesses.to_vec(), ..hint_from(common, decision) };
+        let mut found = self.rsp_own("RSP", set, hint, WorkingSet::default());
+        found.effort += effort;
+        found
     }
 }
