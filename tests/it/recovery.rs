@@ -277,6 +277,50 @@ fn the_command_shows_ways_out_and_writes_them() {
     assert!(listed > 8 && index.lines().count() == listed + 1, "{listed}\n{index}");
 }
 
+/// On a map: the ground projections of ways out, landing sites as polygons and as rally points of a ground station.
+#[test]
+fn ways_out_and_sites_are_on_the_map() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = "mission field {\n    origin_latitude = 47 deg; origin_longitude = 8 deg; origin_altitude = 400 m\n";
+    let text = format!("{SPEC}}}").replace("mission field {\n", place);
+    std::fs::write(folder.path().join("field.mav"), text).unwrap();
+    let json = |name: &str| -> serde_json::Value {
+        serde_json::from_slice(&std::fs::read(folder.path().join(name)).unwrap()).unwrap()
+    };
+    // A metre north and east, by the ellipsoid's radii of curvature at 47 degrees.
+    let metres = |place: &serde_json::Value| {
+        let [longitude, latitude] = [0, 1].map(|i| place[i].as_f64().unwrap());
+        [(longitude - 8.0) * 76_060.0, (latitude - 47.0) * 111_170.0]
+    };
+    let args = ["plan", "field.mav", "--branches", "out", "-o", "field.plan"];
+    let (code, _, errors) = mavc_in(folder.path(), &args);
+    assert_eq!(code, 0, "{errors}");
+    let lines = json("out/footprints.geojson");
+    let lines = lines["features"].as_array().unwrap();
+    assert!(lines.len() > 8);
+    for line in lines {
+        let corners = line["geometry"]["coordinates"].as_array().unwrap();
+        let ([x, y], [end_x, end_y]) = (metres(&corners[0]), metres(&corners[corners.len() - 1]));
+        assert!((-0.5..=30.5).contains(&x) && y.abs() < 1.0, "the plan goes east: {x} {y}");
+        assert!((end_x - 10.0).hypot(end_y - 6.0) < 2.01, "{end_x} {end_y}");
+        assert!(folder.path().join("out").join(line["properties"]["file"].as_str().unwrap()).is_file());
+    }
+    let point = &json("field.plan")["rallyPoints"]["points"][0];
+    let [x, y] = metres(&serde_json::json!([point[1], point[0]]));
+    assert!((x - 10.0).abs() < 0.01 && (y - 6.0).abs() < 0.01 && point[2] == 10.0, "{point}");
+    // The mission that it is imports as the same site.
+    let (code, _, errors) = mavc_in(folder.path(), &["import", "mission", "field.plan", "-o", "again.mav"]);
+    let again = std::fs::read_to_string(folder.path().join("again.mav")).unwrap();
+    assert!(code == 0 && again.contains("landing_site"), "{errors}{again}");
+    let (code, _, errors) = mavc_in(folder.path(), &["plan", "field.mav", "-o", "map.geojson"]);
+    assert_eq!(code, 0, "{errors}");
+    let map = json("map.geojson");
+    for (kind, corners) in [("landing_site", 37), ("keep_off", 5)] {
+        let found = map["features"].as_array().unwrap().iter().find(|f| f["properties"]["kind"] == kind).unwrap();
+        assert_eq!(found["geometry"]["coordinates"][0].as_array().unwrap().len(), corners, "{found}");
+    }
+}
+
 /// With a bound that is not met the plan and its gaps are written, and the exit code says so.
 #[test]
 fn a_bound_on_what_is_uncovered_decides_the_exit_code() {

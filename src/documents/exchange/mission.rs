@@ -59,17 +59,40 @@ fn rounded(x: f64, per_unit: f64) -> f64 {
     rounded + 0.0
 }
 
+fn spot(plane: &TangentPlane, p: [f64; 3]) -> Spot {
+    let Geodetic { latitude, longitude, height } = plane.place(p);
+    let [latitude, longitude] = [latitude, longitude].map(|angle| rounded(angle.to_degrees(), 1e9));
+    Spot { latitude, longitude, height: rounded(height, 1e3) }
+}
+
+fn plane_of(origin: Origin) -> TangentPlane {
+    TangentPlane::at(Geodetic { latitude: origin.latitude, longitude: origin.longitude, height: origin.altitude })
+}
+
+/// A way out on a map.
+pub struct Footprint<'b> {
+    /// The file with its table.
+    pub file: String,
+    pub mode: &'b str,
+    pub outcome: &'b str,
+    /// The instant of the fault, s since the start of the plan.
+    pub fault_s: f64,
+    pub motion: &'b Trajectory,
+}
+
+/// The ground projections of ways out as GeoJSON; `None` if the mission does not say where it is.
+pub fn footprints(mission: &Mission, branches: &[Footprint]) -> Option<String> {
+    Some(geojson::footprints(&plane_of(mission.origin?), branches))
+}
+
 impl<'a> Placed<'a> {
     fn new(trajectory: &'a Trajectory, model: &'a Model, tolerance: f64, format: &str) -> Result<Self, String> {
         let (mission, origin) = origin(model, format)?;
-        let place = Geodetic { latitude: origin.latitude, longitude: origin.longitude, height: origin.altitude };
-        Ok(Placed { trajectory, mission, plane: TangentPlane::at(place), tolerance })
+        Ok(Placed { trajectory, mission, plane: plane_of(origin), tolerance })
     }
 
     fn spot(&self, p: [f64; 3]) -> Spot {
-        let Geodetic { latitude, longitude, height } = self.plane.place(p);
-        let [latitude, longitude] = [latitude, longitude].map(|angle| rounded(angle.to_degrees(), 1e9));
-        Spot { latitude, longitude, height: rounded(height, 1e3) }
+        spot(&self.plane, p)
     }
 
     fn local(&self, spot: Spot) -> [f64; 3] {

@@ -2,6 +2,7 @@
 
 use super::screen::{Screen, Tone};
 use super::trajectory_csv;
+use crate::exchange::mission::{self, Footprint};
 use crate::model::{Model, Problem};
 use crate::number::{fixed, number, percent, plural, significant};
 use crate::recovery::{Families, FoundBranch, ModeRecovery, NotAttempted, Piece, Recovery, Way};
@@ -210,7 +211,8 @@ fn failed<'a>(recovery: &'a Recovery, piece: &'a Piece) -> impl Iterator<Item = 
     )
 }
 
-/// The files of `--branches`: a table for each branch, in the form of the plan's, and `index.csv`.
+/// The files of `--branches`: a table for each branch, in the form of the plan's, `index.csv`, and, if the mission says
+/// where it is, `footprints.geojson`.
 pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u8>)>, String> {
     let model = problem.model();
     let mut index = String::from("file,mode,outcome,site,fault_s,delay_s,begins_s,ends_s,deviation_m\n");
@@ -234,6 +236,19 @@ pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u
         files.push((name, trajectory_csv::table(&branch.motion, model, None)?.into_bytes()));
     }
     files.push(("index.csv".into(), index.into_bytes()));
+    let footprints: Vec<Footprint> = recovery
+        .branches
+        .iter()
+        .map(|branch| Footprint {
+            file: branch_name(model, branch) + ".csv",
+            mode: &model.modes[branch.mode].name,
+            outcome: outcome(Some(branch.way)),
+            fault_s: branch.fault_at,
+            motion: &branch.motion,
+        })
+        .collect();
+    let map = mission::footprints(problem.mission(), &footprints);
+    files.extend(map.map(|text| ("footprints.geojson".to_string(), text.into_bytes())));
     Ok(files)
 }
 

@@ -1,9 +1,14 @@
-//! GeoJSON (RFC 7946): the path and its ground projection as lines, waypoints as points, volumes as polygons with
-//! heights.
+//! GeoJSON (RFC 7946): the path and its ground projection as lines, waypoints as points, volumes, landing sites and
+//! areas to keep off as polygons; and the ground projections of ways out.
 
-use super::{Placed, outline};
-use crate::geodesy::heading_of_yaw;
+use super::{Footprint, Placed, outline};
+use crate::geodesy::{TangentPlane, heading_of_yaw};
+use crate::model::LandingSite;
+use crate::motion::{X, Y, Z};
 use serde_json::{Value, json};
+
+/// The time between two corners of the ground projection of a way out, s.
+const FOOTPRINT_STEP: f64 = 0.25;
 
 pub fn text(placed: &Placed, line: &[[f64; 3]]) -> String {
     let mission = placed.mission;
@@ -52,6 +57,41 @@ pub fn text(placed: &Placed, line: &[[f64; 3]]) -> String {
             features.push(feature("Polygon", json!([ring]), properties));
         }
     }
+    let ring = |corners: &[[f64; 2]], z: f64| -> Vec<Value> {
+        corners.iter().chain(corners.first()).map(|corner| below(*corner, z)).collect()
+    };
+    for LandingSite { name, at, radius, .. } in &mission.after_fault.sites {
+        let properties = json!({ "name": name, "kind": "landing_site", "radius_m": radius });
+        features.push(feature("Polygon", json!([ring(&outline::circle([at[0], at[1]], *radius), at[2])]), properties));
+    }
+    for area in &mission.after_fault.keep_off {
+        for body in area.bodies.iter().filter_map(outline::of) {
+            let properties = json!({ "name": area.name, "kind": "keep_off", "clearance_m": area.clearance });
+            features.push(feature("Polygon", json!([ring(&body.corners, mission.ground.unwrap_or(0.0))]), properties));
+        }
+    }
+    collection(&features)
+}
+
+/// The ground projections of ways out, one line each.
+pub fn footprints(plane: &TangentPlane, branches: &[Footprint]) -> String {
+    let line = |branch: &Footprint| {
+        let steps = (branch.motion.duration() / FOOTPRINT_STEP).ceil().max(1.0);
+        let corner = |k: usize| {
+            let state = branch.motion.at(branch.motion.duration() * k as f64 / steps);
+            let spot = super::spot(plane, [X, Y, Z].map(|axis| state[axis][0]));
+            json!([spot.longitude, spot.latitude])
+        };
+        let corners: Vec<Value> = (0..=steps as usize).map(corner).collect();
+        let properties = json!({
+            "file": branch.file, "mode": branch.mode, "outcome": branch.outcome, "fault_s": branch.fault_s,
+        });
+        feature("LineString", json!(corners), properties)
+    };
+    collection(&branches.iter().map(line).collect::<Vec<_>>())
+}
+
+fn collection(features: &[Value]) -> String {
     serde_json::to_string_pretty(&json!({ "type": "FeatureCollection", "features": features })).unwrap_or_default()
         + "\n"
 }

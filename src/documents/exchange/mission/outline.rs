@@ -14,12 +14,14 @@ pub struct Outline {
     pub top: f64,
 }
 
+/// The corners of a circle, m.
+pub fn circle([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
+    let angle = |k: usize| TAU * k as f64 / CORNERS as f64;
+    (0..CORNERS).map(|k| [x + radius * angle(k).cos(), y + radius * angle(k).sin()]).collect()
+}
+
 /// The outline of a body: of a ball that of the cylinder about it. A half space has none.
 pub fn of(body: &Body) -> Option<Outline> {
-    let circle = |[x, y]: [f64; 2], radius: f64| -> Vec<[f64; 2]> {
-        let angle = |k: usize| TAU * k as f64 / CORNERS as f64;
-        (0..CORNERS).map(|k| [x + radius * angle(k).cos(), y + radius * angle(k).sin()]).collect()
-    };
     Some(match body {
         Body::Prism { corners, bottom, top } => Outline { corners: corners.clone(), bottom: *bottom, top: *top },
         Body::Cylinder { centre, radius, bottom, top } => {

@@ -3,7 +3,7 @@
 use super::items::{CHANGE_SPEED, Item, Items, WAYPOINT};
 use super::polyline::{MEASURED, instants};
 use super::{Placed, Spot};
-use crate::model::{Body, VolumeSide};
+use crate::model::{Body, LandingSite, VolumeSide};
 use serde_json::{Value, json};
 
 /// `MAV_AUTOPILOT_PX4`, `MAV_TYPE_QUADROTOR` (of which QGroundControl means any multirotor),
@@ -43,7 +43,7 @@ pub fn text(placed: &Placed, items: &Items) -> (String, String) {
         "groundStation": "QGroundControl",
         "mission": mission,
         "geoFence": { "version": 2, "circles": circles, "polygons": polygons },
-        "rallyPoints": { "version": 2, "points": [] },
+        "rallyPoints": { "version": 2, "points": rally_points(placed) },
     });
     let text = serde_json::to_string_pretty(&plan).unwrap_or_default() + "\n";
     let said = match left_out[..] {
@@ -51,6 +51,18 @@ pub fn text(placed: &Placed, items: &Items) -> (String, String) {
         _ => format!("; not a fence, since fences have no heights: {}", left_out.join(", ")),
     };
     (text, said)
+}
+
+/// Landing sites as places to return to: latitude, longitude, and the height above home at which the vehicle arrives,
+/// that of the highest waypoint.
+fn rally_points(placed: &Placed) -> Vec<Value> {
+    let mission = placed.mission;
+    let highest = mission.waypoints.iter().map(|waypoint| waypoint.position[2]).fold(f64::NEG_INFINITY, f64::max);
+    let point = |site: &LandingSite| {
+        let Spot { latitude, longitude, .. } = placed.spot(site.at);
+        json!([latitude, longitude, super::rounded(highest, 1e3)])
+    };
+    mission.after_fault.sites.iter().map(point).collect()
 }
 
 fn one(item: &Item, number: usize, home: Spot) -> Value {
