@@ -93,9 +93,7 @@ impl<'a> Case<'a> {
 
     /// What is assumed; each line is a node of the argument and a row of the page.
     fn assumptions(&self) -> [String; 8] {
-        let e = &self.evidence;
-        let [proved, covered] = [ModeEvidence::proved, ModeEvidence::covered]
-            .map(|of| e.modes.iter().map(|mode| of(mode)).fold(0.0, |all, seconds| all + seconds));
+        let [proved, covered] = self.evidence.proved_and_covered();
         let between = match () {
             () if proved == 0.0 => "Ways out hold between the instants looked at; this is not shown.".into(),
             () if proved < covered => format!(

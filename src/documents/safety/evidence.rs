@@ -113,6 +113,14 @@ pub const FAILED: usize = OUTCOMES.len() - 1;
 /// The outcome of a fault without a way out, an index into [`SEVERITIES`].
 pub const NONE: usize = FAILED + 1;
 
+impl Evidence {
+    /// For how long the certificate proves ways out, and for how long faults count as covered, s, over all modes.
+    pub fn proved_and_covered(&self) -> [f64; 2] {
+        let over_all = |of: fn(&ModeEvidence) -> f64| self.modes.iter().map(of).fold(0.0, |all, seconds| all + seconds);
+        [over_all(ModeEvidence::proved), over_all(ModeEvidence::covered)]
+    }
+}
+
 impl ModeEvidence {
     /// For how long a fault in this phase has each outcome, in the order of time, alike ones together.
     pub fn within(&self, phase: &Phase) -> Vec<Share<'_>> {

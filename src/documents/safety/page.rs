@@ -1,6 +1,6 @@
 //! The page that links the files of the folder and answers an assessor's questions.
 
-use super::evidence::{FAILED, ModeEvidence};
+use super::evidence::FAILED;
 use super::quantities::{by_importance, with_interval};
 use super::{CERTIFICATE, Case, REPORT, SEVERITIES, sha256, short};
 use crate::admissible::outcome::Outcome;
@@ -187,8 +187,7 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
         [least, most] => format!("{} to {} ms", number(1e3 * least), number(1e3 * most)),
         _ => format!("{} ms", number(1e3 * e.detection[0])),
     };
-    let [shown, covered] = [ModeEvidence::proved, ModeEvidence::covered]
-        .map(|of| e.modes.iter().map(|mode| of(mode)).fold(0.0, |all, seconds| all + seconds));
+    let [shown, covered] = e.proved_and_covered();
     let between = match shown > 0.0 {
         true => format!(
             "Ways out: at every instant of {} s of the {} s x fault that count as covered, from the states within the \
