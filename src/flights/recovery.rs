@@ -7,6 +7,7 @@
 
 pub mod carry;
 pub mod flown;
+pub mod replanning;
 mod search;
 
 use crate::admissible::AdmissibleSet;
@@ -18,6 +19,7 @@ use crate::motion::Trajectory;
 use crate::planner::selection::sets::of_one_mode;
 use crate::solve::Effort;
 use rayon::prelude::*;
+use replanning::Change;
 use search::Search;
 use std::collections::BTreeMap;
 
@@ -144,6 +146,8 @@ pub struct Recovery {
     /// The branches that do not end as planned in simulated flights, one each; indices into `branches`, ascending.
     pub failed: Vec<usize>,
     pub effort: Effort,
+    /// If the plan was planned again for ways out, how.
+    pub change: Option<Change>,
 }
 
 /// Instants are at most this far apart, s, in plans up to [`FINE`] instants long. Chosen by hand.
@@ -190,6 +194,7 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
         failed: Vec::new(),
         effort: Effort::default(),
         delays: delays.clone(),
+        change: None,
     };
     for (mut mode, branches, effort) in each {
         let before = found.branches.len();

@@ -277,6 +277,38 @@ fn the_command_shows_ways_out_and_writes_them() {
     assert!(listed > 8 && index.lines().count() == listed + 1, "{listed}\n{index}");
 }
 
+/// A mission whose faults have no way out at some instants is planned again with more room, until they have.
+#[test]
+fn gaps_are_closed_by_planning_again() {
+    let planned = |require: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let spec = SPEC.replace("time    = 9 s", "time    = 6.5 s").replace("within = 12 s", "within = 4 s");
+        let spec = spec.replace("order = [land_at_sites]", "order = [continue]");
+        let spec = spec.replace("    mode M4 { rotor 4 lost }\n    mode M6 { rotor 6 lost }\n", "");
+        std::fs::write(folder.path().join("field.mav"), format!("{spec}{require}\n}}")).unwrap();
+        let args = ["plan", "field.mav", "--recovery", "--report", "r.json", "--certificate", "c.json"];
+        let (code, text, errors) = mavc_in(folder.path(), &args);
+        assert_eq!(code, 0, "{text}{errors}");
+        // The plan is one of the spec.
+        let (code, _, errors) = mavc_in(folder.path(), &["verify", "c.json", "field.mav", "--budget", "100s"]);
+        assert!(code == 0 || code == 7, "{errors}");
+        let report = std::fs::read(folder.path().join("r.json")).unwrap();
+        let report: serde_json::Value = serde_json::from_slice(&report).unwrap();
+        crate::schemas::schema("report").assert_valid(&report);
+        (report["recovery"].clone(), text)
+    };
+    let (open, text) = planned("");
+    assert!(open["uncovered"].as_f64().unwrap() > 0.01 && open["replanned"].is_null(), "{text}");
+    let (closed, text) = planned("    require uncovered <= 0 %");
+    assert_eq!(
+        (closed["uncovered"].as_f64(), closed["replanned"]["price_s"].as_f64()),
+        (Some(0.0), Some(0.0)),
+        "{text}"
+    );
+    assert_eq!(closed["replanned"]["uncovered_before"], open["uncovered"]);
+    assert!(text.contains("Planned again with ") && text.contains("the time is the same"), "{text}");
+}
+
 /// On a map: the ground projections of ways out, landing sites as polygons and as rally points of a ground station.
 #[test]
 fn ways_out_and_sites_are_on_the_map() {

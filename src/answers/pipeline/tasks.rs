@@ -226,6 +226,13 @@ impl Planning {
         &self.comparison
     }
 
+    /// Puts another plan of the mission in place of the one that was found.
+    pub(super) fn replace(&mut self, comparison: Comparison) {
+        self.comparison = comparison;
+        self.capture_heights = OnceLock::new();
+        self.detours = None;
+    }
+
     /// Which rows of the plan are proved to hold between its nodes; `None` if there is no plan.
     ///
     /// # Errors
@@ -403,8 +410,7 @@ impl<'s> Task<'s> {
                 let tried = timed(observer, "detours", || detour::try_statements(self.problem(), plan, &mut detours));
                 observer.asked(None, &tried.1);
                 if let Some(shorter) = tried.0 {
-                    planning.comparison = shorter;
-                    planning.capture_heights = OnceLock::new();
+                    planning.replace(shorter);
                     detours = self.untried(planning);
                 }
             }

@@ -101,6 +101,7 @@ pub fn elsewhere(model: &Model, found_at: &[f64]) -> Option<String> {
 fn shown_of_time(problem: Problem, comparison: &Comparison, run: &PlannerRun, solved: &MissionPlan) -> String {
     let (model, mission) = (problem.model(), problem.mission());
     match (run.run, solved.infeasible_at) {
+        (Run::Own, _) if comparison.for_ways_out => ", planned again for ways out after faults".into(),
         (Run::Own, Some(below)) => {
             let conditions = conditions(problem, comparison, run);
             let gap = least_time::gap(problem, run).filter(|_| model.plan.chooses_times);

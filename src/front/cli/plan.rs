@@ -49,10 +49,10 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         false => task.explain(&planning, &watch).map_err(|e| e.to_string())?,
     };
     let wants_recovery = args.recovery || args.branches.is_some() || task.model().plan.recovery.require.is_some();
-    let recovery = match (wants_recovery, places.certificate.is_some()) {
-        (true, true) => task.recovery_between(&planning, &watch).map_err(|e| e.to_string())?,
-        (true, false) => task.recovery(&planning, &watch).map_err(|e| e.to_string())?,
-        (false, _) => None,
+    let between = places.certificate.is_some();
+    let recovery = match wants_recovery {
+        true => task.recovery(&mut planning, between, &watch).map_err(|e| e.to_string())?,
+        false => None,
     };
     let mut results = Results::new(&places);
     if places.certificate.is_some() {

@@ -74,12 +74,9 @@ fn read(names: [&std::path::PathBuf; 2]) -> Result<Pair, CommandError> {
 /// Plans, looks for ways out, and certifies; an exit code if there is no plan or no certificate of it. Ways out are
 /// proved in the hover model only: in the exact one few are found, in more than the time of all the rest.
 fn planned(task: &Task, watch: &Watch, options: &Options) -> Result<Result<Pair, u8>, CommandError> {
-    let planning = plan::plan(task, &Cancel::new(), watch)?;
-    let found = match task.model().plan.model {
-        PlanModel::Hover => task.recovery_between(&planning, watch),
-        PlanModel::Exact => task.recovery(&planning, watch),
-    };
-    let Some(found) = found.map_err(|e| e.to_string())? else {
+    let mut planning = plan::plan(task, &Cancel::new(), watch)?;
+    let between = task.model().plan.model == PlanModel::Hover;
+    let Some(found) = task.recovery(&mut planning, between, watch).map_err(|e| e.to_string())? else {
         files::print_screen(&task.for_people(&planning, &Explained::default(), None, options.verbose))?;
         return Ok(Err(code_of(planning.verdict())));
     };

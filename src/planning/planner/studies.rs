@@ -54,6 +54,17 @@ pub fn compare(problem: Problem, scope: Scope, progress: Progress) -> Comparison
     comparison
 }
 
+/// A comparison with another plan of the mission as the outcome of its last run, with what is reported of it; `None`
+/// without a run. Whether it is a plan of that run is for [`crate::certify::check`] to say.
+pub fn adopted(problem: Problem, comparison: &Comparison, plan: &MissionPlan) -> Option<Comparison> {
+    let mut comparison = comparison.clone();
+    let setting = Setting { weighs_risk: true, ..Setting::new(problem, None) };
+    let adopted = setting.described(plan.time, plan.trajectory.clone(), plan.objective, plan.rows);
+    comparison.runs.last_mut()?.outcome = PlanOutcome::Planned(Box::new(adopted));
+    comparison.for_ways_out = true;
+    Some(comparison)
+}
+
 /// The comparison with the mission's shares of time for the legs.
 fn with_times(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
     let model = problem.model();

@@ -211,6 +211,8 @@ pub struct Comparison {
     pub known: Vec<Planned>,
     /// The plan of the last run before its second pass, until plans are checked.
     pub plainer: Option<Box<MissionPlan>>,
+    /// Whether the plan of the last run was planned again, with more room than its planner asks for.
+    pub for_ways_out: bool,
     pub effort: Effort,
 }
 

@@ -3,6 +3,7 @@
 use super::found::Found;
 use super::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Progress, Run, Verification};
 use crate::model::{Mission, MissionTime, Model, PlannerKind, Problem};
+use crate::motion::Trajectory;
 use crate::motion::outside::{Outside, outside};
 use crate::motion::time_grid::determined;
 use crate::planner::hover::{Decision, HoverPlanner, Planned};
@@ -155,7 +156,11 @@ impl<'a> Setting<'a> {
 
     /// A plan with what is reported of it.
     pub fn solved(&self, time: f64, planned: &Planned) -> MissionPlan {
-        let trajectory = planned.trajectory();
+        self.described(time, planned.trajectory(), planned.objective, planned.rows)
+    }
+
+    /// A trajectory with what is reported of it as a plan.
+    pub fn described(&self, time: f64, trajectory: Trajectory, objective: f64, rows: usize) -> MissionPlan {
         let outside: Vec<Outside> = self
             .sets
             .modes
@@ -167,8 +172,8 @@ impl<'a> Setting<'a> {
             time,
             trajectory,
             committed,
-            objective: planned.objective,
-            rows: planned.rows,
+            objective,
+            rows,
             outside,
             verification: Verification::None,
             binding: Vec::new(),
@@ -240,6 +245,7 @@ impl<'a> Setting<'a> {
             own_selected_by: None,
             trade_off: Vec::new(),
             plainer: None,
+            for_ways_out: false,
             known: Vec::new(),
             effort: Effort::default(),
         }

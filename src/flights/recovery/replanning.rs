@@ -1,0 +1,124 @@
+//! Planning again until faults have ways out: the plan keeps more room inside the sets of the modes than the spec asks
+//! of it, so that a vehicle that has strayed from it, when a fault becomes known, can come back within the sets.
+
+use super::{Recovery, recovery};
+use crate::certify;
+use crate::model::{MissionTime, Model, PlannerKind, Problem};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, adopted, compare};
+
+/// Shares of the sets kept in addition to the reserve, in the order tried. Chosen by hand.
+const ROOMS: [f64; 4] = [0.05, 0.1, 0.2, 0.4];
+/// Where the spec leaves the time open: multiples of the time of the first plan, and the share kept with them in
+/// addition to the reserve. Chosen by hand.
+const LONGER: [f64; 4] = [1.05, 1.1, 1.2, 1.4];
+const WITH_TIME: f64 = 0.1;
+/// The search ends after so many rooms in turn that leave no smaller share without a way out. Chosen by hand.
+const PATIENCE: usize = 3;
+/// No reserve reaches this.
+const MOST: f64 = 0.95;
+
+/// A plan with ways out in place of one without.
+pub struct Replanned {
+    /// The comparison with the plan as the outcome of its last run.
+    pub comparison: Comparison,
+    pub recovery: Recovery,
+}
+
+/// How a plan with ways out differs from the one planned first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Change {
+    /// The share of each set that the plan keeps: the spec's reserve and more.
+    pub reserve: f64,
+    /// The mission time of the first plan, s.
+    pub time_before: f64,
+    /// The share of the time without a way out of the first plan.
+    pub uncovered_before: f64,
+}
+
+/// Plans again with more and more room, and if the spec leaves the time open then in more and more time, until at most a
+/// share `bound` of the time has no way out, as `uncovered` measures it. Without success the plan that leaves the
+/// smallest share, if it is smaller than that of the first. `tries` receives each reserve, and the time where it is
+/// given, s, before they are tried.
+pub fn replanned(
+    problem: Problem,
+    first: &Comparison,
+    found: &Recovery,
+    (uncovered, bound): (&dyn Fn(&Recovery) -> f64, f64),
+    tries: &dyn Fn(f64, Option<f64>),
+) -> Option<Replanned> {
+    let before = first.runs.last()?.outcome.plan()?;
+    let uncovered_before = uncovered(found);
+    let mut best = Best { share: uncovered_before, replanned: None };
+    let attempt = |reserve: f64, time: Option<f64>, best: &mut Best| {
+        tries(reserve, time);
+        let plan = with_reserve(problem, found, reserve, time)?;
+        let mut comparison = adopted(problem, first, &plan)?;
+        certify::check(problem, &mut comparison);
+        let kept = comparison.runs.last()?.outcome.plan()?;
+        let mut recovery = recovery(problem, &kept.trajectory, false);
+        let share = uncovered(&recovery);
+        recovery.change = Some(Change { reserve, time_before: before.time, uncovered_before });
+        let is_better = share < best.share;
+        if is_better {
+            *best = Best { share, replanned: Some(Replanned { comparison, recovery }) };
+        }
+        Some(is_better)
+    };
+    let reserves = ROOMS.into_iter().map(|room| problem.model().plan.reserve + room).filter(|reserve| *reserve < MOST);
+    let mut in_vain = 0;
+    for reserve in reserves {
+        match attempt(reserve, None, &mut best) {
+            Some(true) => in_vain = 0,
+            Some(false) => in_vain += 1,
+            None => break,
+        }
+        if best.share <= bound || in_vain == PATIENCE {
+            break;
+        }
+    }
+    if problem.model().plan.time == MissionTime::Minimum {
+        let reserve = (problem.model().plan.reserve + WITH_TIME).min(MOST);
+        for factor in LONGER {
+            if best.share <= bound {
+                break;
+            }
+            attempt(reserve, Some(factor * before.time), &mut best);
+        }
+    }
+    best.replanned
+}
+
+/// The plan so far with the smallest share of the time without a way out.
+struct Best {
+    share: f64,
+    replanned: Option<Replanned>,
+}
+
+/// The plan of RCP with a larger reserve, against the modes of the spec and those with gaps; where there is none,
+/// against those of the spec. `time` is the mission time, s, if it is not the spec's.
+fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f64>) -> Option<MissionPlan> {
+    let own = &problem.model().plan.against;
+    let has_gap = |mode: usize| {
+        let of_mode = found.modes.iter().find(|found| found.mode == mode);
+        of_mode.is_some_and(|of_mode| of_mode.not_attempted.is_none() && of_mode.uncovered() > 0.0)
+    };
+    let gaps: Vec<usize> = (0..problem.model().modes.len()).filter(|&mode| has_gap(mode)).collect();
+    let more: Vec<usize> = own.iter().copied().chain(gaps.iter().copied().filter(|mode| !own.contains(mode))).collect();
+    let with = |against: &[usize]| {
+        let mut model: Model = problem.model().clone();
+        model.plan.planner = PlannerKind::Rcp;
+        model.plan.reserve = reserve;
+        model.plan.against = against.to_vec();
+        if let Some(time) = time {
+            model.plan.time = MissionTime::Fixed(time);
+        }
+        let variant = Problem::of(&model)?;
+        let mut comparison = compare(variant, Scope::Plan, None);
+        certify::check(variant, &mut comparison);
+        match comparison.runs.pop()?.outcome {
+            PlanOutcome::Planned(plan) => Some(*plan),
+            _ => None,
+        }
+    };
+    with(&more).or_else(|| (more.len() > own.len()).then(|| with(own)).flatten())
+}
