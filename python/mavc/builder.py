@@ -69,7 +69,7 @@ class Vehicle(_Fields):
 
 class FaultMode(_Fields):
     """A fault mode: the numbers of rotors, from 1, that are lost, give only a share of their thrust (`reduced={3: 0.6}`), or are
-    stuck at one."""
+    stuck at one. `rate` is in 1/s; a rate with an interval (`1e-5 1/h +- 50 %`) is for the text of a spec."""
 
     def __init__(
         self,

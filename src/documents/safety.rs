@@ -6,6 +6,7 @@ mod argument;
 mod drawing;
 pub mod evidence;
 mod fault_tree;
+mod heights;
 mod page;
 pub mod quantities;
 mod worksheets;
@@ -15,7 +16,7 @@ use crate::flight::equilibrium::analyze_each;
 use crate::model::{Model, Problem, RotorState};
 use crate::number::{fixed, number, plural, significant};
 use crate::verify::Accepted;
-use evidence::{Evidence, Phase, Share};
+use evidence::{Evidence, FAILED, ModeEvidence, Phase, Share};
 use quantities::{Quantities, Rated};
 use sha2::{Digest, Sha256};
 
@@ -39,26 +40,19 @@ pub struct Case<'a> {
 pub const REPORT: &str = "report.json";
 pub const CERTIFICATE: &str = "certificate.json";
 
-/// What is assumed; each line is a node of the argument and a row of the page.
-const ASSUMPTIONS: [&str; 7] = [
-    "Each mode strikes at a constant rate, independently of all others; a failure with one cause for several rotors is \
-     a mode of its own.",
-    "The spec is true: masses, inertias, places and thrust of rotors, rates and sites are as written.",
-    "A fault is known after the delays of the spec; a fault that stays undetected is not covered.",
-    "Ways out hold at the instants looked at; between them nothing is shown.",
-    "A way out is followed, also where its one simulated flight did not end as planned.",
-    "A second fault in the same mission is a loss of control, because no way out is sought after it.",
-    "mavc reads the spec as its author means it, and the parts of mavc that certificates trust have no error.",
-];
-
 /// Outcomes with their effect and a word for how severe they are: mavc's own proposal, in the order of
-/// [`crate::report::recovery::OUTCOMES`].
-pub const SEVERITIES: [(&str, &str, &str); 5] = [
+/// [`crate::report::recovery::OUTCOMES`], with [`evidence::FAILED`] before the last.
+pub const SEVERITIES: [(&str, &str, &str); 6] = [
     ("continue", "flies on along the plan to its end", "minor"),
     ("continue spinning", "flies on along the plan; the heading is lost", "major"),
     ("land at site", "lands at a prepared site; the mission is lost", "major"),
     ("land here", "lands where it comes to rest, outside the areas to keep off", "hazardous"),
-    ("none", "no way out was found: counted as loss of control", "catastrophic"),
+    (
+        "flight failed",
+        "a way out was found, but its simulated flight did not end as planned: counted as loss of control",
+        "catastrophic",
+    ),
+    ("none", "no way out is known: counted as loss of control", "catastrophic"),
 ];
 
 impl<'a> Case<'a> {
@@ -71,8 +65,10 @@ impl<'a> Case<'a> {
         accepted: &'a Accepted,
     ) -> Self {
         let model = problem.model();
-        let rated = rated(model, &evidence);
-        let quantities = Quantities::new(rated, evidence.duration, model.plan.require_risk);
+        let failed = evidence.modes.iter().any(|mode| mode.with_outcome(FAILED) > 0.0);
+        let open = failed.then(|| rated(model, &evidence, ModeEvidence::open_within));
+        let counted = rated(model, &evidence, ModeEvidence::uncovered_within);
+        let quantities = Quantities::new(counted, open.as_deref(), evidence.duration, model.plan.require_risk);
         let pairs = pairs(model);
         Case { problem, spec_sha256, evidence, report, certificate, accepted, quantities, pairs }
     }
@@ -95,6 +91,44 @@ impl<'a> Case<'a> {
         Ok(own.into_iter().map(|(name, bytes)| (name.to_string(), bytes)).collect())
     }
 
+    /// What is assumed; each line is a node of the argument and a row of the page.
+    fn assumptions(&self) -> [String; 8] {
+        let [proved, covered] = self.evidence.proved_and_covered();
+        let between = match () {
+            () if proved == 0.0 => "Ways out hold between the instants looked at; this is not shown.".into(),
+            () if proved < covered => format!(
+                "The certificate proves {} s of the {} s x fault that count as covered, from the states that a \
+                 simulation expects, within its tolerances; in the rest, ways out hold between the instants looked at, \
+                 which is not shown.",
+                fixed(proved, 2),
+                fixed(covered, 2)
+            ),
+            () => {
+                "When a fault is known, the vehicle is in the state that a simulation expects, within the tolerances \
+                   of the certificate; from there a way out is proved at every instant."
+                    .into()
+            }
+        };
+        [
+            "Each mode strikes at a constant rate, independently of all others; a failure with one cause for several \
+             rotors is a mode of its own."
+                .into(),
+            "The spec is true: masses, inertias, places and thrust of rotors, rates and sites are as written.".into(),
+            "A fault is known after the delays of the spec; a fault that stays undetected is not covered.".into(),
+            between,
+            "One simulated flight stands for all flights of a way out. Where it did not end as planned, the time to \
+             the instants around it counts as a loss of control."
+                .into(),
+            "A second fault in the same mission is a loss of control, because no way out is sought after it.".into(),
+            "The tolerances within which a certificate shows its statements (docs/certificates.md, The theorem) are \
+             harmless."
+                .into(),
+            "mavc reads the spec as its author means it, and the parts of mavc that certificates trust \
+             (docs/certificates.md, The checker alone) have no error."
+                .into(),
+        ]
+    }
+
     fn model(&self) -> &'a Model {
         self.problem.model()
     }
@@ -109,7 +143,7 @@ impl<'a> Case<'a> {
         self.evidence.modes[mode].within(phase)
     }
 
-    /// The pairs of modes that both have a way out at some time: where they have none, each alone loses control.
+    /// The pairs of modes that are both covered at some time: where they are not, each alone loses control.
     fn pairs_with_ways_out(&self) -> Vec<[usize; 2]> {
         let evidence = &self.evidence;
         let is_covered = |mode: &usize| evidence.modes[*mode].uncovered() < evidence.duration;
@@ -151,6 +185,9 @@ impl<'a> Case<'a> {
         if let Some([low, high]) = q.interval {
             text += &format!("  over the intervals of the rates: {} to {}\n", short(low), short(high));
         }
+        if let Some(p) = q.without_failures {
+            text += &format!("  with ways out whose simulated flight failed taken for cover: {}\n", short(p));
+        }
         let unrated = self.unrated();
         if !unrated.is_empty() {
             text += &format!("  without {}, which {} no rate\n", unrated.join(", "), has(unrated.len()));
@@ -162,7 +199,7 @@ impl<'a> Case<'a> {
         for (at, single) in q.by_contribution().into_iter().take(3) {
             let [seconds, p] = [fixed(single.seconds, 2), short(single.probability)];
             let mode = &self.model().modes[at].name;
-            text += &format!("  {mode} on {}: {seconds} s without a way out, {p}\n", single.phase.label());
+            text += &format!("  {mode} on {}: {seconds} s uncovered, {p}\n", single.phase.label());
         }
         text += &format!("  certificate: {}\n", self.accepted.headline);
         for why in &self.accepted.weaker {
@@ -201,12 +238,12 @@ pub fn counted(model: &Model) -> Vec<usize> {
     (0..model.modes.len()).filter(|&mode| !any || model.modes[mode].rate.is_some()).collect()
 }
 
-/// The modes with a rate, and their exposures.
-fn rated(model: &Model, evidence: &Evidence) -> Vec<Rated> {
+/// The modes with a rate, and their exposures: for how long a phase leaves them uncovered.
+fn rated(model: &Model, evidence: &Evidence, uncovered: impl Fn(&ModeEvidence, &Phase) -> f64) -> Vec<Rated> {
     let of_mode = |(index, mode): (usize, &crate::model::FaultMode)| {
         let rate = quantities::rounded(3600.0 * mode.rate?);
         let open = |phase: &Phase| {
-            let seconds = evidence.modes[index].uncovered_within(phase);
+            let seconds = uncovered(&evidence.modes[index], phase);
             (seconds > 0.0).then(|| (phase.clone(), seconds))
         };
         let exposed = evidence.phases.iter().filter_map(open).collect();

@@ -143,8 +143,8 @@ pub struct Recovery {
     pub within: f64,
     /// The duration of the plan, s.
     pub duration: f64,
-    /// How many of the branches end as planned in simulated flights, one each.
-    pub survived: usize,
+    /// The branches that do not end as planned in simulated flights, one each; indices into `branches`, ascending.
+    pub failed: Vec<usize>,
     pub effort: Effort,
     /// If the plan was planned again for ways out, how.
     pub change: Option<Change>,
@@ -191,7 +191,7 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
         branches: Vec::new(),
         within: settings.within,
         duration: plan.duration(),
-        survived: 0,
+        failed: Vec::new(),
         effort: Effort::default(),
         delays: delays.clone(),
         change: None,
@@ -203,7 +203,7 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
         found.modes.push(mode);
         found.effort += effort;
     }
-    found.survived = flown::survivors(model, plan, &found);
+    found.failed = flown::failures(model, plan, &found);
     found
 }
 

@@ -36,3 +36,9 @@ fn the_page_on_ways_out_tells_the_truth() {
 fn the_page_on_reserves_tells_the_truth() {
     follow("docs/how-to/reserve.md", (1, 0));
 }
+
+#[test]
+#[ignore = "long"]
+fn the_page_on_assessments_tells_the_truth() {
+    follow("docs/how-to/safety.md", (2, 2));
+}

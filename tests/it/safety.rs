@@ -22,13 +22,13 @@ faults {
     mode ice { rotors [1, 2, 3, 4, 5, 6, 7, 8] reduced to 95 % }
 }
 mission field {
-    ground = 0 m
-    start at [0, 0, 2] m
-    waypoint mid at [10, 0, 8] m
+    ground = 1 m
+    start at [0, 0, 3] m
+    waypoint mid at [10, 0, 9] m
     hold 1 s
-    waypoint at [20, 0, 8] m
+    waypoint at [20, 0, 9] m
     limits { speed <= 6 m/s; descent <= 3 m/s }
-    landing_site pad { at = [10, 6, 0] m; radius = 2 m }
+    landing_site pad { at = [10, 6, 1] m; radius = 2 m }
 }
 plan {
     model = hover
@@ -84,8 +84,11 @@ fn enumerated(tree: &str) -> (f64, BTreeSet<BTreeSet<String>>) {
     };
     let parameters = named("define-parameter");
     let value = |name: &str| -> f64 {
-        let float = parameters[name].children().find(|node| node.has_tag_name("float")).unwrap();
-        float.attribute("value").unwrap().parse().unwrap()
+        // A number, or the two ends of a uniform deviate, for which its mean is taken.
+        let floats = parameters[name].descendants().filter(|node| node.has_tag_name("float"));
+        let floats: Vec<f64> = floats.map(|node| node.attribute("value").unwrap().parse().unwrap()).collect();
+        assert!(floats.len() == 1 || floats.len() == 2 && floats[0] < floats[1], "{name}: {floats:?}");
+        floats.iter().sum::<f64>() / floats.len() as f64
     };
     let events: Vec<(&str, f64)> = named("define-basic-event")
         .into_iter()
@@ -123,6 +126,23 @@ fn enumerated(tree: &str) -> (f64, BTreeSet<BTreeSet<String>>) {
     (probability, minimal.map(|set| set.iter().map(ToString::to_string).collect()).collect())
 }
 
+/// The lowest and the highest of many heights of a plan in the hover model between two times, m.
+fn sampled_heights(motion: &Value, from: f64, to: f64) -> [f64; 2] {
+    let (times, nodes) = (motion["times_s"].as_array().unwrap(), motion["z"].as_array().unwrap());
+    let number = |value: &Value| value.as_f64().unwrap();
+    let mut all = Vec::new();
+    for (times, nodes) in times.windows(2).zip(nodes.windows(2)) {
+        let [begin, end] = [number(&times[0]), number(&times[1])];
+        let [z, v, a] = [0, 1, 2].map(|i| number(&nodes[0][i]));
+        let jerk = (number(&nodes[1][2]) - a) / (end - begin);
+        let inside = (0..=200).map(|k| (end - begin) * f64::from(k) / 200.0);
+        let inside = inside.filter(|t| (from - 1e-9..=to + 1e-9).contains(&(begin + t)));
+        all.extend(inside.map(|t| z + t * (v + t * (a / 2.0 + t * jerk / 6.0))));
+    }
+    let [least, most] = [f64::min, f64::max].map(|pick| all.iter().copied().reduce(pick).unwrap());
+    [least, most]
+}
+
 #[test]
 fn the_files_of_an_assessment_agree() {
     let folder = assessed();
@@ -141,6 +161,9 @@ fn the_files_of_an_assessment_agree() {
     assert!(cut_sets.iter().any(|set| set.len() == 2) && cut_sets.iter().any(|set| set.len() == 1), "{cut_sets:?}");
     let interval = quantities["loss_of_control"]["per_mission_over_rate_intervals"].as_array().unwrap();
     assert!(interval[0].as_f64().unwrap() < stated && stated < interval[1].as_f64().unwrap());
+    assert_eq!(quantities["modes"][0]["rate_interval_per_h"], serde_json::json!([5e-6, 1.5e-5]));
+    let deviate = "<uniform-deviate>\n        <float value=\"5e-6\"/>\n        <float value=\"0.000015\"/>";
+    assert_eq!(read(&out, "faulttree.xml").matches(deviate).count(), 1);
 
     // The worksheet accounts for every second of every mode, and exposes those that the fault tree counts.
     let sheet = rows(&read(&out, "fmea.csv"));
@@ -163,6 +186,17 @@ fn the_files_of_an_assessment_agree() {
     let hazards = rows(&read(&out, "fha.csv"));
     let seconds: f64 = hazards.iter().map(|row| row["mode_seconds"].parse::<f64>().unwrap()).sum();
     assert!((seconds - 3.0 * 12.0).abs() < 1e-9, "{seconds}");
+    let motion = &json(&out, "certificate.json")["claim"]["plan"]["motion"];
+    for row in &hazards {
+        let of_phase = sheet.iter().find(|other| other["phase"] == row["phase"]).unwrap();
+        let [from, to] = ["phase_from_s", "phase_to_s"].map(|column| of_phase[column].parse::<f64>().unwrap());
+        let [low, high] = ["lowest_height_m", "highest_height_m"].map(|column| row[column].parse::<f64>().unwrap());
+        let [least, most] = sampled_heights(motion, from, to);
+        // The spec's ground is at 1 m; samples may miss an extreme by little, and rounding is less.
+        let missed = [least - 1.0 - low, high - (most - 1.0)];
+        assert!(missed.iter().all(|by| (-1e-9..1e-4).contains(by)), "{row:?} {missed:?}");
+        assert_eq!(row["heights_above"], "ground");
+    }
 
     // Each answer of the page is one, or says that it is not covered.
     let page = read(&out, "index.html");
@@ -176,8 +210,10 @@ fn the_argument_keeps_the_rules_of_its_notation() {
     let folder = assessed();
     let out = folder.path().join("out");
     let argument = json(&out, "argument.json");
-    let nodes: BTreeMap<&str, &Value> =
-        argument["nodes"].as_array().unwrap().iter().map(|node| (node["id"].as_str().unwrap(), node)).collect();
+    let all = argument["nodes"].as_array().unwrap();
+    let nodes: BTreeMap<&str, &Value> = all.iter().map(|node| (node["id"].as_str().unwrap(), node)).collect();
+    assert_eq!(nodes.len(), all.len(), "two nodes have one name");
+    assert!(all.iter().all(|node| !node["text"].as_str().unwrap().is_empty()));
     let of = |node: &'_ Value, member: &str| -> Vec<String> {
         node[member].as_array().unwrap().iter().map(|id| id.as_str().unwrap().to_string()).collect()
     };
@@ -238,7 +274,7 @@ fn each_broken_link_is_reported_where_it_is() {
     }
 
     // A rate or a site: the folder is that of another spec, and every file of the new one differs.
-    let moved = ("at = [10, 6, 0] m", "at = [10, 12, 0] m");
+    let moved = ("at = [10, 6, 1] m", "at = [10, 12, 1] m");
     for (from, to) in [moved, ("2e-6 1/h", "3e-6 1/h")] {
         write(folder, "field.mav", &SPEC.replace(from, to));
         let (code, _, errors) = check();
@@ -283,6 +319,158 @@ fn each_broken_link_is_reported_where_it_is() {
         let (code, errors) = mixed("broken.json", "out/certificate.json");
         assert!(code == 2 && errors.contains("cannot use report.json") && errors.contains(why), "{errors}");
     }
+}
+
+/// A vehicle beside its landing site, for which nearly every way out is proved between the instants too.
+const PROVED: &str = r#"
+vehicle octo {
+    layout  = "PPNNPPNN"
+    arm     = 21 cm
+    mass    = 1.8 kg
+    inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor { max_thrust = 6.5 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+}
+faults { mode M1 { rotors [1] lost; rate = 1e-5 1/h }; mode M2 { rotors [2, 3, 4] lost; rate = 1e-7 1/h } }
+mission hop {
+    ground = 0 m
+    start at [0, 0, 4] m
+    waypoint at [8, 0, 5] m
+    limits { speed <= 6 m/s; descent <= 3 m/s }
+    landing_site pad { at = [4, 4, 0] m; radius = 1.5 m }
+}
+plan {
+    model = hover
+    planner = rip
+    against = [M1]
+    time = 6 s
+    samples = 30
+    recovery { order = [land_at_sites]; detection = 200 ms; within = 15 s }
+}
+"#;
+
+/// A folder with this spec, and what the command makes of it in `out`.
+fn proved() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), "hop.mav", PROVED);
+    let (code, text, errors) = mavc_in(folder.path(), &["safety", "hop.mav", "-o", "out"]);
+    assert_eq!(code, 0, "{text}{errors}");
+    folder
+}
+
+/// A flight that failed takes the time to the instants around it from the cover, in every file, also where the rotors
+/// are proved to be able to fly it.
+#[test]
+fn a_way_out_whose_simulated_flight_failed_is_no_cover() {
+    let folder = proved();
+    let (folder, out) = (folder.path(), folder.path().join("out"));
+    let mut report = json(&out, "report.json");
+    let recovery = &mut report["recovery"];
+    let survived = recovery["survived"].as_u64().unwrap();
+    assert_eq!(survived, recovery["flown"].as_u64().unwrap());
+    let mode = &mut recovery["modes"][0];
+    assert_eq!(mode["name"], "M1");
+    let long = |piece: &&mut Value| piece["branches"].as_array().unwrap().len() > 4;
+    let piece = mode["pieces"].as_array_mut().unwrap().iter_mut().find(long).unwrap();
+    let struck = |k: usize| -> f64 {
+        let name = piece["branches"][k].as_str().unwrap().strip_prefix("M1_").unwrap();
+        name.split_once('s').unwrap().0.parse().unwrap()
+    };
+    let seconds = struck(4) - struck(1);
+    let of =
+        |k: usize| serde_json::json!({"branch": piece["branches"][k], "from_s": struck(k - 1), "to_s": struck(k + 1)});
+    let failed = [of(2), of(3)];
+    let names: Vec<String> = failed.iter().map(|flight| flight["branch"].as_str().unwrap().to_string()).collect();
+    piece["failed"] = Value::from(failed.to_vec());
+    let assess = |report: &Value, name: &str| {
+        write(folder, "failed.json", &report.to_string());
+        let args = ["--report", "failed.json", "--certificate", "out/certificate.json"];
+        mavc_in(folder, &[&["safety", "hop.mav", "-o", name], &args[..]].concat())
+    };
+    let (code, _, errors) = assess(&report, "miscounted");
+    assert!(code == 2 && errors.contains("it does not name every simulated flight that failed"), "{errors}");
+    report["recovery"]["survived"] = Value::from(survived - 2);
+    let (code, text, errors) = assess(&report, "failed");
+    assert_eq!(code, 0, "{text}{errors}");
+    assert!(text.contains("with ways out whose simulated flight failed taken for cover: "), "{text}");
+
+    let (before, after) = (json(&out, "quantities.json"), json(&folder.join("failed"), "quantities.json"));
+    let of_mode = |quantities: &Value, member: &str| quantities["modes"][0][member].as_f64().unwrap();
+    assert!((of_mode(&after, "failed_flights_s") - seconds).abs() < 1e-9);
+    let more = of_mode(&after, "uncovered_s") - of_mode(&before, "uncovered_s");
+    let less = of_mode(&before, "proved_s") - of_mode(&after, "proved_s");
+    assert!((more - seconds).abs() < 1e-9 && (less - seconds).abs() < 1e-9, "{more} {less} {seconds}");
+    let p = |quantities: &Value, member: &str| quantities["loss_of_control"][member].as_f64();
+    let member = "per_mission_if_failed_flights_were_covered";
+    assert_eq!(p(&before, member), None);
+    assert_eq!(p(&after, member), p(&before, "per_mission"));
+    assert!(p(&after, "per_mission") > p(&after, member));
+    let (probability, _) = enumerated(&read(&folder.join("failed"), "faulttree.xml"));
+    assert!(close(p(&after, "per_mission").unwrap(), probability));
+
+    let sheet = rows(&read(&folder.join("failed"), "fmea.csv"));
+    let rows_of = |is_failed: bool| {
+        let basis = "found at an instant, but its simulated flight failed";
+        sheet.iter().filter(move |row| row["mode"] == "M1" && (row["basis"] == basis) == is_failed)
+    };
+    let exposed: f64 = rows_of(true).map(|row| row["exposure_s"].parse::<f64>().unwrap()).sum();
+    assert!((exposed - seconds).abs() < 1e-9, "{exposed}");
+    let provisions =
+        |is_failed: bool| rows_of(is_failed).map(|row| row["provision"].clone()).collect::<Vec<_>>().join(" ");
+    assert_eq!(provisions(true), names.join(" "));
+    assert!(names.iter().all(|name| !provisions(false).contains(name)));
+    let argument = read(&folder.join("failed"), "argument.json");
+    assert!(argument.contains(&format!("{seconds:.2} s of it because simulated flights failed")), "{argument}");
+}
+
+#[test]
+fn the_argument_uses_ways_out_that_the_certificate_proves() {
+    let folder = proved();
+    let out = folder.path().join("out");
+    let proved = json(&out, "quantities.json")["modes"][0]["proved_s"].as_f64().unwrap();
+    assert!(proved > 0.9 * 6.0, "{proved}");
+    // The report counts what its search proved; the certificate decides.
+    let reported = json(&out, "report.json")["recovery"]["modes"][0]["proved_s"].as_f64().unwrap();
+    assert!((proved - reported).abs() < 1e-9, "{proved} {reported}");
+    let sheet = rows(&read(&out, "fmea.csv"));
+    let of = |mode: &str, basis: &str| -> f64 {
+        let rows = sheet.iter().filter(|row| row["mode"] == mode && row["basis"] == basis);
+        rows.map(|row| row["effect_s"].parse::<f64>().unwrap()).sum()
+    };
+    let checked = of("M1", "checked at the instants looked at, and simulated");
+    assert!((of("M1", "proved at every instant, and simulated") - proved).abs() < 1e-9);
+    assert!((checked + proved - 6.0).abs() < 1e-9, "{checked}");
+    assert!((of("M2", "not attempted: hover has no margin") - 6.0).abs() < 1e-9);
+
+    let argument = json(&out, "argument.json");
+    let texts = |kind: &str| -> Vec<String> {
+        let nodes = argument["nodes"].as_array().unwrap().iter().filter(|node| node["type"] == kind);
+        nodes.map(|node| format!("{} {}", node["text"].as_str().unwrap(), node["sha256"])).collect()
+    };
+    let certificate: String = Sha256::digest(std::fs::read(out.join("certificate.json")).unwrap())
+        .iter()
+        .map(|b| format!("{b:02x}"))
+        .collect();
+    let due =
+        format!("certificate.json: ways out after M1, proved at every instant of {proved:.2} s \"{certificate}\"");
+    assert!(texts("solution").contains(&due), "{:?}", texts("solution"));
+    let between = match checked > 1e-9 {
+        true => format!("The certificate proves {proved:.2} s of the {:.2} s x fault", proved + checked),
+        false => "from there a way out is proved at every instant".into(),
+    };
+    assert!(texts("assumption").iter().any(|text| text.contains(&between)), "{:?}", texts("assumption"));
+
+    // A certificate of the same plan without these families proves none of it.
+    let mut bare = json(&out, "certificate.json");
+    assert!(bare["claim"]["plan"]["recovery"]["families"].as_array().is_some_and(|all| !all.is_empty()));
+    bare["claim"]["plan"]["recovery"] = Value::Null;
+    write(folder.path(), "bare.json", &bare.to_string());
+    let args = ["safety", "hop.mav", "-o", "bare", "--report", "out/report.json", "--certificate", "bare.json"];
+    let (code, text, errors) = mavc_in(folder.path(), &args);
+    assert_eq!(code, 0, "{text}{errors}");
+    let bare = folder.path().join("bare");
+    assert_eq!(json(&bare, "quantities.json")["modes"][0]["proved_s"], 0.0);
+    assert!(read(&bare, "argument.json").contains("Ways out hold between the instants looked at; this is not shown."));
+    assert!(!read(&bare, "fmea.csv").contains("proved at every instant"));
 }
 
 #[test]

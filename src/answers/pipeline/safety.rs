@@ -1,9 +1,9 @@
 //! The case of a safety assessment: from a report with ways out and an accepted certificate.
 
 use super::tasks::Task;
-use crate::certificate::{Certificate, Claim};
+use crate::certificate::{Certificate, Claim, PlanClaim};
 use crate::number::number;
-use crate::safety::evidence::Evidence;
+use crate::safety::evidence::{Evidence, Shown};
 use crate::safety::{CERTIFICATE, Case, MOST_MODES, REPORT, counted};
 use crate::verify::Accepted;
 
@@ -36,11 +36,13 @@ impl Task<'_> {
         accepted: &'a Accepted,
     ) -> Result<Case<'a>, String> {
         self.fits_fault_tree()?;
-        let evidence = Evidence::read(self.problem(), self.spec().sha256(), report)
+        let plan = plan_of(certificate).map_err(|why| format!("cannot use {CERTIFICATE}: {why}"))?;
+        let shown = Shown { plan: &plan, ways_out: &accepted.ways_out };
+        let evidence = Evidence::read(self.problem(), self.spec().sha256(), report, &shown)
             .map_err(|why| format!("cannot use {REPORT}: {why}"))?;
-        let end = plan_end(certificate).map_err(|why| format!("cannot use {CERTIFICATE}: {why}"))?;
-        if end != evidence.duration {
-            let [end, duration] = [end, evidence.duration].map(number);
+        let end = plan.motion.times_s.last().copied();
+        if end != Some(evidence.duration) {
+            let [end, duration] = [end.unwrap_or(f64::NAN), evidence.duration].map(number);
             return Err(format!(
                 "cannot use {CERTIFICATE}: its plan takes {end} s, that of {REPORT} {duration} s: write both in one run"
             ));
@@ -49,11 +51,11 @@ impl Task<'_> {
     }
 }
 
-/// When the plan of a certificate ends, s.
-fn plan_end(certificate: &[u8]) -> Result<f64, String> {
+/// The plan of a certificate.
+fn plan_of(certificate: &[u8]) -> Result<PlanClaim, String> {
     let certificate: Certificate = serde_json::from_slice(certificate).map_err(|e| e.to_string())?;
     match certificate.claim {
-        Claim::Plan(plan) => plan.motion.times_s.last().copied().ok_or_else(|| "its motion is empty".into()),
+        Claim::Plan(plan) => Ok(plan),
         Claim::Infeasible(_) | Claim::TooEarly(_) => {
             Err("it proves infeasibility, so there is no plan to assess".into())
         }

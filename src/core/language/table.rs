@@ -194,7 +194,8 @@ group! {
 group! {
     /// The fields of `mode { }` and `every { }`.
     mode:
-    RATE "rate", Quantity("1/h", NotNegative), NO_DEFAULT, "the failure rate";
+    RATE "rate", Quantity("1/h", NotNegative), NO_DEFAULT,
+        "the failure rate; one that is known roughly is an interval, `1e-5 1/h +- 50 %`, which `mavc safety` uses";
     SEVERITY "severity", Whole(1, 10), NO_DEFAULT,
         "the FMEA severity; its product with `occurrence` and `detection` is `rpn`";
     OCCURRENCE "occurrence", Whole(1, 10), NO_DEFAULT, "the FMEA occurrence";

@@ -39,6 +39,7 @@ use crate::source::Span;
 use cost::{Budget, Estimate};
 use plan::Setting;
 use proof::{Failure, Measure};
+use recovery::Covered;
 
 pub use file::{Rejected, verify_within};
 pub use premise::{Premise, Premises};
@@ -278,6 +279,8 @@ pub struct Accepted {
     pub weaker: Vec<String>,
     /// Conditions that could not be decided at all; `weaker` lists them too.
     pub undecided: Vec<String>,
+    /// When a fault has a way out that the certificate shows, for each mode with such an instant.
+    pub ways_out: Vec<Covered>,
 }
 
 #[deprecated = "renamed to `Accepted`"]
@@ -364,7 +367,7 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
             }
             let headline = plan_headline(problem, found.total, &claim.selected_by);
             let weaker = found.weaker.into_iter().chain(capture_height::weaker(model, false)).collect();
-            Ok(Accepted { headline, shown: found.shown, weaker, undecided: found.undecided })
+            Ok(Accepted { headline, shown: found.shown, weaker, undecided: found.undecided, ways_out: found.ways_out })
         }
         Claim::TooEarly(claim) => {
             let (estimate, budget) = (least_time::cost(problem), settings.budget);
@@ -375,7 +378,13 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
                 true => least_time::too_early(problem, claim)?,
                 false => String::new(),
             };
-            Ok(Accepted { headline, shown: Vec::new(), weaker: Vec::new(), undecided: Vec::new() })
+            Ok(Accepted {
+                headline,
+                shown: Vec::new(),
+                weaker: Vec::new(),
+                undecided: Vec::new(),
+                ways_out: Vec::new(),
+            })
         }
         Claim::Infeasible(claim) => {
             let mut verdict = infeasible::decide(&setting, certificate.model, claim, settings.budget)?;

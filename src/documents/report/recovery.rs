@@ -115,9 +115,25 @@ pub struct PieceRecord {
     pub branch: Option<String>,
     /// All branches of the piece.
     pub branches: Vec<String>,
+    /// Those whose simulated flight did not end as planned. Omitted if all did.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub failed: Vec<FailedFlightRecord>,
     /// Of a gap, if there is one: a landing site that is reached from its middle in more time than is allowed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub near_miss: Option<NearMissRecord>,
+}
+
+/// A branch whose simulated flight did not end as planned, and the time for which it counts: to the instants before and
+/// after it, or to the ends of the piece.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct FailedFlightRecord {
+    /// The branch.
+    pub branch: String,
+    /// s since the start of the plan.
+    pub from_s: f64,
+    /// s since the start of the plan.
+    pub to_s: f64,
 }
 
 /// A landing that takes longer than is allowed.
@@ -184,6 +200,9 @@ impl RecoveryRecord {
             site: site(piece.way),
             branch: piece.branches.get(piece.branches.len() / 2).map(name),
             branches: piece.branches.iter().map(name).collect(),
+            failed: failed(recovery, piece)
+                .map(|(index, from_s, to_s)| FailedFlightRecord { branch: name(&index), from_s, to_s })
+                .collect(),
             near_miss: piece.near_miss.map(|miss| NearMissRecord {
                 site: site_name(model, miss.site).into(),
                 fault_s: miss.at,
@@ -208,7 +227,7 @@ impl RecoveryRecord {
             uncovered,
             weighted,
             flown: recovery.branches.len(),
-            survived: recovery.survived,
+            survived: recovery.branches.len() - recovery.failed.len(),
             required: model.plan.recovery.require.map(|require| require.uncovered),
             replanned: recovery.change.map(|change| ReplannedRecord {
                 reserve: change.reserve,
@@ -219,6 +238,17 @@ impl RecoveryRecord {
             modes: recovery.modes.iter().map(mode).collect(),
         }
     }
+}
+
+/// The branches of a piece whose flights failed, with the times for which they count.
+fn failed<'a>(recovery: &'a Recovery, piece: &'a Piece) -> impl Iterator<Item = (usize, f64, f64)> + 'a {
+    let struck = |place: usize| piece.branches.get(place).map(|index| recovery.branches[*index].fault_at);
+    piece.branches.iter().enumerate().filter(|(_, index)| recovery.failed.binary_search(index).is_ok()).map(
+        move |(place, index)| {
+            let before = place.checked_sub(1).and_then(struck).unwrap_or(piece.from);
+            (*index, before, struck(place + 1).unwrap_or(piece.to))
+        },
+    )
 }
 
 /// The files of `--branches`: a table for each branch, in the form of the plan's, and `index.csv`.

@@ -5,9 +5,9 @@
 //! and solutions, strategies by goals; solutions, contexts and assumptions support nothing further; nothing is in a
 //! circle; a goal or strategy without support is marked as undeveloped.
 
-use super::evidence::NONE;
+use super::evidence::FAILED;
 use super::quantities::with_interval;
-use super::{ASSUMPTIONS, CERTIFICATE, Case, REPORT, SEVERITIES, sha256, short};
+use super::{CERTIFICATE, Case, REPORT, SEVERITIES, sha256, short};
 use crate::number::fixed;
 use serde_json::{Value, json};
 
@@ -117,6 +117,10 @@ impl Argument {
     }
 }
 
+/// What a loss of control is.
+const LOST: &str = "Loss of control: a mode strikes where it is uncovered, because no way out is known or its \
+                    simulated flight failed, or two modes strike in one mission";
+
 /// The argument of a case.
 pub fn argument(case: &Case) -> Argument {
     let (model, q) = (case.problem.model(), &case.quantities);
@@ -130,11 +134,16 @@ pub fn argument(case: &Case) -> Argument {
         (Some(target), Some(_)) => format!("; the target {} is met", short(target)),
         _ => String::new(),
     };
+    let unrated = match case.unrated() {
+        none if none.is_empty() => String::new(),
+        some => format!(", {} left out for want of a rate", some.join(", ")),
+    };
     let root = argument.add(
         Kind::Goal,
         match q.probability {
             Some(p) => format!(
-                "{vehicle} loses control on {mission} after a declared fault with the probability {} a mission{target}",
+                "{vehicle} loses control on {mission} after a declared fault with the probability {} a \
+                 mission{unrated}{target}",
                 with_interval(p, q.interval)
             ),
             None => format!("It is known for each declared fault whether {vehicle} finds a way out on {mission}"),
@@ -142,7 +151,9 @@ pub fn argument(case: &Case) -> Argument {
     );
     let spec = argument.add(Kind::Context, format!("spec, SHA-256 {}", case.spec_sha256));
     argument.hold(root, spec);
-    for text in ASSUMPTIONS {
+    let lost = argument.add(Kind::Context, LOST);
+    argument.hold(root, lost);
+    for text in case.assumptions() {
         let assumed = argument.add(Kind::Assumption, text);
         argument.hold(root, assumed);
     }
@@ -162,12 +173,24 @@ pub fn argument(case: &Case) -> Argument {
         let name = &model.modes[mode].name;
         if undeveloped {
             argument.nodes[goal].undeveloped = true;
-        } else {
-            argument.solve(goal, REPORT, report, &format!(", outcomes of {name}"));
-            let is_counted = q.rated.iter().any(|one| one.mode == mode && !one.exposed.is_empty());
-            if is_counted {
-                argument.solve(goal, "faulttree.xml", tree, &format!(", gate {name}-without-way-out"));
+            continue;
+        }
+        let evidence = &case.evidence.modes[mode];
+        let [proved, covered] = [evidence.proved(), evidence.covered()];
+        if proved > 0.0 {
+            let what = format!(": ways out after {name}, proved at every instant of {} s", fixed(proved, 2));
+            argument.solve(goal, CERTIFICATE, certificate, &what);
+        }
+        let what = match () {
+            () if covered == 0.0 => format!(": no way out after {name}"),
+            () if proved < covered => {
+                format!(": ways out after {name}, checked at instants of {} s", fixed(covered - proved, 2))
             }
+            () => format!(": outcomes of {name}"),
+        };
+        argument.solve(goal, REPORT, report, &what);
+        if q.rated.iter().any(|one| one.mode == mode && !one.exposed.is_empty()) {
+            argument.solve(goal, "faulttree.xml", tree, &format!(", gate {name}-uncovered"));
         }
     }
     let two: f64 = q.doubles().map(|(_, p)| p).sum();
@@ -189,32 +212,36 @@ pub fn argument(case: &Case) -> Argument {
 /// The goal of a mode, and whether its support is missing.
 fn of_mode(case: &Case, mode: usize) -> (String, bool) {
     let (name, evidence) = (&case.problem.model().modes[mode].name, &case.evidence.modes[mode]);
-    let open = evidence.uncovered();
-    if evidence.pieces.iter().all(|piece| piece.outcome != NONE) {
+    if evidence.pieces.iter().all(|piece| piece.outcome < FAILED) {
         let mut found: Vec<usize> = evidence.pieces.iter().map(|piece| piece.outcome).collect();
         found.sort_unstable();
         found.dedup();
         let words: Vec<&str> = found.into_iter().map(|outcome| SEVERITIES[outcome].0).collect();
-        return (format!("{name} has a way out at every instant looked at: {}", words.join(", ")), false);
+        let when = match evidence.proved() < evidence.covered() {
+            true => "at every instant looked at",
+            false => "at every instant",
+        };
+        return (format!("{name} has a way out {when}: {}", words.join(", ")), false);
     }
-    let [open, all] = [open, case.evidence.duration].map(|s| fixed(s, 2));
+    let [open, failed, all] =
+        [evidence.uncovered(), evidence.with_outcome(FAILED), case.evidence.duration].map(|s| fixed(s, 2));
     let singles = case.quantities.singles().filter(|(of, _)| *of == mode);
     let p: f64 = singles.map(|(_, single)| single.probability).sum();
     let why = match evidence.not_attempted.as_deref() {
-        Some("caught") => "; it has to be caught, so none was sought",
-        Some(_) => "; hover has no margin, so none was sought",
-        None => "",
+        Some("caught") => "; it has to be caught, so none was sought".into(),
+        Some(_) => "; hover has no margin, so none was sought".into(),
+        None if evidence.with_outcome(FAILED) > 0.0 => format!("; {failed} s of it because simulated flights failed"),
+        None => String::new(),
     };
     match case.problem.model().modes[mode].rate {
         Some(_) => {
             let text = format!(
-                "{name} strikes without a way out with a probability of at most {} a mission ({open} of {all} s{why})",
+                "{name} strikes where it is uncovered with a probability of at most {} a mission ({open} of {all} \
+                 s{why})",
                 short(p)
             );
             (text, false)
         }
-        None => {
-            (format!("{name} strikes only where it has a way out; none was found for {open} of {all} s{why}"), true)
-        }
+        None => (format!("{name} is covered throughout; {open} of {all} s are not, and it has no rate{why}"), true),
     }
 }

@@ -1,11 +1,13 @@
 //! The fault tree in the Open-PSA model exchange format.
 
-use super::quantities::{hours, written};
+use super::quantities::{Rated, hours, written};
 use super::{Case, REPORT, escaped, sha256};
 use crate::model::RotorState;
 use std::fmt::Write;
 
-/// The tree: control is lost if one mode strikes where it has no way out, or two modes strike.
+/// The tree: control is lost if one mode strikes where it is uncovered, without a way out or with one whose simulated
+/// flight failed, or if two modes strike. The rate of a mode is a parameter; one that is known to an interval is a
+/// uniform deviate, whose mean is the rate.
 ///
 /// Names of modes are letters, digits and `_`, so that a `-` separates the parts of a name.
 pub fn open_psa(case: &Case) -> String {
@@ -53,23 +55,23 @@ impl Tree<'_, '_> {
         let q = &self.case.quantities;
         for one in &q.rated {
             let name = self.name(one.mode).to_string();
-            self.parameter(&format!("rate-{name}"), "hours-1", one.rate_per_h);
+            self.rate(&name, one);
             let mut open = Vec::new();
             for (phase, seconds) in &one.exposed {
                 let event = format!("{name}-uncovered-{}", phase.tag());
                 self.parameter(&format!("time-{event}"), "hours", hours(*seconds));
-                self.event(&event, &format!("{name} strikes without a way out, {}", phase.label()), &name);
+                self.event(&event, &format!("{name} strikes uncovered, {}", phase.label()), &name);
                 open.push(basic(&event));
             }
-            let gate = format!("{name}-without-way-out");
-            self.gate(&gate, &format!("{name} strikes where it has no way out"), "or", &open);
+            let gate = format!("{name}-uncovered");
+            self.gate(&gate, &format!("{name} strikes where it is uncovered"), "or", &open);
             if !open.is_empty() {
                 self.top.push(format!("<gate name=\"{gate}\"/>"));
             }
             if one.covered_h(q.duration) > 0.0 {
                 let event = format!("{name}-covered");
                 self.parameter(&format!("time-{event}"), "hours", one.covered_h(q.duration));
-                self.event(&event, &format!("{name} strikes with a way out"), &name);
+                self.event(&event, &format!("{name} strikes where it is covered"), &name);
             }
         }
         let doubles: Vec<[usize; 2]> = q.doubles().map(|(pair, _)| pair).collect();
@@ -83,7 +85,7 @@ impl Tree<'_, '_> {
         }
     }
 
-    /// Without rates only cut sets can be found: a mode that has no way out somewhere, and all pairs.
+    /// Without rates only cut sets can be found: a mode that is uncovered somewhere, and all pairs.
     fn without_rates(&mut self) {
         let modes = 0..self.case.problem.model().modes.len();
         for mode in modes {
@@ -94,17 +96,17 @@ impl Tree<'_, '_> {
             let mut events = Vec::new();
             for phase in open {
                 let event = format!("{name}-uncovered-{}", phase.tag());
-                let label = format!("{name} strikes without a way out, {}", phase.label());
+                let label = format!("{name} strikes uncovered, {}", phase.label());
                 self.event_without_rate(&event, &label);
                 events.push(basic(&event));
             }
-            let gate = format!("{name}-without-way-out");
-            self.gate(&gate, &format!("{name} strikes where it has no way out"), "or", &events);
+            let gate = format!("{name}-uncovered");
+            self.gate(&gate, &format!("{name} strikes where it is uncovered"), "or", &events);
             if !events.is_empty() {
                 self.top.push(format!("<gate name=\"{gate}\"/>"));
             }
             if evidence.uncovered() < self.case.evidence.duration {
-                self.event_without_rate(&format!("{name}-covered"), &format!("{name} strikes with a way out"));
+                self.event_without_rate(&format!("{name}-covered"), &format!("{name} strikes where it is covered"));
             }
         }
         let doubles = self.case.pairs_with_ways_out();
@@ -124,6 +126,20 @@ impl Tree<'_, '_> {
             self.gate(&gate, &label, "and", &[basic(&format!("{a}-covered")), basic(&format!("{b}-covered"))]);
             self.top.push(format!("<gate name=\"{gate}\"/>"));
         }
+    }
+
+    fn rate(&mut self, mode: &str, of: &Rated) {
+        if of.spread.is_none() {
+            return self.parameter(&format!("rate-{mode}"), "hours-1", of.rate_per_h);
+        }
+        let [low, high] = of.interval();
+        let _ = writeln!(
+            self.data,
+            "    <define-parameter name=\"rate-{mode}\" unit=\"hours-1\">\n      <uniform-deviate>\n        <float \
+             value=\"{}\"/>\n        <float value=\"{}\"/>\n      </uniform-deviate>\n    </define-parameter>",
+            written(low),
+            written(high)
+        );
     }
 
     fn parameter(&mut self, name: &str, unit: &str, value: f64) {
@@ -188,7 +204,7 @@ impl Tree<'_, '_> {
             true => "no mode of the spec is a common cause of several rotors".to_string(),
             false => format!("common causes of several rotors: {}", common.join(", ")),
         };
-        format!("Loss of control after a fault. {} The spec: {of_several}.", super::ASSUMPTIONS[..6].join(" "))
+        format!("Loss of control after a fault. {} The spec: {of_several}.", self.case.assumptions()[..6].join(" "))
     }
 
     fn attributes(&self) -> String {
@@ -201,7 +217,7 @@ impl Tree<'_, '_> {
 }
 
 /// The label of a tree without a way to fail.
-const NOTHING: &str = "no mode strikes without a way out, and no two modes can strike";
+const NOTHING: &str = "no mode strikes where it is uncovered, and no two modes can strike";
 
 fn basic(name: &str) -> String {
     format!("<basic-event name=\"{name}\"/>")

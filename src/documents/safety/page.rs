@@ -1,7 +1,8 @@
 //! The page that links the files of the folder and answers an assessor's questions.
 
+use super::evidence::FAILED;
 use super::quantities::{by_importance, with_interval};
-use super::{ASSUMPTIONS, CERTIFICATE, Case, REPORT, SEVERITIES, sha256, short};
+use super::{CERTIFICATE, Case, REPORT, SEVERITIES, sha256, short};
 use crate::admissible::outcome::Outcome;
 use crate::number::{fixed, number, plural, significant};
 use maud::{DOCTYPE, Markup, html};
@@ -16,14 +17,26 @@ const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem a
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src 'self'";
 
 /// What none of the files covers.
-const NOT_COVERED: [&str; 7] = [
+const NOT_COVERED: [&str; 8] = [
     "faults that the spec does not declare, and undetected ones",
     "ways out after a second fault",
-    "instants between those that were looked at",
+    "instants between those that were looked at, except where the certificate proves ways out",
+    "causes of failures, and the source of rates",
     "failures of structure, battery, sensors, link, software and pilot, unless they are modes of the spec",
     "harm to people and property on the ground: the outcomes are those of the vehicle",
     "that the controller of the real vehicle follows a way out",
     "compliance with any regulation or standard",
+];
+
+/// The forms of the files, with the editions that are meant.
+const FORMS: [&str; 4] = [
+    "fmea.csv: a worksheet of failure modes and effects with the usual columns; S, O, D and RPN are the spec's. The \
+     standard for such worksheets, IEC 60812:2018, was not read and is not quoted; conformity is not claimed.",
+    "fha.csv: a list of functional hazards. Its columns and severity classes are mavc's, from no standard.",
+    "faulttree.xml: Open-PSA Model Exchange Format, version 2.0, as scram 0.16.2 reads it. scram takes the mean of a \
+     rate that is an interval.",
+    "argument.svg and argument.json: Goal Structuring Notation; meant is the Community Standard, Version 3. Goals are \
+     supported by goals, strategies and solutions, strategies by goals; both hold in contexts and assumptions.",
 ];
 
 /// The files, and what is in each.
@@ -55,7 +68,9 @@ pub fn page(case: &Case) -> String {
                 h1 { (title) }
                 p {
                     "Written by mavc " (env!("CARGO_PKG_VERSION")) " from the spec with the SHA-256 "
-                    code { (case.spec_sha256) } ". Change the spec and write the folder again; edit no file by hand."
+                    code { (case.spec_sha256) } ". Change the spec and write the folder again; edit no file by hand. "
+                    code { "mavc safety SPEC -o DIR --check" } " finds files that do not follow from the spec, the \
+                     report and the certificate."
                 }
                 h2 { "Files" }
                 table {
@@ -82,8 +97,10 @@ pub fn page(case: &Case) -> String {
                     tr { th { "outcome" } th { "effect" } th { "severity class" } }
                     @for (outcome, effect, word) in SEVERITIES { tr { td { (outcome) } td { (effect) } td { (word) } } }
                 }
+                h2 { "Forms" }
+                ul { @for form in FORMS { li { (form) } } }
                 h2 { "Assumptions" }
-                ol { @for text in ASSUMPTIONS { li { (text) } } }
+                ol { @for text in case.assumptions() { li { (text) } } }
                 h2 { "Not covered" }
                 ul { @for text in NOT_COVERED { li { (text) } } }
                 h2 { "Argument" }
@@ -105,8 +122,12 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
                 true => String::new(),
                 false => format!(" Not included, for want of a rate: {}.", unrated.join(", ")),
             };
+            let failed = q.without_failures.map_or(String::new(), |p| {
+                format!(" If ways out whose simulated flight failed covered their time: {} a mission.", short(p))
+            });
             format!(
-                "{} for each mission of {} s; {} for each flight hour if such missions follow each other.{without}",
+                "{} for each mission of {} s; {} for each flight hour if such missions follow each \
+                 other.{failed}{without}",
                 with_interval(p, q.interval),
                 significant(e.duration, 4),
                 short(hourly)
@@ -124,20 +145,29 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
     };
     let open: Vec<String> = (0..model.modes.len())
         .filter(|&mode| e.modes[mode].uncovered() > 0.0)
-        .map(|mode| format!("{} for {} s", model.modes[mode].name, fixed(e.modes[mode].uncovered(), 2)))
+        .map(|mode| {
+            let [open, failed] = [e.modes[mode].uncovered(), e.modes[mode].with_outcome(FAILED)];
+            let failed = match failed > 0.0 {
+                true => format!(" ({} s of it because simulated flights failed)", fixed(failed, 2)),
+                false => String::new(),
+            };
+            format!("{} for {} s{failed}", model.modes[mode].name, fixed(open, 2))
+        })
         .collect();
     let gaps = match open.is_empty() {
         true => "At every instant that was looked at, yes.".into(),
         false => format!("No: {}. fmea.csv has the phases.", open.join(", ")),
     };
-    let most = q.by_contribution().into_iter().next();
-    let most = most.map_or("No single fault contributes.".into(), |(mode, single)| {
-        let name = &model.modes[mode].name;
+    let all = q.by_contribution();
+    let most = all.first().map_or("No single fault contributes.".into(), |(mode, single)| {
+        let alike = all.iter().filter(|(_, other)| other.probability == single.probability).count();
         format!(
-            "{name} on the {}: {} s, {}.",
+            "{} on the {}: {} s, {}{}. By mode: the table What matters most.",
+            model.modes[*mode].name,
             single.phase.label(),
             fixed(single.seconds, 2),
-            short(single.probability)
+            short(single.probability),
+            if alike > 1 { format!(", and {} more alike", alike - 1) } else { String::new() }
         )
     });
     let several =
@@ -157,10 +187,20 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
         [least, most] => format!("{} to {} ms", number(1e3 * least), number(1e3 * most)),
         _ => format!("{} ms", number(1e3 * e.detection[0])),
     };
+    let [shown, covered] = e.proved_and_covered();
+    let between = match shown > 0.0 {
+        true => format!(
+            "Ways out: at every instant of {} s of the {} s x fault that count as covered, from the states within the \
+             certificate's tolerances; that a fault leads to one is simulated.",
+            fixed(shown, 2),
+            fixed(covered, 2)
+        ),
+        false => "No way out is proved; the search checks them at instants.".into(),
+    };
     let proved = match case.accepted.weaker.is_empty() {
-        true => format!("The plan: {}. Ways out are not proved.", case.accepted.headline),
+        true => format!("The plan: {}. {between}", case.accepted.headline),
         false => format!(
-            "The plan, less than the spec requires: {}. It leaves open: {}. Ways out are not proved.",
+            "The plan, less than the spec requires: {}. It leaves open: {}. {between}",
             case.accepted.headline,
             case.accepted.weaker.join("; ")
         ),
@@ -180,7 +220,8 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
             "On what do the ways out rest?",
             format!(
                 "A search at {} instants, each way out at most {} s long; {} of {} ended as planned in one simulated \
-                 flight each.",
+                 flight each, with the noise and gusts of the spec. The column basis of fmea.csv has it for each row; \
+                 its column provision names the tables that mavc plan --branches writes.",
                 e.instants,
                 number(e.within),
                 e.survived,
@@ -203,15 +244,19 @@ fn importance(case: &Case) -> Markup {
                 th { "mode" }
                 th { "rate, 1/h" }
                 th { "saved if it never strikes" }
-                th { "saved by a second more with a way out" }
+                th { "saved by a second more covered" }
             }
             @for (at, saved) in by_importance(q) {
                 @let one = &q.rated[at];
                 tr {
                     td { (case.problem.model().modes[one.mode].name) }
-                    td { (short(one.rate_per_h)) }
+                    td {
+                        (short(one.rate_per_h))
+                        @let [low, high] = one.interval().map(short);
+                        @if !one.spread.is_none() { " (" (low) " to " (high) ")" }
+                    }
                     td { (short(saved)) }
-                    td { @if one.exposed.is_empty() { "it has one always" } @else { (short(q.saved_by_a_second(at))) } }
+                    td { @if one.exposed.is_empty() { "always covered" } @else { (short(q.saved_by_a_second(at))) } }
                 }
             }
         }
@@ -221,7 +266,7 @@ fn importance(case: &Case) -> Markup {
 fn modes(case: &Case) -> Markup {
     html! {
         table {
-            tr { th { "mode" } th { "outcomes, s" } th { "no way out, s" } }
+            tr { th { "mode" } th { "outcomes, s" } th { "uncovered, s" } th { "proved, s" } }
             @for (mode, evidence) in case.problem.model().modes.iter().zip(&case.evidence.modes) {
                 tr {
                     td { (mode.name) }
@@ -233,6 +278,7 @@ fn modes(case: &Case) -> Markup {
                         @if let Some(why) = &evidence.not_attempted { "not attempted: " (why) }
                     }
                     td { (fixed(evidence.uncovered(), 2)) }
+                    td { (fixed(evidence.proved(), 2)) }
                 }
             }
         }

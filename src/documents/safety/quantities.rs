@@ -1,18 +1,18 @@
 //! The probability of a loss of control, its cut sets, and what matters most.
 //!
 //! A mode with the rate `r` strikes as a Poisson process, so its strikes in separate parts of the mission are
-//! independent events. There is one event for the seconds of each phase without a way out, `1 - exp(-r u)`, and one for
-//! all the others together, `1 - exp(-r c)`. Control is lost if an event of the first kind occurs, or events of two
-//! modes. The shares of exposure are the times of exponential events rather than factors: this is exact for any rate,
-//! where a factor would be so for small ones.
+//! independent events. There is one event for the uncovered seconds of each phase, without a way out or with one whose
+//! simulated flight failed, `1 - exp(-r u)`, and one for all the others together, `1 - exp(-r c)`. Control is lost if
+//! an event of the first kind occurs, or events of two modes. The shares of exposure are the times of exponential
+//! events rather than factors: this is exact for any rate, where a factor would be so for small ones.
 
-use super::evidence::Phase;
+use super::evidence::{FAILED, Phase};
 use super::{Case, SEVERITIES, short};
 use crate::model::Spread;
 use crate::number::shortest;
 use serde_json::{Value, json};
 
-/// A mode with a rate, and when it finds no way out.
+/// A mode with a rate, and when it is uncovered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rated {
     /// An index into the model's modes.
@@ -21,15 +21,15 @@ pub struct Rated {
     pub rate_per_h: f64,
     /// The interval of the rate.
     pub spread: Spread,
-    /// The phases with seconds without a way out, and how many.
+    /// The phases with uncovered seconds, and how many.
     pub exposed: Vec<(Phase, f64)>,
 }
 
-/// An event that alone loses control: a mode strikes where it has no way out.
+/// An event that alone loses control: a mode strikes where it is uncovered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Single<'a> {
     pub phase: &'a Phase,
-    /// s without a way out.
+    /// s uncovered.
     pub seconds: f64,
     pub probability: f64,
 }
@@ -43,6 +43,8 @@ pub struct Quantities {
     pub duration: f64,
     /// For one mission; `None` if no mode has a rate.
     pub probability: Option<f64>,
+    /// For one mission if ways out whose simulated flight failed covered their time; `None` if no such flight failed.
+    pub without_failures: Option<f64>,
     /// For the lowest and the highest rates, if some are intervals.
     pub interval: Option<[f64; 2]>,
     /// The largest probability that the spec allows for one mission: `require risk`.
@@ -72,7 +74,12 @@ pub fn exponential(rate_per_h: f64, time_h: f64) -> f64 {
 }
 
 impl Rated {
-    /// The time in which there is a way out, h, of a mission of this many seconds.
+    /// The lowest and the highest rate, 1/h.
+    pub fn interval(&self) -> [f64; 2] {
+        [self.spread.low, self.spread.high].map(|share| rounded(share * self.rate_per_h))
+    }
+
+    /// The covered time, h, of a mission of this many seconds.
     pub fn covered_h(&self, duration: f64) -> f64 {
         let open: f64 = self.exposed.iter().map(|(_, seconds)| hours(*seconds)).sum();
         let covered = rounded(hours(duration) - open);
@@ -85,7 +92,7 @@ fn loss(rated: &[Rated], duration: f64, scale: impl Fn(Spread) -> f64) -> f64 {
     let rate = |one: &Rated| one.rate_per_h * scale(one.spread);
     let exposed = |one: &Rated| one.exposed.iter().map(|(_, seconds)| hours(*seconds)).sum::<f64>();
     let alone = exponential(rated.iter().map(|one| rate(one) * exposed(one)).sum(), 1.0);
-    // The probabilities that none, exactly one, and at least two of the modes so far strike where they have a way out.
+    // The probabilities that none, exactly one, and at least two of the modes so far strike where they are covered.
     // Only sums of positive terms: a difference from 1 would lose all digits.
     let (mut none, mut one, mut more) = (1.0, 0.0, 0.0);
     for mode in rated {
@@ -98,11 +105,13 @@ fn loss(rated: &[Rated], duration: f64, scale: impl Fn(Spread) -> f64) -> f64 {
 }
 
 impl Quantities {
-    pub fn new(rated: Vec<Rated>, duration: f64, target: Option<f64>) -> Self {
+    /// `open` are the modes with failed flights taken for cover, if some failed.
+    pub fn new(rated: Vec<Rated>, open: Option<&[Rated]>, duration: f64, target: Option<f64>) -> Self {
         let probability = (!rated.is_empty()).then(|| loss(&rated, duration, |_| 1.0));
         let is_uncertain = rated.iter().any(|one| !one.spread.is_none());
         let interval = is_uncertain.then(|| [loss(&rated, duration, |s| s.low), loss(&rated, duration, |s| s.high)]);
-        Quantities { rated, duration, probability, interval, target }
+        let without_failures = open.filter(|open| !open.is_empty()).map(|open| loss(open, duration, |_| 1.0));
+        Quantities { rated, duration, probability, without_failures, interval, target }
     }
 
     /// For each hour of flight, if missions like this one follow each other.
@@ -155,7 +164,7 @@ impl Quantities {
         self.probability.map_or(0.0, |p| p - loss(&others, self.duration, |_| 1.0))
     }
 
-    /// By how much the probability falls if the mode finds a way out for one more second.
+    /// By how much the probability falls if the mode is covered for one more second.
     pub fn saved_by_a_second(&self, at: usize) -> f64 {
         exponential(self.rated[at].rate_per_h, 1.0 / 3600.0)
     }
@@ -190,11 +199,12 @@ pub fn record(case: &Case) -> Value {
         json!({
             "mode": name(one.mode),
             "rate_per_h": one.rate_per_h,
-            "rate_interval_per_h": (!one.spread.is_none())
-                .then(|| [one.spread.low, one.spread.high].map(|share| rounded(share * one.rate_per_h))),
+            "rate_interval_per_h": (!one.spread.is_none()).then(|| one.interval()),
             "uncovered_s": case.evidence.modes[one.mode].uncovered(),
+            "failed_flights_s": case.evidence.modes[one.mode].with_outcome(FAILED),
+            "proved_s": case.evidence.modes[one.mode].proved(),
             "saved_if_it_never_strikes": q.saved_without(at),
-            "saved_by_a_second_with_a_way_out": q.saved_by_a_second(at),
+            "saved_by_a_second_more_covered": q.saved_by_a_second(at),
         })
     });
     json!({
@@ -206,6 +216,7 @@ pub fn record(case: &Case) -> Value {
             "per_mission": q.probability,
             "per_flight_hour": q.per_flight_hour(),
             "per_mission_over_rate_intervals": q.interval,
+            "per_mission_if_failed_flights_were_covered": q.without_failures,
         },
         "target_per_mission": q.target,
         "left_of_target": q.budget(),
@@ -215,7 +226,7 @@ pub fn record(case: &Case) -> Value {
         "severities": SEVERITIES.iter().map(|(outcome, effect, word)| {
             json!({"outcome": outcome, "effect": effect, "severity": word})
         }).collect::<Vec<_>>(),
-        "assumptions": super::ASSUMPTIONS,
+        "assumptions": case.assumptions(),
     })
 }
 

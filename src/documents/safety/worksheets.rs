@@ -1,6 +1,6 @@
 //! The FMEA worksheet and the list of functional hazards, as CSV (RFC 4180).
 
-use super::evidence::{ModeEvidence, NONE, Phase};
+use super::evidence::{FAILED, ModeEvidence, NONE, Phase, Share};
 use super::quantities::{exponential, hours, rounded};
 use super::{Case, SEVERITIES, item, local_effect};
 use crate::admissible::outcome::Outcome;
@@ -35,12 +35,13 @@ const FMEA: [&str; 23] = [
     "spec_sha256",
 ];
 
-const FHA: [&str; 12] = [
+const FHA: [&str; 13] = [
     "failure_condition",
     "modes",
     "phase",
-    "height_from_m",
-    "height_to_m",
+    "lowest_height_m",
+    "highest_height_m",
+    "heights_above",
     "outcome",
     "effect",
     "severity_class",
@@ -87,8 +88,8 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
                 shortest(phase.from),
                 shortest(phase.to),
                 shortest(rounded(share.seconds)),
-                shortest(if share.outcome == NONE { rounded(share.seconds) } else { 0.0 }),
-                basis(evidence, share.outcome).into(),
+                shortest(if share.outcome >= FAILED { rounded(share.seconds) } else { 0.0 }),
+                basis(evidence, &share).into(),
                 case.spec_sha256.into(),
             ])?;
         }
@@ -96,13 +97,15 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
     table.into_inner().map_err(|e| e.into_error().into())
 }
 
-/// On what an outcome rests.
-fn basis(mode: &ModeEvidence, outcome: usize) -> &'static str {
-    match (mode.not_attempted.as_deref(), outcome) {
+/// How an outcome is known.
+fn basis(mode: &ModeEvidence, share: &Share) -> &'static str {
+    match (mode.not_attempted.as_deref(), share) {
         (Some("caught"), _) => "not attempted: the vehicle has to be caught",
         (Some(_), _) => "not attempted: hover has no margin",
-        (None, NONE) => "not found at the instants looked at",
-        (None, _) => "found at the instants looked at, simulated once each",
+        (None, Share { outcome: NONE, .. }) => "not found at the instants looked at",
+        (None, Share { outcome: FAILED, .. }) => "found at an instant, but its simulated flight failed",
+        (None, Share { is_proved: true, .. }) => "proved at every instant, and simulated",
+        (None, Share { is_proved: false, .. }) => "checked at the instants looked at, and simulated",
     }
 }
 
@@ -121,13 +124,19 @@ pub fn fha(case: &Case) -> Result<Vec<u8>, csv::Error> {
                 let names = |modes: &[usize]| {
                     modes.iter().map(|&mode| model.modes[mode].name.as_str()).collect::<Vec<_>>().join(" ")
                 };
-                let [low, high] = phase.heights;
+                // Without a ground heights are those of the spec's coordinates.
+                let (ground, above) = match case.problem.mission().ground {
+                    Some(ground) => (ground, "ground"),
+                    None => (0.0, "origin"),
+                };
+                let [low, high] = phase.heights.map(|z| rounded(z - ground));
                 table.write_record([
                     condition.clone(),
                     names(&hit.modes),
                     phase.label(),
                     shortest(low),
                     shortest(high),
+                    above.into(),
                     (*word).into(),
                     (*effect).into(),
                     (*severity).into(),

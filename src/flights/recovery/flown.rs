@@ -54,10 +54,12 @@ pub fn fly_branch(model: &Model, plan: &Trajectory, branch: &FoundBranch, seed: 
     fly(&sortie, None).outcome
 }
 
-/// How many of the branches end as planned in one simulated flight each, whose seeds count from that of the spec.
-pub fn survivors(model: &Model, plan: &Trajectory, recovery: &Recovery) -> usize {
-    let survives = |(index, branch): (usize, &FoundBranch)| {
-        matches!(fly_branch(model, plan, branch, model.simulation.seed + index as u64), Outcome::Flown)
+/// The branches that do not end as planned in one simulated flight each, whose seeds count from that of the spec; as
+/// indices, ascending.
+pub fn failures(model: &Model, plan: &Trajectory, recovery: &Recovery) -> Vec<usize> {
+    let fails = |(index, branch): (usize, &FoundBranch)| {
+        let outcome = fly_branch(model, plan, branch, model.simulation.seed + index as u64);
+        (!matches!(outcome, Outcome::Flown)).then_some(index)
     };
-    recovery.branches.par_iter().enumerate().filter(|&(index, branch)| survives((index, branch))).count()
+    recovery.branches.par_iter().enumerate().filter_map(fails).collect()
 }

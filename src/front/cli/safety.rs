@@ -8,8 +8,9 @@ use super::{
 };
 use crate::cancel::Cancel;
 use crate::certificate::MAX_BYTES;
+use crate::model::PlanModel;
 use crate::observer::{Observer, timed};
-use crate::pipeline::{Explained, Task, certify, verify_within};
+use crate::pipeline::{Explained, Task, certify, verify_within, with_ways_out};
 use crate::read::FlightBlocks;
 use crate::report::recovery::RecoveryRecord;
 use crate::safety::{CERTIFICATE, REPORT};
@@ -70,16 +71,18 @@ fn read(names: [&std::path::PathBuf; 2]) -> Result<Pair, CommandError> {
     Ok([report?, certificate?])
 }
 
-/// Plans, looks for ways out, and certifies; an exit code if there is no plan or no certificate of it.
+/// Plans, looks for ways out, and certifies; an exit code if there is no plan or no certificate of it. Ways out are
+/// proved in the hover model only: in the exact one few are found, in more than the time of all the rest.
 fn planned(task: &Task, watch: &Watch, options: &Options) -> Result<Result<Pair, u8>, CommandError> {
     let mut planning = plan::plan(task, &Cancel::new(), watch)?;
-    let Some(found) = task.recovery(&mut planning, false, watch).map_err(|e| e.to_string())? else {
+    let between = task.model().plan.model == PlanModel::Hover;
+    let Some(found) = task.recovery(&mut planning, between, watch).map_err(|e| e.to_string())? else {
         files::print_screen(&task.for_people(&planning, &Explained::default(), None, options.verbose))?;
         return Ok(Err(code_of(planning.verdict())));
     };
     watch.begins("making the certificate");
     let certificate = match timed(watch, "certify", || certify(task.spec(), &planning)) {
-        Ok(certificate) => json(&certificate)?.into_bytes(),
+        Ok(certificate) => json(&with_ways_out(certificate, &found))?.into_bytes(),
         Err(why) => {
             files::eprint(&format!("mavc: nothing was written, because the plan has no certificate: {why}\n"));
             return Ok(Err(REJECTED));

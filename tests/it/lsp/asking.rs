@@ -376,6 +376,16 @@ fn words_and_waypoints_have_a_hover_and_units_of_si_no_tautology() {
 }
 
 #[test]
+fn the_rate_of_a_mode_shows_its_interval() {
+    let spec = SPEC.replace("rate = 1e-4 1/h", "ra|te = 1e-4 1/h +- 50 %");
+    assert!(spec.contains('|'));
+    let shown = hovers(&spec);
+    assert!(shown[0].contains("in 1/h") && shown[0].contains("is an interval, `1e-5 1/h +- 50 %`"), "{}", shown[0]);
+    // 0.5e-4 and 1.5e-4 over 3600 s.
+    assert!(shown[0].contains("`1e-4 1/h +- 50 %` = **1.38889e-8 .. 4.16667e-8 1/s**"), "{}", shown[0]);
+}
+
+#[test]
 fn a_path_shows_what_its_file_declares() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().canonicalize().unwrap();

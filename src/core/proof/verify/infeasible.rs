@@ -111,7 +111,7 @@ pub(super) fn decide(
         "one grid: motions whose nodes differ from those of {} samples are not excluded",
         model.plan.samples
     )];
-    Ok(Accepted { headline, shown: vec![proved], weaker, undecided: Vec::new() })
+    Ok(Accepted { headline, shown: vec![proved], weaker, undecided: Vec::new(), ways_out: Vec::new() })
 }
 
 /// The cost of deciding a claim.

@@ -309,8 +309,9 @@ impl<'a> Setting<'a> {
         found: &mut Found,
     ) -> Result<(), Rejection> {
         let (recovering, before) = (Recovering::new(self, plan), purse.0);
-        for Covered { mode, seconds, tolerance } in recovering.decide_all(claim, purse)? {
-            let [seconds, total] = [seconds, found.total].map(|s| significant(s, 4));
+        for covered in recovering.decide_all(claim, purse)? {
+            let Covered { mode, seconds, tolerance, .. } = &covered;
+            let [seconds, total] = [*seconds, found.total].map(|s| significant(s, 4));
             let of = [tolerance.position_m, tolerance.velocity_m_s].map(|t| significant(t, 2));
             let turned = [tolerance.tilt_rad, tolerance.turning_rad_s].map(|t| significant(t.to_degrees(), 2));
             let statement = format!(
@@ -319,6 +320,7 @@ impl<'a> Setting<'a> {
                 of[0], of[1], turned[0], turned[1]
             );
             found.shown.push(Shown { statement, reach: None });
+            found.ways_out.push(covered);
         }
         if purse.0 == 0 && before > 0 {
             found
@@ -516,6 +518,8 @@ pub(super) struct Found {
     pub weaker: Vec<String>,
     /// Sets that could not be decided.
     pub undecided: Vec<String>,
+    /// For each mode with ways out that are shown.
+    pub ways_out: Vec<Covered>,
     /// Mission time, s.
     pub total: f64,
 }
@@ -548,7 +552,7 @@ impl Checked<'_> {
             weaker.push("`require uncovered` is not checked: a certificate need not contain every way out".into());
         }
         let total = self.motion.times[self.motion.times.len() - 1];
-        Found { shown, weaker, undecided: self.undecided.clone(), total }
+        Found { shown, weaker, undecided: self.undecided.clone(), ways_out: Vec::new(), total }
     }
 }
 

@@ -61,7 +61,10 @@ struct OfMode {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Covered {
     pub mode: String,
-    /// For how long faults have a way out from every state within the tolerances, s.
+    /// From and to which instant a fault has a way out after every delay, from every state within the tolerances, s
+    /// since the start of the plan; in the order of time.
+    pub instants: Vec<[f64; 2]>,
+    /// For how long that is, s.
     pub seconds: f64,
     /// The largest tolerances.
     pub tolerance: StateTolerance,
@@ -89,6 +92,7 @@ impl OfMode {
         self.open = (most < last).then_some(([from_s, to_s], most));
         self.covered.tolerance = self.covered.tolerance.largest(&record.tolerance);
         if self.open.is_none() {
+            self.covered.instants.push([from_s, to_s]);
             self.covered.seconds += to_s - from_s;
             self.until = to_s;
         }
@@ -220,7 +224,8 @@ impl<'s, 'a> Recovering<'s, 'a> {
         };
         let inside = (0..pieces).rev().take_while(is_inside).count();
         let inside_from = if inside > 0 { self.plan.times[pieces - inside] } else { f64::INFINITY };
-        let covered = Covered { mode: name.into(), seconds: 0.0, tolerance: StateTolerance::default() };
+        let covered =
+            Covered { mode: name.into(), instants: Vec::new(), seconds: 0.0, tolerance: StateTolerance::default() };
         Ok(OfMode { mode, inside_from, planes, until: 0.0, open: None, covered })
     }
 

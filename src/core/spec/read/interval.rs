@@ -74,6 +74,7 @@ impl<'a> Context<'a> {
             false => self.lower(due, width, by)? / middle,
         };
         if middle > 0.0 && (0.0..1.0).contains(&share) {
+            self.note(expr.span, &[(1.0 - share) * middle, (1.0 + share) * middle], due.unit);
             return Some((middle, Spread { low: 1.0 - share, high: 1.0 + share }));
         }
         let (message, at, help) = match () {
