@@ -365,3 +365,22 @@ fn a_bound_on_what_is_uncovered_decides_the_exit_code() {
         assert!(text.contains("none found") && folder.path().join("plan.csv").is_file(), "{text}");
     }
 }
+
+/// Very long tests; see CONTRIBUTING.
+mod thorough {
+    use super::*;
+
+    /// Of `docs/how-to/recovery.md`: planned again, the README's mission has a way out everywhere, and takes no longer.
+    #[test]
+    #[ignore = "four searches for ways out, minutes each"]
+    fn the_mission_of_the_readme_has_ways_out_everywhere() {
+        let text = include_str!("../../examples/roof_octo.mav");
+        let required = text.replace("samples = 100 }", "samples = 100; require uncovered <= 0 % }");
+        assert_ne!(required, text);
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("roof.mav"), required).unwrap();
+        let (code, text, errors) = mavc_in(folder.path(), &["plan", "roof.mav"]);
+        assert_eq!(code, 0, "{text}{errors}");
+        assert!(text.contains("PLAN FOUND, 20 s") && text.contains("the time is the same"), "{text}");
+    }
+}
