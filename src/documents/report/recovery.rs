@@ -2,6 +2,8 @@
 
 use super::screen::{Screen, Tone};
 use super::trajectory_csv;
+use crate::admissible::outcome::Outcome;
+use crate::flight::equilibrium::outcome_of;
 use crate::model::{Model, Problem};
 use crate::motion::Trajectory;
 use crate::number::{fixed, number, percent, plural, significant};
@@ -350,7 +352,10 @@ pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
     for mode in &modes[..shown] {
         let bar = match mode.not_attempted {
             None => strip(mode, recovery.duration),
-            Some(NotAttempted::NoHover) => "not sought: no margin to hover with".into(),
+            Some(NotAttempted::NoHover) => match outcome_of(model, mode.mode) {
+                Outcome::FliesOn => "not sought: heading not held (`yaw_drag`)".into(),
+                _ => "not sought: no margin to hover with".into(),
+            },
             Some(NotAttempted::Caught) => "not sought: it has to be caught".into(),
         };
         table.row(vec![model.modes[mode.mode].name.clone(), bar, fixed(mode.uncovered(), 2)]);
@@ -413,7 +418,10 @@ pub fn sentence(record: &RecoveryRecord) -> String {
 /// On what the outcomes rest: what was computed, and what was flown.
 pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
     // A plan can be covered at an instant from which no way out is found.
-    let strayed = if record.uncovered > 0.0 { "; when the fault is known, the vehicle has left the plan" } else { "" };
+    let strayed = match record.uncovered > 0.0 {
+        true => "; when the fault is known, the vehicle has left the plan. Where none was found, a flight may survive",
+        false => "",
+    };
     let computed = format!(
         "Looked at {} instants, not between them. Delays are simulated without noise{strayed}. Branches keep the \
          fault's set with {} % in reserve.",
@@ -421,7 +429,7 @@ pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
         significant(100.0 * reserve, 3)
     );
     let flown = format!(
-        "Simulated with the noise and gusts of the spec: {} of {} branches end as planned.",
+        "Simulated with the noise and gusts of `simulate`, or its defaults: {} of {} branches end as planned.",
         record.survived, record.flown
     );
     [computed, flown]

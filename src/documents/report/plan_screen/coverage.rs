@@ -175,7 +175,10 @@ fn advice(answer: &Answer, run: &PlannerRun) -> String {
     }
     match comparison.covering_time.filter(|_| run.run == Run::Own) {
         Some(time) => {
-            format!(" `--set plan.planner=rcp` covers all modes in {} s.", significant(time, DIGITS_OF_TIME))
+            let all: Vec<usize> = (0..comparison.modes.len()).collect();
+            let all = within(&names(answer.problem.model()), &declared(answer.problem.model(), &all), NAMES);
+            let time = significant(time, DIGITS_OF_TIME);
+            format!(" `--set plan.planner=rcp` covers {all} in {time} s or less.")
         }
         None => " `--set plan.rounds=3` or `--set plan.planner=rcp` may cover them.".into(),
     }

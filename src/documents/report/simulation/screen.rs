@@ -41,7 +41,9 @@ pub fn screen(flown: &Flown) -> Screen {
         OutcomeRecord::Landed { at_s } => (Tone::Good, format!("Landed at {} s", fixed(at_s, 2))),
         OutcomeRecord::Trespassed { at_s } => (Tone::Bad, format!("NOT SURVIVED: {}", trespass(at_s))),
         OutcomeRecord::Lost { at_s, cause, at_end } => {
-            (Tone::Bad, format!("LOST at {} s: {}", fixed(at_s, 2), loss(model, cause, at_end)))
+            let struck = record.faults.iter().any(|fault| fault.struck);
+            let without = if struck { "" } else { ", without a fault" };
+            (Tone::Bad, format!("LOST at {} s{without}: {}", fixed(at_s, 2), loss(model, cause, at_end)))
         }
         OutcomeRecord::Diverged { at_s } => (Tone::Bad, format!("DIVERGED at {} s: {DIVERGED}", fixed(at_s, 2))),
     };
