@@ -70,8 +70,8 @@ fn unsafe_for_any(model: &Model, plan: &MissionPlan) -> Option<f64> {
     (0..plan.outside.len()).filter_map(|i| unsafe_until(model, plan, i)).reduce(f64::max)
 }
 
-/// `At the shortest times, covering all 8 modes costs 10 % more time: 20.1 s with RCP; RIP ignores faults, takes 18.2 s and is unsafe until
-/// 12.3 s`
+/// `At the shortest times, covering all 8 modes costs 10 % more time: 20.1 s with RCP; RIP ignores faults, takes 18.2 s
+/// and is unsafe until 12.3 s`
 fn answer(model: &Model, comparison: &Comparison) -> (Tone, String) {
     let n = comparison.modes.len();
     let planned = |which: Run| {
