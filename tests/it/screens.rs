@@ -206,8 +206,8 @@ fn the_answer_comes_first() {
     assert!(out(&mavc_with(&["plan", "-"], &text)).contains("NOT covered, not in `against`: M2"));
 }
 
-/// What covering the faults costs: at a fixed time against the RIP plan that RSP selects from, at a shortest time against
-/// a bound that no fault enters, and nothing about plans that cover none.
+/// What covering the faults costs: at a fixed time against the RIP plan that RSP selects from, at a shortest time
+/// against a bound that no fault enters, and nothing about plans that cover none.
 #[test]
 fn a_plan_names_its_price() {
     let price = |text: &str| -> Option<String> {
