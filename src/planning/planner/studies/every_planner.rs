@@ -117,7 +117,7 @@ impl Setting<'_> {
                     if fixed_elsewhere && !self.sets.names.is_empty() {
                         let (common, mut effort) = self.rsp_at_fixed_time(&rsp_set, at, &decision, selected.is_empty());
                         self.ended(1);
-                        let (own, spent) = self.rsp_selected_at(selecting_time, joint.or(tightest.as_ref()));
+                        let (own, spent) = self.rsp_selected_at(selecting_time.ok_or(at), joint.or(tightest.as_ref()));
                         effort += spent;
                         self.ended(1);
                         return (own, common, effort);
@@ -186,15 +186,12 @@ impl Setting<'_> {
     }
 
     /// RSP's shortest time as `plan` finds it if the spec fixes no time: for the facets selected at `at` s, the joint
-    /// RCP's shortest time, whatever time the spec fixes.
-    fn rsp_selected_at(&self, at: Option<f64>, rcp: Option<&Found>) -> (OwnRsp, Effort) {
+    /// RCP's shortest time, whatever time the spec fixes; where there is none, the error is that time.
+    fn rsp_selected_at(&self, at: Result<f64, f64>, rcp: Option<&Found>) -> (OwnRsp, Effort) {
         let mut selection = self.without_runs();
         let selected = match at {
-            Some(at) => self.rsp_set_at(at, rcp.and_then(Found::planned), &mut selection).map(|found| (at, found)),
-            None => {
-                let at = self.fixed_time().unwrap_or(f64::NAN);
-                Err(PlanOutcome::NotAttempted { at, why: NO_COMMON_TIME.into() })
-            }
+            Ok(at) => self.rsp_set_at(at, rcp.and_then(Found::planned), &mut selection).map(|found| (at, found)),
+            Err(at) => Err(PlanOutcome::NotAttempted { at, why: NO_COMMON_TIME.into() }),
         };
         let (outcome, set) = match selected {
             Ok((at, (set, initial_guesses))) => {
