@@ -113,12 +113,11 @@ fn planned(
     flies: bool,
     reports: &Reports,
 ) -> Result<(Planned, Texts), String> {
-    let mut planning = task.plan(reports);
+    let planning = task.plan(reports);
     let (explained, between) = match flies {
         true => (Explained::default(), None),
         false => {
             let explained = task.explain(&planning, reports).map_err(|e| e.to_string())?;
-            task.detours(&mut planning, reports).map_err(|e| e.to_string())?;
             (explained, planning.between(task, reports).map_err(|e| e.to_string())?)
         }
     };

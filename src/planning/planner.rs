@@ -73,8 +73,9 @@ pub trait Planner {
     ) -> Result<Shortest, NoTime>;
 
     /// A plan at the durations of another of the same set that a pilot would rather fly ([`comfort`]); `None` in the
-    /// hover model, and where none was found.
-    fn more_comfortable(&mut self, planned: &Planned, set: &PlanningSet) -> Option<Planned>;
+    /// hover model, and where none was found. Where the spec gives the mission time, as `is_given` says, it also keeps
+    /// the heights of its legs if such a plan is found.
+    fn more_comfortable(&mut self, planned: &Planned, set: &PlanningSet, is_given: bool) -> Option<Planned>;
 
     /// What the solver has done so far.
     fn effort(&self) -> Effort;

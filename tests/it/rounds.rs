@@ -139,7 +139,7 @@ fn facets_passed_only_between_nodes_are_selected() {
         model.plan.time = MissionTime::Fixed(time);
         let rip = planned(model.clone(), PlannerKind::Rip, 1);
         // Facets are selected by the plan before the second pass.
-        let seen = rip.plainer.as_deref().unwrap_or_else(|| only(&rip));
+        let seen = rip.runs[0].plainer.as_deref().unwrap_or_else(|| only(&rip));
         let rows = &rip.sets[0].rows;
         let mut passed: Vec<usize> = Vec::new();
         for i in 0..=samples * PARTS {

@@ -32,7 +32,7 @@ impl Task<'_> {
             planner.between_nodes = between;
             planner.coverage = coverage;
             if let Some(plan) = planning.plan() {
-                planner.add_detours(problem, plan, &self.known_detours(planning));
+                planner.add_detours(problem, plan, planning.detours());
             }
         }
         record
@@ -52,7 +52,7 @@ impl Task<'_> {
             comparison: planning.comparison(),
             heights,
             exposed: &self.exposed(planning.comparison(), heights).pop().unwrap_or_default(),
-            detours: &self.known_detours(planning),
+            detours: planning.detours(),
             found_at: &explained.nearby.times().collect::<Vec<_>>(),
             between,
         })
@@ -63,7 +63,7 @@ impl Task<'_> {
         let heights = self.capture_heights(planning);
         let mut text = terminal::plan_with(self.problem(), planning.comparison(), heights.as_deref());
         if let Some(plan) = planning.plan() {
-            text.push_str(&terminal::detours(self.problem(), plan, &self.known_detours(planning)));
+            text.push_str(&terminal::detours(self.problem(), plan, planning.detours()));
         }
         text.push_str(&terminal::elsewhere(self.model(), &explained.nearby.times().collect::<Vec<_>>()));
         if let Some(heights) = heights

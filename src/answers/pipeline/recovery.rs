@@ -52,7 +52,7 @@ impl Task<'_> {
         let again = replanned(self.problem(), planning.comparison(), &found, (&share, required.uncovered), &tries);
         match again {
             Some(again) => {
-                planning.replace(again.comparison);
+                planning.replace(self, again.comparison);
                 again.recovery
             }
             None => found,

@@ -2,6 +2,7 @@
 
 use super::capture_height::{self, ImposedHeight};
 use crate::admissible::diagnose::{diagnose, is_too_large};
+use crate::cancel;
 use crate::certify;
 use crate::certify::between::{Between, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
@@ -11,10 +12,10 @@ use crate::explain::planners::Planners;
 use crate::explain::{self, Explanation};
 use crate::flight::capture::heights::CaptureHeights;
 use crate::model::MAX_SAMPLES_OF_A_SEARCH;
-use crate::model::{Mission, Model, Problem};
+use crate::model::{Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::observer::{Observer, Silent, timed};
 use crate::planner::studies::{
-    Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Scope, compare as compare_planners,
+    Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Run, Scope, compare as compare_planners,
 };
 use crate::spec::{Spec, SpecIdentity};
 use crate::verdict::Verdict;
@@ -196,8 +197,10 @@ pub struct Planning {
     pub(super) height: Option<f64>,
     /// The captures against which it is measured, once they are simulated.
     pub(super) capture_heights: OnceLock<Option<Arc<CaptureHeights>>>,
-    /// The detours of its plan, once statements against them were tried.
-    detours: Option<Vec<Detour>>,
+    /// The detours of its plan, with what statements against them gave.
+    detours: Vec<Detour>,
+    /// Whether its search was ended before it was done.
+    cut_short: bool,
 }
 
 impl Planning {
@@ -225,11 +228,22 @@ impl Planning {
         &self.comparison
     }
 
+    /// The detours of the plan with what was tried. Where one quick search is cheap, statements that forbid them were
+    /// tried together.
+    pub fn detours(&self) -> &[Detour] {
+        &self.detours
+    }
+
+    /// Whether the search was told to end with what it had: a longer search may find a shorter plan.
+    pub fn was_cut_short(&self) -> bool {
+        self.cut_short
+    }
+
     /// Puts another plan of the mission in place of the one that was found.
-    pub(super) fn replace(&mut self, comparison: Comparison) {
+    pub(super) fn replace(&mut self, task: &Task, comparison: Comparison) {
+        self.detours = comparison.runs.last().map_or(Vec::new(), |run| task.untried(run));
         self.comparison = comparison;
         self.capture_heights = OnceLock::new();
-        self.detours = None;
     }
 
     /// Which rows of the plan are proved to hold between its nodes; `None` if there is no plan.
@@ -331,22 +345,50 @@ impl<'s> Task<'s> {
         &self.remarks
     }
 
-    /// Plans the mission and reports progress to an observer; see [`plan`].
+    /// Plans the mission and reports progress to an observer; see [`plan`]. If the plan has detours, statements that
+    /// forbid them are tried where one quick search is cheap. A plan found so that is shorter takes the place of the
+    /// plan.
     pub fn plan(&self, observer: &dyn Observer) -> Planning {
         let required = self.model().plan.require_capture;
         let height = required.and_then(|required| required.height);
+        let mut comparison = self.run(Scope::Plan, observer);
+        let cut_short = cancel::is_enough();
+        let mut detours = Vec::new();
+        if let Some(run) = comparison.runs.last() {
+            let (tried, shorter) = self.without_detours(run, observer);
+            detours = tried;
+            if let Some(shorter) = shorter {
+                detours = shorter.runs.last().map_or(Vec::new(), |run| self.untried(run));
+                comparison = shorter;
+            }
+        }
         Planning {
-            comparison: self.run(Scope::Plan, observer),
+            comparison,
             spec: self.spec.identity(),
             height,
             capture_heights: OnceLock::new(),
-            detours: None,
+            detours,
+            cut_short,
         }
     }
 
-    /// Compares the planners and reports progress to an observer; see [`compare`].
+    /// Compares the planners and reports progress to an observer; see [`compare`]. The spec's planner has the plan of
+    /// [`Self::plan`] at its shortest time.
     pub fn compare(&self, observer: &dyn Observer) -> Comparison {
-        self.run(Scope::Everything, observer)
+        let mut comparison = self.run(Scope::Everything, observer);
+        let plan = &self.model().plan;
+        let is_own = |run: &PlannerRun| {
+            run.run == Run::Own
+                && run.planner == plan.planner
+                && (run.planner == PlannerKind::Rip || run.against.len() == comparison.modes.len())
+        };
+        if plan.time == MissionTime::Minimum
+            && let Some(place) = comparison.runs.iter().position(is_own)
+            && let (_, Some(shorter)) = self.without_detours(&comparison.runs[place], observer)
+        {
+            comparison.take_own(place, shorter);
+        }
+        comparison
     }
 
     /// Plans with RIP, the joint RCP and RSP at the common time only: the plans that a campaign flies.
@@ -381,40 +423,24 @@ impl<'s> Task<'s> {
         Ok(Explained { nearby, conflict })
     }
 
-    /// Tries statements that forbid the detours of the plan, if it has some and one quick search is cheap; what is
-    /// found is in later reports of `planning`, which otherwise name statements without values. A plan found so that
-    /// is shorter takes the place of the plan. Returns the detours.
-    ///
-    /// # Errors
-    /// `planning` is the outcome for another spec.
-    pub fn detours<'p>(&self, planning: &'p mut Planning, observer: &dyn Observer) -> Result<&'p [Detour], OtherSpec> {
-        planning.check_spec(self.spec)?;
-        if planning.detours.is_none() {
-            let mut detours = self.untried(planning);
-            if let Some(plan) = planning.plan()
-                && !detours.is_empty()
-                && detour::is_cheap(self.problem())
-            {
-                observer.begins("the plan climbs or strays from its legs; trying statements that forbid it");
-                let tried = timed(observer, "detours", || detour::try_statements(self.problem(), plan, &mut detours));
-                observer.asked(None, &tried.1);
-                if let Some(shorter) = tried.0 {
-                    planning.replace(shorter);
-                    detours = self.untried(planning);
-                }
-            }
-            planning.detours = Some(detours);
+    /// The detours of a run's plan, with what statements against them give if one quick search is cheap and the search
+    /// was not told to end; also what was found so, if that is shorter.
+    fn without_detours(&self, run: &PlannerRun, observer: &dyn Observer) -> (Vec<Detour>, Option<Comparison>) {
+        let mut detours = self.untried(run);
+        let Some(plan) = run.outcome.plan().filter(|_| !detours.is_empty() && !cancel::is_enough()) else {
+            return (detours, None);
+        };
+        if !detour::is_cheap(self.problem()) {
+            return (detours, None);
         }
-        Ok(planning.detours.as_deref().unwrap_or_default())
+        observer.begins("the plan climbs or strays from its legs; trying statements that forbid it");
+        let tried = timed(observer, "detours", || detour::try_statements(self.problem(), plan, &mut detours));
+        observer.asked(None, &tried.1);
+        (detours, tried.0)
     }
 
-    /// The detours of the plan with what was tried.
-    pub(super) fn known_detours(&self, planning: &Planning) -> Vec<Detour> {
-        planning.detours.clone().unwrap_or_else(|| self.untried(planning))
-    }
-
-    fn untried(&self, planning: &Planning) -> Vec<Detour> {
-        planning.plan().map_or(Vec::new(), |plan| detour::detours(self.problem(), plan))
+    fn untried(&self, run: &PlannerRun) -> Vec<Detour> {
+        run.outcome.plan().map_or(Vec::new(), |plan| detour::detours(self.problem(), plan))
     }
 
     fn nearby(&self, planning: &Planning, observer: &dyn Observer) -> Nearby {

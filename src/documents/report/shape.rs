@@ -260,7 +260,8 @@ fn price(problem: Problem, solved: &MissionPlan, detour: &Detour, with: &str) ->
         longer if longer > 0.0 => format!("a plan of {} s, {} s longer", number(time), significant(longer, 3)),
         _ => format!("a plan of {} s, which is not longer", number(time)),
     };
-    format!(". A quick search {with} found {found}")
+    let less = if detour.covers_less { " but covers fewer fault modes" } else { "" };
+    format!(". A quick search {with} found {found}{less}")
 }
 
 /// The statement of one detour for [`price`].

@@ -41,11 +41,8 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
     watch.wants(task.model().plan.planner);
     let cancel = Cancel::new();
     let mut planning = plan(&task, &cancel, &watch)?;
-    if !cancel.is_enough() && planning.plan().is_some() {
-        try_statements(&task, &mut planning, &watch)?;
-    }
     // A search that was cut short shows nothing about statements.
-    let explained = match cancel.is_enough() && planning.plan().is_none() {
+    let explained = match planning.was_cut_short() && planning.plan().is_none() {
         true => Explained::default(),
         false => task.explain(&planning, &watch).map_err(|e| e.to_string())?,
     };
@@ -111,7 +108,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         }
         results.note_page(options)
     })?;
-    if cancel.is_enough() {
+    if planning.was_cut_short() {
         files::eprint(match planning.plan() {
             Some(_) => {
                 "mavc: the search was cut short: this is its best plan, and a longer search may find a shorter one\n"
@@ -130,14 +127,6 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
 
 /// Bytes of stack of a thread that plans: as much as those of the main program.
 const STACK: usize = 8 << 20;
-
-/// Tries statements against the detours of a plan. The first Ctrl-C ends this search alone: the plan is there.
-fn try_statements(task: &Task, planning: &mut Planning, watch: &Watch) -> Result<(), CommandError> {
-    let cancel = Cancel::new();
-    let _enough = Enough::new(cancel.clone());
-    let tried = within(&cancel, || task.detours(planning, watch).map(|_| ()))?;
-    tried.map_err(|e| e.to_string())
-}
 
 /// Plans the mission. Where its time is searched for, the first Ctrl-C ends the search with the best plan that it has.
 pub(super) fn plan(task: &Task, cancel: &Cancel, watch: &Watch) -> Result<Planning, CommandError> {

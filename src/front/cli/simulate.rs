@@ -32,7 +32,11 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, CommandError> {
         Start::Refused => return places.refuse(spec.as_ref(), &findings, options),
         Start::Ended(code) => return Ok(code),
     };
-    let planning = task.plan(&watch);
+    let mut planning = task.plan(&watch);
+    if task.model().plan.recovery.require.is_some() {
+        // `mavc plan` may plan again for ways out: the same plan is flown.
+        task.recovery(&mut planning, false, &watch).map_err(|e| e.to_string())?;
+    }
     let Some(solved) = planning.plan() else { return places.report_no_flight(&task, &planning, &findings, options) };
     findings.eprint_new(departure(task.spec(), solved.time), options);
     if findings.has_errors() {

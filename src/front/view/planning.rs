@@ -74,11 +74,8 @@ fn plan(spec: &Spec, read: &[Diagnostic], board: &Board) {
     let diagnostics = with(task.remarks());
     board.begin(human(&diagnostics, spec.sources()));
     let progress = Progress { board, wanted: task.model().plan.planner.name().to_uppercase() };
-    let mut planning = task.plan(&progress);
+    let planning = task.plan(&progress);
     const SAME: &str = "the plan is of this spec";
-    if planning.plan().is_some() {
-        task.detours(&mut planning, &progress).expect(SAME);
-    }
     let explained = task.explain(&planning, &progress).expect(SAME);
     let between = planning.between(&task, &progress).expect(SAME);
     progress.begins("drawing the page");

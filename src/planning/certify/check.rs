@@ -11,19 +11,17 @@ use crate::verify::{self, Refusal, Settings};
 pub fn check(problem: Problem, comparison: &mut Comparison) {
     let risk_required = !comparison.trade_off.is_empty();
     let mut runs = std::mem::take(&mut comparison.runs);
-    let decide_run = |run: &mut PlannerRun| {
+    for run in &mut runs {
         let selected_by = comparison.selected_by(run.planner, run.run);
-        decide(&as_planned(problem, run, risk_required), &mut run.outcome, selected_by);
-    };
-    runs.iter_mut().for_each(decide_run);
-    if let (Some(run), Some(plainer)) = (runs.last_mut(), &comparison.plainer)
-        && run.outcome.plan().is_none()
-    {
-        run.outcome = PlanOutcome::Planned(plainer.clone());
-        decide_run(run);
+        let planned = as_planned(problem, run, risk_required);
+        decide(&planned, &mut run.outcome, selected_by);
+        let plainer = run.plainer.take();
+        if let (None, Some(plainer)) = (run.outcome.plan(), plainer) {
+            run.outcome = PlanOutcome::Planned(plainer);
+            decide(&planned, &mut run.outcome, selected_by);
+        }
     }
     comparison.runs = runs;
-    comparison.plainer = None;
 }
 
 /// Whether a trajectory of `time` s passes the check as a plan of the mission. An undecided check counts as passed.

@@ -7,7 +7,7 @@ use crate::model::legs::distance;
 use crate::model::volume::{corridor, passage};
 use crate::model::{Limit, LimitKind, Mission, MissionTime, OnLeg, Part, PlanModel, Problem, SearchEffort};
 use crate::motion::shape::Shape;
-use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, compare};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, compare, hardly_shorter};
 use crate::solve::Effort;
 use std::sync::Arc;
 
@@ -65,6 +65,8 @@ pub struct Detour {
     /// The mission time of a plan that keeps the statements against all detours, s; `None` if none was found or
     /// searched for.
     pub tried: Option<f64>,
+    /// Whether that plan leaves a mode's set in which the plan with the detours stays.
+    pub covers_less: bool,
 }
 
 /// How far a plan may climb above the higher waypoint of a leg, m.
@@ -145,6 +147,7 @@ pub fn detours(problem: Problem, solved: &MissionPlan) -> Vec<Detour> {
         forbids: if is_general { Forbids::Altitude(height) } else { Forbids::AltitudeOfLeg(height_of(mission, leg)) },
         legs: climbing,
         tried: None,
+        covers_less: false,
     });
     let straying = worst(&straying, &|leg| shape.legs[leg].deviation.value).map(|leg| Detour {
         kind: DetourKind::Deviation,
@@ -154,6 +157,7 @@ pub fn detours(problem: Problem, solved: &MissionPlan) -> Vec<Detour> {
         forbids: Forbids::Corridor(radius_of(mission, leg)),
         legs: straying,
         tried: None,
+        covers_less: false,
     });
     climbing.into_iter().chain(straying).collect()
 }
@@ -169,7 +173,8 @@ pub fn is_cheap(problem: Problem) -> bool {
 
 /// Plans with the statements that forbid all detours, once, by a quick search whatever the spec's effort, and records
 /// the time of the plan if there is one. A plan that keeps more statements is one of the mission too: if it is shorter
-/// than `solved`, and the mission's time is searched for, it is returned, checked for the mission as it is written.
+/// than `solved`, and the mission's time is searched for, it is returned, checked for the mission as it is written. It is
+/// not if it is hardly shorter and leaves a mode's set in which `solved` stays.
 pub fn try_statements(problem: Problem, solved: &MissionPlan, detours: &mut [Detour]) -> (Option<Comparison>, Effort) {
     let mut other = problem.model().clone();
     other.plan.effort = SearchEffort::Quick;
@@ -183,9 +188,17 @@ pub fn try_statements(problem: Problem, solved: &MissionPlan, detours: &mut [Det
     // A search that was ended early says little about the price.
     let plan = found.runs.last().and_then(|run| run.outcome.plan()).filter(|_| !cancel::is_enough());
     let time = plan.map(|plan| plan.time);
-    detours.iter_mut().for_each(|detour| detour.tried = time);
+
     let effort = found.effort;
-    let is_shorter = problem.model().plan.time == MissionTime::Minimum && time.is_some_and(|time| time < solved.time);
+    let is_searched = problem.model().plan.time == MissionTime::Minimum;
+    let leaves = |plan: &MissionPlan| {
+        let mut pairs = plan.outside.iter().zip(&solved.outside);
+        pairs.any(|(new, old)| new.last.is_some() && old.last.is_none())
+    };
+    let covers_less = plan.is_some_and(leaves);
+    let least_gain = if covers_less { hardly_shorter(solved.time) } else { 0.0 };
+    detours.iter_mut().for_each(|detour| (detour.tried, detour.covers_less) = (time, covers_less));
+    let is_shorter = is_searched && time.is_some_and(|time| time < solved.time - least_gain);
     if let (true, Some(PlanOutcome::Planned(plan))) = (is_shorter, found.runs.last_mut().map(|run| &mut run.outcome)) {
         // What was proved of the mission with the statements is not proved of the mission without them.
         plan.infeasible_at = solved.infeasible_at.filter(|&below| below < plan.time);

@@ -84,7 +84,7 @@ impl Planner for HoverPlanner<'_> {
         self.shortest(set, hint, working_set)
     }
 
-    fn more_comfortable(&mut self, _: &Planned, _: &PlanningSet) -> Option<Planned> {
+    fn more_comfortable(&mut self, _: &Planned, _: &PlanningSet, _: bool) -> Option<Planned> {
         None
     }
 

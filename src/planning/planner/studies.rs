@@ -15,6 +15,7 @@ mod single_modes;
 mod single_planner;
 mod times;
 
+pub use candidates::hardly_shorter;
 pub use outcome::{
     Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run, Scope, THESE_TIMES, THIS_YAW, Verification,
     label, proofs_are_about,
@@ -80,6 +81,10 @@ fn with_times(problem: Problem, scope: Scope, progress: Progress) -> Comparison 
         Scope::Common => setting.at_common_time(),
         Scope::Everything => setting.everything(),
     };
+    if model.plan.require_risk.is_none() {
+        let effort = setting.pass_again(&mut comparison);
+        comparison.effort += effort;
+    }
     comparison.effort += setting.stopping.into_inner().unwrap_or_else(PoisonError::into_inner);
     comparison
 }

@@ -153,7 +153,7 @@ fn rip_rcp_and_rsp_hold_at_one_time() {
     let rip = planning(turning(), PlannerKind::Rip, &[0], QUICK);
     let found = planned(&rip);
     // Facets are selected by the plan before the second pass.
-    let least_snap = found.plainer.as_deref().unwrap_or(solved(last(&found)));
+    let least_snap = last(&found).plainer.as_deref().unwrap_or(solved(last(&found)));
     let outside = &least_snap.outside[0];
     assert!(outside.max_violation > 0.05, "RIP stays inside: {outside:?}");
 

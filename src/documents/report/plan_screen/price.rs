@@ -4,7 +4,6 @@ use super::{Answer, DIGITS, coverage};
 use crate::admissible::without_yaw::planned::Provision;
 use crate::model::PlannerKind;
 use crate::motion::Trajectory;
-use crate::motion::outside::outside;
 use crate::motion::time_grid::determined;
 use crate::number::{fixed, percent, significant};
 use crate::planner::studies::{MissionPlan, PlannerRun, Run};
@@ -39,15 +38,16 @@ pub fn of_plan(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Optio
         });
     }
     let is_fixed = run.run == Run::Common || determined(answer.problem.mission()).is_some();
-    match (is_fixed, run.planner, comparison.selected_by.first()) {
+    let ignoring = comparison.ignoring.as_ref().and_then(|run| run.outcome.plan());
+    match (is_fixed, run.planner, ignoring) {
         (true, PlannerKind::Rsp, Some(_)) if comparison.selected.is_empty() => {
             Some("nothing: the plan that ignores faults is the same".into())
         }
         (true, PlannerKind::Rsp, Some(rip)) => Some(format!(
             "no time: ignoring faults also takes {}{}{}",
             seconds(solved.time),
-            last_violation(answer, rip),
-            more_energy(answer, rip, solved)
+            last_violation(rip),
+            more_energy(answer, &rip.trajectory, solved)
         )),
         (true, ..) => {
             Some(format!("no time at {}; `mavc compare` finds it at the shortest times", seconds(solved.time)))
@@ -69,10 +69,9 @@ pub fn of_plan(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Optio
 }
 
 /// `, unsafe until 18.90 s`: the last violation of a plan that ignores faults, over all modes.
-fn last_violation(answer: &Answer, rip: &Trajectory) -> String {
-    let (model, sets) = (answer.problem.model(), &answer.comparison.sets);
-    let last = sets.iter().filter_map(|set| outside(rip, &model.vehicle, &model.environment(), &set.rows).last);
-    last.reduce(f64::max).map_or(String::new(), |last| format!(", unsafe until {} s", fixed(last, 2)))
+fn last_violation(rip: &MissionPlan) -> String {
+    let last = rip.outside.iter().filter_map(|outside| outside.last).reduce(f64::max);
+    last.map_or(String::new(), |last| format!(", unsafe until {} s", fixed(last, 2)))
 }
 
 /// `; covering uses 0.4 % more energy`: what a plan takes from the battery beyond one that ignores faults.

@@ -1,19 +1,17 @@
 //! The second pass over a plan: at its durations, comfort beside least snap.
 
 use super::*;
-use crate::model::MissionTime;
 use crate::planner::comfort::Comfort;
 
 impl ScpPlanner<'_, '_> {
     /// A plan at the durations of another that is nearer to the lines of its legs and turns less; `None` where none was
-    /// found. At a mission time that the spec gives, it also keeps the heights of its legs where such a plan is found.
-    pub fn more_comfortable(&mut self, planned: &Planned) -> Option<Planned> {
+    /// found. At a mission time that `is_given`, it also keeps the heights of its legs where such a plan is found.
+    pub fn more_comfortable(&mut self, planned: &Planned, is_given: bool) -> Option<Planned> {
         let mut best = None;
         for _ in 0..self.settings.comfort.passes {
             let Some(found) = self.once_more_comfortable(best.as_ref().unwrap_or(planned)) else { break };
             best = Some(found);
         }
-        let is_given = self.hover.model().plan.time != MissionTime::Minimum;
         let level = is_given.then(|| self.within_heights(best.as_ref().unwrap_or(planned))).flatten();
         level.or(best)
     }

@@ -62,8 +62,8 @@ impl Planner for ExactPlanner<'_> {
         self.against(set).shortest(&guesses, hint.larger)
     }
 
-    fn more_comfortable(&mut self, planned: &Planned, set: &PlanningSet) -> Option<Planned> {
-        self.against(set).more_comfortable(planned)
+    fn more_comfortable(&mut self, planned: &Planned, set: &PlanningSet, is_given: bool) -> Option<Planned> {
+        self.against(set).more_comfortable(planned, is_given)
     }
 
     fn effort(&self) -> Effort {

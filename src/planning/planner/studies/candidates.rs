@@ -133,7 +133,7 @@ impl Setting<'_> {
 }
 
 /// A difference from a mission time, s, that no plan should leave a mode's set for. Chosen by hand.
-fn hardly_shorter(time: f64) -> f64 {
+pub fn hardly_shorter(time: f64) -> f64 {
     (0.003 * time).max(0.05)
 }
 

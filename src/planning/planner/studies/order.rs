@@ -2,7 +2,7 @@
 //! RSP no longer than the joint RCP, and RCP against one mode no longer than against all.
 
 use super::found::Found;
-use super::{MissionPlan, NotFound, PlanOutcome, PlannerRun, Run};
+use super::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Run};
 use crate::model::PlannerKind;
 use crate::planner::hover::Planned;
 use crate::planner::timing::search::Shortest;
@@ -21,6 +21,20 @@ impl Found {
         let infeasible_at = self.time_below().filter(|&below| below < time);
         self.result = Ok(Shortest { time, planned: other.clone(), infeasible_at, infeasible_above: Vec::new() });
         self
+    }
+}
+
+impl Comparison {
+    /// Takes the last run of another comparison of this mission for the own run at `place`, and puts own times in
+    /// order.
+    pub fn take_own(&mut self, place: usize, mut other: Comparison) {
+        self.effort += other.effort;
+        let Some(run) = other.runs.pop() else { return };
+        if run.planner == PlannerKind::Rsp {
+            self.own_selected_by = Some(other.selected_by);
+        }
+        self.runs[place] = run;
+        put_in_order(&mut self.runs, self.modes.len(), self.own_selected_by.is_none());
     }
 }
 

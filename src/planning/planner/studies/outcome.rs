@@ -7,6 +7,7 @@ use crate::motion::Trajectory;
 use crate::motion::outside::Outside;
 use crate::motion::time_grid::determined;
 use crate::number::number;
+use crate::planner::plan::Planned;
 use crate::planner::scp::sensitivity::LegBinding;
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Addition;
@@ -151,6 +152,8 @@ pub struct MissionPlan {
     pub infeasible_at: Option<f64>,
     /// Longer times that were tried and proved infeasible, s.
     pub infeasible_above: Vec<f64>,
+    /// As its planner made it: where a second pass starts.
+    pub(super) planned: Option<Box<Planned>>,
 }
 
 /// The result of the check of a finished plan. A trajectory that fails it is not kept as a plan.
@@ -182,6 +185,8 @@ pub struct PlannerRun {
     pub outcome: PlanOutcome,
     /// The set imposed on the wrench at each node.
     pub set: PlanningSet,
+    /// The plan before its second pass, until plans are checked.
+    pub plainer: Option<Box<MissionPlan>>,
 }
 
 /// All runs of one spec.
@@ -203,12 +208,12 @@ pub struct Comparison {
     pub selected_by: Vec<Trajectory>,
     /// The plans that RSP selects facets by for its own shortest time, if the spec fixes T_d elsewhere.
     pub own_selected_by: Option<Vec<Trajectory>>,
+    /// RIP's run at the time that the spec gives, where `plan` planned it for RSP to select by.
+    pub ignoring: Option<Box<PlannerRun>>,
     /// If the spec requires a risk: the plan without protection, then the result of each addition.
     pub trade_off: Vec<Addition>,
     /// Where `plan` sought it for RSP: the shortest time of RCP against all modes jointly, s.
     pub covering_time: Option<f64>,
-    /// The plan of the last run before its second pass, until plans are checked.
-    pub plainer: Option<Box<MissionPlan>>,
     /// Whether the plan of the last run was planned again, with more room than its planner asks for.
     pub for_ways_out: bool,
     pub effort: Effort,

@@ -15,6 +15,7 @@ use crate::planner::working_set::WorkingSet;
 use crate::planner::{Planner, finds_local_optima, planner};
 use crate::solve::Effort;
 use crate::tolerance::MOST_OUTSIDE;
+use rayon::prelude::*;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -127,18 +128,27 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// The outcome with the plan of a second pass, and the plan before it; see [`Planner::more_comfortable`].
-    pub fn with_comfort(
-        &self,
-        outcome: PlanOutcome,
-        planned: Option<&Planned>,
-        set: &PlanningSet,
-    ) -> (PlanOutcome, Option<Box<MissionPlan>>, Effort) {
-        let (PlanOutcome::Planned(plainer), Some(planned)) = (&outcome, planned) else {
-            return (outcome, None, Effort::default());
+    /// Puts the plan of a second pass in place of each run's plan; see [`Planner::more_comfortable`].
+    pub fn pass_again(&self, comparison: &mut Comparison) -> Effort {
+        let runs = comparison.runs.par_iter_mut().chain(comparison.ignoring.as_deref_mut());
+        let efforts: Vec<Effort> = runs.map(|run| self.pass_again_over(run)).collect();
+        let mut all = Effort::default();
+        efforts.into_iter().for_each(|effort| all += effort);
+        all
+    }
+
+    fn pass_again_over(&self, run: &mut PlannerRun) -> Effort {
+        let PlanOutcome::Planned(plainer) = &run.outcome else { return Effort::default() };
+        let Some(planned) = &plainer.planned else { return Effort::default() };
+        let set = match run.planner {
+            PlannerKind::Rcp => run.set.clone(),
+            // What the plan keeps of the modes' sets, imposed or not, the second pass keeps too.
+            PlannerKind::Rip | PlannerKind::Rsp => self.sets.kept(self.model(), planned, &run.set),
         };
-        let (found, effort) = self.with_planner("second pass", |planner| planner.more_comfortable(planned, set));
-        let Some(found) = found else { return (outcome, None, effort) };
+        let is_given = run.run == Run::Common && self.model().plan.time != MissionTime::Minimum;
+        let again = |planner: &mut dyn Planner| planner.more_comfortable(planned, &set, is_given);
+        let (found, effort) = self.with_planner("second pass", again);
+        let Some(found) = found else { return effort };
         let further = |(new, old): (&Outside, &Outside)| new.max_violation > old.max_violation.max(0.0) + MOST_OUTSIDE;
         let solved = MissionPlan {
             binding: plainer.binding.clone(),
@@ -147,16 +157,17 @@ impl<'a> Setting<'a> {
             ..self.solved(plainer.time, &found)
         };
         // The plan may leave no mode's set further than before.
-        if solved.outside.iter().zip(&plainer.outside).any(further) {
-            return (outcome, None, effort);
+        if !solved.outside.iter().zip(&plainer.outside).any(further) {
+            run.plainer = Some(plainer.clone());
+            run.outcome = PlanOutcome::Planned(Box::new(solved));
         }
-        let plainer = plainer.clone();
-        (PlanOutcome::Planned(Box::new(solved)), Some(plainer), effort)
+        effort
     }
 
     /// A plan with what is reported of it.
     pub fn solved(&self, time: f64, planned: &Planned) -> MissionPlan {
-        self.described(time, planned.trajectory(), planned.objective, planned.rows)
+        let described = self.described(time, planned.trajectory(), planned.objective, planned.rows);
+        MissionPlan { planned: Some(Box::new(planned.clone())), ..described }
     }
 
     /// A trajectory with what is reported of it as a plan.
@@ -179,6 +190,7 @@ impl<'a> Setting<'a> {
             binding: Vec::new(),
             infeasible_at: None,
             infeasible_above: Vec::new(),
+            planned: None,
         }
     }
 
@@ -229,7 +241,7 @@ impl<'a> Setting<'a> {
         outcome: PlanOutcome,
         set: &PlanningSet,
     ) -> PlannerRun {
-        PlannerRun { planner, against: against.to_vec(), run, outcome, set: set.clone() }
+        PlannerRun { planner, against: against.to_vec(), run, outcome, set: set.clone(), plainer: None }
     }
 
     /// A comparison without runs, at the spec's time if it has one.
@@ -244,8 +256,8 @@ impl<'a> Setting<'a> {
             selected: Vec::new(),
             selected_by: Vec::new(),
             own_selected_by: None,
+            ignoring: None,
             trade_off: Vec::new(),
-            plainer: None,
             for_ways_out: false,
             effort: Effort::default(),
         }

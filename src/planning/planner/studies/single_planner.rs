@@ -24,7 +24,14 @@ impl Setting<'_> {
             PlannerKind::Rip => (self.sets.rip.clone(), "RIP", Vec::new()),
             PlannerKind::Rcp => (self.sets.joint.clone(), "RCP", Vec::new()),
             PlannerKind::Rsp => match self.rsp_set(&mut out) {
-                Ok((set, initial_guesses)) => (set, "RSP", initial_guesses),
+                Ok((set, initial_guesses)) => {
+                    if let (Some(time), Some(rip)) = (self.fixed_time(), initial_guesses.first()) {
+                        let ignoring = PlanOutcome::Planned(Box::new(self.solved(time, rip)));
+                        let run = self.run(PlannerKind::Rip, &[], Run::Common, ignoring, &self.sets.rip);
+                        out.ignoring = Some(Box::new(run));
+                    }
+                    (set, "RSP", initial_guesses)
+                }
                 Err(outcome) => {
                     let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
                     out.runs.push(self.run(kind, &self.sets.names, which, outcome, &self.sets.rip));
@@ -42,33 +49,23 @@ impl Setting<'_> {
             None if kind == PlannerKind::Rip => self.rip_at(name, time, None, None),
             None => self.at(name, &set, time, WorkingSet::default(), &guesses),
         };
-        let (run, outcome, planned, effort) = match self.fixed_time() {
+        let (run, outcome, effort) = match self.fixed_time() {
             Some(time) => {
                 let (decision, effort) = at(time);
-                (Run::Common, self.common(time, &decision), decision.planned().cloned(), effort)
+                (Run::Common, self.common(time, &decision), effort)
             }
             None if kind == PlannerKind::Rip => {
                 let found = self.rip_own();
-                (Run::Own, self.own_with_binding(&found, &set), found.planned().cloned(), found.effort)
+                (Run::Own, self.own_with_binding(&found, &set), found.effort)
             }
             None => {
                 let found = match out.common_time.filter(|_| kind == PlannerKind::Rsp) {
                     Some(common) => self.rsp_shortest(&set, common, nothing_selected, &initial_guesses),
                     None => self.search(name, &set, Hint::default(), WorkingSet::default()),
                 };
-                (Run::Own, self.own_with_binding(&found, &set), found.planned().cloned(), found.effort)
+                (Run::Own, self.own_with_binding(&found, &set), found.effort)
             }
         };
-        out.effort += effort;
-        let (outcome, plainer, effort) = match (kind, &planned) {
-            // What the plan keeps of the modes' sets, imposed or not, the second pass keeps too.
-            (PlannerKind::Rip | PlannerKind::Rsp, Some(plan)) => {
-                let kept = self.sets.kept(self.model(), plan, &set);
-                self.with_comfort(outcome, planned.as_ref(), &kept)
-            }
-            _ => self.with_comfort(outcome, planned.as_ref(), &set),
-        };
-        out.plainer = plainer;
         out.effort += effort;
         out.runs.push(self.run(kind, against, run, outcome, &set));
         out
