@@ -6,9 +6,11 @@ use super::screen::{Keep, Screen, Tone, fits};
 use super::terminal::{airspeed, vehicle_line};
 use crate::admissible;
 use crate::admissible::airspeed::PLAUSIBLE;
+use crate::admissible::diagnose::diagnose_by;
 use crate::admissible::outcome::Outcome;
 use crate::admissible::parallel::least_angle;
 use crate::admissible::verdict::ModeAnalysis;
+use crate::diagnostic::Severity;
 use crate::flight::equilibrium::{SettledSpin, settled_spins};
 use crate::model::{Allocation, Model};
 use crate::number::{down, number, part_of_all, significant};
@@ -216,7 +218,7 @@ pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin
 }
 
 /// `plans are made against M1 .. M4, not M5, M6`; `None` without a mission, and if they are made against all modes.
-fn planned_against(model: &Model) -> Option<String> {
+pub fn planned_against(model: &Model) -> Option<String> {
     model.mission.as_ref()?;
     let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
     let (yes, no): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|mode| model.plan.against.contains(mode));
@@ -264,7 +266,13 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
                 .as_ref()
                 .is_some_and(|free| free.spin_rad_s.is_none() && excludes_zero(free.yaw_torque_n_m))
     };
-    let mut remarks: Vec<String> = why_undecided(model, modes).into_iter().collect();
+    // The healthy vehicle comes first.
+    let known = diagnose_by(model, |mode| modes.get(mode.map_or(0, |mode| mode + 1)).cloned());
+    let error = known.into_iter().flatten().find(|found| found.severity == Severity::Error);
+    let unplannable = error.filter(|_| model.mission.is_some());
+    let mut remarks: Vec<String> =
+        unplannable.map(|error| format!("no plan of the mission can be made: {}", error.message)).into_iter().collect();
+    remarks.extend(why_undecided(model, modes));
     remarks.extend(
         named(&needs_spin)
             .map(|names| format!("{names}: the vehicle must spin, how fast is unknown without its `yaw_drag`")),

@@ -167,6 +167,12 @@ pub const HEADLINE: &str =
     "What limits the time, and the time saved to first order by relaxing each by 1 % (a set: 1 % of its width)";
 
 impl BindingRecord {
+    /// `the leg to waypoint 2 climb`
+    pub fn to(&self) -> String {
+        let name = self.to.as_ref().map_or(String::new(), |name| format!(" {name}"));
+        format!("the leg to waypoint {}{name}", self.leg + 1)
+    }
+
     /// `1 to climb`
     pub fn label(&self) -> String {
         let to = self.to.as_ref().map_or(String::new(), |name| format!(" to {name}"));

@@ -61,6 +61,11 @@ pub enum CaveatKind {
 }
 
 impl CaveatKind {
+    /// Whether the model of the plan does not hold where the plan goes.
+    pub fn is_outside_the_model(self) -> bool {
+        matches!(self, CaveatKind::Tilt | CaveatKind::Thrust)
+    }
+
     /// How long a screen keeps the caveat: what the model leaves out gives way to what the plan does.
     pub fn keep(self) -> Keep {
         match self {

@@ -1,6 +1,7 @@
 //! The short output of `mavc compare`: what safety costs.
 
 use super::battery;
+use super::caveats::caveats;
 use super::comparison_text::name_of;
 use super::plan_screen::{unsafe_until, warn_of_not_covered};
 use super::record::rates;
@@ -42,11 +43,34 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
         block(&mut screen, problem, comparison, &title, |run| !is_own(run));
     }
     if !comparison.modes.is_empty() {
-        let legend = "violation: the worst of a set with its reserve, % of the healthy set's width";
-        screen.part(Keep::Legend, None, |screen| screen.line(Tone::Plain, &format!("  {legend}")));
+        let legend = "covers: modes for which the plan is never unsafe; violation: the worst of a set with its \
+                      reserve, % of the healthy set's width";
+        screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 4, legend));
+    }
+    if let Some(text) = outside_the_model(model, comparison) {
+        screen.remark(Keep::Finding, &text);
     }
     screen.close(0);
     screen
+}
+
+/// `the linear model does not hold for the plans of RIP, RSP, ...`; `None` if it holds for every plan shown.
+fn outside_the_model(model: &Model, comparison: &Comparison) -> Option<String> {
+    let leaves = |run: &&PlannerRun| {
+        let plan = run.outcome.plan();
+        plan.is_some_and(|plan| caveats(model, plan).iter().any(|caveat| caveat.kind.is_outside_the_model()))
+    };
+    let shown = comparison.runs.iter().filter(|run| is_shown(comparison, run));
+    let mut names: Vec<String> = shown.filter(leaves).map(name_of).collect();
+    names.sort_unstable();
+    names.dedup();
+    (!names.is_empty()).then(|| {
+        format!(
+            "The linear model does not hold for plans of {}, which tilt too far or leave no thrust; `mavc plan` says \
+             where. Limit the tilt or plan with `model = exact`.",
+            names.join(", ")
+        )
+    })
 }
 
 /// The planners that a reader chooses from: RIP, RSP, and RCP against all modes.

@@ -38,6 +38,11 @@ pub fn sentence(mission: &Mission, least: &LeastTime, total: f64) -> String {
     }
 }
 
+/// The bound as [`gap`] writes it, s.
+pub fn shown(seconds: f64) -> f64 {
+    down(seconds, DIGITS).parse().unwrap_or(seconds)
+}
+
 /// The bound in words and the gap between it and the shortest time found; `None` if the bound is trivial.
 pub fn gap(problem: Problem, run: &PlannerRun) -> Option<String> {
     let mission = problem.mission();

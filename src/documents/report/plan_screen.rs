@@ -106,7 +106,8 @@ impl Answer<'_> {
     fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) -> usize {
         let model = self.problem.model();
         let text = verdict_text::headline(self.problem, self.comparison, run);
-        let tone = if coverage::is_partial(self, solved) { Tone::Warning } else { Tone::Good };
+        let is_doubtful = caveats(model, solved).iter().any(|caveat| caveat.kind.is_outside_the_model());
+        let tone = if is_doubtful || coverage::is_partial(self, solved) { Tone::Warning } else { Tone::Good };
         screen.paragraph(tone, 2, 2, &text);
         let hidden = coverage::write(self, screen, run, solved);
         screen.gap();
@@ -164,7 +165,7 @@ impl Answer<'_> {
         let limits = binding::records(self.problem, solved);
         let most = limits.iter().flat_map(|leg| leg.statements.iter().map(move |of_leg| (leg, of_leg)));
         if let Some((leg, of_leg)) = most.max_by(|a, b| a.1.time_saved_s.total_cmp(&b.1.time_saved_s)) {
-            lines.push((Keep::Reason, "time", format!("most limited on leg {} by {}", leg.label(), of_leg.saved())));
+            lines.push((Keep::Reason, "time", format!("most limited on {} by {}", leg.to(), of_leg.saved())));
         }
         lines
     }

@@ -89,9 +89,13 @@ impl WaypointRecord {
         (!self.met).cmp(&!other.met).then(rounded(self).total_cmp(&rounded(other)))
     }
 
-    /// `3`, `3 mast`
+    /// `3`, `3 mast`, `1 (start)`
     pub fn label(&self) -> String {
-        self.name.as_ref().map_or(self.number.to_string(), |name| format!("{} {name}", self.number))
+        match &self.name {
+            Some(name) => format!("{} {name}", self.number),
+            None if self.number == 1 => "1 (start)".into(),
+            None => self.number.to_string(),
+        }
     }
 
     /// `5 of 5 cm allowed`: the error with the larger share of its tolerance.

@@ -73,7 +73,9 @@ fn name_their_conflicts(cases: &[Case]) {
         // The short tries miss a plan now and then; then that is said.
         let help = told.help.unwrap_or_default();
         match explanation.conflict.least_time {
-            Some(_) => assert!(help.starts_with("no motion that keeps these statements takes less than"), "{help}"),
+            Some(_) => {
+                assert!(help.starts_with("no motion that keeps these statements alone takes less than"), "{help}")
+            }
             None => {
                 let unsure = help.contains("It was not shown that every one");
                 assert_eq!(unsure, !explanation.conflict.irreducible, "{}", text.name);

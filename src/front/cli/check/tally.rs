@@ -5,6 +5,7 @@ use crate::cli::{CommandError, Options, files};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::flight::equilibrium::outcomes;
 use crate::number::plural;
+use crate::report::analysis_screen::planned_against;
 use crate::report::headline::headline_of;
 use crate::report::screen::{Screen, Tone};
 use crate::spec::Spec;
@@ -99,11 +100,12 @@ impl Tally {
 
 impl Findings {
     /// Prints the diagnostics for people and, unless quiet, what the fault modes of a spec without errors leave of the
-    /// vehicle, and a line that counts the diagnostics; `repeated` of `count` were printed for an earlier spec.
+    /// vehicle, and a line that counts the diagnostics, before it if the spec `is_alone`; `repeated` of `count` were
+    /// printed for an earlier spec.
     pub fn print_human(
         &self,
         name: &str,
-        spec: Option<&Spec>,
+        (spec, is_alone): (Option<&Spec>, bool),
         count: Count,
         repeated: usize,
         options: &Options,
@@ -112,12 +114,21 @@ impl Findings {
         if options.quiet {
             return Ok(());
         }
-        if let Some(spec) = spec.filter(|_| count.errors == 0) {
+        let left = spec.filter(|_| count.errors == 0).map(|spec| {
+            let (model, indent) = (spec.model(), if is_alone { 0 } else { 2 });
             let mut screen = Screen::default();
-            screen.paragraph(Tone::Plain, 0, 2, &headline_of(spec.model(), &outcomes(spec.model())));
-            files::print_screen(&screen)?;
-        }
+            screen.paragraph(Tone::Plain, indent, indent + 2, &headline_of(model, &outcomes(model)));
+            let against = planned_against(model).filter(|_| is_alone);
+            against.iter().for_each(|line| screen.paragraph(Tone::Plain, 0, 2, line));
+            screen
+        });
         let above = if repeated > 0 { format!(" ({repeated} reported above)") } else { String::new() };
-        files::print(&format!("{}: {count}{above}\n", spec::shown(name)))
+        let counted = format!("{}: {count}{above}\n", spec::shown(name));
+        if is_alone {
+            left.iter().try_for_each(files::print_screen)?;
+            return files::print(&counted);
+        }
+        files::print(&counted)?;
+        left.iter().try_for_each(files::print_screen)
     }
 }
