@@ -187,7 +187,7 @@ fn block(
         let mut cells = vec![name_of(run), format!("{} s", significant(plan.time, DIGITS))];
         cells.push(match battery::record(model, &plan.trajectory) {
             Some(record) => battery::watt_hours(record.energy_j),
-            None => significant(plan.objective, 3),
+            None => significant(plan.least_objective, 3),
         });
         if n > 0 {
             cells.push(format!("{} of {n}", covered(model, comparison, plan)));

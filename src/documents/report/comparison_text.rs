@@ -184,7 +184,7 @@ fn local_optima(comparison: &Comparison) -> String {
         .runs
         .iter()
         .filter(|run| run.run == Run::Common)
-        .filter_map(|run| Some((run, run.outcome.plan()?.objective)))
+        .filter_map(|run| Some((run, run.outcome.plan()?.least_objective)))
         .collect();
     let is_joint = |run: &PlannerRun| run.planner == PlannerKind::Rcp && run.against.len() == all;
     let lies_inside = |inner: &PlannerRun, outer: &PlannerRun| match outer.planner {
@@ -262,7 +262,7 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
                     significant(e.position / n, 3),
                     significant(e.yaw, 3),
                     significant(100.0 * e.largest, 3),
-                    number(s.objective),
+                    number(s.least_objective),
                     fold.rows(),
                     leaves(comparison, s),
                 ]);

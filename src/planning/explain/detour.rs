@@ -173,8 +173,8 @@ pub fn is_cheap(problem: Problem) -> bool {
 
 /// Plans with the statements that forbid all detours, once, by a quick search whatever the spec's effort, and records
 /// the time of the plan if there is one. A plan that keeps more statements is one of the mission too: if it is shorter
-/// than `solved`, and the mission's time is searched for, it is returned, checked for the mission as it is written. It is
-/// not if it is hardly shorter and leaves a mode's set in which `solved` stays.
+/// than `solved`, and the mission's time is searched for, it is returned, checked for the mission as it is written. It
+/// is not if it is hardly shorter and leaves a mode's set in which `solved` stays.
 pub fn try_statements(problem: Problem, solved: &MissionPlan, detours: &mut [Detour]) -> (Option<Comparison>, Effort) {
     let mut other = problem.model().clone();
     other.plan.effort = SearchEffort::Quick;

@@ -107,8 +107,8 @@ fn help(explanation: &Explanation, problem: Problem, sources: &SourceMap) -> Str
     if let (Some(least), Some(required)) = (explanation.conflict.least_time, required_time(problem)) {
         let [least, required] = [least, required].map(number);
         return format!(
-            "no motion that keeps these statements alone takes less than {least} s, and without any one of them this bound \
-             is not above {required} s; `time = minimum` asks for the shortest time"
+            "no motion that keeps these statements alone takes less than {least} s, and without any one of them this \
+             bound is not above {required} s; `time = minimum` asks for the shortest time"
         );
     }
     let mut fixes = explanation.fixes.iter().map(|fix| fix.change.instruction(problem, sources));

@@ -102,5 +102,10 @@ fn the_exit_code_is_the_worst() {
 fn standard_input_may_be_one_of_several() {
     let ran = mavc_with(&["check", "specs/vehicles/quad_x.mav", "-"], QUAD);
     assert_eq!(code(&ran), 0, "{}", err(&ran));
-    assert_eq!(out(&ran), "specs/vehicles/quad_x.mav: no problems\n<stdin>: no problems\n2 specs: no problems\n");
+    assert_eq!(
+        out(&ran),
+        "specs/vehicles/quad_x.mav: no problems\n  quad_x: full control without a fault; no fault modes declared\n\
+         <stdin>: no problems\n  quad: full control without a fault; no fault modes declared\n\
+         2 specs: no problems\n"
+    );
 }

@@ -128,7 +128,7 @@ fn row(run: &PlannerRun, record: &PlannerRecord, has_modes: bool, has_risk: bool
             td.n { (value(record.position_error_m, 4)) }
             td.n { (value(record.max_waypoint_error_m.map(|e| 100.0 * e), 3)) }
             td.n { (value(record.yaw_error_rad, 3)) }
-            td.n { (number(solved.objective)) }
+            td.n { (number(solved.least_objective)) }
             td.n { (run.set.rows.len()) }
             @if has_risk { td.n { (value(record.risk, 3)) } }
         }

@@ -137,6 +137,8 @@ pub struct MissionPlan {
     pub trajectory: Trajectory,
     /// Value of (48).
     pub objective: f64,
+    /// That of the plan before its second pass, which planners are compared by.
+    pub least_objective: f64,
     /// Rows in the last program (facets and limits, each at one node).
     pub rows: usize,
     /// Against every mode of the comparison, in their order.

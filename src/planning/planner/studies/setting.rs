@@ -128,9 +128,12 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// Puts the plan of a second pass in place of each run's plan; see [`Planner::more_comfortable`].
+    /// Puts the plan of a second pass in place of each run's plan; see [`Planner::more_comfortable`]. Plans of RCP
+    /// against one of several modes, which `plan` makes for no spec of these modes, stay as they are.
     pub fn pass_again(&self, comparison: &mut Comparison) -> Effort {
-        let runs = comparison.runs.par_iter_mut().chain(comparison.ignoring.as_deref_mut());
+        let all = self.sets.names.len();
+        let is_of_spec = |run: &&mut PlannerRun| run.planner != PlannerKind::Rcp || run.against.len() == all;
+        let runs = comparison.runs.par_iter_mut().filter(is_of_spec).chain(comparison.ignoring.as_deref_mut());
         let efforts: Vec<Effort> = runs.map(|run| self.pass_again_over(run)).collect();
         let mut all = Effort::default();
         efforts.into_iter().for_each(|effort| all += effort);
@@ -154,6 +157,7 @@ impl<'a> Setting<'a> {
             binding: plainer.binding.clone(),
             infeasible_at: plainer.infeasible_at,
             infeasible_above: plainer.infeasible_above.clone(),
+            least_objective: plainer.objective,
             ..self.solved(plainer.time, &found)
         };
         // The plan may leave no mode's set further than before.
@@ -184,6 +188,7 @@ impl<'a> Setting<'a> {
             trajectory,
             committed,
             objective,
+            least_objective: objective,
             rows,
             outside,
             verification: Verification::None,
