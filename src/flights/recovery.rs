@@ -208,8 +208,8 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
     found
 }
 
-/// The first way out, in the order of the spec, after the fault of one mode that strikes at `at` s of a plan and is known
-/// `delay` s later; `None` if none is found.
+/// The first way out, in the order of the spec, after the fault of one mode that strikes at `at` s of a plan and is
+/// known `delay` s later; `None` if none is found.
 pub fn way_out(problem: Problem, plan: &Trajectory, mode: usize, at: f64, delay: f64) -> Option<FoundBranch> {
     let model = problem.model();
     let healthy = AdmissibleSet::healthy(model);

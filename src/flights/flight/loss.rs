@@ -158,8 +158,8 @@ impl<'a> Watch<'a> {
         self.damage.stop(t);
     }
 
-    /// A way out begins at `t` s that has come to rest on the ground at `ends` s, at a height of `z` m; from then on the
-    /// ground is there.
+    /// A way out begins at `t` s that has come to rest on the ground at `ends` s, at a height of `z` m; from then on
+    /// the ground is there.
     pub(super) fn land(&mut self, t: f64, ends: f64, z: f64) {
         self.stop(t, true);
         self.pad = Some((ends, z));
