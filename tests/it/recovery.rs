@@ -136,12 +136,6 @@ fn a_descent_that_cannot_be_braked_has_no_way_out() {
     some_descents_cannot_be_braked(PlanModel::Hover);
 }
 
-#[test]
-#[ignore = "long"]
-fn a_descent_that_cannot_be_braked_has_no_way_out_in_the_exact_model() {
-    some_descents_cannot_be_braked(PlanModel::Exact);
-}
-
 fn some_descents_cannot_be_braked(wrench: PlanModel) {
     let mut model = octocopter("PPNNPPNN");
     model.modes = vec![FaultMode { rotors: vec![RotorState::Reduced(LEFT); 8], ..lost(&model, &[]) }];
@@ -409,6 +403,12 @@ fn a_bound_on_what_is_uncovered_decides_the_exit_code() {
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_descent_that_cannot_be_braked_has_no_way_out_in_the_exact_model() {
+        some_descents_cannot_be_braked(PlanModel::Exact);
+    }
 
     /// Of `docs/how-to/recovery.md`: planned again, the README's mission has a way out everywhere, and takes no longer.
     #[test]
