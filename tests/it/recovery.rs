@@ -252,7 +252,7 @@ fn the_command_shows_ways_out_and_writes_them() {
     let (code, text, errors) = mavc_in(folder.path(), &args);
     assert_eq!(code, 0, "{errors}");
     assert!(text.contains("AFTER A FAULT known after 100 ms"), "{text}");
-    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    assert!(text.lines().count() <= 25 && text.lines().all(|line| line.chars().count() <= 80), "{text}");
     let report: serde_json::Value =
         serde_json::from_slice(&std::fs::read(folder.path().join("report.json")).unwrap()).unwrap();
     let recovery = &report["recovery"];
