@@ -321,6 +321,89 @@ fn each_broken_link_is_reported_where_it_is() {
     }
 }
 
+/// A report that contradicts the certificate, the spec or itself is refused, and the message names it.
+#[test]
+fn a_report_that_contradicts_itself_or_the_certificate_is_refused() {
+    let folder = assessed();
+    let (folder, out) = (folder.path(), folder.path().join("out"));
+    let report = json(&out, "report.json");
+    let modes = report["recovery"]["modes"].as_array().unwrap();
+    let has_none = |mode: &Value| mode["pieces"].as_array().unwrap().iter().any(|piece| piece["outcome"] == "none");
+    let open = modes.iter().position(has_none).unwrap();
+    let refused = |why: &str, change: &dyn Fn(&mut Value)| {
+        let mut forged = report.clone();
+        change(&mut forged);
+        assert_ne!(forged, report, "{why}");
+        write(folder, "forged.json", &forged.to_string());
+        let args = ["--report", "forged.json", "--certificate", "out/certificate.json"];
+        let (code, text, errors) = mavc_in(folder, &[&["safety", "field.mav", "-o", "forged"], &args[..]].concat());
+        assert!(
+            code == 2 && errors.contains("cannot use report.json") && errors.contains(why),
+            "{why}: {text}{errors}"
+        );
+        assert!(!folder.join("forged").exists());
+    };
+    let pieces = |report: &mut Value, change: &dyn Fn(&mut Vec<Value>)| {
+        change(report["recovery"]["modes"][open]["pieces"].as_array_mut().unwrap());
+    };
+    let without_gaps = |report: &mut Value| pieces(report, &|all| all.retain(|piece| piece["outcome"] != "none"));
+    // The sums of an honest report, so that only what is tested contradicts them.
+    let summed = |report: &mut Value| {
+        let recovery = &mut report["recovery"];
+        let all = recovery["modes"].as_array_mut().unwrap();
+        for mode in all.iter_mut() {
+            let none = mode["pieces"].as_array().unwrap().iter().filter(|piece| piece["outcome"] == "none");
+            let sum: f64 = none.map(|piece| piece["to_s"].as_f64().unwrap() - piece["from_s"].as_f64().unwrap()).sum();
+            mode["uncovered_s"] = Value::from(sum);
+        }
+        let open: f64 = all.iter().map(|mode| mode["uncovered_s"].as_f64().unwrap()).sum();
+        recovery["uncovered"] = Value::from(open / (12.0 * all.len() as f64));
+    };
+    // Without the times that have no way out, and with the next ones over these times.
+    refused("is uncovered for", &|forged| without_gaps(forged));
+    refused("follow each other", &|forged| {
+        pieces(forged, &|all| all.retain(|piece| piece["outcome"] != "none" || piece["from_s"] == 0.0));
+        pieces(forged, &|all| all[0]["to_s"] = Value::from(0.0));
+        summed(forged);
+    });
+    refused("do not cover the time from 0 to", &|forged| {
+        without_gaps(forged);
+        pieces(forged, &|all| {
+            let mut reached = 0.0;
+            for piece in all.iter_mut() {
+                piece["from_s"] = Value::from(reached);
+                reached = piece["to_s"].as_f64().unwrap();
+            }
+            all.last_mut().unwrap()["to_s"] = Value::from(12.0);
+        });
+        summed(forged);
+    });
+    refused("follow each other", &|forged| {
+        pieces(forged, &|all| all[0]["to_s"] = Value::from(all[0]["to_s"].as_f64().unwrap() + 0.01));
+        summed(forged);
+    });
+    refused("its share without a way out", &|forged| forged["recovery"]["uncovered"] = Value::from(0.001));
+    refused("is uncovered for 0 s", &|forged| forged["recovery"]["modes"][open]["uncovered_s"] = Value::from(0.0));
+    refused("it reaches waypoint 2 at", &|forged| {
+        let waypoints = forged["planners"].as_array_mut().unwrap().last_mut().unwrap();
+        let at = &mut waypoints["waypoints"][1]["at_s"];
+        *at = Value::from(at.as_f64().unwrap() + 0.5);
+    });
+    refused("its plan takes 13 s, that of the certificate 12 s", &|forged| {
+        forged["planners"].as_array_mut().unwrap().last_mut().unwrap()["time_s"] = Value::from(13.0);
+    });
+    refused("not those of the spec", &|forged| forged["recovery"]["detection_s"] = serde_json::json!([0.05]));
+    refused("ways out, and counts", &|forged| {
+        for count in ["flown", "survived"] {
+            let counted = forged["recovery"][count].as_u64().unwrap();
+            forged["recovery"][count] = Value::from(counted + 1);
+        }
+    });
+    refused("says that none was sought", &|forged| {
+        forged["recovery"]["modes"][open]["not_attempted"] = Value::from("no hover");
+    });
+}
+
 /// A vehicle beside its landing site, for which nearly every way out is proved between the instants too.
 const PROVED: &str = r#"
 vehicle octo {

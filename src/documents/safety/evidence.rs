@@ -1,6 +1,8 @@
 //! What the report of `mavc plan --recovery` and the certificate say of each mode, compared with the spec: for which
 //! part of the mission a fault has which outcome, and how that is known.
 
+mod consistency;
+
 use super::{SEVERITIES, heights};
 use crate::certificate::{FamilyRecord, PlanClaim, WayRecord};
 use crate::model::{Mission, Problem};
@@ -216,6 +218,8 @@ struct Recovery {
     detection_s: Vec<f64>,
     within_s: f64,
     instants: usize,
+    uncovered: f64,
+    weighted: bool,
     flown: usize,
     survived: usize,
     modes: Vec<ModeOutcomes>,
@@ -226,6 +230,7 @@ struct ModeOutcomes {
     name: String,
     not_attempted: Option<String>,
     pieces: Vec<PieceOfReport>,
+    uncovered_s: f64,
 }
 
 #[derive(Deserialize)]
@@ -269,8 +274,8 @@ impl Evidence {
     /// Reads a report, and compares it with the spec that it must be about. `shown` is of a certificate of its plan.
     ///
     /// # Errors
-    /// What is wrong with it: it is not a report with ways out, it is that of another spec, it names modes, sites or
-    /// times that the spec does not have, or it does not name the flights that failed.
+    /// What is wrong with it: it is not a report with ways out, it is that of another spec, it contradicts the spec, the
+    /// certificate or itself ([`consistency`]), or it does not name the flights that failed.
     pub fn read(problem: Problem, spec_sha256: &str, report: &[u8], shown: &Shown) -> Result<Self, String> {
         let (model, mission) = (problem.model(), problem.mission());
         let report: Report = serde_json::from_slice(report)
@@ -279,12 +284,10 @@ impl Evidence {
             return Err("it is the report of another spec: plan this spec again".into());
         }
         let plan = report.planners.last().and_then(|planner| Some((planner.time_s?, &planner.waypoints)));
-        let (duration, waypoints) = plan.ok_or("it has no plan")?;
+        let (reported, waypoints) = plan.ok_or("it has no plan")?;
         let recovery = report.recovery.ok_or("it has no ways out: write it with `mavc plan --recovery`")?;
-        if waypoints.len() != mission.waypoints.len() {
-            return Err("its waypoints are not those of the spec".into());
-        }
         let arrivals: Vec<f64> = waypoints.iter().map(|waypoint| waypoint.at_s).collect();
+        let (duration, arrivals) = consistency::times(&shown.plan.motion, mission, reported, &arrivals)?;
         let mut phases = phases(mission, &arrivals, duration)?;
         for phase in &mut phases {
             phase.heights = heights::of(&shown.plan.motion, phase.from, phase.to);
@@ -297,6 +300,7 @@ impl Evidence {
         if recovery.survived + failed != recovery.flown {
             return Err("it does not name every simulated flight that failed: plan this spec again".into());
         }
+        consistency::ways_out(model, &recovery, duration)?;
         let of_mode = |mode: ModeOutcomes| {
             let families = shown.families(&mode.name);
             of_mode(mission, mode, duration).map(|mode| proved(mode, &families))
@@ -356,9 +360,16 @@ fn of_mode(mission: &Mission, found: ModeOutcomes, duration: f64) -> Result<Mode
         if let Some(site) = piece.site.iter().find(|site| sites.iter().all(|known| known.name != **site)) {
             return Err(format!("it lands {name} at `{site}`, which is not a landing site of the spec"));
         }
-        let is_next = piece.from_s >= reached - ROUNDING && piece.from_s <= reached + RESOLUTION + ROUNDING;
+        // Instants with different ways out may be this far apart; beside a time without one there is no hole.
+        let is_between_ways = outcome < NONE && pieces.last().is_some_and(|before| before.outcome < NONE);
+        let most = if is_between_ways { RESOLUTION } else { 0.0 };
+        let is_next = piece.from_s >= reached - ROUNDING && piece.from_s <= reached + most + ROUNDING;
         if !(is_next && piece.to_s >= piece.from_s) {
-            return Err(format!("the outcomes of {name} do not follow each other at {} s", number(piece.from_s)));
+            return Err(format!(
+                "the outcomes of {name} do not follow each other: one ends at {} s, the next begins at {} s",
+                number(reached),
+                number(piece.from_s)
+            ));
         }
         for part in parts(name, piece, outcome)? {
             // The outcome changes somewhere between two instants that were looked at: the worse one counts for all
