@@ -12,7 +12,7 @@ pub mod quantities;
 mod worksheets;
 
 use crate::admissible::outcome::Outcome;
-use crate::flight::equilibrium::analyze_each;
+use crate::flight::equilibrium::{analyze_each, outcome_of};
 use crate::model::{Model, Problem, RotorState};
 use crate::number::{fixed, number, plural, significant};
 use crate::verify::Accepted;
@@ -34,6 +34,8 @@ pub struct Case<'a> {
     /// Two different modes in one mission, as indices into the model's modes, and what both together leave of the
     /// vehicle; `None` where a rotor has two faults whose joint effect the spec does not determine.
     pub pairs: Vec<([usize; 2], Option<Outcome>)>,
+    /// For each mode, why no way out was sought, if none was.
+    not_sought: Vec<Option<String>>,
 }
 
 /// The names of the report and the certificate in the folder.
@@ -70,7 +72,10 @@ impl<'a> Case<'a> {
         let counted = rated(model, &evidence, ModeEvidence::uncovered_within);
         let quantities = Quantities::new(counted, open.as_deref(), evidence.duration, model.plan.require_risk);
         let pairs = pairs(model);
-        Case { problem, spec_sha256, evidence, report, certificate, accepted, quantities, pairs }
+        let reasons = evidence.modes.iter().enumerate();
+        let not_sought =
+            reasons.map(|(mode, found)| Some(not_sought(model, mode, found.not_attempted.as_deref()?))).collect();
+        Case { problem, spec_sha256, evidence, report, certificate, accepted, quantities, pairs, not_sought }
     }
 
     /// The files of the folder, by name.
@@ -123,8 +128,9 @@ impl<'a> Case<'a> {
             "The tolerances within which a certificate shows its statements (docs/certificates.md, The theorem) are \
              harmless."
                 .into(),
-            "mavc reads the spec as its author means it, and the parts of mavc that certificates trust \
-             (docs/certificates.md, The checker alone) have no error."
+            "mavc reads the spec as its author means it; the parts of mavc that certificates trust \
+             (docs/certificates.md, The checker alone) have no error; nor have the planner and the simulator that wrote \
+             report.json, which is compared with the spec and the certificate, and not proved."
                 .into(),
         ]
     }
@@ -157,6 +163,24 @@ impl<'a> Case<'a> {
         missing.map(|mode| mode.name.as_str()).collect()
     }
 
+    /// The names of all modes without a rate.
+    fn without_rate(&self) -> Vec<&'a str> {
+        self.problem.model().modes.iter().filter(|mode| mode.rate.is_none()).map(|mode| mode.name.as_str()).collect()
+    }
+
+    /// `35 of 93 simulated flights failed, 2 of them where the certificate proves a way out`
+    fn flights(&self) -> String {
+        let e = &self.evidence;
+        let where_proved = match e.failed_where_proved {
+            0 => String::new(),
+            count => format!(", {count} of them where the certificate proves a way out"),
+        };
+        match (e.flown, e.flown - e.survived) {
+            (0, _) => "no way out was found, so none was flown in simulation".into(),
+            (flown, failed) => format!("{failed} of {flown} simulated flights failed{where_proved}"),
+        }
+    }
+
     /// Whether the probability exceeds the target of the spec.
     pub fn exceeds_target(&self) -> bool {
         self.quantities.budget().is_some_and(|left| left < 0.0)
@@ -180,7 +204,7 @@ impl<'a> Case<'a> {
         };
         if let (Some(target), Some(left)) = (q.target, q.budget()) {
             let word = if left < 0.0 { "exceeds" } else { "meets" };
-            text += &format!("  {word} the target of the spec, {}: {} left\n", short(target), short(left));
+            text += &format!("  {word} the target of the spec, {}: {} left ({TARGET})\n", short(target), short(left));
         }
         if let Some([low, high]) = q.interval {
             text += &format!("  over the intervals of the rates: {} to {}\n", short(low), short(high));
@@ -201,6 +225,7 @@ impl<'a> Case<'a> {
             let mode = &self.model().modes[at].name;
             text += &format!("  {mode} on {}: {seconds} s uncovered, {p}\n", single.phase.label());
         }
+        text += &format!("  {}\n", self.flights());
         text += &format!("  certificate: {}\n", self.accepted.headline);
         for why in &self.accepted.weaker {
             text += &format!("  weaker than the spec requires: {why}\n");
@@ -211,6 +236,24 @@ impl<'a> Case<'a> {
 
 fn has(count: usize) -> &'static str {
     if count == 1 { "has" } else { "have" }
+}
+
+/// What is compared with `require risk`.
+const TARGET: &str = "`require risk` bounds strikes while the mission is committed; compared is the loss of control";
+
+/// Why no way out was sought after a mode; `why` is the report's word for it.
+fn not_sought(model: &Model, mode: usize, why: &str) -> String {
+    let reason = match (why, outcome_of(model, mode)) {
+        ("caught", _) => "the vehicle has to be caught",
+        (_, Outcome::FliesOn) if model.vehicle.yaw_drag.is_none() => {
+            "hover needs yaw to be given up, and the spec has no yaw_drag"
+        }
+        (_, Outcome::FliesOn) => "hover needs yaw to be given up",
+        (_, Outcome::FullControl) => "hover has no margin with the reserve",
+        (_, Outcome::Lost) => "hover is lost",
+        (_, Outcome::Caught | Outcome::NoMargin | Outcome::Undecided) => "hover has no margin",
+    };
+    format!("none sought: {reason}")
 }
 
 /// A probability or a rate for people.

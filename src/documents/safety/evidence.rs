@@ -30,6 +30,10 @@ pub struct Evidence {
     /// Ways out that were flown in simulation, and how many of them ended as planned.
     pub flown: usize,
     pub survived: usize,
+    /// How many flights failed after a fault at an instant for which the certificate proves a way out.
+    pub failed_where_proved: usize,
+    /// For how long the certificate proves ways out, whether their flights failed or not, s, over all modes.
+    pub families_s: f64,
 }
 
 /// A leg of the mission, or a hold.
@@ -301,6 +305,8 @@ impl Evidence {
             return Err("it does not name every simulated flight that failed: plan this spec again".into());
         }
         consistency::ways_out(model, &recovery, duration)?;
+        let failed_where_proved = recovery.modes.iter().map(|mode| failed_within(mode, &shown.families(&mode.name)));
+        let failed_where_proved = failed_where_proved.sum();
         let of_mode = |mode: ModeOutcomes| {
             let families = shown.families(&mode.name);
             of_mode(mission, mode, duration).map(|mode| proved(mode, &families))
@@ -315,8 +321,17 @@ impl Evidence {
             instants: recovery.instants,
             flown: recovery.flown,
             survived: recovery.survived,
+            failed_where_proved,
+            families_s: shown.ways_out.iter().map(|covered| covered.seconds).fold(0.0, |all, seconds| all + seconds),
         })
     }
+}
+
+/// How many flights of a mode failed after a fault at an instant that one of these families has.
+fn failed_within(mode: &ModeOutcomes, families: &[&FamilyRecord]) -> usize {
+    let is_within = |at: f64| families.iter().any(|family| (family.from_s - NAMED..=family.to_s + NAMED).contains(&at));
+    let failed = mode.pieces.iter().flat_map(|piece| &piece.failed);
+    failed.filter(|flight| struck_at(&flight.branch).is_some_and(is_within)).count()
 }
 
 /// Legs and holds between the arrivals at waypoints.
