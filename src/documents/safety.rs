@@ -7,6 +7,7 @@ mod drawing;
 pub mod evidence;
 mod fault_tree;
 mod heights;
+pub mod inputs;
 mod page;
 pub mod quantities;
 mod worksheets;
@@ -15,8 +16,10 @@ use crate::admissible::outcome::Outcome;
 use crate::flight::equilibrium::{analyze_each, outcome_of};
 use crate::model::{Model, Problem, RotorState};
 use crate::number::{fixed, number, plural, significant};
+use crate::spec::Spec;
 use crate::verify::Accepted;
 use evidence::{Evidence, FAILED, ModeEvidence, Phase, Share};
+use inputs::{Inputs, SUMS, TABLES, Text};
 use quantities::{Quantities, Rated};
 use sha2::{Digest, Sha256};
 
@@ -25,9 +28,11 @@ pub struct Case<'a> {
     pub problem: Problem<'a>,
     pub spec_sha256: &'a str,
     pub evidence: Evidence,
-    /// The bytes of the report and of the certificate.
-    pub report: &'a [u8],
-    pub certificate: &'a [u8],
+    pub inputs: Inputs<'a>,
+    /// The texts of the spec.
+    pub texts: Vec<Text<'a>>,
+    /// The values of `--set`.
+    pub set: Vec<&'a str>,
     /// What the checker says of the certificate.
     pub accepted: &'a Accepted,
     pub quantities: Quantities,
@@ -58,12 +63,13 @@ pub const SEVERITIES: [(&str, &str, &str); 6] = [
 ];
 
 impl<'a> Case<'a> {
-    /// The case of a plan; `evidence` is read from `report` ([`Evidence::read`]).
+    /// The case of a plan; `evidence` is read from the report of `inputs` ([`Evidence::read`]), and `spec` is that of
+    /// `problem`.
     pub fn new(
         problem: Problem<'a>,
-        spec_sha256: &'a str,
+        spec: &'a Spec,
         evidence: Evidence,
-        [report, certificate]: [&'a [u8]; 2],
+        inputs: Inputs<'a>,
         accepted: &'a Accepted,
     ) -> Self {
         let model = problem.model();
@@ -75,11 +81,35 @@ impl<'a> Case<'a> {
         let reasons = evidence.modes.iter().enumerate();
         let not_sought =
             reasons.map(|(mode, found)| Some(not_sought(model, mode, found.not_attempted.as_deref()?))).collect();
-        Case { problem, spec_sha256, evidence, report, certificate, accepted, quantities, pairs, not_sought }
+        let (texts, set) = (inputs::texts(spec.sources()), inputs::set(spec.sources()));
+        Case {
+            problem,
+            spec_sha256: spec.sha256(),
+            evidence,
+            inputs,
+            texts,
+            set,
+            accepted,
+            quantities,
+            pairs,
+            not_sought,
+        }
     }
 
-    /// The files of the folder, by name.
+    /// The files of the folder, by name: those that follow from the spec and [`Case::inputs`], and these.
     pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, String> {
+        let mut files = self.derived()?;
+        files.extend(
+            [(REPORT, self.inputs.report), (CERTIFICATE, self.inputs.certificate)]
+                .map(|(name, bytes)| (name.to_string(), bytes.to_vec())),
+        );
+        files.extend(self.inputs.tables.iter().map(|(name, bytes)| (format!("{TABLES}/{name}"), bytes.clone())));
+        files.extend(self.inputs.sums().map(|text| (SUMS.to_string(), text.into_bytes())));
+        Ok(files)
+    }
+
+    /// The files that follow from the spec and [`Case::inputs`], by name.
+    pub fn derived(&self) -> Result<Vec<(String, Vec<u8>)>, String> {
         let json = |value: &serde_json::Value| serde_json::to_string_pretty(value).map(|text| text + "\n");
         let argument = argument::argument(self);
         let own: Vec<(&str, Vec<u8>)> = vec![
@@ -90,10 +120,9 @@ impl<'a> Case<'a> {
             ("argument.json", json(&argument.json(self)).map_err(|e| e.to_string())?.into_bytes()),
             ("argument.svg", drawing::svg(self, &argument).into_bytes()),
             ("index.html", page::page(self).into_bytes()),
-            (REPORT, self.report.to_vec()),
-            (CERTIFICATE, self.certificate.to_vec()),
         ];
-        Ok(own.into_iter().map(|(name, bytes)| (name.to_string(), bytes)).collect())
+        let texts = self.texts.iter().map(|text| (text.file.clone(), text.text.as_bytes().to_vec()));
+        Ok(own.into_iter().map(|(name, bytes)| (name.to_string(), bytes)).chain(texts).collect())
     }
 
     /// What is assumed; each line is a node of the argument and a row of the page.
@@ -262,7 +291,7 @@ fn short(p: f64) -> String {
 }
 
 /// SHA-256 in hexadecimal digits.
-fn sha256(bytes: &[u8]) -> String {
+pub fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
 }
 

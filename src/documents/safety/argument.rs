@@ -126,7 +126,11 @@ pub fn argument(case: &Case) -> Argument {
     let (model, q) = (case.problem.model(), &case.quantities);
     let mission = &case.problem.mission().name;
     let vehicle = &model.vehicle.name;
-    let hashes = [sha256(case.report), sha256(case.certificate), sha256(super::fault_tree::open_psa(case).as_bytes())];
+    let hashes = [
+        sha256(case.inputs.report),
+        sha256(case.inputs.certificate),
+        sha256(super::fault_tree::open_psa(case).as_bytes()),
+    ];
     let [report, certificate, tree] = &hashes;
     let mut argument = Argument::default();
     let target = match (q.target, q.budget()) {
@@ -149,7 +153,7 @@ pub fn argument(case: &Case) -> Argument {
             None => format!("It is known for each declared fault whether {vehicle} finds a way out on {mission}"),
         },
     );
-    let spec = argument.add(Kind::Context, format!("spec, SHA-256 {}", case.spec_sha256));
+    let spec = argument.add(Kind::Context, format!("spec, hash {} (index.html, of what)", case.spec_sha256));
     argument.hold(root, spec);
     let lost = argument.add(Kind::Context, LOST);
     argument.hold(root, lost);

@@ -229,7 +229,7 @@ struct Recovery {
     modes: Vec<ModeOutcomes>,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 struct ModeOutcomes {
     name: String,
     not_attempted: Option<String>,
@@ -237,7 +237,7 @@ struct ModeOutcomes {
     uncovered_s: f64,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 struct PieceOfReport {
     from_s: f64,
     to_s: f64,
@@ -248,7 +248,7 @@ struct PieceOfReport {
     failed: Vec<FailedFlight>,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 struct FailedFlight {
     branch: String,
     from_s: f64,
@@ -304,18 +304,18 @@ impl Evidence {
         if recovery.survived + failed != recovery.flown {
             return Err("it does not name every simulated flight that failed: plan this spec again".into());
         }
-        consistency::ways_out(model, &recovery, duration)?;
         let failed_where_proved = recovery.modes.iter().map(|mode| failed_within(mode, &shown.families(&mode.name)));
         let failed_where_proved = failed_where_proved.sum();
         let of_mode = |mode: ModeOutcomes| {
             let families = shown.families(&mode.name);
             of_mode(mission, mode, duration).map(|mode| proved(mode, &families))
         };
-        let modes = recovery.modes.into_iter().map(of_mode);
+        let modes = recovery.modes.iter().cloned().map(of_mode).collect::<Result<_, _>>()?;
+        consistency::ways_out(model, &recovery, duration)?;
         Ok(Evidence {
             duration,
             phases,
-            modes: modes.collect::<Result<_, _>>()?,
+            modes,
             detection: recovery.detection_s,
             within: recovery.within_s,
             instants: recovery.instants,

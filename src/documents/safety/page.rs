@@ -1,6 +1,7 @@
 //! The page that links the files of the folder and answers an assessor's questions.
 
 use super::evidence::FAILED;
+use super::inputs::{SUMS, TABLES};
 use super::quantities::{by_importance, largest_share, with_interval};
 use super::{CERTIFICATE, Case, REPORT, SEVERITIES, TARGET, sha256, short};
 use crate::admissible::outcome::Outcome;
@@ -78,19 +79,29 @@ pub fn page(case: &Case) -> String {
             body {
                 h1 { (title) }
                 p {
-                    "Written by mavc " (env!("CARGO_PKG_VERSION")) " from the spec with the SHA-256 "
+                    "Written by mavc " (case.inputs.written_by) " from the spec with the hash "
                     code { (case.spec_sha256) } ". Change the spec and write the folder again; edit no file by hand. "
                     code { "mavc safety SPEC -o DIR --check" } " finds files that do not follow from the spec, the \
                      report and the certificate."
                 }
+                (spec(case))
                 h2 { "Files" }
                 table {
                     @for (name, what) in FILES { tr { td { a href=(name) { (name) } } td { (what) } } }
+                    @if !case.inputs.tables.is_empty() {
+                        @let index = format!("{TABLES}/index.csv");
+                        tr { td { a href=(index) { (index) } } td { "the tables of the ways out, and what each is" } }
+                        tr { td { a href=(SUMS) { (SUMS) } } td { "the SHA-256 of each of them" } }
+                    }
                 }
                 p {
-                    (REPORT) " " code { (sha256(case.report)) }
+                    (REPORT) " " code { (sha256(case.inputs.report)) }
                     br;
-                    (CERTIFICATE) " " code { (sha256(case.certificate)) }
+                    (CERTIFICATE) " " code { (sha256(case.inputs.certificate)) }
+                    @if let Some(hash) = case.inputs.tables_sha256() {
+                        br;
+                        (SUMS) " " code { (hash) }
+                    }
                 }
                 h2 { "Questions of an assessor" }
                 dl {
@@ -121,6 +132,24 @@ pub fn page(case: &Case) -> String {
         }
     };
     markup.into_string() + "\n"
+}
+
+/// What the spec is, so that it can be found again.
+fn spec(case: &Case) -> Markup {
+    html! {
+        table {
+            tr { th { "text of the spec" } th { "SHA-256 of the file" } }
+            @for text in &case.texts {
+                tr { td { a href=(text.file) { (text.file) } } td { code { (sha256(text.text.as_bytes())) } } }
+            }
+        }
+        @if !case.set.is_empty() { p { "With --set: " (case.set.join(", ")) } }
+        p {
+            "The files are those that were read, without byte order marks. The hash of the spec is the SHA-256 of these \
+             texts in this order, and then of the values of --set except plan.effort, each after its length in bytes as \
+             an integer of 8 bytes, the lowest first."
+        }
+    }
 }
 
 /// Ten questions, and the answers that the folder gives.
@@ -201,6 +230,7 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
         one @ 1 => format!(" {one} more pair has a mode without a rate, and is not counted."),
         more => format!(" {more} more pairs have a mode without a rate, and are not counted."),
     };
+    let rated = if q.rated.is_empty() { "" } else { " of modes with rates" };
     let likely = q.two_strikes().map_or(String::new(), |all| {
         let both = q.both_covered(|_| 1.0);
         format!(
@@ -210,10 +240,10 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
         )
     });
     let doubles = format!(
-        "Each pair counts as a loss of control; no way out is sought. {} of {} would leave full control in \
+        "Each pair counts as a loss of control; no way out is sought. {} of {}{rated} would leave full control in \
          hover.{omitted}{likely}",
         case.pairs.iter().filter(hovering).count(),
-        plural(case.pairs.len(), if q.rated.is_empty() { "pair" } else { "pair of modes with rates" }),
+        plural(case.pairs.len(), "pair"),
     );
     let detection = match e.detection[..] {
         [least, most] => format!("{} to {} ms", number(1e3 * least), number(1e3 * most)),
@@ -228,10 +258,16 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
             fixed(e.families_s, 2)
         ),
     };
+    let tables = match case.inputs.tables.is_empty() {
+        true => {
+            "tables that are not in the folder, because it was written with --report; mavc plan --branches writes them"
+        }
+        false => "tables in the folder branches",
+    };
     let sample = match e.flown {
         0 => String::new(),
         flown => format!(
-            " So many are as likely as 5 % if {} % of such flights fail, as far as they are independent and alike.",
+            " With 95 % confidence, at most {} % of such flights fail, as far as they are independent and alike.",
             significant(100.0 * largest_share(flown - e.survived, flown), 2)
         ),
     };
@@ -268,7 +304,7 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
             format!(
                 "A search at {} instants, each way out at most {} s long, flown once in simulation with the noise and \
                  gusts of the spec: {}.{sample} The column basis of fmea.csv has it for each row; \
-                 its column provision names the tables that mavc plan --branches writes.",
+                 its column provision names {tables}.",
                 e.instants,
                 number(e.within),
                 case.flights(),

@@ -266,8 +266,14 @@ pub fn record(case: &Case) -> Value {
     });
     json!({
         "spec_sha256": case.spec_sha256,
-        "report_sha256": super::sha256(case.report),
-        "certificate_sha256": super::sha256(case.certificate),
+        "spec": case.texts.iter().map(|text| {
+            json!({"file": text.file, "sha256": super::sha256(text.text.as_bytes())})
+        }).collect::<Vec<_>>(),
+        "set": case.set,
+        "written_by": case.inputs.written_by,
+        "report_sha256": super::sha256(case.inputs.report),
+        "certificate_sha256": super::sha256(case.inputs.certificate),
+        "branches_sha256": case.inputs.tables_sha256(),
         "mission_s": q.duration,
         "loss_of_control": {
             "per_mission": q.probability,
