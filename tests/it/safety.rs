@@ -483,10 +483,10 @@ fn a_changed_report_certificate_or_table_is_named() {
     let index = rows(&read(&out, "branches/index.csv"));
     assert_eq!(index.iter().map(|row| row["file"].as_str()).collect::<BTreeSet<_>>(), tables);
     assert!(text.contains(&format!("{} files in branches", tables.len() + 1)), "{text}");
-    let args = ["plan", "field.mav", "--branches", "planned", "-q"];
-    mavc_in(folder, &args);
+    // With a certificate, as here: ways out that leave room for a proof are then sought first.
+    mavc_in(folder, &["plan", "field.mav", "--branches", "planned", "--certificate", "c.json", "-q"]);
     let table = format!("branches/{}", tables.first().unwrap());
-    assert_eq!(read(&out, &table), read(&folder.join("planned"), tables.first().unwrap()));
+    assert!(read(&out, &table) == read(&folder.join("planned"), tables.first().unwrap()), "{table}");
 
     for name in ["report.json", "certificate.json", "branches/SHA256SUMS", &table] {
         let text = read(&out, name);
@@ -551,7 +551,7 @@ fn sentences_are_true_with_few_rates_and_with_intervals() {
     for mode in quantities["modes"].as_array().unwrap() {
         let open = mode["uncovered_s"].as_f64().unwrap().min(1.0);
         let saved = mode["saved_by_a_second_more_covered"].as_f64().unwrap();
-        assert!((saved - mode["rate_per_h"].as_f64().unwrap() * open / 3600.0).abs() <= 1e-9 * saved, "{mode}");
+        assert!((saved - mode["rate_per_h"].as_f64().unwrap() * open / 3600.0).abs() <= 1e-8 * saved, "{mode}");
     }
     let flights = &quantities["flights"];
     let [flown, failed] = ["flown", "failed"].map(|member| flights[member].as_f64().unwrap());
