@@ -59,6 +59,7 @@ fn a_longer_flight_allocates_no_more() {
                     duration,
                     airspeed: 1.0,
                     goes_on: false,
+                    ways_out: None,
                 },
                 None,
             );

@@ -126,7 +126,7 @@ fn planned(
     let texts = Texts {
         verdict: planning.verdict().to_string(),
         json: json(&task.report(&planning, &explained, between.clone())),
-        text: task.for_people(&planning, &explained, between.as_deref(), false).to_string(),
+        text: task.for_people(&planning, &explained, between.as_deref(), None, false).to_string(),
         csv: planning.plan().map(table).transpose()?,
     };
     let done = Done { planning, explained, between, conflict };

@@ -25,6 +25,7 @@ mod single_axis;
 pub mod spin;
 pub mod variation;
 pub mod volumes;
+mod way_out;
 
 use crate::actuation::Wrench;
 use crate::cancel;
@@ -42,11 +43,12 @@ pub use loss::{Cause, Outcome};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use reduced_attitude::{SpinningRotors, WithoutYaw};
-use reference::{Course, DESCENT, Reference, Stop};
+use reference::{Branching, Course, DESCENT, Reference, Stop};
 use rotors::Rotors;
 use sensors::Sensors;
 use spin::{EndOfSpin, Spin};
 use std::borrow::Cow;
+pub use way_out::{TakenWay, WayOut, WaysOut};
 
 /// The inputs of one simulated flight.
 #[derive(Debug, Clone)]
@@ -73,6 +75,8 @@ pub struct Sortie<'a> {
     /// Whether a flight with yaw given up goes on after its duration until the spin has settled, for at most five time
     /// constants Jz/`yaw_drag`.
     pub goes_on: bool,
+    /// For [`AfterFault::Recovery`]: how a way out is found.
+    pub ways_out: Option<WaysOut<'a>>,
 }
 
 impl<'a> Sortie<'a> {
@@ -94,6 +98,7 @@ impl<'a> Sortie<'a> {
             duration: model.simulation.duration.unwrap_or(trajectory.duration()).min(longest),
             airspeed: legs.sum::<f64>() / trajectory.duration(),
             goes_on: model.simulation.duration.is_none() && trajectory.ends_at_rest(),
+            ways_out: None,
         }
     }
 }
@@ -110,7 +115,8 @@ pub fn longest(model: &Model, time: f64) -> f64 {
     let heights = model.mission.iter().flat_map(|m| m.waypoints.iter().map(|w| w.position[2] - simulation.ground));
     match simulation.after_fault {
         AfterFault::Land => flown + heights.fold(0.0, f64::max) / DESCENT + LANDING_MARGIN,
-        _ => flown,
+        AfterFault::Recovery => flown + model.plan.recovery.within + LANDING_MARGIN,
+        AfterFault::Continue | AfterFault::Hold => flown,
     }
 }
 
@@ -206,6 +212,8 @@ pub struct Flight {
     pub damage: Damage,
     /// When yaw was first given up on purpose, s since the start; `None` if it never was.
     pub gave_up_yaw_at: Option<f64>,
+    /// The way out that it took after the first fault; `None` if none was sought.
+    pub way_out: Option<TakenWay>,
     /// The spin in the end; `None` if yaw is not given up then.
     pub spin: Option<EndOfSpin>,
     /// For how long some body rate was beyond the range of the gyroscope, s.
@@ -241,6 +249,10 @@ const BETWEEN_STOPS: f64 = 0.1;
 
 /// Time allowed for a landing in addition to the duration of its descent, s.
 const LANDING_MARGIN: f64 = 20.0;
+
+/// Where a way out has come to rest on the ground, its reference sinks until the vehicle touches down, m/s. Chosen by
+/// hand.
+const SINK: f64 = 0.2;
 
 /// What the seed of the noise is combined with for torques of gusts and draws of the vehicle.
 const OTHER_NOISE: u64 = 0x5bd1_e995_9d2c_5680;
@@ -301,6 +313,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut momentum = 0.0;
     let mut without_yaw: Option<WithoutYaw> = None;
     let mut gave_up_yaw_at = None;
+    let mut way_out: Option<TakenWay> = None;
     let mut step = 0usize;
     let outcome = loop {
         let t = step as f64 / simulation.rate;
@@ -344,7 +357,29 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 watch.gave_up_yaw = without_yaw.is_some();
                 gave_up_yaw_at = gave_up_yaw_at.or(without_yaw.as_ref().map(|_| t));
             }
-            let wants_to_stop = knowledge.fault_known && simulation.after_fault != AfterFault::Continue;
+            // A false alarm before the first fault is not one that a way out is known for.
+            if let (true, None, AfterFault::Recovery) = (knowledge.fault_known, &way_out, simulation.after_fault)
+                && let (Some(ways), Some(strike)) = (sortie.ways_out, strikes.first().filter(|strike| strike.at <= t))
+            {
+                let found = (ways.find)(strike.mode, strike.at, t);
+                way_out = Some(TakenWay { at: t, words: found.as_ref().map(|way| way.words.clone()) });
+                if let (Some(way), Course::Plan(plan)) = (found, &course) {
+                    let ends = t + way.motion.duration();
+                    let (plan, motion) = (*plan, Cow::Owned(way.motion));
+                    let branch = Branching { plan, begins: t, motion, returns: way.returns, sink: SINK };
+                    course = Course::Branch(Box::new(branch));
+                    reference = course.at(t);
+                    watch.volumes.widen();
+                    if way.returns {
+                        duration = duration.max(ends);
+                    } else {
+                        watch.land(t, ends, course.at(ends).position.z);
+                        duration = ends + LANDING_MARGIN;
+                    }
+                }
+            }
+            let stops = matches!(simulation.after_fault, AfterFault::Hold | AfterFault::Land);
+            let wants_to_stop = knowledge.fault_known && stops;
             if wants_to_stop && !watch.is_stopping && t >= next_try {
                 next_try = t + BETWEEN_STOPS;
                 let wanted = simulation.after_fault == AfterFault::Land;
@@ -427,6 +462,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         heading: watch.heading_errors(),
         damage: watch.damage(end, outcome.is_lost()),
         gave_up_yaw_at,
+        way_out,
         spin: spin.end(body.rates.amax(), simulation.gyroscope_range),
         gyroscope_saturated: sensors.saturated,
         found,

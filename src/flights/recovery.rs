@@ -14,6 +14,7 @@ use crate::admissible::AdmissibleSet;
 use crate::admissible::without_yaw::planned::Provision;
 use crate::cancel;
 use crate::certificate::{FamilyRecord, MotionRecord, RecoveryClaim};
+use crate::flight::WayOut;
 use crate::model::Problem;
 use crate::motion::Trajectory;
 use crate::planner::selection::sets::of_one_mode;
@@ -215,6 +216,29 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
     }
     found.failed = flown::failures(model, plan, &found);
     found
+}
+
+/// The first way out, in the order of the spec, after the fault of one mode that strikes at `at` s of a plan and is
+/// known `delay` s later; `None` if none is found.
+pub fn way_out(problem: Problem, plan: &Trajectory, mode: usize, at: f64, delay: f64) -> Option<FoundBranch> {
+    let model = problem.model();
+    let healthy = AdmissibleSet::healthy(model);
+    let (set, provision) = of_one_mode(model, mode, &healthy);
+    if provision == Provision::Capture || search::cannot_hover(model, &set) {
+        return None;
+    }
+    Search::new(problem, plan, (mode, &set, &provision), &healthy, &[delay], false).first(at)
+}
+
+/// The same for a flight that takes it.
+pub fn flown_way_out(problem: Problem, plan: &Trajectory, mode: usize, at: f64, known: f64) -> Option<WayOut> {
+    let FoundBranch { way, motion, .. } = way_out(problem, plan, mode, at, known - at)?;
+    let (returns, words) = match way {
+        Way::Continue | Way::ContinueSpinning => (true, "back to the plan and along it".to_string()),
+        Way::LandAt(site) => (false, format!("landing at {}", problem.mission().after_fault.sites[site].name)),
+        Way::LandHere => (false, "landing near the place of the fault".into()),
+    };
+    Some(WayOut { motion, returns, words })
 }
 
 impl Recovery {

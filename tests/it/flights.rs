@@ -67,6 +67,7 @@ fn sortie<'a>(model: &'a Model, along: &'a Trajectory, strikes: &'a [Strike]) ->
         duration: along.duration(),
         airspeed: 0.0,
         goes_on: false,
+        ways_out: None,
     }
 }
 

@@ -28,7 +28,7 @@ fn the_page_on_planners_tells_the_truth() {
 #[test]
 #[ignore = "long"]
 fn the_page_on_ways_out_tells_the_truth() {
-    follow("docs/how-to/recovery.md", (2, 1));
+    follow("docs/how-to/recovery.md", (3, 2));
 }
 
 #[test]

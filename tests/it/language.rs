@@ -215,7 +215,7 @@ fn choices_of_the_model_have_the_words_of_the_table() {
     same(&plan::MODEL, &[PlanModel::Hover, PlanModel::Exact].map(PlanModel::name));
     same(&plan::ROTORS, &[PlanRotors::Instant, PlanRotors::Lagging].map(PlanRotors::name));
     same(&plan::AFTER_FAULT, &[AfterFault::Continue, AfterFault::Hold].map(AfterFault::name));
-    let reactions = [AfterFault::Continue, AfterFault::Hold, AfterFault::Land];
+    let reactions = [AfterFault::Continue, AfterFault::Hold, AfterFault::Land, AfterFault::Recovery];
     same(&simulate::AFTER_FAULT, &reactions.map(AfterFault::name));
     same(&simulate::CONTROLLER, &[Controller::Geometric, Controller::Pd].map(Controller::name));
     same(&vehicle::ALLOCATION, &[Allocation::Bounded, Allocation::PseudoInverse].map(Allocation::name));

@@ -294,7 +294,10 @@ fn flights_and_campaigns_have_pages() {
     assert!(!own(&text).contains("<img"));
     // Why there is no phi, in words.
     let undefined = recorded()["agreement"][0]["by_flight"][0]["phi"].is_null();
-    assert_eq!(undefined, text.contains("the prediction cannot be judged") || text.contains("carries no information"));
+    assert_eq!(
+        undefined,
+        text.contains("the prediction of losses cannot be judged") || text.contains("carries no information")
+    );
 }
 
 /// The page tells a lost flight, and the delay of detection, in the words of the text.

@@ -136,12 +136,6 @@ fn a_descent_that_cannot_be_braked_has_no_way_out() {
     some_descents_cannot_be_braked(PlanModel::Hover);
 }
 
-#[test]
-#[ignore = "long"]
-fn a_descent_that_cannot_be_braked_has_no_way_out_in_the_exact_model() {
-    some_descents_cannot_be_braked(PlanModel::Exact);
-}
-
 fn some_descents_cannot_be_braked(wrench: PlanModel) {
     let mut model = octocopter("PPNNPPNN");
     model.modes = vec![FaultMode { rotors: vec![RotorState::Reduced(LEFT); 8], ..lost(&model, &[]) }];
@@ -258,7 +252,7 @@ fn the_command_shows_ways_out_and_writes_them() {
     let (code, text, errors) = mavc_in(folder.path(), &args);
     assert_eq!(code, 0, "{errors}");
     assert!(text.contains("AFTER A FAULT known after 100 ms"), "{text}");
-    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    assert!(text.lines().count() <= 25 && text.lines().all(|line| line.chars().count() <= 80), "{text}");
     let report: serde_json::Value =
         serde_json::from_slice(&std::fs::read(folder.path().join("report.json")).unwrap()).unwrap();
     let recovery = &report["recovery"];
@@ -275,6 +269,46 @@ fn the_command_shows_ways_out_and_writes_them() {
         }
     }
     assert!(listed > 8 && index.lines().count() == listed + 1, "{listed}\n{index}");
+}
+
+/// A simulated flight takes the first way out of the order: down on the site, or back to the plan; it flies on where none
+/// is found, or where the fault is not known.
+#[test]
+fn a_flight_takes_the_way_out() {
+    let flown = |order: &str, within: &str, detection: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let spec = SPEC.replace("order = [land_at_sites]", &format!("order = [{order}]")).replace("12 s", within);
+        let simulate = format!("simulate {{ fault M1 at 3 s; detection = {detection}; after_fault = recovery }}");
+        std::fs::write(folder.path().join("field.mav"), format!("{spec}}}\n{simulate}")).unwrap();
+        let args = ["simulate", "field.mav", "--report", "r.json", "-o", "log.csv"];
+        let (code, text, errors) = mavc_in(folder.path(), &args);
+        assert_eq!(code, 0, "{text}{errors}");
+        let report: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(folder.path().join("r.json")).unwrap()).unwrap();
+        crate::schemas::schema("simulate").assert_valid(&report);
+        let log = std::fs::read_to_string(folder.path().join("log.csv")).unwrap();
+        let row = |line: &str| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect::<Vec<f64>>();
+        (report, row(log.lines().last().unwrap()), text)
+    };
+    let (landed, last, text) = flown("land_at_sites", "12 s", "100 ms");
+    assert_eq!(landed["outcome"]["status"], "landed", "{landed}");
+    assert_eq!(landed["way_out"]["way"], "landing at pad");
+    assert!((last[1] - 10.0).hypot(last[2] - 6.0) < 2.1 && last[3] < 0.05, "{last:?}");
+    assert!(text.contains("way out from 3.10 s: landing at pad"), "{text}");
+    let (back, last, _) = flown("continue", "12 s", "100 ms");
+    assert_eq!(
+        (&back["outcome"]["status"], &back["way_out"]["way"]),
+        (&"flown".into(), &"back to the plan and along it".into())
+    );
+    assert!((last[1] - 30.0).abs() < 0.5, "{last:?}");
+    let (none, _, text) = flown("land_at_sites", "2 s", "100 ms");
+    assert!(none["way_out"]["way"].is_null() && text.contains("no way out was found at 3.10 s"), "{text}");
+    let (unknown, ..) = flown("land_at_sites", "12 s", "never");
+    assert!(unknown.get("way_out").is_none());
+    // The estimator needs some time, and the way out begins when it has it.
+    let (estimated, ..) = flown("land_at_sites", "12 s", "estimator");
+    let at = estimated["way_out"]["at_s"].as_f64().unwrap();
+    assert!(at > 3.0 && at < 4.0 && estimated["outcome"]["status"] == "landed", "{estimated}");
 }
 
 /// A mission whose faults have no way out at some instants is planned again with more room, until they have.
@@ -369,6 +403,12 @@ fn a_bound_on_what_is_uncovered_decides_the_exit_code() {
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_descent_that_cannot_be_braked_has_no_way_out_in_the_exact_model() {
+        some_descents_cannot_be_braked(PlanModel::Exact);
+    }
 
     /// Of `docs/how-to/recovery.md`: planned again, the README's mission has a way out everywhere, and takes no longer.
     #[test]

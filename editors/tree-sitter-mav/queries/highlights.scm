@@ -66,8 +66,8 @@
     ; words: values of fields
     "all" "always" "bounded" "box" "continue" "cylinder" "distance" "drawn" "estimated" "estimator" "exact"
     "geometric" "half_space" "hold" "hover" "instant" "lagging" "land" "middle" "minimum" "never" "normal" "off"
-    "optimal" "pd" "polygon" "proportional" "pseudo_inverse" "quick" "rcp" "rip" "rsp" "sphere" "thorough" "uniform"
-    "where_needed"
+    "optimal" "pd" "polygon" "proportional" "pseudo_inverse" "quick" "rcp" "recovery" "rip" "rsp" "sphere" "thorough"
+    "uniform" "where_needed"
     ; end of words
   ))
 ((field value: (list (reference (name) @constant.builtin)))

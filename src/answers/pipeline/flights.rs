@@ -6,10 +6,12 @@ use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
 use crate::campaign::tally::Tally;
 use crate::diagnostic::{Diagnostic, Severity, sort};
-use crate::flight::{Flight, Sample, Sortie, fly as fly_sortie, indistinguishable, longest};
+use crate::flight::{Flight, Sample, Sortie, WaysOut, fly as fly_sortie, indistinguishable, longest};
+use crate::model::Problem;
 use crate::observer::{Observer, Silent, timed};
 use crate::planner::studies::{Comparison, MissionPlan};
 use crate::read::{coarse_step, past_the_end, too_many_steps};
+use crate::recovery::flown_way_out;
 use crate::report::campaign_record::CampaignRecord;
 use crate::spec::{Spec, program_sha256};
 use crate::verdict::Verdict;
@@ -52,7 +54,12 @@ pub fn fly_plan(
     observer: &dyn Observer,
 ) -> Flight {
     let model = spec.model();
-    let sortie = Sortie::along(model, &plan.trajectory, &model.simulation.faults, model.simulation.seed);
+    let mut sortie = Sortie::along(model, &plan.trajectory, &model.simulation.faults, model.simulation.seed);
+    let find = |mode: usize, at: f64, known: f64| {
+        observer.begins("looking for a way out after the fault");
+        flown_way_out(Problem::of(model)?, &plan.trajectory, mode, at, known)
+    };
+    sortie.ways_out = Some(WaysOut { find: &find });
     let begin = Instant::now();
     let is_recorded = record.is_some();
     let flight = timed(observer, "flight", || fly_sortie(&sortie, record));

@@ -6,6 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::explain::diagnose::diagnose;
 use crate::flight::capture::heights::CaptureHeights;
 use crate::planner::studies::Comparison;
+use crate::recovery::Recovery;
 use crate::report::capture_height::{self, CaptureRecord};
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::plan_screen::Answer;
@@ -78,19 +79,28 @@ impl Task<'_> {
         text
     }
 
-    /// The answer for people: one screen, or with `verbose` the whole report.
+    /// The answer for people: one screen, or with `verbose` the whole report. `ways_out` are those that were sought.
     pub fn for_people(
         &self,
         planning: &Planning,
         explained: &Explained,
         between: Option<&[Between]>,
+        ways_out: Option<&Recovery>,
         verbose: bool,
     ) -> Screen {
+        let write = |screen: &mut Screen| {
+            if let Some(found) = ways_out {
+                screen.gap();
+                report::recovery::write(screen, self.model(), found, verbose);
+            }
+        };
         if verbose {
-            return Screen::of_text(&self.text(planning, explained, between));
+            let mut screen = Screen::of_text(&self.text(planning, explained, between));
+            write(&mut screen);
+            return screen;
         }
         let heights = self.capture_heights(planning);
-        self.answered(planning, explained, heights.as_deref(), between, |answer| answer.screen())
+        self.answered(planning, explained, heights.as_deref(), between, |answer| answer.screen(write))
     }
 
     /// The record with the captures and how long its plans are lower.

@@ -451,9 +451,10 @@ group! {
         Written("estimator", "how the controller learns of a fault"),
         "how the controller learns of a fault: `estimator`, from the estimated capacities; `never`; or a delay after \
          which it knows the mode".likely(DELAYS);
-    AFTER_FAULT "after_fault", Words(&["continue", "hold", "land"]), Written("continue", "flies on as planned"),
-        "the reaction to a detected fault: `continue` the plan, `hold` where the vehicle comes to rest, or `land` \
-         there";
+    AFTER_FAULT "after_fault", Words(&["continue", "hold", "land", "recovery"]),
+        Written("continue", "flies on as planned"),
+        "the reaction to a detected fault: `continue` the plan, `hold` where the vehicle comes to rest, `land` there, \
+         or take the way out that `recovery` of the plan orders first";
     POSITION_GAIN "position_gain", Quantity("1/s^2", Positive),
         Value(4.0, "4 1/s^2", "gain on the deviation in x and y"),
         "gain on the deviation in x and y";

@@ -174,6 +174,12 @@ fn differences(design: &Design, tally: &Tally, plans: &[Survival]) -> Vec<String
             }
         })
         .collect();
+    // Where no flight was lost, there is nothing to compare.
+    if !texts.is_empty()
+        && pairs().all(|(m, t)| plans.iter().all(|plan| share(plan.plan, m, t).is_none_or(|s| s == 0.0)))
+    {
+        return Vec::new();
+    }
     if !texts.is_empty() {
         texts.push("exact sign test, two-sided; it takes the instants as independent of each other".into());
     }

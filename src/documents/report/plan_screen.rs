@@ -54,8 +54,8 @@ pub struct Answer<'a> {
 }
 
 impl Answer<'_> {
-    /// The output; of no more than one planner's run, the last.
-    pub fn screen(&self) -> Screen {
+    /// The output; of no more than one planner's run, the last. `further` writes what follows.
+    pub fn screen(&self, further: impl FnOnce(&mut Screen)) -> Screen {
         let (model, mission) = (self.problem.model(), self.problem.mission());
         let mut screen = Screen::default();
         screen.paragraph(Tone::Plain, 0, 2, &format!("{} with {}", mission.name, vehicle_line(model)));
@@ -68,6 +68,7 @@ impl Answer<'_> {
                 0
             }
         };
+        further(&mut screen);
         screen.close(hidden);
         screen
     }

@@ -1,6 +1,6 @@
 //! What can be done after a fault: its record, and the text for a terminal.
 
-use super::screen::{Screen, Tone};
+use super::screen::{Counted, Keep, Screen, Tone};
 use super::trajectory_csv;
 use crate::admissible::outcome::Outcome;
 use crate::flight::equilibrium::outcome_of;
@@ -309,6 +309,9 @@ const STRIP: usize = 40;
 /// The most modes that have a line on the screen.
 const MOST_MODES: usize = 10;
 
+/// So many of them stay where a screen has no room.
+const ROWS: usize = 3;
+
 /// The sign of an outcome on a strip. Where several share a column, the last of this order is shown.
 fn sign(way: Option<Way>) -> (usize, char) {
     match way {
@@ -329,10 +332,9 @@ fn strip(mode: &ModeRecovery, duration: f64) -> String {
     (0..STRIP).map(of_column).collect()
 }
 
-/// The outcomes of all faults as a few lines, with a strip for each mode: those with the longest gaps first, all of
-/// them if `verbose`.
-pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
-    let mut screen = Screen::default();
+/// The outcome of every fault, those with the longest gaps first, and on what it rests. What explains more may be left
+/// out of a screen.
+pub fn write(screen: &mut Screen, model: &Model, recovery: &Recovery, verbose: bool) {
     let (open, _) = uncovered(model, recovery);
     let required = model.plan.recovery.require.map(|require| require.uncovered);
     let tone = match (open, required) {
@@ -360,27 +362,33 @@ pub fn screen(model: &Model, recovery: &Recovery, verbose: bool) -> Screen {
         };
         table.row(vec![model.modes[mode.mode].name.clone(), bar, fixed(mode.uncovered(), 2)]);
     }
-    table.render_left(2).lines().for_each(|line| screen.line(Tone::Plain, line));
+    for (row, line) in table.render_left(2).lines().enumerate() {
+        match row > ROWS {
+            true => {
+                screen.part(Keep::Row, Some((Counted::Mode, 1)), |screen| screen.line(Tone::Plain, line));
+            }
+            false => screen.line(Tone::Plain, line),
+        }
+    }
     if shown < modes.len() {
         screen.line(Tone::Plain, &format!("  {} more with shorter gaps: -v", plural(modes.len() - shown, "mode")));
     }
     screen.line(Tone::Plain, &format!("  {}", legend(recovery)));
     let (gaps, rest) = gaps(model, recovery, if verbose { usize::MAX } else { 3 });
     for gap in gaps {
-        screen.paragraph(Tone::Warning, 2, 2, &gap);
+        screen.part(Keep::Reason, Some((Counted::Remark, 1)), |screen| screen.paragraph(Tone::Warning, 2, 2, &gap));
     }
     if rest > 0 {
-        screen.line(Tone::Plain, &format!("  {} more: -v", plural(rest, "gap")));
+        let counted = Some((Counted::Remark, rest));
+        let text = format!("  {} more: -v", plural(rest, "gap"));
+        screen.part(Keep::Reason, counted, |screen| screen.line(Tone::Plain, &text));
     }
     if let Some(text) = between(model, recovery) {
         screen.paragraph(Tone::Plain, 2, 2, &text);
     }
-    let all_survive = record.survived == record.flown;
-    for (text, tone) in premise(&record, model.plan.reserve).iter().zip([Tone::Plain, tone_of_flights(all_survive)]) {
-        screen.paragraph(tone, 2, 2, text);
-    }
-    screen.gap();
-    screen
+    let [basis, beside] = premise(&record, model.plan.reserve);
+    screen.paragraph(if record.survived == record.flown { Tone::Plain } else { Tone::Warning }, 2, 2, &basis);
+    screen.part(Keep::Reason, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &beside));
 }
 
 /// `0 s                                20 s`
@@ -395,10 +403,6 @@ fn legend(recovery: &Recovery) -> String {
     signs.sort_unstable();
     signs.dedup();
     signs.iter().map(|(order, sign)| format!("{sign} {}", WORDS[*order])).collect::<Vec<_>>().join("   ")
-}
-
-fn tone_of_flights(all_survive: bool) -> Tone {
-    if all_survive { Tone::Plain } else { Tone::Warning }
 }
 
 /// The outcome of all faults in one sentence.
@@ -417,22 +421,19 @@ pub fn sentence(record: &RecoveryRecord) -> String {
 
 /// On what the outcomes rest: what was computed, and what was flown.
 pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
+    let basis = format!(
+        "Looked at {} instants, not between them. Delays are simulated without noise; with the noise and gusts of \
+         `simulate`, or its defaults, {} of {} simulated branches end as planned.",
+        record.instants, record.survived, record.flown
+    );
     // A plan can be covered at an instant from which no way out is found.
     let strayed = match record.uncovered > 0.0 {
-        true => "; when the fault is known, the vehicle has left the plan. Where none was found, a flight may survive",
+        true => " When the fault is known, the vehicle has left the plan. Where none was found, a flight may survive.",
         false => "",
     };
-    let computed = format!(
-        "Looked at {} instants, not between them. Delays are simulated without noise{strayed}. Branches keep the \
-         fault's set with {} % in reserve.",
-        record.instants,
-        significant(100.0 * reserve, 3)
-    );
-    let flown = format!(
-        "Simulated with the noise and gusts of `simulate`, or its defaults: {} of {} branches end as planned.",
-        record.survived, record.flown
-    );
-    [computed, flown]
+    let beside =
+        format!("Branches keep the fault's set with {} % in reserve.{strayed}", significant(100.0 * reserve, 3));
+    [basis, beside]
 }
 
 /// For how much of the time with a way out that is proved at every instant, and why not for the rest; `None` if no

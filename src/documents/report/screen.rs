@@ -198,6 +198,8 @@ impl Screen {
             let last_of_least = |a: &usize, b: &usize| self.parts[*a].keep.cmp(&self.parts[*b].keep).then(b.cmp(a));
             let Some(least) = self.lines.iter().filter_map(|line| line.part).min_by(last_of_least) else { break };
             self.lines.retain(|line| line.part != Some(least));
+            // No two empty lines meet where all between them is left out.
+            self.lines.dedup_by(|line, before| line.text.is_empty() && before.text.is_empty());
             match self.parts[least].counted {
                 Some((Counted::Remark, n)) => remarks += n,
                 Some((Counted::Figure, n)) => figures += n,
@@ -213,11 +215,6 @@ impl Screen {
             last = last.replace(MORE_TO_SPARE, "");
         }
         self.line(Tone::Plain, &last);
-    }
-
-    /// Adds the lines of another screen, none of which are left out later.
-    pub fn extend(&mut self, other: Screen) {
-        self.lines.extend(other.lines.into_iter().map(|line| Line { part: None, ..line }));
     }
 
     /// The lines with their tones.

@@ -3,8 +3,9 @@
 use super::cases::{Case, noise_seed};
 use super::design::Design;
 use super::rows::Row;
-use crate::flight::{Sortie, fly};
-use crate::model::Strike;
+use crate::flight::{Sortie, WaysOut, fly};
+use crate::model::{Problem, Strike};
+use crate::recovery::flown_way_out;
 use crate::source::Span;
 use rayon::prelude::*;
 
@@ -31,6 +32,9 @@ pub fn fly_case(design: &Design, case: &Case) -> Row {
         .collect();
     let seed = noise_seed(design.model.campaign.seed, case.seed);
     let mut sortie = Sortie::along(design.model, &design.plan(case).trajectory, &strikes, seed);
+    let plan = &design.plan(case).trajectory;
+    let find = |mode: usize, at: f64, known: f64| flown_way_out(Problem::of(design.model)?, plan, mode, at, known);
+    sortie.ways_out = Some(WaysOut { find: &find });
     // A shorter simulation would end before the later faults.
     sortie.duration = sortie.duration.max(design.time);
     if let Some(strike) = strikes.first().filter(|_| design.plan(case).trajectory.ends_at_rest()) {

@@ -249,6 +249,7 @@ impl Hold<'_> {
             duration: ends,
             airspeed: speed,
             goes_on: false,
+            ways_out: None,
         };
         fly(&sortie, Some(look))
     }

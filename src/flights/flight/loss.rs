@@ -109,6 +109,8 @@ pub(super) struct Watch<'a> {
     pub(super) gave_up_yaw: bool,
     /// Whether the vehicle may touch the ground.
     may_land: bool,
+    /// From when on the ground is where a way out lands, s, and its z, m.
+    pad: Option<(f64, f64)>,
     /// Largest distance from the reference position, m.
     pub(super) max_error: f64,
     /// Largest tilt, rad.
@@ -139,6 +141,7 @@ impl<'a> Watch<'a> {
             is_stopping: false,
             gave_up_yaw: false,
             may_land: false,
+            pad: None,
             max_error: 0.0,
             max_tilt: 0.0,
             squares: 0.0,
@@ -153,6 +156,13 @@ impl<'a> Watch<'a> {
         self.is_stopping = true;
         self.may_land = lands;
         self.damage.stop(t);
+    }
+
+    /// A way out begins at `t` s that has come to rest on the ground at `ends` s, at a height of `z` m; from then on
+    /// the ground is there.
+    pub(super) fn land(&mut self, t: f64, ends: f64, z: f64) {
+        self.stop(t, true);
+        self.pad = Some((ends, z));
     }
 
     /// Processes a sample at time `t` (s); `after` is whether a fault has struck, and `acceleration` gives that of the
@@ -181,7 +191,8 @@ impl<'a> Watch<'a> {
         if self.trespassed_at.is_none() && self.volumes.is_past(&body.position, self.may_land) {
             self.trespassed_at = Some(t);
         }
-        if body.position.z <= self.ground {
+        let ground = self.pad.filter(|(from, _)| t >= *from).map_or(self.ground, |(_, z)| z.max(self.ground));
+        if body.position.z <= ground {
             let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
             return match (self.may_land && soft, self.is_off_its_heading()) {
                 (false, _) => lost(Cause::Ground),

@@ -4,6 +4,7 @@ use crate::flatness::rotor_drag;
 use crate::model::Environment;
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use nalgebra::Vector3;
+use std::borrow::Cow;
 
 /// Nominal deceleration of a stop, m/s^2.
 const BRAKING: f64 = 3.0;
@@ -53,9 +54,11 @@ pub struct Branching<'a> {
     /// When the branch begins, s since the start of the plan.
     pub begins: f64,
     /// The branch from 0 s on.
-    pub motion: &'a Trajectory,
+    pub motion: Cow<'a, Trajectory>,
     /// Whether the branch ends in the plan.
     pub returns: bool,
+    /// How fast the reference sinks where the branch has ended and does not return, m/s.
+    pub sink: f64,
 }
 
 impl Branching<'_> {
@@ -63,7 +66,12 @@ impl Branching<'_> {
         let ends = self.begins + self.motion.duration();
         match t {
             t if t < self.begins || (t > ends && self.returns) => along(self.plan, t),
-            t => along(self.motion, t - self.begins),
+            t if t > ends => {
+                let rest = along(&self.motion, t - self.begins);
+                let position = rest.position - Vector3::z() * self.sink * (t - ends);
+                Reference { position, velocity: -Vector3::z() * self.sink, ..rest }
+            }
+            t => along(&self.motion, t - self.begins),
         }
     }
 }

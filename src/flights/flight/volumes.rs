@@ -21,6 +21,8 @@ pub(super) struct Volumes {
     kept: Vec<Bound>,
     /// z of the ground, m.
     ground: f64,
+    /// How far beyond a `keep_in` a damaged vehicle may be, m.
+    buffer: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -49,7 +51,18 @@ impl Volumes {
             };
             mission.volumes.iter().flat_map(of_volume).collect()
         };
-        Volumes { touched: bounds(|_| 0.0), kept: bounds(|volume| volume.clearance), ground }
+        Volumes {
+            touched: bounds(|_| 0.0),
+            kept: bounds(|volume| volume.clearance),
+            ground,
+            buffer: mission.after_fault.buffer,
+        }
+    }
+
+    /// From now on the vehicle may be beyond every `keep_in` by the mission's `buffer`.
+    pub(super) fn widen(&mut self) {
+        let wider = self.touched.iter_mut().filter(|bound| bound.is_keep_in);
+        wider.for_each(|bound| bound.limit = bound.limit.widened(self.buffer));
     }
 
     /// Whether the vehicle at a place (m) is past the boundary of a volume.

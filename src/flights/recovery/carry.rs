@@ -66,6 +66,7 @@ pub fn carry(
         duration: delay,
         airspeed: 0.0,
         goes_on: false,
+        ways_out: None,
     };
     let (mut path, mut deviation, mut last) = (Vec::new(), 0.0, None);
     let mut record = |sample: &Sample| {

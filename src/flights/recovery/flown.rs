@@ -43,13 +43,20 @@ pub fn fly_branch(model: &Model, plan: &Trajectory, branch: &FoundBranch, seed: 
         model,
         vehicle: Cow::Borrowed(&model.vehicle),
         simulation: &simulation,
-        course: Course::Branch(Box::new(Branching { plan: &rest, begins: *delay, motion, returns })),
+        course: Course::Branch(Box::new(Branching {
+            plan: &rest,
+            begins: *delay,
+            motion: Cow::Borrowed(motion),
+            returns,
+            sink: 0.0,
+        })),
         mission: None,
         strikes: &strikes,
         seed,
         duration: if returns { rest.duration().max(ends) } else { ends },
         airspeed: 0.0,
         goes_on: false,
+        ways_out: None,
     };
     fly(&sortie, None).outcome
 }

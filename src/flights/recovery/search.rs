@@ -149,6 +149,11 @@ impl<'a> Search<'a> {
         (recovery, branches, effort)
     }
 
+    /// The first way out after a fault at one instant, for the longest delay.
+    pub fn first(mut self, at: f64) -> Option<FoundBranch> {
+        self.at(at).branches.pop()
+    }
+
     /// Adds outcomes between two instants until those of neighbours are the same or [`RESOLUTION`] apart.
     fn changes(&mut self, before: (f64, Option<Way>), after: (f64, Option<Way>), found: &mut Vec<Found>) {
         if before.1 == after.1 || after.0 - before.0 <= RESOLUTION {

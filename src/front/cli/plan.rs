@@ -87,11 +87,8 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         results.page(|| {
             page::plans(PageKind::Plan, &subject(&task, &shown), comparison, &record, &task.capture_curves(&planning))
         });
-        let mut text = task.for_people(&planning, &explained, between.as_deref(), options.verbose);
-        if let Some(found) = &recovery {
-            text.gap();
-            text.extend(recovery::screen(task.model(), found, options.verbose));
-        }
+        let between = between.as_deref();
+        let text = task.for_people(&planning, &explained, between, recovery.as_ref(), options.verbose);
         results.print(&text)?;
         results.charts(&subject(&task, &[]), comparison)?;
         results.write()?;

@@ -95,7 +95,7 @@ impl<'a> Places<'a> {
         let mut results = Results::new(self);
         results.report(&record)?;
         results.page(|| page::plans(PageKind::Plan, &subject(task, &findings.diagnostics), comparison, &record, &[]));
-        results.print(&task.for_people(planning, &Explained::default(), None, options.verbose))?;
+        results.print(&task.for_people(planning, &Explained::default(), None, None, options.verbose))?;
         let why = "\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n";
         results.print(&Screen::of_text(why))?;
         results.write()?;

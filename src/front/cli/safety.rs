@@ -101,7 +101,7 @@ fn planned(task: &Task, watch: &Watch, options: &Options) -> Result<Result<Read,
     let mut planning = plan::plan(task, &Cancel::new(), watch)?;
     let between = task.model().plan.model == PlanModel::Hover;
     let Some(found) = task.recovery(&mut planning, between, watch).map_err(|e| e.to_string())? else {
-        files::print_screen(&task.for_people(&planning, &Explained::default(), None, options.verbose))?;
+        files::print_screen(&task.for_people(&planning, &Explained::default(), None, None, options.verbose))?;
         return Ok(Err(code_of(planning.verdict())));
     };
     watch.begins("making the certificate");

@@ -74,7 +74,7 @@ fn name_their_conflicts(cases: &[Case]) {
         let help = told.help.unwrap_or_default();
         match explanation.conflict.least_time {
             Some(_) => {
-                assert!(help.starts_with("no motion that keeps these statements alone takes less than"), "{help}")
+                assert!(help.starts_with("no motion that keeps these statements alone takes less than"), "{help}");
             }
             None => {
                 let unsure = help.contains("It was not shown that every one");

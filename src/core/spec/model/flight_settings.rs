@@ -128,6 +128,8 @@ pub enum AfterFault {
     Hold,
     /// Come to rest and descend on the spot.
     Land,
+    /// Take a way out, as `recovery` of the plan orders them.
+    Recovery,
 }
 
 impl AfterFault {
@@ -136,6 +138,7 @@ impl AfterFault {
             AfterFault::Continue => "continue",
             AfterFault::Hold => "hold",
             AfterFault::Land => "land",
+            AfterFault::Recovery => "recovery",
         }
     }
 }

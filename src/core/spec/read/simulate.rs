@@ -144,7 +144,7 @@ impl<'a> Reader<'a> {
         let controllers = [Controller::Geometric, Controller::Pd];
         let controller = self.fields.choice_or(cx, &table::CONTROLLER, CHOICE, &controllers, Controller::Geometric);
         let detection = self.detection(cx);
-        let reactions = [AfterFault::Continue, AfterFault::Hold, AfterFault::Land];
+        let reactions = [AfterFault::Continue, AfterFault::Hold, AfterFault::Land, AfterFault::Recovery];
         let after_fault = self.fields.choice_or(cx, &table::AFTER_FAULT, CHOICE, &reactions, AfterFault::Continue);
         let gains = self.gains(cx);
         let forgetting = self.forgetting(cx);

@@ -68,13 +68,13 @@ pub fn by_flight(t: &Contingency) -> String {
     let lost = t.hits + t.misses;
     match (Strength::of(t.phi()), t.phi()) {
         (Strength::Undefined, _) if t.total() == 0 => {
-            "No flight with a known outcome was struck by its fault: the prediction cannot be judged.".into()
+            "No flight with a known outcome was struck by its fault: the prediction of losses cannot be judged.".into()
         }
         (Strength::Undefined, _) if lost == 0 => {
-            "No flight was lost to a fault: the prediction cannot be judged.".into()
+            "No flight was lost to a fault: the prediction of losses cannot be judged.".into()
         }
         (Strength::Undefined, _) if lost == t.total() => {
-            "Every struck flight was lost: the prediction cannot be judged.".into()
+            "Every struck flight was lost: the prediction of losses cannot be judged.".into()
         }
         (strength, phi) => {
             let phi = phi.map_or(String::new(), |phi| format!(" (phi {})", fixed(phi, 2)));

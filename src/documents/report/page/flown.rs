@@ -281,6 +281,7 @@ pub fn section(record: &FlightRecord) -> Markup {
     ];
     let caption = html! {
         "Detection: " (detection(record.detection, record.detection_delay_s)) "; after a fault: " (record.after_fault)
+        @if let Some(way) = &record.way_out { "; " (way.words()) }
     };
     let rows = html! {
         @for fault in &record.faults {

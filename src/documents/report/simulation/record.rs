@@ -4,6 +4,7 @@
 use crate::flight::Cause;
 use crate::flight::{Flight, Outcome};
 use crate::model::{Model, Strike};
+use crate::number::fixed;
 use crate::planner::studies::MissionPlan;
 use crate::report::caveats::{Caveat, caveats};
 use crate::report::volumes::VolumeRecord;
@@ -98,6 +99,9 @@ pub struct FlightRecord {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub gave_up_yaw_at_s: Option<f64>,
+    /// With `after_fault = recovery`: the way out taken after the first fault; omitted if none was sought.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub way_out: Option<WayOutRecord>,
     /// The spin in the end; omitted unless yaw is given up then.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub spin: Option<SpinRecord>,
@@ -160,6 +164,28 @@ pub enum OutcomeRecord {
         #[cfg_attr(test, schemars(range(min = 0)))]
         at_s: f64,
     },
+}
+
+/// The way out of a flight after its first fault.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct WayOutRecord {
+    /// When the fault became known, s since the start.
+    #[cfg_attr(test, schemars(range(min = 0)))]
+    pub at_s: f64,
+    /// Where it leads, for people; null if none was found, so that the vehicle flew on as planned.
+    pub way: Option<String>,
+}
+
+impl WayOutRecord {
+    /// `way out from 30.1 s: landing at depot`
+    pub fn words(&self) -> String {
+        let at = fixed(self.at_s, 2);
+        match &self.way {
+            Some(way) => format!("way out from {at} s: {way}"),
+            None => format!("no way out was found at {at} s; it flew on as planned"),
+        }
+    }
 }
 
 /// The spin of a vehicle without control of yaw at the end of a flight.
@@ -249,6 +275,7 @@ impl FlightRecord {
             max_heading_error_after_rad: (!flight.found.is_empty()).then_some(flight.heading.max_after),
             turns: flight.heading.turns,
             gave_up_yaw_at_s: flight.gave_up_yaw_at,
+            way_out: flight.way_out.as_ref().map(|way| WayOutRecord { at_s: way.at, way: way.words.clone() }),
             spin: flight.spin.map(|spin| SpinRecord {
                 rate_rad_s: spin.rate,
                 settled: spin.is_settled,

@@ -1,6 +1,6 @@
 //! The short output of `mavc simulate`: how the flight ended, and what happened to it.
 
-use super::record::{FlightRecord, Flown, OutcomeRecord};
+use super::record::{FlightRecord, Flown, OutcomeRecord, WayOutRecord};
 use super::text::{
     DIVERGED, beyond_plan, duration, ending, heading, indistinguishable, length, loss, manner, no_fault, to_its_end,
     trespass,
@@ -61,6 +61,7 @@ pub fn screen(flown: &Flown) -> Screen {
             .gave_up_yaw_at_s
             .map(|at| format!("yaw given up at {} s; from then on no heading error counts as a loss", fixed(at, 2))),
     );
+    lines.extend(record.way_out.as_ref().map(WayOutRecord::words));
     lines.extend(record.regressor.as_ref().map(|_| {
         let refused = match record.refused_reconfigurations {
             0 => String::new(),

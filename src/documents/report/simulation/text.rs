@@ -52,6 +52,7 @@ pub fn text(flown: &Flown) -> String {
             fixed(seconds, 2)
         ));
     }
+    out.push_str(&record.way_out.as_ref().map_or(String::new(), |way| format!("  {}\n", way.words())));
     if let Some(at) = record.gave_up_yaw_at_s {
         out.push_str(&format!("  yaw given up at {} s: the heading no longer counts as a loss\n", fixed(at, 2)));
         out.push_str(&record.spin.as_ref().map_or(String::new(), |spin| indented(&ending(spin, model))));
@@ -143,6 +144,7 @@ pub(super) fn manner(model: &Model) -> String {
         AfterFault::Continue => "continues",
         AfterFault::Hold => "stops and holds",
         AfterFault::Land => "stops and lands",
+        AfterFault::Recovery => "takes a way out",
     };
     format!("{controller}, {allocation}, {detection}; after a fault it {after}{}", air_and_rate(model))
 }

@@ -21,7 +21,7 @@ impl Setting<'_> {
             .map(|(((&mode, set), out), provision)| match self.model().after_fault(mode) {
                 // No row says anything of such a fault.
                 _ if *provision == Provision::Capture => trajectory.duration(),
-                AfterFault::Hold | AfterFault::Land => self.without_stop(trajectory, set),
+                AfterFault::Hold | AfterFault::Land | AfterFault::Recovery => self.without_stop(trajectory, set),
                 AfterFault::Continue => out.committed(),
             })
             .collect()
