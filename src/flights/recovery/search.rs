@@ -103,7 +103,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The outcomes at instants up to [`super::apart`] from each other, and at those at which they change to [`RESOLUTION`].
+    /// The outcomes at instants that are [`super::apart`] from each other, and at those at which they change to
+    /// [`RESOLUTION`].
     pub fn all(mut self) -> (ModeRecovery, Vec<FoundBranch>, Effort) {
         let duration = self.plan.duration();
         let count = steps(duration);
