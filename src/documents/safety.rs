@@ -158,8 +158,8 @@ impl<'a> Case<'a> {
              harmless."
                 .into(),
             "mavc reads the spec as its author means it; the parts of mavc that certificates trust \
-             (docs/certificates.md, The checker alone) have no error; nor have the planner and the simulator that wrote \
-             report.json, which is compared with the spec and the certificate, and not proved."
+             (docs/certificates.md, The checker alone) have no error; nor have the planner and the simulator that \
+             wrote report.json, which is compared with the spec and the certificate, and not proved."
                 .into(),
         ]
     }

@@ -211,8 +211,8 @@ fn of_pairs(case: &Case) -> String {
     let q = &case.quantities;
     match (q.doubles().next(), q.two_strikes()) {
         (Some(_), Some(all)) => format!(
-            "Two modes strike in one mission, both where they are covered, with a probability of at most {} (strikes of \
-             two modes, covered or not: {}{})",
+            "Two modes strike in one mission, both where they are covered, with a probability of at most {} (strikes \
+             of two modes, covered or not: {}{})",
             short(q.both_covered(|spread| spread.high)),
             short(all),
             if q.interval.is_some() { " in the middle of the intervals of the rates" } else { "" }

@@ -278,8 +278,8 @@ impl Evidence {
     /// Reads a report, and compares it with the spec that it must be about. `shown` is of a certificate of its plan.
     ///
     /// # Errors
-    /// What is wrong with it: it is not a report with ways out, it is that of another spec, it contradicts the spec, the
-    /// certificate or itself ([`consistency`]), or it does not name the flights that failed.
+    /// What is wrong with it: it is not a report with ways out, it is that of another spec, it contradicts the spec,
+    /// the certificate or itself ([`consistency`]), or it does not name the flights that failed.
     pub fn read(problem: Problem, spec_sha256: &str, report: &[u8], shown: &Shown) -> Result<Self, String> {
         let (model, mission) = (problem.model(), problem.mission());
         let report: Report = serde_json::from_slice(report)

@@ -39,13 +39,13 @@ const FORMS: [&str; 4] = [
     "fmea.csv: a worksheet of failure modes and effects with the usual columns. S, O, D and RPN are the spec's and \
      belong to the mode; severity_class belongs to the row, and follows from its outcome. effect_s is the time of the \
      phase for which a strike has the outcome of the row; exposure_s is the part of it that counts as a loss of \
-     control, so it is effect_s or 0. The standard for such worksheets, IEC 60812:2018, was not read and is not quoted; \
-     conformity is not claimed.",
+     control, so it is effect_s or 0. The standard for such worksheets, IEC 60812:2018, was not read and is not \
+     quoted; conformity is not claimed.",
     "fha.csv: a list of functional hazards. mode_seconds is effect_s summed over the modes of the row; \
-     probability_per_mission is that one of them strikes then, in the middle of the intervals of the rates. Its columns \
-     and severity classes are mavc's, from no standard.",
-    "faulttree.xml: Open-PSA Model Exchange Format, version 2.0, as scram 0.16.2 reads it. A rate that is an interval is \
-     a uniform distribution over it: mavc's choice, because the spec gives the ends alone. scram takes its mean, or \
+     probability_per_mission is that one of them strikes then, in the middle of the intervals of the rates. Its \
+     columns and severity classes are mavc's, from no standard.",
+    "faulttree.xml: Open-PSA Model Exchange Format, version 2.0, as scram 0.16.2 reads it. A rate that is an interval \
+     is a uniform distribution over it: mavc's choice, because the spec gives the ends alone. scram takes its mean, or \
      draws from it.",
     "argument.svg and argument.json: Goal Structuring Notation; meant is the Community Standard, Version 3. Goals are \
      supported by goals, strategies and solutions, strategies by goals; both hold in contexts and assumptions.",
@@ -145,9 +145,9 @@ fn spec(case: &Case) -> Markup {
         }
         @if !case.set.is_empty() { p { "With --set: " (case.set.join(", ")) } }
         p {
-            "The files are those that were read, without byte order marks. The hash of the spec is the SHA-256 of these \
-             texts in this order, and then of the values of --set except plan.effort, each after its length in bytes as \
-             an integer of 8 bytes, the lowest first."
+            "The files are those that were read, without byte order marks. The hash of the spec is the SHA-256 of \
+             these texts in this order, and then of the values of --set except plan.effort, each after its length in bytes \
+             as an integer of 8 bytes, the lowest first."
         }
     }
 }
@@ -370,10 +370,11 @@ fn importance(case: &Case) -> Markup {
 }
 
 fn modes(case: &Case) -> Markup {
+    let of_modes = case.problem.model().modes.iter().zip(&case.evidence.modes);
     html! {
         table {
             tr { th { "mode" } th { "outcomes, s" } th { "uncovered, s" } th { "proved, s" } }
-            @for ((mode, evidence), why) in case.problem.model().modes.iter().zip(&case.evidence.modes).zip(&case.not_sought) {
+            @for ((mode, evidence), why) in of_modes.zip(&case.not_sought) {
                 tr {
                     td { (mode.name) }
                     td {

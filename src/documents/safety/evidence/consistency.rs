@@ -28,7 +28,7 @@ pub fn times(
     let nodes = nodes.filter(|nodes| nodes.len() == arrivals.len());
     let nodes = nodes.ok_or("the certificate has other waypoints")?;
     for (index, (at, node)) in arrivals.iter().zip(&nodes).enumerate() {
-        if !((at - node).abs() <= ROUNDING) {
+        if (at - node).abs() > ROUNDING {
             return Err(format!(
                 "it reaches waypoint {} at {} s, the plan of the certificate at {} s: write both in one run",
                 index + 1,
@@ -68,7 +68,7 @@ pub fn ways_out(model: &Model, recovery: &Recovery, duration: f64) -> Result<(),
     let open = recovery.modes.iter().enumerate().map(|(at, mode)| weight(at) * mode.uncovered_s).sum::<f64>();
     let all = (0..recovery.modes.len()).map(|at| weight(at) * duration).sum::<f64>();
     let share = if all > 0.0 { open / all } else { 0.0 };
-    if rates.is_some() != recovery.weighted || !((share - recovery.uncovered).abs() <= ROUNDING) {
+    if rates.is_some() != recovery.weighted || (share - recovery.uncovered).abs() > ROUNDING {
         return Err(format!(
             "its share without a way out is {}, that of its modes {}",
             number(recovery.uncovered),
@@ -83,7 +83,7 @@ fn of_mode(mode: &ModeOutcomes, delay: f64, duration: f64) -> Result<(), String>
     let name = &mode.name;
     let is_open = |piece: &&PieceOfReport| piece.outcome == OUTCOMES[OUTCOMES.len() - 1];
     let open: f64 = mode.pieces.iter().filter(is_open).map(|piece| piece.to_s - piece.from_s).sum();
-    if !((open - mode.uncovered_s).abs() <= ROUNDING) {
+    if (open - mode.uncovered_s).abs() > ROUNDING {
         return Err(format!(
             "{name} is uncovered for {} s, its pieces without a way out take {} s",
             number(mode.uncovered_s),
