@@ -146,8 +146,8 @@ fn spec(case: &Case) -> Markup {
         @if !case.set.is_empty() { p { "With --set: " (case.set.join(", ")) } }
         p {
             "The files are those that were read, without byte order marks. The hash of the spec is the SHA-256 of \
-             these texts in this order, and then of the values of --set except plan.effort, each after its length in bytes \
-             as an integer of 8 bytes, the lowest first."
+             these texts in this order, and then of the values of --set except plan.effort, each after its length in \
+             bytes as an integer of 8 bytes, the lowest first."
         }
     }
 }
