@@ -35,10 +35,7 @@ impl Task<'_> {
         let shown = Shown { plan: &plan, ways_out: &accepted.ways_out };
         let evidence = Evidence::read(self.problem(), self.spec().sha256(), inputs.report, &shown)
             .map_err(|why| format!("cannot use {REPORT}: {why}"))?;
-        let pieces = evidence.modes.iter().flat_map(|mode| &mode.pieces);
-        inputs
-            .must_hold(pieces.flat_map(|piece| &piece.branches))
-            .map_err(|why| format!("cannot use {REPORT}: {why}"))?;
+        inputs.must_hold(evidence.named.iter()).map_err(|why| format!("cannot use {REPORT}: {why}"))?;
         Ok(Case::new(self.problem(), self.spec(), evidence, inputs, accepted))
     }
 }

@@ -30,6 +30,8 @@ pub struct Evidence {
     /// Ways out that were flown in simulation, and how many of them ended as planned.
     pub flown: usize,
     pub survived: usize,
+    /// All ways out that the report names; a piece leaves out one that lies between failed ones.
+    pub named: Vec<String>,
     /// How many flights failed after a fault at an instant for which the certificate proves a way out.
     pub failed_where_proved: usize,
     /// For how long the certificate proves ways out, whether their flights failed or not, s, over all modes.
@@ -321,6 +323,7 @@ impl Evidence {
             instants: recovery.instants,
             flown: recovery.flown,
             survived: recovery.survived,
+            named: recovery.modes.into_iter().flat_map(|mode| mode.pieces).flat_map(|piece| piece.branches).collect(),
             failed_where_proved,
             families_s: shown.ways_out.iter().map(|covered| covered.seconds).fold(0.0, |all, seconds| all + seconds),
         })
