@@ -7,16 +7,19 @@ mod drawing;
 pub mod evidence;
 mod fault_tree;
 mod heights;
+pub mod inputs;
 mod page;
 pub mod quantities;
 mod worksheets;
 
 use crate::admissible::outcome::Outcome;
-use crate::flight::equilibrium::analyze_each;
+use crate::flight::equilibrium::{analyze_each, outcome_of};
 use crate::model::{Model, Problem, RotorState};
 use crate::number::{fixed, number, plural, significant};
+use crate::spec::Spec;
 use crate::verify::Accepted;
 use evidence::{Evidence, FAILED, ModeEvidence, Phase, Share};
+use inputs::{Inputs, SUMS, TABLES, Text};
 use quantities::{Quantities, Rated};
 use sha2::{Digest, Sha256};
 
@@ -25,15 +28,19 @@ pub struct Case<'a> {
     pub problem: Problem<'a>,
     pub spec_sha256: &'a str,
     pub evidence: Evidence,
-    /// The bytes of the report and of the certificate.
-    pub report: &'a [u8],
-    pub certificate: &'a [u8],
+    pub inputs: Inputs<'a>,
+    /// The texts of the spec.
+    pub texts: Vec<Text<'a>>,
+    /// The values of `--set`.
+    pub set: Vec<&'a str>,
     /// What the checker says of the certificate.
     pub accepted: &'a Accepted,
     pub quantities: Quantities,
     /// Two different modes in one mission, as indices into the model's modes, and what both together leave of the
     /// vehicle; `None` where a rotor has two faults whose joint effect the spec does not determine.
     pub pairs: Vec<([usize; 2], Option<Outcome>)>,
+    /// For each mode, why no way out was sought, if none was.
+    not_sought: Vec<Option<String>>,
 }
 
 /// The names of the report and the certificate in the folder.
@@ -56,12 +63,13 @@ pub const SEVERITIES: [(&str, &str, &str); 6] = [
 ];
 
 impl<'a> Case<'a> {
-    /// The case of a plan; `evidence` is read from `report` ([`Evidence::read`]).
+    /// The case of a plan; `evidence` is read from the report of `inputs` ([`Evidence::read`]), and `spec` is that of
+    /// `problem`.
     pub fn new(
         problem: Problem<'a>,
-        spec_sha256: &'a str,
+        spec: &'a Spec,
         evidence: Evidence,
-        [report, certificate]: [&'a [u8]; 2],
+        inputs: Inputs<'a>,
         accepted: &'a Accepted,
     ) -> Self {
         let model = problem.model();
@@ -70,11 +78,38 @@ impl<'a> Case<'a> {
         let counted = rated(model, &evidence, ModeEvidence::uncovered_within);
         let quantities = Quantities::new(counted, open.as_deref(), evidence.duration, model.plan.require_risk);
         let pairs = pairs(model);
-        Case { problem, spec_sha256, evidence, report, certificate, accepted, quantities, pairs }
+        let reasons = evidence.modes.iter().enumerate();
+        let not_sought =
+            reasons.map(|(mode, found)| Some(not_sought(model, mode, found.not_attempted.as_deref()?))).collect();
+        let (texts, set) = (inputs::texts(spec.sources()), inputs::set(spec.sources()));
+        Case {
+            problem,
+            spec_sha256: spec.sha256(),
+            evidence,
+            inputs,
+            texts,
+            set,
+            accepted,
+            quantities,
+            pairs,
+            not_sought,
+        }
     }
 
-    /// The files of the folder, by name.
+    /// The files of the folder, by name: those that follow from the spec and [`Case::inputs`], and these.
     pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, String> {
+        let mut files = self.derived()?;
+        files.extend(
+            [(REPORT, self.inputs.report), (CERTIFICATE, self.inputs.certificate)]
+                .map(|(name, bytes)| (name.to_string(), bytes.to_vec())),
+        );
+        files.extend(self.inputs.tables.iter().map(|(name, bytes)| (format!("{TABLES}/{name}"), bytes.clone())));
+        files.extend(self.inputs.sums().map(|text| (SUMS.to_string(), text.into_bytes())));
+        Ok(files)
+    }
+
+    /// The files that follow from the spec and [`Case::inputs`], by name.
+    pub fn derived(&self) -> Result<Vec<(String, Vec<u8>)>, String> {
         let json = |value: &serde_json::Value| serde_json::to_string_pretty(value).map(|text| text + "\n");
         let argument = argument::argument(self);
         let own: Vec<(&str, Vec<u8>)> = vec![
@@ -85,10 +120,9 @@ impl<'a> Case<'a> {
             ("argument.json", json(&argument.json(self)).map_err(|e| e.to_string())?.into_bytes()),
             ("argument.svg", drawing::svg(self, &argument).into_bytes()),
             ("index.html", page::page(self).into_bytes()),
-            (REPORT, self.report.to_vec()),
-            (CERTIFICATE, self.certificate.to_vec()),
         ];
-        Ok(own.into_iter().map(|(name, bytes)| (name.to_string(), bytes)).collect())
+        let texts = self.texts.iter().map(|text| (text.file.clone(), text.text.as_bytes().to_vec()));
+        Ok(own.into_iter().map(|(name, bytes)| (name.to_string(), bytes)).chain(texts).collect())
     }
 
     /// What is assumed; each line is a node of the argument and a row of the page.
@@ -123,8 +157,9 @@ impl<'a> Case<'a> {
             "The tolerances within which a certificate shows its statements (docs/certificates.md, The theorem) are \
              harmless."
                 .into(),
-            "mavc reads the spec as its author means it, and the parts of mavc that certificates trust \
-             (docs/certificates.md, The checker alone) have no error."
+            "mavc reads the spec as its author means it; the parts of mavc that certificates trust \
+             (docs/certificates.md, The checker alone) have no error; nor have the planner and the simulator that \
+             wrote report.json, which is compared with the spec and the certificate, and not proved."
                 .into(),
         ]
     }
@@ -157,6 +192,24 @@ impl<'a> Case<'a> {
         missing.map(|mode| mode.name.as_str()).collect()
     }
 
+    /// The names of all modes without a rate.
+    fn without_rate(&self) -> Vec<&'a str> {
+        self.problem.model().modes.iter().filter(|mode| mode.rate.is_none()).map(|mode| mode.name.as_str()).collect()
+    }
+
+    /// `35 of 93 simulated flights failed, 2 of them where the certificate proves a way out`
+    fn flights(&self) -> String {
+        let e = &self.evidence;
+        let where_proved = match e.failed_where_proved {
+            0 => String::new(),
+            count => format!(", {count} of them where the certificate proves a way out"),
+        };
+        match (e.flown, e.flown - e.survived) {
+            (0, _) => "no way out was found, so none was flown in simulation".into(),
+            (flown, failed) => format!("{failed} of {flown} simulated flights failed{where_proved}"),
+        }
+    }
+
     /// Whether the probability exceeds the target of the spec.
     pub fn exceeds_target(&self) -> bool {
         self.quantities.budget().is_some_and(|left| left < 0.0)
@@ -180,7 +233,7 @@ impl<'a> Case<'a> {
         };
         if let (Some(target), Some(left)) = (q.target, q.budget()) {
             let word = if left < 0.0 { "exceeds" } else { "meets" };
-            text += &format!("  {word} the target of the spec, {}: {} left\n", short(target), short(left));
+            text += &format!("  {word} the target of the spec, {}: {} left ({TARGET})\n", short(target), short(left));
         }
         if let Some([low, high]) = q.interval {
             text += &format!("  over the intervals of the rates: {} to {}\n", short(low), short(high));
@@ -201,6 +254,7 @@ impl<'a> Case<'a> {
             let mode = &self.model().modes[at].name;
             text += &format!("  {mode} on {}: {seconds} s uncovered, {p}\n", single.phase.label());
         }
+        text += &format!("  {}\n", self.flights());
         text += &format!("  certificate: {}\n", self.accepted.headline);
         for why in &self.accepted.weaker {
             text += &format!("  weaker than the spec requires: {why}\n");
@@ -213,13 +267,31 @@ fn has(count: usize) -> &'static str {
     if count == 1 { "has" } else { "have" }
 }
 
+/// What is compared with `require risk`.
+const TARGET: &str = "`require risk` bounds strikes while the mission is committed; compared is the loss of control";
+
+/// Why no way out was sought after a mode; `why` is the report's word for it.
+fn not_sought(model: &Model, mode: usize, why: &str) -> String {
+    let reason = match (why, outcome_of(model, mode)) {
+        ("caught", _) => "the vehicle has to be caught",
+        (_, Outcome::FliesOn) if model.vehicle.yaw_drag.is_none() => {
+            "hover needs yaw to be given up, and the spec has no yaw_drag"
+        }
+        (_, Outcome::FliesOn) => "hover needs yaw to be given up",
+        (_, Outcome::FullControl) => "hover has no margin with the reserve",
+        (_, Outcome::Lost) => "hover is lost",
+        (_, Outcome::Caught | Outcome::NoMargin | Outcome::Undecided) => "hover has no margin",
+    };
+    format!("none sought: {reason}")
+}
+
 /// A probability or a rate for people.
 fn short(p: f64) -> String {
     if p == 0.0 { "0".into() } else { format!("{p:.3e}") }
 }
 
 /// SHA-256 in hexadecimal digits.
-fn sha256(bytes: &[u8]) -> String {
+pub fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
 }
 

@@ -157,6 +157,16 @@ const APART: f64 = 0.5;
 /// The number of instants that are looked at first in long plans. Chosen by hand.
 const FINE: f64 = 160.0;
 
+/// How many steps the instants that are looked at first divide a plan of this duration (s) into.
+fn steps(duration: f64) -> f64 {
+    (duration / APART).ceil().clamp(1.0, FINE)
+}
+
+/// How far these instants are apart, s.
+pub fn apart(duration: f64) -> f64 {
+    duration / steps(duration)
+}
+
 /// The times at which outcomes change are bisected to this, s.
 pub const RESOLUTION: f64 = 0.05;
 

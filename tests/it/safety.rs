@@ -321,6 +321,247 @@ fn each_broken_link_is_reported_where_it_is() {
     }
 }
 
+/// A report that contradicts the certificate, the spec or itself is refused, and the message names it.
+#[test]
+fn a_report_that_contradicts_itself_or_the_certificate_is_refused() {
+    let folder = assessed();
+    let (folder, out) = (folder.path(), folder.path().join("out"));
+    let report = json(&out, "report.json");
+    let modes = report["recovery"]["modes"].as_array().unwrap();
+    let has_none = |mode: &Value| mode["pieces"].as_array().unwrap().iter().any(|piece| piece["outcome"] == "none");
+    let open = modes.iter().position(has_none).unwrap();
+    let refused = |why: &str, change: &dyn Fn(&mut Value)| {
+        let mut forged = report.clone();
+        change(&mut forged);
+        assert_ne!(forged, report, "{why}");
+        write(folder, "forged.json", &forged.to_string());
+        let args = ["--report", "forged.json", "--certificate", "out/certificate.json"];
+        let (code, text, errors) = mavc_in(folder, &[&["safety", "field.mav", "-o", "forged"], &args[..]].concat());
+        assert!(
+            code == 2 && errors.contains("cannot use report.json") && errors.contains(why),
+            "{why}: {text}{errors}"
+        );
+        assert!(!folder.join("forged").exists());
+    };
+    let pieces = |report: &mut Value, change: &dyn Fn(&mut Vec<Value>)| {
+        change(report["recovery"]["modes"][open]["pieces"].as_array_mut().unwrap());
+    };
+    let without_gaps = |report: &mut Value| pieces(report, &|all| all.retain(|piece| piece["outcome"] != "none"));
+    // The sums of an honest report, so that only what is tested contradicts them.
+    let summed = |report: &mut Value| {
+        let recovery = &mut report["recovery"];
+        let all = recovery["modes"].as_array_mut().unwrap();
+        for mode in all.iter_mut() {
+            let none = mode["pieces"].as_array().unwrap().iter().filter(|piece| piece["outcome"] == "none");
+            let sum: f64 = none.map(|piece| piece["to_s"].as_f64().unwrap() - piece["from_s"].as_f64().unwrap()).sum();
+            mode["uncovered_s"] = Value::from(sum);
+        }
+        let open: f64 = all.iter().map(|mode| mode["uncovered_s"].as_f64().unwrap()).sum();
+        recovery["uncovered"] = Value::from(open / (12.0 * all.len() as f64));
+    };
+    // Without the times that have no way out, and with the next ones over these times.
+    refused("s, the plan at 12 s", &|forged| without_gaps(forged));
+    // A hole beside a time without a way out, an overlap, and an end before that of the plan.
+    for (member, by, why) in [
+        ("from_s", 0.01, "do not follow each other"),
+        ("from_s", -0.01, "do not follow each other"),
+        ("to_s", -1.0, "end at 11 s, the plan at 12 s"),
+    ] {
+        refused(why, &|forged| {
+            pieces(forged, &|all| {
+                let last = all.last_mut().unwrap();
+                assert_eq!(last["outcome"], "none", "the spec gave another mission");
+                last[member] = Value::from(last[member].as_f64().unwrap() + by);
+            });
+            summed(forged);
+        });
+    }
+    refused("do not cover the time from 0 to", &|forged| {
+        without_gaps(forged);
+        pieces(forged, &|all| {
+            let mut reached = 0.0;
+            for piece in all.iter_mut() {
+                piece["from_s"] = Value::from(reached);
+                reached = piece["to_s"].as_f64().unwrap();
+            }
+            all.last_mut().unwrap()["to_s"] = Value::from(12.0);
+        });
+        summed(forged);
+    });
+    refused("its share without a way out", &|forged| forged["recovery"]["uncovered"] = Value::from(0.001));
+    refused("is uncovered for 0 s", &|forged| forged["recovery"]["modes"][open]["uncovered_s"] = Value::from(0.0));
+    refused("it reaches waypoint 2 at", &|forged| {
+        let waypoints = forged["planners"].as_array_mut().unwrap().last_mut().unwrap();
+        let at = &mut waypoints["waypoints"][1]["at_s"];
+        *at = Value::from(at.as_f64().unwrap() + 0.5);
+    });
+    refused("its plan takes 13 s, that of the certificate 12 s", &|forged| {
+        forged["planners"].as_array_mut().unwrap().last_mut().unwrap()["time_s"] = Value::from(13.0);
+    });
+    refused("not those of the spec", &|forged| forged["recovery"]["detection_s"] = serde_json::json!([0.05]));
+    refused("ways out, and counts", &|forged| {
+        for count in ["flown", "survived"] {
+            let counted = forged["recovery"][count].as_u64().unwrap();
+            forged["recovery"][count] = Value::from(counted + 1);
+        }
+    });
+    refused("says that none was sought", &|forged| {
+        forged["recovery"]["modes"][open]["not_attempted"] = Value::from("no hover");
+    });
+}
+
+/// The folder has the spec, and says of what its hash is; a copy of the spec gives the same assessment.
+#[test]
+fn the_folder_identifies_its_spec_and_its_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    std::fs::create_dir_all(folder.join("missions")).unwrap();
+    let vehicle = &SPEC[SPEC.find("vehicle").unwrap()..SPEC.find("faults").unwrap()];
+    let spec = SPEC.replace(vehicle, "use \"../octo.mav\"\n");
+    write(folder, "octo.mav", vehicle);
+    write(folder, "missions/field.mav", &spec);
+    let set = "plan.reserve=11%";
+    let assess = |spec: &str, out: &str, more: &[&str]| {
+        let (code, text, errors) =
+            mavc_in(folder, &[&["safety", spec, "-o", out, "--set", set, "--set", "plan.effort=quick"], more].concat());
+        assert_eq!(code, 0, "{text}{errors}");
+        text
+    };
+    assess("missions/field.mav", "out", &[]);
+    let out = folder.join("out");
+    let quantities = json(&out, "quantities.json");
+    assert_eq!(quantities["set"], serde_json::json!([set, "plan.effort=quick"]));
+    let files: Vec<&str> =
+        quantities["spec"].as_array().unwrap().iter().map(|text| text["file"].as_str().unwrap()).collect();
+    assert_eq!(files, ["spec/missions/field.mav", "spec/octo.mav"]);
+    let page = read(&out, "index.html");
+    let mut whole = Sha256::new();
+    let hex = |hash: Sha256| hash.finalize().iter().map(|b| format!("{b:02x}")).collect::<String>();
+    for (name, text) in [(files[0], spec.as_str()), (files[1], vehicle)] {
+        assert_eq!(read(&out, name), text);
+        let own = hex(Sha256::new_with_prefix(text));
+        assert!(page.contains(&own), "{name}");
+    }
+    for text in [spec.as_str(), vehicle, set] {
+        whole.update((text.len() as u64).to_le_bytes());
+        whole.update(text);
+    }
+    let whole = hex(whole);
+    assert!(quantities["spec_sha256"] == whole.as_str() && page.contains(&whole));
+    let version = mavc_in(folder, &["--version"]).1;
+    let mut facts = version.lines();
+    let number = facts.next().unwrap().trim_start_matches("mavc ");
+    let commit = facts.next().unwrap().split_once("commit").unwrap().1.trim();
+    assert_eq!(quantities["written_by"], format!("{number}, commit {commit}"));
+    assert!(page.contains(&format!("{number}, commit {commit}")));
+
+    // The copy is the spec, and a copy that was edited is reported.
+    assess("out/spec/missions/field.mav", "out", &["--check"]);
+    write(&out, "spec/octo.mav", &vehicle.replace("2.3 kg", "2.4 kg"));
+    let args = ["safety", "missions/field.mav", "-o", "out", "--set", set, "--check", "-q"];
+    let (code, _, errors) = mavc_in(folder, &args);
+    assert!(code == 5 && errors.contains("mavc: spec/octo.mav: does not follow"), "{errors}");
+}
+
+/// Files that the others are written from are compared with the hashes that the folder states.
+#[test]
+fn a_changed_report_certificate_or_table_is_named() {
+    let folder = assessed();
+    let (folder, out) = (folder.path(), folder.path().join("out"));
+    let check = || mavc_in(folder, &["safety", "field.mav", "-o", "out", "--check", "-q"]);
+    let (code, text, _) = check();
+    assert!(
+        code == 0 && text.starts_with("8 files follow from the spec, report.json and certificate.json\n"),
+        "{text}"
+    );
+    assert!(text.contains("report.json itself is not proved"), "{text}");
+
+    // The tables of the worksheet are in the folder, as `plan --branches` writes them.
+    let sheet = rows(&read(&out, "fmea.csv"));
+    let tables: BTreeSet<&str> = sheet.iter().flat_map(|row| row["provision"].split_whitespace()).collect();
+    assert!(tables.len() > 4, "{tables:?}");
+    let index = rows(&read(&out, "branches/index.csv"));
+    assert_eq!(index.iter().map(|row| row["file"].as_str()).collect::<BTreeSet<_>>(), tables);
+    assert!(text.contains(&format!("{} files in branches", tables.len() + 1)), "{text}");
+    // With a certificate, as here: ways out that leave room for a proof are then sought first.
+    mavc_in(folder, &["plan", "field.mav", "--branches", "planned", "--certificate", "c.json", "-q"]);
+    let table = format!("branches/{}", tables.first().unwrap());
+    assert!(read(&out, &table) == read(&folder.join("planned"), tables.first().unwrap()), "{table}");
+
+    for name in ["report.json", "certificate.json", "branches/SHA256SUMS", &table] {
+        let text = read(&out, name);
+        for changed in [format!("{text} "), text.replacen('1', "2", 1), String::new()] {
+            write(&out, name, &changed);
+            let (code, _, errors) = check();
+            let due = format!("mavc: {name}: changed since the folder was written");
+            assert!(code == 5 && errors.contains(&due) && !errors.contains("does not follow"), "{errors}");
+        }
+        std::fs::remove_file(out.join(name)).unwrap();
+        let (code, _, errors) = check();
+        assert!(code == 5 && errors.contains(&format!("mavc: {name}: cannot read")), "{errors}");
+        write(&out, name, &text);
+    }
+    assert_eq!(check().0, 0);
+    // Where every file states the hash of a forged report, the report is refused.
+    let forged = read(&out, "report.json").replace("\"detection_s\": [", "\"detection_s\": [0.05, ");
+    let hash = |text: &str| Sha256::digest(text).iter().map(|b| format!("{b:02x}")).collect::<String>();
+    let honest = hash(&read(&out, "report.json"));
+    write(&out, "report.json", &forged);
+    for name in DERIVED {
+        write(&out, name, &read(&out, name).replace(&honest, &hash(&forged)));
+    }
+    let (code, _, errors) = check();
+    assert!(code == 5 && errors.contains("cannot use report.json: its delays"), "{errors}");
+}
+
+/// Sentences hold for a spec with fewer than two rates and with intervals.
+#[test]
+fn sentences_are_true_with_few_rates_and_with_intervals() {
+    let folder = assessed();
+    let out = folder.path().join("out");
+    let (page, argument) = (read(&out, "index.html"), read(&out, "argument.json"));
+    let quantities = json(&out, "quantities.json");
+    assert_eq!(quantities["modes_without_rate"], serde_json::json!(["ice"]));
+    for text in
+        ["board (with a rate), ice (without a rate)", "of 1 pair of modes with rates", "2 more pairs have a mode"]
+    {
+        assert!(page.contains(text), "{text}: {page}");
+    }
+    assert!(argument.contains("ice is uncovered for ") && argument.contains("is unknown, because it has no rate"));
+    assert!(!argument.contains("covered throughout"));
+
+    // The bound of a mode is that of its highest rate.
+    let uncovered = quantities["modes"][0]["uncovered_s"].as_f64().unwrap() / 3600.0;
+    let of = |rate: f64| format!("{:.3e}", rate * uncovered);
+    let bound = format!("M1 strikes where it is uncovered with a probability of at most {}", of(1.5e-5));
+    assert!(argument.contains(&bound), "{bound}: {argument}");
+    assert!(argument.contains(&format!("{} in the middle of the interval of its rate", of(1e-5))), "{argument}");
+
+    // Both strike: without regard to cover more often than both where they are covered.
+    let two = &quantities["two_modes_strike"];
+    let p = |member: &str| two[member].as_f64().unwrap();
+    let hours = 12.0 / 3600.0;
+    assert!((p("per_mission") / (1e-5 * hours * 2e-6 * hours) - 1.0).abs() < 1e-6);
+    assert!(p("both_where_covered_at_most") < p("per_mission"));
+    assert!(
+        argument.contains(&format!("{:.3e}", p("per_mission"))) && page.contains(&format!("{:.3e}", p("per_mission")))
+    );
+
+    // No more is saved by a second than there is.
+    for mode in quantities["modes"].as_array().unwrap() {
+        let open = mode["uncovered_s"].as_f64().unwrap().min(1.0);
+        let saved = mode["saved_by_a_second_more_covered"].as_f64().unwrap();
+        assert!((saved - mode["rate_per_h"].as_f64().unwrap() * open / 3600.0).abs() <= 1e-8 * saved, "{mode}");
+    }
+    let flights = &quantities["flights"];
+    let [flown, failed] = ["flown", "failed"].map(|member| flights[member].as_f64().unwrap());
+    let share = flights["largest_share_of_failures_at_95_percent"].as_f64().unwrap();
+    assert!(failed / flown < share && share < 1.0, "{flights}");
+    if failed == 0.0 {
+        assert!((share - (1.0 - 0.05_f64.powf(1.0 / flown))).abs() < 1e-12, "{flights}");
+    }
+}
+
 /// A vehicle beside its landing site, for which nearly every way out is proved between the instants too.
 const PROVED: &str = r#"
 vehicle octo {
@@ -420,6 +661,11 @@ fn a_way_out_whose_simulated_flight_failed_is_no_cover() {
     assert!(names.iter().all(|name| !provisions(false).contains(name)));
     let argument = read(&folder.join("failed"), "argument.json");
     assert!(argument.contains(&format!("{seconds:.2} s of it because simulated flights failed")), "{argument}");
+    let flights = &after["flights"];
+    assert!(flights["failed"] == 2 && flights["failed_where_a_way_out_is_proved"] == 2, "{flights}");
+    let flown = &flights["flown"];
+    let counted = format!("2 of {flown} simulated flights failed, 2 of them where the certificate proves a way out");
+    assert!(text.contains(&counted) && read(&folder.join("failed"), "index.html").contains(&counted), "{text}");
 }
 
 #[test]
@@ -439,7 +685,11 @@ fn the_argument_uses_ways_out_that_the_certificate_proves() {
     let checked = of("M1", "checked at the instants looked at, and simulated");
     assert!((of("M1", "proved at every instant, and simulated") - proved).abs() < 1e-9);
     assert!((checked + proved - 6.0).abs() < 1e-9, "{checked}");
-    assert!((of("M2", "not attempted: hover has no margin") - 6.0).abs() < 1e-9);
+    assert!((of("M2", "none sought: hover is lost") - 6.0).abs() < 1e-9);
+    // One reason in one wording.
+    for name in ["index.html", "argument.json"] {
+        assert!(read(&out, name).contains("none sought: hover is lost"), "{name}");
+    }
 
     let argument = json(&out, "argument.json");
     let texts = |kind: &str| -> Vec<String> {
@@ -482,6 +732,7 @@ fn the_target_of_the_spec_decides_the_exit_code() {
         let (code, text, errors) = mavc_in(folder.path(), &["safety", "field.mav", "-o", "out"]);
         assert_eq!(code, expected, "{text}{errors}");
         assert!(text.contains(&format!("{word} the target of the spec")), "{text}");
+        assert!(text.contains("compared is the loss of control"), "{text}");
         let left = json(&folder.path().join("out"), "quantities.json")["left_of_target"].as_f64().unwrap();
         assert_eq!(left < 0.0, word == "exceeds");
     }
@@ -501,6 +752,13 @@ fn without_rates_there_are_cut_sets_and_no_probability() {
     assert_eq!(json(&out, "quantities.json")["cut_sets"].as_array().unwrap().len(), cut_sets.len());
     let doubles = cut_sets.iter().filter(|set| set.len() == 2).count();
     assert!(doubles == 3 && cut_sets.len() > 3, "{cut_sets:?}");
+    assert_eq!(json(&out, "quantities.json")["modes_without_rate"], serde_json::json!(["M1", "board", "ice"]));
+    let page = read(&out, "index.html");
+    let singles = format!("{} single cut sets in all", cut_sets.len() - doubles);
+    assert!(
+        page.contains("By time, because no mode has a rate: M1 on the leg to") && page.contains(&singles),
+        "{page}"
+    );
 }
 
 /// Refused before the search.

@@ -2,8 +2,8 @@
 
 use super::tasks::Task;
 use crate::certificate::{Certificate, Claim, PlanClaim};
-use crate::number::number;
 use crate::safety::evidence::{Evidence, Shown};
+use crate::safety::inputs::Inputs;
 use crate::safety::{CERTIFICATE, Case, MOST_MODES, REPORT, counted};
 use crate::verify::Accepted;
 
@@ -23,31 +23,20 @@ impl Task<'_> {
         Ok(())
     }
 
-    /// The case of this spec. `report` is that of `mavc plan --recovery`, and `accepted` what the checker says of
-    /// `certificate`; both are JSON.
+    /// The case of this spec. The report of `inputs` is that of `mavc plan --recovery`, and `accepted` what the checker
+    /// says of their certificate.
     ///
     /// # Errors
     /// Which of the two is wrong, and why: it is not the JSON that it must be, is of another spec, names what the spec
     /// does not have, or the two are of different plans. Or the spec has too many modes for a fault tree.
-    pub fn safety_case<'a>(
-        &'a self,
-        report: &'a [u8],
-        certificate: &'a [u8],
-        accepted: &'a Accepted,
-    ) -> Result<Case<'a>, String> {
+    pub fn safety_case<'a>(&'a self, inputs: Inputs<'a>, accepted: &'a Accepted) -> Result<Case<'a>, String> {
         self.fits_fault_tree()?;
-        let plan = plan_of(certificate).map_err(|why| format!("cannot use {CERTIFICATE}: {why}"))?;
+        let plan = plan_of(inputs.certificate).map_err(|why| format!("cannot use {CERTIFICATE}: {why}"))?;
         let shown = Shown { plan: &plan, ways_out: &accepted.ways_out };
-        let evidence = Evidence::read(self.problem(), self.spec().sha256(), report, &shown)
+        let evidence = Evidence::read(self.problem(), self.spec().sha256(), inputs.report, &shown)
             .map_err(|why| format!("cannot use {REPORT}: {why}"))?;
-        let end = plan.motion.times_s.last().copied();
-        if end != Some(evidence.duration) {
-            let [end, duration] = [end.unwrap_or(f64::NAN), evidence.duration].map(number);
-            return Err(format!(
-                "cannot use {CERTIFICATE}: its plan takes {end} s, that of {REPORT} {duration} s: write both in one run"
-            ));
-        }
-        Ok(Case::new(self.problem(), self.spec().sha256(), evidence, [report, certificate], accepted))
+        inputs.must_hold(evidence.named.iter()).map_err(|why| format!("cannot use {REPORT}: {why}"))?;
+        Ok(Case::new(self.problem(), self.spec(), evidence, inputs, accepted))
     }
 }
 

@@ -126,7 +126,11 @@ pub fn argument(case: &Case) -> Argument {
     let (model, q) = (case.problem.model(), &case.quantities);
     let mission = &case.problem.mission().name;
     let vehicle = &model.vehicle.name;
-    let hashes = [sha256(case.report), sha256(case.certificate), sha256(super::fault_tree::open_psa(case).as_bytes())];
+    let hashes = [
+        sha256(case.inputs.report),
+        sha256(case.inputs.certificate),
+        sha256(super::fault_tree::open_psa(case).as_bytes()),
+    ];
     let [report, certificate, tree] = &hashes;
     let mut argument = Argument::default();
     let target = match (q.target, q.budget()) {
@@ -149,7 +153,7 @@ pub fn argument(case: &Case) -> Argument {
             None => format!("It is known for each declared fault whether {vehicle} finds a way out on {mission}"),
         },
     );
-    let spec = argument.add(Kind::Context, format!("spec, SHA-256 {}", case.spec_sha256));
+    let spec = argument.add(Kind::Context, format!("spec, hash {} (index.html, of what)", case.spec_sha256));
     argument.hold(root, spec);
     let lost = argument.add(Kind::Context, LOST);
     argument.hold(root, lost);
@@ -193,20 +197,33 @@ pub fn argument(case: &Case) -> Argument {
             argument.solve(goal, "faulttree.xml", tree, &format!(", gate {name}-uncovered"));
         }
     }
-    let two: f64 = q.doubles().map(|(_, p)| p).sum();
-    let pairs = argument.add(
-        Kind::Goal,
-        match q.doubles().next() {
-            Some(_) => format!("Two modes strike in one mission with a probability of at most {}", short(two)),
-            None => "Two modes do not strike in one mission".into(),
-        },
-    );
+    let pairs = argument.add(Kind::Goal, of_pairs(case));
     argument.support(strategy, pairs);
     match q.doubles().next() {
         Some(_) => argument.solve(pairs, "faulttree.xml", tree, ", gates of two modes"),
         None => argument.nodes[pairs].undeveloped = true,
     }
     argument
+}
+
+/// The goal of two modes in one mission.
+fn of_pairs(case: &Case) -> String {
+    let q = &case.quantities;
+    match (q.doubles().next(), q.two_strikes()) {
+        (Some(_), Some(all)) => format!(
+            "Two modes strike in one mission, both where they are covered, with a probability of at most {} (strikes \
+             of two modes, covered or not: {}{})",
+            short(q.both_covered(|spread| spread.high)),
+            short(all),
+            if q.interval.is_some() { " in the middle of the intervals of the rates" } else { "" }
+        ),
+        (None, Some(_)) => {
+            "Where two modes strike in one mission, one of them is uncovered: its own goal counts it".into()
+        }
+        (_, None) => {
+            "The probability of two modes in one mission is unknown, because fewer than two have a rate".into()
+        }
+    }
 }
 
 /// The goal of a mode, and whether its support is missing.
@@ -225,23 +242,29 @@ fn of_mode(case: &Case, mode: usize) -> (String, bool) {
     }
     let [open, failed, all] =
         [evidence.uncovered(), evidence.with_outcome(FAILED), case.evidence.duration].map(|s| fixed(s, 2));
-    let singles = case.quantities.singles().filter(|(of, _)| *of == mode);
-    let p: f64 = singles.map(|(_, single)| single.probability).sum();
-    let why = match evidence.not_attempted.as_deref() {
-        Some("caught") => "; it has to be caught, so none was sought".into(),
-        Some(_) => "; hover has no margin, so none was sought".into(),
+    let why = match &case.not_sought[mode] {
+        Some(why) => format!("; {why}"),
         None if evidence.with_outcome(FAILED) > 0.0 => format!("; {failed} s of it because simulated flights failed"),
         None => String::new(),
     };
-    match case.problem.model().modes[mode].rate {
-        Some(_) => {
+    match case.quantities.uncovered_of(mode) {
+        Some([high, middle]) => {
+            let middle = match high > middle {
+                true => format!(", {} in the middle of the interval of its rate", short(middle)),
+                false => String::new(),
+            };
             let text = format!(
-                "{name} strikes where it is uncovered with a probability of at most {} a mission ({open} of {all} \
-                 s{why})",
-                short(p)
+                "{name} strikes where it is uncovered with a probability of at most {} a mission{middle} ({open} of \
+                 {all} s{why})",
+                short(high)
             );
             (text, false)
         }
-        None => (format!("{name} is covered throughout; {open} of {all} s are not, and it has no rate{why}"), true),
+        None => {
+            let text = format!(
+                "{name} is uncovered for {open} of {all} s; its probability is unknown, because it has no rate{why}"
+            );
+            (text, true)
+        }
     }
 }

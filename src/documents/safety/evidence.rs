@@ -1,6 +1,8 @@
 //! What the report of `mavc plan --recovery` and the certificate say of each mode, compared with the spec: for which
 //! part of the mission a fault has which outcome, and how that is known.
 
+mod consistency;
+
 use super::{SEVERITIES, heights};
 use crate::certificate::{FamilyRecord, PlanClaim, WayRecord};
 use crate::model::{Mission, Problem};
@@ -28,6 +30,12 @@ pub struct Evidence {
     /// Ways out that were flown in simulation, and how many of them ended as planned.
     pub flown: usize,
     pub survived: usize,
+    /// All ways out that the report names; a piece leaves out one that lies between failed ones.
+    pub named: Vec<String>,
+    /// How many flights failed after a fault at an instant for which the certificate proves a way out.
+    pub failed_where_proved: usize,
+    /// For how long the certificate proves ways out, whether their flights failed or not, s, over all modes.
+    pub families_s: f64,
 }
 
 /// A leg of the mission, or a hold.
@@ -216,19 +224,22 @@ struct Recovery {
     detection_s: Vec<f64>,
     within_s: f64,
     instants: usize,
+    uncovered: f64,
+    weighted: bool,
     flown: usize,
     survived: usize,
     modes: Vec<ModeOutcomes>,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 struct ModeOutcomes {
     name: String,
     not_attempted: Option<String>,
     pieces: Vec<PieceOfReport>,
+    uncovered_s: f64,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 struct PieceOfReport {
     from_s: f64,
     to_s: f64,
@@ -239,7 +250,7 @@ struct PieceOfReport {
     failed: Vec<FailedFlight>,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 struct FailedFlight {
     branch: String,
     from_s: f64,
@@ -269,8 +280,8 @@ impl Evidence {
     /// Reads a report, and compares it with the spec that it must be about. `shown` is of a certificate of its plan.
     ///
     /// # Errors
-    /// What is wrong with it: it is not a report with ways out, it is that of another spec, it names modes, sites or
-    /// times that the spec does not have, or it does not name the flights that failed.
+    /// What is wrong with it: it is not a report with ways out, it is that of another spec, it contradicts the spec,
+    /// the certificate or itself ([`consistency`]), or it does not name the flights that failed.
     pub fn read(problem: Problem, spec_sha256: &str, report: &[u8], shown: &Shown) -> Result<Self, String> {
         let (model, mission) = (problem.model(), problem.mission());
         let report: Report = serde_json::from_slice(report)
@@ -279,12 +290,10 @@ impl Evidence {
             return Err("it is the report of another spec: plan this spec again".into());
         }
         let plan = report.planners.last().and_then(|planner| Some((planner.time_s?, &planner.waypoints)));
-        let (duration, waypoints) = plan.ok_or("it has no plan")?;
+        let (reported, waypoints) = plan.ok_or("it has no plan")?;
         let recovery = report.recovery.ok_or("it has no ways out: write it with `mavc plan --recovery`")?;
-        if waypoints.len() != mission.waypoints.len() {
-            return Err("its waypoints are not those of the spec".into());
-        }
         let arrivals: Vec<f64> = waypoints.iter().map(|waypoint| waypoint.at_s).collect();
+        let (duration, arrivals) = consistency::times(&shown.plan.motion, mission, reported, &arrivals)?;
         let mut phases = phases(mission, &arrivals, duration)?;
         for phase in &mut phases {
             phase.heights = heights::of(&shown.plan.motion, phase.from, phase.to);
@@ -297,22 +306,35 @@ impl Evidence {
         if recovery.survived + failed != recovery.flown {
             return Err("it does not name every simulated flight that failed: plan this spec again".into());
         }
+        let failed_where_proved = recovery.modes.iter().map(|mode| failed_within(mode, &shown.families(&mode.name)));
+        let failed_where_proved = failed_where_proved.sum();
         let of_mode = |mode: ModeOutcomes| {
             let families = shown.families(&mode.name);
             of_mode(mission, mode, duration).map(|mode| proved(mode, &families))
         };
-        let modes = recovery.modes.into_iter().map(of_mode);
+        let modes = recovery.modes.iter().cloned().map(of_mode).collect::<Result<_, _>>()?;
+        consistency::ways_out(model, &recovery, duration)?;
         Ok(Evidence {
             duration,
             phases,
-            modes: modes.collect::<Result<_, _>>()?,
+            modes,
             detection: recovery.detection_s,
             within: recovery.within_s,
             instants: recovery.instants,
             flown: recovery.flown,
             survived: recovery.survived,
+            named: recovery.modes.into_iter().flat_map(|mode| mode.pieces).flat_map(|piece| piece.branches).collect(),
+            failed_where_proved,
+            families_s: shown.ways_out.iter().map(|covered| covered.seconds).fold(0.0, |all, seconds| all + seconds),
         })
     }
+}
+
+/// How many flights of a mode failed after a fault at an instant that one of these families has.
+fn failed_within(mode: &ModeOutcomes, families: &[&FamilyRecord]) -> usize {
+    let is_within = |at: f64| families.iter().any(|family| (family.from_s - NAMED..=family.to_s + NAMED).contains(&at));
+    let failed = mode.pieces.iter().flat_map(|piece| &piece.failed);
+    failed.filter(|flight| struck_at(&flight.branch).is_some_and(is_within)).count()
 }
 
 /// Legs and holds between the arrivals at waypoints.
@@ -356,9 +378,16 @@ fn of_mode(mission: &Mission, found: ModeOutcomes, duration: f64) -> Result<Mode
         if let Some(site) = piece.site.iter().find(|site| sites.iter().all(|known| known.name != **site)) {
             return Err(format!("it lands {name} at `{site}`, which is not a landing site of the spec"));
         }
-        let is_next = piece.from_s >= reached - ROUNDING && piece.from_s <= reached + RESOLUTION + ROUNDING;
+        // Instants with different ways out may be this far apart; beside a time without one there is no hole.
+        let is_between_ways = outcome < NONE && pieces.last().is_some_and(|before| before.outcome < NONE);
+        let most = if is_between_ways { RESOLUTION } else { 0.0 };
+        let is_next = piece.from_s >= reached - ROUNDING && piece.from_s <= reached + most + ROUNDING;
         if !(is_next && piece.to_s >= piece.from_s) {
-            return Err(format!("the outcomes of {name} do not follow each other at {} s", number(piece.from_s)));
+            return Err(format!(
+                "the outcomes of {name} do not follow each other: one ends at {} s, the next begins at {} s",
+                number(reached),
+                number(piece.from_s)
+            ));
         }
         for part in parts(name, piece, outcome)? {
             // The outcome changes somewhere between two instants that were looked at: the worse one counts for all

@@ -210,8 +210,8 @@ impl Tree<'_, '_> {
     fn attributes(&self) -> String {
         let one = |name: &str, value: &str| format!("    <attribute name=\"{name}\" value=\"{value}\"/>\n");
         one("spec_sha256", self.case.spec_sha256)
-            + &one(&format!("{}_sha256", REPORT.trim_end_matches(".json")), &sha256(self.case.report))
-            + &one("certificate_sha256", &sha256(self.case.certificate))
+            + &one(&format!("{}_sha256", REPORT.trim_end_matches(".json")), &sha256(self.case.inputs.report))
+            + &one("certificate_sha256", &sha256(self.case.inputs.certificate))
             + &one("mission_s", &written(self.case.evidence.duration))
     }
 }

@@ -55,6 +55,37 @@ pub struct Quantities {
 /// as it is written: 1e-5 1/h is not 1e-5 after a change of units and back.
 const DIGITS: usize = 15;
 
+/// The share of a sample that is wrong of a bound of 95 %.
+const WRONG: f64 = 0.05;
+
+/// Halvings of the interval from 0 to 1, to more digits than are shown.
+const HALVINGS: usize = 60;
+
+/// The largest share of failures, at 95 % confidence, with which this many of some flights fail, if flights are
+/// independent and alike: the upper bound of Clopper and Pearson (1934). Without a failure nearly 3/n.
+pub fn largest_share(failed: usize, flown: usize) -> f64 {
+    if failed >= flown {
+        return 1.0;
+    }
+    let n = flown as f64;
+    // The probability of at most as many failures. Terms are logarithms, because the first one may be below f64.
+    let at_most = |p: f64| {
+        let mut term = n * (-p).ln_1p();
+        let mut sum = term.exp();
+        for k in 0..failed {
+            term += ((n - k as f64) / (k as f64 + 1.0)).ln() + p.ln() - (-p).ln_1p();
+            sum += term.exp();
+        }
+        sum
+    };
+    let [mut low, mut high] = [failed as f64 / n, 1.0];
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if at_most(middle) > WRONG { low = middle } else { high = middle }
+    }
+    high
+}
+
 /// Hours below this are rounding of a difference, h.
 const NO_TIME: f64 = 1e-12;
 
@@ -164,9 +195,35 @@ impl Quantities {
         self.probability.map_or(0.0, |p| p - loss(&others, self.duration, |_| 1.0))
     }
 
-    /// By how much the probability falls if the mode is covered for one more second.
+    /// By how much the probability falls if the mode is covered for one more second, or for all of its uncovered time
+    /// if that is less.
     pub fn saved_by_a_second(&self, at: usize) -> f64 {
-        exponential(self.rated[at].rate_per_h, 1.0 / 3600.0)
+        let one = &self.rated[at];
+        let open = one.exposed.iter().map(|(_, seconds)| seconds).sum::<f64>();
+        exponential(one.rate_per_h, hours(open.min(1.0)))
+    }
+
+    /// The probability that two or more modes strike in one mission, covered or not; `None` with fewer than two rates.
+    pub fn two_strikes(&self) -> Option<f64> {
+        let always = |one: &Rated| Rated { exposed: Vec::new(), ..one.clone() };
+        let all: Vec<Rated> = self.rated.iter().map(always).collect();
+        (all.len() > 1).then(|| loss(&all, self.duration, |_| 1.0))
+    }
+
+    /// A bound on the probability that two modes strike, both where they are covered: the sum over the pairs, with
+    /// `scale` of the spread of the rates.
+    pub fn both_covered(&self, scale: impl Fn(Spread) -> f64) -> f64 {
+        let strikes = |one: &Rated| exponential(one.rate_per_h * scale(one.spread), one.covered_h(self.duration));
+        let each: Vec<f64> = self.rated.iter().map(strikes).collect();
+        each.iter().enumerate().map(|(at, p)| each[at + 1..].iter().map(|other| p * other).sum::<f64>()).sum()
+    }
+
+    /// A bound on the probability that a mode of the model strikes where it is uncovered: the sum over the phases, with
+    /// the highest rate of its interval and with the middle one. `None` without a rate.
+    pub fn uncovered_of(&self, mode: usize) -> Option<[f64; 2]> {
+        let one = self.rated.iter().find(|one| one.mode == mode)?;
+        let at = |rate: f64| one.exposed.iter().map(|(_, seconds)| exponential(rate, hours(*seconds))).sum::<f64>();
+        Some([at(one.interval()[1]), at(one.rate_per_h)])
     }
 }
 
@@ -209,8 +266,14 @@ pub fn record(case: &Case) -> Value {
     });
     json!({
         "spec_sha256": case.spec_sha256,
-        "report_sha256": super::sha256(case.report),
-        "certificate_sha256": super::sha256(case.certificate),
+        "spec": case.texts.iter().map(|text| {
+            json!({"file": text.file, "sha256": super::sha256(text.text.as_bytes())})
+        }).collect::<Vec<_>>(),
+        "set": case.set,
+        "written_by": case.inputs.written_by,
+        "report_sha256": super::sha256(case.inputs.report),
+        "certificate_sha256": super::sha256(case.inputs.certificate),
+        "branches_sha256": case.inputs.tables_sha256(),
         "mission_s": q.duration,
         "loss_of_control": {
             "per_mission": q.probability,
@@ -220,7 +283,18 @@ pub fn record(case: &Case) -> Value {
         },
         "target_per_mission": q.target,
         "left_of_target": q.budget(),
-        "modes_without_rate": case.unrated(),
+        "two_modes_strike": {
+            "per_mission": q.two_strikes(),
+            "both_where_covered_at_most": (!q.rated.is_empty()).then(|| q.both_covered(|_| 1.0)),
+        },
+        "flights": {
+            "flown": case.evidence.flown,
+            "failed": case.evidence.flown - case.evidence.survived,
+            "failed_where_a_way_out_is_proved": case.evidence.failed_where_proved,
+            "largest_share_of_failures_at_95_percent":
+                largest_share(case.evidence.flown - case.evidence.survived, case.evidence.flown),
+        },
+        "modes_without_rate": case.without_rate(),
         "modes": modes.collect::<Vec<_>>(),
         "cut_sets": cut_sets,
         "severities": SEVERITIES.iter().map(|(outcome, effect, word)| {
@@ -314,6 +388,32 @@ mod tests {
             let [closed, summed] = [loss(&rated, 1800.0, |_| 1.0), enumerated(&rated, 1800.0)];
             assert!((closed / summed - 1.0).abs() < 1e-12, "{scale}: {closed} {summed}");
         }
+    }
+
+    /// The rule of three, and the bound of 1 failure in 10 in tables: 39.4 %.
+    #[test]
+    fn shares_of_failures_are_those_of_tables() {
+        assert!((largest_share(0, 166) - (1.0 - 0.05_f64.powf(1.0 / 166.0))).abs() < 1e-12);
+        assert!((largest_share(1, 10) - 0.3942).abs() < 1e-4);
+        assert!((largest_share(600, 1097) - 0.5720).abs() < 1e-3, "{}", largest_share(600, 1097));
+        assert_eq!(largest_share(3, 3), 1.0);
+    }
+
+    #[test]
+    fn a_second_more_saves_no_more_than_there_is() {
+        let q = Quantities::new(vec![mode(1e-5, 0.25), mode(1e-5, 90.0)], None, 1800.0, None);
+        assert_eq!(q.saved_by_a_second(0), exponential(1e-5, hours(0.25)));
+        assert_eq!(q.saved_by_a_second(1), exponential(1e-5, hours(1.0)));
+    }
+
+    /// Two modes strike more often than both where they are covered.
+    #[test]
+    fn two_strikes_count_uncovered_ones_too() {
+        let q = Quantities::new(vec![mode(1e-2, 900.0), mode(2e-2, 0.0)], None, 1800.0, None);
+        let [both, all] = [q.both_covered(|_| 1.0), q.two_strikes().unwrap()];
+        let p = |rate: f64, seconds: f64| exponential(rate, hours(seconds));
+        assert!((both / (p(1e-2, 900.0) * p(2e-2, 1800.0)) - 1.0).abs() < 1e-12);
+        assert!((all / (p(1e-2, 1800.0) * p(2e-2, 1800.0)) - 1.0).abs() < 1e-12);
     }
 
     #[test]

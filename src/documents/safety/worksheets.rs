@@ -1,6 +1,6 @@
 //! The FMEA worksheet and the list of functional hazards, as CSV (RFC 4180).
 
-use super::evidence::{FAILED, ModeEvidence, NONE, Phase, Share};
+use super::evidence::{FAILED, NONE, Phase, Share};
 use super::quantities::{exponential, hours, rounded};
 use super::{Case, SEVERITIES, item, local_effect};
 use crate::admissible::outcome::Outcome;
@@ -63,7 +63,7 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
     let count = |n: Option<u8>| n.map(|n| n.to_string()).unwrap_or_default();
     let in_hover: Vec<Outcome> = (0..model.modes.len()).map(|mode| outcome_of(model, mode)).collect();
     for (index, phase, shares) in case.shares() {
-        let (mode, evidence) = (&model.modes[index], &case.evidence.modes[index]);
+        let mode = &model.modes[index];
         let item = item(model, index);
         for share in shares {
             let (_, effect, severity) = SEVERITIES[share.outcome];
@@ -89,7 +89,7 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
                 shortest(phase.to),
                 shortest(rounded(share.seconds)),
                 shortest(if share.outcome >= FAILED { rounded(share.seconds) } else { 0.0 }),
-                basis(evidence, &share).into(),
+                basis(case.not_sought[index].as_deref(), &share).into(),
                 case.spec_sha256.into(),
             ])?;
         }
@@ -98,10 +98,9 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
 }
 
 /// How an outcome is known.
-fn basis(mode: &ModeEvidence, share: &Share) -> &'static str {
-    match (mode.not_attempted.as_deref(), share) {
-        (Some("caught"), _) => "not attempted: the vehicle has to be caught",
-        (Some(_), _) => "not attempted: hover has no margin",
+fn basis<'a>(not_sought: Option<&'a str>, share: &Share) -> &'a str {
+    match (not_sought, share) {
+        (Some(why), _) => why,
         (None, Share { outcome: NONE, .. }) => "not found at the instants looked at",
         (None, Share { outcome: FAILED, .. }) => "found at an instant, but its simulated flight failed",
         (None, Share { is_proved: true, .. }) => "proved at every instant, and simulated",

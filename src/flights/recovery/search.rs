@@ -3,7 +3,7 @@
 mod families;
 
 use super::carry::{Carried, carry, quiet};
-use super::{APART, FINE, FoundBranch, ModeRecovery, NearMiss, Piece, RESOLUTION, Way};
+use super::{FoundBranch, ModeRecovery, NearMiss, Piece, RESOLUTION, Way, steps};
 use crate::admissible::without_yaw::planned::Provision;
 use crate::admissible::{AdmissibleSet, trimmed};
 use crate::cancel;
@@ -103,10 +103,11 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The outcomes at instants up to [`APART`] from each other, and at those at which they change to [`RESOLUTION`].
+    /// The outcomes at instants that are [`super::apart`] from each other, and at those at which they change to
+    /// [`RESOLUTION`].
     pub fn all(mut self) -> (ModeRecovery, Vec<FoundBranch>, Effort) {
         let duration = self.plan.duration();
-        let count = (duration / APART).ceil().clamp(1.0, FINE);
+        let count = steps(duration);
         let mut found: Vec<Found> = Vec::new();
         for k in 0..=count as usize {
             let next = self.at(duration * k as f64 / count);

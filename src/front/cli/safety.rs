@@ -1,5 +1,7 @@
 //! `mavc safety`: writes the files of a safety assessment, or checks them.
 
+mod check;
+
 use super::progress::Watch;
 use super::results::{Names, Places, Results, is_folder, json};
 use super::spec::{self, Start};
@@ -12,13 +14,21 @@ use crate::model::PlanModel;
 use crate::observer::{Observer, timed};
 use crate::pipeline::{Explained, Task, certify, verify_within, with_ways_out};
 use crate::read::FlightBlocks;
-use crate::report::recovery::RecoveryRecord;
-use crate::safety::{CERTIFICATE, REPORT};
+use crate::report::recovery::{self, RecoveryRecord};
+use crate::safety::CERTIFICATE;
+use crate::safety::inputs::{Inputs, version};
 use crate::verify::{Rejected, TOO_COSTLY};
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 
-/// A report and a certificate.
-type Pair = [Vec<u8>; 2];
+/// What the files are written from: a report, its certificate, and the tables of its ways out, if they are known.
+struct Read {
+    report: Vec<u8>,
+    certificate: Vec<u8>,
+    tables: Vec<(String, Vec<u8>)>,
+    /// The version that wrote the folder.
+    written_by: String,
+}
 
 pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
     is_folder(&args.output)?;
@@ -30,17 +40,21 @@ pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
         Start::Ended(code) => return Ok(code),
     };
     task.fits_fault_tree()?;
-    let [report, certificate] = match (&args.report, &args.certificate) {
+    let read = match (&args.report, &args.certificate) {
         (Some(report), Some(certificate)) => read([report, certificate])?,
-        _ if args.check => read([&args.output.join(REPORT), &args.output.join(CERTIFICATE)])?,
+        _ if args.check => match check::read(&args.output) {
+            Some(read) => read,
+            None => return Ok(REJECTED),
+        },
         _ => match planned(&task, &watch, options)? {
-            Ok(pair) => pair,
+            Ok(read) => read,
             Err(code) => return Ok(code),
         },
     };
+    let Read { report, certificate, tables, written_by } = &read;
     let budget = args.budget.unwrap_or_default();
     watch.begins("checking the certificate");
-    let accepted = match timed(&watch, "verify", || verify_within(budget, CERTIFICATE, &certificate, task.spec())) {
+    let accepted = match timed(&watch, "verify", || verify_within(budget, CERTIFICATE, certificate, task.spec())) {
         Ok(accepted) => accepted,
         Err(Rejected { diagnostic, sources }) => {
             let code = if diagnostic.code == TOO_COSTLY { OVER_BUDGET } else { REJECTED };
@@ -48,14 +62,24 @@ pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
             return Ok(code);
         }
     };
-    let case = task.safety_case(&report, &certificate, &accepted)?;
-    let made = case.files()?;
+    let case = match task.safety_case(Inputs { report, certificate, tables, written_by }, &accepted) {
+        Ok(case) => case,
+        Err(why) if args.check => return Ok(check::rejected(&why)),
+        Err(why) => return Err(why),
+    };
     if args.check {
-        return check(&args.output, &made);
+        return check::compare(&args.output, &case.derived()?, &case.inputs);
     }
     let places = Places::new(Names::default())?;
     let mut results = Results::new(&places);
-    results.folder("a file of the assessment", "-o", &args.output, made, task.spec().sources())?;
+    let mut folders: BTreeMap<PathBuf, Vec<(String, Vec<u8>)>> = BTreeMap::new();
+    for (name, bytes) in case.files()? {
+        let (folder, file) = name.rsplit_once('/').unwrap_or(("", &name));
+        folders.entry(args.output.join(folder)).or_default().push((file.into(), bytes));
+    }
+    for (folder, files) in folders {
+        results.folder("a file of the assessment", "-o", &folder, files, task.spec().sources())?;
+    }
     results.write()?;
     results.hint(&case.text(), &Options { quiet: false, ..*options })?;
     results.note("Assessment", Some(&args.output.join("index.html")), options)?;
@@ -66,14 +90,14 @@ pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
     })
 }
 
-fn read(names: [&std::path::PathBuf; 2]) -> Result<Pair, CommandError> {
+fn read(names: [&PathBuf; 2]) -> Result<Read, CommandError> {
     let [report, certificate] = names.map(|name| files::read_spec(&name.display().to_string(), MAX_BYTES));
-    Ok([report?, certificate?])
+    Ok(Read { report: report?, certificate: certificate?, tables: Vec::new(), written_by: version() })
 }
 
 /// Plans, looks for ways out, and certifies; an exit code if there is no plan or no certificate of it. Ways out are
 /// proved in the hover model only: in the exact one few are found, in more than the time of all the rest.
-fn planned(task: &Task, watch: &Watch, options: &Options) -> Result<Result<Pair, u8>, CommandError> {
+fn planned(task: &Task, watch: &Watch, options: &Options) -> Result<Result<Read, u8>, CommandError> {
     let mut planning = plan::plan(task, &Cancel::new(), watch)?;
     let between = task.model().plan.model == PlanModel::Hover;
     let Some(found) = task.recovery(&mut planning, between, watch).map_err(|e| e.to_string())? else {
@@ -90,31 +114,6 @@ fn planned(task: &Task, watch: &Watch, options: &Options) -> Result<Result<Pair,
     };
     let mut report = task.report(&planning, &Explained::default(), None);
     report.recovery = Some(RecoveryRecord::new(task.model(), &found));
-    Ok(Ok([json(&report)?.into_bytes(), certificate]))
-}
-
-/// Compares the files of a folder with those that follow from the spec, the report and the certificate.
-fn check(folder: &Path, made: &[(String, Vec<u8>)]) -> Result<u8, CommandError> {
-    let mut differ = 0;
-    for (name, bytes) in made {
-        let path = folder.join(name);
-        let there = files::read_spec(&path.display().to_string(), MAX_BYTES);
-        if let Some(why) = match there {
-            Ok(there) if there == *bytes => None,
-            Ok(_) => {
-                Some("does not follow from the spec, the report and the certificate: write the folder again".into())
-            }
-            Err(why) => Some(why),
-        } {
-            differ += 1;
-            files::eprint(&format!("mavc: {name}: {why}\n"));
-        }
-    }
-    match differ {
-        0 => {
-            files::print(&format!("{} files follow from the spec, the report and the certificate\n", made.len()))?;
-            Ok(FINE)
-        }
-        _ => Ok(REJECTED),
-    }
+    let tables = recovery::files(task.problem(), &found)?;
+    Ok(Ok(Read { report: json(&report)?.into_bytes(), certificate, tables, written_by: version() }))
 }

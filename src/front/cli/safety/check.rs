@@ -1,0 +1,109 @@
+//! `mavc safety --check`: whether the files of a folder follow from the spec, the report and the certificate.
+
+use super::super::{CommandError, FINE, REJECTED, files};
+use super::Read;
+use crate::certificate::MAX_BYTES;
+use crate::safety::inputs::{Inputs, SUMS, TABLES, listed, version};
+use crate::safety::{CERTIFICATE, REPORT, sha256};
+use serde_json::Value;
+use std::path::Path;
+
+/// The files that state the hashes of the report and of the certificate.
+const STATING: [&str; 4] = ["quantities.json", "argument.json", "faulttree.xml", "index.html"];
+
+/// Prints what is wrong; the exit code.
+pub fn rejected(why: &str) -> u8 {
+    files::eprint(&format!("mavc: {why}\n"));
+    REJECTED
+}
+
+/// Reads what the files of a folder are written from. `None` after it has printed which file is missing, or has another
+/// hash than those that the folder states.
+pub fn read(folder: &Path) -> Option<Read> {
+    let stating: Vec<Vec<u8>> = STATING.iter().filter_map(|name| bytes(folder, name).ok()).collect();
+    let quantities: Option<Value> = bytes(folder, STATING[0]).ok().and_then(|text| serde_json::from_slice(&text).ok());
+    let stated = |member: &str| quantities.as_ref().and_then(|all| all[member].as_str());
+    // Where one file states it, another one was edited: it will not follow.
+    let is_stated = |hash: &str| {
+        let holds = |text: &Vec<u8>| text.windows(hash.len()).any(|part| part == hash.as_bytes());
+        stating.is_empty() || stating.iter().any(holds)
+    };
+    let of_input = |name: &str| match bytes(folder, name) {
+        Ok(there) if is_stated(&sha256(&there)) => Some(there),
+        Ok(_) => changed(name),
+        Err(why) => said(name, &why),
+    };
+    let [report, certificate] = [of_input(REPORT), of_input(CERTIFICATE)];
+    let has_tables = stated("branches_sha256").is_some() || folder.join(SUMS).exists();
+    let tables = match has_tables {
+        true => of_input(SUMS).and_then(|sums| tables(folder, &sums)),
+        false => Some(Vec::new()),
+    };
+    let written_by = stated("written_by").map_or_else(version, str::to_string);
+    Some(Read { report: report?, certificate: certificate?, tables: tables?, written_by })
+}
+
+/// The tables of ways out that a list of hashes names.
+fn tables(folder: &Path, sums: &[u8]) -> Option<Vec<(String, Vec<u8>)>> {
+    let Some(listed) = std::str::from_utf8(sums).ok().and_then(listed) else {
+        return said(SUMS, "it is not a list of hashes and names");
+    };
+    let table = |(hash, file): (&str, &str)| {
+        let name = format!("{TABLES}/{file}");
+        match bytes(folder, &name) {
+            Ok(there) if sha256(&there) == hash => Some((file.to_string(), there)),
+            Ok(_) => changed(&name),
+            Err(why) => said(&name, &why),
+        }
+    };
+    // All of them, so that each one that changed is reported.
+    let all: Vec<_> = listed.into_iter().map(table).collect();
+    all.into_iter().collect()
+}
+
+fn bytes(folder: &Path, name: &str) -> Result<Vec<u8>, CommandError> {
+    files::read_spec(&folder.join(name).display().to_string(), MAX_BYTES)
+}
+
+fn changed<T>(name: &str) -> Option<T> {
+    said(name, "changed since the folder was written")
+}
+
+fn said<T>(name: &str, why: &str) -> Option<T> {
+    rejected(&format!("{name}: {why}"));
+    None
+}
+
+/// Compares the files of a folder with those that follow from the spec and from `inputs`.
+pub fn compare(folder: &Path, derived: &[(String, Vec<u8>)], inputs: &Inputs) -> Result<u8, CommandError> {
+    let mut differ = 0;
+    for (name, due) in derived {
+        let why = match bytes(folder, name) {
+            Ok(there) if there == *due => continue,
+            Ok(_) => "does not follow from the spec, the report and the certificate: write the folder again".into(),
+            Err(why) => why,
+        };
+        differ += 1;
+        rejected(&format!("{name}: {why}"));
+    }
+    let own = version();
+    if differ > 0 {
+        if inputs.written_by != own {
+            let by = inputs.written_by;
+            files::eprint(&format!(
+                "mavc: the folder was written by mavc {by}; this is mavc {own}, which may differ\n"
+            ));
+        }
+        return Ok(REJECTED);
+    }
+    let tables = match inputs.tables.len() {
+        0 => String::new(),
+        count => format!("{count} files in {TABLES} are as they were written\n"),
+    };
+    files::print(&format!(
+        "{} files follow from the spec, {REPORT} and {CERTIFICATE}\n{tables}{REPORT} itself is not proved: run `mavc \
+         safety` again without `--report` to repeat the search\n",
+        derived.len()
+    ))?;
+    Ok(FINE)
+}
