@@ -150,7 +150,9 @@ pub fn argument(case: &Case) -> Argument {
                  mission{unrated}{target}",
                 with_interval(p, q.interval)
             ),
-            None => format!("It is known for each declared fault whether {vehicle} finds a way out on {mission}"),
+            None => {
+                format!("A way out of {vehicle} on {mission} was searched for after each declared fault, at instants")
+            }
         },
     );
     let spec = argument.add(Kind::Context, format!("spec, hash {} (index.html, of what)", case.spec_sha256));
@@ -254,8 +256,8 @@ fn of_mode(case: &Case, mode: usize) -> (String, bool) {
                 false => String::new(),
             };
             let text = format!(
-                "{name} strikes where it is uncovered with a probability of at most {} a mission{middle} ({open} of \
-                 {all} s{why})",
+                "{name} strikes where it is uncovered with a probability of at most {} a mission{middle}, if every way \
+                 out holds ({open} of {all} s{why})",
                 short(high)
             );
             (text, false)

@@ -281,7 +281,7 @@ impl Evidence {
     ///
     /// # Errors
     /// What is wrong with it: it is not a report with ways out, it is that of another spec, it contradicts the spec,
-    /// the certificate or itself ([`consistency`]), or it does not name the flights that failed.
+    /// the certificate or itself (its `consistency`), or it does not name the flights that failed.
     pub fn read(problem: Problem, spec_sha256: &str, report: &[u8], shown: &Shown) -> Result<Self, String> {
         let (model, mission) = (problem.model(), problem.mission());
         let report: Report = serde_json::from_slice(report)

@@ -217,7 +217,7 @@ impl Tree<'_, '_> {
 }
 
 /// The label of a tree without a way to fail.
-const NOTHING: &str = "no mode strikes where it is uncovered, and no two modes can strike";
+const NOTHING: &str = "no mode strikes where it is uncovered, and no two modes with rates can strike";
 
 fn basic(name: &str) -> String {
     format!("<basic-event name=\"{name}\"/>")

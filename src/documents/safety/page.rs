@@ -25,7 +25,8 @@ const NOT_COVERED: [&str; 12] = [
     "take-off and landing outside the waypoints of the mission",
     "faults during a way out, and after the end of the mission",
     "false alarms, and a fault that is taken for another one",
-    "how the result changes with the delay until a fault is known: the delays of the spec alone are looked at",
+    "how the result changes with the delay until a fault is known: only that of the spec, or else mavc's default, is \
+     looked at",
     "instants between those that were looked at, except where the certificate proves ways out",
     "causes of failures, and the source of rates",
     "failures of structure, battery, sensors, link, software and pilot, unless they are modes of the spec",
@@ -148,6 +149,10 @@ fn spec(case: &Case) -> Markup {
             "The files are those that were read, without byte order marks. The hash of the spec is the SHA-256 of \
              these texts in this order, and then of the values of --set except plan.effort, each after its length in \
              bytes as an integer of 8 bytes, the lowest first."
+        }
+        p {
+            "All files but report.json and certificate.json follow from these two and the spec. The certificate is \
+             verified; the report is not, and `mavc safety` without --report repeats its search."
         }
     }
 }
@@ -297,13 +302,16 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
         ("What of two faults in one mission?", doubles),
         (
             "How soon must a fault be known?",
-            format!("Within {detection}: assumed, not shown. An undetected fault is not covered."),
+            format!(
+                "Not covered: {detection}, of the spec or else mavc's default, is assumed and no other delay looked at. \
+                 An undetected fault is not covered."
+            ),
         ),
         (
             "On what do the ways out rest?",
             format!(
                 "A search at {} instants, each way out at most {} s long, flown once in simulation with the noise and \
-                 gusts of the spec: {}.{sample} The column basis of fmea.csv has it for each row; \
+                 gusts of the spec, or mavc's defaults where it is silent: {}.{sample} The column basis of fmea.csv has it for each row; \
                  its column provision names {tables}.",
                 e.instants,
                 number(e.within),

@@ -285,7 +285,7 @@ pub fn record(case: &Case) -> Value {
         "left_of_target": q.budget(),
         "two_modes_strike": {
             "per_mission": q.two_strikes(),
-            "both_where_covered_at_most": (!q.rated.is_empty()).then(|| q.both_covered(|_| 1.0)),
+            "both_where_covered_at_most": (q.rated.len() > 1).then(|| q.both_covered(|_| 1.0)),
         },
         "flights": {
             "flown": case.evidence.flown,
