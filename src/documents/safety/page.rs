@@ -311,8 +311,8 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
             "On what do the ways out rest?",
             format!(
                 "A search at {} instants, each way out at most {} s long, flown once in simulation with the noise and \
-                 gusts of the spec, or mavc's defaults where it is silent: {}.{sample} The column basis of fmea.csv has it for each row; \
-                 its column provision names {tables}.",
+                 gusts of the spec, or mavc's defaults where it is silent: {}.{sample} The column basis of fmea.csv \
+                 has it for each row; its column provision names {tables}.",
                 e.instants,
                 number(e.within),
                 case.flights(),
