@@ -303,8 +303,8 @@ fn questions(case: &Case) -> Vec<(&'static str, String)> {
         (
             "How soon must a fault be known?",
             format!(
-                "Not covered: {detection}, of the spec or else mavc's default, is assumed and no other delay looked at. \
-                 An undetected fault is not covered."
+                "Not covered: {detection}, of the spec or else mavc's default, is assumed and no other delay looked \
+                 at. An undetected fault is not covered."
             ),
         ),
         (
