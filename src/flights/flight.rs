@@ -357,9 +357,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 watch.gave_up_yaw = without_yaw.is_some();
                 gave_up_yaw_at = gave_up_yaw_at.or(without_yaw.as_ref().map(|_| t));
             }
-            // A false alarm before the first fault is not one that a way out is known for.
-            if let (true, None, AfterFault::Recovery) = (knowledge.fault_known, &way_out, simulation.after_fault)
-                && let (Some(ways), Some(strike)) = (sortie.ways_out, strikes.first().filter(|strike| strike.at <= t))
+            if let (true, None, AfterFault::Recovery) = (knowledge.first_is_known(), &way_out, simulation.after_fault)
+                && let (Some(ways), Some(strike)) = (sortie.ways_out, strikes.first())
             {
                 let found = (ways.find)(strike.mode, strike.at, t);
                 way_out = Some(TakenWay { at: t, words: found.as_ref().map(|way| way.words.clone()) });

@@ -271,8 +271,8 @@ fn the_command_shows_ways_out_and_writes_them() {
     assert!(listed > 8 && index.lines().count() == listed + 1, "{listed}\n{index}");
 }
 
-/// A simulated flight takes the first way out of the order: down on the site, or back to the plan; it flies on where none
-/// is found, or where the fault is not known.
+/// A simulated flight takes the first way out of the order: down on the site, or back to the plan; it flies on where
+/// none is found, or where the fault is not known.
 #[test]
 fn a_flight_takes_the_way_out() {
     let flown = |order: &str, within: &str, detection: &str| {

@@ -8,8 +8,8 @@ const CRANE: &str = "tests/specs/rest_to_rest/crane_x8.mav";
 mod thorough {
     use super::*;
 
-    /// The shortest time found, and times above it: each has a plan that the checker accepts. The kinematic bound is 50.15
-    /// s, and a plan of 57.92 s is known.
+    /// The shortest time found, and times above it: each has a plan that the checker accepts. The kinematic bound is
+    /// 50.15 s, and a plan of 57.92 s is known.
     #[test]
     #[ignore = "long"]
     fn a_mission_with_vertical_legs_around_a_crane_has_plans() {

@@ -351,29 +351,26 @@ impl<'s> Task<'s> {
     pub fn plan(&self, observer: &dyn Observer) -> Planning {
         let required = self.model().plan.require_capture;
         let height = required.and_then(|required| required.height);
-        let mut comparison = self.run(Scope::Plan, observer);
-        let cut_short = cancel::is_enough();
-        let mut detours = Vec::new();
-        if let Some(run) = comparison.runs.last() {
-            let (tried, shorter) = self.without_detours(run, observer);
-            detours = tried;
-            if let Some(shorter) = shorter {
-                detours = shorter.runs.last().map_or(Vec::new(), |run| self.untried(run));
-                comparison = shorter;
-            }
-        }
-        Planning {
+        let comparison = self.run(Scope::Plan, observer);
+        let mut planning = Planning {
             comparison,
             spec: self.spec.identity(),
             height,
             capture_heights: OnceLock::new(),
-            detours,
-            cut_short,
+            detours: Vec::new(),
+            cut_short: cancel::is_enough(),
+        };
+        if let Some(run) = planning.comparison.runs.last() {
+            match self.without_detours(run, observer) {
+                (_, Some(shorter)) => planning.replace(self, shorter),
+                (tried, None) => planning.detours = tried,
+            }
         }
+        planning
     }
 
-    /// Compares the planners and reports progress to an observer; see [`compare`]. The spec's planner has the plan of
-    /// [`Self::plan`] at its shortest time.
+    /// Compares the planners and reports progress to an observer; see [`compare`]. A shorter plan of the spec's planner
+    /// that is found without its detours counts, as in [`Self::plan`].
     pub fn compare(&self, observer: &dyn Observer) -> Comparison {
         let mut comparison = self.run(Scope::Everything, observer);
         let plan = &self.model().plan;

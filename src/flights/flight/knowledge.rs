@@ -198,6 +198,11 @@ impl<'a> Knowledge<'a> {
         true
     }
 
+    /// Whether the first fault has been detected; a false alarm before it does not count.
+    pub(super) fn first_is_known(&self) -> bool {
+        self.found.first().is_some_and(|found| found.detected_after.is_some())
+    }
+
     /// Records when faults are detected and isolated, and false alarms.
     fn keep_score(&mut self, t: f64) {
         while let Some(strike) = self.strikes.get(self.found.len()).filter(|s| s.at <= t + SAME_INSTANT) {
