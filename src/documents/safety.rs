@@ -10,6 +10,7 @@ mod heights;
 pub mod inputs;
 mod page;
 pub mod quantities;
+mod questions;
 mod worksheets;
 
 use crate::admissible::outcome::Outcome;
@@ -154,12 +155,12 @@ impl<'a> Case<'a> {
              the instants around it counts as a loss of control."
                 .into(),
             "A second fault in the same mission is a loss of control, because no way out is sought after it.".into(),
-            "The tolerances within which a certificate shows its statements (docs/certificates.md, The theorem) are \
-             harmless."
+            "The tolerances within which a certificate shows its statements (documentation of mavc, Certificates: The \
+             theorem) are harmless."
                 .into(),
-            "mavc reads the spec as its author means it; the parts of mavc that certificates trust \
-             (docs/certificates.md, The checker alone) have no error; nor have the planner and the simulator that \
-             wrote report.json, which is compared with the spec and the certificate, and not proved."
+            "mavc reads the spec as its author means it; the parts of mavc that certificates trust (documentation of \
+             mavc, Certificates: The checker alone) have no error; nor have the planner and the simulator that wrote \
+             report.json, which is compared with the spec and the certificate, and not proved."
                 .into(),
         ]
     }
@@ -185,16 +186,33 @@ impl<'a> Case<'a> {
         self.pairs.iter().map(|(pair, _)| *pair).filter(|pair| pair.iter().all(is_covered)).collect()
     }
 
-    /// The names of the modes without a rate, if others have one: what probabilities leave out.
-    fn unrated(&self) -> Vec<&'a str> {
+    /// The modes without a rate, if others have one: what the probabilities, the fault tree and its cut sets leave out.
+    fn left_out(&self) -> Vec<usize> {
         let is_quantified = !self.quantities.rated.is_empty();
-        let missing = self.model().modes.iter().filter(|mode| is_quantified && mode.rate.is_none());
-        missing.map(|mode| mode.name.as_str()).collect()
+        let modes = self.model().modes.iter().enumerate();
+        modes.filter(|(_, mode)| is_quantified && mode.rate.is_none()).map(|(index, _)| index).collect()
     }
 
-    /// The names of all modes without a rate.
-    fn without_rate(&self) -> Vec<&'a str> {
-        self.problem.model().modes.iter().filter(|mode| mode.rate.is_none()).map(|mode| mode.name.as_str()).collect()
+    /// What is said of the modes that are left out: `M2, M3 have no rate: left out of ...`
+    fn of_left_out(&self) -> Option<String> {
+        let left_out = self.left_out();
+        let names = self.names(&left_out);
+        let open: f64 = left_out.iter().map(|mode| self.evidence.modes[*mode].uncovered()).sum();
+        let all = self.evidence.duration * left_out.len() as f64;
+        (!left_out.is_empty()).then(|| {
+            format!(
+                "{names} {} no rate: left out of these numbers, of the fault tree and of its cut sets; uncovered for {} \
+                 of {} s x fault",
+                has(left_out.len()),
+                fixed(open, 2),
+                fixed(all, 2)
+            )
+        })
+    }
+
+    /// `M2, M3`
+    fn names(&self, modes: &[usize]) -> String {
+        modes.iter().map(|&mode| self.model().modes[mode].name.as_str()).collect::<Vec<_>>().join(", ")
     }
 
     /// `35 of 93 simulated flights failed, 2 of them where the certificate proves a way out`
@@ -241,9 +259,21 @@ impl<'a> Case<'a> {
         if let Some(p) = q.without_failures {
             text += &format!("  with ways out whose simulated flight failed taken for cover: {}\n", short(p));
         }
-        let unrated = self.unrated();
-        if !unrated.is_empty() {
-            text += &format!("  without {}, which {} no rate\n", unrated.join(", "), has(unrated.len()));
+        let over_all = |outcome: usize| self.evidence.modes.iter().map(|mode| mode.with_outcome(outcome)).sum::<f64>();
+        let [none, failed] = [evidence::NONE, FAILED].map(over_all);
+        let all = self.evidence.duration * self.evidence.modes.len() as f64;
+        text += &format!(
+            "  counted as lost: {} of {} s x fault, over all modes{}\n",
+            fixed(none + failed, 2),
+            fixed(all, 2),
+            if failed > 0.0 {
+                format!(", {} s of it because simulated flights failed", fixed(failed, 2))
+            } else {
+                String::new()
+            }
+        );
+        if let Some(left_out) = self.of_left_out() {
+            text += &format!("  {left_out}\n");
         }
         let [singles, doubles] = [q.singles().count(), q.doubles().count()];
         if q.probability.is_some() {

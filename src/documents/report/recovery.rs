@@ -7,6 +7,7 @@ use crate::flight::equilibrium::outcome_of;
 use crate::model::{Model, Problem};
 use crate::motion::Trajectory;
 use crate::number::{fixed, number, percent, plural, significant};
+use crate::recovery::flown::flight_seed;
 use crate::recovery::{Families, FoundBranch, ModeRecovery, NotAttempted, Piece, Recovery, Way};
 use crate::text_table::Table;
 use serde::Serialize;
@@ -256,9 +257,9 @@ fn failed<'a>(recovery: &'a Recovery, piece: &'a Piece) -> impl Iterator<Item = 
 /// The files of `--branches`: a table for each branch, in the form of the plan's, and `index.csv`.
 pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u8>)>, String> {
     let model = problem.model();
-    let mut index = String::from("file,mode,outcome,site,fault_s,delay_s,begins_s,ends_s,deviation_m\n");
+    let mut index = String::from("file,mode,outcome,site,fault_s,delay_s,begins_s,ends_s,deviation_m,seed\n");
     let mut files = Vec::with_capacity(recovery.branches.len() + 1);
-    for branch in &recovery.branches {
+    for (place, branch) in recovery.branches.iter().enumerate() {
         let name = branch_name(model, branch) + ".csv";
         let site = match branch.way {
             Way::LandAt(site) => site_name(model, site),
@@ -266,13 +267,14 @@ pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u
         };
         let begins = branch.fault_at + branch.delay;
         index.push_str(&format!(
-            "{name},{},{},{site},{},{},{begins},{},{}\n",
+            "{name},{},{},{site},{},{},{begins},{},{},{}\n",
             model.modes[branch.mode].name,
             outcome(Some(branch.way)),
             branch.fault_at,
             branch.delay,
             begins + branch.motion.duration(),
-            branch.deviation
+            branch.deviation,
+            flight_seed(model, place)
         ));
         files.push((name, trajectory_csv::table(&branch.motion, model, None)?.into_bytes()));
     }

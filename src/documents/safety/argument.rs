@@ -6,6 +6,7 @@
 //! circle; a goal or strategy without support is marked as undeveloped.
 
 use super::evidence::FAILED;
+use super::inputs::SUMS;
 use super::quantities::with_interval;
 use super::{CERTIFICATE, Case, REPORT, SEVERITIES, sha256, short};
 use crate::number::fixed;
@@ -138,9 +139,9 @@ pub fn argument(case: &Case) -> Argument {
         (Some(target), Some(_)) => format!("; the target {} is met", short(target)),
         _ => String::new(),
     };
-    let unrated = match case.unrated() {
-        none if none.is_empty() => String::new(),
-        some => format!(", {} left out for want of a rate", some.join(", ")),
+    let unrated = match &case.left_out()[..] {
+        [] => String::new(),
+        modes => format!(", {} left out for want of a rate", case.names(modes)),
     };
     let root = argument.add(
         Kind::Goal,
@@ -173,14 +174,9 @@ pub fn argument(case: &Case) -> Argument {
         argument.hold(plan, open);
     }
     for mode in 0..model.modes.len() {
-        let (text, undeveloped) = of_mode(case, mode);
-        let goal = argument.add(Kind::Goal, text);
+        let goal = argument.add(Kind::Goal, of_mode(case, mode));
         argument.support(strategy, goal);
         let name = &model.modes[mode].name;
-        if undeveloped {
-            argument.nodes[goal].undeveloped = true;
-            continue;
-        }
         let evidence = &case.evidence.modes[mode];
         let [proved, covered] = [evidence.proved(), evidence.covered()];
         if proved > 0.0 {
@@ -190,11 +186,22 @@ pub fn argument(case: &Case) -> Argument {
         let what = match () {
             () if covered == 0.0 => format!(": no way out after {name}"),
             () if proved < covered => {
-                format!(": ways out after {name}, checked at instants of {} s", fixed(covered - proved, 2))
+                let seconds = fixed(covered - proved, 2);
+                format!(
+                    ": ways out after {name}, checked at instants of {seconds} s, and each flown once in simulation"
+                )
             }
             () => format!(": outcomes of {name}"),
         };
         argument.solve(goal, REPORT, report, &what);
+        if let Some(tables) = case.inputs.tables_sha256().filter(|_| covered > 0.0) {
+            argument.solve(goal, SUMS, &tables, &format!(": the tables of the ways out after {name}"));
+        }
+        if evidence.uncovered() > 0.0 && model.modes[mode].rate.is_none() {
+            let unknown = argument.add(Kind::Goal, format!("The rate of {name} is known; the spec has none"));
+            argument.support(goal, unknown);
+            argument.nodes[unknown].undeveloped = true;
+        }
         if q.rated.iter().any(|one| one.mode == mode && !one.exposed.is_empty()) {
             argument.solve(goal, "faulttree.xml", tree, &format!(", gate {name}-uncovered"));
         }
@@ -228,8 +235,8 @@ fn of_pairs(case: &Case) -> String {
     }
 }
 
-/// The goal of a mode, and whether its support is missing.
-fn of_mode(case: &Case, mode: usize) -> (String, bool) {
+/// The goal of a mode.
+fn of_mode(case: &Case, mode: usize) -> String {
     let (name, evidence) = (&case.problem.model().modes[mode].name, &case.evidence.modes[mode]);
     if evidence.pieces.iter().all(|piece| piece.outcome < FAILED) {
         let mut found: Vec<usize> = evidence.pieces.iter().map(|piece| piece.outcome).collect();
@@ -240,7 +247,7 @@ fn of_mode(case: &Case, mode: usize) -> (String, bool) {
             true => "at every instant looked at",
             false => "at every instant",
         };
-        return (format!("{name} has a way out {when}: {}", words.join(", ")), false);
+        return format!("{name} has a way out {when}: {}", words.join(", "));
     }
     let [open, failed, all] =
         [evidence.uncovered(), evidence.with_outcome(FAILED), case.evidence.duration].map(|s| fixed(s, 2));
@@ -255,18 +262,12 @@ fn of_mode(case: &Case, mode: usize) -> (String, bool) {
                 true => format!(", {} in the middle of the interval of its rate", short(middle)),
                 false => String::new(),
             };
-            let text = format!(
+            format!(
                 "{name} strikes where it is uncovered with a probability of at most {} a mission{middle}, if every way \
                  out holds ({open} of {all} s{why})",
                 short(high)
-            );
-            (text, false)
+            )
         }
-        None => {
-            let text = format!(
-                "{name} is uncovered for {open} of {all} s; its probability is unknown, because it has no rate{why}"
-            );
-            (text, true)
-        }
+        None => format!("{name} is uncovered for {open} of {all} s{why}"),
     }
 }

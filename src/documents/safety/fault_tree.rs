@@ -76,11 +76,12 @@ impl Tree<'_, '_> {
         }
         let doubles: Vec<[usize; 2]> = q.doubles().map(|(pair, _)| pair).collect();
         self.pairs(&doubles);
-        for name in self.case.unrated() {
+        for mode in self.case.left_out() {
+            let name = self.name(mode).to_string();
             let _ = writeln!(
                 self.data,
                 "    <define-house-event name=\"{name}\">\n      <label>{name} has no rate in the spec: left out of \
-                 the probability</label>\n      <constant value=\"false\"/>\n    </define-house-event>"
+                 the tree</label>\n      <constant value=\"false\"/>\n    </define-house-event>"
             );
         }
     }
@@ -204,7 +205,11 @@ impl Tree<'_, '_> {
             true => "no mode of the spec is a common cause of several rotors".to_string(),
             false => format!("common causes of several rotors: {}", common.join(", ")),
         };
-        format!("Loss of control after a fault. {} The spec: {of_several}.", self.case.assumptions()[..6].join(" "))
+        let left_out = self.case.of_left_out().map_or(String::new(), |text| format!(" {text}."));
+        format!(
+            "Loss of control after a fault. {} The spec: {of_several}.{left_out}",
+            self.case.assumptions()[..6].join(" ")
+        )
     }
 
     fn attributes(&self) -> String {

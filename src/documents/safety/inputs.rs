@@ -17,7 +17,7 @@ pub const TABLES: &str = "branches";
 pub const SUMS: &str = "branches/SHA256SUMS";
 
 /// The folder of the texts of the spec.
-const SPEC: &str = "spec";
+pub const SPEC: &str = "spec";
 
 /// What the other files are written from, beside the spec.
 #[derive(Clone, Copy)]

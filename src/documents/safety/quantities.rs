@@ -6,7 +6,7 @@
 //! an event of the first kind occurs, or events of two modes. The shares of exposure are the times of exponential
 //! events rather than factors: this is exact for any rate, where a factor would be so for small ones.
 
-use super::evidence::{FAILED, Phase};
+use super::evidence::{FAILED, NONE, Phase};
 use super::{Case, SEVERITIES, short};
 use crate::model::Spread;
 use crate::number::shortest;
@@ -252,16 +252,19 @@ pub fn record(case: &Case) -> Value {
         true => without_rates(case, &event),
         false => singles.chain(doubles).collect(),
     };
-    let modes = q.rated.iter().enumerate().map(|(at, one)| {
+    let modes = case.evidence.modes.iter().enumerate().map(|(mode, evidence)| {
+        let rated = q.rated.iter().enumerate().find(|(_, one)| one.mode == mode);
         json!({
-            "mode": name(one.mode),
-            "rate_per_h": one.rate_per_h,
-            "rate_interval_per_h": (!one.spread.is_none()).then(|| one.interval()),
-            "uncovered_s": case.evidence.modes[one.mode].uncovered(),
-            "failed_flights_s": case.evidence.modes[one.mode].with_outcome(FAILED),
-            "proved_s": case.evidence.modes[one.mode].proved(),
-            "saved_if_it_never_strikes": q.saved_without(at),
-            "saved_by_a_second_more_covered": q.saved_by_a_second(at),
+            "mode": name(mode),
+            "in_fault_tree": q.rated.is_empty() || rated.is_some(),
+            "rate_per_h": rated.map(|(_, one)| one.rate_per_h),
+            "rate_interval_per_h": rated.filter(|(_, one)| !one.spread.is_none()).map(|(_, one)| one.interval()),
+            "uncovered_s": evidence.uncovered(),
+            "none_found_s": evidence.with_outcome(NONE),
+            "failed_flights_s": evidence.with_outcome(FAILED),
+            "proved_s": evidence.proved(),
+            "saved_if_it_never_strikes": rated.map(|(at, _)| q.saved_without(at)),
+            "saved_by_a_second_more_covered": rated.map(|(at, _)| q.saved_by_a_second(at)),
         })
     });
     json!({
@@ -294,7 +297,6 @@ pub fn record(case: &Case) -> Value {
             "largest_share_of_failures_at_95_percent":
                 largest_share(case.evidence.flown - case.evidence.survived, case.evidence.flown),
         },
-        "modes_without_rate": case.without_rate(),
         "modes": modes.collect::<Vec<_>>(),
         "cut_sets": cut_sets,
         "severities": SEVERITIES.iter().map(|(outcome, effect, word)| {
@@ -352,7 +354,7 @@ mod tests {
     use super::*;
 
     fn phase() -> Phase {
-        Phase { kind: PhaseKind::Leg, waypoint: 2, name: None, from: 0.0, to: 1800.0, heights: [0.0; 2] }
+        Phase { kind: PhaseKind::Leg, waypoint: 2, name: None, from: 0.0, to: 1800.0 }
     }
 
     fn mode(rate_per_h: f64, open: f64) -> Rated {

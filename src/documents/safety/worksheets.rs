@@ -46,7 +46,7 @@ const FHA: [&str; 13] = [
     "effect",
     "severity_class",
     "mode_seconds",
-    "probability_per_mission",
+    "probability_of_modes_with_rate",
     "modes_without_rate",
     "spec_sha256",
 ];
@@ -67,6 +67,7 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
         let item = item(model, index);
         for share in shares {
             let (_, effect, severity) = SEVERITIES[share.outcome];
+            let seconds = share.seconds();
             table.write_record([
                 item.clone(),
                 format!("thrust and torque of {item}"),
@@ -87,8 +88,8 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
                 mode.rate.map(|rate| shortest(rounded(3600.0 * rate))).unwrap_or_default(),
                 shortest(phase.from),
                 shortest(phase.to),
-                shortest(rounded(share.seconds)),
-                shortest(if share.outcome >= FAILED { rounded(share.seconds) } else { 0.0 }),
+                shortest(rounded(seconds)),
+                shortest(if share.outcome >= FAILED { rounded(seconds) } else { 0.0 }),
                 basis(case.not_sought[index].as_deref(), &share).into(),
                 case.spec_sha256.into(),
             ])?;
@@ -128,7 +129,7 @@ pub fn fha(case: &Case) -> Result<Vec<u8>, csv::Error> {
                     Some(ground) => (ground, "ground"),
                     None => (0.0, "origin"),
                 };
-                let [low, high] = phase.heights.map(|z| rounded(z - ground));
+                let [low, high] = case.evidence.heights(hit.times.into_iter()).map(|z| rounded(z - ground));
                 table.write_record([
                     condition.clone(),
                     names(&hit.modes),
@@ -154,6 +155,8 @@ pub fn fha(case: &Case) -> Result<Vec<u8>, csv::Error> {
 #[derive(Default)]
 struct Hit {
     modes: Vec<usize>,
+    /// When the modes have it, mode by mode, s since the start of the plan.
+    times: Vec<[f64; 2]>,
     /// Summed over the modes.
     seconds: f64,
     /// That one of the modes with a rate strikes then; `None` if none has one.
@@ -165,11 +168,13 @@ fn hit(case: &Case, modes: &[usize], phase: &Phase, outcome: usize) -> Hit {
     let mut hit = Hit::default();
     let mut expected: Option<f64> = None;
     for &mode in modes {
-        let seconds: f64 =
-            case.share(mode, phase).iter().filter(|share| share.outcome == outcome).map(|share| share.seconds).sum();
+        let shares = case.share(mode, phase).into_iter().filter(|share| share.outcome == outcome);
+        let times: Vec<[f64; 2]> = shares.flat_map(|share| share.times).collect();
+        let seconds: f64 = times.iter().map(|[from, to]| to - from).sum();
         if seconds == 0.0 {
             continue;
         }
+        hit.times.extend(times);
         hit.modes.push(mode);
         hit.seconds += seconds;
         match case.model().modes[mode].rate {

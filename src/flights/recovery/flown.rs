@@ -61,11 +61,15 @@ pub fn fly_branch(model: &Model, plan: &Trajectory, branch: &FoundBranch, seed: 
     fly(&sortie, None).outcome
 }
 
-/// The branches that do not end as planned in one simulated flight each, whose seeds count from that of the spec; as
-/// indices, ascending.
+/// The seed of the one simulated flight of a branch: the seeds count from that of the spec, in the order of branches.
+pub fn flight_seed(model: &Model, branch: usize) -> u64 {
+    model.simulation.seed.wrapping_add(branch as u64)
+}
+
+/// The branches that do not end as planned in one simulated flight each; as indices, ascending.
 pub fn failures(model: &Model, plan: &Trajectory, recovery: &Recovery) -> Vec<usize> {
     let fails = |(index, branch): (usize, &FoundBranch)| {
-        let outcome = fly_branch(model, plan, branch, model.simulation.seed + index as u64);
+        let outcome = fly_branch(model, plan, branch, flight_seed(model, index));
         (!matches!(outcome, Outcome::Flown)).then_some(index)
     };
     recovery.branches.par_iter().enumerate().filter_map(fails).collect()

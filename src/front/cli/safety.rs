@@ -73,7 +73,9 @@ pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
     let places = Places::new(Names::default())?;
     let mut results = Results::new(&places);
     let mut folders: BTreeMap<PathBuf, Vec<(String, Vec<u8>)>> = BTreeMap::new();
+    let mut names = Vec::new();
     for (name, bytes) in case.files()? {
+        names.push(name.clone());
         let (folder, file) = name.rsplit_once('/').unwrap_or(("", &name));
         folders.entry(args.output.join(folder)).or_default().push((file.into(), bytes));
     }
@@ -83,6 +85,12 @@ pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
     results.write()?;
     results.hint(&case.text(), &Options { quiet: false, ..*options })?;
     results.note("Assessment", Some(&args.output.join("index.html")), options)?;
+    let strangers = check::strangers(&args.output, names.iter().map(String::as_str));
+    if let Some(names) = check::listed_briefly(&strangers) {
+        files::eprint(&format!(
+            "mavc: {names}: not of this assessment; move it out, or `--check` will reject the folder\n"
+        ));
+    }
     Ok(match () {
         () if case.exceeds_target() => INCONCLUSIVE,
         () if !accepted.weaker.is_empty() => WEAKER,

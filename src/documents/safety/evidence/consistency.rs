@@ -1,7 +1,8 @@
 //! Whether a report agrees with the certificate of its plan, with the spec, and with itself. This proves nothing about
 //! the ways out: a report that was forged with care agrees too.
 
-use super::{ModeOutcomes, NAMED, PieceOfReport, ROUNDING, Recovery, struck_at};
+use super::reading::{ModeOutcomes, NAMED, PieceOfReport, ROUNDING, Recovery};
+use super::struck_at;
 use crate::certificate::MotionRecord;
 use crate::model::{Mission, Model};
 use crate::number::number;

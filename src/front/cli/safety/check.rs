@@ -3,9 +3,10 @@
 use super::super::{CommandError, FINE, REJECTED, files};
 use super::Read;
 use crate::certificate::MAX_BYTES;
-use crate::safety::inputs::{Inputs, SUMS, TABLES, listed, version};
+use crate::safety::inputs::{Inputs, SPEC, SUMS, TABLES, listed, version};
 use crate::safety::{CERTIFICATE, REPORT, sha256};
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// The files that state the hashes of the report and of the certificate.
@@ -34,7 +35,10 @@ pub fn read(folder: &Path) -> Option<Read> {
         Err(why) => said(name, &why),
     };
     let [report, certificate] = [of_input(REPORT), of_input(CERTIFICATE)];
-    let has_tables = stated("branches_sha256").is_some() || folder.join(SUMS).exists();
+    let has_tables = match &quantities {
+        Some(_) => stated("branches_sha256").is_some(),
+        None => folder.join(SUMS).exists(),
+    };
     let tables = match has_tables {
         true => of_input(SUMS).and_then(|sums| tables(folder, &sums)),
         false => Some(Vec::new()),
@@ -74,9 +78,45 @@ fn said<T>(name: &str, why: &str) -> Option<T> {
     None
 }
 
+/// The files in the folders of an assessment, those of ways out and of the spec, that it does not have.
+pub fn strangers<'n>(folder: &Path, own: impl Iterator<Item = &'n str>) -> Vec<String> {
+    let own: BTreeSet<&str> = own.collect();
+    let mut next = vec![TABLES.to_string(), SPEC.to_string()];
+    let mut found = Vec::new();
+    while let Some(name) = next.pop() {
+        let entries = std::fs::read_dir(folder.join(&name)).into_iter().flatten().flatten();
+        for entry in entries {
+            let inner = format!("{name}/{}", entry.file_name().display());
+            match entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                true => next.push(inner),
+                false if own.contains(inner.as_str()) => (),
+                false => found.push(inner),
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+/// `branches/a.csv and 3 more`
+pub fn listed_briefly(strangers: &[String]) -> Option<String> {
+    match strangers {
+        [] => None,
+        [one] => Some(one.clone()),
+        [first, rest @ ..] => Some(format!("{first} and {} more", rest.len())),
+    }
+}
+
 /// Compares the files of a folder with those that follow from the spec and from `inputs`.
 pub fn compare(folder: &Path, derived: &[(String, Vec<u8>)], inputs: &Inputs) -> Result<u8, CommandError> {
+    let tables: Vec<String> = inputs.tables.iter().map(|(name, _)| format!("{TABLES}/{name}")).collect();
+    let sums = (!tables.is_empty()).then_some(SUMS);
+    let own = derived.iter().map(|(name, _)| name).chain(&tables).map(String::as_str).chain(sums);
     let mut differ = 0;
+    if let Some(names) = listed_briefly(&strangers(folder, own)) {
+        differ += 1;
+        rejected(&format!("{names}: not of this assessment: move it out of the folder"));
+    }
     for (name, due) in derived {
         let why = match bytes(folder, name) {
             Ok(there) if there == *due => continue,
