@@ -82,7 +82,8 @@ impl<'a> Case<'a> {
         let reasons = evidence.modes.iter().enumerate();
         let not_sought =
             reasons.map(|(mode, found)| Some(not_sought(model, mode, found.not_attempted.as_deref()?))).collect();
-        let (texts, set) = (inputs::texts(spec.sources()), inputs::set(spec.sources()));
+        let (mut texts, set) = (inputs::texts(spec.sources()), inputs::set(spec.sources()));
+        inputs::rename(&mut texts, inputs.spec_files);
         Case {
             problem,
             spec_sha256: spec.sha256(),
@@ -145,14 +146,14 @@ impl<'a> Case<'a> {
             }
         };
         [
-            "Each mode strikes at a constant rate, independently of all others; a failure with one cause for several \
-             rotors is a mode of its own."
+            "When the mission begins, nothing has failed. Each mode strikes at a constant rate, independently of all \
+             others; a failure with one cause for several rotors is a mode of its own."
                 .into(),
             "The spec is true: masses, inertias, places and thrust of rotors, rates and sites are as written.".into(),
             "A fault is known after the delays of the spec; a fault that stays undetected is not covered.".into(),
             between,
-            "One simulated flight stands for all flights of a way out. Where it did not end as planned, the time to \
-             the instants around it counts as a loss of control."
+            "One simulated flight stands for all flights of a way out, and for the time to the instants around it. \
+             Where it did not end as planned, that time counts as a loss of control."
                 .into(),
             "A second fault in the same mission is a loss of control, because no way out is sought after it.".into(),
             "The tolerances within which a certificate shows its statements (documentation of mavc, Certificates: The \
@@ -201,13 +202,26 @@ impl<'a> Case<'a> {
         let all = self.evidence.duration * left_out.len() as f64;
         (!left_out.is_empty()).then(|| {
             format!(
-                "{names} {} no rate: left out of these numbers, of the fault tree and of its cut sets; uncovered for {} \
-                 of {} s x fault",
+                "{names} {} no rate: left out of these numbers, of the fault tree and of its cut sets; uncovered for \
+                 {} of {} s x fault",
                 has(left_out.len()),
                 fixed(open, 2),
                 fixed(all, 2)
             )
         })
+    }
+
+    /// The modes after which no way out was sought, by the reason.
+    fn not_sought_by_reason(&self) -> Vec<(&str, Vec<usize>)> {
+        let mut reasons: Vec<(&str, Vec<usize>)> = Vec::new();
+        for (mode, why) in self.not_sought.iter().enumerate() {
+            let Some(why) = why.as_deref() else { continue };
+            match reasons.iter_mut().find(|(known, _)| *known == why) {
+                Some((_, modes)) => modes.push(mode),
+                None => reasons.push((why, vec![mode])),
+            }
+        }
+        reasons
     }
 
     /// `M2, M3`
@@ -250,14 +264,17 @@ impl<'a> Case<'a> {
             None => format!("{name}: no mode has a rate, so no probability is stated\n"),
         };
         if let (Some(target), Some(left)) = (q.target, q.budget()) {
-            let word = if left < 0.0 { "exceeds" } else { "meets" };
-            text += &format!("  {word} the target of the spec, {}: {} left ({TARGET})\n", short(target), short(left));
+            let (target, by, highest) = (short(target), short(left.abs()), q.at_highest());
+            text += &match left < 0.0 {
+                true => format!("  exceeds the target of the spec, {target}, by {by}{highest} ({TARGET})\n"),
+                false => format!("  meets the target of the spec, {target}: {by} left{highest} ({TARGET})\n"),
+            };
         }
         if let Some([low, high]) = q.interval {
             text += &format!("  over the intervals of the rates: {} to {}\n", short(low), short(high));
         }
         if let Some(p) = q.without_failures {
-            text += &format!("  with ways out whose simulated flight failed taken for cover: {}\n", short(p));
+            text += &format!("  if ways out whose simulated flight failed covered their time: {}\n", short(p));
         }
         let over_all = |outcome: usize| self.evidence.modes.iter().map(|mode| mode.with_outcome(outcome)).sum::<f64>();
         let [none, failed] = [evidence::NONE, FAILED].map(over_all);
@@ -272,6 +289,9 @@ impl<'a> Case<'a> {
                 String::new()
             }
         );
+        for (why, modes) in self.not_sought_by_reason() {
+            text += &format!("  after {}: {why}\n", self.names(&modes));
+        }
         if let Some(left_out) = self.of_left_out() {
             text += &format!("  {left_out}\n");
         }

@@ -15,8 +15,9 @@ use crate::admissible::without_yaw::planned::Provision;
 use crate::cancel;
 use crate::certificate::{FamilyRecord, MotionRecord, RecoveryClaim};
 use crate::flight::WayOut;
-use crate::model::Problem;
+use crate::model::{Model, Problem};
 use crate::motion::Trajectory;
+use crate::planner::selection::PlanningSet;
 use crate::planner::selection::sets::of_one_mode;
 use crate::solve::Effort;
 use rayon::prelude::*;
@@ -132,6 +133,16 @@ pub enum NotAttempted {
     Caught,
 }
 
+impl NotAttempted {
+    /// The word in reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            NotAttempted::NoHover => "no hover",
+            NotAttempted::Caught => "caught",
+        }
+    }
+}
+
 /// What can be done after each fault.
 #[derive(Debug, Clone)]
 pub struct Recovery {
@@ -158,7 +169,7 @@ const APART: f64 = 0.5;
 const FINE: f64 = 160.0;
 
 /// How many steps the instants that are looked at first divide a plan of this duration (s) into.
-fn steps(duration: f64) -> f64 {
+pub fn steps(duration: f64) -> f64 {
     (duration / APART).ceil().clamp(1.0, FINE)
 }
 
@@ -180,12 +191,7 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
     let of_mode = |mode: usize| {
         cancel::checkpoint();
         let (set, provision) = of_one_mode(model, mode, &healthy);
-        let not_attempted = match provision {
-            Provision::Capture => Some(NotAttempted::Caught),
-            Provision::WithYaw | Provision::WithoutYaw(_) => {
-                search::cannot_hover(model, &set).then_some(NotAttempted::NoHover)
-            }
-        };
+        let not_attempted = why_none(model, &set, &provision);
         match not_attempted {
             Some(_) => {
                 let piece = Piece { from: 0.0, to: plan.duration(), way: None, branches: Vec::new(), near_miss: None };
@@ -218,13 +224,28 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
     found
 }
 
+/// Why no way out is sought after the faults of a mode, if none is.
+pub fn not_attempted(model: &Model, mode: usize) -> Option<NotAttempted> {
+    let (set, provision) = of_one_mode(model, mode, &AdmissibleSet::healthy(model));
+    why_none(model, &set, &provision)
+}
+
+fn why_none(model: &Model, set: &PlanningSet, provision: &Provision) -> Option<NotAttempted> {
+    match provision {
+        Provision::Capture => Some(NotAttempted::Caught),
+        Provision::WithYaw | Provision::WithoutYaw(_) => {
+            search::cannot_hover(model, set).then_some(NotAttempted::NoHover)
+        }
+    }
+}
+
 /// The first way out, in the order of the spec, after the fault of one mode that strikes at `at` s of a plan and is
 /// known `delay` s later; `None` if none is found.
 pub fn way_out(problem: Problem, plan: &Trajectory, mode: usize, at: f64, delay: f64) -> Option<FoundBranch> {
     let model = problem.model();
     let healthy = AdmissibleSet::healthy(model);
     let (set, provision) = of_one_mode(model, mode, &healthy);
-    if provision == Provision::Capture || search::cannot_hover(model, &set) {
+    if why_none(model, &set, &provision).is_some() {
         return None;
     }
     Search::new(problem, plan, (mode, &set, &provision), &healthy, &[delay], false).first(at)

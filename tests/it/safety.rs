@@ -287,7 +287,7 @@ fn the_argument_keeps_the_rules_of_its_notation() {
     assert!(nodes.keys().all(|id| drawing.contains(&format!(">{id}"))), "a node is not drawn");
     // Ice has no rate and no way out for part of the time: what is known is supported, the rest undeveloped.
     let with = |text: &str| nodes.values().find(|node| node["text"].as_str().unwrap().starts_with(text)).unwrap();
-    assert_eq!(with("The rate of ice is known; the spec has none")["undeveloped"], true);
+    assert_eq!(with("The rate of ice is established (undeveloped: the spec has none)")["undeveloped"], true);
     let files: BTreeSet<String> = of(with("ice is uncovered for "), "supported_by")
         .iter()
         .filter_map(|id| nodes[id.as_str()]["file"].as_str().map(str::to_string))
@@ -447,9 +447,15 @@ fn a_report_that_contradicts_itself_or_the_certificate_is_refused() {
             forged["recovery"][count] = Value::from(counted + 1);
         }
     });
-    refused("says that none was sought", &|forged| {
+    refused("whether a way out was sought after M1 does not follow from the spec", &|forged| {
         forged["recovery"]["modes"][open]["not_attempted"] = Value::from("no hover");
     });
+    for by in [-20, 100] {
+        refused("a search of its outcomes does not look at", &|forged| {
+            let instants = forged["recovery"]["instants"].as_i64().unwrap();
+            forged["recovery"]["instants"] = Value::from(instants + by);
+        });
+    }
 }
 
 /// The folder has the spec, and says of what its hash is; a copy of the spec gives the same assessment.
@@ -497,7 +503,9 @@ fn the_folder_identifies_its_spec_and_its_program() {
     assert_eq!(quantities["written_by"], format!("{number}, commit {commit}"));
     assert!(page.contains(&format!("{number}, commit {commit}")));
 
-    // The copy is the spec, and a copy that was edited is reported.
+    // The copy is the spec, whatever its name, and a copy that was edited is reported.
+    write(folder, "missions/renamed.mav", &spec);
+    assess("missions/renamed.mav", "out", &["--check"]);
     assess("out/spec/missions/field.mav", "out", &["--check"]);
     write(&out, "spec/octo.mav", &vehicle.replace("2.3 kg", "2.4 kg"));
     let args = ["safety", "missions/field.mav", "-o", "out", "--set", set, "--check", "-q"];
@@ -556,6 +564,10 @@ fn a_changed_report_certificate_or_table_is_named() {
     assert_eq!(check().0, 5);
     std::fs::remove_dir_all(out.join("branches")).unwrap();
     assert_eq!(check().0, 0);
+    write(&out, "fmea_old.csv", "mode\n");
+    let (code, _, errors) = check();
+    assert!(code == 5 && errors.contains("mavc: fmea_old.csv: not of this assessment"), "{errors}");
+    std::fs::remove_file(out.join("fmea_old.csv")).unwrap();
     assert_eq!(mavc_in(folder, &["safety", "field.mav", "-o", "out", "-q"]).0, 0);
     assert_eq!(check().0, 0);
     // Where every file states the hash of a forged report, the report is refused.
@@ -609,9 +621,10 @@ fn sentences_are_true_with_few_rates_and_with_intervals() {
     let hours = 12.0 / 3600.0;
     assert!((p("per_mission") / (1e-5 * hours * 2e-6 * hours) - 1.0).abs() < 1e-6);
     assert!(p("both_where_covered_at_most") < p("per_mission"));
-    assert!(
-        argument.contains(&format!("{:.3e}", p("per_mission"))) && page.contains(&format!("{:.3e}", p("per_mission")))
-    );
+    assert!(page.contains(&format!("{:.3e}", p("per_mission"))), "{page}");
+    // The argument has both at one end of the rates: that of M1 is an interval.
+    let high = 1.5e-5 * hours * 2e-6 * hours;
+    assert!(argument.contains(&format!("with the highest rates (strikes of two modes, covered or not: {high:.3e})")));
 
     // No more is saved by a second than there is.
     for mode in modes.iter().filter(|mode| mode["in_fault_tree"] == true) {
@@ -698,9 +711,17 @@ fn a_way_out_whose_simulated_flight_failed_is_no_cover() {
     let (code, _, errors) = assess(&report, "miscounted");
     assert!(code == 2 && errors.contains("it does not name every simulated flight that failed"), "{errors}");
     report["recovery"]["survived"] = Value::from(survived - 2);
+    // A failed flight that counts for less than the time to the instants around it.
+    let mut shorter = report.clone();
+    let pieces = shorter["recovery"]["modes"][0]["pieces"].as_array_mut().unwrap();
+    let piece = pieces.iter_mut().find(|piece| !piece["failed"].as_array().is_none_or(Vec::is_empty)).unwrap();
+    let from = &mut piece["failed"][0]["from_s"];
+    *from = Value::from(from.as_f64().unwrap() + 0.1);
+    let (code, _, errors) = assess(&shorter, "shorter");
+    assert!(code == 2 && errors.contains("does not count for the time around it"), "{errors}");
     let (code, text, errors) = assess(&report, "failed");
     assert_eq!(code, 0, "{text}{errors}");
-    assert!(text.contains("with ways out whose simulated flight failed taken for cover: "), "{text}");
+    assert!(text.contains("if ways out whose simulated flight failed covered their time: "), "{text}");
 
     let (before, after) = (json(&out, "quantities.json"), json(&folder.join("failed"), "quantities.json"));
     let of_mode = |quantities: &Value, member: &str| quantities["modes"][0][member].as_f64().unwrap();

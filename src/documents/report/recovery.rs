@@ -214,10 +214,7 @@ impl RecoveryRecord {
         };
         let mode = |found: &ModeRecovery| ModeRecoveryRecord {
             name: model.modes[found.mode].name.clone(),
-            not_attempted: found.not_attempted.map(|why| match why {
-                NotAttempted::NoHover => "no hover",
-                NotAttempted::Caught => "caught",
-            }),
+            not_attempted: found.not_attempted.map(NotAttempted::word),
             pieces: found.pieces.iter().map(piece).collect(),
             uncovered_s: found.uncovered(),
             proved_s: found.families.as_ref().map(Families::proved_s),
@@ -257,7 +254,7 @@ fn failed<'a>(recovery: &'a Recovery, piece: &'a Piece) -> impl Iterator<Item = 
 /// The files of `--branches`: a table for each branch, in the form of the plan's, and `index.csv`.
 pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u8>)>, String> {
     let model = problem.model();
-    let mut index = String::from("file,mode,outcome,site,fault_s,delay_s,begins_s,ends_s,deviation_m,seed\n");
+    let mut index = String::from("file,mode,outcome,site,fault_s,delay_s,begins_s,ends_s,deviation_m,seed,flight\n");
     let mut files = Vec::with_capacity(recovery.branches.len() + 1);
     for (place, branch) in recovery.branches.iter().enumerate() {
         let name = branch_name(model, branch) + ".csv";
@@ -266,8 +263,9 @@ pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u
             _ => "",
         };
         let begins = branch.fault_at + branch.delay;
+        let flight = if recovery.failed.binary_search(&place).is_ok() { "failed" } else { "as planned" };
         index.push_str(&format!(
-            "{name},{},{},{site},{},{},{begins},{},{},{}\n",
+            "{name},{},{},{site},{},{},{begins},{},{},{},{flight}\n",
             model.modes[branch.mode].name,
             outcome(Some(branch.way)),
             branch.fault_at,

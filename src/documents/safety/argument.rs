@@ -147,16 +147,22 @@ pub fn argument(case: &Case) -> Argument {
         Kind::Goal,
         match q.probability {
             Some(p) => format!(
-                "{vehicle} loses control on {mission} after a declared fault with the probability {} a \
+                "The probability that a declared fault strikes {vehicle} on {mission} and control is lost is {} a \
                  mission{unrated}{target}",
                 with_interval(p, q.interval)
             ),
             None => {
-                format!("A way out of {vehicle} on {mission} was searched for after each declared fault, at instants")
+                let [_, covered] = case.evidence.proved_and_covered();
+                let all = case.evidence.duration * model.modes.len() as f64;
+                format!(
+                    "After the declared faults of {vehicle} on {mission}, {} of {} s x fault count as covered",
+                    fixed(covered, 2),
+                    fixed(all, 2)
+                )
             }
         },
     );
-    let spec = argument.add(Kind::Context, format!("spec, hash {} (index.html, of what)", case.spec_sha256));
+    let spec = argument.add(Kind::Context, format!("The spec, hash {}; index.html says of what", case.spec_sha256));
     argument.hold(root, spec);
     let lost = argument.add(Kind::Context, LOST);
     argument.hold(root, lost);
@@ -184,12 +190,11 @@ pub fn argument(case: &Case) -> Argument {
             argument.solve(goal, CERTIFICATE, certificate, &what);
         }
         let what = match () {
+            () if case.not_sought[mode].is_some() => format!(": no way out sought after {name}"),
             () if covered == 0.0 => format!(": no way out after {name}"),
             () if proved < covered => {
                 let seconds = fixed(covered - proved, 2);
-                format!(
-                    ": ways out after {name}, checked at instants of {seconds} s, and each flown once in simulation"
-                )
+                format!(": ways out after {name}, at instants within {seconds} s, each flown once in simulation")
             }
             () => format!(": outcomes of {name}"),
         };
@@ -198,7 +203,8 @@ pub fn argument(case: &Case) -> Argument {
             argument.solve(goal, SUMS, &tables, &format!(": the tables of the ways out after {name}"));
         }
         if evidence.uncovered() > 0.0 && model.modes[mode].rate.is_none() {
-            let unknown = argument.add(Kind::Goal, format!("The rate of {name} is known; the spec has none"));
+            let unknown =
+                argument.add(Kind::Goal, format!("The rate of {name} is established (undeveloped: the spec has none)"));
             argument.support(goal, unknown);
             argument.nodes[unknown].undeveloped = true;
         }
@@ -218,13 +224,13 @@ pub fn argument(case: &Case) -> Argument {
 /// The goal of two modes in one mission.
 fn of_pairs(case: &Case) -> String {
     let q = &case.quantities;
-    match (q.doubles().next(), q.two_strikes()) {
+    match (q.doubles().next(), q.two_strikes(|spread| spread.high)) {
         (Some(_), Some(all)) => format!(
-            "Two modes strike in one mission, both where they are covered, with a probability of at most {} (strikes \
-             of two modes, covered or not: {}{})",
+            "Two modes strike in one mission, both where they are covered, with a probability of at most {}{} (strikes \
+             of two modes, covered or not: {})",
             short(q.both_covered(|spread| spread.high)),
+            q.at_highest(),
             short(all),
-            if q.interval.is_some() { " in the middle of the intervals of the rates" } else { "" }
         ),
         (None, Some(_)) => {
             "Where two modes strike in one mission, one of them is uncovered: its own goal counts it".into()
@@ -252,7 +258,7 @@ fn of_mode(case: &Case, mode: usize) -> String {
     let [open, failed, all] =
         [evidence.uncovered(), evidence.with_outcome(FAILED), case.evidence.duration].map(|s| fixed(s, 2));
     let why = match &case.not_sought[mode] {
-        Some(why) => format!("; {why}"),
+        Some(_) => String::new(),
         None if evidence.with_outcome(FAILED) > 0.0 => format!("; {failed} s of it because simulated flights failed"),
         None => String::new(),
     };
@@ -262,12 +268,20 @@ fn of_mode(case: &Case, mode: usize) -> String {
                 true => format!(", {} in the middle of the interval of its rate", short(middle)),
                 false => String::new(),
             };
-            format!(
-                "{name} strikes where it is uncovered with a probability of at most {} a mission{middle}, if every way \
-                 out holds ({open} of {all} s{why})",
-                short(high)
-            )
+            match &case.not_sought[mode] {
+                Some(why) => {
+                    format!("{name} strikes with a probability of at most {} a mission{middle}; {why}", short(high))
+                }
+                None => format!(
+                    "{name} strikes where it is uncovered with a probability of at most {} a mission{middle}, if every \
+                     way out holds ({open} of {all} s{why})",
+                    short(high)
+                ),
+            }
         }
-        None => format!("{name} is uncovered for {open} of {all} s{why}"),
+        None => match &case.not_sought[mode] {
+            Some(why) => format!("{name} is uncovered throughout; {why}"),
+            None => format!("{name} is uncovered for {open} of {all} s{why}"),
+        },
     }
 }

@@ -50,8 +50,11 @@ pub fn svg(case: &Case, argument: &Argument) -> String {
         let middle = y + height / 2;
         drawing.corner([ROOT + 20, trunk], [INDENT, middle]);
         let mut beside = 0;
-        for solution in goal.supported_by.iter().filter_map(|id| argument.node(id)) {
-            beside += drawing.solution(solution, y + beside, INDENT + GOAL, middle);
+        for support in goal.supported_by.iter().filter_map(|id| argument.node(id)) {
+            beside += match support.kind {
+                Kind::Goal => drawing.goal_beside(support, y + beside, INDENT + GOAL, middle),
+                _ => drawing.solution(support, y + beside, INDENT + GOAL, middle),
+            };
         }
         beside += drawing.aside(argument, &goal.in_context_of, y + beside, height);
         y += height.max(beside) + if goal.undeveloped { 2 * GAP } else { GAP };
@@ -118,6 +121,13 @@ impl Drawing {
             taken += own + GAP / 2;
         }
         taken
+    }
+
+    /// Draws a goal that supports another one in the right column, and returns the height that it takes.
+    fn goal_beside(&mut self, node: &Node, y: usize, from: usize, middle: usize) -> usize {
+        let height = self.boxed(node, RIGHT, y, ASIDE, LETTERS_ASIDE);
+        self.arrow([from, middle], [RIGHT, y + height / 2], false);
+        height + if node.undeveloped { 2 * GAP } else { GAP }
     }
 
     fn solution(&mut self, node: &Node, y: usize, from: usize, middle: usize) -> usize {

@@ -5,6 +5,7 @@ mod consistency;
 mod reading;
 
 use super::heights;
+use super::quantities::largest_share;
 use crate::certificate::MotionRecord;
 use crate::report::recovery::OUTCOMES;
 pub use reading::Shown;
@@ -97,6 +98,17 @@ pub struct Piece {
     pub branches: Vec<String>,
 }
 
+impl Piece {
+    /// The ways out at instants in a part of its time, and at those next to it on both sides.
+    fn around(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = &str> {
+        let instants = || self.branches.iter().filter_map(|name| struck_at(name));
+        let low = instants().filter(|at| *at <= from).fold(f64::NEG_INFINITY, f64::max);
+        let high = instants().filter(|at| *at >= to).fold(f64::INFINITY, f64::min);
+        let names = self.branches.iter().map(String::as_str);
+        names.filter(move |name| struck_at(name).is_none_or(|at| low <= at && at <= high))
+    }
+}
+
 /// The part of a phase with one outcome that is known in one way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Share<'a> {
@@ -107,7 +119,7 @@ pub struct Share<'a> {
     pub is_proved: bool,
     /// When, s since the start of the plan, ascending.
     pub times: Vec<[f64; 2]>,
-    /// The ways out that begin in this part, as `mavc plan --branches` names their files.
+    /// The ways out in this part and at the instants next to it, as `mavc plan --branches` names their files.
     pub branches: Vec<&'a str>,
 }
 
@@ -132,6 +144,11 @@ impl Evidence {
         [over_all(ModeEvidence::proved), over_all(ModeEvidence::covered)]
     }
 
+    /// The largest share of simulated flights that fail, at 95 % confidence.
+    pub fn largest_share_of_failures(&self) -> f64 {
+        largest_share(self.flown - self.survived, self.flown)
+    }
+
     /// The lowest and the highest height (z) of the plan at these times, m.
     pub fn heights(&self, times: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
         let all = times.map(|[from, to]| heights::of(&self.motion, from, to));
@@ -142,8 +159,6 @@ impl Evidence {
 impl ModeEvidence {
     /// For how long a fault in this phase has each outcome, in the order of time, alike ones together.
     pub fn within(&self, phase: &Phase) -> Vec<Share<'_>> {
-        let end = self.pieces.last().map_or(0.0, |piece| piece.to);
-        let is_inside = |at: f64| phase.from <= at && (at < phase.to || phase.to >= end);
         let mut shares: Vec<Share<'_>> = Vec::new();
         for piece in &self.pieces {
             let [from, to] = [piece.from.max(phase.from), piece.to.min(phase.to)];
@@ -152,8 +167,7 @@ impl ModeEvidence {
             }
             let Piece { outcome, is_proved, .. } = *piece;
             let site = piece.site.as_deref();
-            let names = piece.branches.iter().map(String::as_str);
-            let branches = names.filter(|name| struck_at(name).is_none_or(is_inside));
+            let branches = piece.around([from, to]);
             let alike = |share: &&mut Share| (share.outcome, share.site, share.is_proved) == (outcome, site, is_proved);
             match shares.iter_mut().find(alike) {
                 Some(share) => {

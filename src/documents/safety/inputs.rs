@@ -17,7 +17,7 @@ pub const TABLES: &str = "branches";
 pub const SUMS: &str = "branches/SHA256SUMS";
 
 /// The folder of the texts of the spec.
-pub const SPEC: &str = "spec";
+const SPEC: &str = "spec";
 
 /// What the other files are written from, beside the spec.
 #[derive(Clone, Copy)]
@@ -29,6 +29,8 @@ pub struct Inputs<'a> {
     pub tables: &'a [(String, Vec<u8>)],
     /// The [`version`] that wrote the folder.
     pub written_by: &'a str,
+    /// The names of the spec's texts in a folder that was written before, with their hashes; none in a new one.
+    pub spec_files: &'a [(String, String)],
 }
 
 impl Inputs<'_> {
@@ -66,6 +68,14 @@ impl Inputs<'_> {
 pub fn listed(sums: &str) -> Option<Vec<(&str, &str)>> {
     let is_plain = |name: &str| matches!(Path::new(name).components().collect::<Vec<_>>()[..], [Component::Normal(_)]);
     sums.lines().map(|line| line.split_once("  ").filter(|(_, name)| is_plain(name))).collect()
+}
+
+/// Gives texts the names that a folder has for them, if it has these texts: a spec may have been renamed since.
+pub fn rename(texts: &mut [Text], known: &[(String, String)]) {
+    let same = |(text, (_, hash)): (&Text, &(String, String))| sha256(text.text.as_bytes()) == *hash;
+    if texts.len() == known.len() && texts.iter().zip(known).all(same) {
+        texts.iter_mut().zip(known).for_each(|(text, (name, _))| text.file = name.clone());
+    }
 }
 
 /// A text of the spec.

@@ -17,7 +17,7 @@ const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem a
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src 'self'";
 
 /// What none of the files covers.
-const NOT_COVERED: [&str; 12] = [
+const NOT_COVERED: [&str; 13] = [
     "faults that the spec does not declare, and undetected ones",
     "ways out after a second fault",
     "take-off and landing outside the waypoints of the mission",
@@ -27,6 +27,8 @@ const NOT_COVERED: [&str; 12] = [
      looked at",
     "instants between those that were looked at, except where the certificate proves ways out",
     "causes of failures, and the source of rates",
+    "real flights: no plan of mavc has flown; simulated flights were compared with MuJoCo (documentation of mavc, \
+     Flight)",
     "failures of structure, battery, sensors, link, software and pilot, unless they are modes of the spec",
     "harm to people and property on the ground: the outcomes are those of the vehicle",
     "that the controller of the real vehicle follows a way out",
@@ -34,18 +36,22 @@ const NOT_COVERED: [&str; 12] = [
 ];
 
 /// The forms of the files, with the editions that are meant.
-const FORMS: [&str; 5] = [
+const FORMS: [&str; 6] = [
     "fmea.csv: a worksheet of failure modes and effects with the usual columns. S, O, D and RPN are the spec's and \
      belong to the mode; severity_class belongs to the row, and follows from its outcome. effect_s is the time of the \
      phase for which a strike has the outcome of the row; exposure_s is the part of it that counts as a loss of \
-     control, so it is effect_s or 0. provision names the ways out, as branches does. The standard for such worksheets, IEC 60812:2018, was not read and is not \
-     quoted; conformity is not claimed.",
+     control, so it is effect_s or 0. provision names the tables of the ways out at the instants of effect_times_s and \
+     next to them; a way out whose instant lies between failed flights is in no row. The standard for such worksheets, \
+     IEC 60812:2018, was not read and is not quoted; conformity is not claimed.",
     "fha.csv: a list of functional hazards. mode_seconds is effect_s summed over the modes of the row; the heights are \
-     those of the plan at these times. probability_of_modes_with_rate is that one of those modes strikes then, in the \
+     those of the plan at these times, above the mission's ground or else above the origin of its coordinates. \
+     probability_of_modes_with_rate is that one of those modes strikes then, in the \
      middle of the intervals of the rates. Its columns and severity classes are mavc's, from no standard.",
     "quantities.json: uncovered_s is the time that counts as a loss of control, the sum of none_found_s, without a way \
-     out, and failed_flights_s; uncovered_s in report.json is none_found_s. proved_s is the time that counts as covered \
-     and that the certificate proves.",
+     out, and failed_flights_s; uncovered_s in report.json is none_found_s. proved_s is the time that counts as \
+     covered and that the certificate proves.",
+    "branches/index.csv: one row for each way out. deviation_m is the largest distance from the plan before the fault \
+     is known, seed that of its simulated flight, flight how this ended.",
     "faulttree.xml: Open-PSA Model Exchange Format, version 2.0, as scram 0.16.2 reads it. A rate that is an interval \
      is a uniform distribution over it: mavc's choice, because the spec gives the ends alone. scram takes its mean, or \
      draws from it.",
@@ -61,7 +67,7 @@ const FILES: [(&str, &str); 8] = [
     ("quantities.json", "probabilities, cut sets, what matters most"),
     ("argument.svg", "the argument in goal structuring notation"),
     ("argument.json", "the same for programs"),
-    (REPORT, "the plan and the ways out, from which all of these are written"),
+    (REPORT, "the plan and the outcomes of faults, from which the files above are written"),
     (CERTIFICATE, "the certificate of the plan, which mavc verify accepted"),
 ];
 
@@ -117,7 +123,10 @@ pub fn page(case: &Case) -> String {
                 h2 { "Each mode" }
                 (modes(case))
                 h2 { "Severities" }
-                p { "mavc's own proposal, derived from the outcome alone. Replace it by your own." }
+                p {
+                    "mavc's own proposal, derived from the outcome alone; S in fmea.csv is severity of the spec. Put \
+                     classes of your own into your own documents: --check expects the files as they were written."
+                }
                 table {
                     tr { th { "outcome" } th { "effect" } th { "severity class" } }
                     @for (outcome, effect, word) in SEVERITIES { tr { td { (outcome) } td { (effect) } td { (word) } } }
@@ -152,8 +161,9 @@ fn spec(case: &Case) -> Markup {
              bytes as an integer of 8 bytes, the lowest first."
         }
         p {
-            "All files but report.json and certificate.json follow from these two and the spec. The certificate is \
-             verified; the report is not, and `mavc safety` without --report repeats its search."
+            "report.json, certificate.json and the files in branches are results of the search; all others follow from \
+             the first two and the spec. The certificate is verified; the report is not, and `mavc safety` without \
+             --report repeats its search."
         }
     }
 }

@@ -118,16 +118,20 @@ impl Rated {
     }
 }
 
-/// The probability of a loss of control with all rates scaled by `scale` of their spread.
-fn loss(rated: &[Rated], duration: f64, scale: impl Fn(Spread) -> f64) -> f64 {
+/// The probability of a loss of control with all rates scaled by `scale` of their spread, if the share `failing` of
+/// strikes where a mode is covered loses control too.
+fn loss(rated: &[Rated], duration: f64, failing: f64, scale: impl Fn(Spread) -> f64) -> f64 {
     let rate = |one: &Rated| one.rate_per_h * scale(one.spread);
-    let exposed = |one: &Rated| one.exposed.iter().map(|(_, seconds)| hours(*seconds)).sum::<f64>();
+    let exposed = |one: &Rated| {
+        let open = one.exposed.iter().map(|(_, seconds)| hours(*seconds)).sum::<f64>();
+        open + failing * one.covered_h(duration)
+    };
     let alone = exponential(rated.iter().map(|one| rate(one) * exposed(one)).sum(), 1.0);
     // The probabilities that none, exactly one, and at least two of the modes so far strike where they are covered.
     // Only sums of positive terms: a difference from 1 would lose all digits.
     let (mut none, mut one, mut more) = (1.0, 0.0, 0.0);
     for mode in rated {
-        let strikes = exponential(rate(mode), mode.covered_h(duration));
+        let strikes = exponential(rate(mode), (1.0 - failing) * mode.covered_h(duration));
         more += one * strikes;
         one = one * (1.0 - strikes) + none * strikes;
         none *= 1.0 - strikes;
@@ -138,10 +142,11 @@ fn loss(rated: &[Rated], duration: f64, scale: impl Fn(Spread) -> f64) -> f64 {
 impl Quantities {
     /// `open` are the modes with failed flights taken for cover, if some failed.
     pub fn new(rated: Vec<Rated>, open: Option<&[Rated]>, duration: f64, target: Option<f64>) -> Self {
-        let probability = (!rated.is_empty()).then(|| loss(&rated, duration, |_| 1.0));
+        let probability = (!rated.is_empty()).then(|| loss(&rated, duration, 0.0, |_| 1.0));
         let is_uncertain = rated.iter().any(|one| !one.spread.is_none());
-        let interval = is_uncertain.then(|| [loss(&rated, duration, |s| s.low), loss(&rated, duration, |s| s.high)]);
-        let without_failures = open.filter(|open| !open.is_empty()).map(|open| loss(open, duration, |_| 1.0));
+        let interval =
+            is_uncertain.then(|| [loss(&rated, duration, 0.0, |s| s.low), loss(&rated, duration, 0.0, |s| s.high)]);
+        let without_failures = open.filter(|open| !open.is_empty()).map(|open| loss(open, duration, 0.0, |_| 1.0));
         Quantities { rated, duration, probability, without_failures, interval, target }
     }
 
@@ -154,6 +159,16 @@ impl Quantities {
     pub fn budget(&self) -> Option<f64> {
         let worst = self.interval.map(|[_, high]| high).or(self.probability)?;
         Some(self.target? - worst)
+    }
+
+    /// ` with the highest rates`, if some are intervals: what [`Quantities::budget`] is of.
+    pub fn at_highest(&self) -> &'static str {
+        if self.interval.is_some() { " with the highest rates" } else { "" }
+    }
+
+    /// For one mission if this share of strikes where a mode is covered loses control too; `None` without a rate.
+    pub fn if_covered_fail(&self, share: f64) -> Option<f64> {
+        self.probability.map(|_| loss(&self.rated, self.duration, share, |_| 1.0))
     }
 
     /// The cut sets of one event, each with the index of its mode in the model.
@@ -192,7 +207,7 @@ impl Quantities {
     pub fn saved_without(&self, at: usize) -> f64 {
         let others: Vec<Rated> =
             self.rated.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, one)| one.clone()).collect();
-        self.probability.map_or(0.0, |p| p - loss(&others, self.duration, |_| 1.0))
+        self.probability.map_or(0.0, |p| p - loss(&others, self.duration, 0.0, |_| 1.0))
     }
 
     /// By how much the probability falls if the mode is covered for one more second, or for all of its uncovered time
@@ -203,11 +218,12 @@ impl Quantities {
         exponential(one.rate_per_h, hours(open.min(1.0)))
     }
 
-    /// The probability that two or more modes strike in one mission, covered or not; `None` with fewer than two rates.
-    pub fn two_strikes(&self) -> Option<f64> {
+    /// The probability that two or more modes strike in one mission, covered or not, with `scale` of the spread of the
+    /// rates; `None` with fewer than two rates.
+    pub fn two_strikes(&self, scale: impl Fn(Spread) -> f64) -> Option<f64> {
         let always = |one: &Rated| Rated { exposed: Vec::new(), ..one.clone() };
         let all: Vec<Rated> = self.rated.iter().map(always).collect();
-        (all.len() > 1).then(|| loss(&all, self.duration, |_| 1.0))
+        (all.len() > 1).then(|| loss(&all, self.duration, 0.0, scale))
     }
 
     /// A bound on the probability that two modes strike, both where they are covered: the sum over the pairs, with
@@ -287,15 +303,16 @@ pub fn record(case: &Case) -> Value {
         "target_per_mission": q.target,
         "left_of_target": q.budget(),
         "two_modes_strike": {
-            "per_mission": q.two_strikes(),
+            "per_mission": q.two_strikes(|_| 1.0),
             "both_where_covered_at_most": (q.rated.len() > 1).then(|| q.both_covered(|_| 1.0)),
         },
         "flights": {
             "flown": case.evidence.flown,
             "failed": case.evidence.flown - case.evidence.survived,
             "failed_where_a_way_out_is_proved": case.evidence.failed_where_proved,
-            "largest_share_of_failures_at_95_percent":
-                largest_share(case.evidence.flown - case.evidence.survived, case.evidence.flown),
+            "largest_share_of_failures_at_95_percent": case.evidence.largest_share_of_failures(),
+            "per_mission_if_covered_strikes_fail_at_this_share":
+                q.if_covered_fail(case.evidence.largest_share_of_failures()),
         },
         "modes": modes.collect::<Vec<_>>(),
         "cut_sets": cut_sets,
@@ -387,9 +404,21 @@ mod tests {
     fn the_closed_form_is_the_sum_over_all_combinations() {
         for scale in [1e-5, 1e-2, 1.0, 30.0] {
             let rated = [mode(scale, 0.0), mode(2.0 * scale, 90.0), mode(0.5 * scale, 1800.0), mode(3.0 * scale, 1.25)];
-            let [closed, summed] = [loss(&rated, 1800.0, |_| 1.0), enumerated(&rated, 1800.0)];
+            let [closed, summed] = [loss(&rated, 1800.0, 0.0, |_| 1.0), enumerated(&rated, 1800.0)];
             assert!((closed / summed - 1.0).abs() < 1e-12, "{scale}: {closed} {summed}");
         }
+    }
+
+    /// A strike that fails where it is covered is one where it is not.
+    #[test]
+    fn covered_strikes_that_fail_are_uncovered_ones() {
+        let rated = [mode(1e-2, 0.0), mode(2e-2, 900.0)];
+        let all = exponential(0.5 * 3e-2, 1.0);
+        assert!((loss(&rated, 1800.0, 1.0, |_| 1.0) / all - 1.0).abs() < 1e-12);
+        // Half of the covered time, as if it were uncovered: of 1800 s and of 900 s.
+        let halves = [mode(1e-2, 900.0), mode(2e-2, 1350.0)];
+        let [failing, open] = [loss(&rated, 1800.0, 0.5, |_| 1.0), loss(&halves, 1800.0, 0.0, |_| 1.0)];
+        assert!((failing / open - 1.0).abs() < 1e-12, "{failing} {open}");
     }
 
     /// The rule of three, and the bound of 1 failure in 10 in tables: 39.4 %.
@@ -412,7 +441,7 @@ mod tests {
     #[test]
     fn two_strikes_count_uncovered_ones_too() {
         let q = Quantities::new(vec![mode(1e-2, 900.0), mode(2e-2, 0.0)], None, 1800.0, None);
-        let [both, all] = [q.both_covered(|_| 1.0), q.two_strikes().unwrap()];
+        let [both, all] = [q.both_covered(|_| 1.0), q.two_strikes(|_| 1.0).unwrap()];
         let p = |rate: f64, seconds: f64| exponential(rate, hours(seconds));
         assert!((both / (p(1e-2, 900.0) * p(2e-2, 1800.0)) - 1.0).abs() < 1e-12);
         assert!((all / (p(1e-2, 1800.0) * p(2e-2, 1800.0)) - 1.0).abs() < 1e-12);
@@ -422,7 +451,7 @@ mod tests {
     fn two_rare_faults_keep_their_digits() {
         let rated = [mode(1e-9, 0.0), mode(1e-9, 0.0)];
         let expected = exponential(1e-9, 0.5).powi(2);
-        assert!((loss(&rated, 1800.0, |_| 1.0) / expected - 1.0).abs() < 1e-12);
+        assert!((loss(&rated, 1800.0, 0.0, |_| 1.0) / expected - 1.0).abs() < 1e-12);
     }
 
     #[test]

@@ -1,25 +1,35 @@
 //! The ten questions of an assessor, and the answers that the folder gives.
 
 use super::evidence::{FAILED, ModeEvidence, Phase};
-use super::quantities::{by_importance, largest_share, with_interval};
+use super::quantities::{by_importance, with_interval};
 use super::{Case, TARGET, short};
 use crate::admissible::outcome::Outcome;
-use crate::model::FaultMode;
+use crate::model::{FaultMode, RecoverySettings};
 use crate::number::{fixed, number, plural, significant};
 
 /// Ten questions, and the answers that the folder gives.
 pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
     let (q, e) = (&case.quantities, &case.evidence);
     let model = case.problem.model();
+    let share = e.largest_share_of_failures();
     let probability = match (q.probability, q.per_flight_hour()) {
         (Some(p), Some(hourly)) => {
             let without = case.of_left_out().map_or(String::new(), |text| format!(" {text}."));
             let failed = q.without_failures.map_or(String::new(), |p| {
                 format!(" If ways out whose simulated flight failed covered their time: {} a mission.", short(p))
             });
+            let at_bound = match (e.flown, q.if_covered_fail(share)) {
+                (0, _) | (_, None) => String::new(),
+                (_, Some(p)) => format!(
+                    " If {} % of strikes where a mode is covered lost control too, the bound of the simulated flights \
+                     at 95 % confidence: {} a mission.",
+                    significant(100.0 * share, 2),
+                    short(p)
+                ),
+            };
             format!(
                 "{} for each mission of {} s; {} for each flight hour if such missions follow each \
-                 other.{failed}{without}",
+                 other.{failed}{at_bound}{without}",
                 with_interval(p, q.interval),
                 significant(e.duration, 4),
                 short(hourly)
@@ -29,10 +39,12 @@ pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
     };
     let target = match (q.target, q.budget()) {
         (Some(target), Some(left)) if left >= 0.0 => {
-            format!("Yes: the spec allows {}, and {} of it is left. {TARGET}.", short(target), short(left))
+            let (target, left, highest) = (short(target), short(left), q.at_highest());
+            format!("Yes: the spec allows {target}, and {left} of it is left{highest}. {TARGET}.")
         }
         (Some(target), Some(left)) => {
-            format!("No: the spec allows {}, exceeded by {}. {TARGET}.", short(target), short(-left))
+            let (target, over, highest) = (short(target), short(-left), q.at_highest());
+            format!("No: the spec allows {target}, exceeded by {over}{highest}. {TARGET}.")
         }
         (Some(_), None) => "Not covered: no mode has a rate.".into(),
         (None, _) => "Not covered: the spec states none (require risk).".into(),
@@ -42,7 +54,7 @@ pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
         .map(|mode| {
             let name = &model.modes[mode].name;
             if let Some(why) = &case.not_sought[mode] {
-                return format!("{name} throughout ({why})");
+                return format!("{name} throughout, {why}");
             }
             let [open, failed] = [e.modes[mode].uncovered(), e.modes[mode].with_outcome(FAILED)];
             let failed = match failed > 0.0 {
@@ -55,9 +67,11 @@ pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
     let gaps = match open.is_empty() {
         true => "At every instant that was looked at, yes.".into(),
         false => format!(
-            "No: {}. fmea.csv has the phases. None found means: no motion that keeps every limit of the spec. That none \
-             exists is not shown, and a flight that leaves a limit may survive.",
-            open.join(", ")
+            "No. Counted as lost: {}. fmea.csv has the times. Where none was found, the search found no motion of at \
+             most {} s within the limits that hold after a fault; that none exists is not shown, and a flight that \
+             leaves a limit may survive.",
+            open.join(", "),
+            number(e.within)
         ),
     };
     let several = model.modes.iter().filter(|mode| mode.capacities().iter().filter(|c| **c < 1.0).count() > 1);
@@ -79,7 +93,7 @@ pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
         more => format!(" {more} more pairs have a mode without a rate, and are not counted."),
     };
     let rated = if q.rated.is_empty() { "" } else { " of modes with rates" };
-    let likely = q.two_strikes().map_or(String::new(), |all| {
+    let likely = q.two_strikes(|_| 1.0).map_or(String::new(), |all| {
         let both = q.both_covered(|_| 1.0);
         format!(
             " Two modes strike in one mission with the probability {}; both where they are covered with at most {}.",
@@ -96,9 +110,18 @@ pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
             plural(case.pairs.len(), "pair"),
         ),
     };
+    let source = match model.plan.recovery.detection == RecoverySettings::default().detection {
+        true => "mavc's default, unless the spec states it",
+        false => "of the spec",
+    };
     let detection = match e.detection[..] {
-        [least, most] => format!("{} to {} ms", number(1e3 * least), number(1e3 * most)),
-        _ => format!("{} ms", number(1e3 * e.detection[0])),
+        [least, most] => format!(
+            "A way out was sought after {} and after {} ms, {source}, and not between them; the tables and the \
+             simulated flights are those of the longer delay",
+            number(1e3 * least),
+            number(1e3 * most)
+        ),
+        _ => format!("{} ms, {source}, is assumed", number(1e3 * e.detection[0])),
     };
     let [shown, covered] = e.proved_and_covered();
     let failed = match e.failed_where_proved {
@@ -117,9 +140,9 @@ pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
     };
     let sample = match e.flown {
         0 => String::new(),
-        flown => format!(
+        _ => format!(
             " With 95 % confidence, at most {} % of such flights fail, as far as they are independent and alike.",
-            significant(100.0 * largest_share(flown - e.survived, flown), 2)
+            significant(100.0 * share, 2)
         ),
     };
     let between = match shown > 0.0 {
@@ -131,10 +154,19 @@ pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
         ),
         false => format!("No way out that counts as covered is proved; the search checks them at instants.{failed}"),
     };
-    let proved = match case.accepted.weaker.is_empty() {
-        true => format!("The plan: {}. {between}", case.accepted.headline),
+    let against = match model.plan.against.is_empty() {
+        true => String::new(),
         false => format!(
-            "The plan, less than the spec requires: {}. It leaves open: {}. {between}",
+            " Facets are those of the sets that {} leave (against in the spec): inside them the remaining rotors can \
+             still give what the plan needs. Before a fault is known, the vehicle leaves the plan, so that a way out \
+             may be missing all the same.",
+            case.names(&model.plan.against)
+        ),
+    };
+    let proved = match case.accepted.weaker.is_empty() {
+        true => format!("The plan: {}.{against} {between}", case.accepted.headline),
+        false => format!(
+            "The plan, less than the spec requires: {}. It leaves open: {}.{against} {between}",
             case.accepted.headline,
             case.accepted.weaker.join("; ")
         ),
@@ -148,19 +180,17 @@ pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
         ("What of two faults in one mission?", doubles),
         (
             "How soon must a fault be known?",
-            format!(
-                "Not covered: {detection}, of the spec or else mavc's default, is assumed and no other delay looked \
-                 at. An undetected fault is not covered."
-            ),
+            format!("{detection}. Not covered: what any other delay would change. An undetected fault is not covered."),
         ),
         (
             "On what do the ways out rest?",
             format!(
-                "A search at {} instants, each way out at most {} s long, flown once in simulation with the noise and \
-                 gusts of the spec, or mavc's defaults where it is silent, and with seeds from {} on: {}.{sample} The \
-                 column basis of fmea.csv has it for each row; its column provision names {tables}.",
+                "A search at {} instants, each way out at most {} s long, flown once in simulation with gusts \
+                 of {} m/s, the other noise of the spec, or mavc's defaults where it is silent, and with seeds from {} \
+                 on: {}.{sample} The column basis of fmea.csv has it for each row; its column provision names {tables}.",
                 e.instants,
                 number(e.within),
+                number(model.simulation.gusts),
                 model.simulation.seed,
                 case.flights(),
             ),
@@ -183,7 +213,7 @@ fn by_probability(case: &Case) -> String {
     let ranked = by_importance(q);
     let (at, saved) = ranked[0];
     format!(
-        "By mode: {}, without which the probability is {} less{}. By phase: {} on the {}, {} s, {}{}.",
+        "Of the modes with a rate: {}, without which the probability is {} less{}. By phase: {} on the {}, {} s, {}{}.",
         model.modes[q.rated[at].mode].name,
         short(saved),
         and_alike(ranked.iter().map(|(_, saved)| *saved)),
@@ -212,7 +242,8 @@ fn by_time(case: &Case) -> String {
         return "None: each mode is covered throughout.".into();
     };
     format!(
-        "By time, because no mode has a rate: {}, uncovered for {} of {} s{}. By phase: {} on the {}, {} s{}. {} in all.",
+        "By time, because no mode has a rate: {}, uncovered for {} of {} s{}. By phase: {} on the {}, {} s{}. {} in \
+         all.",
         model.modes[*longest].name,
         fixed(*of_all, 2),
         fixed(case.evidence.duration, 2),

@@ -9,7 +9,7 @@ use crate::number::{number, shortest};
 use crate::report::headline::by_failure;
 
 /// The columns of the FMEA worksheet: the usual ones, and after them what mavc adds.
-const FMEA: [&str; 23] = [
+const FMEA: [&str; 24] = [
     "item",
     "function",
     "mode",
@@ -29,6 +29,7 @@ const FMEA: [&str; 23] = [
     "rate_per_h",
     "phase_from_s",
     "phase_to_s",
+    "effect_times_s",
     "effect_s",
     "exposure_s",
     "basis",
@@ -57,7 +58,9 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(FMEA)?;
     let known = match case.evidence.detection[..] {
-        [least, most] => format!("assumed known after {} to {} ms", number(1e3 * least), number(1e3 * most)),
+        [least, most] => {
+            format!("assumed known; looked at: after {} and after {} ms", number(1e3 * least), number(1e3 * most))
+        }
         _ => format!("assumed known after {} ms", number(1e3 * case.evidence.detection[0])),
     };
     let count = |n: Option<u8>| n.map(|n| n.to_string()).unwrap_or_default();
@@ -88,6 +91,12 @@ pub fn fmea(case: &Case) -> Result<Vec<u8>, csv::Error> {
                 mode.rate.map(|rate| shortest(rounded(3600.0 * rate))).unwrap_or_default(),
                 shortest(phase.from),
                 shortest(phase.to),
+                share
+                    .times
+                    .iter()
+                    .map(|[from, to]| format!("{} to {}", shortest(*from), shortest(*to)))
+                    .collect::<Vec<_>>()
+                    .join("; "),
                 shortest(rounded(seconds)),
                 shortest(if share.outcome >= FAILED { rounded(seconds) } else { 0.0 }),
                 basis(case.not_sought[index].as_deref(), &share).into(),

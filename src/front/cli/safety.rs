@@ -28,6 +28,8 @@ struct Read {
     tables: Vec<(String, Vec<u8>)>,
     /// The version that wrote the folder.
     written_by: String,
+    /// The names of the spec's texts in the folder, with their hashes.
+    spec_files: Vec<(String, String)>,
 }
 
 pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
@@ -51,7 +53,7 @@ pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
             Err(code) => return Ok(code),
         },
     };
-    let Read { report, certificate, tables, written_by } = &read;
+    let Read { report, certificate, tables, written_by, spec_files } = &read;
     let budget = args.budget.unwrap_or_default();
     watch.begins("checking the certificate");
     let accepted = match timed(&watch, "verify", || verify_within(budget, CERTIFICATE, certificate, task.spec())) {
@@ -62,7 +64,8 @@ pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
             return Ok(code);
         }
     };
-    let case = match task.safety_case(Inputs { report, certificate, tables, written_by }, &accepted) {
+    let inputs = Inputs { report, certificate, tables, written_by, spec_files };
+    let case = match task.safety_case(inputs, &accepted) {
         Ok(case) => case,
         Err(why) if args.check => return Ok(check::rejected(&why)),
         Err(why) => return Err(why),
@@ -100,7 +103,8 @@ pub fn run(args: &SafetyArgs, options: &Options) -> Result<u8, CommandError> {
 
 fn read(names: [&PathBuf; 2]) -> Result<Read, CommandError> {
     let [report, certificate] = names.map(|name| files::read_spec(&name.display().to_string(), MAX_BYTES));
-    Ok(Read { report: report?, certificate: certificate?, tables: Vec::new(), written_by: version() })
+    let (report, certificate) = (report?, certificate?);
+    Ok(Read { report, certificate, tables: Vec::new(), written_by: version(), spec_files: Vec::new() })
 }
 
 /// Plans, looks for ways out, and certifies; an exit code if there is no plan or no certificate of it. Ways out are
@@ -123,5 +127,6 @@ fn planned(task: &Task, watch: &Watch, options: &Options) -> Result<Result<Read,
     let mut report = task.report(&planning, &Explained::default(), None);
     report.recovery = Some(RecoveryRecord::new(task.model(), &found));
     let tables = recovery::files(task.problem(), &found)?;
-    Ok(Ok(Read { report: json(&report)?.into_bytes(), certificate, tables, written_by: version() }))
+    let report = json(&report)?.into_bytes();
+    Ok(Ok(Read { report, certificate, tables, written_by: version(), spec_files: Vec::new() }))
 }

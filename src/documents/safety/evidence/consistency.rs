@@ -6,7 +6,7 @@ use super::struck_at;
 use crate::certificate::MotionRecord;
 use crate::model::{Mission, Model};
 use crate::number::number;
-use crate::recovery::apart;
+use crate::recovery::{NotAttempted, RESOLUTION, apart, not_attempted, steps};
 use crate::report::recovery::OUTCOMES;
 
 /// The duration of the plan and its arrivals at waypoints, s: those of the certificate, which the report's must equal.
@@ -53,9 +53,13 @@ pub fn ways_out(model: &Model, recovery: &Recovery, duration: f64) -> Result<(),
     if !agrees {
         return Err("its delays or its longest way out are not those of the spec".into());
     }
-    for mode in &recovery.modes {
+    for (index, mode) in recovery.modes.iter().enumerate() {
+        if mode.not_attempted.as_deref() != not_attempted(model, index).map(NotAttempted::word) {
+            return Err(format!("whether a way out was sought after {} does not follow from the spec", mode.name));
+        }
         of_mode(mode, most, duration)?;
     }
+    instants(recovery, duration)?;
     let branches: usize = recovery.modes.iter().flat_map(|mode| &mode.pieces).map(|piece| piece.branches.len()).sum();
     if branches != recovery.flown {
         return Err(format!("it names {branches} ways out, and counts {} that were flown", recovery.flown));
@@ -77,6 +81,19 @@ pub fn ways_out(model: &Model, recovery: &Recovery, duration: f64) -> Result<(),
         ));
     }
     Ok(())
+}
+
+/// Compares the number of instants with the changes of outcome, each of which was bisected.
+fn instants(recovery: &Recovery, duration: f64) -> Result<(), String> {
+    let halvings = (apart(duration) / RESOLUTION).log2().ceil().max(0.0) as usize;
+    let sought = recovery.modes.iter().filter(|mode| mode.not_attempted.is_none());
+    let (least, changes) = sought.fold((0, 0), |(least, changes), mode| {
+        (least + steps(duration) as usize + 1, changes + mode.pieces.len().saturating_sub(1))
+    });
+    match (least..=least + changes * halvings).contains(&recovery.instants) {
+        true => Ok(()),
+        false => Err(format!("a search of its outcomes does not look at {} instants", recovery.instants)),
+    }
 }
 
 /// Compares what a report says of one mode with its pieces; faults are known after `delay` s.
@@ -115,6 +132,19 @@ fn of_mode(mode: &ModeOutcomes, delay: f64, duration: f64) -> Result<(), String>
         };
         if piece.site.is_some() != (piece.outcome == OUTCOMES[2]) {
             return Err(format!("after {name} from {from} to {to} s, it names a site and does not land at it"));
+        }
+        for flight in &piece.failed {
+            let place = piece.branches.iter().position(|branch| *branch == flight.branch);
+            let due = place.map(|at| {
+                let before = if at == 0 { piece.from_s } else { instants[at - 1] };
+                [before, instants.get(at + 1).copied().unwrap_or(piece.to_s)]
+            });
+            let counts = |[before, after]: [f64; 2]| {
+                (flight.from_s - before).abs() <= NAMED && (flight.to_s - after).abs() <= NAMED
+            };
+            if !due.is_some_and(counts) {
+                return Err(format!("the failed flight {} does not count for the time around it", flight.branch));
+            }
         }
         // A search finds a way out at each of its instants, or ends the piece: it has one at both ends, and between
         // them no two neighbours are further apart than instants are.

@@ -3,11 +3,11 @@
 use super::super::{CommandError, FINE, REJECTED, files};
 use super::Read;
 use crate::certificate::MAX_BYTES;
-use crate::safety::inputs::{Inputs, SPEC, SUMS, TABLES, listed, version};
+use crate::safety::inputs::{Inputs, SUMS, TABLES, listed, version};
 use crate::safety::{CERTIFICATE, REPORT, sha256};
 use serde_json::Value;
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Component, Path};
 
 /// The files that state the hashes of the report and of the certificate.
 const STATING: [&str; 4] = ["quantities.json", "argument.json", "faulttree.xml", "index.html"];
@@ -44,7 +44,18 @@ pub fn read(folder: &Path) -> Option<Read> {
         false => Some(Vec::new()),
     };
     let written_by = stated("written_by").map_or_else(version, str::to_string);
-    Some(Read { report: report?, certificate: certificate?, tables: tables?, written_by })
+    let spec_files = quantities.as_ref().and_then(spec_files).unwrap_or_default();
+    Some(Read { report: report?, certificate: certificate?, tables: tables?, written_by, spec_files })
+}
+
+/// The names and hashes of the spec's texts that a folder states; `None` where a name leads out of it.
+fn spec_files(quantities: &Value) -> Option<Vec<(String, String)>> {
+    let text = |text: &Value| {
+        let (name, hash) = (text["file"].as_str()?, text["sha256"].as_str()?);
+        let is_inside = Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
+        is_inside.then(|| (name.to_string(), hash.to_string()))
+    };
+    quantities["spec"].as_array()?.iter().map(text).collect()
 }
 
 /// The tables of ways out that a list of hashes names.
@@ -78,15 +89,17 @@ fn said<T>(name: &str, why: &str) -> Option<T> {
     None
 }
 
-/// The files in the folders of an assessment, those of ways out and of the spec, that it does not have.
+/// The files in the folder of an assessment that are not its `own`; not those whose names begin with a dot, which file
+/// managers leave.
 pub fn strangers<'n>(folder: &Path, own: impl Iterator<Item = &'n str>) -> Vec<String> {
     let own: BTreeSet<&str> = own.collect();
-    let mut next = vec![TABLES.to_string(), SPEC.to_string()];
+    let mut next = vec![String::new()];
     let mut found = Vec::new();
-    while let Some(name) = next.pop() {
-        let entries = std::fs::read_dir(folder.join(&name)).into_iter().flatten().flatten();
-        for entry in entries {
-            let inner = format!("{name}/{}", entry.file_name().display());
+    while let Some(within) = next.pop() {
+        let entries = std::fs::read_dir(folder.join(&within)).into_iter().flatten().flatten();
+        for entry in entries.filter(|entry| !entry.file_name().as_encoded_bytes().starts_with(b".")) {
+            let separator = if within.is_empty() { "" } else { "/" };
+            let inner = format!("{within}{separator}{}", entry.file_name().display());
             match entry.file_type().is_ok_and(|kind| kind.is_dir()) {
                 true => next.push(inner),
                 false if own.contains(inner.as_str()) => (),
@@ -110,8 +123,8 @@ pub fn listed_briefly(strangers: &[String]) -> Option<String> {
 /// Compares the files of a folder with those that follow from the spec and from `inputs`.
 pub fn compare(folder: &Path, derived: &[(String, Vec<u8>)], inputs: &Inputs) -> Result<u8, CommandError> {
     let tables: Vec<String> = inputs.tables.iter().map(|(name, _)| format!("{TABLES}/{name}")).collect();
-    let sums = (!tables.is_empty()).then_some(SUMS);
-    let own = derived.iter().map(|(name, _)| name).chain(&tables).map(String::as_str).chain(sums);
+    let read = [Some(REPORT), Some(CERTIFICATE), (!tables.is_empty()).then_some(SUMS)];
+    let own = derived.iter().map(|(name, _)| name).chain(&tables).map(String::as_str).chain(read.into_iter().flatten());
     let mut differ = 0;
     if let Some(names) = listed_briefly(&strangers(folder, own)) {
         differ += 1;
