@@ -16,7 +16,7 @@ use crate::planner::scp::Iterate;
 use crate::planner::selection::PlanningSet;
 use crate::solve::Effort;
 use crate::tolerance::MOST_OUTSIDE;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Times in which a branch goes back to the plan, s, in the order tried. The longer it lasts, the more it can do, and
 /// the less its end depends on its start; but it keeps room from the set's facets all the time, which the plan may not.
@@ -27,9 +27,6 @@ const BACK_IN: [f64; 3] = [4.0, 1.0, 2.0];
 /// Times of a landing as multiples of a likely one, in the order tried; the longest allowed is tried last. Chosen by
 /// hand.
 const LONGER: [f64; 3] = [1.0, 2.1, 1.45];
-
-/// How many times are tried next to an instant at which all failed. Chosen by hand.
-const BESIDE_FAILURES: usize = 2;
 
 /// A vehicle that lands where it comes to rest may touch down this far from there, m. Chosen by hand.
 const HERE: f64 = 1.0;
@@ -67,8 +64,8 @@ pub(super) struct Search<'a> {
     delays: &'a [f64],
     /// The last branch for each way and delay.
     last: BTreeMap<(usize, usize), Iterate>,
-    /// The ways and delays for which no branch was found at the last instant.
-    failed: BTreeSet<(usize, usize)>,
+    /// For how many instants in a row no branch was found, for each way and delay.
+    failed: BTreeMap<(usize, usize), usize>,
 }
 
 /// The outcome at one instant, with a branch for each delay.
@@ -86,14 +83,19 @@ struct Start<'b> {
     state: &'b NodeState,
     /// The last branch of this way and delay, and the one at this instant of a longer delay.
     alike: [Option<&'b Iterate>; 2],
-    /// Whether none was found at the last instant.
-    has_failed: bool,
+    /// For how many instants in a row none was found before this one.
+    failed: usize,
 }
 
 impl Start<'_> {
-    /// Those of some times that are tried.
+    /// Those of some times that are tried: all, or next to instants at which all failed the first one, and each of the
+    /// others in turn.
     fn tried(&self, times: impl Iterator<Item = f64>) -> Vec<f64> {
-        times.take(if self.has_failed { BESIDE_FAILURES } else { usize::MAX }).collect()
+        let all: Vec<f64> = times.collect();
+        match (self.failed, &all[..]) {
+            (1.., [first, others @ ..]) if others.len() > 1 => vec![*first, others[(self.failed - 1) % others.len()]],
+            _ => all,
+        }
     }
 }
 
@@ -119,7 +121,7 @@ impl<'a> Search<'a> {
             simulation: quiet(model),
             power: if model.plan.recovery.keep > 0.0 { Power::of(model) } else { None },
             last: BTreeMap::new(),
-            failed: BTreeSet::new(),
+            failed: BTreeMap::new(),
             problem,
             plan,
             mode,
@@ -372,9 +374,9 @@ impl<'a> Search<'a> {
             let last = self.last.remove(&key);
             let delay = self.delays[index];
             let alike = [last.as_ref(), iterates.last()];
-            let start = Start { delay, state: &carried.state, alike, has_failed: self.failed.remove(&key) };
-            let Some(found) = find(self, start) else {
-                self.failed.insert(key);
+            let failed = self.failed.remove(&key).unwrap_or(0);
+            let Some(found) = find(self, Start { delay, state: &carried.state, alike, failed }) else {
+                self.failed.insert(key, failed + 1);
                 return None;
             };
             let (mode, deviation, motion) = (self.mode, carried.deviation, found.trajectory());
