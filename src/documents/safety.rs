@@ -17,6 +17,7 @@ use crate::admissible::outcome::Outcome;
 use crate::flight::equilibrium::{analyze_each, outcome_of};
 use crate::model::{Model, Problem, RotorState};
 use crate::number::{fixed, number, plural, significant};
+use crate::report::screen::WIDTH;
 use crate::spec::Spec;
 use crate::verify::Accepted;
 use evidence::{Evidence, FAILED, ModeEvidence, Phase, Share};
@@ -309,7 +310,8 @@ impl<'a> Case<'a> {
         for why in &self.accepted.weaker {
             text += &format!("  weaker than the spec requires: {why}\n");
         }
-        text
+        let options = textwrap::Options::new(WIDTH).subsequent_indent("    ");
+        text.lines().map(|line| textwrap::fill(line, &options) + "\n").collect()
     }
 }
 
