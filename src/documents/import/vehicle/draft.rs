@@ -1,6 +1,7 @@
 //! The text of a vehicle whose figures are known in part.
 
 use crate::format::format;
+use crate::language::Group;
 use crate::source::{FileId, Source};
 
 /// A figure as it is written, with its unit.
@@ -73,6 +74,8 @@ pub struct Draft {
     /// `let` statements.
     pub lets: Vec<Field>,
     pub fields: Vec<Field>,
+    /// Fields that the file lacks, estimated: they stand in comments.
+    pub estimates: Vec<(&'static str, String, String)>,
     /// The fields of `rotor { }`.
     pub shared: Vec<Field>,
     pub rotors: Vec<Rotor>,
@@ -119,8 +122,13 @@ impl Draft {
         }
         out.push_str(&format!("vehicle {} {{\n", self.name));
         self.fields.iter().for_each(|field| out.push_str(&field.line("    ")));
+        let of_rotor = |(name, ..): &&(&'static str, String, String)| Group::Rotor.has(name);
+        let comment = |(name, value, why): &(&'static str, String, String)| format!("// {name} = {value}  ({why})\n");
+        let of_vehicle = self.estimates.iter().filter(|one| !of_rotor(one));
+        of_vehicle.for_each(|one| out.push_str(&format!("    {}", comment(one))));
         out.push_str("    rotor {\n");
         self.shared.iter().for_each(|field| out.push_str(&field.line("        ")));
+        self.estimates.iter().filter(of_rotor).for_each(|one| out.push_str(&format!("        {}", comment(one))));
         out.push_str("    }\n    rotors {\n");
         for rotor in &self.rotors {
             let own: String = rotor.own.iter().map(|(name, figure)| format!("  {name} {}", figure.text())).collect();
