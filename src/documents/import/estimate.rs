@@ -131,6 +131,27 @@ impl Known {
     }
 }
 
+/// How a figure that a file lacks is estimated by hand, for the comment behind its `?`; `None` for one that only the
+/// user knows, such as the mass.
+pub fn rule(field: &str) -> Option<String> {
+    let percent = |range: f64| shown(100.0 * range);
+    Some(match field {
+        "inertia" => format!("estimate, half to twice: {INERTIA:?} m R^2, with the distance R of a rotor"),
+        "max_thrust" => format!(
+            "estimate, +- {} %: {THRUST_TO_WEIGHT} times the weight over the number of motors",
+            percent(THRUST_RANGE)
+        ),
+        "torque_per_thrust" => format!(
+            "estimate, +- {} %: {POWER_TO_THRUST} D/(2 pi), with the diameter D of a propeller",
+            percent(POWER_RANGE)
+        ),
+        "max_speed" => {
+            format!("estimate, +- {} %: 2 pi sqrt(max_thrust/({THRUST_COEFFICIENT} rho D^4))", percent(SPEED_RANGE))
+        }
+        _ => return None,
+    })
+}
+
 /// A battery by its label: cells in series and charge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Battery {

@@ -1,6 +1,7 @@
 //! The text of a vehicle whose figures are known in part.
 
 use crate::format::format;
+use crate::import::estimate;
 use crate::language::Group;
 use crate::source::{FileId, Source};
 
@@ -26,7 +27,7 @@ impl Figure {
     }
 }
 
-/// A field with a remark behind it.
+/// A field with a remark behind it; an unknown one also has the rule by which it is estimated, if there is one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     pub name: &'static str,
@@ -45,7 +46,9 @@ impl Field {
     }
 
     fn line(&self, indent: &str) -> String {
-        let remark = self.remark.as_ref().map_or(String::new(), |text| format!("  // {text}"));
+        let rule = (self.figure == Figure::Unknown).then(|| estimate::rule(self.name)).flatten();
+        let remarks: Vec<String> = self.remark.clone().into_iter().chain(rule).collect();
+        let remark = if remarks.is_empty() { String::new() } else { format!("  // {}", remarks.join("; ")) };
         format!("{indent}{} = {}{remark}\n", self.name, self.figure.text())
     }
 }
