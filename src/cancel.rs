@@ -1,9 +1,9 @@
 //! Cancelling a run from another thread.
 //!
 //! A run that is [`Cancel::within`] looks at points of its work, at least once for each iteration of the solver, each
-//! step of a controller and each admissible set, whether it is cancelled. If it is, it unwinds, without the message of
-//! a panic. Nothing of a cancelled run is left: functions of this crate keep no state. A program that is built with
-//! `panic = "abort"` must not cancel.
+//! step of a controller, each admissible set and each 256 KiB of a log, whether it is cancelled. If it is, it unwinds,
+//! without the message of a panic. Nothing of a cancelled run is left: functions of this crate keep no state. A program
+//! that is built with `panic = "abort"` must not cancel.
 
 use rayon::ThreadPoolBuilder;
 use std::any::Any;

@@ -16,8 +16,8 @@
    '(([
        ;; words: statements
        "after_fault_limits" "air" "battery" "campaign" "curve" "end" "every" "faults" "fault" "hold" "keep_in"
-       "keep_off" "keep_out" "landing_site" "let" "limits" "mission" "mode" "plan" "recovery" "require" "rotors"
-       "rotor" "simulate" "start" "use" "vehicle" "waypoints" "waypoint"
+       "keep_off" "keep_out" "landing_site" "let" "limits" "mission" "mode" "parts" "part" "plan" "recovery" "require"
+       "rotors" "rotor" "simulate" "start" "use" "vehicle" "waypoints" "waypoint"
        ;; end of words
        "moving" "from" "where" "in" "as" "reduced" "to" "stuck" "at" "towards" "along" "path" "free"]
       @font-lock-keyword-face)
@@ -27,6 +27,7 @@
      (mission name: (name) @font-lock-type-face)
      (volume name: (name) @font-lock-constant-face)
      (landing_site name: (name) @font-lock-constant-face)
+     (part name: (name) @font-lock-constant-face)
      (mode name: (name) @font-lock-constant-face)
      (every name: (name) @font-lock-constant-face)
      (binding name: (name) @font-lock-variable-name-face))

@@ -21,7 +21,7 @@ const STATEMENT_WORDS = [
   // words: statements
   'use', 'let', 'require', 'vehicle', 'faults', 'mission', 'plan', 'simulate', 'campaign', 'limits', 'mode', 'every',
   'curve', 'rotor', 'rotors', 'start', 'end', 'waypoint', 'waypoints', 'hold', 'fault', 'keep_in', 'keep_out',
-  'battery', 'air', 'after_fault_limits', 'keep_off', 'landing_site', 'recovery'
+  'battery', 'air', 'after_fault_limits', 'keep_off', 'landing_site', 'recovery', 'parts', 'part'
   // end of words
 ];
 
@@ -79,9 +79,9 @@ module.exports = grammar({
     _block: ($) =>
       choice(
         $.vehicle, $.faults, $.mission, $.plan, $.simulate, $.campaign, $.limits, $.volume, $.mode, $.curve,
-        $.rotor_block, $.rotors_block, $.battery, $.air, $.landing_site, $.after_fault_limits, $.recovery,
-        alias($._every_block, $.every), alias($._start_block, $.start), alias($._waypoint_block, $.waypoint),
-        alias($._requirement_block, $.requirement),
+        $.rotor_block, $.rotors_block, $.battery, $.parts, $.part, $.air, $.landing_site, $.after_fault_limits,
+        $.recovery, alias($._every_block, $.every), alias($._start_block, $.start),
+        alias($._waypoint_block, $.waypoint), alias($._requirement_block, $.requirement),
       ),
 
     // ---- blocks
@@ -102,6 +102,8 @@ module.exports = grammar({
     rotor_block: ($) => seq('rotor', field('body', $.body)),
     rotors_block: ($) => seq('rotors', field('body', $.body)),
     battery: ($) => seq('battery', field('body', $.body)),
+    parts: ($) => seq('parts', field('body', $.body)),
+    part: ($) => seq('part', field('name', $.name), field('body', $.body)),
 
     curve: ($) =>
       seq(

@@ -23,6 +23,7 @@ from .errors import (
 from .exports import Exported
 from .imports import Imported, import_mission, import_vehicle
 from .layouts import rings
+from .logs import Diagnosis, Figure, Identified, diagnose, identify
 from .results import Analysis, Campaign, Log, Mode, Plan, Simulation, Trajectory
 from .runs import Cancel, Progress
 from .spec import Spec, Verification, compile, format, new
@@ -36,11 +37,14 @@ __all__ = [
     "Campaign",
     "Cancel",
     "Cancelled",
+    "Diagnosis",
     "Diagnostic",
     "Diagnostics",
     "Exported",
     "FaultMode",
+    "Figure",
     "Fix",
+    "Identified",
     "Imported",
     "InternalError",
     "KeepOff",
@@ -69,7 +73,9 @@ __all__ = [
     "Waypoint",
     "build",
     "compile",
+    "diagnose",
     "format",
+    "identify",
     "import_mission",
     "import_vehicle",
     "new",

@@ -10,6 +10,9 @@ Shown = tuple[str, str]
 Handle = Any
 """A value of the native part, which never changes."""
 
+Log = tuple[str, Optional[bytes]]
+"""A flight log: its name, and its bytes unless it is a file."""
+
 Report = Optional[Callable[[str, Optional[str], Optional[float], Optional[int], Optional[int]], Any]]
 
 def compile(name: str, data: bytes, overrides: list[str], flights: bool, /) -> tuple[Optional[Handle], Shown]: ...
@@ -19,6 +22,19 @@ def import_vehicle(name: str, data: bytes, /) -> tuple[Optional[str], list[str],
 def import_mission(
     name: str, data: bytes, vehicle: Optional[tuple[str, str]], /
 ) -> tuple[Optional[str], list[str], list[str], Shown]: ...
+def diagnose(
+    log: Log,
+    threads: int,
+    report: Report,
+    cancel: Handle,
+    spec: Optional[Handle],
+    hidden: list[int],
+    baseline: list[Log],
+    /,
+) -> tuple[Optional[str], str, Shown]: ...
+def identify(
+    log: Log, threads: int, report: Report, cancel: Handle, mass: str, /
+) -> tuple[Optional[str], list[tuple[str, Optional[float], Optional[tuple[float, float]], str]], Shown]: ...
 def templates() -> list[tuple[str, str]]: ...
 def build(calls: list[tuple[str, list[Any]]], /) -> tuple[str, list[tuple[str, str, str, Optional[str], Optional[str]]]]: ...
 def unit(block: str, field: str, /) -> Optional[str]: ...

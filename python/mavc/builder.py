@@ -32,7 +32,7 @@ class _Fields:
 
 
 class Rotor(_Fields):
-    """A rotor. `at` (m from the centre of gravity) and `spin` (`P` turns counter-clockwise seen from above, `N` clockwise) place it;
+    """A rotor. `at` (m from the frame's origin) and `spin` (`P` turns counter-clockwise seen from above, `N` clockwise) place it;
     without them its fields are those of all rotors."""
 
     def __init__(self, at: Sequence[float] | None = None, spin: str | None = None, **fields: Any) -> None:
@@ -47,7 +47,8 @@ class Rotor(_Fields):
 
 class Vehicle(_Fields):
     """A vehicle: `Vehicle(layout="PPNNPPNN", arm=0.211, mass=1.8, inertia=[...], rotor=Rotor(max_thrust=6.53, ...))`, or with
-    `rotors`, a list of placed ones, instead of a layout. `battery` has the fields of its block."""
+    `rotors`, a list of placed ones, instead of a layout. `battery` has the fields of its block. `parts` has a mapping for each part,
+    and the masses that all motors and arms share: `parts={"motor_mass": 0.1, "battery": {"mass": 1.1, "at": (0, 0, -0.03)}}`."""
 
     def __init__(
         self,
@@ -55,16 +56,29 @@ class Vehicle(_Fields):
         rotor: Rotor | Mapping[str, Any] | None = None,
         rotors: Iterable[Rotor] = (),
         battery: Mapping[str, Any] | None = None,
+        parts: Mapping[str, Any] | None = None,
         **fields: Any,
     ) -> None:
         super().__init__(**fields)
         self.rotor = rotor if isinstance(rotor, Rotor) else Rotor(**(rotor or {}))
         self.rotors = list(rotors)
         self.battery = dict(battery or {})
+        self.parts = dict(parts or {})
 
     def _calls(self) -> list[Call]:
         calls = _set("vehicle", self.fields) + _set("rotor", self.rotor.fields) + _set("battery", self.battery)
+        shared = {name: value for name, value in self.parts.items() if not isinstance(value, Mapping)}
+        calls += _set("parts", shared)
+        calls += [_part(name, value) for name, value in self.parts.items() if isinstance(value, Mapping)]
         return calls + [rotor._placed() for rotor in self.rotors]
+
+
+def _part(name: str, fields: Mapping[str, Any]) -> Call:
+    unknown = set(fields) - {"mass", "at", "size"}
+    if unknown or not {"mass", "at"} <= set(fields):
+        raise ValueError(f"part {name!r} takes mass, at and size, not {sorted(fields)}")
+    size = None if fields.get("size") is None else _vector("part", "size", fields["size"])
+    return "part", [name, checked("part", "mass", fields["mass"]), _vector("part", "at", fields["at"]), size]
 
 
 class FaultMode(_Fields):

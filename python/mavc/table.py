@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import csv
 import importlib
 import io
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -90,6 +91,31 @@ def numbers(csv: str) -> dict[str, np.ndarray]:
     return {name: np.frombuffer(data, dtype=np.float64) for name, data in _mavc.columns(csv)}
 
 
+class Records(Table):
+    """One row for each record; the columns have the same types whatever the records hold."""
+
+    def __init__(self, kinds: Mapping[str, type], records: Iterable[Mapping[str, Any]]) -> None:
+        rows = [{name: record.get(name) for name in kinds} for record in records]
+        text = io.StringIO()
+        writer = csv.DictWriter(text, list(kinds), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+        self._kinds = dict(kinds)
+        columns = {name: self._column(kind, [row[name] for row in rows]) for name, kind in kinds.items()}
+        super().__init__(columns, text.getvalue())
+
+    def _column(self, kind: type, values: list[Any]) -> np.ndarray:
+        if kind is float:
+            return np.array([np.nan if value is None else value for value in values], dtype=float)
+        return np.array(values, dtype=np.int64 if kind is int else object)
+
+    def to_arrow(self) -> pyarrow.Table:
+        pa = module("pyarrow", "an Arrow table")
+        types = {float: pa.float64(), int: pa.int64(), str: pa.string(), bool: pa.bool_()}
+        columns = {name: pa.array(self[name], types[kind], from_pandas=True) for name, kind in self._kinds.items()}
+        return pa.table(columns)
+
+
 class Rows(Table):
     """The rows of a campaign, one for each flight (docs/campaigns.md describes the columns)."""
 
@@ -115,10 +141,10 @@ class Rows(Table):
 
     def to_arrow(self) -> pyarrow.Table:
         pa = module("pyarrow", "an Arrow table")
-        csv = module("pyarrow.csv", "an Arrow table")
+        reader = module("pyarrow.csv", "an Arrow table")
         kinds = {name: pa.float64() for name in self}
         kinds.update({name: pa.string() for name in self._TEXTS})
         kinds.update({name: pa.int64() for name in self._COUNTS + self._MISSING_COUNTS})
         kinds["heading_broken"] = pa.bool_()
-        options = csv.ConvertOptions(column_types=kinds, null_values=[""], strings_can_be_null=True)
-        return csv.read_csv(io.BytesIO(self.csv.encode()), convert_options=options)
+        options = reader.ConvertOptions(column_types=kinds, null_values=[""], strings_can_be_null=True)
+        return reader.read_csv(io.BytesIO(self.csv.encode()), convert_options=options)

@@ -10,12 +10,14 @@ use pyo3::prelude::*;
 use pyo3::types::{PyList, PyString};
 
 /// The blocks whose fields have units, by the names that Python uses.
-const GROUPS: [(&str, Group); 17] = [
+const GROUPS: [(&str, Group); 19] = [
     ("top", Group::Top),
     ("vehicle", Group::Vehicle),
     ("rotor", Group::Rotor),
     ("placed_rotor", Group::PlacedRotor),
     ("battery", Group::Battery),
+    ("parts", Group::Parts),
+    ("part", Group::Part),
     ("mode", Group::Mode),
     ("waypoint", Group::Waypoint),
     ("limits", Group::Limits),
@@ -91,6 +93,13 @@ fn call(builder: Builder, method: &str, values: &Bound<PyList>) -> PyResult<Buil
         "vehicle" => builder.vehicle(&text(0)?, value(1)?),
         "rotor" => builder.rotor(&text(0)?, value(1)?),
         "battery" => builder.battery(&text(0)?, value(1)?),
+        "parts" => builder.parts(&text(0)?, value(1)?),
+        "part" => builder.part(
+            &text(0)?,
+            number(1)?,
+            values.get_item(2)?.extract()?,
+            values.get_item(3)?.extract::<Option<[f64; 3]>>()?,
+        ),
         "placed_rotor" => builder.placed_rotor(values.get_item(0)?.extract()?, &text(1)?, &borrowed(&clauses(2)?)),
         "lost" => builder.lost(&text(0)?, &rotors(1)?),
         "reduced" => builder.reduced(&text(0)?, &rotors(1)?, number(2)?),

@@ -12,6 +12,7 @@ mod export;
 mod held;
 mod import;
 mod job;
+mod logs;
 mod plan;
 mod simulate;
 mod tasks;
@@ -33,13 +34,15 @@ type Value = PyResult<Py<PyAny>>;
 type Function = fn(Arguments) -> Value;
 
 /// The functions of the module.
-const FUNCTIONS: [(&CStr, Function); 26] = [
+const FUNCTIONS: [(&CStr, Function); 28] = [
     (c"compile", compile::compile),
     (c"facts", compile::facts),
     (c"format", compile::format),
     (c"templates", compile::templates),
     (c"import_vehicle", import::vehicle),
     (c"import_mission", import::mission),
+    (c"diagnose", logs::diagnose),
+    (c"identify", logs::identify),
     (c"build", builder::build),
     (c"unit", builder::unit),
     (c"is_text", builder::is_text),

@@ -102,6 +102,27 @@ def test_placed_rotors():
     assert np.allclose(thrusts, [6.53, 6.53, 6.53, 7.0], rtol=1e-14)
 
 
+def test_parts():
+    units = pint.UnitRegistry()
+    rotor = mavc.Rotor(max_thrust=14, torque_per_thrust=0.016, max_speed=900)
+    parts = {
+        "motor_mass": 0.095,
+        "arm_mass": 60 * units.gram,
+        "battery": {"mass": 1.1, "at": (0, 0, -0.04), "size": [15, 7, 5] * units.centimeter},
+        "camera": {"mass": 410 * units.gram, "at": (0.09, 0, -0.06)},
+    }
+    built = mavc.build(mavc.Vehicle(layout="PNPN", arm=0.25, first=np.pi / 4, rotor=rotor, parts=parts))
+    vehicle = built.model["vehicle"]
+    assert np.isclose(vehicle["mass_kg"], 4 * (0.095 + 0.06) + 1.1 + 0.41)
+    assert np.isclose(vehicle["centre_of_gravity_m"][0], 0.41 * 0.09 / 2.13)
+    assert built.set("vehicle.parts.motor_mass", 120 * units.gram).model["vehicle"]["mass_kg"] > vehicle["mass_kg"]
+    with pytest.raises(ValueError, match="part 'battery' takes mass, at and size"):
+        mavc.build(mavc.Vehicle(layout="PNPN", arm=0.25, rotor=rotor, parts={"battery": {"mass": 1.1}}))
+    with pytest.raises(mavc.BuildError) as caught:
+        mavc.build(mavc.Vehicle(layout="PNPN", arm=0.25, rotor=rotor, parts={"battery": {"mass": -1.1, "at": (0, 0, 0)}}))
+    assert [problem.field for problem in caught.value.problems] == ["vehicle.parts.battery.mass"]
+
+
 def test_every_mistake_is_reported_with_its_call():
     with pytest.raises(mavc.BuildError) as caught:
         mavc.build(octo(mas=2.0), mission=mavc.Mission([(0, 0, 2), (1, 0, 2)]), plan={"planner": "best"})

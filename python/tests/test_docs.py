@@ -26,6 +26,7 @@ def test_examples_run(example, tmp_path, monkeypatch, capsys):
     assert "/command/trajectory 1501 points" in printed
     # What the comments of the page say.
     assert str(known["text"].unknown) in page and known["text"].unknown
+    assert known["diagnosis"].motors == (1,) and known["losses"]["kind"].tolist() == ["held"]
     assert known["quad"].modes == ("M1", "M2", "M3", "M4")
     deepest, highest = map(float, next(line for line in printed.splitlines() if line.startswith("-")).split())
     assert abs(deepest - highest) < 0.01 * abs(highest)

@@ -72,12 +72,26 @@ def built() -> mavc.Spec:
     return mavc.build(vehicle, [mavc.FaultMode("M1", lost=1)], mission, plan=QUICK, set={"plan.time": 20.0})
 
 
+def crashed(log: Path, spec: mavc.Spec) -> list[int]:
+    try:
+        found: mavc.Diagnosis = mavc.diagnose(log, spec, baseline=[log], hide=[1], threads=1)
+    except mavc.SpecError:
+        return []
+    losses: mavc.Table = found.frames["losses"]
+    identified: mavc.Identified = mavc.identify(log, "1.5 kg", warn=False)
+    known: list[float] = [figure.value for figure in identified.figures if figure.value is not None]
+    assert known and found.headline
+    return list(found.motors) if losses.rows else []
+
+
 def test_a_typed_program(tmp_path: Path) -> None:
     spec = built()
     assert mistakes() and swept(spec) > 1.8
     assert margins(spec).shape == (1,)
     assert planned(spec, tmp_path) > 20.0
     assert flown(spec, tmp_path) == "flown"
+    (tmp_path / "no_log.bin").write_bytes(b"no log")
+    assert crashed(tmp_path / "no_log.bin", spec) == []
     rotors = [(0.2, 0.2, 1), (-0.2, -0.2, 1), (0.2, -0.2, -1), (-0.2, 0.2, -1)]
     lines = ["CA_ROTOR_COUNT,4"]
     for i, (x, y, sign) in enumerate(rotors):

@@ -51,6 +51,9 @@ pub struct Builder {
     rotor: Vec<Line>,
     placed: Vec<Line>,
     battery: Vec<Line>,
+    parts: Vec<Line>,
+    /// The blocks `part` within `parts`.
+    part: Vec<Named>,
     modes: Vec<Mode>,
     mission: Vec<Line>,
     limits: Vec<Line>,
@@ -81,7 +84,7 @@ impl Line {
     }
 }
 
-/// A block of the mission with a name.
+/// A block with a name.
 #[derive(Debug, Clone)]
 struct Named {
     /// What calls are named by.
@@ -172,7 +175,45 @@ impl Builder {
         self
     }
 
-    /// Adds a rotor at a position (m from the centre of gravity), with spin `P` (counter-clockwise seen from above) or
+    /// Sets a field of the vehicle's parts: `motor_mass` or `arm_mass` (kg).
+    pub fn parts(mut self, field: &str, value: impl Into<Value>) -> Self {
+        let line = self.field(Group::Parts, "vehicle.parts.", field, value.into(), " = ");
+        self.parts.push(line);
+        self
+    }
+
+    /// Adds a part of the vehicle: its mass (kg), and the place of its centre from the frame's origin (m). It is a box
+    /// with the sides `size` (m), or a point. With parts the vehicle needs no `mass` and no `inertia`.
+    ///
+    /// ```
+    /// use mavc::builder::Builder;
+    ///
+    /// let spec = Builder::new()
+    ///     .vehicle("layout", "PNPN")
+    ///     .vehicle("arm", 0.25)
+    ///     .rotor("max_thrust", 8.0)
+    ///     .rotor("torque_per_thrust", 0.016)
+    ///     .rotor("max_speed", 900.0)
+    ///     .parts("motor_mass", 0.1)
+    ///     .part("battery", 0.6, [0.0, 0.0, -0.03], Some([0.15, 0.07, 0.05]))
+    ///     .part("electronics", 0.4, [0.0, 0.0, 0.02], None)
+    ///     .build()?;
+    /// assert!((spec.model().vehicle.mass - 1.4).abs() < 1e-12);
+    /// # Ok::<(), mavc::builder::BuildError>(())
+    /// ```
+    pub fn part(mut self, name: &str, mass: f64, at: [f64; 3], size: Option<[f64; 3]>) -> Self {
+        let path = format!("vehicle.parts.{name}");
+        self.name(&path, name);
+        let given = [("mass", Value::from(mass)), ("at", Value::from(at))];
+        let given = given.into_iter().chain(size.map(|size| ("size", Value::from(size))));
+        let field = |(field, value): (&str, Value)| self.field(Group::Part, &format!("{path}."), field, value, " = ");
+        let fields = given.map(field).collect();
+        self.part.push(Named { path, keyword: "part", name: name.into(), fields });
+        self
+    }
+
+    /// Adds a rotor at a position (m from the frame's origin, which is the centre of gravity unless parts or
+    /// `centre_of_gravity` give it), with spin `P` (counter-clockwise seen from above) or
     /// `N`. `fields` are those that it does not share with the other rotors. Use this instead of a `layout`.
     pub fn placed_rotor(mut self, position: [f64; 3], spin: &str, fields: &[(&str, f64)]) -> Self {
         let path = format!("vehicle.rotors[{}].", self.placed.len() + 1);
@@ -339,10 +380,14 @@ impl Builder {
             [line(format!("{head} {{"))].into_iter().chain(inner).chain([line("}".into())]).collect()
         };
         let mut vehicle = self.vehicle.clone();
+        let part =
+            |Named { path, keyword, name, fields }: &Named| nested(path, &format!("{keyword} {}", word(name)), fields);
+        let parts: Vec<Line> = self.parts.iter().cloned().chain(self.part.iter().flat_map(part)).collect();
         for (path, head, body) in [
             ("vehicle.rotor", "rotor", &self.rotor),
             ("vehicle.rotors", "rotors", &self.placed),
             ("vehicle.battery", "battery", &self.battery),
+            ("vehicle.parts", "parts", &parts),
         ] {
             if !body.is_empty() {
                 vehicle.extend(nested(path, head, body));

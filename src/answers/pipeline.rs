@@ -16,7 +16,7 @@ mod tasks;
 pub use certificates::{Rejected, Uncertified, certify, verify, verify_within, with_ways_out};
 pub use diagnosis::{Diagnosed, Undiagnosed, diagnose};
 pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict};
-pub use identification::{Identified, identify};
+pub use identification::{Figure, Identified, identify};
 pub use records::defaults_text;
 pub use stages::{NotPrinted, Program, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
 pub use sweep::{Flip, Sweep};

@@ -127,6 +127,9 @@ pub enum Group {
     /// The clauses of `rotor` in `rotors { }`.
     PlacedRotor,
     Battery,
+    Parts,
+    /// The fields of one `part` in `parts { }`.
+    Part,
     /// The fields of `mode` and `every`.
     Mode,
     /// The fields of `mission`, beside its statements.
@@ -158,12 +161,14 @@ pub enum Group {
 
 impl Group {
     /// Every group that has entries.
-    pub const ALL: [Group; 22] = [
+    pub const ALL: [Group; 24] = [
         Group::Top,
         Group::Vehicle,
         Group::Rotor,
         Group::PlacedRotor,
         Group::Battery,
+        Group::Parts,
+        Group::Part,
         Group::Mode,
         Group::Mission,
         Group::Curve,
@@ -190,6 +195,8 @@ impl Group {
             Place::Vehicle => Group::Vehicle,
             Place::Rotor => Group::Rotor,
             Place::Battery => Group::Battery,
+            Place::Parts => Group::Parts,
+            Place::Part => Group::Part,
             Place::Mode | Place::Every => Group::Mode,
             Place::Curve => Group::Curve,
             Place::Limits => Group::Limits,
@@ -229,6 +236,8 @@ impl Group {
             Place::Vehicle => &[Group::Vehicle],
             Place::Rotor => &[Group::Rotor],
             Place::Battery => &[Group::Battery],
+            Place::Parts => &[Group::Parts],
+            Place::Part => &[Group::Part],
             Place::Mode | Place::Every => &[Group::Mode],
             Place::Limits => &[Group::Limits],
             Place::KeepIn | Place::KeepOut => &[Group::Volume],
@@ -252,6 +261,8 @@ impl Group {
             Group::Rotor => table::rotor::ENTRIES,
             Group::PlacedRotor => table::placed_rotor::ENTRIES,
             Group::Battery => table::battery::ENTRIES,
+            Group::Parts => table::parts::ENTRIES,
+            Group::Part => table::part::ENTRIES,
             Group::Mode => table::mode::ENTRIES,
             Group::Mission => table::mission::ENTRIES,
             Group::Curve => table::curve::ENTRIES,

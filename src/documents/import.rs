@@ -1,8 +1,10 @@
 //! Specs from the files of other tools: vehicles of autopilots and simulators, missions of ground stations. What a file
-//! says is carried over; what it does not say stands as `?` or is left out, and nothing is invented.
+//! says is carried over; what it does not say stands as `?` or is left out, and nothing is invented: estimates
+//! (`import/estimate`) stand in comments.
 //!
 //! A foreign file is a [`Source`] like a spec, so that every mistake in it is a [`Diagnostic`] with its place.
 
+pub mod estimate;
 pub mod json;
 pub mod mission;
 pub mod unknown;

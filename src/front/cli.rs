@@ -41,8 +41,8 @@ use crate::source::visible;
 use crate::verdict::Verdict;
 use arguments::{
     AnalyzeArgs, CheckArgs, CheckFormat, Cli, Command, CompareArgs, Deny, DenyOfPlan, DiagnoseArgs, EmitArgs,
-    EmitFormat, FmtArgs, Format, IdentifyArgs, ImportArgs, ImportCommand, ImportMissionArgs, PlanArgs, SafetyArgs,
-    SimulateArgs, SpecArgs, Stage, VerifyArgs, ViewArgs,
+    EmitFormat, FmtArgs, Format, IdentifyArgs, ImportArgs, ImportCommand, ImportMissionArgs, NewVehicleArgs, PlanArgs,
+    SafetyArgs, SimulateArgs, SpecArgs, Stage, VerifyArgs, ViewArgs,
 };
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};
@@ -117,7 +117,7 @@ pub fn run() -> u8 {
         Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::Import(what) => import::run(what, &options),
-        Command::New { file, mission } => new::run(file, mission.as_deref(), &options),
+        Command::New { file, mission, vehicle } => new::run(file, mission.as_deref(), vehicle, &options),
         #[cfg(feature = "lsp")]
         Command::Lsp { stdio: _ } => lsp::run(),
         Command::Explain { code } => explain::run(code.as_deref()),

@@ -392,6 +392,55 @@ fn new_writes_whole_missions_that_check_and_plan() {
     assert!(err(&unknown).contains("inspection, delivery, survey, room"), "{}", err(&unknown));
 }
 
+/// A vehicle from its label is a spec without warnings whose estimates are marked; what depends on them is printed.
+#[test]
+fn new_writes_a_vehicle_of_estimates() {
+    let dir = folder();
+    let label = |motors: &str, mass: &str, diagonal: &str, propeller: &str| -> Vec<String> {
+        let given = ["--vehicle", "--motors", motors, "--mass", mass, "--diagonal", diagonal, "--propeller", propeller];
+        given.map(String::from).into()
+    };
+    let run = |name: &str, label: &[String], more: &[&str]| {
+        let spec = dir.path().join(name);
+        let given: Vec<&str> = label.iter().map(String::as_str).collect();
+        (mavc(&[&["new", text(&spec)], &given[..], more].concat()), spec)
+    };
+    for (name, label) in [
+        ("hexa.mav", label("6", "1.5kg", "55cm", "10in")),
+        ("quad.mav", label("4", "620 g", "22 cm", "5x4.3")),
+        ("octo.mav", label("8", "9kg", "1.1m", "457mm")),
+    ] {
+        let (ran, spec) = run(name, &label, &["--battery", "4S5000mAh"]);
+        assert_eq!(code(&ran), 0, "{}", err(&ran));
+        assert!(out(&ran).contains("yaw_drag from ") && out(&ran).contains("rotor.max_thrust from "), "{}", out(&ran));
+        assert_eq!(code(&mavc(&["fmt", "--check", text(&spec)])), 0, "{name} is not formatted");
+        let written = std::fs::read_to_string(&spec).unwrap();
+        for field in ["inertia", "drag", "yaw_drag", "max_thrust", "torque_per_thrust", "max_speed", "rotor_inertia"] {
+            let line = written.lines().find(|line| line.trim().starts_with(&format!("{field} "))).unwrap();
+            assert!(line.contains("// estimate"), "{line}");
+        }
+        for field in ["mass", "arm", "capacity"] {
+            let line = written.lines().find(|line| line.trim().starts_with(&format!("{field} "))).unwrap();
+            assert!(!line.contains("estimate"), "{line}");
+        }
+        let compiled = mavc::compile(&written);
+        assert_eq!(compiled.diagnostics, vec![], "{}", compiled.render());
+        let vehicle = &compiled.spec.unwrap().model().vehicle.clone();
+        assert!(vehicle.yaw_drag.unwrap().spread.high > 1.4 && vehicle.has_uncertain_rotors());
+    }
+    let (ran, spec) = run("known.mav", &label("4", "620g", "22cm", "5in"), &["--thrust", "480gf"]);
+    assert!(!out(&ran).contains("max_thrust"), "{}", out(&ran));
+    assert!(std::fs::read_to_string(&spec).unwrap().contains("max_thrust        = 4.7088 N"));
+    let (odd, spec) = run("odd.mav", &label("5", "620g", "22cm", "5in"), &[]);
+    assert!(code(&odd) == 2 && err(&odd).contains("even number of rotors") && !spec.exists(), "{}", err(&odd));
+    for wrong in [label("4", "620", "22cm", "5in"), label("4", "620g", "22cm", "5"), label("4", "1m", "22cm", "5in")] {
+        let (ran, spec) = run("wrong.mav", &wrong, &[]);
+        assert!(code(&ran) == 2 && err(&ran).contains("such as") && !spec.exists(), "{}", err(&ran));
+    }
+    assert_eq!(code(&mavc(&["new", "-", "--vehicle", "--mass", "1kg"])), 2);
+    assert_eq!(code(&mavc(&["new", "-", "--mass", "1kg"])), 2);
+}
+
 #[test]
 fn yaw_planned_first_is_said() {
     let dir = folder();

@@ -16,7 +16,7 @@ fn the_page_on_missing_plans_tells_the_truth() {
 
 #[test]
 fn the_page_on_numbers_tells_the_truth() {
-    follow("docs/how-to/numbers.md", (1, 1));
+    follow("docs/how-to/numbers.md", (2, 1));
 }
 
 #[test]

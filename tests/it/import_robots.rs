@@ -245,3 +245,34 @@ fn moments_of_the_whole_body_are_not_called_rotors() {
     let error = read(text).diagnostics.pop().unwrap();
     assert!(error.message.contains("a moment of the whole body"), "{error:?}");
 }
+
+/// No file has a drag: the estimates stand in comments, change nothing there, and are fields when the slashes go.
+#[test]
+fn estimates_stand_in_comments() {
+    let text = read(&file("flat.sdf")).text.unwrap();
+    let plain = vehicle(&file("flat.sdf"));
+    assert!(plain.yaw_drag.is_none() && !plain.has_rotor_inertia() && plain.drag == [0.0; 3]);
+    let field = |line: &str| match line.trim().strip_prefix("// ").filter(|rest| rest.contains("(estimate")) {
+        Some(rest) => rest.split("  (").next().unwrap().to_string(),
+        None => line.to_string(),
+    };
+    let fields: Vec<String> = text.lines().map(field).collect();
+    let estimated = compile(&fields.join("\n"));
+    let vehicle = estimated.into_result().unwrap_or_else(|e| panic!("{e}")).model().vehicle.clone();
+    // 1.64 kg on four rotors, at arms of 0.15 m to each side; thrust and speed suggest the propeller, and hover its tips.
+    let turns = 1.0 / std::f64::consts::TAU;
+    let diameter = (8e-6 / turns.powi(2) / (0.1 * 1.225)).powf(0.25);
+    let tips = 0.5 * diameter * (1.64 * 9.81 / 4.0 / 8e-6_f64).sqrt();
+    let drag = 1.55 * 1.64 * 9.81 / tips;
+    // They are written with two digits.
+    let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 0.05, "{a} is not {b}");
+    near(vehicle.drag[0], drag);
+    near(vehicle.yaw_drag.unwrap().linear, drag * 2.0 * 0.15 * 0.15);
+    near(vehicle.rotors[0].inertia, 1.5e-5 * (diameter / 0.2).powi(5));
+    // Without masses there is nothing to estimate from; the inertia has the rule behind its `?`.
+    let bare = read(&file("flat.sdf").replace("<mass>", "<!--").replace("</mass>", "-->")).text.unwrap();
+    assert!(
+        !bare.contains("drag =") && bare.contains("// estimate, half to twice: [0.25, 0.25, 0.45] m R^2"),
+        "{bare}"
+    );
+}

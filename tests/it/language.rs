@@ -28,6 +28,8 @@ fn tables() -> Vec<(&'static str, String)> {
         ("rotor", markdown(Group::Rotor)),
         ("placed rotor", markdown(Group::PlacedRotor)),
         ("battery", markdown(Group::Battery)),
+        ("parts", markdown(Group::Parts)),
+        ("part", markdown(Group::Part)),
         ("effects", statement_markdown(Place::Faults)),
         ("mode", markdown(Group::Mode)),
         ("statements of a mission", statement_markdown(Place::Mission)),

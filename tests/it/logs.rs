@@ -97,6 +97,31 @@ fn a_spec_is_identified_and_has_the_thrust_that_flew() {
     assert!(others.iter().all(|d| d.severity != mavc::Severity::Error), "{others:?}\n{}", found.text);
 }
 
+/// A simulated flight begins in the air, so its first height is not the ground: the loss is found although the vehicle is
+/// never half a metre higher before it.
+#[test]
+fn a_loss_is_found_in_a_log_that_begins_in_the_air() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let spec = "vehicle octo {
+    layout = \"PPNNPPNN\"; arm = 0.211 m; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor { max_thrust = 6.53 N; torque_per_thrust = 0.016 m; max_speed = 874 rad/s }
+}
+faults { mode M1 { rotor 1 lost } }
+mission short { start at [0, 0, 2] m; waypoint at [40, 0, 3] m }
+plan { planner = rsp; model = hover; samples = 60; time = 20 s }
+simulate { fault M1 at 10 s }
+";
+    std::fs::write(path("v.mav"), spec).unwrap();
+    let flown = run(&["simulate", &path("v.mav"), "-o", &path("f.ulg"), "--format", "ulog", "--rate", "100Hz"]);
+    assert_eq!(flown.status.code(), Some(0), "{}", String::from_utf8_lossy(&flown.stderr));
+    let ran = run(&["diagnose", &path("f.ulg"), &path("v.mav"), "--format", "json"]);
+    let record: Value = serde_json::from_slice(&ran.stdout).unwrap();
+    assert!(record["flights"][0]["from_s"].as_f64().unwrap() < 0.5, "{record}");
+    let loss = &record["losses"][0];
+    assert!(loss["motor"] == 1 && (loss["time_s"].as_f64().unwrap() - 10.0).abs() < 0.5, "{record}");
+}
+
 #[test]
 fn damaged_logs_end_in_an_answer_or_a_diagnostic() {
     // Short, and found: what is damaged would be answered.

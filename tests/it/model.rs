@@ -7,6 +7,7 @@ mod intervals;
 mod numbers;
 mod overriding;
 mod pages;
+mod parts;
 mod reading;
 mod recovering;
 mod sense;

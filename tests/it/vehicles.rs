@@ -35,6 +35,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             mass,
             mass_spread: Spread::NONE,
             inertia,
+            centre_of_gravity: None,
             battery: None,
             drag: [0.0; 3],
             drag_span: None,

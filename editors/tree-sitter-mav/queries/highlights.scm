@@ -19,8 +19,8 @@
 [
   ; words: statements of the spec
   "after_fault_limits" "air" "battery" "campaign" "curve" "end" "every" "faults" "fault" "hold" "keep_in" "keep_off"
-  "keep_out" "landing_site" "let" "limits" "mission" "mode" "plan" "recovery" "require" "rotors" "rotor" "simulate"
-  "start" "vehicle" "waypoint"
+  "keep_out" "landing_site" "let" "limits" "mission" "mode" "parts" "part" "plan" "recovery" "require" "rotors"
+  "rotor" "simulate" "start" "vehicle" "waypoint"
   ; end of words
   "moving" "where" "in" "as" "reduced" "to" "stuck" "at" "towards" "along" "path" "free"
 ] @keyword
@@ -37,6 +37,7 @@
 (strike mode: (name) @constant)
 (volume name: (name) @label)
 (landing_site name: (name) @label)
+(part name: (name) @label)
 (waypoint name: (name) @label)
 (binding name: (name) @variable)
 (curve parameter: (name) @variable.parameter)

@@ -7,6 +7,7 @@ use crate::diagnosis::record::Record;
 use crate::diagnosis::samples::Samples;
 use crate::diagnosis::study::Study;
 use crate::diagnostic::Diagnostic;
+use crate::import::unknown;
 use crate::log;
 use crate::number::{fixed, significant};
 use std::io::Read;
@@ -15,7 +16,20 @@ use std::io::Read;
 pub struct Identified {
     /// The text of the spec; what the flight does not show stands as `?`.
     pub text: String,
+    /// The figures that were identified or are missing, in the order of the text.
+    pub figures: Vec<Figure>,
     pub diagnostics: Vec<Diagnostic>,
+}
+
+/// A figure of an identified spec.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// The path by which `--set` sets it: `vehicle.rotor.max_thrust`.
+    pub field: String,
+    /// In SI units: the value, and the ends of its 95 % interval if the flight gives one; `None` stands as `?`.
+    pub value: Option<(f64, Option<[f64; 2]>)>,
+    /// Where it is from, or which flight or measurement would show it.
+    pub remark: String,
 }
 
 /// Length of the parts of a flight whose spread gives the interval, s.
@@ -46,8 +60,8 @@ pub fn identify(source: &mut dyn Read, mass: &str) -> Result<Identified, Undiagn
     let Some(study) = study.filter(|study| study.fit.is_some()) else {
         return Err(not(missing("the log shows no flight of 2 s or more", "name the log of a flight with a hover")));
     };
-    let text = written(&frame, &record, &vehicle, &study, mass, kilograms);
-    Ok(Identified { text, diagnostics })
+    let (text, figures) = written(&frame, &record, &vehicle, &study, mass, kilograms);
+    Ok(Identified { text, figures, diagnostics })
 }
 
 /// The specific force for each unit of command: its mean and half of its 95 % interval, by parts of the flight.
@@ -72,7 +86,15 @@ fn thrust_per_command(samples: &Samples, fit: &Fit, study: &Study) -> Option<(f6
     (parts.len() >= 3).then(|| (mean, student(parts.len() - 1) * (variance / n).sqrt()))
 }
 
-fn written(frame: &str, record: &Record, vehicle: &Vehicle, study: &Study, mass: &str, kilograms: f64) -> String {
+/// The text of the spec with its figures.
+fn written(
+    frame: &str,
+    record: &Record,
+    vehicle: &Vehicle,
+    study: &Study,
+    mass: &str,
+    kilograms: f64,
+) -> (String, Vec<Figure>) {
     let n = vehicle.motors.len();
     let shares: Vec<Vec<f64>> =
         log::commands(record, n).iter().map(|row| row.iter().map(|(share, _)| *share).collect()).collect();
@@ -83,10 +105,12 @@ fn written(frame: &str, record: &Record, vehicle: &Vehicle, study: &Study, mass:
     let lag =
         fit.filter(|fit| study.step <= FAST_WINDOWS && fit.explained[..2].iter().all(|e| *e > WELL) && fit.lag > 0.0);
     let figure = |name: &str| match name {
-        "mass" => Some((mass.to_string(), "as given".to_string())),
+        "mass" => Some((mass.to_string(), (kilograms, None), "as given".to_string())),
         "max_thrust" => thrust.map(|(newton, relative)| {
-            let value = format!("{} N +- {} %", significant(newton, 3), fixed((100.0 * relative).max(0.1), 1));
-            (value, "from the accelerometer and the commands in flight".to_string())
+            let relative = relative.max(0.001);
+            let text = format!("{} N +- {} %", significant(newton, 3), fixed(100.0 * relative, 1));
+            let interval = [newton * (1.0 - relative), newton * (1.0 + relative)];
+            (text, (newton, Some(interval)), "from the accelerometer and the commands in flight".to_string())
         }),
         _ => None,
     };
@@ -100,17 +124,24 @@ fn written(frame: &str, record: &Record, vehicle: &Vehicle, study: &Study, mass:
         _ => None,
     };
     let mut out = String::new();
+    let mut figures = Vec::new();
+    // The figures of single rotors have no path and no hint.
+    let mut paths = unknown::paths(frame).into_iter().peekable();
     for line in frame.lines() {
         let code = line.split("//").next().unwrap_or(line);
         let name = code.trim().trim_start_matches("let ").split('=').next().unwrap_or("").trim();
         match code.trim_end().strip_suffix('?') {
-            Some(head) => match figure(name) {
-                Some((value, remark)) => out.push_str(&format!("{head}{value}  // {remark}\n")),
-                None => {
-                    let hint = hint(name).map_or(String::new(), |hint| format!("  // {hint}"));
-                    out.push_str(&format!("{}{hint}\n", code.trim_end()));
+            Some(head) => {
+                let (text, value, remark) = match figure(name) {
+                    Some((text, value, remark)) => (text, Some(value), remark),
+                    None => ("?".into(), None, hint(name).unwrap_or_default()),
+                };
+                let comment = if remark.is_empty() { String::new() } else { format!("  // {remark}") };
+                out.push_str(&format!("{head}{text}{comment}\n"));
+                if let Some(field) = paths.next_if(|path| path.rsplit('.').next() == Some(name)) {
+                    figures.push(Figure { field, value, remark });
                 }
-            },
+            }
             None => {
                 out.push_str(line);
                 out.push('\n');
@@ -118,11 +149,13 @@ fn written(frame: &str, record: &Record, vehicle: &Vehicle, study: &Study, mass:
                     let text =
                         format!("        time_constant = {} ms  // as the vehicle turns\n", fixed(1000.0 * fit.lag, 0));
                     out.push_str(&text);
+                    let (field, remark) = ("vehicle.rotor.time_constant".into(), "as the vehicle turns".into());
+                    figures.push(Figure { field, value: Some((fit.lag, None)), remark });
                 }
             }
         }
     }
-    out
+    (out, figures)
 }
 
 /// What the flight shows of the inertia.

@@ -239,15 +239,10 @@ impl Sweep {
         Ok(Sweep { field: field.into(), low, high, unit: unit.into(), start, flips })
     }
 
-    pub fn to_text(&self, model: &Model) -> String {
-        let mut out = format!(
-            "{}, {} from {} to {} {}\n",
-            terminal::vehicle_line(model),
-            self.field,
-            significant(self.low, 6),
-            significant(self.high, 6),
-            self.unit
-        );
+    /// The field with its range, and the outcomes of the modes over it.
+    pub fn outcomes(&self) -> String {
+        let [low, high] = [self.low, self.high].map(|value| significant(value, 6));
+        let mut out = format!("{} from {low} to {high} {}\n", self.field, self.unit);
         let mut rows: Vec<(String, Vec<usize>)> = Vec::new();
         for (k, (mode, outcome)) in self.start.iter().enumerate() {
             let mut text = outcome.word().to_string();
@@ -269,6 +264,11 @@ impl Sweep {
             let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("    ");
             out.push_str(&format!("{}\n", textwrap::fill(&row, options).replace('\u{a0}', " ")));
         }
+        out
+    }
+
+    pub fn to_text(&self, model: &Model) -> String {
+        let mut out = format!("{}, {}", terminal::vehicle_line(model), self.outcomes());
         if model.vehicle.is_uncertain() {
             out.push_str("Outcomes hold for all values of the spec's intervals, or are undecided.\n");
         }

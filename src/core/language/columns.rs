@@ -48,6 +48,7 @@ impl Group {
             Group::Vehicle => Some("vehicle."),
             Group::Rotor => Some("vehicle.rotor."),
             Group::Battery => Some("vehicle.battery."),
+            Group::Parts => Some("vehicle.parts."),
             Group::Mission => Some("mission."),
             Group::Limits => Some("mission.limits."),
             Group::AfterFaultLimits => Some("mission.after_fault_limits."),
@@ -57,6 +58,7 @@ impl Group {
             Group::Simulate => Some("simulate."),
             Group::Campaign => Some("campaign."),
             Group::PlacedRotor
+            | Group::Part
             | Group::Mode
             | Group::Curve
             | Group::CurveHead

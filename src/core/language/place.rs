@@ -11,6 +11,10 @@ pub enum Place {
     Rotors,
     /// `battery { }` in a vehicle.
     Battery,
+    /// `parts { }` in a vehicle.
+    Parts,
+    /// `part { }` in `parts`.
+    Part,
     Faults,
     /// `mode` in `faults`.
     Mode,
@@ -71,6 +75,8 @@ impl Place {
             Place::Rotor => "in a `rotor` block",
             Place::Rotors => "in a `rotors` block",
             Place::Battery => "in a `battery` block",
+            Place::Parts => "in `parts`",
+            Place::Part => "in a `part`",
             Place::Faults => "in `faults`",
             Place::Mode => "in a `mode`",
             Place::Every => "in an `every` block",

@@ -16,6 +16,8 @@ pub fn markdown(group: Group) -> String {
         Group::Rotor => "of a rotor",
         Group::PlacedRotor => "of one rotor",
         Group::Battery => "of the battery",
+        Group::Parts => "of the parts",
+        Group::Part => "of a part",
         Group::Curve => "of a curve",
         Group::CurveHead => "after the range of a curve",
         Group::Waypoint | Group::Strike => "clause",

@@ -30,6 +30,8 @@ pub const BLOCKS: &[BlockEntry] = &[
     block("rotor", Place::Rotor, false, Place::Vehicle),
     block("rotors", Place::Rotors, false, Place::Vehicle),
     block("battery", Place::Battery, false, Place::Vehicle),
+    block("parts", Place::Parts, false, Place::Vehicle),
+    block("part", Place::Part, true, Place::Parts),
     block("mode", Place::Mode, true, Place::Faults),
     block("limits", Place::Limits, false, Place::Mission),
     block("keep_in", Place::KeepIn, true, Place::Mission),
@@ -45,7 +47,8 @@ pub const BLOCKS: &[BlockEntry] = &[
 /// The words that begin a statement in each place, other than fields.
 pub const OPENERS: &[(Place, &[&str])] = &[
     (Place::Top, &["use", "let", "vehicle", "faults", "mission", "plan", "simulate", "campaign"]),
-    (Place::Vehicle, &["rotor", "rotors", "battery"]),
+    (Place::Vehicle, &["rotor", "rotors", "battery", "parts"]),
+    (Place::Parts, &["part"]),
     (Place::Rotors, &["rotor"]),
     (Place::Faults, &["every", "mode"]),
     (Place::Mode, &["rotor", "rotors"]),
@@ -112,6 +115,7 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
             ),
         ],
     ),
+    (Place::Parts, &[statement("part", "part NAME { }", "one part: a box, or a point without `size`")]),
     (Place::Rotors, &[statement("rotor", "rotor at POSITION spin P", "places one rotor")]),
     (
         Place::Plan,
@@ -152,6 +156,11 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
                 "battery",
                 "battery { }",
                 "the battery, from which reports compute the charge that a plan leaves ([battery](#battery))",
+            ),
+            statement(
+                "parts",
+                "parts { }",
+                "the parts, from which mass, centre of gravity and inertia follow ([parts](#parts))",
             ),
         ],
     ),
@@ -299,6 +308,8 @@ pub const OTHER_WORDS: &[(&str, &str)] = &[
     ("propeller", "rotor"),
     ("accumulator", "battery"),
     ("accu", "battery"),
+    ("components", "parts"),
+    ("component", "part"),
 ];
 
 impl Place {

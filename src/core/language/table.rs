@@ -80,9 +80,9 @@ group! {
     FIRST "first", Quantity("deg", Any), Value(0.0, "0 deg", "the first rotor is on +y"),
         "the angle from +y to the first rotor of a ring, clockwise".excludes(&["rotors"]);
     ARM "arm", Quantity("m", Positive), Otherwise("required for a ring"),
-        "the radius of a ring, from the centre of gravity to each rotor"
+        "the radius of a ring about the frame's origin"
         .excludes(&["rotors"]).sweepable().bounds(1e-4, 1e4).likely(LENGTHS);
-    MASS "mass", Quantity("kg", Positive), Needed,
+    MASS "mass", Quantity("kg", Positive), Otherwise("required, or `parts`"),
         "the mass of the whole vehicle in flight, including its payload"
         .sweepable().bounds(1e-6, 1e6).likely(MASSES).family(Family::Mass);
     PROPELLER_RADIUS "propeller_radius", Quantity("m", Positive), Otherwise("unknown"),
@@ -100,8 +100,10 @@ group! {
         "the radius about the centre of gravity within which the whole vehicle stays; [volumes](#volumes) keep this \
          distance"
         .bounds(1e-4, 1e4).likely(LENGTHS);
-    INERTIA "inertia", Vector("kg*m^2", Positive), Needed,
+    INERTIA "inertia", Vector("kg*m^2", Positive), Otherwise("required, or `parts`"),
         "the moments of inertia `[Ixx, Iyy, Izz]` about the centre of gravity".bounds(1e-15, 1e9).family(Family::Mass);
+    CENTRE_OF_GRAVITY "centre_of_gravity", Vector("m", Any), Otherwise("the frame's origin, or that of `parts`"),
+        "the centre of gravity `[x, y, z]` from the frame's origin".bounds(1e-100, ANY);
     ALLOCATION "allocation", Words(&["bounded", "pseudo_inverse"]),
         Written("bounded", "reaches all that the rotors can give"),
         "how a wrench becomes rotor speeds. `bounded` respects the limits of the rotors and gives up yaw first. \
@@ -149,7 +151,7 @@ pub mod placed_rotor {
     use super::*;
 
     pub const AT: Entry =
-        Entry::new("at", Vector("m", Any), Needed, "the position `[x, y, z]` from the centre of gravity")
+        Entry::new("at", Vector("m", Any), Needed, "the position `[x, y, z]` from the frame's origin")
             .bounds(1e-100, ANY);
     pub const SPIN: Entry = Entry::new("spin", Words(&["P", "N"]), Needed, "the direction in which the rotor turns");
     pub const MOTOR: Entry = Entry::new(
@@ -189,6 +191,27 @@ group! {
     THRUST_AT_EMPTY "thrust_at_empty", Share, Value(1.0, "100 %", "full thrust does not depend on the charge"),
         "the share of full thrust that remains with an empty battery; from the full battery to the empty one the full \
          thrust falls along a straight line".sweepable();
+}
+
+group! {
+    /// The fields of `parts { }`.
+    parts:
+    MOTOR_MASS "motor_mass", Quantity("kg", Positive), Otherwise("0"),
+        "the mass of a motor with its propeller: a point at the place of each rotor"
+        .sweepable().bounds(1e-6, 1e6).likely(MASSES);
+    ARM_MASS "arm_mass", Quantity("kg", Positive), Otherwise("0"),
+        "the mass of an arm: a thin rod from the frame's origin to each rotor"
+        .sweepable().bounds(1e-6, 1e6).likely(MASSES);
+}
+
+group! {
+    /// The fields of `part { }`.
+    part:
+    MASS "mass", Quantity("kg", Positive), Needed, "the mass of the part"
+        .bounds(1e-6, 1e6).likely(MASSES).family(Family::Mass);
+    AT "at", Vector("m", Any), Needed, "its centre `[x, y, z]` from the frame's origin".bounds(1e-100, ANY);
+    SIZE "size", Vector("m", Positive), Otherwise("a point"), "the sides `[x, y, z]` of a homogeneous box"
+        .bounds(1e-4, 1e4).likely(LENGTHS);
 }
 
 group! {

@@ -14,6 +14,7 @@ mod lag;
 pub mod legs;
 mod limits;
 mod origin;
+mod parts;
 mod plan_settings;
 mod problem;
 mod recovery;
@@ -33,6 +34,7 @@ pub use interval::{RotorSpread, Spread};
 pub use lag::SLOWEST_SHARE;
 pub use limits::{Description, Quantity};
 pub use origin::Origin;
+pub use parts::{Composite, Part as VehiclePart, Shape as PartShape};
 pub use plan_settings::{
     CaptureHeight, MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH, MAX_WAYPOINTS, MissionTime, PlanModel, PlanRotors,
     PlanSettings, PlannerKind, SearchEffort,
@@ -106,6 +108,9 @@ pub struct Vehicle {
     pub mass_spread: Spread,
     /// Diagonal of the inertia matrix J: Ixx, Iyy, Izz, kg m^2.
     pub inertia: [f64; 3],
+    /// From the frame's origin, m: where the spec places rotors from the origin of its frame. `None` if it places them
+    /// from the centre of gravity.
+    pub centre_of_gravity: Option<[f64; 3]>,
     /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity
     /// through the air along it. 0 if the spec gives none.
     pub drag: [f64; 3],

@@ -1,5 +1,6 @@
 //! Bytes of a log from a file or a pipe, of which a few are in memory at a time.
 
+use crate::cancel;
 use std::io::{self, Read};
 
 /// How many bytes are read at once; a message is at most 64 KiB long.
@@ -26,6 +27,7 @@ impl<'r> Input<'r> {
     /// The file cannot be read.
     pub fn peek(&mut self, count: usize) -> io::Result<&[u8]> {
         while self.buffer.len() - self.start < count && !self.is_at_end {
+            cancel::checkpoint();
             self.buffer.drain(..self.start);
             self.start = 0;
             let had = self.buffer.len();

@@ -39,6 +39,9 @@ struct VehicleRecord<'a> {
     mass_kg: f64,
     /// Diagonal of J, kg m^2.
     inertia_kg_m2: [f64; 3],
+    /// The centre of gravity from the frame's origin, m; omitted if the spec places rotors from the centre of gravity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    centre_of_gravity_m: Option<[f64; 3]>,
     /// How a wrench becomes rotor speeds.
     #[cfg_attr(test, schemars(extend("enum" = crate::language::table::vehicle::ALLOCATION.words())))]
     allocation: &'static str,
@@ -190,6 +193,7 @@ fn vehicle(vehicle: &Vehicle) -> VehicleRecord<'_> {
         name: &vehicle.name,
         mass_kg: vehicle.mass,
         inertia_kg_m2: vehicle.inertia,
+        centre_of_gravity_m: vehicle.centre_of_gravity,
         allocation: vehicle.allocation.name(),
         drag_n_s_per_m: vehicle.drag,
         yaw_drag: vehicle

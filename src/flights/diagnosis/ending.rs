@@ -34,8 +34,10 @@ pub fn flights(record: &Record, samples: &Samples) -> Vec<Flight> {
     let Some(typical) = median(&mut sums) else { return Vec::new() };
     let ground = record.height.values.first().map_or(0.0, |h| f64::from(h[0]));
     let reach = record.height.values.iter().map(|h| f64::from(h[0]) - ground).fold(0.0, f64::max);
-    // Without heights, or on a bench, the commands alone say whether it flies.
-    let has_height = !record.height.is_empty() && reach > 2.0 * ABOVE;
+    // The first height is the ground only if the log begins there. Otherwise, without heights, or on a bench, the
+    // commands alone decide whether it flies.
+    let begins_in_air = samples.samples.first().is_some_and(|first| total(&first.commands) > FLYING * typical);
+    let has_height = !begins_in_air && !record.height.is_empty() && reach > 2.0 * ABOVE;
     let flies = |i: usize| {
         let s = &samples.samples[i];
         let height = || record.height.at(s.time, 1.5).is_none_or(|h| h[0] - ground > ABOVE);

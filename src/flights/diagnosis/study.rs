@@ -8,6 +8,7 @@ use super::outputs::{Frozen, frozen};
 use super::record::{MOTORS, Record, median};
 use super::samples::Samples;
 use super::transient::sudden;
+use crate::cancel;
 
 /// The most losses that are looked for in one flight.
 const MOST_LOSSES: usize = 4;
@@ -192,6 +193,7 @@ fn losses_of(
     let by_lag = LAGS.map(|lag| sudden(samples, &samples.followed(lag), effects, range.clone()));
     moved.extend(by_lag.into_iter().flatten().max_by(|a, b| a.strength.total_cmp(&b.strength)));
     for round in 0..=MOST_LOSSES {
+        cancel::checkpoint();
         let residuals = residuals_after(&fit, samples, effects, &moved);
         let known: Vec<usize> = moved.iter().map(|change| change.motor).collect();
         let Some(change) = strongest(samples, &fit, effects, &residuals, range.clone(), &known) else { break };

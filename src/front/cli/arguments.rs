@@ -4,6 +4,7 @@ use super::campaign::CampaignArgs;
 use super::exports::FRAMES;
 use crate::MISSION_TEMPLATES;
 use crate::exchange::{flight, trajectory};
+use crate::import::estimate::{Battery, battery, propeller, quantity};
 use crate::model::SearchEffort;
 use crate::verify::cost::Budget;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -93,6 +94,8 @@ pub(super) enum Command {
         /// Write a whole mission with volumes and a battery; `room` is for a Crazyflie, the others have legs and wind
         #[arg(long, value_name = "KIND", value_parser = MISSION_TEMPLATES.map(|(kind, _)| kind))]
         mission: Option<String>,
+        #[command(flatten)]
+        vehicle: NewVehicleArgs,
     },
     /// Run the language server, over standard input and output
     #[cfg(feature = "lsp")]
@@ -298,6 +301,32 @@ pub(super) struct ViewArgs {
     /// Open the page in the browser of the system
     #[arg(long)]
     pub open: bool,
+}
+
+/// What is known of a vehicle before the first measurement.
+#[derive(Args)]
+pub(super) struct NewVehicleArgs {
+    /// Write a vehicle alone, from the figures below; every other figure is an estimate and marked as one
+    #[arg(long, conflicts_with = "mission", requires_all = ["mass", "motors", "diagonal", "propeller"])]
+    pub vehicle: bool,
+    /// The mass in flight
+    #[arg(long, requires = "vehicle", value_name = "1.5kg", value_parser = |text: &str| quantity(text, "kg", "1.5kg"))]
+    pub mass: Option<f64>,
+    /// The number of motors on the ring
+    #[arg(long, requires = "vehicle", value_name = "6", value_parser = clap::value_parser!(u32).range(4..=32))]
+    pub motors: Option<u32>,
+    /// The distance from motor to motor across the middle
+    #[arg(long, requires = "vehicle", value_name = "55cm", value_parser = |text: &str| quantity(text, "m", "55cm"))]
+    pub diagonal: Option<f64>,
+    /// The diameter of a propeller, or its label, such as 10x4.5
+    #[arg(long, requires = "vehicle", value_name = "10in", value_parser = propeller)]
+    pub propeller: Option<f64>,
+    /// The label of the battery
+    #[arg(long, requires = "vehicle", value_name = "4S5000mAh", value_parser = battery)]
+    pub battery: Option<Battery>,
+    /// The full thrust of a motor; without it, all together are assumed to lift twice the mass
+    #[arg(long, requires = "vehicle", value_name = "9N", value_parser = |text: &str| quantity(text, "N", "9N"))]
+    pub thrust: Option<f64>,
 }
 
 #[derive(Args)]

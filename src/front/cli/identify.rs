@@ -21,7 +21,7 @@ pub fn run(args: &IdentifyArgs, options: &Options) -> Result<u8, CommandError> {
             eprint(&args.log, found, options);
             Ok(SPEC_ERRORS)
         }
-        Ok(Identified { text, diagnostics }) => {
+        Ok(Identified { text, diagnostics, .. }) => {
             eprint(&args.log, diagnostics, options);
             match &target {
                 Some(target) => write(&[(target, text.as_bytes())])?,

@@ -146,8 +146,18 @@ fn openers(context: &Context, list: &mut Vec<Offer>) {
             None => (format!("{word} "), None),
         };
         // A block has at most one of these.
-        const SINGLE: [&str; 9] =
-            ["plan", "simulate", "campaign", "rotor", "rotors", "battery", "limits", "after_fault_limits", "recovery"];
+        const SINGLE: [&str; 10] = [
+            "plan",
+            "simulate",
+            "campaign",
+            "rotor",
+            "rotors",
+            "battery",
+            "parts",
+            "limits",
+            "after_fault_limits",
+            "recovery",
+        ];
         let single = SINGLE.contains(word);
         if single && block.is_some() && context.present.contains(*word) {
             continue;

@@ -7,10 +7,12 @@ use std::io;
 use std::path::Path;
 
 /// The blocks with fields of their own, each with a text in which `|` stands among its fields.
-const BLOCKS: [(Place, &str); 17] = [
+const BLOCKS: [(Place, &str); 19] = [
     (Place::Vehicle, "vehicle v { | }"),
     (Place::Rotor, "vehicle v { rotor { | } }"),
     (Place::Battery, "vehicle v { battery { | } }"),
+    (Place::Parts, "vehicle v { parts { | } }"),
+    (Place::Part, "vehicle v { parts { part p { | } } }"),
     (Place::Mode, "faults { mode m { | } }"),
     (Place::Mission, "mission m { | }"),
     (Place::Curve, "mission m { curve 0..1 { | } }"),

@@ -26,7 +26,7 @@ fn block(source: &Source, block: &Block) -> DocumentSymbol {
         "mission" => SymbolKind::Function,
         "mode" => SymbolKind::Event,
         "landing_site" => SymbolKind::Constant,
-        "rotor" | "rotors" | "battery" => SymbolKind::Struct,
+        "rotor" | "rotors" | "battery" | "parts" | "part" => SymbolKind::Struct,
         _ => SymbolKind::Module,
     };
     let keyword = &block.keyword;

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 /// A value for every field that takes a number and that the path of an override reaches, for a ring of four rotors in
 /// wind.
-const VALUES: [(Group, &[(&str, &str)]); 5] = [
+const VALUES: [(Group, &[(&str, &str)]); 6] = [
     (Group::Top, &[("gravity", "9.81 m/s^2")]),
     (
         Group::Vehicle,
@@ -45,6 +45,7 @@ const VALUES: [(Group, &[(&str, &str)]); 5] = [
             ("thrust_at_empty", "90 %"),
         ],
     ),
+    (Group::Parts, &[("motor_mass", "0.15 kg"), ("arm_mass", "0.1 kg")]),
     (Group::Air, &[("gusts", "1 m/s"), ("density", "1.15 kg/m^3"), ("altitude", "500 m")]),
 ];
 
@@ -54,6 +55,8 @@ const SHARES: [f64; 4] = [0.5, 0.8, 1.25, 2.0];
 /// The spec with every field of [`VALUES`] except those in `without` and the rivals of `field` and of earlier fields;
 /// `field` has this share of its value.
 fn spec(field: (Group, &str), share: f64, without: &[&str]) -> Option<Spec> {
+    // Parts decide only what is not measured.
+    let without = &[without, if field.0 == Group::Parts { &["mass"] } else { &[] }].concat();
     let block = |group: Group| {
         let values = VALUES.iter().find(|(of, _)| *of == group).unwrap().1;
         let own = values.iter().filter(|(name, _)| (group, *name) == field);
@@ -72,13 +75,14 @@ fn spec(field: (Group, &str), share: f64, without: &[&str]) -> Option<Spec> {
     };
     let text = format!(
         "{}vehicle v {{\nlayout = \"PNPN\"\ninertia = [0.03, 0.05, 0.07] kg*m^2\n{}\
-         rotor {{\n{}}}\nbattery {{\n{}}}\n}}\n\
+         rotor {{\n{}}}\nbattery {{\n{}}}\nparts {{\n{}}}\n}}\n\
          faults {{ mode one {{ rotor 1 lost }}\nmode weak {{ rotor 1 reduced to 50 % }} }}\n\
          mission m {{ start at [0, 0, 5] m\nwaypoint at [5, 0, 5] m\nair {{ wind = [4, 0, 0] m/s\n{}}} }}\n",
         block(Group::Top),
         block(Group::Vehicle),
         block(Group::Rotor),
         block(Group::Battery),
+        block(Group::Parts),
         block(Group::Air),
     );
     compile(&text).into_result().ok()

@@ -6,10 +6,12 @@ use mavc::lsp::{field_documentation, field_unit};
 use mavc::read::vocabulary::{clauses, fields, words};
 use mavc::syntax::Place;
 
-const PLACES: [Place; 14] = [
+const PLACES: [Place; 16] = [
     Place::Top,
     Place::Vehicle,
     Place::Rotor,
+    Place::Parts,
+    Place::Part,
     Place::Mode,
     Place::Every,
     Place::Curve,
@@ -53,6 +55,8 @@ fn with(place: Place, name: &str, value: &str) -> Option<String> {
         Place::Top => statement,
         Place::Vehicle => vehicle(&statement, ""),
         Place::Rotor => vehicle("", &statement),
+        Place::Parts => vehicle(&format!("parts {{ {statement} }}"), ""),
+        Place::Part => vehicle(&format!("parts {{ part p {{ {statement} }} }}"), ""),
         Place::Rotors => {
             let rotor = match name {
                 "at" => format!("rotor at {value} spin P"),
@@ -105,7 +109,8 @@ fn the_units_described_are_those_that_the_compiler_takes() {
         if place == Place::Simulate && matches!(name, "at" | "until") {
             continue;
         }
-        let list = matches!(name, "inertia" | "wind" | "at" | "from" | "to" | "centre");
+        let list = matches!(name, "inertia" | "wind" | "at" | "from" | "to" | "centre" | "centre_of_gravity")
+            || (place, name) == (Place::Part, "size");
         let value = |unit: &str| if list { format!("[1, 1, 1] {unit}") } else { format!("1 {unit}") };
         let right = with(place, name, &value(unit)).unwrap();
         assert!(!objects(&right), "`{unit}` for {name}: {:?}\n{right}", diagnostics(&right));

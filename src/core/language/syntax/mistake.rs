@@ -212,6 +212,7 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
         "waypoints" => "waypoints from \"survey.csv\"",
         "hold" => "hold 4 s",
         "require" => "require risk <= 1e-6",
+        "part" => "part battery { mass = 1.1 kg; at = [0, 0, -3] cm }",
         "landing_site" => "landing_site pad { at = [12, -8, 0] m; radius = 2 m }",
         "keep_off" => "keep_off street { shape = box; from = [0, 0] m; to = [40, 6] m }",
         "after_fault_limits" => "after_fault_limits { tilt <= 45 deg }",

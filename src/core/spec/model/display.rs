@@ -88,6 +88,9 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
     if v.drag != [0.0; 3] {
         writeln!(f, "  drag {} N*s/m", along_axes(&v.drag))?;
     }
+    if let Some(centre) = &v.centre_of_gravity {
+        writeln!(f, "  centre_of_gravity {} m from the frame's origin; places below are from it", place(centre))?;
+    }
     if let Some(drag) = &v.yaw_drag {
         write!(f, "  yaw_drag {} N*m*s/rad{}", number(drag.linear), interval_of(drag.spread))?;
         match drag.quadratic > 0.0 {

@@ -15,9 +15,11 @@ const IDLE: &str = "mavc::allow::idle";
 
 /// The warnings that `allow` can suppress: those about what is written. The results of an analysis (`mavc::analysis`)
 /// and errors cannot be suppressed.
-const WARNINGS: [&str; 38] = [
+const WARNINGS: [&str; 40] = [
     "mavc::sense::thrust_to_weight",
     "mavc::sense::inertia",
+    "mavc::sense::parts",
+    "mavc::sense::products",
     "mavc::sense::arm",
     "mavc::sense::propeller",
     "mavc::sense::coincident",

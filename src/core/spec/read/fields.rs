@@ -54,11 +54,12 @@ const ELSEWHERE: &[(&str, &str)] = &[
 ];
 
 /// The owners of the groups of fields, as messages name them.
-const OWNERS: [(Group, &str); 10] = [
+const OWNERS: [(Group, &str); 11] = [
     (Group::Plan, "of `plan`"),
     (Group::Vehicle, "of `vehicle`"),
     (Group::Rotor, "of `rotor` in a `vehicle`"),
     (Group::Battery, "of `battery` in a `vehicle`"),
+    (Group::Parts, "of `parts` in a `vehicle`"),
     (Group::Mission, "of a `mission`"),
     (Group::Curve, "of a `curve`"),
     (Group::Waypoint, "of a `waypoint`"),

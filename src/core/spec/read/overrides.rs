@@ -25,7 +25,7 @@ pub struct Override {
 }
 
 /// Statements that look like fields, each as it is written.
-const STATEMENTS: [(&str, &str); 11] = [
+const STATEMENTS: [(&str, &str); 12] = [
     ("fault", "simulate { fault M1 at 5 s }"),
     ("start", "start at [0, 0, 2] m"),
     ("waypoint", "waypoint at [10, 0, 5] m"),
@@ -34,6 +34,7 @@ const STATEMENTS: [(&str, &str); 11] = [
     ("every", "every 1 rotor lost as M"),
     ("keep_in", "keep_in field { shape = box; from = [0, 0, 0] m; to = [9, 9, 9] m }"),
     ("keep_out", "keep_out wall { shape = box; from = [0, 0, 0] m; to = [9, 9, 9] m }"),
+    ("part", "part battery { mass = 1.1 kg; at = [0, 0, -3] cm }"),
     ("landing_site", "landing_site pad { at = [12, -8, 0] m; radius = 2 m }"),
     ("keep_off", "keep_off street { shape = box; from = [0, 0] m; to = [40, 6] m }"),
     ("require", "require uncovered <= 0 %"),
@@ -186,7 +187,9 @@ fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagno
             Some(inner) => set(inner, rest, field),
             None if matches!(
                 (block.keyword.value.as_str(), next.value.as_str()),
-                ("vehicle", "rotor" | "battery") | ("mission", "limits" | "after_fault_limits") | ("plan", "recovery")
+                ("vehicle", "rotor" | "battery" | "parts")
+                    | ("mission", "limits" | "after_fault_limits")
+                    | ("plan", "recovery")
             ) =>
             {
                 let mut inner = empty(next);
@@ -198,8 +201,8 @@ fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagno
                 let message = format!("`{}` has no block `{}`", block.keyword.value, next.value);
                 let error = Diagnostic::error(CODE, next.span, message).here("unknown block");
                 Err(Box::new(error.help(
-                    "use `vehicle.rotor`, `vehicle.battery`, `mission.limits`, `mission.after_fault_limits` or \
-                     `plan.recovery`, the inner blocks that `--set` adds",
+                    "use `vehicle.rotor`, `vehicle.battery`, `vehicle.parts`, `mission.limits`, \
+                     `mission.after_fault_limits` or `plan.recovery`, the inner blocks that `--set` adds",
                 )))
             }
         };

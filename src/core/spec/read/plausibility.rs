@@ -9,6 +9,7 @@ mod gains;
 mod loss;
 mod mission_scale;
 mod noise;
+mod parts;
 mod vehicle;
 
 pub(super) use air::{check as check_air, strong as check_strong_air};
@@ -18,6 +19,7 @@ pub(super) use gains::check as check_gains;
 pub(super) use loss::check as check_loss;
 pub(super) use mission_scale::{limits as check_limits, mission as check_mission, pace as check_pace};
 pub(super) use noise::check as check_noise;
+pub(super) use parts::{Measured, check as check_parts};
 pub(super) use vehicle::{RotorSpans, VehicleSpans, check as check_vehicle};
 
 use super::context::Context;

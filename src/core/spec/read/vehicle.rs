@@ -1,6 +1,7 @@
 //! `vehicle` blocks: rings of rotors, and rotors placed one by one.
 
 mod battery;
+mod parts;
 mod reverse;
 mod rotor;
 mod whole;
@@ -11,13 +12,13 @@ use super::context::{Context, second_block};
 use super::defaulted::Defaulted;
 use super::expected::Expected;
 use super::fields::Fields;
-use super::plausibility::{RotorSpans, VehicleSpans, check_battery, check_vehicle};
+use super::plausibility::{Measured, RotorSpans, VehicleSpans, check_battery, check_parts, check_vehicle};
 use super::written::Written;
 use super::yaw_drag;
 use crate::diagnostic::Diagnostic;
-use crate::language::Group;
 use crate::language::table::{placed_rotor, vehicle as table};
-use crate::model::{Allocation, DefaultUsed, Rotor, Spin, Vehicle};
+use crate::language::{Entry, Group};
+use crate::model::{Allocation, DefaultUsed, Rotor, Spin, Spread, Vehicle};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
@@ -46,35 +47,38 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let name = block.name.as_ref().map_or("vehicle", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     let fields = Fields::of_block(cx, format!("vehicle `{name}`"), span, &block.body, Group::Vehicle);
-    let mut reader = Reader { fields: Defaulted::new("vehicle", fields), parts: Parts::of(cx, block), count: None };
+    let mut reader = Reader { fields: Defaulted::new("vehicle", fields), blocks: Blocks::of(cx, block), count: None };
     let vehicle = reader.read(cx, block, &name);
     Outline { name, span, rotors: reader.count, vehicle, defaults: reader.fields.used }
 }
 
 /// The blocks inside a vehicle.
 #[derive(Default)]
-struct Parts<'a> {
+struct Blocks<'a> {
     /// `rotor { }`
     shared: Option<&'a Block>,
     /// `rotors { }`
     placed: Option<&'a Block>,
     battery: Option<&'a Block>,
-    /// Whether the block `rotor` or `rotors` occurs twice, or `battery` does, which is reported.
+    parts: Option<&'a Block>,
+    /// Whether the block `rotor` or `rotors` occurs twice, or `battery` or `parts` does, which is reported.
     twice: bool,
     battery_twice: bool,
+    parts_twice: bool,
 }
 
-impl<'a> Parts<'a> {
+impl<'a> Blocks<'a> {
     fn of(cx: &mut Context<'a>, block: &'a Block) -> Self {
-        let mut parts = Parts::default();
+        let mut blocks = Blocks::default();
         for statement in &block.body {
             let Statement::Block(inner) = statement else {
                 continue;
             };
             let (slot, twice) = match inner.keyword.value.as_str() {
-                "rotors" => (&mut parts.placed, &mut parts.twice),
-                "battery" => (&mut parts.battery, &mut parts.battery_twice),
-                _ => (&mut parts.shared, &mut parts.twice),
+                "rotors" => (&mut blocks.placed, &mut blocks.twice),
+                "battery" => (&mut blocks.battery, &mut blocks.battery_twice),
+                "parts" => (&mut blocks.parts, &mut blocks.parts_twice),
+                _ => (&mut blocks.shared, &mut blocks.twice),
             };
             match slot {
                 Some(first) => {
@@ -85,15 +89,24 @@ impl<'a> Parts<'a> {
                 None => *slot = Some(inner),
             }
         }
-        parts
+        blocks
     }
 }
 
 struct Reader<'a> {
     fields: Defaulted<'a>,
-    parts: Parts<'a>,
+    blocks: Blocks<'a>,
     /// The number of rotors, once it is known, errors or not.
     count: Option<usize>,
+}
+
+/// The whole as a rigid body, with the place of its mass in the text.
+struct Body {
+    mass: f64,
+    mass_spread: Spread,
+    mass_span: Span,
+    inertia: [f64; 3],
+    centre_of_gravity: Option<[f64; 3]>,
 }
 
 /// The rotors, and where the numbers of each are written.
@@ -104,10 +117,14 @@ struct Rotors {
 
 impl<'a> Reader<'a> {
     fn read(&mut self, cx: &mut Context<'a>, block: &'a Block, name: &str) -> Option<Vehicle> {
-        let mass_expr = self.fields.demand_own(cx, "mass", "mass = 1.8 kg");
-        let mass = mass_expr.and_then(|e| cx.interval(Expected::of(&table::MASS), e, POSITIVE));
-        let inertia = self.fields.demand_own(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2");
-        let inertia = inertia.and_then(|e| inertia_of(cx, e));
+        let parts = self.parts(cx);
+        let mass = self.unless_parts(cx, &table::MASS, "mass = 1.8 kg", |cx, expr| {
+            cx.interval(Expected::of(&table::MASS), expr, POSITIVE)
+        });
+        let example = "inertia = [0.04, 0.04, 0.07] kg*m^2";
+        let inertia = self.unless_parts(cx, &table::INERTIA, example, inertia_of);
+        let centre =
+            self.fields.written("centre_of_gravity", |expr| cx.triple(Expected::of(&table::CENTRE_OF_GRAVITY), expr));
         let rotors = self.rotors(cx);
         let propeller_radius = self.fields.quantity(cx, &table::PROPELLER_RADIUS, POSITIVE);
         let size = self.fields.quantity(cx, &table::SIZE, POSITIVE);
@@ -115,14 +132,27 @@ impl<'a> Reader<'a> {
         let yaw_drag = yaw_drag::read(cx, &self.fields);
         let allocation = self.fields.choice_or(cx, &table::ALLOCATION, ALLOCATION, &ALLOCATIONS, Allocation::Bounded);
         let battery = self.battery(cx);
-        let ((mass, mass_spread), rotors, battery) = (mass?, rotors?, battery.optional()?);
+        let (mut rotors, battery) = (rotors?, battery.optional()?);
+        let measured = Measured {
+            mass: mass.optional()?.map(|(mass, spread)| (mass, spread, self.value_span("mass"))),
+            inertia: inertia.optional()?.map(|inertia| (inertia, self.value_span("inertia"))),
+            centre_of_gravity: centre.optional()?.map(|centre| (centre, self.value_span("centre_of_gravity"))),
+        };
+        let Body { mass, mass_spread, mass_span, inertia, centre_of_gravity } =
+            self.body(cx, parts.optional()?, &measured, &rotors.list)?;
+        if let Some(centre) = centre_of_gravity {
+            for rotor in &mut rotors.list {
+                rotor.position = std::array::from_fn(|axis| rotor.position[axis] - centre[axis]);
+            }
+        }
         let mut vehicle = Vehicle {
             name: name.to_string(),
             doc: block.doc.clone(),
             layout: self.layout(),
             mass,
             mass_spread,
-            inertia: inertia?,
+            inertia,
+            centre_of_gravity,
             drag: drag.or_default(|| [0.0; 3])?,
             drag_span: self.fields.span_of("drag"),
             yaw_drag: yaw_drag.optional()?,
@@ -132,9 +162,67 @@ impl<'a> Reader<'a> {
             allocation: allocation?,
             battery: battery.as_ref().map(|read| read.battery.clone()),
             span: self.fields.span,
-            mass_span: mass_expr?.span,
+            mass_span,
         };
         (block.is_whole() && self.check(cx, &mut vehicle, rotors.spans, battery)).then_some(vehicle)
+    }
+
+    /// Where the value of a field of the vehicle is written.
+    fn value_span(&self, name: &str) -> Span {
+        self.fields.get(name).map_or(self.fields.span, |expr| expr.span)
+    }
+
+    /// A field that is required unless the vehicle has `parts`.
+    fn unless_parts<T>(
+        &self,
+        cx: &mut Context<'a>,
+        entry: &'static Entry,
+        example: &str,
+        read: impl FnOnce(&mut Context<'a>, &'a Expr) -> Option<T>,
+    ) -> Written<T> {
+        let has_parts = self.blocks.parts.is_some();
+        let expr = match has_parts {
+            true => self.fields.get(entry.name),
+            false => self.fields.demand_own(cx, entry.name, example),
+        };
+        match expr {
+            Some(expr) => Written::of(read(cx, expr)),
+            None if has_parts && !self.fields.may_have(entry.name) => Written::Absent,
+            None => Written::Faulty,
+        }
+    }
+
+    fn parts(&self, cx: &mut Context<'a>) -> Written<parts::Read> {
+        let Some(block) = self.blocks.parts else { return Written::Absent };
+        let read = parts::read(cx, block, &self.fields.owner);
+        Written::of(read.filter(|_| !self.blocks.parts_twice))
+    }
+
+    /// Mass, inertia and centre of gravity as measured, or else as the parts give them; warns where the two differ.
+    /// `rotors` have places from the frame's origin.
+    fn body(
+        &self,
+        cx: &mut Context<'a>,
+        parts: Option<parts::Read>,
+        measured: &Measured,
+        rotors: &[Rotor],
+    ) -> Option<Body> {
+        let Some(parts) = parts else {
+            let (mass, mass_spread, mass_span) = measured.mass?;
+            let centre_of_gravity = measured.centre_of_gravity.map(|(centre, _)| centre);
+            return Some(Body { mass, mass_spread, mass_span, inertia: measured.inertia?.0, centre_of_gravity });
+        };
+        let composite = parts.composite(cx, rotors)?;
+        let (mass, mass_spread, mass_span) = measured.mass.unwrap_or((composite.mass, Spread::NONE, parts.span));
+        let inertia = match measured.inertia {
+            Some((inertia, _)) => inertia,
+            None => parts.inertia(cx, &composite, &self.fields.owner)?,
+        };
+        let distance = |rotor: &Rotor| rotor.position.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let reach = rotors.iter().map(distance).fold(0.0, f64::max);
+        check_parts(cx, &self.fields.owner, &composite, measured, reach, parts.span);
+        let centre_of_gravity = measured.centre_of_gravity.map_or(composite.centre_of_gravity, |(centre, _)| centre);
+        Some(Body { mass, mass_spread, mass_span, inertia, centre_of_gravity: Some(centre_of_gravity) })
     }
 
     /// Whether the vehicle as a whole can be right; reports what is not, and warns of numbers that do not fit together.
@@ -179,23 +267,23 @@ impl<'a> Reader<'a> {
 
     /// The layout of a ring, as written.
     fn layout(&self) -> Option<String> {
-        match (self.parts.placed, self.fields.get("layout").map(|e| &e.kind)) {
+        match (self.blocks.placed, self.fields.get("layout").map(|e| &e.kind)) {
             (None, Some(ExprKind::Text(text))) => Some(text.clone()),
             _ => None,
         }
     }
 
     fn battery(&self, cx: &mut Context<'a>) -> Written<battery::Read<'a>> {
-        let Some(block) = self.parts.battery else { return Written::Absent };
+        let Some(block) = self.blocks.battery else { return Written::Absent };
         let read = battery::read(cx, block, &self.fields.owner);
-        Written::of(read.filter(|_| !self.parts.battery_twice))
+        Written::of(read.filter(|_| !self.blocks.battery_twice))
     }
 
     fn rotors(&mut self, cx: &mut Context<'a>) -> Option<Rotors> {
         let owner = format!("`rotor` of {}", self.fields.owner);
         let of_block = |block: &'a Block| Fields::of_block(cx, owner, block.keyword.span, &block.body, Group::Rotor);
-        let shared = self.parts.shared.map(of_block);
-        let mounts = match self.parts.placed {
+        let shared = self.blocks.shared.map(of_block);
+        let mounts = match self.blocks.placed {
             Some(placed) => {
                 self.no_ring(cx, placed);
                 self.one_by_one(cx, placed)
@@ -203,19 +291,19 @@ impl<'a> Reader<'a> {
             None => self.ring(cx),
         };
         let base = shared.as_ref().map(|fields| rotor::PartialRotor::read(cx, fields));
-        if base.is_none() && self.parts.placed.is_none() && !self.fields.may_have("rotor") {
+        if base.is_none() && self.blocks.placed.is_none() && !self.fields.may_have("rotor") {
             let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
             self.fields.missing(cx, "a `rotor` block", example);
         }
         let Some(mounts) = mounts else {
             // The `rotor` block holds for every rotor, wherever the rotors are.
-            if let (None, Some(base), Some(fields)) = (self.parts.placed, &base, &shared) {
+            if let (None, Some(base), Some(fields)) = (self.blocks.placed, &base, &shared) {
                 base.check(cx, fields);
             }
             return None;
         };
         // With a duplicate block the rotors are unknown.
-        if self.parts.twice {
+        if self.blocks.twice {
             return None;
         }
         let spans = rotor::spans(&mounts, &self.fields, shared.as_ref());

@@ -189,6 +189,7 @@ fn draft(source: &Source, frame: &Frame, figures: &Figures) -> Draft {
         title: None,
         lets,
         fields: vec![mass, unknown("inertia").remark("[Ixx, Iyy, Izz]")],
+        estimates: Vec::new(),
         shared: vec![thrust, unknown("torque_per_thrust"), unknown("max_speed")],
         rotors: places.into_iter().enumerate().map(rotor).collect(),
         battery: figures.battery.clone(),

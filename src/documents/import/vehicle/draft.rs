@@ -1,6 +1,8 @@
 //! The text of a vehicle whose figures are known in part.
 
 use crate::format::format;
+use crate::import::estimate;
+use crate::language::Group;
 use crate::source::{FileId, Source};
 
 /// A figure as it is written, with its unit.
@@ -25,7 +27,7 @@ impl Figure {
     }
 }
 
-/// A field with a remark behind it.
+/// A field with a remark behind it; an unknown one also has the rule by which it is estimated, if there is one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     pub name: &'static str,
@@ -44,7 +46,9 @@ impl Field {
     }
 
     fn line(&self, indent: &str) -> String {
-        let remark = self.remark.as_ref().map_or(String::new(), |text| format!("  // {text}"));
+        let rule = (self.figure == Figure::Unknown).then(|| estimate::rule(self.name)).flatten();
+        let remarks: Vec<String> = self.remark.clone().into_iter().chain(rule).collect();
+        let remark = if remarks.is_empty() { String::new() } else { format!("  // {}", remarks.join("; ")) };
         format!("{indent}{} = {}{remark}\n", self.name, self.figure.text())
     }
 }
@@ -73,6 +77,8 @@ pub struct Draft {
     /// `let` statements.
     pub lets: Vec<Field>,
     pub fields: Vec<Field>,
+    /// Fields that the file lacks, estimated: they stand in comments.
+    pub estimates: Vec<(&'static str, String, String)>,
     /// The fields of `rotor { }`.
     pub shared: Vec<Field>,
     pub rotors: Vec<Rotor>,
@@ -119,8 +125,13 @@ impl Draft {
         }
         out.push_str(&format!("vehicle {} {{\n", self.name));
         self.fields.iter().for_each(|field| out.push_str(&field.line("    ")));
+        let of_rotor = |(name, ..): &&(&'static str, String, String)| Group::Rotor.has(name);
+        let comment = |(name, value, why): &(&'static str, String, String)| format!("// {name} = {value}  ({why})\n");
+        let of_vehicle = self.estimates.iter().filter(|one| !of_rotor(one));
+        of_vehicle.for_each(|one| out.push_str(&format!("    {}", comment(one))));
         out.push_str("    rotor {\n");
         self.shared.iter().for_each(|field| out.push_str(&field.line("        ")));
+        self.estimates.iter().filter(of_rotor).for_each(|one| out.push_str(&format!("        {}", comment(one))));
         out.push_str("    }\n    rotors {\n");
         for rotor in &self.rotors {
             let own: String = rotor.own.iter().map(|(name, figure)| format!("  {name} {}", figure.text())).collect();

@@ -373,6 +373,7 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>, known: &Figures) -> Draft {
         title: script::title(&source.text),
         lets: binding.into_iter().collect(),
         fields: vec![mass, known.inertia()],
+        estimates: Vec::new(),
         shared,
         rotors: placed,
         battery: known.battery.clone(),

@@ -9,7 +9,7 @@ mod xml;
 
 use super::draft::{Draft, Field, Figure, Rotor, name_from, name_from_file};
 use crate::diagnostic::Diagnostic;
-use crate::import::{ASSUMED, Outcome, SYNTAX, UNSUPPORTED, at};
+use crate::import::{ASSUMED, Outcome, SYNTAX, UNSUPPORTED, at, estimate};
 use crate::read::vehicle::ROTORS;
 use crate::source::{Source, Span};
 use nalgebra::{Matrix3, Vector3};
@@ -200,6 +200,8 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
             remark: None,
         }
     });
+    let estimates =
+        whole.as_ref().map_or_else(Vec::new, |whole| estimates(whole.mass, centre, &robot.rotors, robot.radius));
     let mut fields = vec![Field::new("mass", mass), Field::new("inertia", inertia)];
     let radius = robot.radius.map(|radius| Figure::Known(format!("{} m", shortest(radius))));
     fields.extend(radius.map(|radius| Field::new("propeller_radius", radius)));
@@ -212,11 +214,40 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
         title: None,
         lets: Vec::new(),
         fields,
+        estimates,
         shared,
         rotors: rotors.collect(),
         battery: Vec::new(),
     };
     Ok((draft.text(), robot.dropped))
+}
+
+/// Drag, yaw drag and rotor inertia, which no file has, from the mass (kg) and the rotors about the centre of gravity;
+/// nothing if the file does not give their thrust and speed.
+fn estimates(
+    mass: f64,
+    centre: Vector3<f64>,
+    rotors: &[RobotRotor],
+    propeller_radius: Option<f64>,
+) -> Vec<(&'static str, String, String)> {
+    let thrust = |rotor: &RobotRotor| {
+        let [coefficient, _, speed, thrust, ..] = rotor.figures;
+        thrust.or(coefficient.zip(speed).map(|(coefficient, speed)| coefficient * speed * speed)).zip(speed)
+    };
+    let from_thrust = |rotor: &RobotRotor| thrust(rotor).map(|(thrust, speed)| estimate::diameter(thrust, speed));
+    let all: Option<Vec<f64>> = match propeller_radius {
+        Some(radius) => Some(vec![2.0 * radius]),
+        None => rotors.iter().map(from_thrust).collect(),
+    };
+    let distance = |rotor: &RobotRotor| (rotor.place - centre).xy().norm();
+    let radius = rotors.iter().map(distance).sum::<f64>() / rotors.len() as f64;
+    let diameter = all.map(|all| all.iter().sum::<f64>() / all.len() as f64);
+    let known = diameter.map(|diameter| estimate::Known { mass, rotors: rotors.len(), radius, diameter });
+    let is_usable = |known: &estimate::Known| {
+        [known.mass, known.radius, known.diameter].iter().all(|x| x.is_finite() && *x > 0.0)
+            && known.yaw_drag().is_finite()
+    };
+    known.filter(is_usable).map_or_else(Vec::new, |known| known.lines().into())
 }
 
 /// Numbers of the file may be so large or small that products and ratios of them are infinite.

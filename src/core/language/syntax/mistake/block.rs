@@ -100,6 +100,7 @@ pub(in crate::language::syntax) fn misplaced(kind: StatementKind, place: Place, 
         Place::Top => "move it out of the block",
         Place::Vehicle => "move it into a `vehicle`",
         Place::Rotors => "put it into `rotors { .. }` in the vehicle",
+        Place::Parts => "move it into `parts { .. }` in the vehicle",
         Place::Faults => "move it into `faults { .. }`",
         Place::Mode => "name the fault in `faults`: `mode NAME { .. }`",
         Place::Limits => "put it into `limits { .. }` in the mission",
@@ -163,11 +164,11 @@ pub(super) fn headless(statement: &Broken) -> Option<Diagnostic> {
 fn opens_block(word: &str, rest: &str) -> bool {
     let title_or_nothing = rest.is_empty() || rest.starts_with('"');
     match word {
-        "vehicle" | "mission" | "mode" | "landing_site" | "keep_off" => {
+        "vehicle" | "mission" | "mode" | "landing_site" | "keep_off" | "part" => {
             title_or_nothing || rest.trim_start_matches(super::is_name).trim_start().chars().all(|c| c == '"')
         }
         "faults" | "plan" | "simulate" | "campaign" | "limits" | "after_fault_limits" | "recovery" | "rotor"
-        | "rotors" | "battery" => title_or_nothing,
+        | "rotors" | "battery" | "parts" => title_or_nothing,
         "curve" => rest.contains(".."),
         _ => false,
     }

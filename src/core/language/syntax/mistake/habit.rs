@@ -202,12 +202,14 @@ fn unknown_block(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
 }
 
 /// Statements that are always blocks.
-const BLOCKS: [&str; 11] = [
+const BLOCKS: [&str; 13] = [
     "vehicle",
     "faults",
     "mode",
     "mission",
     "limits",
+    "parts",
+    "part",
     "landing_site",
     "keep_off",
     "after_fault_limits",
