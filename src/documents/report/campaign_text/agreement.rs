@@ -77,7 +77,7 @@ pub fn by_flight(t: &Contingency) -> String {
             "Every struck flight was lost: the prediction of losses cannot be judged.".into()
         }
         (strength, phi) => {
-            let phi = phi.map_or(String::new(), |phi| format!(" (correlation phi {})", fixed(phi, 2)));
+            let phi = phi.map_or(String::new(), |phi| format!(" (correlation {})", fixed(phi, 2)));
             let what = match strength {
                 Strength::Undefined => {
                     "is the same for every flight, so it carries no information: no better than chance"
