@@ -251,6 +251,14 @@ class Plan:
         headline: str = self.planner["headline"]
         return headline
 
+    @property
+    def price(self) -> Record | None:
+        """What covering the fault modes costs against a plan that ignores them: `sentence` as in the terminal, `more_time_s`
+        (s), `more_energy_j` (J) and `still_unsafe`, among others (docs/schema); `None` without a plan, and if no mode is
+        planned against."""
+        price: Record | None = self.planner["price"]
+        return price
+
     def __bool__(self) -> bool:
         """Whether there is a plan."""
         return self.trajectory is not None

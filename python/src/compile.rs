@@ -5,14 +5,12 @@ use crate::job::detached;
 use crate::{Arguments, Value, object};
 use mavc::diagnostic::{Diagnostic, Severity, render_human, to_json_line};
 use mavc::pipeline::{actuation_text, defaults_text, mjcf_text, model_record, sets_text};
+use mavc::report::screen::WIDTH;
 use mavc::source::{SourceMap, visible};
 use mavc::spec::Compiler;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::Serialize;
-
-/// Columns of a terminal; what commands use where `COLUMNS` is not set.
-const WIDTH: usize = 100;
 
 /// Diagnostics as Python takes them: the text of the terminal, and a line of JSON for each.
 pub type Shown = (String, String);

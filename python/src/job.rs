@@ -6,7 +6,7 @@
 use crate::held::Held;
 use crate::{Arguments, Value};
 use mavc::cancel::{Cancel, NoResult};
-use mavc::observer::{Observer, Stages};
+use mavc::observer::{Observer, Stages, attempt};
 use pyo3::import_exception;
 use pyo3::prelude::*;
 use std::any::Any;
@@ -71,7 +71,7 @@ impl Observer for Reports {
     }
 
     fn tries(&self, planner: &str, time: f64) {
-        let text = format!("{planner}: is {time:.2} s enough?");
+        let text = attempt(None, planner, time);
         (self.send)(Progress { text, planner: Some(planner.into()), time: Some(time), done: None, total: None });
     }
 }

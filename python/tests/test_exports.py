@@ -93,7 +93,7 @@ def test_what_cannot_be_exported(command, name, plan, small):
         ("px4", {"frame": "ned-frd"}, "fixes its frames"),
         ("rows", {"frame": "up"}, "there is no frame"),
         ("rotorpy", {"rate": 10}, "polynomials instead of rows"),
-        ("px4", {"tolerance": 0.1}, "does not refit"),
+        ("px4", {"tolerance": 0.1}, "no effect with --format px4"),
         ("crazyflie", {"tolerance": 0}, "a tolerance lies"),
         ("px4", {"rate": float("nan")}, "a rate lies"),
         ("px4", {"rate": 1e5}, "at most"),

@@ -53,6 +53,7 @@ def test_plan(name, command):
     assert plan.html() == command.read("p.html")
     assert ran.out == plan.text + "Trajectory written to t.csv\nPage written to p.html\n"
     assert ran.err == plan.diagnostics.text
+    assert plan.price == plan.planner["price"] and plan.price["sentence"] and plan.price["still_unsafe"] is False
     accepted = compiled(name).verify(plan.certificate())
     # Its name decides where lines are broken.
     assert accepted.text.replace("<certificate>", "c.json").split() == command("verify", "c.json", name).out.split()

@@ -31,13 +31,13 @@ impl Observer for Silent {}
 /// The names by which [`Observer::tries`] calls the planners.
 pub const PLANNERS: [&str; 3] = ["RIP", "RCP", "RSP"];
 
-/// The question whether a time (s) is enough, for a line of progress; a plan of another planner on the way to the one
+/// The time (s) for which a plan is sought, for a line of progress; a plan of another planner on the way to the one
 /// that is wanted is called so.
-pub fn question(wanted: Option<&str>, planner: &str, time: f64) -> String {
+pub fn attempt(wanted: Option<&str>, planner: &str, time: f64) -> String {
     let other = wanted.filter(|wanted| *wanted != planner && PLANNERS.contains(&planner));
     match other {
-        Some(wanted) => format!("{wanted}: is {time:.2} s enough? A plan of {planner} first"),
-        None => format!("{planner}: is {time:.2} s enough?"),
+        Some(wanted) => format!("{wanted}: trying {time:.2} s, first with {planner}"),
+        None => format!("{planner}: trying {time:.2} s"),
     }
 }
 
@@ -46,10 +46,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn questions_name_the_planner_that_is_wanted() {
-        assert_eq!(question(Some("RSP"), "RSP", 35.0), "RSP: is 35.00 s enough?");
-        assert_eq!(question(Some("RSP"), "RCP", 35.0), "RSP: is 35.00 s enough? A plan of RCP first");
-        assert_eq!(question(Some("RSP"), "round 2", 35.0), "round 2: is 35.00 s enough?");
-        assert_eq!(question(None, "RCP", 35.0), "RCP: is 35.00 s enough?");
+    fn attempts_name_the_planner_that_is_wanted() {
+        assert_eq!(attempt(Some("RSP"), "RSP", 35.0), "RSP: trying 35.00 s");
+        assert_eq!(attempt(Some("RSP"), "RCP", 35.0), "RSP: trying 35.00 s, first with RCP");
+        assert_eq!(attempt(Some("RSP"), "round 2", 35.0), "round 2: trying 35.00 s");
+        assert_eq!(attempt(None, "RCP", 35.0), "RCP: trying 35.00 s");
     }
 }

@@ -5,6 +5,7 @@ use crate::diagnostic::render_human;
 use crate::input::{self, MAX_FILE_BYTES};
 use crate::source::{FileId, visible};
 use crate::spec::{Compiled, Compiler};
+use crate::text_table::WIDTH;
 use crate::verify::cost::Budget;
 use crate::verify::text::verification;
 use crate::verify::{TOO_COSTLY, read, verify_within};
@@ -25,12 +26,10 @@ Usage: mavc-verify [--budget 10s,500MB] [--set FIELD=VALUE]... CERTIFICATE SPEC
 
 A certificate or a spec named `-` is read from standard input.
 
-Exit codes: 0 accepted; 7 accepted, but weaker than the spec requires; 5 rejected; 8 not decided, over the budget;
-1 the spec has errors; 2 wrong usage, or a file that cannot be read
+Exit codes: 0 accepted; 7 accepted, but weaker than the spec requires;
+5 rejected; 8 not decided, over the budget; 1 the spec has errors; 2 wrong
+usage, or a file that cannot be read
 ";
-
-/// Columns of diagnostics.
-const WIDTH: usize = 100;
 
 struct Arguments {
     certificate: String,

@@ -9,6 +9,7 @@ use crate::model::{Mission, Model, Problem};
 use crate::read::{FileSet, FlightBlocks, OVERRIDE, Override, elaborate_for, entries, load_among, parse_override};
 use crate::source::{Source, SourceMap};
 use crate::stages::{Silent, Stages, timed};
+use crate::text_table::WIDTH;
 use sha2::{Digest, Sha256};
 use std::error::Error;
 use std::fmt;
@@ -124,7 +125,7 @@ impl Compiled {
 
     /// The diagnostics for people, with excerpts of the text, at most 100 columns wide and without colour.
     pub fn render(&self) -> String {
-        render_human(&self.diagnostics, &self.files.sources, 100, false)
+        render_human(&self.diagnostics, &self.files.sources, WIDTH, false)
     }
 
     /// The spec.
@@ -149,7 +150,7 @@ pub struct CompileError {
 
 impl fmt::Display for CompileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(render_human(&self.diagnostics, &self.files.sources, 100, false).trim_end())
+        f.write_str(render_human(&self.diagnostics, &self.files.sources, WIDTH, false).trim_end())
     }
 }
 

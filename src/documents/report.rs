@@ -25,6 +25,7 @@ pub mod model_record;
 #[cfg(feature = "report")]
 pub mod page;
 pub mod plan_screen;
+mod planner_names;
 pub mod record;
 pub mod recovery;
 pub mod screen;

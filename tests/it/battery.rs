@@ -198,7 +198,7 @@ fn a_plan_that_leaves_too_little_is_told() {
         (text, caveats.iter().map(|c| c.message.clone()).collect::<Vec<_>>())
     };
     let (text, caveats) = told("5 A*h", "20 %");
-    assert!(text.contains("37.3 W*h of 111 W*h, 66.4 % left (20 % to keep); mean power 220 W"), "{text}");
+    assert!(text.contains("37.3 W*h of 111 W*h (33.6 %), 66.4 % left (20 % to keep); mean power 220 W"), "{text}");
     assert!(caveats.is_empty(), "{caveats:?}");
     let (_, caveats) = told("2500 mA*h", "40 %");
     assert!(caveats[0].starts_with("The plan leaves 32.8 % of the charge, and `keep` requires 40 %."), "{caveats:?}");
@@ -289,7 +289,7 @@ fn the_command_sets_and_shows_batteries() {
     let printed = String::from_utf8(ran.stdout).unwrap();
     assert_eq!(ran.status.code(), Some(0), "{printed}{}", String::from_utf8_lossy(&ran.stderr));
     // 0.49 W*h of 0.444.
-    assert!(printed.contains("of 0.444 W*h, none left (20 % to keep)"), "{printed}");
+    assert!(printed.contains("of 0.444 W*h (111 %), none left (20 % to keep)"), "{printed}");
     assert!(printed.contains("The plan takes more energy than the battery holds"), "{printed}");
     let html = std::fs::read_to_string(page).unwrap();
     assert!(html.contains("Charge left") && html.contains("Electrical power"));

@@ -1,6 +1,6 @@
 //! What commands claim of modes that plans do not provide for, of limits and causes, and of speeds.
 
-use crate::cli::mavc_with;
+use crate::cli::{flat, mavc_with};
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::airspeed::{Airspeed, PLAUSIBLE};
 
@@ -12,17 +12,12 @@ fn run(args: &[&str], text: &str) -> (Option<i32>, String) {
     (ran.status.code(), String::from_utf8_lossy(&ran.stdout).into_owned() + &String::from_utf8_lossy(&ran.stderr))
 }
 
-/// As one line, whatever the width of the paragraphs.
-fn unwrapped(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 /// No row provides for the loss of one of four rotors, so no sentence says that the plan stays inside its set.
 #[test]
 fn modes_without_rows_are_not_planned() {
     let drag = PLAIN_QUAD.replace("3e-3 N*m*s/rad +- 50 %", "6e-3 N*m*s/rad +- 20 %");
     let (code, told) = run(&["plan", "-v", "-", "-q"], &drag);
-    let told = unwrapped(&told);
+    let told = flat(&told);
     assert_eq!(code, Some(0), "{told}");
     for expected in [
         "RSP: found, 45 s; not planned for M1",
@@ -36,10 +31,10 @@ fn modes_without_rows_are_not_planned() {
     assert!(!told.contains("stays inside the sets of all modes planned against") && !told.contains("caught"), "{told}");
     // At the lower end of the written drag the spin settles beyond the gyroscope, and no height is known to be enough.
     let (_, told) = run(&["plan", "-v", "-", "-q"], PLAIN_QUAD);
-    assert!(unwrapped(&told).contains("do not recover from any height; not proved."), "{told}");
+    assert!(flat(&told).contains("do not recover from any height; not proved."), "{told}");
     // With a mode that has rows the sentence is about that one.
     let (_, told) = run(&["plan", "-v", "-", "-q"], &PLAIN_QUAD.replace("against = [M1]", "against = [M1, W2]"));
-    let told = unwrapped(&told);
+    let told = flat(&told);
     assert!(!told.contains("all modes planned against"), "{told}");
     let (_, told) = run(&["plan", "-v", "-", "-q"], &PLAIN_QUAD.replace("against = [M1]", "against = [W2]"));
     assert!(!told.contains("ot planned for"), "{told}");
@@ -66,7 +61,7 @@ fn comparisons_name_the_sets_that_a_plan_leaves() {
 #[test]
 fn check_names_the_mass_at_which_the_vehicle_still_spins() {
     let (code, told) = run(&["check", "-"], &PLAIN_QUAD.replace("mass = 1.6 kg", "mass = 2.3 kg"));
-    let told = unwrapped(&told);
+    let told = flat(&told);
     assert_eq!(code, Some(3), "{told}");
     assert!(told.contains("with control of yaw at no mass; with yaw given up at 2.2 kg or less"), "{told}");
     let (_, told) = run(&["check", "-"], &PLAIN_QUAD.replace("mass = 1.6 kg", "mass = 2.19 kg"));
@@ -78,7 +73,7 @@ fn check_names_the_mass_at_which_the_vehicle_still_spins() {
 fn check_names_the_drag_that_keeps_a_vehicle_from_hovering() {
     let against = TILTED_SPIN.replace("against = []", "against = [L5]");
     let (code, told) = run(&["check", "-"], &against.replace("drag = 0.6 N*s/m", "drag = 40 N*s/m"));
-    let told = unwrapped(&told);
+    let told = flat(&told);
     assert_eq!(code, Some(3), "{told}");
     let force = (3.0_f64.powi(2) + 1.0).sqrt() * 40.0;
     assert!((force - 126.5).abs() < 0.1);

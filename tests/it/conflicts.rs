@@ -277,7 +277,7 @@ fn name_their_conflicts(cases: &[Case]) {
         settings.set_snapshot_suffix("");
         settings.set_prepend_module_to_snapshot(false);
         settings.set_omit_expression(true);
-        let rendered = render_human(&[told], &files.sources, 100, false);
+        let rendered = render_human(&[told], &files.sources, 80, false);
         settings.bind(|| insta::assert_snapshot!(path.file_stem().unwrap().to_str().unwrap(), rendered));
     }
 }

@@ -60,10 +60,26 @@ fn listed(path: &Path, diagnostics: &[Diagnostic], sources: &SourceMap) -> Strin
     text
 }
 
+/// The columns of a usual terminal.
+const COLUMNS: usize = 80;
+/// A label has so many columns at least, behind its mark.
+const LEAST_LABEL: usize = 24;
+
+/// Whether a line is wider than a terminal, although neither a line of source nor the place that a label marks is.
+fn is_too_wide(line: &str) -> bool {
+    let text = line.trim_start();
+    let is_source = text.starts_with(|c: char| c.is_ascii_digit());
+    let letters: Vec<char> = line.chars().collect();
+    let label = letters.iter().rposition(|c| "╰├┤│".contains(*c)).unwrap_or(0);
+    let underline = text.starts_with('·') && letters.iter().all(|c| " ·─┬▲".contains(*c));
+    let is_label_of_wide_source = text.starts_with('·') && label + 4 + LEAST_LABEL + 1 > COLUMNS;
+    letters.len() > COLUMNS && !is_source && !underline && !is_label_of_wide_source
+}
+
 /// One snapshot lists the messages of all files; the first file with a code also has one of how it is rendered.
 #[test]
 fn every_file_is_rejected_as_it_says() {
-    let (mut failures, mut messages) = (Vec::new(), String::new());
+    let (mut failures, mut messages, mut too_wide) = (Vec::new(), String::new(), Vec::<String>::new());
     let mut rendered_codes = BTreeSet::new();
     let mut settings = insta::Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
@@ -71,19 +87,23 @@ fn every_file_is_rejected_as_it_says() {
     for path in specs(&STAGES) {
         let (diagnostics, sources) = compile(&path, &|_, bytes| bytes);
         let found: Vec<String> = diagnostics.iter().map(|d| format!("{}: {}", d.severity.name(), d.code)).collect();
-        let rendered = render_human(&diagnostics, &sources, 100, false);
+        let rendered = render_human(&diagnostics, &sources, COLUMNS, false);
         let text = std::fs::read_to_string(&path).unwrap();
         let wanted = expected(&text);
         if found != wanted || wanted.is_empty() {
             failures.push(format!("{} names {wanted:#?} and gives {found:#?}\n{rendered}", path.display()));
         }
         messages += &listed(&path, &diagnostics, &sources);
+        too_wide.extend(
+            rendered.lines().filter(|line| is_too_wide(line)).map(|line| format!("{}: {line}", path.display())),
+        );
         if diagnostics.iter().filter(|d| rendered_codes.insert(d.code)).count() > 0 {
             settings.set_snapshot_path(path.parent().unwrap());
             settings.bind(|| insta::assert_snapshot!(path.file_stem().unwrap().to_str().unwrap(), rendered));
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+    assert!(too_wide.is_empty(), "{}", too_wide.join("\n"));
     settings.set_snapshot_path("../specs/errors");
     settings.bind(|| insta::assert_snapshot!("messages", messages));
 }

@@ -148,7 +148,7 @@ fn the_ending_of_the_output_says_the_format() {
         ("b.html", "--html"),
         ("b.svg", "--svg"),
         ("b.db3", "--format rosbag2"),
-        ("b.params", "a trajectory is no such file"),
+        ("b.params", "a trajectory is not a file of this kind"),
     ] {
         let ran = mavc_with(&["plan", "-v", "-", "-o", &path(name)], HOP);
         assert_eq!((ran.status.code(), Path::new(&path(name)).exists()), (Some(2), false), "{name}");
@@ -179,6 +179,11 @@ fn a_statement_that_is_set_says_where_it_is_written() {
         let said = err(&ran) + &out(&ran);
         assert!(ran.status.code() == Some(1) && said.contains("`--set` sets fields, and `"), "{set}: {said}");
         assert!(said.contains("write it in the spec"), "{set}: {said}");
+    }
+    // The help names the mode that was asked for.
+    for (mode, named) in [("M1", "M1"), ("M2", "M2"), ("M2 at 3 s", "M2"), ("3", "M1")] {
+        let said = err(&mavc_with(&["simulate", "-", "--set", &format!("simulate.fault={mode}")], HOP));
+        assert!(said.contains(&format!("`simulate {{ fault {named} at 5 s }}`")), "{mode}: {said}");
     }
 }
 

@@ -278,7 +278,7 @@ fn wrong_files_get_a_placed_error() {
         ("<robot", "mavc::import::syntax", "well-formed"),
         ("<robot></wrong>", "mavc::import::syntax", "well-formed"),
         ("<!DOCTYPE a [<!ENTITY b \"c\">]><robot>&b;</robot>", "mavc::import::syntax", "well-formed"),
-        ("<html/>", "mavc::import::unsupported", "no robot"),
+        ("<html/>", "mavc::import::unsupported", "not a robot"),
         ("<sdf/>", "mavc::import::unsupported", "no model"),
         ("<robot/>", "mavc::import::unsupported", "no rotor"),
         ("<mujoco/>", "mavc::import::unsupported", "no rotor"),

@@ -1,5 +1,6 @@
 //! One integration binary: every test of the compiler through its public interface.
 
+mod agreement;
 mod air;
 mod airspeed;
 mod battery;

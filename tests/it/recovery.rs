@@ -311,15 +311,20 @@ fn a_flight_takes_the_way_out() {
     assert!(at > 3.0 && at < 4.0 && estimated["outcome"]["status"] == "landed", "{estimated}");
 }
 
+/// A mission whose faults have no way out at some instants, with a requirement in its `plan`.
+pub fn with_gaps(require: &str) -> String {
+    let spec = SPEC.replace("time    = 9 s", "time    = 6.5 s").replace("within = 12 s", "within = 4 s");
+    let spec = spec.replace("order = [land_at_sites]", "order = [continue]");
+    let spec = spec.replace("    mode M4 { rotor 4 lost }\n    mode M6 { rotor 6 lost }\n", "");
+    format!("{spec}{require}\n}}")
+}
+
 /// A mission whose faults have no way out at some instants is planned again with more room, until they have.
 #[test]
 fn gaps_are_closed_by_planning_again() {
     let planned = |require: &str| {
         let folder = tempfile::tempdir().unwrap();
-        let spec = SPEC.replace("time    = 9 s", "time    = 6.5 s").replace("within = 12 s", "within = 4 s");
-        let spec = spec.replace("order = [land_at_sites]", "order = [continue]");
-        let spec = spec.replace("    mode M4 { rotor 4 lost }\n    mode M6 { rotor 6 lost }\n", "");
-        std::fs::write(folder.path().join("field.mav"), format!("{spec}{require}\n}}")).unwrap();
+        std::fs::write(folder.path().join("field.mav"), with_gaps(require)).unwrap();
         let args = ["plan", "field.mav", "--recovery", "--report", "r.json", "--certificate", "c.json"];
         let (code, text, errors) = mavc_in(folder.path(), &args);
         assert_eq!(code, 0, "{text}{errors}");

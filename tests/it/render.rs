@@ -29,6 +29,29 @@ fn labels_in_another_file_are_shown_with_its_lines() {
     insta::assert_snapshot!(render_human(&[diagnostic], &sources, 80, false));
 }
 
+/// A name that is unknown at three places is one mistake; another name and a diagnostic with labels are others.
+#[test]
+fn a_repeated_mistake_is_shown_once_with_its_other_lines() {
+    let mut sources = SourceMap::default();
+    let text = "let a = b\nlet c = b\nlet d = e\nlet f = [b, b]\n";
+    let file = sources.add(Source::new("t.mav", text));
+    let unknown = |name: &str, at: usize| {
+        let span = Span::new(file, at, at + 1);
+        Diagnostic::error("mavc::name::unknown", span, format!("unknown name `{name}`")).here("not declared")
+    };
+    let places: Vec<usize> =
+        text.match_indices(['b', 'e']).map(|(at, _)| at).filter(|at| text[..*at].ends_with(['=', ' ', '['])).collect();
+    let found: Vec<Diagnostic> =
+        places.iter().filter(|at| !text[..**at].ends_with("l")).map(|&at| unknown(&text[at..=at], at)).collect();
+    assert_eq!(found.len(), 5);
+    let shown = render_human(&found, &sources, 80, false);
+    assert_eq!(shown.matches("unknown name `b`").count(), 1, "{shown}");
+    assert_eq!(shown.matches("unknown name `e`").count(), 1, "{shown}");
+    assert_eq!(shown.matches("  also in lines 2 and 4\n").count(), 1, "{shown}");
+    // Programs get every place.
+    assert_eq!(render_short(&found, &sources).lines().count(), 5);
+}
+
 #[test]
 fn color_is_only_there_when_asked_for() {
     let (diagnostic, sources) = example();

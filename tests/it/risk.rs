@@ -1,6 +1,6 @@
 //! Committed seconds, risk and its strip against sampling and another formulation; what a required risk chooses.
 
-use crate::cli::mavc_with;
+use crate::cli::{flat, mavc_with};
 use crate::vehicles::{limit, lost, mission, octocopter, paper_case, viviani, waypoint};
 use mavc::admissible::row::VIOLATED;
 use mavc::model::{FaultMode, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem};
@@ -251,12 +251,11 @@ fn reports_show_what_the_mission_does_after_each_fault() {
         let last_cells = |name: &str| row(name).split_whitespace().rev().take(3).collect::<Vec<_>>();
         assert_eq!(last_cells("weak"), ["s", &format!("{held:.2}"), "hold"], "{text}");
         assert_eq!(last_cells("tired"), ["s", &format!("{flown:.2}"), "continue"], "{text}");
-        let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(flat.contains("a stop that was not found may exist, but is not counted"), "{text}");
+        assert!(flat(&text).contains("a stop that was not found may exist, but is not counted"), "{text}");
     }
     // Where every mode continues the report has no such columns.
     let (_, text, json) = told("plan", DROP, &["--set", "plan.model=hover", "--set", "plan.against=[tired]"]);
-    assert!(!text.contains("after fault") && text.contains("before its last violation"), "{text}");
+    assert!(!text.contains("after fault") && flat(&text).contains("before its last violation"), "{text}");
     assert_eq!(json["planners"][0]["modes"][0]["after_fault"], "continue");
 }
 

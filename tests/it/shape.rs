@@ -1,5 +1,6 @@
 //! The shape of plans: heights, deviations and turns against values worked out by hand, and remarks on detours.
 
+use crate::cli::flat;
 use crate::schemas::schema;
 use crate::vehicles::{mission, waypoint};
 use mavc::Task;
@@ -195,7 +196,7 @@ fn statements_are_tried_and_priced() {
         let (_, mut plan) = bent(&spec, 3.0, 4.0);
         plan.time = 60.0;
         let mut found = detours(task.problem(), &plan);
-        let untried = terminal::detours(task.problem(), &plan, &found);
+        let untried = flat(&terminal::detours(task.problem(), &plan, &found));
         assert!(untried.contains("`altitude <= ...` in `limits` forbids it."), "{untried}");
         assert!(untried.contains("`straight` or `corridor ...` on waypoint 2 forbids it."), "{untried}");
         assert!(is_cheap(task.problem()));

@@ -81,9 +81,9 @@ test("plans, modes and sections can be chosen, and the strip leads to an instant
     assert.notEqual(await text(page, "#charts"), before);
     // The three planners at one time lead; the other plans are folded.
     const titles = (selector) => page.locator(`#strips ${selector} h3`).allTextContents();
-    assert.deepEqual(await titles("> figure"), ["RIP, at T_d = 16 s", "RCP M1, at T_d = 16 s", "RSP, at T_d = 16 s"]);
+    assert.deepEqual(await titles("> figure"), ["RIP, common time 16 s", "RCP M1, common time 16 s", "RSP, common time 16 s"]);
     assert.deepEqual(await titles("details figure"), ["RIP, own time 15.55 s", "RCP M1, own time 16 s", "RSP, own time 16 s"]);
-    await page.selectOption("#run", { label: "RIP, at T_d = 16 s" });
+    await page.selectOption("#run", { label: "RIP, common time 16 s" });
     await page.selectOption("#set", "3");
     assert.match(await text(page, "#sets-headline"), /M3/);
     assert.equal(await page.locator(".multiple[aria-pressed=true] .name").textContent(), "M3");

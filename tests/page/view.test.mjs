@@ -148,7 +148,7 @@ test("a file that the spec uses is watched too, and what is planned is cancelled
   return viewing(
     ({ address, save }) =>
       browsing(address, async (page) => {
-        await page.waitForFunction(() => /enough\?/.test(document.querySelector("#live .progress")?.textContent ?? ""));
+        await page.waitForFunction(() => /trying/.test(document.querySelector("#live .progress")?.textContent ?? ""));
         assert.equal(await page.locator("#live").getAttribute("data-stage"), "planning");
         assert.match(await text(page, "#live .verdict-line"), /^octo: M1 \(one motor lost\)/);
         save("octo.mav", VEHICLE.replace("1.8 kg", "1.8 m"));

@@ -14,7 +14,7 @@ use crate::report::record::Record;
 use crate::report::screen::Screen;
 use crate::report::{self, terminal};
 use crate::spec::Spec;
-use crate::text_table::Table;
+use crate::text_table::{Table, indented};
 
 // The path of a method of `Answer` stands for one lifetime only.
 #[expect(clippy::redundant_closure_for_method_calls)]
@@ -26,12 +26,14 @@ impl Task<'_> {
         record.conflict = explained.conflict.as_ref().map(|why| ConflictRecord::new(why, problem, sources));
         record.found_at_s = explained.nearby.times().collect();
         let heights = self.capture_heights(planning);
-        let coverage =
-            self.answered(planning, explained, heights.as_deref(), between.as_deref(), |answer| answer.coverage());
+        let (coverage, price) = self.answered(planning, explained, heights.as_deref(), between.as_deref(), |answer| {
+            (answer.coverage(), answer.price())
+        });
         let mut record = self.with_captures(record, planning.comparison(), heights.as_deref());
         if let Some(planner) = record.planners.last_mut() {
             planner.between_nodes = between;
             planner.coverage = coverage;
+            planner.price = price;
             if let Some(plan) = planning.plan() {
                 planner.add_detours(problem, plan, planning.detours());
             }
@@ -63,6 +65,9 @@ impl Task<'_> {
     pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>) -> String {
         let heights = self.capture_heights(planning);
         let mut text = terminal::plan_with(self.problem(), planning.comparison(), heights.as_deref());
+        if let Some(price) = self.answered(planning, explained, heights.as_deref(), between, |answer| answer.price()) {
+            text.push_str(&indented(&format!("price: {}", price.sentence)));
+        }
         if let Some(plan) = planning.plan() {
             text.push_str(&terminal::detours(self.problem(), plan, planning.detours()));
         }

@@ -145,12 +145,14 @@ impl Choices {
             ));
         }
         if self.rate.is_some() && self.format.is_of_pieces() {
-            return Err(format!("--format {name} has polynomials instead of rows: leave --rate out"));
+            return Err(format!(
+                "--rate has no effect with --format {name}, which has polynomials instead of rows: remove it"
+            ));
         }
         if self.tolerance.is_some() && self.format != Format::Crazyflie && !self.format.is_of_places() {
             return Err(format!(
-                "--format {name} does not refit the trajectory: leave --tolerance out, which is for crazyflie, \
-                 qgc-plan, wpl, kml and geojson"
+                "--tolerance has no effect with --format {name}: remove it; only crazyflie, qgc-plan, wpl, kml and \
+                 geojson take it"
             ));
         }
         Ok(())

@@ -96,7 +96,7 @@ fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Result<Draft, Box<Diagn
         let error = Diagnostic::error(FORMAT, at(first), "this is a vehicle and no mission").here("the first line");
         return Err(Box::new(error.help("read it by `mavc import vehicle`, or name the file of a mission")));
     }
-    let error = Diagnostic::error(FORMAT, at(first), "this is no mission that can be read").here("the first line");
+    let error = Diagnostic::error(FORMAT, at(first), "this is not a mission that mavc reads").here("the first line");
     Err(Box::new(error.help(
         "name a plan of QGroundControl (`.plan`), MAVLink's plain text (`QGC WPL 110`) or a table of waypoints \
          (`x,y,z`)",

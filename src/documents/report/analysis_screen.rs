@@ -25,6 +25,8 @@ const NAMES: usize = 32;
 const FEWEST_NAMES: usize = 18;
 /// Digits of every figure.
 const DIGITS: usize = 3;
+/// Marks the outcome of the mode with full control that leaves least of it.
+const WEAKEST: &str = ", weakest";
 
 /// The output.
 pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
@@ -45,6 +47,7 @@ pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
     }
     screen.fitted(NAMES, |names| table(model, modes, &spins, names));
     screen.gap();
+    columns(model, modes).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
     legend(model, modes, &spins).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
     remarks(model, modes).iter().for_each(|text| screen.remark(Keep::Finding, text));
     screen.close(0);
@@ -74,7 +77,7 @@ impl Overview {
         let weakest = controlled.iter().copied().reduce(f64::min).filter(|_| controlled.len() > 1);
         for row in &mut rows {
             if row.outcome == Outcome::FullControl && weakest == Some(row.margin) {
-                row.cells[0].push_str(", weakest");
+                row.cells[0].push_str(WEAKEST);
             }
         }
         let healthy = modes.first().map_or(Vec::new(), |healthy| cells(model, healthy, spins));
@@ -200,9 +203,22 @@ fn shown(mut rows: Vec<Row>) -> (Vec<Row>, Vec<(Outcome, usize)>) {
     (shown, others)
 }
 
-/// The meaning of the columns.
+/// The meaning of the columns that every table has.
+fn columns(model: &Model, modes: &[ModeAnalysis]) -> [String; 2] {
+    let is_weakest = |row: &Row| row.cells[0].ends_with(WEAKEST);
+    let weakest = match Overview::of(model, modes, &[]).rows.iter().any(is_weakest) {
+        true => "; weakest: hover has the least margin",
+        false => "",
+    };
+    [
+        "climb: thrust left beyond hover; yaw: torque left, weaker/stronger direction".into(),
+        format!("max kg: the largest mass that hovers{weakest}"),
+    ]
+}
+
+/// What else the table shows.
 pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Vec<String> {
-    let mut lines = vec!["climb: thrust left beyond hover; yaw: torque left, weaker/stronger direction".to_string()];
+    let mut lines = Vec::new();
     if !spins.is_empty() {
         lines.push("rad/s, deg: the spin in which flights settle; its axis from the body's z axis".into());
     }

@@ -27,8 +27,8 @@ rank      dimension of the set: 4 if thrust and all three torques can be varied 
 /// Meaning of the column of airspeeds.
 const AIRSPEED: &str = "\
 airspeed  the largest steady airspeed in level flight with the plan's reserve; (tilt): the mission limits the tilt; \
-(no yaw): with
-          yaw given up; over 40 m/s drag that grows in proportion to the airspeed is not plausible
+(no yaw): with \
+yaw given up; over 40 m/s drag that grows in proportion to the airspeed is not plausible
 ";
 
 /// Meaning of the column of airspeeds of a vehicle with a drag for each axis of its body.

@@ -59,9 +59,19 @@ impl BatteryRecord {
         self.left < self.keep
     }
 
-    /// `2.11 W*h of 111 W*h`
+    /// `2.11 W*h of 111 W*h (1.9 %)`
     pub fn used(&self) -> String {
-        format!("{} of {}", watt_hours(self.energy_j), watt_hours(self.battery_j))
+        format!("{} of {} ({})", watt_hours(self.energy_j), watt_hours(self.battery_j), self.share())
+    }
+
+    /// `2.11 W*h, 1.9 %`, for a column of the energy and its share of the battery.
+    pub fn cell(&self) -> String {
+        format!("{}, {}", watt_hours(self.energy_j), self.share())
+    }
+
+    /// The energy as a share of the full battery.
+    fn share(&self) -> String {
+        percent(self.energy_j / self.battery_j)
     }
 
     /// `mean power 217 W, largest 221 W at 3.20 s`

@@ -3,6 +3,7 @@
 use super::campaign_text::{by_flight, hundred, remarks};
 use super::headline::headline_of;
 use super::mode_names::within;
+use super::planner_names::planners_in_full;
 use super::screen::{Keep, Screen, Tone};
 use super::simulation::disturbed;
 use super::terminal::vehicle_line;
@@ -12,6 +13,8 @@ use crate::campaign::design::Design;
 use crate::campaign::statistics::{Share, sign_test, wilson};
 use crate::campaign::tally::{Group, Tally};
 use crate::flight::equilibrium::outcomes;
+use crate::flight::indistinguishable::listed;
+use crate::model::PlannerKind;
 use crate::number::{number, part_of_all, plural, significant};
 use crate::text_table::Table;
 use std::cmp::Reverse;
@@ -51,14 +54,29 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
     screen.paragraph(Tone::Plain, 2, 2, &headline_of(model, &outcomes(model)));
     screen.gap();
     screen.table(&planners(design, tally, &plans));
+    columns(design, &plans).iter().for_each(|text| {
+        screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, text));
+    });
     if cases.modes > 0 {
-        differences(design, tally, &plans).iter().for_each(|text| screen.paragraph(Tone::Plain, 2, 2, text));
+        let (texts, note) = differences(design, tally, &plans);
+        texts.iter().for_each(|text| screen.paragraph(Tone::Plain, 2, 2, text));
+        note.iter().for_each(|text| {
+            screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, text));
+        });
         losers(&mut screen, design, tally, &plans);
         screen.paragraph(Tone::Plain, 2, 2, &by_flight(&Agreement::new(design, tally).all.total));
     }
     warnings(design, tally, &plans).iter().for_each(|text| screen.remark(Keep::Finding, text));
     screen.close(0);
     screen
+}
+
+/// What the planners do and what their columns count, from what is left out last to what is left out first.
+fn columns(design: &Design, plans: &[Survival]) -> Vec<String> {
+    let planners: Vec<PlannerKind> = design.plans.iter().map(|plan| plan.planner).collect();
+    let has_points = plans.iter().any(|plan| plan.due > 0);
+    let points = "points missed: waypoints after the fault, missed by more than `within`";
+    std::iter::once(planners_in_full(&planners)).chain(has_points.then(|| points.to_string())).collect()
 }
 
 /// The flights of one plan with a fault.
@@ -144,46 +162,47 @@ fn planners(design: &Design, tally: &Tally, plans: &[Survival]) -> Table {
 }
 
 /// Whether the other plans lose more or fewer flights than that of the first: the sign test over pairs of mode and
-/// instant.
-fn differences(design: &Design, tally: &Tally, plans: &[Survival]) -> Vec<String> {
-    let Some((first, others)) = plans.split_first() else { return Vec::new() };
+/// instant, and what it assumes. Nothing if no flight was lost.
+fn differences(design: &Design, tally: &Tally, plans: &[Survival]) -> (Vec<String>, Option<&'static str>) {
+    let Some((first, others)) = plans.split_first() else { return (Vec::new(), None) };
     let share = |plan: usize, m: usize, t: usize| {
         let cell = &tally.cells(plan, m)[t];
         (cell.struck > 0).then(|| cell.lost as f64 / cell.struck as f64)
     };
     let pairs = || (0..design.cases.modes).flat_map(|m| (0..design.cases.times).map(move |t| (m, t)));
-    let mut texts: Vec<String> = others
-        .iter()
-        .map(|other| {
-            let both = pairs().filter_map(|(m, t)| Some((share(first.plan, m, t)?, share(other.plan, m, t)?)));
-            let (mut fewer, mut more) = (0, 0);
-            for (of_first, of_other) in both {
-                fewer += usize::from(of_other < of_first);
-                more += usize::from(of_other > of_first);
-            }
-            let p = sign_test(fewer, more);
-            let word = if p < SIGNIFICANT { "significant" } else { "not significant" };
-            let p = if p < 1e-4 { "p < 0.0001".to_string() } else { format!("p = {}", significant(p, 2)) };
-            let (other, first) = (&other.name, &first.name);
-            match fewer + more {
-                0 => format!("{other} loses as many flights as {first} at every instant of every mode"),
-                _ => format!(
-                    "{other} loses fewer flights than {first} at {fewer} pairs of mode and instant, more at {more}: \
-                     {word} ({p})"
-                ),
-            }
-        })
-        .collect();
-    // Where no flight was lost, there is nothing to compare.
-    if !texts.is_empty()
-        && pairs().all(|(m, t)| plans.iter().all(|plan| share(plan.plan, m, t).is_none_or(|s| s == 0.0)))
-    {
-        return Vec::new();
+    // Planners with the same result share a sentence.
+    let mut found: Vec<((usize, usize), Vec<&str>)> = Vec::new();
+    for other in others {
+        let both = pairs().filter_map(|(m, t)| Some((share(first.plan, m, t)?, share(other.plan, m, t)?)));
+        let (mut fewer, mut more) = (0, 0);
+        for (of_first, of_other) in both {
+            fewer += usize::from(of_other < of_first);
+            more += usize::from(of_other > of_first);
+        }
+        match found.iter_mut().find(|(counts, _)| *counts == (fewer, more)) {
+            Some((_, names)) => names.push(&other.name),
+            None => found.push(((fewer, more), vec![&other.name])),
+        }
     }
-    if !texts.is_empty() {
-        texts.push("exact sign test, two-sided; it takes the instants as independent of each other".into());
+    let sentence = |((fewer, more), names): &((usize, usize), Vec<&str>)| {
+        let p = sign_test(*fewer, *more);
+        let word = if p < SIGNIFICANT { "significant" } else { "not significant" };
+        let p = if p < 1e-4 { "p < 0.0001".to_string() } else { format!("p = {}", significant(p, 2)) };
+        let (others, first) = (listed(names), &first.name);
+        let [loses, each] = if names.len() > 1 { ["lose", " each"] } else { ["loses", ""] };
+        match fewer + more {
+            0 => format!("{others}{each} {loses} as many flights as {first} at every instant of every mode"),
+            _ => format!(
+                "{others}{each} {loses} fewer flights than {first} at {fewer} pairs of mode and instant, more at \
+                 {more}: {word} (sign test, {p})"
+            ),
+        }
+    };
+    if pairs().all(|(m, t)| plans.iter().all(|plan| share(plan.plan, m, t).is_none_or(|s| s == 0.0))) {
+        return (Vec::new(), None);
     }
-    texts
+    let note = "the exact, two-sided sign test takes the instants as independent of each other";
+    (found.iter().map(sentence).collect(), (!found.is_empty()).then_some(note))
 }
 
 /// The modes that lost flights with the most losses, modes with the same numbers together.
@@ -231,6 +250,7 @@ fn losers(screen: &mut Screen, design: &Design, tally: &Tally, plans: &[Survival
 /// What a reader must not overlook; a warning about several plans is printed once.
 fn warnings(design: &Design, tally: &Tally, plans: &[Survival]) -> Vec<String> {
     let mut all: Vec<String> = remarks::beyond_the_limit(design).into_iter().collect();
+    let mut of_plans: Vec<(String, Vec<&str>)> = Vec::new();
     for plan in plans {
         let p = plan.plan;
         let of_plan = [
@@ -239,13 +259,15 @@ fn warnings(design: &Design, tally: &Tally, plans: &[Survival]) -> Vec<String> {
             remarks::diverged(design, tally, p),
             remarks::uncovered(design, tally, p),
         ];
-        all.extend(
-            of_plan
-                .into_iter()
-                .flatten()
-                .map(|text| format!("{}: {}", plan.name, text.trim_start_matches("Warning: "))),
-        );
+        for text in of_plan.into_iter().flatten() {
+            let text = text.trim_start_matches("Warning: ").to_string();
+            match of_plans.iter_mut().find(|(same, _)| *same == text) {
+                Some((_, names)) => names.push(&plan.name),
+                None => of_plans.push((text, vec![&plan.name])),
+            }
+        }
     }
+    all.extend(of_plans.iter().map(|(text, names)| format!("{}: {text}", names.join(", "))));
     for missing in &design.missing {
         all.push(format!("{} is not flown: {}", missing.planner.name().to_uppercase(), missing.verdict()));
     }

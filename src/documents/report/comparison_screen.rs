@@ -4,6 +4,7 @@ use super::battery;
 use super::caveats::caveats;
 use super::comparison_text::name_of;
 use super::plan_screen::{unsafe_until, warn_of_not_covered};
+use super::planner_names::planners_in_full;
 use super::record::rates;
 use super::screen::{Keep, Screen, Tone};
 use super::terminal::vehicle_line;
@@ -16,6 +17,7 @@ use crate::number::{fixed, percent, plural, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlannerRun, Run};
 use crate::report::without_yaw;
 use crate::text_table::Table;
+use std::collections::BTreeSet;
 
 /// Digits of times and energies.
 const DIGITS: usize = 4;
@@ -39,19 +41,41 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
     };
     block(&mut screen, problem, comparison, own, is_own);
     if let Some(time) = comparison.common_time {
-        let title = format!("All planners at T_d = {} s", significant(time, DIGITS));
+        let title = format!("All planners at one time, {} s", significant(time, DIGITS));
         block(&mut screen, problem, comparison, &title, |run| !is_own(run));
     }
-    if !comparison.modes.is_empty() {
-        let legend = "covers: modes for which the plan is never unsafe; violation: the worst of a set with its \
-                      reserve, % of the healthy set's width";
-        screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 4, legend));
+    let hidden: BTreeSet<&[String]> =
+        comparison.runs.iter().filter(|run| !is_shown(comparison, run)).map(|run| run.against.as_slice()).collect();
+    if !hidden.is_empty() {
+        let text = format!("RCP against each of {} alone: -v", plural(hidden.len(), "mode"));
+        screen.paragraph(Tone::Plain, 2, 2, &text);
     }
+    legends(model, comparison)
+        .iter()
+        .for_each(|text| screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, text)));
     if let Some(text) = outside_the_model(model, comparison) {
         screen.remark(Keep::Finding, &text);
     }
     screen.close(0);
     screen
+}
+
+/// What the planners do, and the meaning of the columns, from what is left out last to what is left out first.
+fn legends(model: &Model, comparison: &Comparison) -> Vec<String> {
+    if comparison.modes.is_empty() {
+        return Vec::new();
+    }
+    let objective = match model.vehicle.battery {
+        None => "; objective: what planners minimise, errors and effort",
+        Some(_) => "",
+    };
+    vec![
+        planners_in_full(&[PlannerKind::Rip, PlannerKind::Rsp, PlannerKind::Rcp]),
+        format!(
+            "covers: modes after which a plan is never unsafe; violation: largest, % of the healthy set's \
+             width{objective}"
+        ),
+    ]
 }
 
 /// `the linear model does not hold for the plans of RIP, RSP, ...`; `None` if it holds for every plan shown.
@@ -94,8 +118,8 @@ fn unsafe_for_any(model: &Model, plan: &MissionPlan) -> Option<f64> {
     (0..plan.outside.len()).filter_map(|i| unsafe_until(model, plan, i)).reduce(f64::max)
 }
 
-/// `At the shortest times, covering all 8 modes costs 10 % more time: 20.1 s with RCP; RIP ignores faults, takes 18.2 s
-/// and is unsafe until 12.3 s`
+/// `At the shortest times, covering all 8 modes costs 10 % more time: 20.1 s with RCP; RIP, ignoring faults, takes
+/// 18.2 s, unsafe until 12.3 s`
 fn answer(model: &Model, comparison: &Comparison) -> (Tone, String) {
     let n = comparison.modes.len();
     let planned = |which: Run| {
@@ -123,16 +147,16 @@ fn answer(model: &Model, comparison: &Comparison) -> (Tone, String) {
         return (Tone::Warning, format!("No fault mode is planned against: nothing to compare. {time}"));
     }
     let ignoring = rip.map(|(_, plan)| {
-        let unsafe_until = unsafe_for_any(model, plan)
-            .map_or(String::new(), |last| format!(" and is unsafe until {} s", fixed(last, 2)));
-        format!("RIP, which ignores faults, takes {}{unsafe_until}", seconds(plan.time))
+        let unsafe_until =
+            unsafe_for_any(model, plan).map_or(String::new(), |last| format!(", unsafe until {} s", fixed(last, 2)));
+        format!("RIP, ignoring faults, takes {}{unsafe_until}", seconds(plan.time))
     });
     let of_all: Vec<_> = plans.iter().copied().filter(|(_, plan)| covered(model, comparison, plan) == n).collect();
     let all = if n == 1 { "the mode".to_string() } else { format!("all {n} modes") };
     match (fastest(&of_all), rip) {
         (Some(_), Some((_, plan))) if covered(model, comparison, plan) == n => (
             Tone::Good,
-            format!("Covering {all} costs nothing: RIP, which ignores faults, covers them in {}", seconds(plan.time)),
+            format!("Covering {all} costs nothing: RIP, ignoring faults, covers them in {}", seconds(plan.time)),
         ),
         (Some((name, time)), Some((_, plan))) => {
             let more = percent(time / plan.time - 1.0);
@@ -171,7 +195,7 @@ fn block(
     let rates = rates(model);
     let has_risk = rates.iter().any(Option::is_some);
     let mut headings = vec!["planner", "time"];
-    headings.push(if model.vehicle.battery.is_some() { "energy" } else { "objective" });
+    headings.push(if model.vehicle.battery.is_some() { "energy, of battery" } else { "objective" });
     if n > 0 {
         headings.extend(["covers", "violation", "unsafe until"]);
     }
@@ -186,7 +210,7 @@ fn block(
         };
         let mut cells = vec![name_of(run), format!("{} s", significant(plan.time, DIGITS))];
         cells.push(match battery::record(model, &plan.trajectory) {
-            Some(record) => battery::watt_hours(record.energy_j),
+            Some(record) => record.cell(),
             None => significant(plan.least_objective, 3),
         });
         if n > 0 {
@@ -201,8 +225,4 @@ fn block(
     screen.gap();
     screen.paragraph(Tone::Strong, 2, 2, title);
     screen.table(&table);
-    let singles = comparison.runs.iter().filter(|run| wanted(run) && !is_shown(comparison, run)).count();
-    if singles > 0 {
-        screen.line(Tone::Plain, &format!("  and RCP against each of {} alone, -v", plural(n, "mode")));
-    }
 }

@@ -3,7 +3,7 @@
 mod fold;
 
 use super::record::{errors, rates};
-use super::terminal::{WIDTH, head, holds, in_planes};
+use super::terminal::{head, holds, in_planes};
 use super::{least_time, without_yaw};
 use crate::admissible::row::VIOLATED;
 use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind, Problem};
@@ -13,7 +13,7 @@ use crate::motion::time_grid::determined;
 use crate::number::{fixed, number, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Proof, Run, label};
 use crate::planner::timing::kinematics::least_time_within;
-use crate::text_table::{Table, indented};
+use crate::text_table::{Table, filled, indented};
 use crate::verdict::Verdict;
 use fold::{Fold, folded};
 
@@ -35,7 +35,9 @@ pub fn compare(problem: Problem, comparison: &Comparison) -> String {
     out.push_str(&notes(comparison, Run::Own));
     out.push_str(&own_note(problem, comparison));
     out.push_str(&match comparison.common_time {
-        Some(t) => format!("\nAll planners at T_d = {} s, {}\n", number(t), common_time(problem, comparison)),
+        Some(t) => {
+            format!("\nAll planners at the common time T_d = {} s, {}\n", number(t), common_time(problem, comparison))
+        }
         None if comparison.modes.is_empty() => "\nWithout fault modes there is no common time T_d.\n".into(),
         None => "\nNo plan was found for any mode, so there is no common time T_d.\n".into(),
     });
@@ -61,7 +63,7 @@ pub fn compare(problem: Problem, comparison: &Comparison) -> String {
                 other => other,
             };
             let text = format!("Seconds outside each mode's {by} (last violation{held}): {title}");
-            out.push_str(&format!("\n{}\n", textwrap::fill(&text, WIDTH)));
+            out.push_str(&format!("\n{}", filled(&text)));
             out.push_str(&outside_table(model, comparison, run).render(2));
         }
         if has_plans(Run::Own) || has_plans(Run::Common) {
@@ -144,11 +146,11 @@ fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
         }
         (true, false) => {
             "  risk: the probability that some mode with a rate strikes before its last violation, if the mission \
-             continues;\n  modes are treated as independent.\n"
+             continues; modes are treated as independent.\n"
         }
         (true, true) => {
             "  risk: the probability that some mode with a rate strikes before its last violation or, if the mission \
-             holds,\n  before the last node from which no stop was found; modes are treated as independent.\n"
+             holds, before the last node from which no stop was found; modes are treated as independent.\n"
         }
     }
 }

@@ -5,6 +5,7 @@ mod price;
 
 pub use coverage::{CoverageRecord, Covers};
 pub(super) use coverage::{unsafe_until, warn_of_not_covered};
+pub use price::PriceRecord;
 
 use super::battery;
 use super::binding;
@@ -80,6 +81,12 @@ impl Answer<'_> {
         found.unwrap_or_default()
     }
 
+    /// What covering the modes costs; `None` without a plan and if none is planned against.
+    pub fn price(&self) -> Option<PriceRecord> {
+        let run = self.comparison.runs.last()?;
+        PriceRecord::of_plan(self, run, run.outcome.plan()?)
+    }
+
     /// No plan: what was shown, and about which modes.
     fn missing(&self, screen: &mut Screen, run: &PlannerRun, outcome: &PlanOutcome) {
         let model = self.problem.model();
@@ -112,19 +119,24 @@ impl Answer<'_> {
         screen.paragraph(tone, 2, 2, &text);
         let hidden = coverage::write(self, screen, run, solved);
         screen.gap();
-        for (keep, label, text) in self.figures(run, solved) {
-            let text = format!("{label:<10} {text}");
-            screen.part(keep, Some((Counted::Figure, 1)), |screen| screen.paragraph(Tone::Plain, 2, 11, &text));
+        let labelled = |screen: &mut Screen, label: &str, text: &str| {
+            screen.paragraph(Tone::Plain, 2, 11, &format!("{label:<10} {text}"));
+        };
+        // Never left out: what safety costs is what the planners differ in.
+        if let Some(price) = PriceRecord::of_plan(self, run, solved) {
+            labelled(screen, "price", &price.sentence);
+        }
+        for (keep, label, text) in self.figures(solved) {
+            screen.part(keep, Some((Counted::Figure, 1)), |screen| labelled(screen, label, &text));
         }
         self.remarks(model, solved).iter().for_each(|(keep, text)| screen.remark(*keep, text));
         hidden
     }
 
     /// Labelled lines of figures.
-    fn figures(&self, run: &PlannerRun, solved: &MissionPlan) -> Vec<(Keep, &'static str, String)> {
+    fn figures(&self, solved: &MissionPlan) -> Vec<(Keep, &'static str, String)> {
         let (model, mission) = (self.problem.model(), self.problem.mission());
         let mut lines = Vec::new();
-        lines.extend(price::of_plan(self, run, solved).map(|text| (Keep::Figure, "price", text)));
         let reached = waypoints::waypoints(mission, solved);
         lines.push((Keep::Figure, "waypoints", waypoints::headline(&reached)));
         lines.push((Keep::Figure, "path", path(self.problem, solved)));

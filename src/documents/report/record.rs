@@ -7,7 +7,7 @@ use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::headings::{self, HeadingRecord};
 use super::least_time;
-use super::plan_screen::CoverageRecord;
+use super::plan_screen::{CoverageRecord, PriceRecord};
 use super::recovery::RecoveryRecord;
 use super::shape::{self, DetourRecord, ShapeRecord};
 use super::verdict_text::{headline, statement};
@@ -29,7 +29,7 @@ use crate::verdict::Verdict;
 use serde::Serialize;
 
 /// Version of this record; raised when a field or the meaning of its values changes.
-const SCHEMA: u32 = 5;
+const SCHEMA: u32 = 6;
 
 /// Why nothing was planned.
 const REFUSED: &str = "hover does not lie inside every set that the plan must stay in";
@@ -148,6 +148,9 @@ pub struct PlannerRecord {
     /// In `mavc plan`: which fault modes the plan covers and which not, as the sentences below the headline; empty in
     /// `mavc compare` and without a plan.
     pub coverage: Vec<CoverageRecord>,
+    /// In `mavc plan`: what covering the fault modes costs against a plan that ignores them; null in `mavc compare`,
+    /// without a plan, and if no mode is planned against.
+    pub price: Option<PriceRecord>,
     /// Mission times, s, for each of which it was proved separately that there is no plan; nothing is claimed about
     /// other times.
     #[cfg_attr(test, schemars(inner(range(min = 0))))]

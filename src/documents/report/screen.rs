@@ -2,11 +2,10 @@
 //! colour.
 
 use crate::number::plural;
-use crate::text_table::Table;
+use crate::text_table::{Table, fitted, lines};
 use std::fmt;
 
-/// The width of the short texts, columns.
-pub const WIDTH: usize = 80;
+pub use crate::text_table::WIDTH;
 
 /// Most lines of a short text; a hint of the command may follow as the 25th line of a usual terminal.
 const LINES: usize = 24;
@@ -19,36 +18,6 @@ const MORE_TO_SPARE: &str = " with more to spare";
 
 /// The fewest columns of names in a table.
 const NAMES: usize = 8;
-
-/// A space at which no line ends.
-const JOINT: char = '\u{a0}';
-
-/// Units that stay on the line of their number.
-const UNITS: [&str; 16] =
-    ["%", "m", "cm", "mm", "s", "ms", "N", "kg", "deg", "degrees", "m/s", "deg/s", "rad/s", "J", "Wh", "Hz"];
-
-/// Code of at most so many columns stays on one line.
-const CODE: usize = 32;
-
-/// The text, with numbers joined to their units, and the words of short code.
-fn unbroken(text: &str) -> String {
-    let code = |(i, span): (usize, &str)| match i % 2 == 1 && span.len() <= CODE {
-        true => span.replace(' ', &JOINT.to_string()),
-        false => span.to_string(),
-    };
-    let text = text.split('`').enumerate().map(code).collect::<Vec<_>>().join("`");
-    let mut joined = String::with_capacity(text.len());
-    let mut after_number = false;
-    for (i, word) in text.split(' ').enumerate() {
-        let is_unit = UNITS.contains(&word.trim_end_matches([',', ';', '.', ':', ')']));
-        if i > 0 {
-            joined.push(if after_number && is_unit { JOINT } else { ' ' });
-        }
-        joined.push_str(word);
-        after_number = word.ends_with(|c: char| c.is_ascii_digit());
-    }
-    joined
-}
 
 /// What a line means, for its colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,12 +36,12 @@ pub enum Tone {
 /// What may be left out of a screen without room for everything, from what is left out first to what stays longest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Keep {
-    /// The meaning of a column.
-    Legend,
     /// A figure that explains another one.
     Reason,
     /// A remark on the model.
     Advice,
+    /// The meaning of a column.
+    Legend,
     /// A row of a table whose first rows are those that matter most.
     Row,
     /// A figure.
@@ -126,8 +95,13 @@ pub struct Screen {
 }
 
 impl Screen {
-    /// The lines of a longer text as they are.
+    /// The lines of a longer text, of the width of the terminal except for rows of figures.
     pub fn of_text(text: &str) -> Self {
+        Screen::as_it_is(&fitted(text))
+    }
+
+    /// The lines of a text for programs.
+    pub fn as_it_is(text: &str) -> Self {
         let mut screen = Screen::default();
         text.lines().for_each(|line| screen.lines.push(Line { tone: Tone::Plain, text: line.into(), part: None }));
         screen
@@ -148,9 +122,7 @@ impl Screen {
     /// A paragraph; all its lines are indented by `indent` spaces, those after the first by `hanging` more.
     pub fn paragraph(&mut self, tone: Tone, indent: usize, hanging: usize, text: &str) {
         let [first, later] = [indent, indent + hanging].map(|n| " ".repeat(n));
-        let options = textwrap::Options::new(WIDTH).initial_indent(&first).subsequent_indent(&later);
-        let joined = unbroken(text);
-        textwrap::wrap(&joined, options).iter().for_each(|line| self.line(tone, &line.replace(JOINT, " ")));
+        lines(text, &first, &later).iter().for_each(|line| self.line(tone, line));
     }
 
     /// Lines that may be left out.

@@ -22,9 +22,7 @@ use crate::number::{down, fixed, number, part_of_all, percent, short_seconds, si
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Protection;
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, label};
-use crate::text_table::{Table, hanging, indented};
-
-pub use crate::text_table::WIDTH;
+use crate::text_table::{Table, filled, hanging, indented};
 
 /// `octo (PPNNPPNN, 8 rotors, 1.8 kg)`
 pub fn vehicle_line(model: &Model) -> String {
@@ -70,7 +68,7 @@ pub(super) fn head(problem: Problem, comparison: &Comparison, heights: Option<&C
         out.push_str(&format!("Rotors lag: thrusts follow their commands with a time constant of {milliseconds} ms\n"));
     }
     for sentence in without_yaw::head(comparison, heights) {
-        out.push_str(&format!("{}\n", textwrap::fill(&sentence, WIDTH)));
+        out.push_str(&filled(&sentence));
     }
     out.push_str(&battery::full_thrust(model));
     if model.environment().has_drag() {
@@ -164,7 +162,7 @@ pub fn plan_with(problem: Problem, comparison: &Comparison, heights: Option<&Cap
                 };
                 let text = format!("{}: {}", label(run.planner, &run.against), statement(problem, comparison, run));
                 let text = of_proof.map_or(text.clone(), |note| format!("{text}. {note}"));
-                out.push_str(&format!("{}\n", textwrap::fill(&text, WIDTH)));
+                out.push_str(&filled(&text));
             }
         }
     }

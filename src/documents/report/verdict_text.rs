@@ -65,8 +65,8 @@ pub fn statement(problem: Problem, comparison: &Comparison, run: &PlannerRun) ->
     }
 }
 
-/// The first sentence about a run on the terminal, the page and in the JSON report: `PLAN FOUND, 35 s; planner RSP`, or
-/// `PROVED INFEASIBLE at 12 s with 200 samples; planner RSP`.
+/// The first sentence about a run on the terminal, the page and in the JSON report: `PLAN FOUND, 35 s; planner RSP
+/// (risk-sensitive)`, or `PROVED INFEASIBLE at 12 s with 200 samples; planner RSP (risk-sensitive)`.
 pub fn headline(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> String {
     let (text, word) = (statement(problem, comparison, run), run.outcome.verdict().word());
     let rest = text.strip_prefix(word).unwrap_or(&text);
@@ -74,7 +74,8 @@ pub fn headline(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> 
         Some(_) => ("PLAN ", without_yaw::beside_the_verdict(comparison)),
         None => ("", String::new()),
     };
-    format!("{plan}{}{rest}; planner {}{beside}", word.to_uppercase(), run.planner.name().to_uppercase())
+    let (word, planner) = (word.to_uppercase(), run.planner.name().to_uppercase());
+    format!("{plan}{word}{rest}; planner {planner} ({}){beside}", run.planner.in_full())
 }
 
 /// A sentence about the times at which the planner found plans (`found_at`, s, ascending) after it found none at the

@@ -275,13 +275,13 @@ pub const COLUMNS: [Column; 29] = [
     column!(
         "detected_after_s",
         "s",
-        "time until a rotor affected by the mode was assumed weakened",
+        "time until the controller knew that a rotor of the mode was weakened",
         optional detected_after
     ),
     column!(
         "isolated_after_s",
         "s",
-        "time until every capacity was assumed to within 0.2 of its true value",
+        "time until the controller knew every capacity to within 0.2 of its true value",
         optional isolated_after
     ),
     column!(

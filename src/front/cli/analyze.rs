@@ -26,7 +26,7 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, CommandError> {
     let mut results = Results::new(&places);
     results.page(|| page::analysis(model, spec.sources(), &findings.diagnostics, &modes, &record));
     let text = match (&sweep, &captures) {
-        _ if args.format == Format::Json => Screen::of_text(&compact_json(&record)?),
+        _ if args.format == Format::Json => Screen::as_it_is(&compact_json(&record)?),
         (Some(sweep), _) => Screen::of_text(&sweep.to_text(model)),
         (None, Some(captures)) => Screen::of_text(&capture_text::captures(model, captures)),
         (None, None) if options.verbose => Screen::of_text(&analysis_text::analysis(model, &modes)),

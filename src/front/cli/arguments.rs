@@ -6,6 +6,7 @@ use crate::MISSION_TEMPLATES;
 use crate::exchange::{flight, trajectory};
 use crate::import::estimate::{Battery, battery, propeller, quantity};
 use crate::model::SearchEffort;
+use crate::text_table::WIDTH;
 use crate::verify::cost::Budget;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -39,7 +40,7 @@ const EFFORTS: [&str; 3] = [SearchEffort::Quick.name(), SearchEffort::Normal.nam
     about = "Checks a one-page spec of a multirotor mission, analyses which rotor faults the vehicle tolerates, and \
         plans the mission",
     after_help = EXIT_CODES,
-    max_term_width = 100
+    max_term_width = WIDTH
 )]
 pub(super) struct Cli {
     #[command(subcommand)]

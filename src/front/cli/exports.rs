@@ -101,7 +101,10 @@ const OTHERS: &Others = &[
     (&["html", "htm"], "write --html for a page"),
     (&["svg", "png", "pdf"], "write --svg for charts"),
     (&["bag", "db3"], "a ROS 2 bag is --format rosbag2, an MCAP file or a folder"),
-    (&["mav", "params", "param", "xml", "sdf", "urdf", "ulg", "bin"], "a trajectory is no such file: name a `.csv`"),
+    (
+        &["mav", "params", "param", "xml", "sdf", "urdf", "ulg", "bin"],
+        "a trajectory is not a file of this kind: name a `.csv`",
+    ),
 ];
 
 /// The word for north, east, down.

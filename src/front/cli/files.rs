@@ -5,6 +5,7 @@ use crate::input;
 pub use crate::input::reason;
 use crate::report::screen::{Screen, Tone};
 use crate::source::visible;
+use crate::text_table::hanging;
 use std::io::{Error, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 
@@ -86,10 +87,17 @@ pub fn unless_gone(outcome: std::io::Result<()>) -> std::io::Result<()> {
     outcome.or_else(|e| if e.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(e) })
 }
 
-/// Prints to standard error, disguised characters as escapes. Failures are ignored: there is no other place to report
-/// them.
+/// Prints to standard error, disguised characters as escapes; on a terminal the sentences of mavc in lines that fit.
+/// Failures are ignored: there is no other place to report them.
 pub fn eprint(text: &str) {
-    eprint_as_it_is(&visible::text(text));
+    let text = visible::text(text);
+    match std::io::stderr().is_terminal() {
+        true => {
+            let fitted = |line: &str| if line.starts_with("mavc: ") { hanging(line) } else { format!("{line}\n") };
+            eprint_as_it_is(&text.lines().map(fitted).collect::<String>());
+        }
+        false => eprint_as_it_is(&text),
+    }
 }
 
 /// Prints a text with its colours and links to standard error.

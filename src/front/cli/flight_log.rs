@@ -21,13 +21,16 @@ const ENDINGS: [(&str, Format); 4] =
 
 /// Endings of files that a flight log is not, and what to write in place of the option.
 const OTHERS: &Others = &[
-    (&["plan", "waypoints", "kml", "geojson", "py"], "a flight log is no such file: `mavc plan -o` writes it"),
+    (
+        &["plan", "waypoints", "kml", "geojson", "py"],
+        "a flight log is not a file of this kind: `mavc plan -o` writes it",
+    ),
     (&["json"], "write --report for a report, or --format mcap"),
     (&["html", "htm"], "write --html for a page"),
     (&["bag", "db3", "bin"], "write --format mcap or ulog"),
     (
         &["mav", "params", "param", "xml", "sdf", "urdf", "svg", "png", "pdf"],
-        "a flight log is no such file: name a `.csv`",
+        "a flight log is not a file of this kind: name a `.csv`",
     ),
 ];
 

@@ -7,6 +7,7 @@ use crate::diagnostic::Severity;
 use crate::import::{Imported, MAX_BYTES, mission, vehicle};
 use crate::input::FileKind;
 use crate::spec::Compiler;
+use crate::text_table::WIDTH;
 use std::path::{Component, Path, PathBuf};
 
 pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, CommandError> {
@@ -53,7 +54,7 @@ fn remarks(imported: &Imported, args: &ImportArgs) -> String {
     if !imported.dropped.is_empty() {
         let list = textwrap::fill(
             &imported.dropped.join(" "),
-            textwrap::Options::new(100).initial_indent("  ").subsequent_indent("  "),
+            textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  "),
         );
         out.push_str(&format!("Left out of {}, because a spec has no word for it:\n{list}\n", shown(&args.file)));
     }
@@ -64,9 +65,9 @@ fn remarks(imported: &Imported, args: &ImportArgs) -> String {
         let lines = if unknown == 1 { "1 line has".into() } else { format!("{unknown} lines have") };
         let next = match &to {
             Some(to) => format!("Fill in what is missing, then: mavc check {to}"),
-            None => "Write the spec to a file by `-o v.mav`, fill in what is missing, then: mavc check v.mav".into(),
+            None => "Write it to a file by `-o v.mav`, fill in what is missing, then: mavc check v.mav".into(),
         };
-        out.push_str(&format!("{lines} a `?` for a figure that the file does not give. {next}\n"));
+        out.push_str(&format!("{lines} a `?` for a figure that the file does not give.\n{next}\n"));
     } else if let Some(to) = to.filter(|to| to != "-") {
         out.push_str(&format!("{to} written. Next: mavc check {to}\n"));
     }

@@ -7,7 +7,7 @@ use super::{Options, files};
 use crate::flight::Flight;
 use crate::model::PlannerKind;
 use crate::number::number;
-use crate::observer::{Observer, PLANNERS, Stages, question};
+use crate::observer::{Observer, PLANNERS, Stages, attempt};
 use crate::solve::Effort;
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use lines::Lines;
@@ -58,7 +58,7 @@ impl Watch {
         Watch { quiet: options.quiet, timings: options.timings, shown: Mutex::new(None), wanted: OnceLock::new() }
     }
 
-    /// Questions name this planner (`RSP`), for whose plan those of others are made.
+    /// Attempts name this planner (`RSP`), for whose plan those of others are made.
     pub fn wants(&self, planner: PlannerKind) {
         let name = PLANNERS.into_iter().find(|name| name.eq_ignore_ascii_case(planner.name()));
         name.into_iter().for_each(|name| self.wanted.set(name).unwrap_or_default());
@@ -98,7 +98,7 @@ impl Observer for Watch {
     }
 
     fn tries(&self, planner: &str, time: f64) {
-        self.begins(&question(self.wanted.get().copied(), planner, time));
+        self.begins(&attempt(self.wanted.get().copied(), planner, time));
     }
 
     fn solved(&self, effort: &Effort) {

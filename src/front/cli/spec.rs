@@ -9,6 +9,7 @@ use crate::pipeline::{Refusal, Task};
 use crate::read::{FileSet, FlightBlocks};
 use crate::source::{SourceMap, visible};
 use crate::spec::{Compiled, Compiler, Parsed, Spec};
+use crate::text_table::WIDTH;
 use std::borrow::Cow;
 use std::io::IsTerminal;
 use std::sync::Arc;
@@ -137,11 +138,11 @@ impl Findings {
     }
 }
 
-/// The largest width taken from `COLUMNS`: each line takes as much memory.
+/// The largest width taken from `COLUMNS`, instead of that of all texts: each line takes as much memory.
 const MOST_COLUMNS: usize = 1000;
 
 /// Diagnostics for people who read them on `stream`.
 pub fn human(diagnostics: &[Diagnostic], sources: &SourceMap, stream: &impl IsTerminal) -> String {
-    let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100).clamp(20, MOST_COLUMNS);
+    let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(WIDTH).clamp(20, MOST_COLUMNS);
     render_linked(diagnostics, sources, width, links::colored(stream), links::docs(stream).as_deref())
 }

@@ -152,9 +152,9 @@ mod tests {
         let (change, _) = board.after(None, Duration::ZERO).unwrap();
         let told = std::thread::scope(|scope| {
             let waiting = scope.spawn(|| board.after(Some(change), Duration::from_secs(3600)));
-            board.progress("RSP: is 9.00 s enough?".into());
+            board.progress("RSP: trying 9.00 s".into());
             waiting.join().unwrap()
         });
-        assert_eq!(told.unwrap().1.progress, "RSP: is 9.00 s enough?");
+        assert_eq!(told.unwrap().1.progress, "RSP: trying 9.00 s");
     }
 }

@@ -3,7 +3,7 @@
 use super::board::Board;
 use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::{Diagnostic, render_human, sort};
-use crate::observer::{Observer, Stages, question};
+use crate::observer::{Observer, Stages, attempt};
 use crate::pipeline::{Task, analyze};
 use crate::report::page::{self, PageKind, Subject};
 use crate::report::{analysis_text, headline};
@@ -30,7 +30,7 @@ impl Observer for Progress<'_> {
     }
 
     fn tries(&self, planner: &str, time: f64) {
-        self.board.progress(question(Some(&self.wanted), planner, time));
+        self.board.progress(attempt(Some(&self.wanted), planner, time));
     }
 }
 

@@ -1,6 +1,7 @@
 //! What flights of a campaign are lost to, and those of which nothing is known.
 
 use super::*;
+use crate::cli::flat;
 
 const SIZE: [&str; 7] = ["spin.mav", "--times", "2", "--seeds", "1", "--quiet", "-v"];
 
@@ -43,7 +44,7 @@ fn vehicles_that_spin_are_lost_and_the_table_says_to_what() {
         assert_eq!(line("spin ").ends_with("  2 heading"), !survives, "{printed}");
         assert!(line("healthy").ends_with("  -") && !line("dead").ends_with("  -"), "{printed}");
         assert_eq!(
-            printed.contains("heading 90 degrees off for 1 s or at the end, or on the ground"),
+            flat(&printed).contains("heading 90 degrees off for 1 s or at the end, or on the ground"),
             !survives,
             "{printed}"
         );

@@ -1,6 +1,7 @@
 //! What reports say of plans between their nodes, against dense samples of the motion.
 
 use super::{SHA, certified, decide, hop, planned};
+use crate::cli::flat;
 use crate::vehicles::{limit, waypoint};
 use mavc::certify::between::{Between, Shown, WRENCH, between};
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, Problem};
@@ -69,8 +70,8 @@ fn plans_say_what_is_proved() {
     assert_eq!(found[0].shown, Shown::Proved);
     let text = words::between(&model, solved(&comparison), &found);
     assert!(
-        text.starts_with(
-            "\n  Proved at every instant, to within 0.01 %: the linear model's wrench satisfies every imposed facet"
+        flat(&text).starts_with(
+            "Proved at every instant, to within 0.01 %: the linear model's wrench satisfies every imposed facet"
         ),
         "{text}"
     );
@@ -84,7 +85,7 @@ fn plans_say_what_is_proved() {
     // In the exact model it is the vehicle's wrench.
     let text = words::between(&exact, solved(&comparison), &found);
     assert!(
-        text.starts_with("\n  Proved at every instant, to within 0.01 %: the wrench satisfies every imposed facet"),
+        flat(&text).starts_with("Proved at every instant, to within 0.01 %: the wrench satisfies every imposed facet"),
         "{text}"
     );
 }

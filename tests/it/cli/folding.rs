@@ -35,7 +35,7 @@ fn runs_with_one_plan_take_one_line_that_names_them_all() {
     let ran = mavc_with(&["compare", "-v", "-", "--report", text(&report)], SLOW);
     assert_eq!(code(&ran), 0, "{}", err(&ran));
     let said = out(&ran);
-    let rows = table(&said, "All planners at T_d = 8 s");
+    let rows = table(&said, "All planners at the common time T_d = 8 s");
     assert!(rows[0].starts_with("  RIP and 9 more "), "{said}");
     assert_eq!(rows[1..], ["  RIP and 9 more: RIP, RCP W1 .. W6, worn, RCP jointly, RSP."], "{said}");
     assert_eq!(table(&said, "(last violation): all planners at T_d").len(), 1, "{said}");
@@ -49,7 +49,7 @@ fn runs_with_one_plan_take_one_line_that_names_them_all() {
     assert_eq!(planners.len(), 2 * (1 + 7 + 1 + 1));
     // RCP's runs that ended without a plan are told together, too.
     let said = out(&mavc_with(&["compare", "-v", "-", "--set", "plan.time=0.3s"], SLOW));
-    let rows = table(&said, "All planners at T_d = 0.3 s");
+    let rows = table(&said, "All planners at the common time T_d = 0.3 s");
     let names: Vec<&str> = rows.iter().filter_map(|row| row.trim().split("  ").next()).collect();
     assert_eq!(names, ["RIP", "RCP W1 .. W6, worn", "RCP jointly", "RSP"], "{said}");
 }

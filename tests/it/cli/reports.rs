@@ -20,10 +20,6 @@ mission turn {
 plan { model = hover; timing = proportional; planner = rsp; against = [M1, M2]; time = 9 s; samples = 20; reserve = 0 % }
 "#;
 
-fn flat(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 fn compared(set: &[&str]) -> String {
     let mut args = vec!["compare", "-v", "-"];
     set.iter().for_each(|set| args.extend(["--set", set]));
@@ -38,7 +34,7 @@ fn comparisons_say_what_their_times_are() {
     let said = flat(&text);
     assert!(said.contains("The spec requires 9 s; these times were searched for in addition"), "{text}");
     assert!(said.contains("RSP's shortest time is for the facets selected at RCP's shortest time."), "{text}");
-    assert!(said.contains("All planners at T_d = 9 s, the time that the spec requires"), "{text}");
+    assert!(said.contains("All planners at the common time T_d = 9 s, the time that the spec requires"), "{text}");
     // No table of the paper's is one of this mission.
     assert!(!said.contains("Table"), "{text}");
 

@@ -1,6 +1,7 @@
 //! What is said where there is no plan: proved on the relaxation, or only not found.
 
 use super::{compared, last, planning};
+use crate::cli::flat;
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::admissible::AdmissibleSet;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind, Problem};
@@ -48,7 +49,8 @@ fn what_no_attitude_could_do_is_proved() {
         assert!(matches!(outcome, PlanOutcome::Infeasible(Proof { .. })), "{why}: {text}");
         assert!(text.contains(": proved infeasible at "), "{text}");
         assert!(
-            text.contains(" s with 20 samples") || text.contains(": no motion within the limits takes less than "),
+            text.contains(" s with 20 samples")
+                || flat(&text).contains(": no motion within the limits takes less than "),
             "{text}"
         );
     }
@@ -152,7 +154,7 @@ plan {{ planner = rip; samples = 10; reserve = 0 %; {plan} }}
     child.stdin.take().unwrap().write_all(spec.as_bytes()).unwrap();
     let output = child.wait_with_output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code().unwrap(), text(output.stdout) + &text(output.stderr))
+    (output.status.code().unwrap(), flat(&(text(output.stdout) + &text(output.stderr))))
 }
 
 #[test]

@@ -30,11 +30,11 @@ fn options_that_mean_nothing_are_refused_before_planning() {
     refused(&["plan", "-o", to, "--frame", "ned"], "possible values: enu-flu, ned-frd");
     refused(
         &["plan", "-o", to, "--format", "crazyflie", "--rate", "50Hz"],
-        "--format crazyflie has polynomials instead of rows",
+        "--format crazyflie, which has polynomials instead of rows",
     );
     refused(
         &["plan", "-o", to, "--format", "rows", "--tolerance", "1cm"],
-        "--format rows does not refit the trajectory",
+        "--tolerance has no effect with --format rows",
     );
     for wrong in ["1", "1km", "0mm", "-1cm", "x mm"] {
         let tolerance = format!("--tolerance={wrong}");

@@ -11,6 +11,15 @@ pub const LONGEST: usize = 400;
 /// Bytes shown on either side of a span where the line is cut; a line may be as long as a file.
 pub const MARGIN: usize = 60;
 
+/// Columns of a tab.
+pub const TAB: usize = 4;
+
+/// Columns before a line of source besides those of its number, and before a label below it.
+const GUTTER: usize = 8;
+
+/// A label has room for a few words, however far right its place is.
+const LEAST_ROOM: usize = 24;
+
 /// A source and its escaped form. Offsets are those of the escaped text unless stated otherwise.
 pub struct Excerpt<'a> {
     read: &'a Source,
@@ -51,6 +60,19 @@ impl<'a> Excerpt<'a> {
         let (start, end) = (self.start(span), self.offset(span.end as usize));
         let end = end.min(boundary(&self.shown.text, start + LONGEST)).max(start);
         (start, end - start).into()
+    }
+
+    /// The columns that a label under the middle of a span of the original text has in `width` columns.
+    pub fn room(&self, span: Span, width: usize) -> usize {
+        let (source, place) = (&self.shown, self.place(span));
+        let (start, end) = (place.offset(), place.offset() + place.len());
+        let line = source.place(start).line;
+        let of_line = source.line(line);
+        let columns = |text: &str| text.chars().map(|c| if c == '\t' { TAB } else { 1 }).sum::<usize>();
+        let before = columns(&source.text[of_line.start..start]);
+        let half = columns(&source.text[start..end.min(of_line.end).max(start)]) / 2;
+        let number = (line + 1).to_string().len();
+        width.saturating_sub(GUTTER + number + before + half).max(LEAST_ROOM)
     }
 
     /// The original offset of an escaped offset.

@@ -1,6 +1,6 @@
 //! Diagnostics for people: the message, the lines of source that it concerns, and the help.
 
-use super::excerpt::{Excerpt, Excerpts, LONGEST, MARGIN};
+use super::excerpt::{Excerpt, Excerpts, LONGEST, MARGIN, TAB};
 use super::{Diagnostic, Label, Severity, codes};
 use crate::source::{SourceMap, Span, visible};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
@@ -11,7 +11,8 @@ pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usiz
     render_linked(diagnostics, sources, width, color, None)
 }
 
-/// Renders one report for each diagnostic, separated by blank lines, at most `width` columns wide. Each code links
+/// Renders one report for each diagnostic, separated by blank lines, at most `width` columns wide, except where a line
+/// of source is wider. A mistake that is repeated in a file is one report, which lists the other lines. Each code links
 /// (OSC 8) to its page under `docs`, the address of the documentation's folder.
 pub fn render_linked(
     diagnostics: &[Diagnostic],
@@ -27,11 +28,16 @@ pub fn render_linked(
         .with_link_display_text("")
         .with_cause_chain()
         .with_context_lines(1)
-        .tab_width(4);
+        .tab_width(TAB)
+        .with_word_separator(textwrap::WordSeparator::AsciiSpace)
+        .with_word_splitter(textwrap::WordSplitter::NoHyphenation);
     let mut text = String::new();
     let excerpts = Excerpts::new(sources);
-    for diagnostic in diagnostics {
-        let report = Report::new(diagnostic, &excerpts, docs);
+    for (i, diagnostic) in diagnostics.iter().enumerate() {
+        if diagnostics[..i].iter().any(|first| is_repeated(first, diagnostic)) {
+            continue;
+        }
+        let report = Report::new(diagnostic, &excerpts, docs, width);
         if handler.render_report(&mut text, &report).is_err() {
             // Only a span outside its file can fail; the reader then gets the short form.
             text.push_str(&render_short(std::slice::from_ref(diagnostic), sources));
@@ -40,9 +46,44 @@ pub fn render_linked(
             // A label that cannot be shown is left out.
             let _ = handler.render_report(&mut text, elsewhere);
         }
+        let source = sources.get(diagnostic.span.file);
+        let mut lines: Vec<usize> = diagnostics[i + 1..]
+            .iter()
+            .filter(|other| is_repeated(diagnostic, other))
+            .map(|other| source.place(other.span.start as usize).line)
+            .collect();
+        lines.sort_unstable();
+        lines.dedup();
+        text.push_str(&also(&lines, width));
         text.push('\n');
     }
     text
+}
+
+/// Whether two diagnostics report one mistake at two places of a file.
+fn is_repeated(first: &Diagnostic, other: &Diagnostic) -> bool {
+    let what = |d: &Diagnostic| (d.code, d.severity, d.span.file, d.labels.is_empty());
+    what(first) == what(other)
+        && first.labels.is_empty()
+        && (&first.message, &first.label, &first.help) == (&other.message, &other.label, &other.help)
+}
+
+/// `  also in lines 12, 14 and 20`; empty without lines.
+fn also(lines: &[usize], width: usize) -> String {
+    let numbers: Vec<String> = lines.iter().map(usize::to_string).collect();
+    let text = match numbers.as_slice() {
+        [] => return String::new(),
+        [one] => format!("also in line {one}"),
+        [first @ .., last] => format!("also in lines {} and {last}", first.join(", ")),
+    };
+    textwrap::fill(&text, in_words(width).initial_indent("  ").subsequent_indent("  ")) + "\n"
+}
+
+/// Lines that break at blanks only, not within `1.1 kg/m^3` or a path.
+fn in_words(width: usize) -> textwrap::Options<'static> {
+    textwrap::Options::new(width)
+        .word_separator(textwrap::WordSeparator::AsciiSpace)
+        .word_splitter(textwrap::WordSplitter::NoHyphenation)
 }
 
 /// A diagnostic in the form that miette renders. Labels in other files, or far away in a long line, become separate
@@ -57,7 +98,7 @@ struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    fn new(diagnostic: &'a Diagnostic, excerpts: &'a Excerpts<'a>, docs: Option<&str>) -> Self {
+    fn new(diagnostic: &'a Diagnostic, excerpts: &'a Excerpts<'a>, docs: Option<&str>, width: usize) -> Self {
         let own = diagnostic.span;
         let excerpt = excerpts.get(own.file);
         let (source, start) = (&excerpt.shown, excerpt.start(own));
@@ -71,8 +112,10 @@ impl<'a> Report<'a> {
             source.place(at).line != line || at.abs_diff(start) <= shown
         };
         let (here, apart): (Vec<_>, Vec<_>) = diagnostic.labels.iter().partition(|l| near(l.span));
-        let mut labels = vec![LabeledSpan::new_primary_with_span(worded(&diagnostic.label), excerpt.place(own))];
-        labels.extend(here.iter().map(|l| LabeledSpan::new_with_span(worded(&l.message), excerpt.place(l.span))));
+        let worded = |message: &str, span: Span| worded(message, excerpt.room(span, width));
+        let mut labels = vec![LabeledSpan::new_primary_with_span(worded(&diagnostic.label, own), excerpt.place(own))];
+        labels
+            .extend(here.iter().map(|l| LabeledSpan::new_with_span(worded(&l.message, l.span), excerpt.place(l.span))));
         let last = apart.len();
         let elsewhere: Vec<_> = (1..)
             .zip(apart)
@@ -87,8 +130,9 @@ impl<'a> Report<'a> {
     }
 }
 
-fn worded(message: &str) -> Option<String> {
-    (!message.is_empty()).then(|| visible::line(message).into_owned())
+/// A label in lines of at most `room` columns.
+fn worded(message: &str, room: usize) -> Option<String> {
+    (!message.is_empty()).then(|| textwrap::fill(&visible::line(message), in_words(room)))
 }
 
 impl fmt::Display for Report<'_> {

@@ -211,7 +211,7 @@ impl Builder<'_> {
             Rule::every_head => (StatementKind::Every, Place::Every),
             Rule::curve_head => (StatementKind::Curve, Place::Curve),
             Rule::waypoint | Rule::start => (StatementKind::Flight, Place::Limits),
-            _ => match self.block_kind(&head, place) {
+            _ => match self.block_kind(&head, &body, place) {
                 Some(inside) => (StatementKind::Block(inside), inside),
                 None => {
                     let word = head.as_str().split(|c: char| !c.is_ascii_alphanumeric()).next();
@@ -274,8 +274,13 @@ impl Builder<'_> {
     }
 
     /// The block that a head opens; one that is misspelt is reported and taken as the one meant.
-    fn block_kind(&mut self, head: &Pair<Rule>, place: Place) -> Option<Place> {
+    fn block_kind(&mut self, head: &Pair<Rule>, body: &Pair<Rule>, place: Place) -> Option<Place> {
         let keyword = head.clone().into_inner().next().expect("a head has a keyword");
+        let first = body.clone().into_inner().next();
+        if keyword.as_str() == "rotor" && place == Place::Vehicle && first.is_some_and(|s| s.as_rule() == Rule::rotor) {
+            self.diagnostics.push(mistake::rotors_without_s(self.span(&keyword)));
+            return Some(Place::Rotors);
+        }
         Place::of_block(keyword.as_str()).or_else(|| {
             let (diagnostic, meant) = mistake::unknown_block(keyword.as_str(), self.span(&keyword), place);
             self.diagnostics.push(diagnostic);

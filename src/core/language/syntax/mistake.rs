@@ -7,7 +7,7 @@ mod block;
 mod habit;
 mod separator;
 
-pub(super) use block::{check_head, misplaced, unknown_block};
+pub(super) use block::{check_head, misplaced, rotors_without_s, unknown_block};
 pub(super) use separator::separations;
 
 use super::cut;

@@ -2,7 +2,7 @@
 
 use super::plan::POINTS_OF_A_GRID;
 use super::{Accepted, Reach, Scope};
-use crate::text_table::{Table, WIDTH};
+use crate::text_table::{Table, filled, lines};
 
 /// The output of `mavc verify` for an accepted certificate `name`: what is shown, then where it is weaker than the spec
 /// requires.
@@ -17,11 +17,9 @@ pub fn verification(name: &str, verdict: &Accepted) -> String {
         true => "accepted",
         false => "accepted, weaker than the spec requires",
     };
-    out.push_str(&textwrap::fill(&format!("{name}: {strength}: {}", verdict.headline), WIDTH));
-    out.push('\n');
+    out.push_str(&filled(&format!("{name}: {strength}: {}", verdict.headline)));
     for why in &verdict.weaker {
-        let options = textwrap::Options::new(WIDTH).initial_indent("  - ").subsequent_indent("    ");
-        out.push_str(&textwrap::fill(why, options));
+        out.push_str(&lines(why, "  - ", "    ").join("\n"));
         out.push('\n');
     }
     out

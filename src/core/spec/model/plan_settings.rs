@@ -37,6 +37,15 @@ impl PlannerKind {
             PlannerKind::Rsp => "rsp",
         }
     }
+
+    /// What the first two letters of the name stand for, as in the paper.
+    pub fn in_full(self) -> &'static str {
+        match self {
+            PlannerKind::Rip => "risk-insensitive",
+            PlannerKind::Rcp => "risk-conservative",
+            PlannerKind::Rsp => "risk-sensitive",
+        }
+    }
 }
 
 /// How a plan computes the wrench that a motion requires.

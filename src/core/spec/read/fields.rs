@@ -88,7 +88,7 @@ pub(super) struct Fields<'a> {
     pub owner: String,
     /// Where a missing field is reported.
     pub span: Span,
-    found: Vec<(&'a Name, Option<&'a Expr>, Span)>,
+    found: Vec<Found<'a>>,
     /// The words between a clause's name and its value, with the name.
     hows: Vec<(&'a str, &'a Name)>,
     /// Known names that are present in an unreadable or misspelt form, so that they are not reported as missing.
@@ -97,6 +97,17 @@ pub(super) struct Fields<'a> {
     broken: bool,
     /// Where a missing field would go.
     slot: Slot,
+}
+
+/// A field or clause as it is read.
+struct Found<'a> {
+    /// The known name: the one meant, if the one written is misspelt.
+    field: &'a str,
+    /// As it is written.
+    name: &'a Name,
+    value: Option<&'a Expr>,
+    /// To the end of its value.
+    span: Span,
 }
 
 /// Where a missing field goes.
@@ -134,6 +145,12 @@ impl<'a> Fields<'a> {
     pub fn take_field(&mut self, cx: &mut Context<'a>, field: &'a Field, known: Group) {
         match &field.value {
             FieldValue::Expr(expr) => self.take(cx, &field.name, Some(expr), field.span, known),
+            // Misspelt, because no field but `against` takes a condition.
+            FieldValue::Where { .. }
+                if !known.has(&field.name.value) && nearest(&field.name.value, ["against"]).is_some() =>
+            {
+                self.unknown(cx, &field.name, known);
+            }
             FieldValue::Where { .. } => {
                 cx.report(no_filter(field.span));
                 self.accounted.extend(known.names().find(|k| *k == field.name.value));
@@ -158,14 +175,16 @@ impl<'a> Fields<'a> {
 
     fn take(&mut self, cx: &mut Context<'a>, name: &'a Name, value: Option<&'a Expr>, span: Span, known: Group) {
         if !known.has(&name.value) {
-            self.unknown(cx, name, known);
-        } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
+            let meant = self.unknown(cx, name, known);
+            // Read as its fix would have it, so that nothing is missing because of a misspelt word.
+            self.found.extend(meant.map(|field| Found { field, name, value, span }));
+        } else if let Some(first) = self.found.iter().find(|found| found.field == name.value) {
             let message = format!("`{}` is given twice in {}", name.value, self.owner);
             let again = edits::removal(cx.sources.get(span.file), name.span.to(span));
             cx.report(
                 Diagnostic::error("mavc::name::duplicate", name.span, message)
                     .here("given again")
-                    .also(first.span, "first given here")
+                    .also(first.name.span, "first given here")
                     .help("remove one")
                     .fix(again, ""),
             );
@@ -178,11 +197,12 @@ impl<'a> Fields<'a> {
             cx.report(unknown(expr.span, message, help));
             self.accounted.extend(known.names().find(|k| *k == name.value));
         } else {
-            self.found.push((name, value, span));
+            self.found.push(Found { field: &name.value, name, value, span });
         }
     }
 
-    fn unknown(&mut self, cx: &mut Context<'a>, name: &Name, known: Group) {
+    /// Reports a name that is no field; the field that is meant, if the error has it as its fix.
+    fn unknown(&mut self, cx: &mut Context<'a>, name: &Name, known: Group) -> Option<&'static str> {
         let word = name.value.as_str();
         let message = format!("{} has no field `{word}`", self.owner);
         let mut error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown field");
@@ -193,6 +213,7 @@ impl<'a> Fields<'a> {
         let plural = |a: &str, b: &str| a.strip_suffix('s') == Some(b);
         let near = near.filter(|near| plural(near, word) || plural(word, near)).or(begun).or(near);
         let surer = near.is_some_and(|near| plural(near, word) || plural(word, near) || begun == Some(near));
+        let mut meant = None;
         if matches!(word, "at" | "position") && known.has("x") {
             error = error.help("write the coordinates separately: `x = ..`, `y = ..` and `z = ..`");
             self.accounted.extend(["x", "y", "z"]);
@@ -206,11 +227,12 @@ impl<'a> Fields<'a> {
             let written = &cx.sources.get(name.span.file).text;
             let (before, after) = (&written[..name.span.start as usize], &written[name.span.end as usize..]);
             error = error.here(format!("did you mean `{near}`?")).help(format!("write `--set {before}{near}{after}`"));
-        } else if let Some((first, ..)) = near.and_then(|near| self.found.iter().find(|(n, ..)| n.value == near)) {
-            let message = format!("`{}` is given here", first.value);
-            error = error.also(first.span, message).help("remove one");
+        } else if let Some(first) = near.and_then(|near| self.found.iter().find(|found| found.field == near)) {
+            let message = format!("`{}` is given here", first.name.value);
+            error = error.also(first.name.span, message).help("remove one");
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
+            meant = Some(near);
         } else if matches!(known, Group::Nothing | Group::Mission) {
             let place = if known == Group::Mission { Place::Mission } else { Place::Faults };
             let allowed: Vec<&str> = place.openers().iter().copied().chain(known.names()).collect();
@@ -223,10 +245,11 @@ impl<'a> Fields<'a> {
         }
         self.accounted.extend(known.names().find(|k| Some(*k) == near));
         cx.report(error);
+        meant
     }
 
     pub fn get(&self, name: &str) -> Option<&'a Expr> {
-        self.found.iter().find(|(n, ..)| n.value == name).and_then(|(_, expr, _)| *expr)
+        self.found.iter().find(|found| found.field == name).and_then(|found| found.value)
     }
 
     /// A field as `read` reads its value; faulty where that gives `None`.
@@ -293,12 +316,12 @@ impl<'a> Fields<'a> {
 
     /// The clause `name`, from its word to the end of its value.
     pub fn clause(&self, name: &str) -> Option<Span> {
-        self.found.iter().find(|(n, ..)| n.value == name).map(|(word, _, span)| word.span.to(*span))
+        self.found.iter().find(|found| found.field == name).map(|found| found.name.span.to(found.span))
     }
 
     /// The whole statement that gives `name`.
     pub fn span_of(&self, name: &str) -> Option<Span> {
-        self.found.iter().find(|(n, ..)| n.value == name).map(|(.., span)| *span)
+        self.found.iter().find(|found| found.field == name).map(|found| found.span)
     }
 
     /// Whether `name` is given, possibly in a form that could not be parsed.

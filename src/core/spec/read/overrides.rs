@@ -54,7 +54,7 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
     let shape = |message: &str| {
         Diagnostic::error(CODE, whole, message).help("write it as in `plan.time=20s` or `vehicle.mass=2kg`")
     };
-    let Some((path, _)) = text.split_once('=').filter(|_| !text.contains(['\n', ';', '{'])) else {
+    let Some((path, value)) = text.split_once('=').filter(|_| !text.contains(['\n', ';', '{'])) else {
         return Err(shape("an override must be a field, `=` and a value"));
     };
     let dot = path.rfind('.').map_or(0, |dot| dot + 1);
@@ -73,6 +73,13 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
         let message = format!("`--set` sets fields, and `{field}` is a statement");
         let at = Span::new(file, dot, path.len());
         let error = Diagnostic::error(CODE, at, message).here("not a field");
+        // With the mode that was asked for, if it is one.
+        let is_name = |word: &str| {
+            word.starts_with(|c: char| c.is_ascii_alphabetic())
+                && word.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        };
+        let mode = value.split_whitespace().next().filter(|word| field == "fault" && is_name(word));
+        let statement = mode.map_or(statement.to_string(), |mode| statement.replace("M1", mode));
         return Err(error.help(format!("write it in the spec: `{statement}`")));
     }
     // The path is replaced by blanks, so that the spans of the field are right.

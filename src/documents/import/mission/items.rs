@@ -277,12 +277,14 @@ impl Follow<'_> {
             _ => return self.refuse_frame(item),
         };
         if !(HEIGHTS.0..=HEIGHTS.1).contains(&height) {
-            let message =
-                format!("{}: {} m above mean sea level is no height to fly at", item.mark.name, number(height));
+            let message = format!("{}: no vehicle flies at {} m above mean sea level", item.mark.name, number(height));
             return refuse(SYNTAX, &item.spans[6], &message, "too high or too low");
         }
         if height < home - 0.01 && matches!(item.command, 16.0 | 19.0 | 82.0) {
-            let message = format!("it is {} m below the planned home: is there a valley?", number(home - height));
+            let message = format!(
+                "it is {} m below the planned home; check that the ground is lower there",
+                number(home - height)
+            );
             self.warn(ASSUMED, item, &message, "below the ground at home");
         }
         Ok(height)

@@ -124,7 +124,7 @@ pub fn vehicle(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
         other => {
             let shown: String = other.chars().take(24).collect();
             let error =
-                Diagnostic::error(UNSUPPORTED, xml::tag(root), format!("`{shown}` is no robot that can be read"));
+                Diagnostic::error(UNSUPPORTED, xml::tag(root), format!("`{shown}` is not a robot that mavc reads"));
             return Err(Box::new(error.here("the root").help("name a file whose root is `robot`, `sdf` or `mujoco`")));
         }
     };
@@ -167,7 +167,7 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
             if products.iter().any(|p| p.abs() > MOST_PRODUCT * smallest) {
                 let warning = Diagnostic::warning(UNSUPPORTED, root, "products of inertia are left out");
                 found.push(
-                    warning.here("the axes are no principal axes").help("a spec has moments about x, y and z only"),
+                    warning.here("the axes are not principal axes").help("a spec has moments about x, y and z only"),
                 );
             }
             let moments = whole.inertia.diagonal();

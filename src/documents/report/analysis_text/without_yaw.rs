@@ -10,14 +10,14 @@ use crate::text_table::Table;
 /// Meaning of the columns.
 const LEGEND: &str = "\
 hover     interior: inside the set of thrust, roll and pitch; on the edge: on its boundary; spinning: on its \
-boundary, but
-          the spin makes the direction of the thrust controllable; none: outside
+boundary, but \
+the spin makes the direction of the thrust controllable; none: outside
 disc      the largest roll and pitch torque in every direction [N m], and as angular acceleration
 level     the largest thrust without roll and pitch torques
 torque    the yaw torques that are possible in hover
 spin      the turning rates about z that they keep up against `yaw_drag`, counter-clockwise: plans without yaw are \
-proved for all
-          of them, and flights settle at one of their own (below)
+proved for all \
+of them, and flights settle at one of their own (below)
 ";
 
 /// The table of all modes, with the equilibria whose axis is tilted below it.

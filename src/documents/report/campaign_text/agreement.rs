@@ -10,7 +10,7 @@ pub(super) fn agreement(agreement: &Agreement) -> String {
     out.push_str(&indented(
         "Predicted lost: the fault strikes before the plan's last violation of the mode's set, or of its core where \
          yaw is given up. Only flights that were still flying when the fault struck are counted. A plan that several \
-         planners share is counted once.",
+         planners share is counted once. phi: the correlation of prediction and outcome, from -1 to 1.",
     ));
     let Agreement { all, inside } = agreement;
     if inside.modes == all.modes {
@@ -77,7 +77,7 @@ pub fn by_flight(t: &Contingency) -> String {
             "Every struck flight was lost: the prediction of losses cannot be judged.".into()
         }
         (strength, phi) => {
-            let phi = phi.map_or(String::new(), |phi| format!(" (phi {})", fixed(phi, 2)));
+            let phi = phi.map_or(String::new(), |phi| format!(" (correlation {})", fixed(phi, 2)));
             let what = match strength {
                 Strength::Undefined => {
                     "is the same for every flight, so it carries no information: no better than chance"

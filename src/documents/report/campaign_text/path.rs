@@ -21,7 +21,7 @@ pub(super) fn table(design: &Design, tally: &Tally, p: usize, modes: &[usize]) -
     }
     let note = format!(
         "  the path since the fault, of all struck flights: mean and largest of the largest distances from the \
-         reference, largest\n  height below it; heading broken: more than {} degrees off, before yaw is given up\n",
+         reference, largest height below it; heading broken: more than {} degrees off, before yaw is given up\n",
         number(HEADING_BROKEN.to_degrees())
     );
     format!("\n{}{note}", table.render(2))

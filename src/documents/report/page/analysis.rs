@@ -78,7 +78,7 @@ pub fn table(model: &Model, modes: &[ModeAnalysis]) -> Markup {
     html! {
         div #outcomes {
             (table::table(frame, &heads, body))
-            @for line in legend(model, modes, &spins).iter().skip(1) { p.note { (prose(line)) } }
+            @for line in legend(model, modes, &spins) { p.note { (prose(&line)) } }
             (terms("outcomes-terms", meanings))
         }
     }

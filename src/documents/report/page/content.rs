@@ -217,14 +217,14 @@ fn extents(model: &Model) -> [[f64; 2]; 4] {
     })
 }
 
-/// `RSP, own time 16 s`, `RCP jointly, at T_d = 16.4 s`; for a single plan `RSP, 16 s`.
+/// `RSP, own time 16 s`, `RCP jointly, common time 16.4 s`; for a single plan `RSP, 16 s`.
 pub fn run_label(comparison: &Comparison, index: usize, time: f64) -> String {
     let run = &comparison.runs[index];
     let name = name_of(run);
     match run.run {
         _ if comparison.runs.len() == 1 => format!("{name}, {} s", number(time)),
         Run::Own => format!("{name}, own time {} s", number(time)),
-        Run::Common => format!("{name}, at T_d = {} s", number(time)),
+        Run::Common => format!("{name}, common time {} s", number(time)),
     }
 }
 

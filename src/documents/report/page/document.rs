@@ -130,7 +130,7 @@ impl Document<'_> {
         }
     }
 
-    /// `roof: PLAN FOUND, 20 s; planner RSP`: what a browser's tab shows.
+    /// `roof: PLAN FOUND, 20 s; planner RSP (risk-sensitive)`: what a browser's tab shows.
     fn title(&self) -> String {
         let of = self.about.heading.split_once(' ').map_or("", |(_, name)| name);
         let headline = self.found.headline.replace('`', "");
@@ -186,6 +186,7 @@ fn found(found: &Found) -> (Markup, Markup) {
     let answer = html! {
         h2.headline { (prose(&found.headline)) }
         @for part in &found.coverage { p.coverage.bad[part.covers.is_bad()] { (prose(&part.sentence)) } }
+        @if let Some(price) = &found.price { p.coverage { (prose(price)) } }
         (figures(first.into_iter().map(|(_, figure)| figure).collect()))
         @for warning in &found.warnings { p.warning { (prose(warning)) } }
     };

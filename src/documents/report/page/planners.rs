@@ -10,7 +10,7 @@ use crate::report::record::{PlannerRecord, Record};
 use crate::report::without_yaw;
 use maud::{Markup, html};
 
-/// The tables of the paper's section 5.4: each planner at its own shortest time, and all planners at T_d.
+/// The tables of the paper's section 5.4: each planner at its own shortest time, and all planners at one time.
 pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     let runs: Vec<(&PlannerRun, &PlannerRecord)> = comparison.runs.iter().zip(&record.planners).collect();
     let has_modes = !comparison.modes.is_empty();
@@ -18,7 +18,7 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     let has_solved = |which: Run| comparison.runs.iter().any(|r| r.run == which);
     let title = |which: Run| match (which, comparison.common_time) {
         (Run::Own, _) => "Each planner at its own shortest time".to_string(),
-        (Run::Common, Some(t)) => format!("All planners at T_d = {} s", number(t)),
+        (Run::Common, Some(t)) => format!("All planners at one time, {} s", number(t)),
         (Run::Common, None) => "All planners at one time".to_string(),
     };
     let found = record.planners.iter().filter(|planner| planner.time_s.is_some());

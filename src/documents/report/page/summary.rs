@@ -30,6 +30,8 @@ pub struct Found {
     pub headline: String,
     /// Which fault modes the plan covers.
     pub coverage: Vec<CoverageRecord>,
+    /// What covering them costs, in a sentence.
+    pub price: Option<String>,
     pub figures: Vec<Figure>,
     /// Caveats of the plan, or why there is none.
     pub warnings: Vec<String>,
@@ -75,7 +77,12 @@ pub fn plan(problem: Problem, comparison: &Comparison, record: &Record) -> Found
             figures.extend(planner.battery.as_ref().map(charge));
             figures.extend(shown_between(model, planner));
             let warnings = planner.warnings.iter().map(|c| c.message.clone()).collect();
-            Found { headline: planner.headline.clone(), coverage: planner.coverage.clone(), figures, warnings }
+            let price = planner
+                .price
+                .as_ref()
+                .map(|price| format!("Price of covering the faults \u{2013} {}.", price.sentence));
+            let (headline, coverage) = (planner.headline.clone(), planner.coverage.clone());
+            Found { headline, coverage, price, figures, warnings }
         }
         _ => Found {
             headline: planner.headline.clone(),

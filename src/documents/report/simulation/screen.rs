@@ -29,9 +29,10 @@ pub fn screen(flown: &Flown) -> Screen {
         0,
         2,
         &format!(
-            "{mission} with {}, along the {} plan of {} s",
+            "{mission} with {}, along the {} ({}) plan of {} s",
             vehicle_line(model),
             record.planner.to_uppercase(),
+            model.plan.planner.in_full(),
             number(solved.time)
         ),
     );

@@ -2,6 +2,7 @@
 //! while nothing changes.
 
 use crate::cli::files;
+use crate::text_table::hanging;
 use std::sync::LazyLock;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
@@ -66,10 +67,10 @@ fn follow(messages: &Receiver<String>, first: Duration, every: Duration, mut pri
     }
 }
 
-/// `mavc: 20 s so far; RSP: is 12.35 s enough?`
+/// `mavc: 20 s so far; RSP: trying 12.35 s`
 fn line(elapsed: Duration, message: &str) -> String {
     let message = if message.is_empty() { "working" } else { message };
-    format!("mavc: {} s so far; {message}\n", elapsed.as_secs())
+    hanging(&format!("mavc: {} s so far; {message}", elapsed.as_secs()))
 }
 
 #[cfg(test)]
@@ -86,29 +87,29 @@ mod tests {
 
     #[test]
     fn a_run_that_ends_before_the_first_line_is_due_prints_nothing() {
-        let (sender, receiver) = sent(&["RIP: is 9.00 s enough?", "RSP: is 9.00 s enough?"]);
+        let (sender, receiver) = sent(&["RIP: trying 9.00 s", "RSP: trying 9.00 s"]);
         drop(sender);
         follow(&receiver, LONG, Duration::ZERO, |_, message| panic!("{message}"));
     }
 
     #[test]
     fn the_latest_message_is_printed_once_in_an_interval() {
-        let (sender, receiver) = sent(&["RIP: is 9.00 s enough?", "RSP: is 9.00 s enough?"]);
+        let (sender, receiver) = sent(&["RIP: trying 9.00 s", "RSP: trying 9.00 s"]);
         let mut sender = Some(sender);
         let mut printed = Vec::new();
         follow(&receiver, Duration::ZERO, LONG, |_, message| {
             // One more message, and the end, long before the next line is due.
             if let Some(sender) = sender.take() {
-                sender.send("RSP: is 8.00 s enough?".into()).unwrap();
+                sender.send("RSP: trying 8.00 s".into()).unwrap();
             }
             printed.push(message.to_string());
         });
-        assert_eq!(printed, ["RSP: is 9.00 s enough?"]);
+        assert_eq!(printed, ["RSP: trying 9.00 s"]);
     }
 
     #[test]
     fn what_stays_the_same_is_said_less_and_less_often() {
-        let (sender, receiver) = sent(&["RIP: is 9.00 s enough?"]);
+        let (sender, receiver) = sent(&["RIP: trying 9.00 s"]);
         let (mut sender, mut said) = (Some(sender), Vec::new());
         follow(&receiver, Duration::ZERO, Duration::from_millis(4), |elapsed, _| {
             said.push(elapsed);
@@ -123,8 +124,8 @@ mod tests {
 
     #[test]
     fn lines_say_how_long_it_has_taken() {
-        let said = line(Duration::from_millis(20_400), "RSP: is 12.35 s enough?");
-        assert_eq!(said, "mavc: 20 s so far; RSP: is 12.35 s enough?\n");
+        let said = line(Duration::from_millis(20_400), "RSP: trying 12.35 s");
+        assert_eq!(said, "mavc: 20 s so far; RSP: trying 12.35 s\n");
         assert_eq!(line(Duration::from_secs(10), ""), "mavc: 10 s so far; working\n");
     }
 }

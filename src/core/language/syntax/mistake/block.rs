@@ -31,6 +31,13 @@ pub(in crate::language::syntax) fn unknown_block(word: &str, span: Span, place: 
     (diagnostic, meant.and_then(Place::of_block))
 }
 
+/// A block `rotor` that places rotors.
+pub(in crate::language::syntax) fn rotors_without_s(span: Span) -> Diagnostic {
+    let message = "`rotor at` belongs in a `rotors` block, not in a `rotor` block";
+    let diagnostic = Diagnostic::error("mavc::syntax::misplaced", span, message);
+    diagnostic.here("did you mean `rotors`?").help("write `rotors`").fix(span, "rotors")
+}
+
 /// A keyword's block has a name, or it has none; what is wrong with its head, if anything.
 pub(in crate::language::syntax) fn check_head(block: &mut Block, kind: Place) -> Option<Diagnostic> {
     let keyword = kind.keyword().unwrap_or(&block.keyword.value).to_string();

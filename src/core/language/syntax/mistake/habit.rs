@@ -21,6 +21,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     instead,
     all_rotors,
     misspelt_statement,
+    misspelt_where,
     unknown_block,
     unknown_statement,
     doubled,
@@ -193,10 +194,14 @@ fn doubled(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
 }
 
 /// `if a > 3 { .. }`: heads that no block has.
-fn unknown_block(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+fn unknown_block(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let word = statement.word();
     let rest = statement.text[word.len()..].trim_start();
-    let known = Place::of_head(word).is_some() || word.is_empty() || rest.starts_with('=');
+    // Limits of a leg may follow a waypoint whose clauses are wrong.
+    let is_waypoint = statement.place == Place::Mission
+        && matches!(word, "start" | "waypoint")
+        && statement.text[failure.at.min(statement.text.len())..].starts_with(|c: char| c.is_ascii_alphabetic());
+    let known = Place::of_head(word).is_some() || word.is_empty() || rest.starts_with('=') || is_waypoint;
     let span = statement.span(0, word.len());
     (statement.has_body && !known).then(|| super::block::unknown_block(word, span, statement.place).0)
 }
@@ -342,6 +347,18 @@ fn clause_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         return Some(error.help("write `at [x, y, z]` and the unit after it").fix(whole, format!("at [{inside}]")));
     }
     if rest.starts_with('[') {
+        let (start, word) = statement.before(failure.at);
+        if word.starts_with(|c: char| c.is_ascii_alphabetic()) && statement.before(start).1 == "yaw" {
+            let message = format!("`{}` does not follow `yaw`", cut(word));
+            let error =
+                Diagnostic::error("mavc::syntax::unexpected", statement.span(start, start + word.len()), message);
+            return Some(
+                error
+                    .here("expected `towards`")
+                    .help("write `towards`")
+                    .fix(statement.span(start, start + word.len()), "towards"),
+            );
+        }
         let at = statement.span(failure.at, failure.at);
         return Some(
             error("a position has no `at` before it")
@@ -384,6 +401,19 @@ fn misspelt_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
             .help(format!("write `{meant}`"))
             .fix(span, meant),
     )
+}
+
+/// `against = wher rpn >= 30`
+fn misspelt_where(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (at, word) = statement.before(failure.at);
+    let is_value = statement.text[..at].trim_end().ends_with('=');
+    let goes_on = statement.text[failure.at.min(statement.text.len())..].starts_with(|c: char| c.is_ascii_alphabetic());
+    if statement.word() != "against" || !is_value || !goes_on || nearest(word, ["where"]).is_none() {
+        return None;
+    }
+    let span = statement.span(at, at + word.len());
+    let error = unexpected(statement, at, at + word.len(), format!("`{}` is not allowed here", cut(word)));
+    Some(error.here("did you mean `where`?").help("write `where`").fix(span, "where"))
 }
 
 /// A statement that begins with a number or a mark.
