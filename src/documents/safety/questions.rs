@@ -187,7 +187,8 @@ pub fn questions(case: &Case) -> Vec<(&'static str, String)> {
             format!(
                 "A search at {} instants, each way out at most {} s long, flown once in simulation with gusts \
                  of {} m/s, the other noise of the spec, or mavc's defaults where it is silent, and with seeds from {} \
-                 on: {}.{sample} The column basis of fmea.csv has it for each row; its column provision names {tables}.",
+                 on: {}.{sample} The column basis of fmea.csv has it for each row; its column provision \
+                 names {tables}.",
                 e.instants,
                 number(e.within),
                 number(model.simulation.gusts),

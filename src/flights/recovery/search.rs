@@ -20,8 +20,8 @@ use std::collections::BTreeMap;
 
 /// Times in which a branch goes back to the plan, s, in the order tried. The longer it lasts, the more it can do, and
 /// the less its end depends on its start; but it keeps room from the set's facets all the time, which the plan may not.
-/// Chosen by hand; with 1, 2 and 4 s in this order, `examples/roof_octo.mav` was covered for the same times in 1.3 times
-/// the processor time.
+/// Chosen by hand; in the order 1, 2, 4 s `examples/roof_octo.mav` was covered for the same times, in 1.3 times the
+/// processor time.
 const BACK_IN: [f64; 3] = [4.0, 1.0, 2.0];
 
 /// Times of a landing as multiples of a likely one, in the order tried; the longest allowed is tried last. Chosen by
@@ -318,8 +318,8 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// A branch from a state about one of those that are `alike`, or else in one of some times, s; one with room if there
-    /// is one.
+    /// A branch from a state about one of those that are `alike`, or else in one of some times, s; one with room if
+    /// there is one.
     fn branch(
         &mut self,
         state: &NodeState,
