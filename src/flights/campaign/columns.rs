@@ -191,20 +191,19 @@ pub const COLUMNS: [Column; 29] = [
     column!(
         "rms_error_after_m",
         "m",
-        "root mean square distance since the fault; empty if no fault struck before the end",
+        "root mean square distance since the fault",
         optional rms_error_after
     ),
     column!(
         "max_error_after_m",
         "m",
-        "largest distance since the fault; empty if no fault struck before the end",
+        "largest distance since the fault",
         optional max_error_after
     ),
     column!(
         "max_drop_after_m",
         "m",
-        "largest height below the reference since the fault, 0 if it was never below; empty if no fault struck before \
-         the end",
+        "largest height below the reference since the fault, 0 if it was never below",
         optional max_drop_after
     ),
     column!("max_tilt_rad", "rad", "largest tilt", number max_tilt),
@@ -223,7 +222,7 @@ pub const COLUMNS: [Column; 29] = [
     column!(
         "max_heading_error_after_rad",
         "rad",
-        "the largest since the fault; empty if no fault struck before the end",
+        "the largest since the fault",
         optional max_heading_error_after
     ),
     column!(
