@@ -90,7 +90,7 @@ pub struct ModeEvidence {
 pub struct Piece {
     pub from: f64,
     pub to: f64,
-    /// An index into [`SEVERITIES`].
+    /// An index into [`SEVERITIES`](super::SEVERITIES).
     pub outcome: usize,
     pub site: Option<String>,
     /// Whether the certificate proves a way out of this kind at every instant.
@@ -112,7 +112,7 @@ impl Piece {
 /// The part of a phase with one outcome that is known in one way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Share<'a> {
-    /// An index into [`SEVERITIES`].
+    /// An index into [`SEVERITIES`](super::SEVERITIES).
     pub outcome: usize,
     pub site: Option<&'a str>,
     /// Whether the certificate proves a way out of this kind at every instant.
@@ -130,11 +130,11 @@ impl Share<'_> {
     }
 }
 
-/// A way out that was found and whose simulated flight failed, an index into [`SEVERITIES`]. From
+/// A way out that was found and whose simulated flight failed, an index into [`SEVERITIES`](super::SEVERITIES). From
 /// here on outcomes count as a loss of control.
 pub const FAILED: usize = OUTCOMES.len() - 1;
 
-/// The outcome of a fault without a way out, an index into [`SEVERITIES`].
+/// The outcome of a fault without a way out, an index into [`SEVERITIES`](super::SEVERITIES).
 pub const NONE: usize = FAILED + 1;
 
 impl Evidence {
@@ -198,7 +198,7 @@ impl ModeEvidence {
         self.with_outcome(FAILED) + self.with_outcome(NONE)
     }
 
-    /// For how long a fault has an outcome, an index into [`SEVERITIES`], s.
+    /// For how long a fault has an outcome, an index into [`SEVERITIES`](super::SEVERITIES), s.
     pub fn with_outcome(&self, outcome: usize) -> f64 {
         self.sum(|piece| piece.outcome == outcome)
     }
