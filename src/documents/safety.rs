@@ -17,8 +17,8 @@ use crate::admissible::outcome::Outcome;
 use crate::flight::equilibrium::{analyze_each, outcome_of};
 use crate::model::{Model, Problem, RotorState};
 use crate::number::{fixed, number, plural, significant};
-use crate::report::screen::WIDTH;
 use crate::spec::Spec;
+use crate::text_table::fitted;
 use crate::verify::Accepted;
 use evidence::{Evidence, FAILED, ModeEvidence, Phase, Share};
 use inputs::{Inputs, SUMS, TABLES, Text};
@@ -310,8 +310,7 @@ impl<'a> Case<'a> {
         for why in &self.accepted.weaker {
             text += &format!("  weaker than the spec requires: {why}\n");
         }
-        let options = textwrap::Options::new(WIDTH).subsequent_indent("    ");
-        text.lines().map(|line| textwrap::fill(line, &options) + "\n").collect()
+        fitted(&text)
     }
 }
 

@@ -433,6 +433,11 @@ fn new_writes_a_vehicle_of_estimates() {
         let vehicle = &compiled.spec.unwrap().model().vehicle.clone();
         assert!(vehicle.yaw_drag.unwrap().spread.high > 1.4 && vehicle.has_uncertain_rotors());
     }
+    // Ranges that decide nothing one by one may do so together, and `analyze` says the same.
+    let (ran, spec) = run("together.mav", &label("6", "1500g", "55cm", "10in"), &[]);
+    let analyzed = out(&mavc(&["analyze", text(&spec)]));
+    let headline = analyzed.lines().next().unwrap();
+    assert!(out(&ran).contains(&format!("All ranges together: {headline}")), "{} {headline}", out(&ran));
     let (ran, spec) = run("known.mav", &label("4", "620g", "22cm", "5in"), &["--thrust", "480gf"]);
     assert!(!out(&ran).contains("max_thrust"), "{}", out(&ran));
     assert!(std::fs::read_to_string(&spec).unwrap().contains("max_thrust        = 4.7088 N"));

@@ -5,7 +5,9 @@ use super::target::{Target, write};
 use super::{CommandError, FINE, NewVehicleArgs, Options, files};
 use crate::import::estimate::{Estimated, Label};
 use crate::pipeline::{Sweep, analyze};
+use crate::report::headline::{headline, why_undecided};
 use crate::spec::Compiler;
+use crate::text_table::filled;
 use std::path::Path;
 
 /// Writes the template, with a `mission` that of this kind (a name in [`crate::MISSION_TEMPLATES`]), or a `vehicle`.
@@ -57,6 +59,13 @@ fn depends(estimated: &Estimated, name: &str) -> String {
             Ok(sweep) => out.push_str(&sweep.outcomes()),
             Err(why) => out.push_str(&format!("{why}\n")),
         }
+    }
+    // Ranges that decide nothing one by one may do so together.
+    if let Some(spec) = Compiler::new().text(name, estimated.text.as_bytes()).spec {
+        let modes = analyze(&spec);
+        let together = headline(spec.model(), &modes);
+        let why = why_undecided(spec.model(), &modes).map_or(String::new(), |why| format!(" ({why})"));
+        out.push_str(&filled(&format!("All ranges together: {together}{why}")));
     }
     out.push_str(&format!("Next: mavc analyze {name}\n"));
     out
