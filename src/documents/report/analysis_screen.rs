@@ -223,7 +223,7 @@ pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin
         lines.push("rad/s, deg: the spin in which flights settle; its axis from the body's z axis".into());
     }
     if modes.iter().skip(1).any(|mode| mode.outcome == Outcome::FliesOn) {
-        lines.push("flies on: a balance is left; `mavc simulate` flies the change to it".into());
+        lines.push("flies on: a balance is left; the change to it may fail: `mavc simulate`".into());
     }
     lines.extend(planned_against(model));
     if model.vehicle.is_uncertain() {

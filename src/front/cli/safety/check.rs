@@ -5,6 +5,7 @@ use super::Read;
 use crate::certificate::MAX_BYTES;
 use crate::safety::inputs::{Inputs, SUMS, TABLES, listed, version};
 use crate::safety::{CERTIFICATE, REPORT, sha256};
+use crate::text_table::fitted;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Component, Path};
@@ -153,10 +154,10 @@ pub fn compare(folder: &Path, derived: &[(String, Vec<u8>)], inputs: &Inputs) ->
         0 => String::new(),
         count => format!("{count} files in {TABLES} are as they were written\n"),
     };
-    files::print(&format!(
+    files::print(&fitted(&format!(
         "{} files follow from the spec, {REPORT} and {CERTIFICATE}\n{tables}{REPORT} itself is not proved: run `mavc \
          safety` again without `--report` to repeat the search\n",
         derived.len()
-    ))?;
+    )))?;
     Ok(FINE)
 }
