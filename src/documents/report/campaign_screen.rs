@@ -71,7 +71,7 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
     screen
 }
 
-/// What the planners do and what their columns count, from what is left out last to what is left out first.
+/// What the planners do and what their columns count. The last one is the first to go where lines are few.
 fn columns(design: &Design, plans: &[Survival]) -> Vec<String> {
     let planners: Vec<PlannerKind> = design.plans.iter().map(|plan| plan.planner).collect();
     let has_points = plans.iter().any(|plan| plan.due > 0);

@@ -60,7 +60,7 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
     screen
 }
 
-/// What the planners do, and the meaning of the columns, from what is left out last to what is left out first.
+/// What the planners do, and the meaning of the columns. The last one is the first to go where lines are few.
 fn legends(model: &Model, comparison: &Comparison) -> Vec<String> {
     if comparison.modes.is_empty() {
         return Vec::new();

@@ -91,7 +91,7 @@ fn said<T>(name: &str, why: &str) -> Option<T> {
 }
 
 /// The files in the folder of an assessment that are not its `own`; not those whose names begin with a dot, which file
-/// managers leave.
+/// managers leave. A folder without a file of its own is named and not read, however large it is.
 pub fn strangers<'n>(folder: &Path, own: impl Iterator<Item = &'n str>) -> Vec<String> {
     let own: BTreeSet<&str> = own.collect();
     let mut next = vec![String::new()];
@@ -101,8 +101,10 @@ pub fn strangers<'n>(folder: &Path, own: impl Iterator<Item = &'n str>) -> Vec<S
         for entry in entries.filter(|entry| !entry.file_name().as_encoded_bytes().starts_with(b".")) {
             let separator = if within.is_empty() { "" } else { "/" };
             let inner = format!("{within}{separator}{}", entry.file_name().display());
+            let has_own = || own.iter().any(|name| name.strip_prefix(&inner).is_some_and(|rest| rest.starts_with('/')));
             match entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-                true => next.push(inner),
+                true if has_own() => next.push(inner),
+                true => found.push(inner),
                 false if own.contains(inner.as_str()) => (),
                 false => found.push(inner),
             }
