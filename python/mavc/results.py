@@ -15,7 +15,7 @@ from . import _mavc, display
 from .errors import Diagnostics
 from .exports import Exported, exported
 from .runs import Callback, Cancel, job
-from .table import Rows, Table, numbers
+from .table import Records, Rows, Table, numbers
 
 
 Record = dict[str, Any]
@@ -223,6 +223,10 @@ class Log(Table):
     error = property(lambda self: self["error"], doc="Distance from the reference, m, (n,)")
 
 
+# The columns of `Plan.ways_out`.
+_WAYS_OUT = {"mode": str, "from_s": float, "to_s": float, "outcome": str, "site": str, "branch": str}
+
+
 @dataclass(frozen=True)
 class Plan:
     """The outcome of planning: a plan, a proof that there is none, or neither."""
@@ -258,6 +262,28 @@ class Plan:
         planned against."""
         price: Record | None = self.planner["price"]
         return price
+
+    @property
+    def recovery(self) -> Record | None:
+        """What can be done after each fault: `uncovered`, the share of the time without a way out, and `modes`, among others
+        (docs/schema); `None` if it was not sought."""
+        recovery: Record | None = self.record.get("recovery")
+        return recovery
+
+    @property
+    def ways_out(self) -> Records:
+        """One row for each time during which the faults of a mode have one outcome, in s since the start: the mode, `from_s`,
+        `to_s`, `outcome` (`none` where no way out was found), `site`, and `branch`, a key of `branches`. No rows if none was sought."""
+        modes: list[Record] = (self.recovery or {}).get("modes", [])
+        return Records(_WAYS_OUT, ({"mode": mode["name"], **piece} for mode in modes for piece in mode["pieces"]))
+
+    def branches(self, *, threads: int | None = None) -> dict[str, Trajectory]:
+        """The ways out as trajectories from the detection of the fault on, by the file names of `mavc plan --branches`.
+
+        Raises ValueError if no ways out were sought.
+        """
+        found = _mavc.branches(self._handle, *job(threads, None, None))
+        return {name: Trajectory(data.decode()) for name, data in found if name != "index.csv"}
 
     def __bool__(self) -> bool:
         """Whether there is a plan."""

@@ -103,16 +103,22 @@ class Spec:
         return analysis(found, self.warnings)
 
     def plan(
-        self, *, threads: int | None = None, progress: Callback = None, cancel: Cancel | None = None
+        self,
+        *,
+        recovery: bool = False,
+        threads: int | None = None,
+        progress: Callback = None,
+        cancel: Cancel | None = None,
     ) -> Plan:
-        """Plans the mission. That there is no plan is a verdict, not an exception.
+        """Plans the mission. That there is no plan is a verdict, not an exception. With `recovery`, and if the spec requires it,
+        a way out after every fault is sought: `Plan.ways_out`.
 
         Raises SpecError if nothing can be planned: there is no mission, or the spec is too large.
         """
-        return self._plan(False, job(threads, progress, cancel))
+        return self._plan(False, job(threads, progress, cancel), recovery)
 
-    def _plan(self, flies: bool, job: Job) -> Plan:
-        found = _mavc.plan(self._handle, *job, flies)
+    def _plan(self, flies: bool, job: Job, recovery: bool = False) -> Plan:
+        found = _mavc.plan(self._handle, *job, flies, recovery)
         if found[0] is None:
             raise SpecError(diagnostics(found[1]))
         handle, verdict, report, text, csv, shown = found

@@ -34,7 +34,7 @@ type Value = PyResult<Py<PyAny>>;
 type Function = fn(Arguments) -> Value;
 
 /// The functions of the module.
-const FUNCTIONS: [(&CStr, Function); 28] = [
+const FUNCTIONS: [(&CStr, Function); 29] = [
     (c"compile", compile::compile),
     (c"facts", compile::facts),
     (c"format", compile::format),
@@ -55,6 +55,7 @@ const FUNCTIONS: [(&CStr, Function); 28] = [
     (c"plan", plan::plan),
     (c"certificate", plan::certificate),
     (c"page", plan::page),
+    (c"branches", plan::branches),
     (c"table", plan::table),
     (c"export", export::plan),
     (c"bag_files", export::bag_files),

@@ -7,9 +7,11 @@ use crate::job::{Job, Reports};
 use crate::{Arguments, Value, object};
 use mavc::certify::between::Between;
 use mavc::diagnostic::{Diagnostic, sort};
-use mavc::pipeline::{Explained, NoFlight, Planning, Refusal, Task, certify};
+use mavc::pipeline::{Explained, NoFlight, Planning, Refusal, Task, certify, with_ways_out};
+use mavc::recovery::Recovery;
 use mavc::report::page::{self, PageKind, Subject};
 use mavc::report::record::Record;
+use mavc::report::recovery::{self, RecoveryRecord};
 use mavc::report::trajectory_csv;
 use mavc::source::SourceMap;
 use mavc::{MissionPlan, Verdict};
@@ -30,8 +32,19 @@ pub struct Done {
     pub planning: Planning,
     explained: Explained,
     between: Option<Vec<Between>>,
+    /// The ways out after faults, if they were sought.
+    recovery: Option<Recovery>,
     /// Why no plan was found.
     conflict: Option<Diagnostic>,
+}
+
+impl Done {
+    /// What `--report` writes.
+    fn record(&self, task: &Task) -> Record {
+        let mut record = task.report(&self.planning, &self.explained, self.between.clone());
+        record.recovery = self.recovery.as_ref().map(|found| RecoveryRecord::new(task.model(), found));
+        record
+    }
 }
 
 impl Held for Planned {
@@ -106,43 +119,50 @@ fn refused(of: &Arc<Compiled>, diagnostics: Vec<Diagnostic>) -> (Planned, Texts)
     (planned, Texts { verdict, json: json(&record), text: String::new(), csv: None })
 }
 
-/// Plans, and unless `flies` explains, tries and proves what the report of a plan states.
+/// What is asked for besides the plan.
+#[derive(Clone, Copy)]
+struct Wanted {
+    /// The plan is to be flown: nothing is explained or proved.
+    flight: bool,
+    /// The ways out after faults, also where the spec does not require any.
+    recovery: bool,
+}
+
+/// Plans, and unless the plan is to be flown explains, tries and proves what the report of a plan states.
 fn planned(
     of: &Arc<Compiled>,
     (task, diagnostics): (&Task, Vec<Diagnostic>),
-    flies: bool,
+    wanted: Wanted,
     reports: &Reports,
 ) -> Result<(Planned, Texts), String> {
-    let planning = task.plan(reports);
-    let (explained, between) = match flies {
-        true => (Explained::default(), None),
-        false => {
-            let explained = task.explain(&planning, reports).map_err(|e| e.to_string())?;
-            (explained, planning.between(task, reports).map_err(|e| e.to_string())?)
+    let mut planning = task.plan(reports);
+    let (mut explained, mut between, mut recovery) = (Explained::default(), None, None);
+    if !wanted.flight {
+        explained = task.explain(&planning, reports).map_err(|e| e.to_string())?;
+        if wanted.recovery || task.model().plan.recovery.require.is_some() {
+            recovery = task.recovery(&mut planning, false, reports).map_err(|e| e.to_string())?;
         }
-    };
+        between = planning.between(task, reports).map_err(|e| e.to_string())?;
+    }
     let conflict = task.diagnose(&explained);
     let table = |plan: &MissionPlan| trajectory_csv::table(&plan.trajectory, task.model(), None);
-    let texts = Texts {
-        verdict: planning.verdict().to_string(),
-        json: json(&task.report(&planning, &explained, between.clone())),
-        text: task.for_people(&planning, &explained, between.as_deref(), None, false).to_string(),
-        csv: planning.plan().map(table).transpose()?,
-    };
-    let done = Done { planning, explained, between, conflict };
+    let (verdict, csv) = (planning.verdict().to_string(), planning.plan().map(table).transpose()?);
+    let text = task.for_people(&planning, &explained, between.as_deref(), recovery.as_ref(), false).to_string();
+    let done = Done { planning, explained, between, recovery, conflict };
+    let texts = Texts { verdict, json: json(&done.record(task)), text, csv };
     Ok((Planned { of: of.clone(), diagnostics, done: Some(done) }, texts))
 }
 
-/// `plan(spec, job, flies)`: `(handle, verdict, json, text, csv or None, shown)`; `(None, shown)` if the spec cannot be
+/// `plan(spec, job, flies, recovery)`: `(handle, verdict, json, text, csv or None, shown)`; `(None, shown)` if the spec cannot be
 /// planned.
 pub fn plan(arguments: Arguments) -> Value {
     let py = arguments.py();
     let of = Compiled::of(&arguments.get_item(0)?)?;
-    let flies: bool = arguments.get_item(4)?.extract()?;
+    let wanted = Wanted { flight: arguments.get_item(4)?.extract()?, recovery: arguments.get_item(5)?.extract()? };
     let result = Job::of(arguments, 1)?.run(py, move |reports| {
         let (task, found) = prepare(&of);
         match task {
-            Ok(task) => planned(&of, (&task, found), flies, reports).map(Ok),
+            Ok(task) => planned(&of, (&task, found), wanted, reports).map(Ok),
             Err(true) => Ok(Ok(refused(&of, found))),
             Err(false) => Ok(Err(shown(&found, of.spec.sources()))),
         }
@@ -168,7 +188,11 @@ pub fn certificate(arguments: Arguments) -> Value {
     let of = Planned::of(&arguments.get_item(0)?)?;
     let text = Job::of(arguments, 1)?.run(arguments.py(), move |_| match &of.done {
         Some(done) => {
-            certify(&of.of.spec, &done.planning).map(|certificate| json(&certificate)).map_err(|e| e.to_string())
+            let certificate = certify(&of.of.spec, &done.planning).map_err(|e| e.to_string())?;
+            Ok(json(&match &done.recovery {
+                Some(found) => with_ways_out(certificate, found),
+                None => certificate,
+            }))
         }
         None => Err("nothing was planned".into()),
     })?;
@@ -190,10 +214,20 @@ fn page_of(planned: &Planned) -> Result<String, String> {
         return Ok(page::refused(&subject, &Record::refused(spec.model(), spec.sha256().into())));
     };
     let task = planned.task()?;
-    let record = task.report(&done.planning, &done.explained, done.between.clone());
+    let record = done.record(&task);
     let subject = Subject { problem: task.problem(), sources: spec.sources(), diagnostics: &shown };
     let curves = task.capture_curves(&done.planning);
     Ok(page::plans(PageKind::Plan, &subject, done.planning.comparison(), &record, &curves))
+}
+
+/// `branches(plan, job)`: `(name, text)` of each file that `--branches` writes.
+pub fn branches(arguments: Arguments) -> Value {
+    let of = Planned::of(&arguments.get_item(0)?)?;
+    let files = Job::of(arguments, 1)?.run(arguments.py(), move |_| {
+        let found = of.done.as_ref().and_then(|done| done.recovery.as_ref());
+        recovery::files(of.task()?.problem(), found.ok_or("no ways out were sought: `plan(recovery=True)`")?)
+    })?;
+    object(arguments.py(), files.map_err(crate::error)?)
 }
 
 /// `table(plan, job, rate)`: the trajectory with rows at a rate, Hz.

@@ -92,7 +92,7 @@ fn flown(planned: &Planned, remarks: &[Diagnostic], wanted: Wanted, reports: &Re
     Ok(Texts {
         outcome,
         json: json(&record),
-        text: screen(&flown).to_string(),
+        text: screen(&flown, false).to_string(),
         remark: log.thinning.remark,
         csv: log.csv,
         page,

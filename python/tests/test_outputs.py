@@ -59,6 +59,33 @@ def test_plan(name, command):
     assert accepted.text.replace("<certificate>", "c.json").split() == command("verify", "c.json", name).out.split()
 
 
+def test_ways_out(command, write, small):
+    name = write("small.mav", small)
+    ran = command("plan", name, "--recovery", "-o", "t.csv", "--report", "r.json", "--branches", "ways", "--html", "p.html")
+    assert ran.code == 0
+    plan = compiled(name).plan(recovery=True)
+    assert plan.json == command.read("r.json") and plan.html() == command.read("p.html")
+    assert ran.out.startswith(plan.text) and "AFTER A FAULT" in plan.text
+    branches = plan.branches()
+    files = {path.name for path in (command.folder / "ways").iterdir()}
+    assert branches and files == {"index.csv", *branches}
+    assert all(branch.csv == command.read(f"ways/{name}") for name, branch in branches.items())
+    ways = plan.ways_out
+    assert ways["from_s"][0] == 0.0 and ways["to_s"][-1] == plan.time and set(ways["mode"]) == {"M1"}
+    found = [name for name in ways["branch"] if name is not None]
+    assert found and set(found) <= set(branches)
+    assert plan.recovery == plan.record["recovery"] and 0.0 <= plan.recovery["uncovered"] <= 1.0
+
+
+def test_ways_out_are_sought_where_the_spec_requires_them(small, write):
+    required = small.replace("time = 6 s }", "time = 6 s; require uncovered <= 100 % }")
+    assert compiled(write("required.mav", required)).plan().ways_out.rows > 0
+    plan = compiled(write("small.mav", small)).plan()
+    assert plan.recovery is None and plan.ways_out.rows == 0
+    with pytest.raises(ValueError, match=r"plan\(recovery=True\)"):
+        plan.branches()
+
+
 def test_arrays_of_a_trajectory(command, write, small):
     name = write("small.mav", small)
     plan = compiled(name).plan()

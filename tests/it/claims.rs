@@ -24,7 +24,7 @@ fn modes_without_rows_are_not_planned() {
         "Not planned for M1: no torque is left in some direction",
         "m with the fault known after 100 ms (simulated); not proved.",
         "RSP guards nothing beyond RIP: no mode planned against has rows",
-        "M1 no rows - - - not planned",
+        "M1 - - no rows - - - not planned",
     ] {
         assert!(told.contains(expected), "{expected}: {told}");
     }

@@ -169,6 +169,8 @@ mod thorough {
     fn the_readme_s_campaign_is_as_it_says() {
         assert_eq!(losses("rip", "3"), (vec![("0.5".to_string(), 12)], 240));
         assert_eq!(losses("rsp", "3"), (vec![], 240));
+        let text = crate::cli::flat(&printed(&["campaign", ROOF, "--quiet"]));
+        assert!(text.contains("Waypoints missed after a fault: RIP 279 of 624, RSP 56 of 624"), "{text}");
     }
 
     /// A mission of the size that people fly, planned as it is written: RSP's time is not far above a bound that holds

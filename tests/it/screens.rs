@@ -268,7 +268,7 @@ fn what_is_not_known_is_explained() {
                     RCP (risk-conservative) guards every constraint";
     assert!(compared.contains(planners) && flown.contains(planners), "{compared}\n{flown}");
     assert!(compared.contains("objective: what planners minimise"), "{compared}");
-    assert!(flown.contains("points missed: waypoints after the fault"), "{flown}");
+    assert!(flown.contains("Waypoints missed after a fault: RIP "), "{flown}");
     for text in [&analysis, &plan, &compared, &flown] {
         assert!(!text.contains("T_d"), "{text}");
     }

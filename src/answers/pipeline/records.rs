@@ -93,15 +93,15 @@ impl Task<'_> {
         ways_out: Option<&Recovery>,
         verbose: bool,
     ) -> Screen {
-        let write = |screen: &mut Screen| {
-            if let Some(found) = ways_out {
+        let write = ways_out.map(|found| {
+            move |screen: &mut Screen| {
                 screen.gap();
                 report::recovery::write(screen, self.model(), found, verbose);
             }
-        };
+        });
         if verbose {
             let mut screen = Screen::of_text(&self.text(planning, explained, between));
-            write(&mut screen);
+            write.into_iter().for_each(|write| write(&mut screen));
             return screen;
         }
         let heights = self.capture_heights(planning);

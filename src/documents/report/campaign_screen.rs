@@ -5,10 +5,10 @@ use super::headline::headline_of;
 use super::mode_names::within;
 use super::planner_names::planners_in_full;
 use super::screen::{Keep, Screen, Tone};
-use super::simulation::disturbed;
+use super::simulation::manner;
 use super::terminal::vehicle_line;
 use crate::campaign::agreement::Agreement;
-use crate::campaign::cases::Shard;
+use crate::campaign::cases::{Shard, fault_time};
 use crate::campaign::design::Design;
 use crate::campaign::statistics::{Share, sign_test, wilson};
 use crate::campaign::tally::{Group, Tally};
@@ -40,23 +40,24 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
         0,
         2,
         &format!(
-            "Campaign on {mission} with {}: {}{part} of {} s{}",
+            "Campaign on {mission} with {}: {}{part} of {} s",
             vehicle_line(model),
             plural(tally.flights(), "flight"),
-            number(design.time),
-            disturbed(&model.simulation)
+            number(design.time)
         ),
     );
     screen.gap();
     let plans: Vec<Survival> = (0..design.plans.len()).map(|p| Survival::of(design, tally, p)).collect();
     let (tone, text) = answer(&plans);
     screen.paragraph(tone, 2, 2, &text);
+    missed(&plans).iter().for_each(|text| screen.paragraph(Tone::Plain, 2, 2, text));
     screen.paragraph(Tone::Plain, 2, 2, &headline_of(model, &outcomes(model)));
     screen.gap();
     screen.table(&planners(design, tally, &plans));
-    columns(design, &plans).iter().for_each(|text| {
-        screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, text));
-    });
+    let flown: Vec<PlannerKind> = design.plans.iter().map(|plan| plan.planner).collect();
+    for text in [planners_in_full(&flown), manner(model)] {
+        screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &text));
+    }
     if cases.modes > 0 {
         let (texts, note) = differences(design, tally, &plans);
         texts.iter().for_each(|text| screen.paragraph(Tone::Plain, 2, 2, text));
@@ -69,14 +70,6 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
     warnings(design, tally, &plans).iter().for_each(|text| screen.remark(Keep::Finding, text));
     screen.close(0);
     screen
-}
-
-/// What the planners do and what their columns count. The last one is the first to go where lines are few.
-fn columns(design: &Design, plans: &[Survival]) -> Vec<String> {
-    let planners: Vec<PlannerKind> = design.plans.iter().map(|plan| plan.planner).collect();
-    let has_points = plans.iter().any(|plan| plan.due > 0);
-    let points = "points missed: waypoints after the fault, missed by more than `within`";
-    std::iter::once(planners_in_full(&planners)).chain(has_points.then(|| points.to_string())).collect()
 }
 
 /// The flights of one plan with a fault.
@@ -133,10 +126,19 @@ fn answer(plans: &[Survival]) -> (Tone, String) {
     (tone, parts.join(", "))
 }
 
+/// `Waypoints missed after a fault: RIP 279 of 624, RSP 56 of 624`, if some were.
+fn missed(plans: &[Survival]) -> Option<String> {
+    let some: Vec<&Survival> = plans.iter().filter(|plan| plan.due > 0).collect();
+    let part = |plan: &&Survival| format!("{} {} of {}", plan.name, plan.missed, plan.due);
+    let is_missed = some.iter().any(|plan| plan.missed > 0);
+    is_missed
+        .then(|| format!("Waypoints missed after a fault: {}", some.iter().map(part).collect::<Vec<_>>().join(", ")))
+}
+
 /// One row for each plan.
 fn planners(design: &Design, tally: &Tally, plans: &[Survival]) -> Table {
     let has_alarms = plans.iter().any(|plan| remarks::estimator(design, tally, plan.plan).is_some());
-    let mut headings = vec!["planner", "survived", "95 % interval", "points missed"];
+    let mut headings = vec!["planner", "survived", "95 % interval"];
     if has_alarms {
         headings.push("false alarms/h");
     }
@@ -150,7 +152,6 @@ fn planners(design: &Design, tally: &Tally, plans: &[Survival]) -> Table {
             plan.name.clone(),
             share.map_or_else(dash, |s| format!("{} %", part_of_all(s.share))),
             share.map_or_else(dash, |Share { low, high, .. }| format!("{} .. {}", hundred(low), hundred(high))),
-            if plan.due == 0 { dash() } else { format!("{} of {}", plan.missed, plan.due) },
         ];
         if has_alarms {
             cells.push(healthy.alarms_per_hour().map_or_else(dash, |per_hour| significant(per_hour, 3)));
@@ -229,14 +230,14 @@ fn losers(screen: &mut Screen, design: &Design, tally: &Tally, plans: &[Survival
     let hidden = rows.split_off(rows.len().min(MOST_ROWS));
     let mut headings = vec!["lost after"];
     headings.extend(plans.iter().map(|plan| plan.name.as_str()));
-    headings.push("flights each");
+    headings.extend(["flights each", "fault at"]);
     screen.fitted(NAMES, |names| {
         let mut table = Table::new(&headings);
         for (counts, modes) in &rows {
             let each = plans.first().map_or(0, |plan| tally.mode(plan.plan, modes[0]).flights);
             let mut cells = vec![within(&all, modes, names)];
             cells.extend(counts.iter().map(usize::to_string));
-            cells.push(each.to_string());
+            cells.extend([each.to_string(), when_lost(design, tally, plans, modes)]);
             table.row(cells);
         }
         table
@@ -244,6 +245,19 @@ fn losers(screen: &mut Screen, design: &Design, tally: &Tally, plans: &[Survival
     let more: usize = hidden.iter().map(|(_, modes)| modes.len()).sum();
     if more > 0 {
         screen.line(Tone::Plain, &format!("  and {} with fewer losses, -v", plural(more, "mode")));
+    }
+}
+
+/// The instants of the faults of these modes that lost flights: `0.5 s`, or `0.5 to 5.85 s` from the first to the last.
+fn when_lost(design: &Design, tally: &Tally, plans: &[Survival], modes: &[usize]) -> String {
+    let is_lost =
+        |t: usize| plans.iter().any(|plan| modes.iter().any(|&mode| tally.cells(plan.plan, mode)[t].lost > 0));
+    let mut lost =
+        (0..design.cases.times).filter(|&t| is_lost(t)).map(|t| fault_time(design.time, design.cases.times, t));
+    let Some(first) = lost.next() else { return "-".into() };
+    match lost.last() {
+        Some(last) => format!("{} to {} s", number(first), number(last)),
+        None => format!("{} s", number(first)),
     }
 }
 

@@ -61,13 +61,13 @@ impl CaptureRecord {
 }
 
 /// The height that a plan keeps and what remains, in one line: `6.64 m kept above the ground outside 5 m of start and
-/// end; near them L4 has too little height for 8.65 s (simulated)`; `None` where the spec requires none.
+/// end; for 8.65 s near them the fall after L4 may end on the ground (simulated)`; `None` where the spec requires none.
 pub fn figure(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<String> {
     let (height, radius) = record.height_m.zip(record.radius_m)?;
     let worst = exposed.iter().max_by(|a, b| a.seconds.total_cmp(&b.seconds));
     let near = worst.map_or(String::new(), |worst| {
         let seconds = significant(worst.seconds, 3);
-        format!("; near them {} has too little for up to {seconds} s (simulated)", worst.mode)
+        format!("; for {seconds} s near them the fall after {} may end on the ground (simulated)", worst.mode)
     });
     let [height, radius] = [height, radius].map(|m| significant(m, 3));
     Some(format!("{height} m kept above the ground outside {radius} m of start and end{near}"))

@@ -4,7 +4,7 @@ mod coverage;
 mod price;
 
 pub use coverage::{CoverageRecord, Covers};
-pub(super) use coverage::{unsafe_until, warn_of_not_covered};
+pub(super) use coverage::{spare, unsafe_until, warn_of_not_covered};
 pub use price::PriceRecord;
 
 use super::battery;
@@ -55,21 +55,24 @@ pub struct Answer<'a> {
 }
 
 impl Answer<'_> {
-    /// The output; of no more than one planner's run, the last. `further` writes what follows.
-    pub fn screen(&self, further: impl FnOnce(&mut Screen)) -> Screen {
+    /// The output; of no more than one planner's run, the last. `further` writes what follows; it has its own table of
+    /// modes, in place of that of the plan.
+    pub fn screen(&self, further: Option<impl FnOnce(&mut Screen)>) -> Screen {
         let (model, mission) = (self.problem.model(), self.problem.mission());
         let mut screen = Screen::default();
         screen.paragraph(Tone::Plain, 0, 2, &format!("{} with {}", mission.name, vehicle_line(model)));
         screen.gap();
         let Some(run) = self.comparison.runs.last() else { return screen };
         let hidden = match &run.outcome {
-            PlanOutcome::Planned(solved) => self.found(&mut screen, run, solved),
+            PlanOutcome::Planned(solved) => self.found(&mut screen, run, solved, further.is_none()),
             outcome => {
                 self.missing(&mut screen, run, outcome);
                 0
             }
         };
-        further(&mut screen);
+        if let Some(further) = further {
+            further(&mut screen);
+        }
         screen.close(hidden);
         screen
     }
@@ -111,13 +114,14 @@ impl Answer<'_> {
     }
 
     /// A plan, and how many modes its table leaves out.
-    fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) -> usize {
+    fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan, has_table: bool) -> usize {
         let model = self.problem.model();
         let text = verdict_text::headline(self.problem, self.comparison, run);
         let is_doubtful = caveats(model, solved).iter().any(|caveat| caveat.kind.is_outside_the_model());
         let tone = if is_doubtful || coverage::is_partial(self, solved) { Tone::Warning } else { Tone::Good };
         screen.paragraph(tone, 2, 2, &text);
-        let hidden = coverage::write(self, screen, run, solved);
+        coverage::say(self, screen, run, solved);
+        let hidden = if has_table { coverage::tabulate(self, screen, solved) } else { 0 };
         screen.gap();
         let labelled = |screen: &mut Screen, label: &str, text: &str| {
             screen.paragraph(Tone::Plain, 2, 11, &format!("{label:<10} {text}"));

@@ -63,15 +63,17 @@ pub struct ReplannedRecord {
 }
 
 impl ReplannedRecord {
-    /// `Planned again with 12 % in reserve, for ways out: no longer. Before, 4.18 % had none.`
-    fn sentence(&self) -> String {
+    /// `Planned again for ways out, with 12 % in reserve instead of 10 %: the time is the same. Before, 4.18 % had
+    /// none.`
+    fn sentence(&self, reserve: f64) -> String {
         let price = match self.price_s {
             price if price.abs() < 5e-3 => "the time is the same".to_string(),
             price => format!("{} s ({}) longer", significant(price, 3), percent(price / self.time_before_s)),
         };
         format!(
-            "Planned again with {} in reserve, for ways out: {price}. Before, {} had none.",
+            "Planned again for ways out, with {} in reserve instead of {}: {price}. Before, {} had none.",
             percent(self.reserve),
+            percent(reserve),
             percent(self.uncovered_before)
         )
     }
@@ -155,7 +157,8 @@ pub struct NearMissRecord {
 pub const OUTCOMES: [&str; 5] = ["continue", "continue spinning", "land at site", "land here", "none"];
 
 /// The words for people, in the order of [`OUTCOMES`].
-pub const WORDS: [&str; 5] = ["flies on", "flies on spinning", "lands at a site", "lands where it is", "none found"];
+pub const WORDS: [&str; 5] =
+    ["back on the plan", "back on the plan, spinning", "lands at a site", "lands where it is", "none found"];
 
 fn outcome(way: Option<Way>) -> &'static str {
     match way {
@@ -345,9 +348,9 @@ pub fn write(screen: &mut Screen, model: &Model, recovery: &Recovery, verbose: b
     let record = RecoveryRecord::new(model, recovery);
     screen.paragraph(tone, 2, 2, &format!("AFTER A FAULT {}", sentence(&record)));
     if let Some(replanned) = &record.replanned {
-        screen.paragraph(Tone::Plain, 2, 2, &replanned.sentence());
+        screen.paragraph(Tone::Plain, 2, 2, &replanned.sentence(model.plan.reserve));
     }
-    let mut table = Table::new(&["fault", &scale(recovery.duration), "open s"]);
+    let mut table = Table::new(&["fault", &scale(recovery.duration), "uncovered s"]);
     let mut modes: Vec<&ModeRecovery> = recovery.modes.iter().collect();
     modes.sort_by(|a, b| b.uncovered().total_cmp(&a.uncovered()));
     let shown = if verbose { modes.len() } else { modes.len().min(MOST_MODES) };

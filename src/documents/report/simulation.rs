@@ -1,4 +1,4 @@
-//! Results of a simulated flight: the log (CSV), the JSON record and the terminal text.
+//! Results of a simulated flight: the log (CSV), the JSON record and the output.
 
 mod log;
 mod record;
@@ -8,6 +8,7 @@ mod text;
 pub use log::{Log, Thinning};
 pub use record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, RegressorRecord, SpinRecord};
 pub use screen::screen;
+pub use text::disturbed;
+pub(super) use text::manner;
 #[cfg(feature = "report")]
 pub(super) use text::{DIVERGED, detection, duration, length, loss, no_fault, to_its_end, trespass, turned};
-pub use text::{disturbed, text};

@@ -3,6 +3,7 @@
 use super::battery;
 use super::binding;
 use super::caveats::caveats;
+use super::plan_screen::spare;
 use super::record::{errors, rates, violated_facets};
 use super::verdict_text::{self, statement};
 use super::waypoints;
@@ -200,6 +201,14 @@ fn trade_off(comparison: &Comparison, bound: f64) -> String {
     )
 }
 
+/// `, 0.279 after the pass for comfort`, if there was one.
+fn after_comfort(solved: &MissionPlan) -> String {
+    match solved.objective == solved.least_objective {
+        true => String::new(),
+        false => format!(", {} after the pass for comfort", number(solved.objective)),
+    }
+}
+
 fn solved_run(problem: Problem, comparison: &Comparison, run: &PlannerRun, solved: &MissionPlan) -> String {
     let (model, mission) = (problem.model(), problem.mission());
     let verdict = statement(problem, comparison, run);
@@ -210,7 +219,7 @@ fn solved_run(problem: Problem, comparison: &Comparison, run: &PlannerRun, solve
     out.push_str(&format!("  {}\n{}", waypoints::headline(&waypoints), waypoints::table(&waypoints, 4)));
     let [position, yaw] = [significant(e.position, 4), significant(e.yaw, 3)];
     out.push_str(&format!("  sum of position errors {position} m, of yaw errors {yaw} rad\n"));
-    out.push_str(&format!("  objective {}\n", number(solved.objective)));
+    out.push_str(&format!("  objective {}{}\n", number(solved.least_objective), after_comfort(solved)));
     out.push_str(&shape::text(problem, solved));
     out.push_str(&battery::text(model, &solved.trajectory));
     out.push_str(&volumes::text(problem, solved));
@@ -340,35 +349,36 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
 }
 
 fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> Table {
-    let mut headings = vec!["mode", "facets", "nodes", "worst", "duration", "last violation"];
+    let mut headings = vec!["mode", "spare", "tightest", "facets", "nodes", "worst", "duration", "last violation"];
     let holds = holds(model);
     if holds {
         headings.extend(["after fault", "committed"]);
     }
     let mut table = Table::new(&headings);
+    let dash = || "-".to_string();
+    let seconds = |at: f64| format!("{} s", fixed(at, 2));
     for (i, (name, out)) in comparison.modes.iter().zip(&solved.outside).enumerate() {
-        let mut cells = match out.last {
-            None if comparison.provisions[i] == Provision::Capture => {
-                let dash = || "-".to_string();
-                vec![name.clone(), "no rows".into(), dash(), dash(), dash(), "not planned".into()]
-            }
-            None => {
-                let dash = || "-".to_string();
-                vec![name.clone(), "0".into(), "0".into(), dash(), dash(), "never".into()]
-            }
-            Some(last) => vec![
-                name.clone(),
+        let is_captured = comparison.provisions[i] == Provision::Capture;
+        let mut cells = vec![name.clone()];
+        cells.extend(match is_captured {
+            true => [dash(), dash()],
+            false => [percent(spare(out)), out.worst_at.map_or_else(dash, seconds)],
+        });
+        cells.extend(match out.last {
+            None if is_captured => ["no rows".into(), dash(), dash(), dash(), "not planned".into()],
+            None => ["0".into(), "0".into(), dash(), dash(), "never".into()],
+            Some(last) => [
                 violated_facets(solved, out).to_string(),
                 out.positions.to_string(),
                 percent(out.max_violation),
                 format!("{} s", short_seconds(out.seconds)),
-                format!("{} s", fixed(last, 2)),
+                seconds(last),
             ],
-        };
+        });
         if holds {
             cells.push(model.after_fault(model.plan.against[i]).name().to_string());
             let until = solved.committed.get(i).copied().unwrap_or(0.0);
-            cells.push(if until > 0.0 { format!("{} s", fixed(until, 2)) } else { "never".into() });
+            cells.push(if until > 0.0 { seconds(until) } else { "never".into() });
         }
         table.row(cells);
     }

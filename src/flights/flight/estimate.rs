@@ -8,8 +8,9 @@
 //! - the estimate minimises, over capacities from 0 to 1, the exponentially weighted squares of the torque residuals,
 //!   plus a small penalty on the distance from the last estimate, which bounds the covariance, plus a small price on
 //!   losses, so that of two explanations the one with less loss is chosen;
-//! - a sample is used only if its residual exceeds the noise, or soon after such a sample, so that the estimate does
-//!   not move in quiet hover. A large residual after a quiet period signals a change, and older samples are forgotten.
+//! - a sample is used only if its residual or the mean of the last ones exceeds the noise, or soon after such a sample,
+//!   so that the estimate does not move in quiet hover. A large residual after a quiet period signals a change, and
+//!   older samples are forgotten.
 
 use crate::actuation::Actuation;
 use crate::geometry::symmetric::eigenvalues;
@@ -32,6 +33,16 @@ const SPREAD_LEARNT: f64 = 10.0;
 const MOST_VARIANCE: f64 = 9.0;
 /// No sample is used before this time, s: it is the first that is known of constant part and variance.
 const STARTUP: f64 = 0.3;
+
+/// The variance of the mean is learnt from deviations of at most so many standard deviations: what exceeds them is a
+/// change rather than noise. Chosen by hand; the standard deviation of normal noise is then learnt 5 % too small.
+const OUTLIER: f64 = 2.0;
+
+/// Number of samples of the mean of the residuals. A rotor that loses less than single samples show, or loses it slowly
+/// because the vehicle hardly uses it, shifts this mean. Chosen by hand, as the least standard deviation of the mean
+/// that is assumed.
+const MEAN_OF: f64 = 20.0;
+pub(super) const LEAST_SHIFT: f64 = 0.35;
 
 /// Number of samples that are used from one with a large residual on.
 const FOLLOWING: usize = 20;
@@ -61,6 +72,10 @@ pub struct Estimator {
     /// noise.
     bias: Vector3<f64>,
     variance: Vector3<f64>,
+    /// The exponentially weighted mean of the residuals, and its variance about the constant part as far as it exceeds
+    /// that of [`LEAST_SHIFT`], in standard deviations of the noise.
+    mean: Vector3<f64>,
+    mean_variance: Vector3<f64>,
     /// Samples from which they were learnt.
     learnt: usize,
     /// Exponentially weighted sums of Psi' W Psi (n x n, row-major) and Psi' W tau (n).
@@ -118,6 +133,8 @@ impl Estimator {
             threshold,
             bias: Vector3::zeros(),
             variance: Vector3::repeat(1.0),
+            mean: Vector3::zeros(),
+            mean_variance: Vector3::zeros(),
             learnt: 0,
             information: vec![0.0; n * n],
             evidence: vec![0.0; n],
@@ -187,7 +204,11 @@ impl Estimator {
             self.learn(&residual);
             return false;
         }
-        if (residual - self.bias).component_div(&scale).amax() > self.threshold {
+        self.mean += (residual - self.mean) / MEAN_OF;
+        let of_mean = self.mean_variance.map(|v| v.max(LEAST_SHIFT * LEAST_SHIFT).sqrt());
+        let single = (residual - self.bias).component_div(&scale).amax();
+        let lasting = (self.mean - self.bias).component_div(&of_mean).amax();
+        if single.max(lasting) > self.threshold {
             if self.updates_left == 0 {
                 // A large residual after a quiet period signals a change, so older samples may no longer be valid.
                 self.information.fill(0.0);
@@ -216,6 +237,9 @@ impl Estimator {
         let squares = (residual - self.bias).map(|e| e * e);
         self.variance += (squares - self.variance) * of_variance;
         self.variance = self.variance.map(|v| v.min(MOST_VARIANCE));
+        let most = self.mean_variance.map(|v| OUTLIER * OUTLIER * v.max(LEAST_SHIFT * LEAST_SHIFT));
+        let shifts = (self.mean - self.bias).zip_map(&most, |e, most| (e * e).min(most));
+        self.mean_variance += (shifts - self.mean_variance) * of_variance;
     }
 
     /// Minimises `sum lambda^age |tau - Psi theta|^2 + PULL |theta - theta_last|^2 + PRICE sum (1 - theta_k)` over

@@ -1,7 +1,7 @@
 //! Indistinguishable fault modes: modes whose torques differ too little for the estimator. See `docs/flight.md`,
 //! section 4.
 
-use super::estimate::torque_noise;
+use super::estimate::{LEAST_SHIFT, torque_noise};
 use crate::actuation::{Actuation, Wrench};
 use crate::admissible::allocation::Allocator;
 use crate::admissible::{HEALTHY, hover};
@@ -28,9 +28,10 @@ fn squares(allocator: &Allocator, wrench: &Wrench) -> Vec<f64> {
 /// `instants` has the squared rotor speeds (rad^2/s^2) at each instant.
 ///
 /// A fault mode is indistinguishable from the healthy vehicle if at every instant the difference of their torques is at
-/// most the estimator's threshold for one sample. Two fault modes are if it is at most that threshold over the square
-/// root of the number of samples that the forgetting factor keeps, 1/(1 - lambda). The relation is not transitive: a
-/// mode joins the first group whose first member it cannot be distinguished from.
+/// most the estimator's threshold for the mean of its samples in still air. Two fault modes are if it is at most the
+/// threshold for one sample over the square root of the number of samples that the forgetting factor keeps, 1/(1 -
+/// lambda). The relation is not transitive: a mode joins the first group whose first member it cannot be distinguished
+/// from.
 fn indistinguishable(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     let simulation = &model.simulation;
     let noise = torque_noise(model, simulation.gyroscope_noise, 1.0 / simulation.estimator_rate);
@@ -55,7 +56,7 @@ fn indistinguishable(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     }));
     let kept = 1.0 / (1.0 - simulation.forgetting);
     let near = |d: Vector3<f64>, healthy: bool| match healthy {
-        true => d.amax() <= simulation.threshold,
+        true => d.amax() <= simulation.threshold * LEAST_SHIFT,
         false => d.norm() * kept.sqrt() <= simulation.threshold,
     };
     let alike = |a: usize, b: usize| torques[a].iter().zip(&torques[b]).all(|(x, y)| near(x - y, a == 0));
@@ -132,7 +133,7 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     let message =
         format!("in hover the estimator may not distinguish {}{some}", pairs[..pairs.len().min(SHOWN)].join("; nor "));
     found.push(warning(ALIKE, message).help(
-        "their torques in hover differ by less than the threshold for one sample: write `detection = 50 ms` if \
+        "their torques in hover differ by less than the threshold: write `detection = 50 ms` if \
          something else reports the faults",
     ));
     found

@@ -10,8 +10,7 @@ use crate::flight::{Outcome, Sample};
 use crate::pipeline::{Task, departure, fly_plan, indistinguishable};
 use crate::read::FlightBlocks;
 use crate::report::page::{self, Track};
-use crate::report::screen::Screen;
-use crate::report::simulation::{FlightRecord, Flown, screen, text};
+use crate::report::simulation::{FlightRecord, Flown, screen};
 use crate::report::volumes::Nearest;
 
 pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, CommandError> {
@@ -68,7 +67,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, CommandError> {
     if let Some(track) = track {
         results.page(|| page::flight(&subject(&task, &findings.diagnostics), planning.comparison(), track, &record));
     }
-    let shown = if options.verbose { Screen::of_text(&text(&flown)) } else { screen(&flown) };
+    let shown = screen(&flown, options.verbose);
     results.print(&shown)?;
     results.write()?;
     results.print_beside(&shown);

@@ -136,6 +136,22 @@ fn ends(model: &Model, strikes: &[mavc::model::Strike]) -> (Vec<f64>, f64, f64) 
     last
 }
 
+/// A loss of a quarter is less than single samples of the gyroscope show, but their mean shows it.
+#[test]
+fn small_losses_are_isolated() {
+    let mut model = octocopter("PPNNPPNN");
+    model.simulation.detection = Detection::Estimator;
+    for rotor in 0..8 {
+        let mut weak = lost(&model, &[]);
+        weak.rotors[rotor] = RotorState::Reduced(0.75);
+        model.modes = vec![weak];
+        let plan = staying([0.0, 0.0, 10.0], 0.0, 8.0);
+        let flight = fly(&sortie(&model, &plan, &[strike(0, 4.0)]), None);
+        let after = flight.found[0].isolated_after;
+        assert!(after.is_some_and(|t| t < 1.0) && flight.false_alarms == 0, "rotor {rotor}: {after:?}");
+    }
+}
+
 /// Lost or weakened, a rotor that works again is believed again, and no other pays for it.
 #[test]
 fn rotors_that_recover_are_believed_again() {

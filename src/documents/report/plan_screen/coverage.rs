@@ -7,6 +7,7 @@ use crate::admissible::without_yaw::planned::Provision;
 use crate::certify::between::{Between, CORES, Shown, WRENCH};
 use crate::flight::equilibrium::outcome_of;
 use crate::model::{AfterFault, Mission, Model, PlannerKind};
+use crate::motion::outside::Outside;
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, part_of_all, percent, significant};
 use crate::planner::studies::{MissionPlan, PlannerRun, Run};
@@ -75,11 +76,15 @@ pub struct CoverageRecord {
     pub sentence: String,
 }
 
-/// The sentences on coverage, then the table of modes; and how many modes the table leaves out.
-pub fn write(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) -> usize {
+/// The sentences on coverage.
+pub fn say(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan) {
     for CoverageRecord { covers, sentence } in sentences(answer, run, solved) {
         screen.paragraph(covers.tone(), 2, 2, &sentence);
     }
+}
+
+/// The table of modes, and how many it leaves out.
+pub fn tabulate(answer: &Answer, screen: &mut Screen, solved: &MissionPlan) -> usize {
     let model = answer.problem.model();
     if answer.comparison.modes.is_empty() {
         return 0;
@@ -287,6 +292,11 @@ fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
     }
 }
 
+/// What a plan leaves of a mode's set beyond the reserve, as a share of the healthy width; negative for a violation.
+pub(in crate::documents::report) fn spare(out: &Outside) -> f64 {
+    if out.max_violation.abs() <= VIOLATED { 0.0 } else { -out.max_violation }
+}
+
 /// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first; how many
 /// modes each row has, and how many are left out.
 fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<usize>, usize)) {
@@ -295,7 +305,7 @@ fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<us
     let mut rows: Vec<(f64, Vec<usize>, Vec<String>)> = Vec::new();
     for (i, out) in solved.outside.iter().enumerate() {
         let is_captured = comparison.provisions[i] == Provision::Capture;
-        let spare = if out.max_violation.abs() <= VIOLATED { 0.0 } else { -out.max_violation };
+        let spare = spare(out);
         let seconds = |at: f64| format!("{} s", fixed(at, 2));
         let cells = match is_captured {
             true => vec!["-".to_string(), "-".into(), "not planned".into()],

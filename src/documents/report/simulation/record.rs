@@ -4,7 +4,7 @@
 use crate::flight::Cause;
 use crate::flight::{Flight, Outcome};
 use crate::model::{Model, Strike};
-use crate::number::fixed;
+use crate::number::{fixed, significant};
 use crate::planner::studies::MissionPlan;
 use crate::report::caveats::{Caveat, caveats};
 use crate::report::volumes::VolumeRecord;
@@ -25,7 +25,7 @@ pub struct Flown<'a> {
 }
 
 /// Version of this record; raised when a field or the meaning of its values changes.
-const SCHEMA: u32 = 3;
+const SCHEMA: u32 = 4;
 
 /// Result of one simulated flight along the spec's plan, with faults during the flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -80,6 +80,10 @@ pub struct FlightRecord {
     /// The root mean square since the first fault, m; null without a fault.
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub rms_error_after_m: Option<f64>,
+    /// Waypoints that were due, since the first fault if one struck.
+    pub waypoints_due: usize,
+    /// Those of them that were missed by more than their tolerance.
+    pub waypoints_missed: usize,
     /// Largest angle between body z and the vertical, rad.
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub max_tilt_rad: f64,
@@ -240,6 +244,15 @@ pub struct RegressorRecord {
     pub median_condition: f64,
 }
 
+impl RegressorRecord {
+    /// `rank of the regressor 4 to 6 of 6 rotors, median condition number 8.1`
+    pub(super) fn words(&self) -> String {
+        let condition = significant(self.median_condition, 3);
+        let RegressorRecord { rotors, lowest_rank: least, highest_rank: most, .. } = self;
+        format!("rank of the regressor {least} to {most} of {rotors} rotors, median condition number {condition}")
+    }
+}
+
 impl FlightRecord {
     /// The record of a flight; `spec_sha256` is the hash over all files of its spec.
     pub fn new(flown: &Flown, spec_sha256: String) -> Self {
@@ -269,6 +282,8 @@ impl FlightRecord {
             rms_error_m: flight.rms_error,
             max_error_m: flight.max_error,
             rms_error_after_m: (!flight.found.is_empty()).then_some(flight.rms_error_after),
+            waypoints_due: flight.damage.waypoints_due,
+            waypoints_missed: flight.damage.waypoints_missed,
             max_tilt_rad: flight.max_tilt,
             rms_heading_error_rad: flight.heading.rms,
             max_heading_error_rad: flight.heading.max,

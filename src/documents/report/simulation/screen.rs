@@ -1,25 +1,27 @@
-//! The short output of `mavc simulate`: how the flight ended, and what happened to it.
+//! The output of `mavc simulate`: how the flight ended, and what happened to it.
 
-use super::record::{FlightRecord, Flown, OutcomeRecord, WayOutRecord};
+use super::record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, WayOutRecord};
 use super::text::{
     DIVERGED, beyond_plan, duration, ending, heading, indistinguishable, length, loss, manner, no_fault, to_its_end,
-    trespass,
+    trespass, waypoints,
 };
 use crate::admissible::outcome::Outcome;
 use crate::flight::equilibrium::outcome_of;
-use crate::model::FaultMode;
+use crate::model::{FaultMode, Strike};
 use crate::number::{fixed, number, plural, significant};
+use crate::report::battery;
+use crate::report::plan_screen::unsafe_until;
 use crate::report::screen::{Keep, Screen, Tone};
 use crate::report::terminal::vehicle_line;
-use crate::report::volumes::VolumeRecord;
+use crate::report::volumes::{self, VolumeRecord};
 use crate::text_table::Table;
 use std::cmp::Reverse;
 
 /// Most faults in the table.
 const MOST_FAULTS: usize = 6;
 
-/// The output.
-pub fn screen(flown: &Flown) -> Screen {
+/// The output; `verbose` shows all faults, volumes and remarks, and the estimator's regressor.
+pub fn screen(flown: &Flown, verbose: bool) -> Screen {
     let record = FlightRecord::new(flown, String::new());
     let Flown { model, solved, flight, .. } = flown;
     let mut screen = Screen::default();
@@ -49,54 +51,73 @@ pub fn screen(flown: &Flown) -> Screen {
         OutcomeRecord::Diverged { at_s } => (Tone::Bad, format!("DIVERGED at {} s: {DIVERGED}", fixed(at_s, 2))),
     };
     screen.paragraph(tone, 2, 2, &ended);
-    faults(&mut screen, &record);
+    faults(&mut screen, &record, if verbose { usize::MAX } else { MOST_FAULTS });
     screen.gap();
     let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
-    let mut lines = vec![
+    let mut lines: Vec<String> = waypoints(&record).into_iter().collect();
+    lines.extend([
         format!("position error: {} rms{after}; largest {}", length(flight.rms_error), length(flight.max_error)),
         heading(&record).replace("root mean square", "rms"),
         format!("largest tilt {} degrees{}", fixed(flight.max_tilt.to_degrees(), 1), beyond_plan(flown)),
-    ];
+    ]);
     lines.extend(
         record
             .gave_up_yaw_at_s
             .map(|at| format!("yaw given up at {} s; from then on no heading error counts as a loss", fixed(at, 2))),
     );
     lines.extend(record.way_out.as_ref().map(WayOutRecord::words));
-    lines.extend(record.regressor.as_ref().map(|_| {
+    lines.extend(record.regressor.as_ref().map(|regressor| {
         let refused = match record.refused_reconfigurations {
             0 => String::new(),
             n => format!("; {} refused, with which the vehicle could not hover", plural(n, "estimate")),
         };
-        format!("estimator: {}{refused}", plural(record.false_alarms, "false alarm"))
+        let alarms = format!("estimator: {}{refused}", plural(record.false_alarms, "false alarm"));
+        match verbose {
+            true => format!("{alarms}; {}", regressor.words()),
+            false => alarms,
+        }
     }));
     let spare = |volume: &&VolumeRecord| volume.distance_m;
-    lines.extend(record.volumes.iter().min_by(|a, b| spare(a).total_cmp(&spare(b))).map(|nearest| {
-        format!(
-            "nearest volume: {} m from {} at {} s ({} m required of the plan)",
-            significant(nearest.distance_m, 3),
-            nearest.name,
-            fixed(nearest.at_s, 2),
-            significant(nearest.required_m, 3)
-        )
-    }));
-    lines.push(manner(model));
+    lines.extend(record.volumes.iter().min_by(|a, b| spare(a).total_cmp(&spare(b))).filter(|_| !verbose).map(
+        |nearest| {
+            format!(
+                "nearest volume: {} m from {} at {} s ({} m required of the plan)",
+                significant(nearest.distance_m, 3),
+                nearest.name,
+                fixed(nearest.at_s, 2),
+                significant(nearest.required_m, 3)
+            )
+        },
+    ));
+    lines.push(format!("{}, seed {}", manner(model), record.seed));
+    lines.extend(Some(battery::full_thrust(model)).filter(|text| verbose && !text.is_empty()));
     lines.iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
     remarks(flown, &record).iter().for_each(|(keep, text)| screen.remark(*keep, text));
-    screen.close(0);
+    match verbose {
+        true => volumes::table(&record.volumes, model, " in the flight")
+            .lines()
+            .for_each(|line| screen.line(Tone::Plain, line)),
+        false => screen.close(0),
+    }
     screen
 }
 
-/// When each fault struck and became known.
-fn faults(screen: &mut Screen, record: &FlightRecord) {
+/// When each of at most so many faults struck and became known.
+fn faults(screen: &mut Screen, record: &FlightRecord, most: usize) {
     if record.faults.is_empty() {
         return;
     }
+    let seconds = |t: f64| format!("{} s", number(t));
     let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));
-    let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);
-    for fault in record.faults.iter().take(MOST_FAULTS) {
-        let mut row = vec![fault.mode.clone(), format!("{} s", number(fault.at_s))];
-        row.push(fault.until_s.map_or("never".into(), |t| format!("{} s", number(t))));
+    let some_end = record.faults.iter().any(|fault| fault.until_s.is_some());
+    let headings = ["fault", "struck", "ends", "detected", "isolated"];
+    let headings: Vec<&str> = headings.into_iter().filter(|heading| some_end || *heading != "ends").collect();
+    let mut table = Table::new(&headings);
+    for fault in record.faults.iter().take(most) {
+        let mut row = vec![fault.mode.clone(), seconds(fault.at_s)];
+        if some_end {
+            row.push(fault.until_s.map_or("never".into(), seconds));
+        }
         match fault.struck {
             true => row.extend([after(fault.detected_after_s), after(fault.isolated_after_s)]),
             false => row.push("not struck".to_string()),
@@ -105,15 +126,33 @@ fn faults(screen: &mut Screen, record: &FlightRecord) {
     }
     screen.gap();
     screen.table(&table);
-    if record.faults.len() > MOST_FAULTS {
-        screen.line(Tone::Plain, &format!("  and {} more, -v", record.faults.len() - MOST_FAULTS));
+    if record.faults.len() > most {
+        screen.line(Tone::Plain, &format!("  and {} more, -v", record.faults.len() - most));
     }
+}
+
+/// What the plan does not cover of the faults that struck: a flight that is lost then refutes no plan.
+fn not_covered(flown: &Flown, record: &FlightRecord) -> Vec<String> {
+    let Flown { model, solved, strikes, .. } = flown;
+    let of_strike = |(strike, fault): (&Strike, &FaultRecord)| {
+        if !fault.struck {
+            return None;
+        }
+        let Some(place) = model.plan.against.iter().position(|mode| *mode == strike.mode) else {
+            return Some(format!("{} is not in `against`: the plan does not cover it", fault.mode));
+        };
+        let until = unsafe_until(model, solved, place).filter(|until| *until > strike.at)?;
+        Some(format!("until {} s the plan does not cover {}", fixed(until, 2), fault.mode))
+    };
+    let mut all: Vec<String> = strikes.iter().zip(&record.faults).filter_map(of_strike).collect();
+    all.dedup();
+    all
 }
 
 /// The remarks, those first that a reader must not overlook.
 fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<(Keep, String)> {
     let model = flown.model;
-    let mut all = Vec::new();
+    let mut all = not_covered(flown, record);
     let spin = record.gave_up_yaw_at_s.and(record.spin.as_ref());
     all.extend(spin.map(|spin| ending(spin, model).trim_start_matches("Warning: ").to_string()));
     if let Some(seconds) = record.gyroscope_saturated_s {

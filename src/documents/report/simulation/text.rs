@@ -1,113 +1,11 @@
-//! Terminal text of a simulated flight.
+//! What is said of a simulated flight, on the terminal and the page.
 
-use super::record::{FlightRecord, Flown, OutcomeRecord, SpinRecord};
+use super::record::{FlightRecord, Flown, SpinRecord};
 use crate::flight::indistinguishable::listed;
 use crate::model::{
     AfterFault, Allocation, Attitude, Controller, Detection, FlownVehicle, LimitKind, LostYaw, Model, Simulation,
 };
 use crate::number::{fixed, number, significant};
-use crate::report::battery;
-use crate::report::terminal::vehicle_line;
-use crate::report::volumes::table;
-use crate::text_table::{Table, indented};
-use crate::verdict::SIMULATED;
-
-/// The output of `mavc simulate`.
-pub fn text(flown: &Flown) -> String {
-    let record = FlightRecord::new(flown, String::new());
-    let Flown { model, solved, flight, .. } = flown;
-    let name = model.mission.as_ref().map_or("", |m| m.name.as_str());
-    let mut out = format!(
-        "Mission {name} {SIMULATED} with {}\nalong the {} plan of {} s\n{}\n{}\n",
-        vehicle_line(model),
-        record.planner.to_uppercase(),
-        number(solved.time),
-        manner(model),
-        battery::full_thrust(model)
-    );
-    out.push_str(&match record.outcome {
-        OutcomeRecord::Flown => format!("{}{}\n", to_its_end(model, &record), no_fault(&record)),
-        OutcomeRecord::Trespassed { at_s } => format!("NOT SURVIVED: {}\n", trespass(at_s)),
-        OutcomeRecord::Landed { at_s } => format!("Landed at {} s\n", fixed(at_s, 2)),
-        OutcomeRecord::Lost { at_s, cause, at_end } => {
-            format!("LOST at {} s: {}\n", fixed(at_s, 2), loss(model, cause, at_end))
-        }
-        OutcomeRecord::Diverged { at_s } => format!("DIVERGED at {} s: {DIVERGED}\n", fixed(at_s, 2)),
-    });
-    let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
-    out.push_str(&format!(
-        "  position error: {} root mean square{after}; largest {}\n  {}\n  largest tilt {} degrees\n",
-        length(flight.rms_error),
-        length(flight.max_error),
-        heading(&record),
-        fixed(flight.max_tilt.to_degrees(), 1)
-    ));
-    out.pop();
-    out.push_str(&beyond_plan(flown));
-    out.push('\n');
-    if let Some(seconds) = record.gyroscope_saturated_s {
-        let range = number(model.simulation.gyroscope_range.to_degrees());
-        out.push_str(&format!(
-            "  a body rate was beyond the {range} deg/s that the gyroscope measures for {} s\n",
-            fixed(seconds, 2)
-        ));
-    }
-    out.push_str(&record.way_out.as_ref().map_or(String::new(), |way| format!("  {}\n", way.words())));
-    if let Some(at) = record.gave_up_yaw_at_s {
-        out.push_str(&format!("  yaw given up at {} s: the heading no longer counts as a loss\n", fixed(at, 2)));
-        out.push_str(&record.spin.as_ref().map_or(String::new(), |spin| indented(&ending(spin, model))));
-        if model.vehicle.yaw_drag.is_none() {
-            out.push_str("  the vehicle has no `yaw_drag`, so that the air does not slow its spin\n");
-        }
-        if matches!(record.outcome, OutcomeRecord::Lost { cause: "position", at_s, .. } if at_s > at) {
-            out.push_str(&format!(
-                "  a vehicle falls before it is caught by its spin (`mavc analyze --capture`): with a `lost_beyond` \
-                 above that\n  height, here {} m, it does not count as lost for it\n",
-                number(model.simulation.lost_beyond)
-            ));
-        }
-    }
-    if !record.faults.is_empty() {
-        let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);
-        let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));
-        for fault in &record.faults {
-            let mut row = vec![fault.mode.clone(), format!("{} s", number(fault.at_s))];
-            row.push(fault.until_s.map_or("never".into(), |t| format!("{} s", number(t))));
-            match fault.struck {
-                true => row.extend([after(fault.detected_after_s), after(fault.isolated_after_s)]),
-                false => row.push("not struck".to_string()),
-            }
-            table.row(row);
-        }
-        out.push('\n');
-        out.push_str(&table.render(2));
-    }
-    out.push_str(&table(&record.volumes, model, " in the flight"));
-    if let Some(r) = &record.regressor {
-        let alarms = match record.false_alarms {
-            0 => "no false alarm".to_string(),
-            1 => "1 false alarm".to_string(),
-            n => format!("{n} false alarms"),
-        };
-        let refused = match record.refused_reconfigurations {
-            0 => String::new(),
-            1 => "; 1 estimate refused, under which the vehicle could not hover".to_string(),
-            n => format!("; {n} estimates refused, under which the vehicle could not hover"),
-        };
-        out.push_str(&format!(
-            "\nEstimator: {alarms}{refused}\n  rank of the regressor between {} and {} of {}; median condition number \
-             {}\n",
-            r.lowest_rank,
-            r.highest_rank,
-            r.rotors,
-            significant(r.median_condition, 3)
-        ));
-    }
-    let fill = |text: &str| format!("\n{}", indented(text));
-    indistinguishable(flown).iter().for_each(|text| out.push_str(&fill(text)));
-    record.warnings.iter().for_each(|caveat| out.push_str(&fill(&caveat.message)));
-    out
-}
 
 /// The modes that the estimator cannot tell apart along the plan, if there are some.
 pub(super) fn indistinguishable(flown: &Flown) -> Option<String> {
@@ -117,15 +15,15 @@ pub(super) fn indistinguishable(flown: &Flown) -> Option<String> {
     let groups: Vec<String> = flown.indistinguishable.iter().map(of_group).collect();
     (!groups.is_empty()).then(|| {
         format!(
-            "Throughout the plan {}: by less than the estimator's threshold for one sample, so it may take long to \
+            "Throughout the plan {}: by less than the estimator's threshold, so it may take long to \
              tell them apart.",
             groups.join("; ")
         )
     })
 }
 
-/// `geometric controller, bounded allocation, capacities estimated; after a fault it continues; 1000 Hz, seed 1`
-pub(super) fn manner(model: &Model) -> String {
+/// `geometric controller, bounded allocation, capacities estimated; after a fault it continues; 1000 Hz`
+pub fn manner(model: &Model) -> String {
     let s = &model.simulation;
     let controller = match s.controller {
         Controller::Pd => "PD controller",
@@ -149,7 +47,7 @@ pub(super) fn manner(model: &Model) -> String {
     format!("{controller}, {allocation}, {detection}; after a fault it {after}{}", air_and_rate(model))
 }
 
-/// `; gusts of 2 m/s; the ground is at z = -1 m; 1000 Hz, seed 1`
+/// `; gusts of 2 m/s; the ground is at z = -1 m; 1000 Hz`
 fn air_and_rate(model: &Model) -> String {
     let s = &model.simulation;
     let speed = s.wind.iter().map(|w| w * w).sum::<f64>().sqrt();
@@ -160,7 +58,7 @@ fn air_and_rate(model: &Model) -> String {
         (false, true) => format!("; gusts of {} m/s", number(s.gusts)),
     };
     let ground = if s.ground == 0.0 { String::new() } else { format!("; the ground is at z = {} m", number(s.ground)) };
-    format!("{air}{}{ground}; {} Hz, seed {}", disturbed(s), number(s.rate), s.seed)
+    format!("{air}{}{ground}; {} Hz", disturbed(s), number(s.rate))
 }
 
 /// `; torque gusts of 0.1 N m; attitude estimated; vehicle drawn from the intervals`: what differs from the vehicle and
@@ -208,6 +106,16 @@ pub(super) fn heading(record: &FlightRecord) -> String {
         degrees(record.max_heading_error_rad),
         turned(record.turns)
     )
+}
+
+/// `waypoints: 1 of 4 missed by more than `within``, of those due after the first fault; `None` if none was due.
+pub(super) fn waypoints(record: &FlightRecord) -> Option<String> {
+    let (due, missed) = (record.waypoints_due, record.waypoints_missed);
+    let since = if record.faults.iter().any(|fault| fault.struck) { " after the first fault" } else { "" };
+    (due > 0).then(|| match missed {
+        0 => format!("waypoints{since}: {due} of {due} met"),
+        _ => format!("waypoints{since}: {missed} of {due} missed by more than `within`"),
+    })
 }
 
 /// `; 8 whole turns away from the planned heading`, if the vehicle turned at all.
