@@ -144,9 +144,10 @@ class Controller:
         e, e1 = reference.position - body.position, reference.velocity - body.velocity
         e2 = reference.acceleration - (force * up - gravity)
         back, back1 = k_x * e + k_v * e1, k_x * e1 + k_v * e2
-        is_far = norm(back) > MOST_FEEDBACK * self.gravity
+        most = MOST_FEEDBACK * min(norm(reference.acceleration + gravity), self.gravity)
+        is_far = norm(back) > most
         if is_far:
-            back, back1 = back * (MOST_FEEDBACK * self.gravity / norm(back)), np.zeros(3)
+            back, back1 = back * (most / norm(back)), np.zeros(3)
         f, f1 = reference.acceleration + back + gravity, reference.jerk + back1
         # The present jerk: the thrust m F . R e_3 turns with the body and changes.
         turning = rotation @ np.array([rates[1], -rates[0], 0.0])

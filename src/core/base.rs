@@ -1,5 +1,8 @@
-//! Texts with places, diagnostics, numbers, units and tolerances: what every other room uses and none of it knows what
-//! a vehicle or a mission is.
+//! Texts with places, diagnostics, numbers, units and tolerances.
+//!
+//! - What comes in: texts, numbers, names of files.
+//! - What goes out: sources with their lines, diagnostics for people and programs, numbers as texts.
+//! - What it does not know: what a vehicle or a mission is. Every other room uses it.
 
 pub mod body;
 pub mod diagnostic;

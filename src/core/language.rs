@@ -1,10 +1,14 @@
 //! The language as one table: every block, statement, field, clause and limit with its type, its default and one line
 //! of documentation.
 //!
+//! - What comes in: a text, for [`syntax`].
+//! - What goes out: its tree; rows of the table.
+//! - What it does not know: what a field does to a vehicle or a plan.
+//!
 //! The readers of specs, completion and hover in editors, `check --explain-defaults` and the builder of specs take
 //! names, units, words, ranges and defaults from here. docs/language.md, grammar/mav.pest and the editors'
 //! grammars are written from it (tests/it/language/generated.rs). To add a field, add its row in [`table`], read it in
-//! `model`, and use it.
+//! `read`, and use it.
 
 mod columns;
 pub mod format;
@@ -37,7 +41,7 @@ pub struct Entry {
     /// Whether the verdict, the margin or the yaw-free word of a mode depends on it.
     pub sweepable: bool,
     /// The smallest nonzero and the largest magnitude, in SI units; `None` for the bounds of any quantity
-    /// (`model/magnitude.rs`).
+    /// (`spec/read/magnitude.rs`).
     pub bounds: Option<(f64, f64)>,
     /// The units that a bare number was probably meant in; empty where only the usual unit is likely.
     pub likely: Sizes,

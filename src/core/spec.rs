@@ -1,4 +1,8 @@
 //! Specs, and the compiler that makes one from a text.
+//!
+//! - What comes in: texts, files that they use, overrides.
+//! - What goes out: a [`Spec`](crate::Spec) with its [`Model`](crate::model::Model), or diagnostics.
+//! - What it does not know: admissible sets, planners, flights.
 
 pub mod model;
 pub mod read;
@@ -274,7 +278,7 @@ fn elaborated(
     Compiled { spec, diagnostics, files }
 }
 
-/// The hash of all texts in order, each with its length. How much a search may take is no part of what a plan must
+/// The hash of all texts in order, each with its length. How much a search may take is not part of what a plan must
 /// satisfy: a certificate is one for the spec whatever the `--effort`.
 fn sha256(sources: &SourceMap) -> String {
     let mut hash = Sha256::new();

@@ -22,7 +22,7 @@ use crate::planner::selection::sets::of_one_mode;
 use crate::solve::Effort;
 use rayon::prelude::*;
 use replanning::Change;
-use search::Search;
+use search::{Found, Search};
 use std::collections::BTreeMap;
 
 /// A way out after a fault.
@@ -188,21 +188,52 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
     let healthy = AdmissibleSet::healthy(model);
     let [least, most] = settings.detection;
     let delays = if least < most { vec![least, most] } else { vec![most] };
-    let of_mode = |mode: usize| {
+    let modes = 0..model.modes.len();
+    let sets: Vec<_> = modes.clone().into_par_iter().map(|mode| of_one_mode(model, mode, &healthy)).collect();
+    let none = |mode: usize, why: NotAttempted| {
+        let piece = Piece { from: 0.0, to: plan.duration(), way: None, branches: Vec::new(), near_miss: None };
+        let families = between.then(Families::default);
+        ModeRecovery { mode, not_attempted: Some(why), pieces: vec![piece], instants: 0, families }
+    };
+    let look = |mode: usize| {
         cancel::checkpoint();
-        let (set, provision) = of_one_mode(model, mode, &healthy);
-        let not_attempted = why_none(model, &set, &provision);
-        match not_attempted {
-            Some(_) => {
-                let piece = Piece { from: 0.0, to: plan.duration(), way: None, branches: Vec::new(), near_miss: None };
-                let families = between.then(Families::default);
-                let none = ModeRecovery { mode, not_attempted, pieces: vec![piece], instants: 0, families };
-                (none, Vec::new(), Effort::default())
+        let (set, provision) = &sets[mode];
+        match why_none(model, set, provision) {
+            Some(why) => Err(none(mode, why)),
+            None => {
+                let mut search = Search::new(problem, plan, (mode, set, provision), &healthy, &delays, between);
+                let found = search.all();
+                Ok((search, found))
             }
-            None => Search::new(problem, plan, (mode, &set, &provision), &healthy, &delays, between).all(),
         }
     };
-    let each: Vec<_> = (0..model.modes.len()).into_par_iter().map(of_mode).collect();
+    let looked: Vec<_> = modes.clone().into_par_iter().map(look).collect();
+    // Gaps are looked at again when all modes are known: they lend each other their branches.
+    let (searches, outcomes): (Vec<_>, Vec<_>) = looked
+        .into_iter()
+        .map(|of_mode| match of_mode {
+            Ok((search, found)) => (Ok(search), found),
+            Err(none) => (Err(none), Vec::new()),
+        })
+        .unzip();
+    let again: Vec<_> = searches
+        .into_par_iter()
+        .enumerate()
+        .map(|(mode, search)| {
+            let mut search = search?;
+            let others: Vec<&[Found]> = modes.clone().filter(|m| *m != mode).map(|m| &outcomes[m][..]).collect();
+            let fresh = search.again(&outcomes[mode], &others);
+            Ok((search, fresh))
+        })
+        .collect();
+    let each: Vec<_> = again
+        .into_par_iter()
+        .zip(outcomes)
+        .map(|(of_mode, found)| match of_mode {
+            Ok((search, fresh)) => search.result(found, fresh),
+            Err(none) => (none, Vec::new(), Effort::default()),
+        })
+        .collect();
     let mut found = Recovery {
         modes: Vec::new(),
         branches: Vec::new(),

@@ -8,7 +8,7 @@
 //! 4. `repair` reads the text again with the fixes of its errors made, so that no error hides another.
 //!
 //! `scan` splits a text into words and marks, here as in the formatter and in the language server. Names, units and
-//! meanings belong to the model.
+//! meanings belong to `read`.
 
 pub mod ast;
 mod build;

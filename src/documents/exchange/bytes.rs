@@ -1,4 +1,4 @@
-//! Little-endian binary text.
+//! Writes numbers and texts as little-endian bytes.
 
 /// Bytes that grow by numbers and by texts with their length before them.
 #[derive(Debug, Clone, Default, PartialEq)]

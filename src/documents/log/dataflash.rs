@@ -1,7 +1,7 @@
 //! ArduPilot's DataFlash logs (`.bin`): messages of a type each, whose layout an `FMT` message gives. Source:
 //! `AP_Logger/LogStructure.h` of ArduPilot 4.5.
 //!
-//! Bytes that are no message are passed over to the next head; how many is counted.
+//! Bytes that are not a message are passed over to the next head; how many is counted.
 
 use super::bytes::Input;
 use super::collect::Collector;

@@ -223,7 +223,7 @@ pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin
         lines.push("rad/s, deg: the spin in which flights settle; its axis from the body's z axis".into());
     }
     if modes.iter().skip(1).any(|mode| mode.outcome == Outcome::FliesOn) {
-        lines.push("flies on: a balance is left; the change to it may fail: `mavc simulate`".into());
+        lines.push("flies on: it can hover, and may fail to reach hover: `mavc simulate`".into());
     }
     lines.extend(planned_against(model));
     if model.vehicle.is_uncertain() {
@@ -291,7 +291,7 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     remarks.extend(why_undecided(model, modes));
     remarks.extend(
         named(&needs_spin)
-            .map(|names| format!("{names}: the vehicle must spin, how fast is unknown without its `yaw_drag`")),
+            .map(|names| format!("{names}: the vehicle must spin; the rate is unknown without `yaw_drag`")),
     );
     remarks.extend(named(&|mode| mode.outcome == Outcome::Caught).map(|names| {
         format!("{names}: the vehicle loses height before it is caught; `mavc analyze --capture` simulates how much")

@@ -197,7 +197,7 @@ fn block(
     let mut headings = vec!["planner", "time"];
     headings.push(if model.vehicle.battery.is_some() { "energy, of battery" } else { "objective" });
     if n > 0 {
-        headings.extend(["covers", "violation", "unsafe until"]);
+        headings.extend(["covers", "violation", "unsafe"]);
     }
     if has_risk {
         headings.push("risk");
@@ -216,7 +216,8 @@ fn block(
         if n > 0 {
             cells.push(format!("{} of {n}", covered(model, comparison, plan)));
             let worst = violation(plan).map_or("-".into(), percent);
-            let until = unsafe_for_any(model, plan).map_or("never".into(), |last| format!("{} s", fixed(last, 2)));
+            let until =
+                unsafe_for_any(model, plan).map_or("never".into(), |last| format!("until {} s", fixed(last, 2)));
             cells.extend([worst, until]);
         }
         cells.extend(rated_risk(&rates, &plan.committed).map(|risk| significant(risk, 3)));

@@ -130,6 +130,10 @@ impl Answer<'_> {
         if let Some(price) = PriceRecord::of_plan(self, run, solved) {
             labelled(screen, "price", &price.sentence);
         }
+        // Landing sites alone are no way out.
+        if has_table && !self.problem.mission().after_fault.sites.is_empty() {
+            labelled(screen, "ways out", "after faults: not sought, `--recovery` looks for them");
+        }
         for (keep, label, text) in self.figures(solved) {
             screen.part(keep, Some((Counted::Figure, 1)), |screen| labelled(screen, label, &text));
         }

@@ -238,7 +238,7 @@ mod tests {
         assert_eq!(kept(&text), ["finding"]);
         assert_eq!(last(&text), "  -v prints every table; not shown: 1 remark, 5 modes with more to spare");
         assert_eq!(text.lines().count(), LINES);
-        // Lines that are no part stay.
+        // Lines that are not part of one stay.
         assert_eq!(shown(40).lines().filter(|line| line.starts_with("line")).count(), 40);
         assert!(last(&shown(40)).ends_with("2 remarks, 5 modes with more to spare"));
     }

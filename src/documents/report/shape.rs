@@ -252,6 +252,9 @@ pub fn detour_records(problem: Problem, detours: &[Detour]) -> Vec<DetourRecord>
 /// search with it found a plan of 91.2 s, 1.1 s longer`; empty if it found none.
 fn price(problem: Problem, solved: &MissionPlan, detour: &Detour, with: &str) -> String {
     let Some(time) = detour.tried else { return String::new() };
+    if detour.covers_less {
+        return format!(". A quick search {with} found only a plan that covers fewer fault modes");
+    }
     let is_fixed =
         matches!(problem.model().plan.time, MissionTime::Fixed(_)) || determined(problem.mission()).is_some();
     let longer = (100.0 * (time - solved.time)).round() / 100.0;
@@ -260,8 +263,7 @@ fn price(problem: Problem, solved: &MissionPlan, detour: &Detour, with: &str) ->
         longer if longer > 0.0 => format!("a plan of {} s, {} s longer", number(time), significant(longer, 3)),
         _ => format!("a plan of {} s, which is not longer", number(time)),
     };
-    let less = if detour.covers_less { " but covers fewer fault modes" } else { "" };
-    format!(". A quick search {with} found {found}{less}")
+    format!(". A quick search {with} found {found}")
 }
 
 /// The statement of one detour for [`price`].

@@ -7,8 +7,9 @@ use crate::actuation::Wrench;
 use crate::model::{Controller, Gains};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector2, Vector3};
 
-/// The largest acceleration that feedback on position and velocity demands, as a share of gravity. A vehicle far from
-/// its reference shall return without turning over.
+/// The largest acceleration that feedback on position and velocity demands, as a share of gravity, or of the planned
+/// force over mass where that is less: it turns the thrust by at most 30 degrees. A vehicle far from its reference
+/// shall return without turning over, and one whose plan hardly needs thrust shall not.
 const MOST_FEEDBACK: f64 = 0.5;
 
 /// The wrench (N and N m, body frame) that a controller demands. `measured` is the body as measured by the sensors, and
@@ -68,7 +69,8 @@ fn pd(frame: &Frame, gains: &Gains, measured: &Body, reference: &Reference) -> W
 /// F/m of [`geometric`].
 ///
 /// The derivatives use the errors of acceleration and jerk, which follow from the present thrust over mass `force`
-/// (m/s^2) and the measured rates. Feedback on position and velocity is limited to half of g.
+/// (m/s^2) and the measured rates. Feedback on position and velocity is limited to half of g and of the planned force
+/// over mass.
 pub(super) fn demanded_force(
     frame: &Frame,
     gains: &Gains,
@@ -91,12 +93,13 @@ pub(super) fn demanded_force(
         reference.acceleration - acceleration,
     ];
     let feedback = |e: &Vector3<f64>, rate: &Vector3<f64>| kx.component_mul(e) + kv.component_mul(rate);
-    let most = MOST_FEEDBACK * frame.gravity;
+    let planned = reference.acceleration + e3 * frame.gravity;
+    let most = MOST_FEEDBACK * planned.norm().min(frame.gravity);
     let asked = feedback(&e[0], &e[1]);
     let is_far = asked.norm() > most;
     let back = if is_far { asked * (most / asked.norm()) } else { asked };
     let back1 = if is_far { Vector3::zeros() } else { feedback(&e[1], &e[2]) };
-    let f = reference.acceleration + back + e3 * frame.gravity;
+    let f = planned + back;
     let f1 = reference.jerk + back1;
     // The present x''': the direction turns with the body, and the thrust m F . R e_3 changes as well.
     let turning = r * w.cross(&e3);

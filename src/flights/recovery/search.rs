@@ -1,6 +1,7 @@
 //! The ways out after the faults of one mode, instant by instant.
 
 mod families;
+mod gaps;
 
 use super::carry::{Carried, carry, quiet};
 use super::{FoundBranch, ModeRecovery, NearMiss, Piece, RESOLUTION, Way, steps};
@@ -69,16 +70,23 @@ pub(super) struct Search<'a> {
 }
 
 /// The outcome at one instant, with a branch for each delay.
-struct Found {
+pub(super) struct Found {
     at: f64,
     way: Option<Way>,
     branches: Vec<FoundBranch>,
     iterates: Vec<Iterate>,
 }
 
+impl Found {
+    fn none(at: f64) -> Self {
+        Found { at, way: None, branches: Vec::new(), iterates: Vec::new() }
+    }
+}
+
 /// Where a branch begins, and what is known of it.
 struct Start<'b> {
-    /// After the fault, s.
+    /// The place of the delay, and the delay: after the fault, s.
+    index: usize,
     delay: f64,
     state: &'b NodeState,
     /// The last branch of this way and delay, and the one at this instant of a longer delay.
@@ -134,7 +142,7 @@ impl<'a> Search<'a> {
 
     /// The outcomes at instants that are [`super::apart`] from each other, and at those at which they change to
     /// [`RESOLUTION`].
-    pub fn all(mut self) -> (ModeRecovery, Vec<FoundBranch>, Effort) {
+    pub fn all(&mut self) -> Vec<Found> {
         let duration = self.plan.duration();
         let count = steps(duration);
         let mut found: Vec<Found> = Vec::new();
@@ -145,6 +153,12 @@ impl<'a> Search<'a> {
             }
             found.push(next);
         }
+        found
+    }
+
+    /// What the outcomes are, and what [`Search::again`] found later, say of the mode.
+    pub fn result(mut self, found: Vec<Found>, fresh: Vec<Found>) -> (ModeRecovery, Vec<FoundBranch>, Effort) {
+        let found = self.mended(found, fresh);
         let instants = found.len();
         let families = self.families(&found);
         let (mut pieces, mut branches): (Vec<Piece>, Vec<FoundBranch>) = (Vec::new(), Vec::new());
@@ -246,21 +260,23 @@ impl<'a> Search<'a> {
     /// The first way out, in the order of the spec, that there is for each delay.
     fn at(&mut self, at: f64) -> Found {
         cancel::checkpoint();
-        let none = Found { at, way: None, branches: Vec::new(), iterates: Vec::new() };
-        let model = self.problem.model();
-        let carried = |delay: &f64| self.carried(at, *delay);
-        let Some(carried) = self.delays.iter().map(carried).collect::<Option<Vec<Carried>>>() else { return none };
+        let Some(carried) = self.all_carried(at) else { return Found::none(at) };
+        let order = self.problem.model().recovery(self.mode);
+        order.iter().find_map(|recovery| self.way(*recovery, at, &carried)).unwrap_or_else(|| Found::none(at))
+    }
+
+    /// The vehicle at the end of each delay; `None` if it turns over or is somewhere it may not be.
+    fn all_carried(&self, at: f64) -> Option<Vec<Carried>> {
+        let carried: Vec<Carried> = self.delays.iter().map(|delay| self.carried(at, *delay)).collect::<Option<_>>()?;
         let leaves =
             |held: &HeldLimit, p: &[f64; 3]| held.limit.violation_at(*p).is_some_and(|over| over > held.yields);
-        if carried.iter().flat_map(|c| &c.path).any(|p| self.places.iter().any(|held| leaves(held, p))) {
-            return none;
-        }
-        for recovery in model.recovery(self.mode) {
-            if let Some(found) = self.way(*recovery, at, &carried) {
-                return found;
-            }
-        }
-        none
+        let strays = carried.iter().flat_map(|c| &c.path).any(|p| self.places.iter().any(|held| leaves(held, p)));
+        (!strays).then_some(carried)
+    }
+
+    /// How the vehicle goes on to the end of the plan.
+    fn back(&self) -> Way {
+        if self.spins { Way::ContinueSpinning } else { Way::Continue }
     }
 
     fn way(&mut self, recovery: Recovery, at: f64, carried: &[Carried]) -> Option<Found> {
@@ -286,7 +302,7 @@ impl<'a> Search<'a> {
 
     /// Back to the plan within some time, after which the plan stays inside the set.
     fn continued(&mut self, at: f64, carried: &[Carried]) -> Option<Found> {
-        let way = if self.spins { Way::ContinueSpinning } else { Way::Continue };
+        let way = self.back();
         let within = self.problem.model().plan.recovery.within;
         self.for_each_delay(at, carried, way, |search, start| {
             let Start { delay, state, .. } = start;
@@ -375,7 +391,7 @@ impl<'a> Search<'a> {
             let delay = self.delays[index];
             let alike = [last.as_ref(), iterates.last()];
             let failed = self.failed.remove(&key).unwrap_or(0);
-            let Some(found) = find(self, Start { delay, state: &carried.state, alike, failed }) else {
+            let Some(found) = find(self, Start { index, delay, state: &carried.state, alike, failed }) else {
                 self.failed.insert(key, failed + 1);
                 return None;
             };

@@ -57,7 +57,7 @@ pub fn open(name: &str) -> Result<Box<dyn Read>, CommandError> {
     Ok(Box::new(file))
 }
 
-/// Prints what was found in a log, which is no text that could be shown.
+/// Prints what was found in a log, which is not a text that could be shown.
 pub fn eprint(name: &str, mut found: Vec<Diagnostic>, options: &Options) {
     if options.quiet {
         found.retain(|d| d.severity == Severity::Error);

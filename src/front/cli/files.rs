@@ -1,4 +1,4 @@
-//! Reading specs, and printing to standard output and standard error.
+//! Files of the command, and its standard input, output and error.
 
 use super::{CommandError, links};
 use crate::input;
@@ -59,7 +59,7 @@ fn painted(screen: &Screen, stream: &impl IsTerminal) -> String {
 }
 
 /// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes, and
-/// bytes that are no text are refused.
+/// bytes that are not text are refused.
 pub fn print_result(bytes: &[u8]) -> Result<(), CommandError> {
     if std::io::stdout().is_terminal() {
         return match std::str::from_utf8(bytes) {

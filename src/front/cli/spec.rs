@@ -1,4 +1,4 @@
-//! Reading specs for commands, and printing the diagnostics found in them.
+//! The spec that a command is about, with its overrides, and the diagnostics found in it.
 
 use super::progress::Watch;
 use super::{CommandError, Options, SPEC_ERRORS, SpecArgs, files, links};

@@ -1,4 +1,4 @@
-//! What may be written next.
+//! Completion: what may be written at a place of a spec, with its documentation.
 
 mod context;
 mod modes;

@@ -116,7 +116,7 @@ impl Analyst {
                 return;
             }
             let mut analysis = self.analysis(model, Some(mode));
-            // The settings of flights are no part of what is kept.
+            // The settings of flights are not part of what is kept.
             analysis.outcome = outcome(model, mode, analysis.outcome);
             analyses.push(analysis);
         }

@@ -40,7 +40,7 @@ pub trait Oracle {
     /// Whether the problem's mission has a plan that takes `time` seconds, including holds, with the planner, the
     /// modes, the reserve and the samples of its `plan`, whose `time` is ignored.
     ///
-    /// A limit without bounds is no constraint, and neither is a waypoint whose tolerances are
+    /// A limit without bounds is not a constraint, and neither is a waypoint whose tolerances are
     /// [`crate::planner::transcription::UNBOUNDED`] and whose weight is zero.
     fn ask(&mut self, problem: Problem, time: f64) -> Answer;
 

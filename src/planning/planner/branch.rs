@@ -279,7 +279,7 @@ impl<'a> Branches<'a> {
     /// A duration in which a branch may well reach its goal, s: the distances at half of the speeds that limits allow,
     /// and time to turn and to come to rest.
     pub fn likely_duration(&self, from: &NodeState, goal: &Goal) -> f64 {
-        let speed = self.bound(&[LimitKind::Speed, LimitKind::SpeedHorizontal], USUAL_SPEED);
+        let speed = self.bound(&[LimitKind::Speed, LimitKind::SpeedHorizontal], SPEED_WITHOUT_LIMIT);
         let moving = [X, Y, Z].map(|axis| from[axis][1]).iter().map(|v| v * v).sum::<f64>().sqrt();
         let turning = SHORTEST_TURN + moving / BRAKING;
         match goal {
@@ -288,7 +288,7 @@ impl<'a> Branches<'a> {
                 let aside = (from[X][0] - at[0]).hypot(from[Y][0] - at[1]);
                 let above = (from[Z][0] - at[2]).max(0.0);
                 let last = above.min(DESCENT_FROM);
-                let down = (above - last) / (0.5 * self.bound(&[LimitKind::Descent], USUAL_SPEED));
+                let down = (above - last) / (0.5 * self.bound(&[LimitKind::Descent], SPEED_WITHOUT_LIMIT));
                 turning + (aside / (0.5 * speed)).max(down) + self.descent_time(last)
             }
         }
@@ -302,7 +302,7 @@ fn turns_further(state: &NodeState, gravity: f64) -> f64 {
 }
 
 /// Speed where no limit bounds it, m/s. Chosen by hand.
-const USUAL_SPEED: f64 = 8.0;
+const SPEED_WITHOUT_LIMIT: f64 = 8.0;
 
 /// Time to turn at any speed, s. Chosen by hand.
 const SHORTEST_TURN: f64 = 1.0;

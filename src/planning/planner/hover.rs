@@ -107,12 +107,10 @@ impl<'a> HoverPlanner<'a> {
         }
     }
 
-    /// The model of the problem.
     pub fn model(&self) -> &'a Model {
         self.problem.model()
     }
 
-    /// The mission of the problem.
     pub fn mission(&self) -> &'a Mission {
         self.problem.mission()
     }

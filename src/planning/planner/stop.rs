@@ -14,8 +14,8 @@ use crate::planner::scp::{Iterate, ScpSettings};
 use crate::planner::selection::PlanningSet;
 use crate::solve::Effort;
 
-/// Ratio of consecutive durations tried. With [`TRIES`] and [`MIDDLE`] a constant, whose powers the compiler may
-/// compute: those of a setting can differ from them in the last bit. Chosen by hand.
+/// Ratio of consecutive durations tried. It, [`TRIES`] and [`MIDDLE`] stay constants: the compiler may compute their
+/// powers, and those of a setting could differ in the last bit. Chosen by hand.
 const LONGER: f64 = 1.6;
 /// How many durations are tried. Chosen by hand.
 const TRIES: i32 = 9;

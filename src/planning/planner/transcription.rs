@@ -479,7 +479,7 @@ impl<'a> Transcription<'a> {
     }
 
     /// The variables of a program at which the nodes have these states, for a motion whose pieces join; zero for those
-    /// that are no derivatives.
+    /// that are not derivatives.
     pub(super) fn variables_of(&self, states: &[NodeState], program: &QuadraticProgram) -> Vec<f64> {
         let mut variables: Vec<f64> = match &self.form {
             Form::Stages => {

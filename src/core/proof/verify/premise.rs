@@ -24,14 +24,14 @@ pub enum Premise {
     Limits,
     /// The wrench stays in the sets that the spec's planner imposes.
     Sets,
+    /// The commanded wrench of lagging rotors stays in these sets too.
+    Commands,
     /// Hover, about which a reserve shrinks sets, lies in them.
     Reserve,
     /// The motion stays in the cores of modes without yaw.
     Cores,
     /// The range of spins of a core is one that the body cannot leave, and the motion's own rate lies in it.
     Spin,
-    /// So does the commanded wrench of lagging rotors.
-    Commands,
     /// The thrust's vertical part stays above a tenth of the weight.
     Upright,
     /// RSP: the certificate includes the plans from which facets are selected, and they are plans.

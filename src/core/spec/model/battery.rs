@@ -1,4 +1,4 @@
-//! The battery of a vehicle.
+//! The battery: its energy, the charge to keep, and how full thrust falls with the charge.
 
 use crate::source::Span;
 

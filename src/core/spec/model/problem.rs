@@ -1,4 +1,4 @@
-//! What is planned.
+//! The pair that every planner takes: a model and the mission in it.
 
 use super::{Mission, Model};
 

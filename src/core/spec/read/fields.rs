@@ -201,7 +201,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Reports a name that is no field; the field that is meant, if the error has it as its fix.
+    /// Reports a name that is not a field; the field that is meant, if the error has it as its fix.
     fn unknown(&mut self, cx: &mut Context<'a>, name: &Name, known: Group) -> Option<&'static str> {
         let word = name.value.as_str();
         let message = format!("{} has no field `{word}`", self.owner);

@@ -13,7 +13,7 @@ use std::ops::Range;
 type Read<T> = Result<T, Box<Diagnostic>>;
 
 const COLUMNS: usize = 12;
-/// Lines beyond this are no mission.
+/// Lines beyond this are not a mission.
 const MOST_LINES: usize = 100_000;
 
 pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {

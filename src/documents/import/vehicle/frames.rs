@@ -80,7 +80,7 @@ pub const FRAMES: &[Frame] = &[
     frame(14, 14, "deca X", DECA_X),
 ];
 
-/// Classes that are no multirotor of a spec, and what they are.
+/// Classes that are not a multirotor of a spec, and what they are.
 pub const OTHER_CLASSES: [(u32, &str); 11] = [
     (0, "not set: the frame was never chosen"),
     (6, "a helicopter"),

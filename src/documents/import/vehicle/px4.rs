@@ -16,7 +16,7 @@ use crate::source::{Source, Span};
 use figures::Figures;
 use script::Reason;
 
-/// What each value of `CA_AIRFRAME` means, where it is no multirotor.
+/// What each value of `CA_AIRFRAME` means, where it is not a multirotor.
 const AIRFRAMES: [(f64, &str); 15] = [
     (1.0, "a fixed-wing aircraft"),
     (2.0, "a VTOL aircraft"),
@@ -94,7 +94,7 @@ fn are_shares(rotors: &[Px4Rotor]) -> bool {
     rotors.iter().all(|rotor| rotor.place.iter().all(|x| matches!(x.abs(), 0.0 | 1.0))) || rotors.iter().all(is_unit)
 }
 
-/// The error for a file in which no parameter places a rotor; `None` if it has no parameter either and is no script.
+/// The error for a file in which no parameter places a rotor; `None` if it has no parameter either and is not a script.
 pub fn without_geometry(source: &Source, first: Option<Span>) -> Option<Diagnostic> {
     let error = |span: Span, message: &str| Diagnostic::error(UNSUPPORTED, span, message);
     Some(match (script::reason(source), first) {

@@ -1,4 +1,4 @@
-//! The data for the page's script.
+//! The data for the page's script as JSON: path, sets, charts and instants, rounded to what a screen shows.
 
 use super::chart::{Chart, Columns, rounded};
 use super::opening::{Opening, opening};

@@ -264,13 +264,16 @@ fn not_covered(model: &Model) -> Option<String> {
         vec![names(&left)]
     } else if kinds.len() > MOST_KINDS {
         let each = outcomes(&left).into_iter();
-        each.map(|(outcome, modes)| format!("{} ({})", names(&modes), outcome.words_of(modes.len()))).collect()
+        each.map(|(outcome, modes)| format!("{} (hover alone: {})", names(&modes), outcome.words_of(modes.len())))
+            .collect()
     } else {
         let each = kinds.iter().flat_map(|(what, modes)| outcomes(modes).into_iter().map(move |of| (what, of)));
-        each.map(|(what, (outcome, modes))| format!("{} ({what}: {})", names(&modes), outcome.words_of(modes.len())))
-            .collect()
+        each.map(|(what, (outcome, modes))| {
+            format!("{} ({what}; hover alone: {})", names(&modes), outcome.words_of(modes.len()))
+        })
+        .collect()
     };
-    Some(format!("NOT covered, not in `against`: {}.", groups.join(", ")))
+    Some(format!("NOT covered at any time, not in `against`: {}.", groups.join(", ")))
 }
 
 /// How it was shown that the plan stays inside the sets: only imposed rows are proved.
@@ -301,7 +304,7 @@ pub(in crate::documents::report) fn spare(out: &Outside) -> f64 {
 /// modes each row has, and how many are left out.
 fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<usize>, usize)) {
     let (model, comparison) = (answer.problem.model(), answer.comparison);
-    let headings = ["fault", "spare", "tightest", "unsafe until"];
+    let headings = ["fault", "spare", "tightest", "unsafe"];
     let mut rows: Vec<(f64, Vec<usize>, Vec<String>)> = Vec::new();
     for (i, out) in solved.outside.iter().enumerate() {
         let is_captured = comparison.provisions[i] == Provision::Capture;
@@ -313,7 +316,7 @@ fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<us
                 percent(spare),
                 out.worst_at
                     .map_or("-".into(), |at| format!("{}{}", seconds(at), leg(answer.problem.mission(), solved, at))),
-                unsafe_until(model, solved, i).map_or("never".into(), seconds),
+                unsafe_until(model, solved, i).map_or("never".into(), |at| format!("until {}", seconds(at))),
             ],
         };
         let rank = if is_captured { f64::NEG_INFINITY } else { spare };

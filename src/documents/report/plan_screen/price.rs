@@ -164,7 +164,7 @@ impl PriceRecord {
                 let sentence = format!(
                     "at most {} ({}) over the fastest motion ignoring faults",
                     seconds(solved.time - bound),
-                    percent(solved.time / bound - 1.0)
+                    percent(solved.time / least.seconds - 1.0)
                 );
                 timed(Baseline::LeastTime, bound, sentence)
             }

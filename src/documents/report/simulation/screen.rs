@@ -54,7 +54,8 @@ pub fn screen(flown: &Flown, verbose: bool) -> Screen {
     faults(&mut screen, &record, if verbose { usize::MAX } else { MOST_FAULTS });
     screen.gap();
     let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
-    let mut lines: Vec<String> = waypoints(&record).into_iter().collect();
+    let is_lost = matches!(record.outcome, OutcomeRecord::Lost { .. } | OutcomeRecord::Diverged { .. });
+    let mut lines: Vec<String> = waypoints(&record).into_iter().filter(|_| !is_lost).collect();
     lines.extend([
         format!("position error: {} rms{after}; largest {}", length(flight.rms_error), length(flight.max_error)),
         heading(&record).replace("root mean square", "rms"),
@@ -153,7 +154,7 @@ fn not_covered(flown: &Flown, record: &FlightRecord) -> Vec<String> {
 fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<(Keep, String)> {
     let model = flown.model;
     let mut all = not_covered(flown, record);
-    let spin = record.gave_up_yaw_at_s.and(record.spin.as_ref());
+    let spin = record.gave_up_yaw_at_s.and(record.spin.as_ref()).filter(|_| record.outcome == OutcomeRecord::Flown);
     all.extend(spin.map(|spin| ending(spin, model).trim_start_matches("Warning: ").to_string()));
     if let Some(seconds) = record.gyroscope_saturated_s {
         all.push(format!(
@@ -171,7 +172,7 @@ fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<(Keep, String)> {
         let mut struck = (0..model.modes.len()).filter(|&mode| is_struck(&model.modes[mode])).peekable();
         let is_some = struck.peek().is_some();
         all.push(match is_some && struck.all(|mode| outcome_of(model, mode) == Outcome::FliesOn) {
-            true => "a balance without yaw is left (`mavc analyze`), but this flight did not come to it: a shorter \
+            true => "hover without yaw is possible (`mavc analyze`), but this flight did not reach it: a shorter \
                      `detection` or slower flight may help"
                 .into(),
             false => format!(

@@ -50,7 +50,7 @@ impl Planner for ExactPlanner<'_> {
         if guided_problem.mission() != problem.mission() && !matches!(decision, Decision::Feasible(_)) {
             decision = self.against(set).attempt(time, minimised);
         }
-        // The hover model has no air.
+        // For the weights that it leaves, in a model without air; its verdict is about another model.
         if matches!(decision, Decision::Inconclusive(_)) && !problem.model().environment().has_drag() {
             self.hover.decide(time, problem.model().plan.samples, set, working_set);
         }

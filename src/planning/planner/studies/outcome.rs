@@ -25,7 +25,8 @@ pub enum Run {
 /// The outcome of one planner's search for a plan.
 #[derive(Debug, Clone)]
 pub enum PlanOutcome {
-    /// A plan was found, and it passed the check of finished plans ([`crate::certify::check`]).
+    /// A plan was found. Before [`crate::certify::check`] it is a trajectory that the planner accepts; then it has
+    /// passed the check of finished plans, or the check could not decide ([`Verification`]).
     Planned(Box<MissionPlan>),
     /// Proved: no plan exists at certain mission times.
     Infeasible(Proof),

@@ -39,12 +39,10 @@ impl<'a> Setting<'a> {
         Setting { problem, sets, progress, weighs_risk: false, stopping, done: AtomicUsize::new(0), all: 0 }
     }
 
-    /// The model of the problem.
     pub fn model(&self) -> &'a Model {
         self.problem.model()
     }
 
-    /// The mission of the problem.
     pub fn mission(&self) -> &'a Mission {
         self.problem.mission()
     }

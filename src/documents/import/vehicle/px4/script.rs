@@ -19,10 +19,10 @@ pub enum Reason {
     Defaults(Span),
 }
 
-/// Beginnings of types that stand in the class `Copter` and are no multirotors with parallel rotors.
+/// Beginnings of types that stand in the class `Copter` and are not multirotors with parallel rotors.
 const OTHER_TYPES: [&str; 4] = ["Helicopter", "Coaxial Helicopter", "Bicopter", "Tricopter"];
 
-/// Why a script has no geometry; `None` if the file is no such script.
+/// Why a script has no geometry; `None` if the file is not such a script.
 pub fn reason(source: &Source) -> Option<Reason> {
     let text = source.text.as_str();
     let runs = lines(text).filter_map(|(start, line)| run(start, line)).collect::<Vec<_>>();
@@ -44,7 +44,8 @@ pub fn reason(source: &Source) -> Option<Reason> {
     runs.first().map(|(range, _)| Reason::Defaults(at(range.clone())))
 }
 
-/// The aircraft that `# @class` or `# @type` names, or whose defaults are run, if it is no multirotor, with its place.
+/// The aircraft that `# @class` or `# @type` names, or whose defaults are run, if it is not a multirotor; and its
+/// place.
 pub fn other_aircraft(text: &str) -> Option<(Span, String)> {
     let class = tag(text, "@class").filter(|(_, class)| *class != "Copter");
     let kind = tag(text, "@type").filter(|(_, kind)| OTHER_TYPES.iter().any(|other| kind.starts_with(other)));

@@ -115,7 +115,7 @@ fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<Part>, RobotError> {
 /// The pose of a link in the whole; `None` if there is no such link.
 type Found = Result<Option<Isometry3<f64>>, RobotError>;
 
-/// A rotor of a plugin; `None` for a plugin that is no motor model. `find` gives the pose of a link.
+/// A rotor of a plugin; `None` for a plugin that is not a motor model. `find` gives the pose of a link.
 pub fn motor(plugin: Node, find: &dyn Fn(&str) -> Found) -> Result<Option<RobotRotor>, RobotError> {
     let Some(constant) = content::<1>(plugin, "motorConstant")? else { return Ok(None) };
     let link = text(plugin, "linkName").unwrap_or_default();

@@ -122,7 +122,7 @@ pub fn content<const N: usize>(node: Node, name: &'static str) -> Result<Option<
 }
 
 /// The pose in an element `pose` of SDF, if it is there: six numbers, angles in radians or degrees, or seven with a
-/// quaternion; nothing in it is no displacement.
+/// quaternion; an empty element means no displacement.
 pub fn sdf_pose(node: Node) -> Result<Option<Isometry3<f64>>, RobotError> {
     let Some(found) = child(node, "pose") else { return Ok(None) };
     let text = found.text().unwrap_or_default();

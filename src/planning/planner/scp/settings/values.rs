@@ -1,4 +1,4 @@
-//! The values of the parameters.
+//! The values of the planner's parameters, and for each the measurement that chose it or that it was chosen by hand.
 
 use super::*;
 

@@ -234,7 +234,7 @@ pub(super) fn list_comma(statement: &Broken, failure: &Failure) -> Option<Diagno
     if !failure.expects(Expected::Comma) || !found.starts_with(|c: char| is_name(c) || "\"([".contains(c)) {
         return None;
     }
-    // `k[0]` is no element.
+    // `k[0]` is not an element.
     let is_index = found == "[" && statement.text[..failure.at].ends_with(is_name);
     if is_index || !failure.expects(Expected::Closing(']')) && !failure.expects(Expected::Closing(')')) {
         return None;

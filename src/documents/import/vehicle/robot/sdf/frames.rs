@@ -11,7 +11,7 @@ use roxmltree::Node;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-/// Models within models beyond this are no vehicle.
+/// Models within models beyond this are not a vehicle.
 const MOST_DEEP: usize = 20;
 
 /// The key of an element of a scope: `arm::link`, or that of the scope itself for `__model__` and no name.
