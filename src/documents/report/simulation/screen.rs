@@ -2,7 +2,7 @@
 
 use super::record::{FlightRecord, Flown, OutcomeRecord, WayOutRecord};
 use super::text::{
-    DIVERGED, beyond_plan, duration, ending, heading, indistinguishable, length, loss, manner, no_fault, to_its_end,
+    DIVERGED, beyond_plan, ending, fault_table, heading, indistinguishable, length, loss, manner, no_fault, to_its_end,
     trespass,
 };
 use crate::admissible::outcome::Outcome;
@@ -12,7 +12,6 @@ use crate::number::{fixed, number, plural, significant};
 use crate::report::screen::{Keep, Screen, Tone};
 use crate::report::terminal::vehicle_line;
 use crate::report::volumes::VolumeRecord;
-use crate::text_table::Table;
 use std::cmp::Reverse;
 
 /// Most faults in the table.
@@ -92,19 +91,8 @@ fn faults(screen: &mut Screen, record: &FlightRecord) {
     if record.faults.is_empty() {
         return;
     }
-    let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));
-    let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);
-    for fault in record.faults.iter().take(MOST_FAULTS) {
-        let mut row = vec![fault.mode.clone(), format!("{} s", number(fault.at_s))];
-        row.push(fault.until_s.map_or("never".into(), |t| format!("{} s", number(t))));
-        match fault.struck {
-            true => row.extend([after(fault.detected_after_s), after(fault.isolated_after_s)]),
-            false => row.push("not struck".to_string()),
-        }
-        table.row(row);
-    }
     screen.gap();
-    screen.table(&table);
+    screen.table(&fault_table(&record.faults[..record.faults.len().min(MOST_FAULTS)]));
     if record.faults.len() > MOST_FAULTS {
         screen.line(Tone::Plain, &format!("  and {} more, -v", record.faults.len() - MOST_FAULTS));
     }

@@ -1,6 +1,6 @@
 //! Terminal text of a simulated flight.
 
-use super::record::{FlightRecord, Flown, OutcomeRecord, SpinRecord};
+use super::record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, SpinRecord};
 use crate::flight::indistinguishable::listed;
 use crate::model::{
     AfterFault, Allocation, Attitude, Controller, Detection, FlownVehicle, LimitKind, LostYaw, Model, Simulation,
@@ -68,19 +68,8 @@ pub fn text(flown: &Flown) -> String {
         }
     }
     if !record.faults.is_empty() {
-        let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);
-        let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));
-        for fault in &record.faults {
-            let mut row = vec![fault.mode.clone(), format!("{} s", number(fault.at_s))];
-            row.push(fault.until_s.map_or("never".into(), |t| format!("{} s", number(t))));
-            match fault.struck {
-                true => row.extend([after(fault.detected_after_s), after(fault.isolated_after_s)]),
-                false => row.push("not struck".to_string()),
-            }
-            table.row(row);
-        }
         out.push('\n');
-        out.push_str(&table.render(2));
+        out.push_str(&fault_table(&record.faults).render(2));
     }
     out.push_str(&table(&record.volumes, model, " in the flight"));
     if let Some(r) = &record.regressor {
@@ -107,6 +96,22 @@ pub fn text(flown: &Flown) -> String {
     indistinguishable(flown).iter().for_each(|text| out.push_str(&fill(text)));
     record.warnings.iter().for_each(|caveat| out.push_str(&fill(&caveat.message)));
     out
+}
+
+/// A table of faults, a row each: when it struck, and when it was known.
+pub(super) fn fault_table(faults: &[FaultRecord]) -> Table {
+    let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);
+    let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));
+    for fault in faults {
+        let mut row = vec![fault.mode.clone(), format!("{} s", number(fault.at_s))];
+        row.push(fault.until_s.map_or("never".into(), |t| format!("{} s", number(t))));
+        match fault.struck {
+            true => row.extend([after(fault.detected_after_s), after(fault.isolated_after_s)]),
+            false => row.push("not struck".to_string()),
+        }
+        table.row(row);
+    }
+    table
 }
 
 /// The modes that the estimator cannot tell apart along the plan, if there are some.
