@@ -9,7 +9,7 @@ use crate::format;
 pub(super) struct Line {
     pub path: String,
     pub text: String,
-    /// The call has a [`BuildProblem`] already; what the compiler finds in its line is not reported again.
+    /// The call has a [`super::BuildProblem`] already; what the compiler finds in its line is not reported again.
     pub is_reported: bool,
 }
 

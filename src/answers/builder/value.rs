@@ -56,7 +56,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// A number that the compiler rejects as too large. It replaces a value with a [`BuildProblem`], so that its field is
+/// A number that the compiler rejects as too large. It replaces a value with a [`super::BuildProblem`], so that its field is
 /// not missing.
 pub(super) const NOT_FINITE: &str = "1e999";
 
