@@ -56,8 +56,8 @@ impl fmt::Display for Value {
     }
 }
 
-/// A number that the compiler rejects as too large. It replaces a value with a [`super::BuildProblem`], so that its field is
-/// not missing.
+/// A number that the compiler rejects as too large. It replaces a value with a [`super::BuildProblem`], so that its
+/// field is not missing.
 pub(super) const NOT_FINITE: &str = "1e999";
 
 /// A number with all its digits, so that reading it gives the same number.
