@@ -6,8 +6,8 @@ use std::path::Path;
 /// Endings that a table never has, and what to write instead.
 pub type Others = [(&'static [&'static str], &'static str)];
 
-/// The format that `--format` names, or else that of the file at `output` by its ending: one of `endings`, or the default
-/// for names that say nothing; and, if the ending is one of `others`, why that is not meant.
+/// The format that `--format` names, or else that of the file at `output` by its ending: one of `endings`, or the
+/// default for names that say nothing; and, if the ending is one of `others`, why that is not meant.
 pub fn chosen<F: Copy + Default>(
     name: Option<&str>,
     formats: &[(F, &str)],
