@@ -1,12 +1,11 @@
-//! Run times of the stages, and how they grow. `cargo bench` prints criterion's figures, then tables: sets by number of
-//! rotors, RIP plans by number of samples, RCP against many modes, flights, and plans of the exact model by samples and
-//! by modes. `cargo bench --bench speed -- exact` prints only the tables whose names contain the word.
+//! Run times of the stages, and how they grow. `cargo bench` prints tables: sets and plans of the paper's cases, sets by
+//! number of rotors, RIP plans by number of samples, RCP against many modes, flights, and plans of the exact model by
+//! samples and by modes. `cargo bench --bench speed -- exact` prints only the tables whose names contain the word.
 
 #[path = "../tests/it/vehicles.rs"]
 #[allow(dead_code)]
 mod vehicles;
 
-use criterion::Criterion;
 use mavc::actuation::Wrench;
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::flight::{Sortie, fly};
@@ -37,42 +36,32 @@ fn ring(rotors: usize) -> Model {
     ring_model(&"PN".repeat(rotors / 2), 0.25 * rotors as f64, [0.1, 0.1, 0.2], 8.5485e-6, 1.3678e-7, 874.0)
 }
 
-fn sets(criterion: &mut Criterion) {
+/// The least time of many runs, which other work on the machine changes least.
+fn stages() {
+    println!("\nStages, least of 200 runs\n  what                                                     ms");
+    let row = |what: &str, work: &mut dyn FnMut()| {
+        println!("  {what:<52}  {:>6.3}", 1e3 * least(200, work).as_secs_f64());
+    };
     let mut model = octocopter("PPNNPPNN");
     model.modes.clear();
     faults(&mut model);
     assert_eq!(model.modes.len(), 36);
-    criterion.bench_function("octocopter, 36 fault sets", |b| {
-        b.iter(|| {
-            for mode in 0..model.modes.len() {
-                black_box(AdmissibleSet::of_mode(&model, mode));
-            }
-        });
+    row("octocopter, 36 fault sets", &mut || {
+        for mode in 0..model.modes.len() {
+            black_box(AdmissibleSet::of_mode(&model, mode));
+        }
     });
     let singles: Vec<AdmissibleSet> = (0..model.modes.len())
         .filter(|&i| model.modes[i].name.len() == 2)
         .map(|i| AdmissibleSet::of_mode(&model, i))
         .collect();
     let singles: Vec<&AdmissibleSet> = singles.iter().collect();
-    criterion.bench_function("octocopter, minimal intersection of the single faults", |b| {
-        b.iter(|| black_box(intersection(&singles)));
-    });
-    let large = ring(32);
-    criterion.bench_function("32-rotor ring, healthy set", |b| b.iter(|| black_box(AdmissibleSet::healthy(&large))));
-}
-
-fn plans(criterion: &mut Criterion) {
+    row("octocopter, minimal intersection of the single faults", &mut || drop(black_box(intersection(&singles))));
     let model = paper_case(PlannerKind::Rip, &[]);
     let (healthy, set) = healthy_set(&model);
-    criterion.bench_function("RIP plan of case 1 at 20 s", |b| {
-        b.iter(|| {
-            HoverPlanner::new(Problem::of(&model).unwrap(), &healthy).decide(
-                20.0,
-                200,
-                &set,
-                &mut WorkingSet::default(),
-            )
-        });
+    row("RIP plan of case 1 at 20 s", &mut || {
+        let mut planner = HoverPlanner::new(Problem::of(&model).unwrap(), &healthy);
+        black_box(planner.decide(20.0, 200, &set, &mut WorkingSet::default()));
     });
 }
 
@@ -285,12 +274,9 @@ fn exact_by_modes() {
 const SQUARE: f64 = 6.0;
 
 fn main() {
-    let mut criterion = Criterion::default().configure_from_args();
     let asked: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
-    sets(&mut criterion);
-    plans(&mut criterion);
-    criterion.final_summary();
-    let tables: [(&str, fn()); 6] = [
+    let tables: [(&str, fn()); 7] = [
+        ("stages", stages),
         ("rotors", by_rotors),
         ("samples", by_samples),
         ("modes", by_modes),

@@ -2,15 +2,23 @@
 
 mod after_fault;
 mod mission;
+mod problem;
+mod text;
+mod value;
+
+#[allow(deprecated)]
+pub use problem::Problem;
+pub use problem::{BuildError, BuildProblem};
+pub use value::Value;
 
 use crate::diagnostic::{Diagnostic, Severity, nearest};
-use crate::format;
 use crate::language::{Entry, Group, Takes};
 use crate::spec::{Compiled, Compiler, Spec};
-use crate::unit::parse_unit;
-use std::error::Error;
-use std::fmt::{self, Write};
+use problem::BuildCode;
+use std::fmt::Write;
 use std::io::ErrorKind;
+use text::{Line, Mode, Named};
+use value::{NOT_FINITE, digits, taken, unit, word};
 
 /// The name of a built text among the sources of its spec.
 const NAME: &str = "<builder>";
@@ -67,78 +75,6 @@ pub struct Builder {
     campaign: Vec<Line>,
     waypoints: usize,
     problems: Vec<BuildProblem>,
-}
-
-/// A statement, with the call of the builder that it comes from.
-#[derive(Debug, Clone)]
-struct Line {
-    path: String,
-    text: String,
-    /// The call has a [`BuildProblem`] already; what the compiler finds in its line is not reported again.
-    is_reported: bool,
-}
-
-impl Line {
-    fn new(path: impl Into<String>, text: impl Into<String>) -> Self {
-        Line { path: path.into(), text: text.into(), is_reported: false }
-    }
-}
-
-/// A block with a name.
-#[derive(Debug, Clone)]
-struct Named {
-    /// What calls are named by.
-    path: String,
-    keyword: &'static str,
-    name: String,
-    fields: Vec<Line>,
-}
-
-#[derive(Debug, Clone)]
-struct Mode {
-    name: String,
-    effects: Vec<Line>,
-    fields: Vec<Line>,
-}
-
-/// The value of a field.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Value {
-    /// A number, in SI units.
-    Number(f64),
-    /// Three numbers, in SI units.
-    Vector([f64; 3]),
-    /// A word of the language, a name, or a text.
-    Word(String),
-    /// Several words or names.
-    Names(Vec<String>),
-    /// Points `[x, y]` of a plane, in SI units.
-    Points(Vec<[f64; 2]>),
-}
-
-/// Values of other types, each with the expression that makes a [`Value`] of `given`.
-macro_rules! values {
-    ($($type:ty $([$n:ident])? => |$given:ident| $value:expr;)*) => {$(
-        impl $(<const $n: usize>)? From<$type> for Value {
-            fn from($given: $type) -> Self {
-                $value
-            }
-        }
-    )*};
-}
-
-values! {
-    f64 => |number| Value::Number(number);
-    i32 => |number| Value::Number(number.into());
-    u32 => |number| Value::Number(number.into());
-    usize => |number| Value::Number(number as f64);
-    [f64; 3] => |vector| Value::Vector(vector);
-    &str => |word| Value::Word(word.into());
-    String => |word| Value::Word(word);
-    [&str; N] [N] => |names| Value::Names(names.map(String::from).into());
-    Vec<String> => |names| Value::Names(names);
-    [[f64; 2]; N] [N] => |points| Value::Points(points.into());
-    Vec<[f64; 2]> => |points| Value::Points(points);
 }
 
 impl Builder {
@@ -317,14 +253,6 @@ impl Builder {
         self
     }
 
-    /// The formatted text of the spec so far. Where a call has a problem, another word or number that is wrong too
-    /// replaces the value.
-    pub fn text(&self) -> String {
-        let text: String = self.lines().into_iter().map(|line| line.text + "\n").collect();
-        // Formatting keeps lines, so each line still belongs to the same call.
-        format(&text).unwrap_or(text)
-    }
-
     /// Builds the spec.
     ///
     /// # Errors
@@ -363,69 +291,6 @@ impl Builder {
             Some(spec) if problems.is_empty() => Ok((spec, warnings.into_iter().map(problem).collect())),
             _ => Err(BuildError { problems, text }),
         }
-    }
-
-    /// The text, each line with the call that it comes from.
-    fn lines(&self) -> Vec<Line> {
-        let mut lines = self.top.clone();
-        let mut block = |path: &str, head: &str, body: Vec<Line>| {
-            let line = |text: String| Line::new(path, text);
-            lines.push(line(format!("{head} {{")));
-            lines.extend(body.into_iter().map(|inner| Line { text: format!("    {}", inner.text), ..inner }));
-            lines.push(line("}".into()));
-        };
-        let nested = |path: &str, head: &str, body: &[Line]| -> Vec<Line> {
-            let line = |text: String| Line::new(path, text);
-            let inner = body.iter().map(|inner| Line { text: format!("    {}", inner.text), ..inner.clone() });
-            [line(format!("{head} {{"))].into_iter().chain(inner).chain([line("}".into())]).collect()
-        };
-        let mut vehicle = self.vehicle.clone();
-        let part =
-            |Named { path, keyword, name, fields }: &Named| nested(path, &format!("{keyword} {}", word(name)), fields);
-        let parts: Vec<Line> = self.parts.iter().cloned().chain(self.part.iter().flat_map(part)).collect();
-        for (path, head, body) in [
-            ("vehicle.rotor", "rotor", &self.rotor),
-            ("vehicle.rotors", "rotors", &self.placed),
-            ("vehicle.battery", "battery", &self.battery),
-            ("vehicle.parts", "parts", &parts),
-        ] {
-            if !body.is_empty() {
-                vehicle.extend(nested(path, head, body));
-            }
-        }
-        block("vehicle", "vehicle craft", vehicle);
-        if !self.modes.is_empty() {
-            let of_mode = |mode: &Mode| {
-                let body: Vec<Line> = mode.effects.iter().chain(&mode.fields).cloned().collect();
-                nested(&format!("modes.{}", mode.name), &format!("mode {}", word(&mode.name)), &body)
-            };
-            block("modes", "faults", self.modes.iter().flat_map(of_mode).collect());
-        }
-        let mut mission = self.mission.clone();
-        for Named { path, keyword, name, fields } in self.volumes.iter().chain(&self.places) {
-            mission.extend(nested(path, &format!("{keyword} {}", word(name)), fields));
-        }
-        for (path, head, body) in [
-            ("mission.limits", "limits", &self.limits),
-            ("mission.after_fault_limits", "after_fault_limits", &self.after_fault_limits),
-        ] {
-            if !body.is_empty() {
-                mission.extend(nested(path, head, body));
-            }
-        }
-        let mut plan = self.plan.clone();
-        if !self.recovery.is_empty() {
-            plan.extend(nested("plan.recovery", "recovery", &self.recovery));
-        }
-        if !(mission.is_empty() && plan.is_empty()) {
-            block("mission", "mission flight", mission);
-        }
-        for (name, body) in [("plan", plan), ("simulate", self.simulate.clone()), ("campaign", self.campaign.clone())] {
-            if !body.is_empty() {
-                block(name, name, body);
-            }
-        }
-        lines
     }
 
     fn problem(&mut self, field: &str, code: BuildCode, message: String, help: Option<String>) {
@@ -508,145 +373,3 @@ impl Builder {
         self.line(before, path, format!("{field}{sign}{written}"))
     }
 }
-
-/// A number that the compiler rejects as too large. It replaces a value with a [`BuildProblem`], so that its field is
-/// not missing.
-const NOT_FINITE: &str = "1e999";
-
-/// A number with all its digits, so that reading it gives the same number.
-fn digits(number: f64) -> String {
-    match number.abs() {
-        _ if !number.is_finite() => NOT_FINITE.into(),
-        size if size == 0.0 || (1e-5..1e15).contains(&size) => format!("{number}"),
-        _ => format!("{number:e}"),
-    }
-}
-
-/// A word as a name of the language: with `_` for every character that a name may not have there.
-fn word(text: &str) -> String {
-    let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
-    let first = if text.starts_with(is_letter) { "" } else { "_" };
-    let rest = text.chars().map(|c| if is_letter(c) || c.is_ascii_digit() { c } else { '_' });
-    first.chars().chain(rest).collect()
-}
-
-/// The SI unit of an entry after a space; empty for a plain number.
-fn unit(entry: &Entry) -> String {
-    let Some((usual, unit)) = entry.unit().and_then(|unit| Some((unit, parse_unit(unit, 1.0).ok()?))) else {
-        return String::new();
-    };
-    match usual {
-        "1" => String::new(),
-        _ if unit.numerator == unit.denominator => format!(" {usual}"),
-        _ => format!(" {}", unit.dimension),
-    }
-}
-
-/// A description of the values that an entry takes.
-fn taken(entry: &Entry) -> String {
-    let words = entry.words().iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
-    match entry.takes {
-        Takes::Quantity(..) | Takes::QuantityOrShare(..) | Takes::Bound(..) | Takes::Share | Takes::Whole(..) => {
-            "a number".into()
-        }
-        Takes::Vector(..) | Takes::PlanePoint(_) => "three numbers".into(),
-        Takes::QuantityOrVector(..) => "a number or three numbers".into(),
-        Takes::QuantityOr(..) => format!("a number or one of {words}"),
-        Takes::Words(_) => format!("one of {words}"),
-        Takes::WordList(_) => format!("one or more of {words}"),
-        Takes::Nothing => "no value".into(),
-        Takes::Text => "a text without quotes and control characters".into(),
-        Takes::Names(_) => "a name or a list of names".into(),
-        Takes::NameList(_) => "a list of names".into(),
-    }
-}
-
-impl fmt::Display for Value {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Value::Number(number) => write!(f, "the number {number}"),
-            Value::Vector(_) => f.write_str("three numbers"),
-            Value::Word(word) => write!(f, "{word:?}"),
-            Value::Names(_) => f.write_str("a list of names"),
-            Value::Points(_) => f.write_str("a list of points"),
-        }
-    }
-}
-
-/// Mistakes that the builder finds before the text is compiled.
-enum BuildCode {
-    NotFinite,
-    NotAName,
-    UnknownField,
-    UnknownMode,
-    UnknownVolume,
-    WrongKind,
-}
-
-impl BuildCode {
-    fn code(self) -> &'static str {
-        match self {
-            BuildCode::NotFinite => "mavc::unit::not_finite",
-            BuildCode::NotAName => "mavc::name::reserved",
-            BuildCode::UnknownField => "mavc::name::unknown_field",
-            BuildCode::UnknownMode | BuildCode::UnknownVolume => "mavc::name::unknown",
-            BuildCode::WrongKind => "mavc::unit::kind",
-        }
-    }
-}
-
-/// One mistake in a built spec, or a warning about it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct BuildProblem {
-    /// The call that made it, such as `plan.samples` or `mission.waypoints[2]`; the block, if something is missing in
-    /// it.
-    pub field: String,
-    /// The code of the mistake, for `mavc explain`.
-    pub code: &'static str,
-    /// What is wrong, in one sentence.
-    pub message: String,
-    /// What is wrong with the value that was given, such as `this is 9`.
-    pub label: Option<String>,
-    /// One action that fixes the problem.
-    pub help: Option<String>,
-}
-
-#[deprecated = "renamed to `BuildProblem`"]
-pub type Problem = BuildProblem;
-
-/// `{field}: {message}: {label}; {help} ({code})`
-impl fmt::Display for BuildProblem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.field, self.message)?;
-        if let Some(label) = &self.label {
-            write!(f, ": {label}")?;
-        }
-        if let Some(help) = &self.help {
-            write!(f, "; {}", help.lines().map(str::trim).collect::<Vec<_>>().join("; "))?;
-        }
-        write!(f, " ({})", self.code)
-    }
-}
-
-/// The mistakes in a built spec.
-#[derive(Clone, PartialEq)]
-pub struct BuildError {
-    pub problems: Vec<BuildProblem>,
-    /// The text that was built.
-    pub text: String,
-}
-
-impl fmt::Display for BuildError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.problems.iter().map(BuildProblem::to_string).collect::<Vec<_>>().join("\n"))
-    }
-}
-
-/// The text of `Display` on a new line, because a `main` that returns the error prints it so.
-impl fmt::Debug for BuildError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "\n{self}")
-    }
-}
-
-impl Error for BuildError {}

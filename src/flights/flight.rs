@@ -20,8 +20,10 @@ pub mod loss;
 pub mod reduced_attitude;
 pub mod reference;
 pub mod rotors;
+mod sample;
 mod sensors;
 mod single_axis;
+mod sortie;
 pub mod spin;
 pub mod variation;
 pub mod volumes;
@@ -29,13 +31,12 @@ mod way_out;
 
 use crate::actuation::Wrench;
 use crate::cancel;
-use crate::model::{AfterFault, FlownVehicle, GiveUpYaw, Mission, Model, Simulation, Strike, Vehicle};
-use crate::motion::{NodeState, Trajectory, X, Y, Z};
+use crate::model::{AfterFault, FlownVehicle, Model, Strike, Vehicle};
 use air::{Air, TorqueGusts};
 use allocate::Allocator;
-use body::{Body, Frame};
+use body::Frame;
 pub use damage::{BrokenLimits, Damage};
-use heading::{Heading, HeadingErrors};
+use heading::HeadingErrors;
 pub use knowledge::FaultDetection;
 use knowledge::Knowledge;
 use loss::Watch;
@@ -45,151 +46,13 @@ use rand_pcg::rand_core::SeedableRng;
 use reduced_attitude::{SpinningRotors, WithoutYaw};
 use reference::{Branching, Course, DESCENT, Reference, Stop};
 use rotors::Rotors;
+pub use sample::Sample;
+use sample::View;
 use sensors::Sensors;
+pub use sortie::{Sortie, longest};
 use spin::{EndOfSpin, Spin};
 use std::borrow::Cow;
 pub use way_out::{TakenWay, WayOut, WaysOut};
-
-/// The inputs of one simulated flight.
-#[derive(Debug, Clone)]
-pub struct Sortie<'a> {
-    /// The vehicle and its fault modes, as the controller knows them.
-    pub model: &'a Model,
-    /// The vehicle that flies: that of the model, or another one of the spec's intervals.
-    pub vehicle: Cow<'a, Vehicle>,
-    /// Rates, gains, sensors, detection, reaction to faults, and the limits beyond which the vehicle counts as lost.
-    pub simulation: &'a Simulation,
-    /// The course that is followed until a fault is known.
-    pub course: Course<'a>,
-    /// The mission whose waypoints and limits the path is judged by, if the course is its plan.
-    pub mission: Option<&'a Mission>,
-    /// The faults, in the order of their times.
-    pub strikes: &'a [Strike],
-    /// Seed of gusts and sensor noise.
-    pub seed: u64,
-    /// Duration of the flight without a stop, s.
-    pub duration: f64,
-    /// The vehicle's mean speed, m/s, which is added to the speed of the mean wind to give the V of the gust model
-    /// ([`air`]).
-    pub airspeed: f64,
-    /// Whether a flight with yaw given up goes on after its duration until the spin has settled, for at most five time
-    /// constants Jz/`yaw_drag`.
-    pub goes_on: bool,
-    /// For [`AfterFault::Recovery`]: how a way out is found.
-    pub ways_out: Option<WaysOut<'a>>,
-}
-
-impl<'a> Sortie<'a> {
-    /// A flight along a plan, with the duration that the spec configures or else that of the plan. A plan that does not
-    /// end at rest limits the duration to its own, because there is no reference after its end. The airspeed is the
-    /// plan's mean speed.
-    pub fn along(model: &'a Model, trajectory: &'a Trajectory, strikes: &'a [Strike], seed: u64) -> Self {
-        let place = |s: &NodeState| nalgebra::Vector3::new(s[X][0], s[Y][0], s[Z][0]);
-        let legs = trajectory.nodes.windows(2).map(|pair| (place(&pair[1]) - place(&pair[0])).norm());
-        let longest = if trajectory.ends_at_rest() { f64::INFINITY } else { trajectory.duration() };
-        Sortie {
-            model,
-            vehicle: Cow::Borrowed(&model.vehicle),
-            simulation: &model.simulation,
-            course: Course::Plan(trajectory),
-            mission: model.mission.as_ref(),
-            strikes,
-            seed,
-            duration: model.simulation.duration.unwrap_or(trajectory.duration()).min(longest),
-            airspeed: legs.sum::<f64>() / trajectory.duration(),
-            goes_on: model.simulation.duration.is_none() && trajectory.ends_at_rest(),
-            ways_out: None,
-        }
-    }
-}
-
-/// An upper bound (s) on the duration of a flight along a plan of `time` s, including a landing but not the duration of
-/// a stop. With `yaw_drag` a flight without yaw may take until its spin has settled.
-pub fn longest(model: &Model, time: f64) -> f64 {
-    let simulation = &model.simulation;
-    let settles = match simulation.faults.iter().any(|strike| model.gives_up_yaw(strike.mode) != GiveUpYaw::Never) {
-        true => capture::settled::settling_time(&model.vehicle).unwrap_or(0.0),
-        false => 0.0,
-    };
-    let flown = simulation.duration.unwrap_or(time + settles);
-    let heights = model.mission.iter().flat_map(|m| m.waypoints.iter().map(|w| w.position[2] - simulation.ground));
-    match simulation.after_fault {
-        AfterFault::Land => flown + heights.fold(0.0, f64::max) / DESCENT + LANDING_MARGIN,
-        AfterFault::Recovery => flown + model.plan.recovery.within + LANDING_MARGIN,
-        AfterFault::Continue | AfterFault::Hold => flown,
-    }
-}
-
-/// The state of a flight at an instant.
-#[derive(Debug, Clone, Copy)]
-pub struct Sample<'a> {
-    /// Time since the start, s.
-    pub time: f64,
-    /// The true state of the rigid body.
-    pub body: &'a Body,
-    /// The reference that the controller follows.
-    pub reference: &'a Reference,
-    /// The deviation of the vehicle's heading from that of the reference.
-    pub heading: Heading,
-    /// The wrench that the rotors produce, N and N m.
-    pub wrench: &'a Wrench,
-    /// The wrench that the controller demands, N and N m.
-    pub wanted: &'a Wrench,
-    /// The speed of each rotor, rad/s.
-    pub speeds: &'a [f64],
-    /// The capacity theta of each rotor that the allocation uses.
-    pub believed: &'a [f64],
-    /// The capacity theta of each rotor as estimated; `believed` without an estimator.
-    pub estimated: &'a [f64],
-    /// Rank and condition number of the estimator's regressor, updated ten times a second.
-    pub regressor: Option<(usize, f64)>,
-    /// Whether this is the last sample of the flight.
-    pub is_last: bool,
-}
-
-impl Sample<'_> {
-    /// Whether every number is finite.
-    fn is_finite(&self) -> bool {
-        let wrenches = self.wrench.iter().chain(self.wanted);
-        let rotors = self.speeds.iter().chain(self.believed).chain(self.estimated);
-        self.body.is_finite() && self.reference.is_finite() && wrenches.chain(rotors).all(|x| x.is_finite())
-    }
-}
-
-/// The parts of a sample that belong neither to the rotors nor to the knowledge of faults.
-struct View<'a> {
-    body: &'a Body,
-    reference: &'a Reference,
-    heading: Heading,
-    wrench: &'a Wrench,
-    wanted: &'a Wrench,
-}
-
-impl<'a> View<'a> {
-    fn sample(
-        self,
-        time: f64,
-        rotors: &'a Rotors,
-        knowledge: &'a Knowledge,
-        regressor: Option<&(usize, f64)>,
-        is_last: bool,
-    ) -> Sample<'a> {
-        let View { body, reference, heading, wrench, wanted } = self;
-        Sample {
-            time,
-            body,
-            reference,
-            heading,
-            wrench,
-            wanted,
-            speeds: &rotors.speed,
-            believed: &knowledge.belief.capacity,
-            estimated: knowledge.estimated(),
-            regressor: regressor.copied(),
-            is_last,
-        }
-    }
-}
 
 /// The result of a simulated flight.
 #[derive(Debug, Clone, PartialEq)]

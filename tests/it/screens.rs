@@ -4,6 +4,7 @@ use crate::cli::shipped::planned;
 use crate::cli::{code, err, flat, folder, mavc, mavc_with, out};
 use std::path::{Path, PathBuf};
 use std::process::Output;
+use std::sync::LazyLock;
 
 /// Lines and columns of a screen.
 const LINES: usize = 25;
@@ -18,6 +19,12 @@ fn fits(args: &[&str], ran: &Output) {
     assert!(lines <= LINES && columns <= COLUMNS, "{args:?}: {lines} lines of up to {columns} columns\n{text}");
     assert!(!text.contains('\u{1b}'), "{args:?}: escapes in a pipe");
 }
+
+/// A comparison and a campaign that several tests read.
+const COMPARE: [&str; 2] = ["compare", "specs/paper/case2.mav"];
+static COMPARED: LazyLock<Output> = LazyLock::new(|| mavc(&COMPARE));
+const FEW: [&str; 6] = ["campaign", "specs/paper/campaign.mav", "--times", "1", "--seeds", "1"];
+static FLOWN: LazyLock<Output> = LazyLock::new(|| mavc(&FEW));
 
 /// The specs of this repository.
 fn shipped() -> Vec<String> {
@@ -58,10 +65,8 @@ fn plans_and_flights_fit_on_a_screen() {
     }
     let spec = "specs/paper/figure12.mav";
     fits(&["simulate", spec], &mavc(&["simulate", spec]));
-    let spec = "specs/paper/case2.mav";
-    fits(&["compare", spec], &mavc(&["compare", spec]));
-    let few = ["campaign", "specs/paper/campaign.mav", "--times", "1", "--seeds", "1"];
-    fits(&few, &mavc(&few));
+    fits(&COMPARE, &COMPARED);
+    fits(&FEW, &FLOWN);
 }
 
 /// Very long tests; see CONTRIBUTING.
@@ -260,10 +265,7 @@ fn what_is_not_known_is_explained() {
     );
     let plan = planned(survey, |plan| out(&plan.output));
     assert!(plan.contains("planner RSP (risk-sensitive)\n"), "{plan}");
-    let spec = "specs/paper/case2.mav";
-    let compared = flat(&out(&mavc(&["compare", spec])));
-    let few = ["campaign", "specs/paper/campaign.mav", "--times", "1", "--seeds", "1"];
-    let flown = flat(&out(&mavc(&few)));
+    let (compared, flown) = (flat(&out(&COMPARED)), flat(&out(&FLOWN)));
     let planners = "RIP (risk-insensitive) ignores faults; RSP (risk-sensitive) guards what RIP violates; \
                     RCP (risk-conservative) guards every constraint";
     assert!(compared.contains(planners) && flown.contains(planners), "{compared}\n{flown}");
@@ -308,9 +310,12 @@ fn help_and_prose_are_as_wide_as_a_terminal() {
         let last = line.trim_end().rfind("  ").map_or(0, |gap| line[..gap].chars().count());
         last > COLUMNS / 2 && line.trim().split("  ").filter(|cell| !cell.trim().is_empty()).count() > 3
     };
-    let few = ["campaign", "specs/paper/campaign.mav", "--times", "1", "--seeds", "1", "-v"];
     let survey = "examples/survey_hexa.mav";
-    let all = [&["analyze", survey, "-v"][..], &["plan", survey, "-v"], &["simulate", survey, "-v"], &few];
+    let few = [&FEW[..], &["-v"]].concat();
+    // The widths of tables do not depend on the samples.
+    let few_samples = ["-v", "--set", "plan.samples=60"];
+    let [plan, simulate] = ["plan", "simulate"].map(|command| [&[command, survey], &few_samples[..]].concat());
+    let all = [&["analyze", survey, "-v"][..], &plan, &simulate, &few];
     for args in all {
         let text = out(&mavc(args));
         let wide: Vec<&str> = text.lines().filter(|line| line.chars().count() > COLUMNS && !is_figures(line)).collect();

@@ -139,21 +139,21 @@ fn spec_of(clauses: &str, more: &str, time: &str) -> mavc::Spec {
     mavc::compile(&text).into_result().unwrap()
 }
 
-/// The plan of a spec with another motion: along x in 4 s, `up` and `aside` (m) off the line in the middle.
-fn bent(spec: &mavc::Spec, up: f64, aside: f64) -> (mavc::Planning, MissionPlan) {
-    let planning = mavc::plan(spec).unwrap();
+/// A plan with another motion: along x in 4 s, `up` and `aside` (m) off the line in the middle.
+fn bent(planning: &mavc::Planning, up: f64, aside: f64) -> MissionPlan {
     let mut plan = planning.plan().unwrap().clone();
     plan.trajectory = motion(&[0.0, 4.0], &[0, 1], |t| {
         [parabola(0.0, 5.0, 0.0, t), parabola(0.0, aside, -0.5 * aside, t), parabola(5.0, up, -0.5 * up, t), [0.0; 5]]
     });
-    (planning, plan)
+    plan
 }
 
 #[test]
 fn detours_are_named_with_what_forbids_them() {
     let spec = spec_of("", "", "minimum");
     let task = Task::new(&spec).unwrap();
-    let of = |up: f64, aside: f64| detours(task.problem(), &bent(&spec, up, aside).1);
+    let planning = mavc::plan(&spec).unwrap();
+    let of = |up: f64, aside: f64| detours(task.problem(), &bent(&planning, up, aside));
     // 10 % of 20 m are 2 m.
     assert_eq!(of(0.9, 1.7), []);
     let [Detour { kind: DetourKind::Climb, leg: 0, by, at, forbids: Forbids::Altitude(height), tried: None, .. }] =
@@ -175,16 +175,16 @@ fn what_the_spec_shapes_or_obstructs_is_no_detour() {
     for clauses in ["corridor 6 m", "straight"] {
         let spec = spec_of(clauses, "", "6 s");
         let task = Task::new(&spec).unwrap();
-        assert_eq!(detours(task.problem(), &bent(&spec, 3.0, 4.0).1), [], "{clauses}");
+        assert_eq!(detours(task.problem(), &bent(&mavc::plan(&spec).unwrap(), 3.0, 4.0)), [], "{clauses}");
     }
     let spec = spec_of("{ altitude <= 20 m }", "", "6 s");
     let task = Task::new(&spec).unwrap();
-    let found = detours(task.problem(), &bent(&spec, 3.0, 0.0).1);
+    let found = detours(task.problem(), &bent(&mavc::plan(&spec).unwrap(), 3.0, 0.0));
     assert!(found.iter().all(|detour| detour.kind == DetourKind::Deviation), "{found:?}");
     let pole =
         spec_of("", "keep_out pole { shape = cylinder; centre = [10, 0, 0] m; radius = 1 m; height = 20 m }", "9 s");
     let task = Task::new(&pole).unwrap();
-    assert_eq!(detours(task.problem(), &bent(&pole, 3.0, 4.0).1), []);
+    assert_eq!(detours(task.problem(), &bent(&mavc::plan(&pole).unwrap(), 3.0, 4.0)), []);
 }
 
 /// With a time that is searched for, the price is a time; otherwise a plan at the same time is what was found.
@@ -193,7 +193,7 @@ fn statements_are_tried_and_priced() {
     for (time, price) in [("minimum", " s, which is not longer."), ("6 s", " found a plan at the same time.")] {
         let spec = spec_of("", "", time);
         let task = Task::new(&spec).unwrap();
-        let (_, mut plan) = bent(&spec, 3.0, 4.0);
+        let mut plan = bent(&mavc::plan(&spec).unwrap(), 3.0, 4.0);
         plan.time = 60.0;
         let mut found = detours(task.problem(), &plan);
         let untried = flat(&terminal::detours(task.problem(), &plan, &found));

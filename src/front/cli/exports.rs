@@ -1,6 +1,6 @@
 //! The options `--format`, `--frame` and `--tolerance` of `mavc plan`, and the file that they describe.
 
-use super::endings::{Others, format_of};
+use super::endings::{Others, chosen};
 use super::results::{Results, is_folder};
 use super::{CommandError, Options, PlanArgs, files, rate};
 use crate::exchange::frames::Frame;
@@ -24,14 +24,7 @@ impl<'a> Export<'a> {
     /// # Errors
     /// The options do not go together.
     pub fn of(args: &'a PlanArgs) -> Result<Self, CommandError> {
-        let format = args.format.as_deref().and_then(|name| FORMATS.iter().find(|(_, n)| *n == name));
-        let (format, misnamed) = match (format, args.output.as_deref()) {
-            (Some((format, _)), _) => (*format, None),
-            (None, Some(path)) => {
-                format_of(path, &ENDINGS, OTHERS).map_or_else(|why| (Format::default(), Some(why)), |f| (f, None))
-            }
-            (None, None) => (Format::default(), None),
-        };
+        let (format, misnamed) = chosen(args.format.as_deref(), &FORMATS, args.output.as_deref(), &ENDINGS, OTHERS);
         let choices = Choices {
             format,
             rate: args.rate.as_deref().map(rate::parse).transpose()?,

@@ -1,6 +1,6 @@
 //! The options `--format` and `--layout` of `mavc simulate`.
 
-use super::endings::{Others, format_of};
+use super::endings::{Others, chosen};
 use super::{CommandError, SimulateArgs};
 use crate::exchange::flight::{FORMATS, Format, Recorder, layout};
 use crate::flight::longest;
@@ -38,14 +38,7 @@ impl FlightLog {
     /// # Errors
     /// The options do not go together.
     pub fn of(args: &SimulateArgs) -> Result<Self, CommandError> {
-        let format = args.format.as_deref().and_then(|name| FORMATS.iter().find(|(_, n)| *n == name));
-        let (format, misnamed) = match (format, args.output.as_deref()) {
-            (Some((format, _)), _) => (*format, None),
-            (None, Some(path)) => {
-                format_of(path, &ENDINGS, OTHERS).map_or_else(|why| (Format::default(), Some(why)), |f| (f, None))
-            }
-            (None, None) => (Format::default(), None),
-        };
+        let (format, misnamed) = chosen(args.format.as_deref(), &FORMATS, args.output.as_deref(), &ENDINGS, OTHERS);
         let has_layout = args.layout.is_some();
         if has_layout {
             layout(format, 0)?;

@@ -1,12 +1,11 @@
-//! `vehicle` blocks: rings of rotors, and rotors placed one by one.
+//! `vehicle` blocks.
 
 mod battery;
+mod mounts;
 mod parts;
 mod reverse;
 mod rotor;
 mod whole;
-
-use std::f64::consts::PI;
 
 use super::context::{Context, second_block};
 use super::defaulted::Defaulted;
@@ -16,18 +15,15 @@ use super::plausibility::{Measured, RotorSpans, VehicleSpans, check_battery, che
 use super::written::Written;
 use super::yaw_drag;
 use crate::diagnostic::Diagnostic;
-use crate::language::table::{placed_rotor, vehicle as table};
+use crate::language::table::vehicle as table;
 use crate::language::{Entry, Group};
-use crate::model::{Allocation, DefaultUsed, Rotor, Spin, Spread, Vehicle};
+use crate::model::{Allocation, DefaultUsed, Rotor, Spread, Vehicle};
 use crate::number::number;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
-
-/// The allowed numbers of rotors.
-pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
+use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
+pub use mounts::ROTORS;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
-const MOTOR: &str = "mavc::vehicle::motor";
 const ALLOCATION: &str = "mavc::vehicle::allocation";
 const ALLOCATIONS: [Allocation; 2] = [Allocation::Bounded, Allocation::PseudoInverse];
 
@@ -284,18 +280,16 @@ impl<'a> Reader<'a> {
         let of_block = |block: &'a Block| Fields::of_block(cx, owner, block.keyword.span, &block.body, Group::Rotor);
         let shared = self.blocks.shared.map(of_block);
         let mounts = match self.blocks.placed {
-            Some(placed) => {
-                self.no_ring(cx, placed);
-                self.one_by_one(cx, placed)
-            }
-            None => self.ring(cx),
+            Some(placed) => mounts::one_by_one(cx, &self.fields, placed),
+            None => mounts::ring(cx, &self.fields),
         };
+        self.count = mounts.count;
         let base = shared.as_ref().map(|fields| rotor::PartialRotor::read(cx, fields));
         if base.is_none() && self.blocks.placed.is_none() && !self.fields.may_have("rotor") {
             let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
             self.fields.missing(cx, "a `rotor` block", example);
         }
-        let Some(mounts) = mounts else {
+        let Some(mounts) = mounts.list else {
             // The `rotor` block holds for every rotor, wherever the rotors are.
             if let (None, Some(base), Some(fields)) = (self.blocks.placed, &base, &shared) {
                 base.check(cx, fields);
@@ -309,100 +303,6 @@ impl<'a> Reader<'a> {
         let spans = rotor::spans(&mounts, &self.fields, shared.as_ref());
         Some(Rotors { list: rotor::give_all(cx, mounts, shared.as_ref(), base)?, spans })
     }
-
-    /// Reports fields of a ring beside `rotors`.
-    fn no_ring(&self, cx: &mut Context<'a>, placed: &Block) {
-        for field in Group::Vehicle.rivals("rotors") {
-            let Some(at) = self.fields.span_of(field) else { continue };
-            let message = format!("`{field}` describes a ring, but {} places its rotors one by one", self.fields.owner);
-            cx.report(
-                Diagnostic::error("mavc::vehicle::conflict", at, message)
-                    .here("not allowed together with `rotors`")
-                    .also(placed.keyword.span, "rotors are placed here")
-                    .help("remove one of the two"),
-            );
-        }
-    }
-
-    /// Rotors on a circle: rotor k at the angle `first + 2 pi (k-1)/n`, clockwise from +y.
-    fn ring(&mut self, cx: &mut Context<'a>) -> Option<Vec<Mount<'a>>> {
-        let fields = &self.fields;
-        if !fields.may_have("layout") {
-            // A ring needs an arm too; the example adds one, but its absence is reported only where a ring is certain.
-            let arm = if fields.may_have("arm") { "" } else { "; arm = 0.2 m" };
-            let (example, one_by_one) =
-                (format!("layout = \"PPNNPPNN\"{arm}"), "rotors { rotor at [0.2, 0.2, 0] m spin P ... }");
-            fields.missing_or(cx, "`layout`", &example, &format!("add `{example}`, or `{one_by_one}`"));
-        }
-        let layout = fields.get("layout").and_then(|e| spins(cx, e));
-        let layout_span = fields.get("layout").map_or(fields.span, |e| e.span);
-        layout.iter().for_each(|spins| whole::check_spins(cx, &fields.owner, layout_span, spins));
-        // Without a `layout` the vehicle may not be meant as a ring, so that no missing `arm` is reported.
-        let arm = match fields.get("layout") {
-            Some(_) => fields.demand(cx, "arm", "arm = 0.2 m"),
-            None => fields.get("arm"),
-        };
-        let arm = arm.and_then(|e| cx.quantity(&table::ARM, e, POSITIVE));
-        let first = fields.written("first", |expr| cx.number(Expected::of(&table::FIRST), expr)).or_default(|| 0.0);
-        self.count = layout.as_ref().map(Vec::len);
-        let (spins, arm, first) = (layout?, arm?, first?);
-        let n = spins.len() as f64;
-        let mounts = spins.into_iter().enumerate().map(|(k, spin)| {
-            let (sin, cos) = exact_sin_cos(first + 2.0 * PI * k as f64 / n);
-            Mount { position: [arm * sin, arm * cos, 0.0], spin, motor: None, own: None }
-        });
-        Some(mounts.collect())
-    }
-
-    /// Rotors placed one by one.
-    fn one_by_one(&mut self, cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Mount<'a>>> {
-        let owner = &self.fields.owner;
-        let rotors: Vec<&'a Clauses> =
-            block.body.iter().filter_map(|s| if let Statement::Rotor(r) = s { Some(r) } else { None }).collect();
-        for statement in &block.body {
-            if let Statement::Field(field) = statement {
-                let message = format!("`rotors` of {owner} has no field `{}`", field.name.value);
-                let error =
-                    Diagnostic::error("mavc::name::unknown_field", field.name.span, message).here("unknown field");
-                cx.report(error.help("write what all rotors share in a `rotor { ... }` block beside it"));
-            }
-        }
-        if block.is_whole() && !ROTORS.contains(&rotors.len()) {
-            let message = format!("a vehicle must have 4 to 32 rotors, not {}", rotors.len());
-            let error = Diagnostic::error("mavc::vehicle::rotor_count", block.keyword.span, message);
-            let help = if rotors.len() < *ROTORS.start() { "add `rotor at` statements" } else { "remove some rotors" };
-            let follow = if rotors.len() == 1 {
-                "1 rotor follows".to_string()
-            } else {
-                format!("{} rotors follow", rotors.len())
-            };
-            cx.report(error.here(follow).help(help));
-            return None;
-        }
-        // With a rotor that could not be parsed, the whole is unknown.
-        let mut mounts = block.is_whole().then(Vec::new);
-        for (k, rotor) in rotors.iter().enumerate() {
-            let mount = placed(cx, rotor, k + 1);
-            match (&mut mounts, mount) {
-                (Some(list), Some(mount)) => list.push(mount),
-                (list, _) => *list = None,
-            }
-        }
-        self.count = block.is_whole().then_some(rotors.len());
-        let mounts = mounts?;
-        check_motors(cx, &mounts);
-        let spins: Vec<Spin> = mounts.iter().map(|mount| mount.spin).collect();
-        whole::check_spins(cx, &self.fields.owner, self.fields.span, &spins);
-        Some(mounts)
-    }
-}
-
-/// The position and spin of one rotor, and its own clauses.
-struct Mount<'a> {
-    position: [f64; 3],
-    spin: Spin,
-    motor: Option<u32>,
-    own: Option<Fields<'a>>,
 }
 
 fn inertia_of<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
@@ -424,137 +324,4 @@ fn inertia_of<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
         return None;
     }
     Some([x, y, z])
-}
-
-/// Sine and cosine, exact at the quarter turns so that a ring is symmetric to the last digit.
-fn exact_sin_cos(angle: f64) -> (f64, f64) {
-    let quarters = angle / (PI / 2.0);
-    if (quarters - quarters.round()).abs() < 1e-12 {
-        return match quarters.round().rem_euclid(4.0) as u8 {
-            0 => (0.0, 1.0),
-            1 => (1.0, 0.0),
-            2 => (0.0, -1.0),
-            _ => (-1.0, 0.0),
-        };
-    }
-    angle.sin_cos()
-}
-
-/// How motors above each other are written.
-const COAXIAL: &str = "write motors that share an arm one by one: `rotors { rotor at [0.2, 0.2, 0.03] m  spin \
-                                  P; rotor at [0.2, 0.2, -0.03] m  spin N; ... }`";
-
-/// How a frame that is given by its name is written.
-fn frame(name: &str) -> Option<&'static str> {
-    let name = name.to_ascii_lowercase();
-    let has = |parts: &[&str]| parts.iter().any(|part| name.contains(part));
-    match () {
-        () if has(&["coax", "y6", "x8", "y4", "octoquad", "octaquad"]) => Some(COAXIAL),
-        () if has(&["quad", "x4"]) => Some("write the motors' directions in turn, such as `\"PNPN\"`"),
-        () if has(&["hex", "x6"]) => Some("write the motors' directions in turn, such as `\"PNPNPN\"`"),
-        () if has(&["oct"]) => Some("write the motors' directions in turn, such as `\"PNPNPNPN\"`"),
-        () => None,
-    }
-}
-
-fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
-    let ExprKind::Text(text) = &expr.kind else {
-        let error =
-            Diagnostic::error("mavc::vehicle::layout", expr.span, "`layout` must be text of the letters P and N");
-        let error = error.here("not text in quotes");
-        cx.report(match &expr.kind {
-            ExprKind::Name(name) if name.chars().all(|c| matches!(c.to_ascii_uppercase(), 'P' | 'N')) => {
-                let corrected = format!("\"{}\"", name.to_ascii_uppercase());
-                error.help(format!("write `{corrected}`")).fix(expr.span, corrected)
-            }
-            _ => error.help("write `layout = \"PNPN\"`"),
-        });
-        return None;
-    };
-    if let Some((at, letter)) = text.char_indices().find(|(_, c)| !matches!(c, 'P' | 'N')) {
-        let start = expr.span.start as usize + 1 + at;
-        let span = Span::new(expr.span.file, start, start + letter.len_utf8());
-        let message = format!("a layout may contain only P and N, not `{letter}`");
-        let mut error = Diagnostic::error("mavc::vehicle::layout", span, message).here("neither P nor N");
-        let capitals = text.to_ascii_uppercase();
-        error = match letter.to_ascii_uppercase() {
-            _ if capitals.chars().all(|c| matches!(c, 'P' | 'N')) => {
-                let corrected = format!("\"{capitals}\"");
-                error.help(format!("write `{corrected}`")).fix(expr.span, corrected)
-            }
-            upper @ ('P' | 'N') => error.help(format!("write `{upper}`")).fix(span, upper.to_string()),
-            _ => error.help(frame(text).unwrap_or("write `P` (counter-clockwise seen from above) or `N` (clockwise)")),
-        };
-        cx.report(error);
-        return None;
-    }
-    if !text.len().is_multiple_of(2) || !ROTORS.contains(&text.len()) {
-        let message = format!("a ring must have an even number of rotors from 4 to 32, not {}", text.len());
-        let error = Diagnostic::error("mavc::vehicle::rotor_count", expr.span, message);
-        let letters = if text.len() == 1 { "1 letter".to_string() } else { format!("{} letters", text.len()) };
-        cx.report(error.here(format!("{letters}, one per rotor")).help(match text.len() {
-            few if few < *ROTORS.start() => {
-                "write a letter for each rotor: a quadcopter is \"PNPN\", a hexacopter \"PNPNPN\"".to_string()
-            }
-            many if many > *ROTORS.end() => format!("remove letters until {} are left", ROTORS.end()),
-            odd => format!(
-                "write {} or {} letters, or place the {odd} rotors one by one: \
-                 `rotors {{ rotor at [0.2, 0.15, 0] m  spin P; .. }}`",
-                odd - 1,
-                odd + 1
-            ),
-        }));
-        return None;
-    }
-    Some(text.chars().map(|c| if c == 'P' { Spin::P } else { Spin::N }).collect())
-}
-
-/// Every rotor has a motor of its own, or none has a number.
-fn check_motors(cx: &mut Context, mounts: &[Mount]) {
-    let clause = |k: usize| mounts[k].own.as_ref().and_then(|own| own.clause(placed_rotor::MOTOR.name));
-    let numbered = mounts.iter().position(|mount| mount.motor.is_some());
-    let Some((first, at)) = numbered.and_then(|k| Some((k, clause(k)?))) else { return };
-    for (k, mount) in mounts.iter().enumerate() {
-        let before = mounts[..k].iter().position(|other| mount.motor.is_some() && other.motor == mount.motor);
-        if let (Some(motor), Some((span, other))) = (mount.motor, clause(k).zip(before.and_then(clause))) {
-            let message = format!("motor {motor} turns two rotors");
-            let error = Diagnostic::error(MOTOR, span, message).here("given again").also(other, "first given here");
-            cx.report(error.help("give each rotor the number of its own motor"));
-        }
-        if let (None, Some(own)) =
-            (mount.motor, mount.own.as_ref().filter(|own| !own.may_have(placed_rotor::MOTOR.name)))
-        {
-            let message = format!("rotor {} has no `motor`, but rotor {} has one", k + 1, first + 1);
-            let error = Diagnostic::error(MOTOR, own.span, message).here("no motor").also(at, "a motor");
-            cx.report(error.help("number the motors of all rotors, or of none"));
-            return;
-        }
-    }
-}
-
-fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Mount<'a>> {
-    let own = Fields::of_clauses(cx, format!("rotor {k}"), rotor, Group::PlacedRotor);
-    let position =
-        own.demand(cx, "at", "at [0.2, 0.15, 0] m").and_then(|e| cx.triple(Expected::of(&placed_rotor::AT), e));
-    let spin = own.demand(cx, "spin", "spin P").and_then(|e| match &e.kind {
-        ExprKind::Name(name) if name == "P" => Some(Spin::P),
-        ExprKind::Name(name) if name == "N" => Some(Spin::N),
-        _ => {
-            let error = Diagnostic::error("mavc::vehicle::spin", e.span, "`spin` must be `P` or `N`");
-            let error = error.here("neither of these");
-            let word = cx.sources.snippet(e.span).trim_matches('"').to_ascii_lowercase();
-            cx.report(match word.as_str() {
-                "p" | "ccw" | "counterclockwise" | "positive" | "left" => {
-                    error.help("write `P`, which turns counter-clockwise seen from above").fix(e.span, "P")
-                }
-                "n" | "cw" | "clockwise" | "negative" | "right" => {
-                    error.help("write `N`, which turns clockwise seen from above").fix(e.span, "N")
-                }
-                _ => error.help("write `P` (counter-clockwise seen from above) or `N` (clockwise)"),
-            });
-            None
-        }
-    });
-    let motor = own.count(cx, &placed_rotor::MOTOR, MOTOR).and_then(|motor| u32::try_from(motor).ok());
-    Some(Mount { position: position?, spin: spin?, motor: motor.optional()?, own: Some(own) })
 }

@@ -1,6 +1,7 @@
 //! The properties of rotors: those given for all, and those given for one.
 
-use super::{Mount, POSITIVE};
+use super::POSITIVE;
+use super::mounts::Mount;
 use crate::diagnostic::Diagnostic;
 use crate::language::Entry;
 use crate::language::table::rotor as table;
