@@ -137,6 +137,10 @@ pub struct Sample<'a> {
     pub wanted: &'a Wrench,
     /// The speed of each rotor, rad/s.
     pub speeds: &'a [f64],
+    /// The commanded speed of each rotor, rad/s; of a stuck rotor the speed at which it is.
+    pub commands: &'a [f64],
+    /// What the vehicle's gyroscope and accelerometer read.
+    pub inertial: Inertial,
     /// The capacity theta of each rotor that the allocation uses.
     pub believed: &'a [f64],
     /// The capacity theta of each rotor as estimated; `believed` without an estimator.
@@ -145,6 +149,15 @@ pub struct Sample<'a> {
     pub regressor: Option<(usize, f64)>,
     /// Whether this is the last sample of the flight.
     pub is_last: bool,
+}
+
+/// Readings of gyroscope and accelerometer, body frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inertial {
+    /// Body rates, rad/s, with the noise and the range of the gyroscope.
+    pub rates: nalgebra::Vector3<f64>,
+    /// Specific force of the centre of gravity, m/s^2; without noise, as a spec gives none.
+    pub force: nalgebra::Vector3<f64>,
 }
 
 impl Sample<'_> {
@@ -163,6 +176,7 @@ struct View<'a> {
     heading: Heading,
     wrench: &'a Wrench,
     wanted: &'a Wrench,
+    inertial: Inertial,
 }
 
 impl<'a> View<'a> {
@@ -174,7 +188,7 @@ impl<'a> View<'a> {
         regressor: Option<&(usize, f64)>,
         is_last: bool,
     ) -> Sample<'a> {
-        let View { body, reference, heading, wrench, wanted } = self;
+        let View { body, reference, heading, wrench, wanted, inertial } = self;
         Sample {
             time,
             body,
@@ -183,6 +197,8 @@ impl<'a> View<'a> {
             wrench,
             wanted,
             speeds: &rotors.speed,
+            commands: &rotors.command,
+            inertial,
             believed: &knowledge.belief.capacity,
             estimated: knowledge.estimated(),
             regressor: regressor.copied(),
@@ -425,7 +441,10 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 conditions.extend(knowledge.conditioning());
             }
             let heading = watch.heading;
-            let view = View { body: &body, reference: &reference, heading, wrench: &wrench, wanted: &wanted };
+            rotors.hold_stuck();
+            let force = body.specific_force(&frame, wrench[0], &blowing);
+            let inertial = Inertial { rates: measured.rates, force };
+            let view = View { body: &body, reference: &reference, heading, wrench: &wrench, wanted: &wanted, inertial };
             let sample = view.sample(t, &rotors, &knowledge, conditions.last(), false);
             if !sample.is_finite() || !all_finite(&rotors.command) {
                 break Outcome::Diverged { at: t };
@@ -445,7 +464,11 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         step += 1;
     };
     let end = step as f64 / simulation.rate;
-    let view = View { body: &body, reference: &reference, heading: watch.heading, wrench: &wrench, wanted: &wanted };
+    let gyroscope_saturated = sensors.saturated;
+    let force = body.specific_force(&frame, wrench[0], &blowing);
+    let inertial = Inertial { rates: sensors.measure(&body, &mut random).rates, force };
+    let heading = watch.heading;
+    let view = View { body: &body, reference: &reference, heading, wrench: &wrench, wanted: &wanted, inertial };
     let last = view.sample(end, &rotors, &knowledge, conditions.last(), true);
     if let Some(record) = record.as_mut().filter(|_| !matches!(outcome, Outcome::Diverged { .. })) {
         record(&last);
@@ -463,7 +486,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         gave_up_yaw_at,
         way_out,
         spin: spin.end(body.rates.amax(), simulation.gyroscope_range),
-        gyroscope_saturated: sensors.saturated,
+        gyroscope_saturated,
         found,
         false_alarms,
         refused,
