@@ -1,136 +1,99 @@
-"""Simulated flights with known losses, written as DataFlash logs, diagnosed and judged.
+"""Simulated flights with known losses as logs, diagnosed and judged.
 
-    python3 benches/diagnosis/run.py target/release/mavc [--flights 200] [--seed 1] [--keep FOLDER]
+    python3 benches/diagnosis/run.py target/release/mavc [--flights 200] [--seed 1] [--keep FOLDER] [--log ulog|dataflash]
 
-Each flight: a quad X, hexa X or octa X of random mass, size and time constant; a mission with waypoints and holds; gusts
-and gyroscope noise; no fault, one rotor lost, or one reduced to 5 to 90 %; the controller does not learn of it. The log
-has pulses in whole microseconds, the commands before the rotors' lag, and rates and forces with noise, at 10 to 400 Hz.
+Each flight (flights.py): a quadcopter, a hexacopter (PNPNPN or PPNNPN), an octocopter or an X8 of random mass, size and time
+constant; hover, climbs, lanes or turns in gusts; no fault, one rotor lost, or one reduced to 5 to 90 %; the controller does
+not learn of it. It is logged at 10 to 400 Hz: by `mavc simulate --format ulog`, or from the flight's table as a DataFlash
+log (dataflash.py). `mavc diagnose` gets the spec, except where parameters of the DataFlash log name the frame.
 """
 
 import argparse
-import csv
+import collections
+import concurrent.futures
 import json
-import math
 import pathlib
 import random
 import statistics
-import struct
 import subprocess
 import tempfile
 
-FRAMES = {  # ArduPilot's class, angles clockwise from the nose and spins (P counter-clockwise), in the order of motors
-    1: [(45, "P"), (-135, "P"), (-45, "N"), (135, "N")],
-    2: [(90, "N"), (-90, "P"), (-30, "N"), (150, "P"), (30, "P"), (-150, "N")],
-    3: [(22.5, "N"), (-157.5, "N"), (67.5, "P"), (157.5, "P"), (-22.5, "P"), (-112.5, "P"), (-67.5, "N"), (112.5, "N")],
-}
-EXPO, SPIN_MIN, SPIN_MAX = 0.65, 0.15, 0.95
-SIZES = {"Q": 8, "H": 2, "B": 1, "f": 4, "c": 2, "C": 2, "n": 4, "N": 16, "Z": 64}
+import dataflash
+from flights import LAYOUTS, MISSIONS, RATES, Flight
+
+# A loss from this much on is large: the share of its thrust that the rotor loses.
+LARGE = 0.3
+SIZES = ["100 %", "60 to 95 %", "30 to 60 %", "10 to 30 %"]
 
 
-class Log:
-    """A DataFlash log."""
-
-    def __init__(self):
-        self.bytes = bytearray()
-        self.kinds = {}
-
-    def define(self, number, name, kinds, labels):
-        length = 3 + sum(SIZES[kind] for kind in kinds)
-        self.bytes += struct.pack("<BBBBB4s16s64s", 0xA3, 0x95, 128, number, length, name.encode(), kinds.encode(),
-                                  labels.encode())
-        codes = {"Q": "Q", "H": "H", "B": "B", "f": "f", "N": "16s"}
-        self.kinds[name] = (number, struct.Struct("<BBB" + "".join(codes[kind] for kind in kinds)))
-
-    def add(self, name, *values):
-        number, layout = self.kinds[name]
-        self.bytes += layout.pack(0xA3, 0x95, number, *values)
+def size(flight):
+    lost = 1 - flight.capacity
+    return SIZES[0] if lost == 1 else SIZES[1] if lost > 0.6 else SIZES[2] if lost > LARGE else SIZES[3]
 
 
-def spec(rng, frame, fault):
-    arm, mass = rng.uniform(0.15, 0.45), rng.uniform(1.0, 5.0)
-    n = len(FRAMES[frame])
-    full = mass * 9.81 / n / rng.uniform(0.3, 0.5)
-    inertia = mass * arm**2 * rng.uniform(0.15, 0.35)
-    rotors = "\n".join(
-        f"        rotor at [{arm * math.cos(math.radians(a)):.6f} m, {-arm * math.sin(math.radians(a)):.6f} m, 0 m] "
-        f"spin {spin}" for a, spin in FRAMES[frame])
-    time, total = rng.uniform(9, 20), 30
-    x, y = rng.uniform(2, 8), rng.uniform(2, 8)
-    yaw = rng.uniform(-90, 90)
-    strike = f"; fault F at {time:.3f} s" if fault else ""
-    state = "lost" if fault and fault[1] == 0 else f"reduced to {100 * fault[1]:.1f} %" if fault else "lost"
-    rotor = fault[0] + 1 if fault else 1
-    text = f"""vehicle v {{
-    rotors {{
-{rotors}
-    }}
-    mass    = {mass:.4f} kg
-    inertia = [{inertia:.6f}, {inertia * rng.uniform(0.8, 1.3):.6f}, {1.8 * inertia:.6f}] kg*m^2
-    rotor {{
-        max_thrust        = {full:.4f} N
-        torque_per_thrust = {rng.uniform(12, 20):.2f} mm
-        max_speed         = 7500 rpm
-        time_constant     = {rng.uniform(20, 80):.1f} ms
-    }}
-}}
-faults {{ mode F {{ rotor {rotor} {state} }} }}
-mission m {{
-    start at [0, 0, 60] m  yaw 0 deg
-    waypoint at [{x:.2f}, 0, 62] m
-    hold 4 s
-    waypoint at [{x:.2f}, {y:.2f}, 61] m  yaw {yaw:.0f} deg
-    waypoint at [0, {y:.2f}, 60] m  yaw 0 deg
-    hold 5 s
-    limits {{ speed <= {rng.uniform(2, 6):.1f} m/s; tilt <= 25 deg }}
-}}
-plan {{ planner = rip; against = []; time = {total} s; samples = 80 }}
-simulate {{
-    seed = {rng.randrange(1000)}; gusts = {rng.uniform(0, 1.5):.2f} m/s; drag = 0.3 N*s/m
-    gyroscope_noise = {rng.uniform(0.002, 0.01):.4f} rad/s
-    detection = never; lost_beyond = 40 m{strike}
-}}
-"""
-    lag = float(text.split("time_constant     = ")[1].split(" ms")[0]) / 1000
-    return text, mass, full, lag, time if fault else None
+def fly(mavc, flight, number, kind, folder, seed):
+    """Simulates and diagnoses; the answer, when the log begins and ends in its own time, s. None if it was not flown."""
+    stem = folder / f"{number:04}"
+    spec = stem.with_suffix(".mav")
+    spec.write_text(flight.spec)
+    log = stem.with_suffix(".ulg" if kind == "ulog" else ".bin")
+    if kind == "ulog":
+        written, options, begins = log, ["--format", "ulog", "--rate", f"{flight.rate}Hz"], 0.0
+    else:
+        written, options, begins = stem.with_suffix(".csv"), ["--rate", "400Hz"], dataflash.BEFORE
+    run = subprocess.run([mavc, "simulate", spec, "-o", written, "-q", *options], capture_output=True, text=True)
+    if not written.exists():
+        return None, run.stderr.strip().splitlines()[:2], None
+    if kind != "ulog":
+        rng = random.Random(f"{seed} {number}")
+        rates_hz = max(flight.rate, rng.choice([25, 50, 100, 400]))
+        dataflash.write(flight, written, rates_hz, rng, log)
+        written.unlink()
+    vehicle = [] if kind != "ulog" and flight.frame is not None else [spec]
+    run = subprocess.run([mavc, "diagnose", log, *vehicle, "--format", "json", "-q"], capture_output=True, text=True)
+    if not run.stdout:
+        return None, run.stderr.strip().splitlines()[:4], None
+    return json.loads(run.stdout), begins, log.stat().st_size
 
 
-def pulse(share):
-    """The pulse of a share of full thrust, us."""
-    share = min(max(share, 0.0), 1.0)
-    x = (-(1 - EXPO) + math.sqrt((1 - EXPO) ** 2 + 4 * EXPO * share)) / (2 * EXPO)
-    return round(1000 + 1000 * (SPIN_MIN + (SPIN_MAX - SPIN_MIN) * x))
+def judge(flight, answer, begins):
+    """What became of a flight: a row for the tables."""
+    strike = None if flight.time is None else begins + flight.time
+    ends = max((one["to_s"] for one in answer["flights"]), default=begins)
+    healthy = min(strike, ends) - begins if strike is not None else ends - begins
+    losses = answer["losses"]
+    early = [loss for loss in losses if strike is None or loss["time_s"] < strike - 1]
+    late = [loss for loss in losses if loss not in early]
+    row = {"healthy": healthy, "early": len(early), "found": None, "more": 0, "note": "-"}
+    if flight.time is None:
+        return row
+    hit = late[0] if late and flight.motor in [late[0]["motor"], *late[0]["alternatives"]] else None
+    row["found"] = hit is not None
+    row["note"] = f"MISSED {[(l['motor'], round(l['time_s'] - begins, 2), l['capacity']) for l in late]}"
+    if hit:
+        low, high = hit["capacity_interval"]
+        row |= {"error": abs(hit["time_s"] - strike), "inside": low - 1e-9 <= flight.capacity <= high + 1e-9,
+                "width": high - low, "alone": not hit["alternatives"],
+                "more": sum(flight.motor not in [l["motor"], *l["alternatives"]] for l in late[1:])}
+        row["note"] = (f"found, {row['error']:.3f} s, {hit['capacity']:.2f} [{low:.2f} {high:.2f}]"
+                       f"{'' if row['inside'] else ' OUTSIDE'} {hit['alternatives'] or ''}")
+    return row
 
 
-def write(rows, frame, mass, lag, outputs_hz, rates_hz, noise, rng, path):
-    n = len(FRAMES[frame])
-    log = Log()
-    log.define(1, "PARM", "QNf", "TimeUS,Name,Value")
-    log.define(2, "RCOU", "Q" + "H" * n, "TimeUS," + ",".join(f"C{k + 1}" for k in range(n)))
-    log.define(3, "IMU", "QBffffff", "TimeUS,I,GyrX,GyrY,GyrZ,AccX,AccY,AccZ")
-    log.define(4, "ATT", "Qffffff", "TimeUS,DesRoll,Roll,DesPitch,Pitch,DesYaw,Yaw")
-    parameters = {"FRAME_CLASS": frame, "FRAME_TYPE": 1, "MOT_PWM_MIN": 1000, "MOT_PWM_MAX": 2000, "MOT_THST_EXPO": EXPO,
-                  "MOT_SPIN_MIN": SPIN_MIN, "MOT_SPIN_MAX": SPIN_MAX} | {f"SERVO{k + 1}_FUNCTION": 33 + k for k in range(n)}
-    for name, value in parameters.items():
-        log.add("PARM", 1, name.encode(), value)
-    most = 7500 * math.tau / 60
-    degrees = math.degrees
-    due_outputs = due_rates = 0.0
-    for before, row in zip([rows[0]] + rows, rows):
-        t = row["t"]
-        now = int((10 + t) * 1e6)
-        if t >= due_rates - 1e-9:
-            due_rates += 1 / rates_hz
-            gyro = [row[k] + rng.gauss(0, noise) for k in "pqr"]
-            force = row["thrust"] / mass + rng.gauss(0, 0.3)
-            log.add("IMU", now, 0, gyro[0], -gyro[1], -gyro[2], rng.gauss(0, 0.3), rng.gauss(0, 0.3), -force)
-        if t >= due_outputs - 1e-9:
-            due_outputs += 1 / outputs_hz
-            step = max(t - before["t"], 1e-9)
-            commands = [row[f"omega_{k + 1}"] + lag * (row[f"omega_{k + 1}"] - before[f"omega_{k + 1}"]) / step
-                        for k in range(n)]
-            log.add("RCOU", now, *[pulse((max(w, 0) / most) ** 2) for w in commands])
-            log.add("ATT", now, 0, degrees(row["roll"]), 0, -degrees(row["pitch"]), 0, -degrees(row["yaw"]))
-    path.write_bytes(log.bytes)
+def table(rows, key, order):
+    """A table of the large losses by a property of the flight."""
+    groups = collections.defaultdict(list)
+    for flight, row in rows:
+        groups[key(flight)].append((flight, row))
+    for name in order:
+        here = groups.get(name, [])
+        large = [row for flight, row in here if flight.time is not None and (1 - flight.capacity > LARGE or name in SIZES)]
+        found = [row for row in large if row["found"]]
+        median = f"{statistics.median(row['error'] for row in found):.3f} s" if found else "-"
+        inside = [row["inside"] for row in found]
+        minutes = sum(row["healthy"] for _, row in here) / 60
+        alarms = sum(row["early"] for _, row in here)
+        print(f"| {name} | {len(found)} of {len(large)} | {median} | {sum(inside)} of {len(inside)} | {alarms} in {minutes:.0f} min |")
 
 
 def main():
@@ -138,72 +101,53 @@ def main():
     parser.add_argument("mavc")
     parser.add_argument("--flights", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--keep")
-    parser.add_argument("--diagnose", help="another program for the diagnosis, for experiments")
+    parser.add_argument("--log", choices=["ulog", "dataflash"], default="ulog")
+    parser.add_argument("--keep", help="a folder for the specs and logs")
+    parser.add_argument("--jobs", type=int, default=2)
     args = parser.parse_args()
-    rng = random.Random(args.seed)
     folder = pathlib.Path(args.keep or tempfile.mkdtemp())
     folder.mkdir(parents=True, exist_ok=True)
-    flown, found, errors, inside, false, hours, wrong, total_wrong = 0, 0, [], [], 0, 0.0, [], 0
-    for number in range(args.flights):
-        frame = rng.choice([1, 2, 3])
-        kind = rng.random()
-        motor = rng.randrange(len(FRAMES[frame]))
-        fault = None if kind < 0.2 else (motor, 0.0) if kind < 0.55 else (motor, rng.uniform(0.05, 0.9))
-        text, mass, _full, lag, time = spec(rng, frame, fault)
-        outputs_hz = rng.choice([10, 25, 50, 100, 400])
-        rates_hz = max(outputs_hz, rng.choice([25, 50, 100, 400]))
-        stem = folder / f"{number:03}"
-        stem.with_suffix(".mav").write_text(text)
-        flight = stem.with_suffix(".csv")
-        run = subprocess.run([args.mavc, "simulate", stem.with_suffix(".mav"), "-o", flight, "--rate", "500Hz", "-q"],
-                             capture_output=True, text=True)
-        if not flight.exists():
-            print(number, "not flown:", run.stderr.strip().splitlines()[:2])
-            continue
-        with flight.open() as lines:
-            rows = [{k: float(v) for k, v in row.items() if v not in ("", "NaN")} for row in csv.DictReader(lines)]
-        flight.unlink()
-        # What a lost vehicle does long after its fault is not what is asked.
-        rows = [row for row in rows if row["z"] > 1]
-        log = stem.with_suffix(".bin")
-        write(rows, frame, mass, lag, outputs_hz, rates_hz, rng.uniform(0.002, 0.01), rng, log)
-        run = subprocess.run([args.mavc, "diagnose", log, "--format", "json", "-q"], capture_output=True, text=True)
-        answer = json.loads(run.stdout) if run.stdout else {"losses": [], "answer": run.stderr}
+    flights = [Flight(random.Random(f"{args.seed} flight {number}")) for number in range(args.flights)]
+    rows, failed = [], 0
+
+    def one(number):
+        found = fly(args.mavc, flights[number], number, args.log, folder, args.seed)
         if not args.keep:
-            log.unlink()
-        flown += 1
-        strike = None if time is None else 10 + time
-        healthy = (rows[-1]["t"] if time is None else min(time, rows[-1]["t"])) / 3600
-        hours += healthy
-        early = [loss for loss in answer["losses"] if strike is None or loss["time_s"] < strike - 1]
-        false += len(early)
-        late = [loss for loss in answer["losses"] if loss not in early]
-        verdict = "-"
-        if fault and fault[1] <= 0.7:
-            hit = next((loss for loss in late if motor + 1 in [loss["motor"], *loss["alternatives"]]), None)
-            total_wrong += 1
-            if hit and hit is late[0]:
-                found += 1
-                errors.append(abs(hit["time_s"] - strike))
-                low, high = hit["capacity_interval"]
-                inside.append(low - 1e-9 <= fault[1] <= high + 1e-9)
-                verdict = f"found, {errors[-1]:.2f} s, {hit['capacity']:.2f} [{low:.2f} {high:.2f}] {hit['alternatives']}"
-            else:
-                verdict = "MISSED"
-                wrong.append(number)
-        elif fault:
-            verdict = "small, " + ("seen" if late else "not seen")
-        shown = "none" if fault is None else f"motor {motor + 1} to {fault[1]:.2f} at {strike:.2f}"
-        print(f"{number} frame {frame} {outputs_hz}/{rates_hz} Hz: {shown}: {verdict}",
-              f"EARLY {[(loss['motor'], loss['time_s'], loss['capacity']) for loss in early]}" if early else "",
-              f"late {[(loss['motor'], loss['time_s'], loss['capacity']) for loss in late]}" if verdict == "MISSED" else "",
-              flush=True)
-    print(f"{flown} flights; losses above 30 %: {found} of {total_wrong} found")
+            for path in folder.glob(f"{number:04}.*"):
+                path.unlink()
+        return found
+
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        for number, (answer, begins, _) in enumerate(pool.map(one, range(args.flights))):
+            flight = flights[number]
+            what = f"{number} {flight.layout}, {flight.mission}, {flight.rate} Hz"
+            if answer is None:
+                failed += 1
+                print(f"{what}: NO ANSWER: {begins}", flush=True)
+                continue
+            row = judge(flight, answer, begins)
+            rows.append((flight, row))
+            fault = "no fault" if flight.time is None else f"motor {flight.motor} to {flight.capacity} at {flight.time} s"
+            alarms = f" EARLY {[(l['motor'], l['time_s'], l['capacity']) for l in answer['losses'][:row['early']]]}"
+            print(f"{what}: {fault}: {row['note']}{alarms if row['early'] else ''}{' MORE' if row['more'] else ''}", flush=True)
+    large = [row for flight, row in rows if flight.time is not None and 1 - flight.capacity > LARGE]
+    found = [row for row in large if row["found"]]
+    errors = sorted(row["error"] for row in found)
+    print(f"\n{len(rows)} flights, {failed} without an answer; losses above 30 %: {len(found)} of {len(large)} found")
     if errors:
-        print(f"error of the time: median {statistics.median(errors):.3f} s, 95 % {sorted(errors)[int(0.95 * len(errors))]:.3f} s")
-        print(f"capacity inside its 95 % interval: {sum(inside)} of {len(inside)}")
-    print(f"false alarms: {false} in {60 * hours:.0f} min of healthy flight")
+        print(f"error of the time: median {statistics.median(errors):.3f} s, 95 % {errors[int(0.95 * len(errors))]:.3f} s")
+        inside = sum(row["inside"] for row in found)
+        print(f"capacity inside its 95 % interval: {inside} of {len(found)} ({100 * inside / len(found):.0f} %), width "
+              f"{statistics.median(row['width'] for row in found):.2f}")
+        print(f"named without alternatives: {sum(row['alone'] for row in found)}; flights in which another motor is named "
+              f"after it: {sum(row['more'] > 0 for row in found)}")
+    minutes = sum(row["healthy"] for _, row in rows) / 60
+    print(f"false alarms: {sum(row['early'] for _, row in rows)} in {minutes:.0f} min without a loss\n")
+    print("| | found | median error of the time | capacity in its interval | false alarms |\n|---|---|---|---|---|")
+    table([row for row in rows if row[0].time is not None], size, SIZES)
+    table(rows, lambda flight: f"{flight.rate} Hz", [f"{rate} Hz" for rate in RATES])
+    table(rows, lambda flight: flight.layout, LAYOUTS)
+    table(rows, lambda flight: flight.mission, MISSIONS)
 
 
 if __name__ == "__main__":

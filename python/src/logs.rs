@@ -53,7 +53,7 @@ pub fn diagnose(arguments: Arguments) -> Value {
         let mut log = open(log)?;
         let mut baseline = baseline.into_iter().map(open).collect::<io::Result<Vec<_>>>()?;
         match pipeline::diagnose(&mut log, spec.as_ref().map(|of| &of.spec), &hidden, &mut baseline) {
-            Ok(Diagnosed { diagnosis, diagnostics }) => {
+            Ok(Diagnosed { diagnosis, diagnostics, .. }) => {
                 let record = json_line(&DiagnosisRecord::new(&diagnosis));
                 Ok((Some(record), screen(&diagnosis).to_string(), about(&name, &diagnostics)))
             }

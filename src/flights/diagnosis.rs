@@ -6,6 +6,7 @@ pub mod capacity;
 pub mod change;
 pub mod ending;
 pub mod fit;
+pub mod onset;
 pub mod outputs;
 pub mod record;
 pub mod samples;

@@ -46,8 +46,8 @@ use rand_pcg::rand_core::SeedableRng;
 use reduced_attitude::{SpinningRotors, WithoutYaw};
 use reference::{Branching, Course, DESCENT, Reference, Stop};
 use rotors::Rotors;
-pub use sample::Sample;
 use sample::View;
+pub use sample::{Inertial, Sample};
 use sensors::Sensors;
 pub use sortie::{Sortie, longest};
 use spin::{EndOfSpin, Spin};
@@ -288,7 +288,10 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 conditions.extend(knowledge.conditioning());
             }
             let heading = watch.heading;
-            let view = View { body: &body, reference: &reference, heading, wrench: &wrench, wanted: &wanted };
+            rotors.hold_stuck();
+            let force = body.specific_force(&frame, wrench[0], &blowing);
+            let inertial = Inertial { rates: measured.rates, force };
+            let view = View { body: &body, reference: &reference, heading, wrench: &wrench, wanted: &wanted, inertial };
             let sample = view.sample(t, &rotors, &knowledge, conditions.last(), false);
             if !sample.is_finite() || !all_finite(&rotors.command) {
                 break Outcome::Diverged { at: t };
@@ -308,7 +311,11 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         step += 1;
     };
     let end = step as f64 / simulation.rate;
-    let view = View { body: &body, reference: &reference, heading: watch.heading, wrench: &wrench, wanted: &wanted };
+    let gyroscope_saturated = sensors.saturated;
+    let force = body.specific_force(&frame, wrench[0], &blowing);
+    let inertial = Inertial { rates: sensors.measure(&body, &mut random).rates, force };
+    let heading = watch.heading;
+    let view = View { body: &body, reference: &reference, heading, wrench: &wrench, wanted: &wanted, inertial };
     let last = view.sample(end, &rotors, &knowledge, conditions.last(), true);
     if let Some(record) = record.as_mut().filter(|_| !matches!(outcome, Outcome::Diverged { .. })) {
         record(&last);
@@ -326,7 +333,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         gave_up_yaw_at,
         way_out,
         spin: spin.end(body.rates.amax(), simulation.gyroscope_range),
-        gyroscope_saturated: sensors.saturated,
+        gyroscope_saturated,
         found,
         false_alarms,
         refused,

@@ -1,6 +1,7 @@
 //! `mavc diagnose` and `mavc identify`: logs of simulated flights with known faults, and damaged logs.
 
 mod flying;
+mod own;
 
 use flying::{Fault, Noise, log};
 use mavc::diagnosis::study::{Evidence, Kind, Loss};
@@ -82,6 +83,32 @@ fn the_answer_its_record_and_its_exit_codes() {
     let baseline = named("other.bin", &log(Fault::None, 30.0, 50.0, 100.0, 4));
     let compared = run(&["diagnose", &good, "--baseline", &baseline, &baseline]);
     assert!(String::from_utf8(compared.stdout).unwrap().contains("change"));
+}
+
+#[test]
+fn the_page_draws_the_flight_without_a_script() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    for (fault, code, losses) in [(Fault::Capacity(3, 12.0, 0.0), 10, 1), (Fault::None, 0, 0)] {
+        std::fs::write(path("a.bin"), log(fault, 20.0, 50.0, 100.0, 3)).unwrap();
+        let ran = run(&["diagnose", &path("a.bin"), "--html", &path("page.html")]);
+        assert_eq!(ran.status.code(), Some(code));
+        let page = std::fs::read_to_string(path("page.html")).unwrap();
+        let text = String::from_utf8(ran.stdout).unwrap();
+        assert!(page.contains(text.lines().next().unwrap()), "the page has the answer");
+        // Commands and rates of the flight, thrust; commands and rates around a loss, and two sections.
+        assert_eq!(page.matches("<svg").count(), 3 + 4 * losses);
+        assert_eq!(page.matches("<polygon").count(), 6 + 2 * losses);
+        for shape in ["path", "polygon", "circle", "rect"] {
+            let closed = format!("</{shape}>");
+            assert_eq!(page.matches(&format!("<{shape} ")).count(), page.matches(&closed).count(), "{shape}");
+        }
+        for odd in ["<script", "http:", "https:", "NaN", "inf ", "infM", "inf,"] {
+            assert!(!page.contains(odd), "{odd}");
+        }
+    }
+    let again = run(&["diagnose", &path("a.bin"), "--html", &path("a.bin")]);
+    assert_eq!(again.status.code(), Some(2), "the log is not replaced");
 }
 
 #[test]

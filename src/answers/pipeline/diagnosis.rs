@@ -1,5 +1,6 @@
 //! `diagnose`: a log, the vehicle that it is of, and what the losses in it leave of the vehicle.
 
+use crate::admissible::AdmissibleSet;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnosis::capacity::{Capacity, student};
 use crate::diagnosis::fit::{Effect, effects};
@@ -17,6 +18,8 @@ use std::io::{self, Read};
 /// A diagnosis, with the warnings about the log.
 pub struct Diagnosed {
     pub diagnosis: Diagnosis,
+    /// What was read.
+    pub record: Record,
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -58,7 +61,7 @@ pub fn diagnose(
     let found = vehicle.study(&record, hidden).map_err(|error| Undiagnosed::Not(vec![*error]))?;
     let model = vehicle.model(found.as_ref());
     let losses = found.as_ref().map_or(&[][..], |study| &study.losses);
-    let after = (1..=losses.len()).map(|n| analysis(&model, &vehicle.motors, &losses[..n])).collect();
+    let (after, sets) = (1..=losses.len()).map(|n| analysis(&model, &vehicle.motors, &losses[..n])).unzip();
     let mut good: Vec<Vec<Capacity>> = Vec::new();
     for other in baseline.iter_mut() {
         let (record, _) = read(other.as_mut())?;
@@ -79,11 +82,12 @@ pub fn diagnose(
         motors: vehicle.motors,
         study: found,
         after,
+        sets,
         unknown,
         rates,
         baseline: against.filter(|_| good.len() >= 2),
     };
-    Ok(Diagnosed { diagnosis, diagnostics })
+    Ok(Diagnosed { diagnosis, record, diagnostics })
 }
 
 pub(super) fn read(log: &mut dyn Read) -> Result<(Record, Vec<Diagnostic>), Undiagnosed> {
@@ -123,7 +127,7 @@ impl Vehicle {
         };
         let vehicle = &spec.model().vehicle;
         let n = vehicle.rotors.len();
-        let numbers = vehicle.motors().unwrap_or_else(|| (1..=n as u32).collect());
+        let numbers = vehicle.motors().filter(|_| !record.is_by_rotor).unwrap_or_else(|| (1..=n as u32).collect());
         let motors: Vec<usize> = numbers.iter().map(|m| (*m as usize).wrapping_sub(1)).collect();
         let mut sorted = motors.clone();
         sorted.sort_unstable();
@@ -149,8 +153,9 @@ impl Vehicle {
             return Err(missing(format!("there is no motor {wrong}: the vehicle has {n}"), "name one of its motors"));
         }
         let hidden: Vec<usize> = hidden.iter().map(|motor| motor - 1).collect();
-        let commands = log::commands(record, n);
-        let dead: Vec<usize> = (0..n).filter(|k| !commands.iter().any(|row| row[*k].0 > 0.0)).collect();
+        let commands = log::commands(record);
+        let rows = record.outputs.len();
+        let dead: Vec<usize> = (0..n).filter(|k| !(0..rows).any(|row| commands(row, *k).0 > 0.0)).collect();
         if record.outputs.is_empty() {
             return Ok(None);
         }
@@ -181,8 +186,8 @@ impl Vehicle {
     }
 }
 
-/// What some losses leave of a vehicle.
-fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> ModeAnalysis {
+/// What some losses leave of a vehicle, and its set of wrenches.
+fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> (ModeAnalysis, AdmissibleSet) {
     let state = |motor: &usize| {
         losses.iter().rfind(|loss| loss.motor == *motor).map_or(RotorState::Sound, |loss| match loss.kind {
             Kind::Held => RotorState::Stuck(loss.capacity),
@@ -206,7 +211,7 @@ fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> ModeAnalysis {
         span: Span::default(),
     };
     let model = Model { modes: vec![mode], ..model.clone() };
-    analyze_each(&model).pop().expect("healthy and one mode")
+    (analyze_each(&model).pop().expect("healthy and one mode"), AdmissibleSet::of_mode(&model, 0))
 }
 
 /// Capacities against those of good flights. The spread between flights is taken as that of all rotors alike, because a

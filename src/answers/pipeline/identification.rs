@@ -96,9 +96,8 @@ fn written(
     kilograms: f64,
 ) -> (String, Vec<Figure>) {
     let n = vehicle.motors.len();
-    let shares: Vec<Vec<f64>> =
-        log::commands(record, n).iter().map(|row| row.iter().map(|(share, _)| *share).collect()).collect();
-    let samples = Samples::of(record, &record.outputs.times, &shares, record.outputs.period());
+    let commands = log::commands(record);
+    let samples = Samples::of(record, n, &|row, motor| commands(row, motor).0);
     let fit = study.fit.as_ref();
     let thrust = samples.as_ref().zip(fit).and_then(|(samples, fit)| thrust_per_command(samples, fit, study));
     let thrust = thrust.map(|(mean, half)| (mean * kilograms, (half / mean).hypot(CURVE)));

@@ -33,6 +33,7 @@ pub enum Recorder {
 pub struct Rows {
     format: Format,
     thinning: Thinning,
+    motors: Motors,
     rows: Vec<Row>,
 }
 
@@ -58,8 +59,40 @@ struct Row {
     demanded: [f64; 4],
     /// Speed (rad/s), capacity as estimated and capacity as the allocation believes, of each rotor.
     rotors: Vec<[f64; 3]>,
+    /// The command of each motor by its number, as a share of full speed; `None` for more motors than PX4 has.
+    commands: Option<[f64; MOST_MOTORS]>,
+    /// Readings of gyroscope (rad/s) and accelerometer (m/s^2).
+    inertial: [[f64; 3]; 2],
     /// Rank and condition number of the estimator's regressor.
     regressor: Option<[f64; 2]>,
+}
+
+/// The motors of `actuator_motors` of PX4.
+const MOST_MOTORS: usize = 12;
+
+/// Where the commands of a vehicle's rotors are among those of its motors.
+#[derive(Debug, Clone, Default)]
+struct Motors {
+    /// The motor (from 0) and the full speed (rad/s) of each rotor; empty for a vehicle with more than [`MOST_MOTORS`].
+    of_rotors: Vec<(usize, f64)>,
+}
+
+impl Motors {
+    fn of(model: &Model) -> Self {
+        let rotors = &model.vehicle.rotors;
+        let numbers = model.vehicle.motors().unwrap_or_else(|| (1..=rotors.len() as u32).collect());
+        let places = numbers.iter().map(|number| (*number as usize).wrapping_sub(1));
+        let of_rotors: Vec<(usize, f64)> = places.zip(rotors.iter().map(|rotor| rotor.max_speed)).collect();
+        let fits = of_rotors.iter().all(|(motor, _)| *motor < MOST_MOTORS);
+        Motors { of_rotors: if fits { of_rotors } else { Vec::new() } }
+    }
+
+    /// The commanded speeds (rad/s) as shares of full speed, by motor; NaN where there is none.
+    fn shares(&self, commands: &[f64]) -> Option<[f64; MOST_MOTORS]> {
+        let mut shares = [f64::NAN; MOST_MOTORS];
+        self.of_rotors.iter().zip(commands).for_each(|((motor, full), speed)| shares[*motor] = speed / full);
+        (!self.of_rotors.is_empty()).then_some(shares)
+    }
 }
 
 impl Recorder {
@@ -71,7 +104,10 @@ impl Recorder {
         let log = Log::at(model, rate, duration)?;
         Ok(match format {
             Format::Csv => Recorder::Csv(log),
-            _ => Recorder::Rows(Rows { format, thinning: log.thinning, rows: Vec::new() }),
+            _ => {
+                let motors = Motors::of(model);
+                Recorder::Rows(Rows { format, thinning: log.thinning, motors, rows: Vec::new() })
+            }
         })
     }
 
@@ -87,9 +123,9 @@ impl Recorder {
     pub fn add(&mut self, sample: &Sample) {
         match self {
             Recorder::Csv(log) => log.add(sample),
-            Recorder::Rows(Rows { thinning, rows, .. }) => {
+            Recorder::Rows(Rows { thinning, motors, rows, .. }) => {
                 if thinning.is_due(sample) {
-                    rows.push(Row::of(sample));
+                    rows.push(Row::of(sample, motors));
                 }
             }
         }
@@ -118,7 +154,7 @@ pub fn layout(format: Format, rotors: usize) -> Result<String, String> {
 }
 
 impl Row {
-    fn of(sample: &Sample) -> Self {
+    fn of(sample: &Sample, motors: &Motors) -> Self {
         let Sample { body, reference, .. } = sample;
         let q = body.attitude;
         let sign = if q.w < 0.0 { -1.0 } else { 1.0 };
@@ -139,6 +175,8 @@ impl Row {
             wrench: (*sample.wrench).into(),
             demanded: (*sample.wanted).into(),
             rotors: rotors.map(|((speed, estimated), believed)| [*speed, *estimated, *believed]).collect(),
+            commands: motors.shares(sample.commands),
+            inertial: [sample.inertial.rates.into(), sample.inertial.force.into()],
             regressor: sample.regressor.map(|(rank, condition)| [rank as f64, condition]),
         }
     }

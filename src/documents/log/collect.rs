@@ -58,6 +58,10 @@ pub struct Collector {
     motor_of: [Option<usize>; 32],
     /// Whether a more exact source of a series was seen.
     has_ekf: bool,
+    /// PX4 and mavc: whether the log has the commands of motors.
+    has_commands: bool,
+    /// mavc: whether the log has what the gyroscope measured, beside the true rates.
+    is_measured: bool,
     /// The speeds of motors that were last reported.
     speeds: [f64; MOTORS],
     outputs: [f64; MOTORS],
@@ -80,6 +84,8 @@ impl Collector {
             damage: Damage::default(),
             motor_of: [None; 32],
             has_ekf: false,
+            has_commands: false,
+            is_measured: false,
             speeds: [f64::NAN; MOTORS],
             outputs: [f64::NAN; MOTORS],
         }
@@ -191,9 +197,11 @@ impl Collector {
         let is_in_order = match (name, v) {
             // Thrusts of motors as the allocation demands them: better than pulses.
             ("actuator_motors", shares) => {
-                if record.is_pulses {
+                if !self.has_commands {
                     record.outputs = Default::default();
                     record.is_pulses = false;
+                    record.is_by_rotor = false;
+                    self.has_commands = true;
                 }
                 record.outputs.push(time, motors(shares))
             }
@@ -202,6 +210,7 @@ impl Collector {
                 pulses.iter_mut().skip((*count).clamp(0.0, 16.0) as usize).for_each(|pulse| *pulse = f64::NAN);
                 record.outputs.push(time, pulses)
             }
+            ("vehicle_angular_velocity", _) if self.is_measured => true,
             ("vehicle_angular_velocity", [x, y, z]) => {
                 if !self.has_ekf {
                     record.rates = Default::default();
@@ -210,7 +219,12 @@ impl Collector {
                 record.rates.push(time, turned([*x, *y, *z]))
             }
             ("sensor_combined", [x, y, z, ax, ay, az]) => {
-                if !self.has_ekf {
+                // The filtered rates of PX4 are better; those of a simulated flight are true, as no sensor's are.
+                if record.autopilot == Autopilot::Mavc && !self.is_measured {
+                    record.rates = Default::default();
+                    self.is_measured = true;
+                }
+                if !self.has_ekf || self.is_measured {
                     record.rates.push(time, turned([*x, *y, *z]));
                 }
                 record.force.push(time, turned([*ax, *ay, *az]))
@@ -225,11 +239,15 @@ impl Collector {
             }
             ("battery_status", [volts, amperes]) => record.battery.push(time, [*volts, *amperes]),
             ("esc_status", speeds) => record.speeds.push(time, motors(speeds)),
-            // Speeds are what the rotors follow: the commands of a simulated flight.
             ("mavc_rotors", speeds) => {
                 record.autopilot = Autopilot::Mavc;
-                record.is_pulses = false;
-                record.outputs.push(time, motors(speeds))
+                // Without commands the speeds that follow them.
+                if !self.has_commands {
+                    record.is_pulses = false;
+                    record.is_by_rotor = true;
+                    record.outputs.push(time, motors(speeds));
+                }
+                true
             }
             ("actuator_armed", [armed]) => record.armed.push(time, [*armed]),
             _ => true,

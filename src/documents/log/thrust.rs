@@ -8,9 +8,7 @@
 
 use crate::diagnosis::record::{Autopilot, MOTORS, Record};
 
-/// The speed of full thrust of a simulated flight, rad/s: `Record::parameters` has it if a spec is known.
-pub const MOST_SPEED: &str = "MAVC_MAX_SPEED";
-
+/// The largest output of a log, at least 1.
 fn largest(record: &Record) -> f64 {
     record.outputs.values.iter().flatten().filter(|v| v.is_finite()).fold(1.0, |a, b| a.max(f64::from(*b)))
 }
@@ -45,8 +43,9 @@ impl Curve {
                 let off = if span * bottom > 20.0 { low + 0.25 * span * bottom } else { f64::NEG_INFINITY };
                 Curve { off, ..same(low + span * bottom, low + span * top, expo) }
             }
-            // Thrust follows the square of the speed.
-            Autopilot::Mavc => same(0.0, get(MOST_SPEED, largest(record)), 1.0),
+            // Thrust follows the square of the speed. Commands are shares of full speed; a log without them has speeds,
+            // of which the largest stands for full speed.
+            Autopilot::Mavc => same(0.0, largest(record), 1.0),
             Autopilot::Px4 => {
                 let expo = get("THR_MDL_FAC", 0.0).clamp(0.0, 1.0);
                 if !record.is_pulses {
@@ -85,10 +84,12 @@ impl Curve {
     }
 }
 
-/// For each sample of the outputs the share of full thrust of the first `motors` motors, and whether each is switched
-/// off.
-pub fn commands(record: &Record, motors: usize) -> Vec<Vec<(f64, bool)>> {
+/// For a sample of the outputs and a motor (both from 0) the share of full thrust, and whether the motor is switched
+/// off. A table of all would be larger than the record.
+pub fn commands(record: &Record) -> impl Fn(usize, usize) -> (f64, bool) {
     let curve = Curve::of(record);
-    let of = |k: usize, output: f32| (curve.share(k, f64::from(output)), curve.is_off(f64::from(output)));
-    record.outputs.values.iter().map(|row| (0..motors).map(|k| of(k, row[k])).collect()).collect()
+    move |row, motor| {
+        let output = f64::from(record.outputs.values[row][motor]);
+        (curve.share(motor, output), curve.is_off(output))
+    }
 }

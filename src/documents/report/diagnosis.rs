@@ -1,11 +1,16 @@
 //! What `mavc diagnose` says of a log: the answer on one screen, and its record.
 
+#[cfg(feature = "report")]
+mod page;
 mod record;
 mod text;
 
+#[cfg(feature = "report")]
+pub use page::page;
 pub use record::DiagnosisRecord;
 pub use text::screen;
 
+use crate::admissible::AdmissibleSet;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnosis::record::Autopilot;
 use crate::diagnosis::study::Study;
@@ -23,6 +28,8 @@ pub struct Diagnosis {
     pub study: Option<Study>,
     /// After each loss, in their order: what all losses until then leave of the vehicle.
     pub after: Vec<ModeAnalysis>,
+    /// The sets of wrenches after each loss, likewise.
+    pub sets: Vec<AdmissibleSet>,
     /// Why nothing or not everything can be said, each with the parameter to set.
     pub unknown: Vec<String>,
     /// Rates at which the log has outputs of motors, and rates of turn, Hz.

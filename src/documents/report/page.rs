@@ -17,7 +17,7 @@ mod instants;
 pub mod live;
 mod motion;
 mod opening;
-mod outline;
+pub(super) mod outline;
 mod path_harm;
 mod planners;
 mod prose;

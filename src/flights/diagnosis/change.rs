@@ -43,6 +43,19 @@ pub struct Change {
     pub alternatives: Vec<usize>,
 }
 
+/// Two findings are of the same change within this time, s.
+const SAME: f64 = 0.3;
+
+impl Change {
+    /// Keeps only those alternatives that another finding of the same change names too, if it agrees in the motor.
+    pub fn narrow(&mut self, other: &Change) {
+        let names = |motor: usize| motor == other.motor || other.alternatives.contains(&motor);
+        if (self.time - other.time).abs() < SAME && names(self.motor) {
+            self.alternatives.retain(|motor| names(*motor));
+        }
+    }
+}
+
 /// Sums of a quantity up to each window, for means over any stretch.
 struct Sums {
     count: Vec<f64>,

@@ -13,6 +13,8 @@ const JOINED: f64 = 1.0;
 const IMPACT: f64 = 45.0;
 /// Above the ground, m.
 const ABOVE: f64 = 0.5;
+/// How late heights are logged, s: ten a second, and then filtered.
+const LATE: f64 = 0.3;
 
 /// One flight of a log.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,12 +61,12 @@ pub fn flights(record: &Record, samples: &Samples) -> Vec<Flight> {
         i = end;
     }
     found.retain(|flight| flight.to - flight.from >= SHORTEST);
-    found.iter_mut().for_each(|flight| end(record, flight));
+    found.iter_mut().for_each(|flight| end(record, flight, has_height.then_some(ground)));
     found
 }
 
-/// Finds the impact that ends a flight, and what happened until then.
-fn end(record: &Record, flight: &mut Flight) {
+/// Finds the impact that ends a flight, and what happened until then. `ground` is its height, m, if the log shows it.
+fn end(record: &Record, flight: &mut Flight, ground: Option<f64>) {
     let after = flight.to + 3.0;
     let late = flight.from + SHORTEST;
     let force = record.force.times.iter().zip(&record.force.values);
@@ -85,9 +87,11 @@ fn end(record: &Record, flight: &mut Flight) {
         flight.to = time;
         flight.impact = Some((time, descent(time)));
     } else {
-        // Fast on the ground is an impact too, even if the accelerometer is slow.
+        // Fast near the ground is an impact too, even if the accelerometer is slow. A log may also end in a fall.
         let speed = descent(flight.to);
-        flight.impact = (speed > 3.0).then_some((flight.to, speed));
+        let height = record.height.at(flight.to, 1.5).zip(ground).map(|([height], ground)| height - ground);
+        let is_low = height.is_some_and(|height| height < ABOVE + LATE * speed);
+        flight.impact = (speed > 3.0 && is_low).then_some((flight.to, speed));
     }
     let attitude = record.attitude.within(flight.from, flight.to);
     let tilt = |a: &[f32; 6]| (f64::from(a[0]).cos() * f64::from(a[1]).cos()).clamp(-1.0, 1.0).acos();

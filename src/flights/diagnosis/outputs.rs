@@ -1,6 +1,6 @@
 //! What the outputs alone say: a motor that is switched off or held at one value while the others work.
 
-use super::record::MOTORS;
+use super::record::{Commands, MOTORS};
 
 /// An output that follows no control while the others do.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,22 +24,22 @@ const MOVING: f64 = 0.01;
 const SATURATED: f64 = 0.02;
 
 /// The frozen stretches of each motor between two times (s), in their order: of several in which a motor is off only
-/// the first. `commands` are shares of full thrust, and whether the motor is switched off.
+/// the first. `commands` are those of [`study`](super::study::study).
 pub fn frozen(
     times: &[f64],
     outputs: &[[f32; MOTORS]],
-    commands: &[Vec<(f64, bool)>],
+    commands: &Commands,
     range: [f64; 2],
     motors: usize,
 ) -> Vec<Frozen> {
     let [a, b] = range.map(|t| times.partition_point(|x| *x < t));
     let mut found: Vec<Frozen> = Vec::new();
+    let value = |i: usize, motor: usize| outputs[i][motor];
     for motor in 0..motors {
-        let value = |i: usize| outputs[i][motor];
         let (mut i, mut was_off) = (a, false);
         while i < b {
-            let (share, is_off) = commands[i][motor];
-            let same = |j: &usize| if is_off { commands[*j][motor].1 } else { value(*j) == value(i) };
+            let (share, is_off) = commands(i, motor);
+            let same = |j: &usize| if is_off { commands(*j, motor).1 } else { value(*j, motor) == value(i, motor) };
             let end = (i..b).find(|j| !same(j)).unwrap_or(b).max(i + 1);
             let lasts = times[end - 1] - times[i];
             let is_held = lasts >= HELD && share > SATURATED && share < 1.0 - SATURATED;
@@ -55,9 +55,9 @@ pub fn frozen(
 }
 
 /// Whether at least half of the other motors move meanwhile.
-fn works(commands: &[Vec<(f64, bool)>], rows: std::ops::Range<usize>, motor: usize, motors: usize) -> bool {
+fn works(commands: &Commands, rows: std::ops::Range<usize>, motor: usize, motors: usize) -> bool {
     let moving = (0..motors).filter(|k| *k != motor).filter(|k| {
-        let of = || rows.clone().map(|i| commands[i][*k].0);
+        let of = || rows.clone().map(|i| commands(i, *k).0);
         of().fold(f64::NEG_INFINITY, f64::max) - of().fold(f64::INFINITY, f64::min) > MOVING
     });
     2 * moving.count() >= motors - 1

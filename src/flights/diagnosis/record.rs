@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
-/// The most samples of a series; a longer one keeps every second, every fourth and so on.
-const MOST: usize = 1 << 21;
+/// The most samples of a series; a longer one keeps every second, every fourth and so on. A log of up to 2.9 h keeps 50
+/// samples a second, as many as the shortest windows (`samples`) use. Twice as many took more than 500 MB for a log of
+/// 1 GB.
+const MOST: usize = 1 << 20;
 
 /// Samples of `N` numbers in time, in their order.
 #[derive(Debug, Clone)]
@@ -103,6 +105,10 @@ pub enum Autopilot {
     Mavc,
 }
 
+/// The commands of a record, by row of its outputs and motor (from 0): the share of full thrust, and whether the motor
+/// is switched off.
+pub type Commands<'c> = dyn Fn(usize, usize) -> (f64, bool) + 'c;
+
 /// The most motors of a record.
 pub const MOTORS: usize = 16;
 
@@ -116,6 +122,8 @@ pub struct Record {
     pub outputs: Series<MOTORS>,
     /// Whether outputs are pulses in us; if not they are shares of full command.
     pub is_pulses: bool,
+    /// Whether outputs are in the order of the spec's rotors, and not of the numbers of motors.
+    pub is_by_rotor: bool,
     /// rad/s.
     pub rates: Series<3>,
     /// Specific force, m/s^2.
@@ -141,6 +149,7 @@ impl Record {
             parameters: BTreeMap::new(),
             outputs: Series::default(),
             is_pulses: true,
+            is_by_rotor: false,
             rates: Series::default(),
             force: Series::default(),
             attitude: Series::default(),

@@ -36,22 +36,22 @@ pub struct Samples {
 }
 
 impl Samples {
-    /// Cuts a record into windows from the times (s) and shares of its commands; `None` if commands or rates are too
-    /// few or too slow.
-    pub fn of(record: &Record, times: &[f64], commands: &[Vec<f64>], period: f64) -> Option<Self> {
+    /// Cuts a record into windows; `command` is the share of full thrust by row of the outputs and by motor. `None` if
+    /// commands or rates are too few or too slow.
+    pub fn of(record: &Record, motors: usize, command: &dyn Fn(usize, usize) -> f64) -> Option<Self> {
+        let times = &record.outputs.times;
         let (first, last) = (*times.first()?, *times.last()?);
-        let slowest = period.max(record.rates.period());
+        let slowest = record.outputs.period().max(record.rates.period());
         if slowest.is_nan() || slowest > LONGEST || times.len() < 20 {
             return None;
         }
         let step = slowest.max(SHORTEST).max((last - first) / MOST);
         let count = ((last - first) / step).floor() as usize;
-        let motors = commands.first()?.len();
         let mut samples: Vec<Sample> = (0..count)
             .map(|i| {
                 let (from, to) = (first + i as f64 * step, first + (i + 1) as f64 * step);
                 let time = 0.5 * (from + to);
-                let commands = mean_command(times, commands, from, to, motors);
+                let commands = mean_command(times, command, from, to, motors);
                 let rates = mean(record.rates.within(from, to)).or(record.rates.at(time, GAP * step));
                 let force = mean(record.force.within(from, to)).or(record.force.at(time, GAP * step));
                 let is_valid = rates.is_some() && commands.iter().all(|u| u.is_finite());
@@ -103,13 +103,13 @@ fn mean(values: &[[f32; 3]]) -> Option<[f64; 3]> {
 }
 
 /// The mean of the commands in a window: of those in it, or else the last before it if that is not long ago.
-fn mean_command(times: &[f64], commands: &[Vec<f64>], from: f64, to: f64, motors: usize) -> Vec<f64> {
+fn mean_command(times: &[f64], command: &dyn Fn(usize, usize) -> f64, from: f64, to: f64, motors: usize) -> Vec<f64> {
     let [a, b] = [from, to].map(|t| times.partition_point(|x| *x < t));
     if b > a {
-        return (0..motors).map(|k| commands[a..b].iter().map(|row| row[k]).sum::<f64>() / (b - a) as f64).collect();
+        return (0..motors).map(|k| (a..b).map(|row| command(row, k)).sum::<f64>() / (b - a) as f64).collect();
     }
-    match a.checked_sub(1).filter(|k| from - times[*k] < GAP * (to - from)) {
-        Some(k) => commands[k].clone(),
+    match a.checked_sub(1).filter(|row| from - times[*row] < GAP * (to - from)) {
+        Some(row) => (0..motors).map(|k| command(row, k)).collect(),
         None => vec![f64::NAN; motors],
     }
 }

@@ -4,11 +4,13 @@ use super::capacity::{Capacity, capacities};
 use super::change::{Change, strongest};
 use super::ending::{Flight, flights};
 use super::fit::{Effect, Fit};
+use super::onset::onset;
 use super::outputs::{Frozen, frozen};
-use super::record::{MOTORS, Record, median};
+use super::record::{Commands, MOTORS, Record, median};
 use super::samples::Samples;
 use super::transient::sudden;
 use crate::cancel;
+use nalgebra::DMatrix;
 
 /// The most losses that are looked for in one flight.
 const MOST_LOSSES: usize = 4;
@@ -19,8 +21,6 @@ const LOST: f64 = 0.15;
 /// After an output of one motor was off or held, so long (s) no reduced thrust of another is taken from the motion,
 /// which follows commands that the log has too few samples of.
 const UNSETTLED: f64 = 3.0;
-/// Time constants of rotors that are tried for a sudden loss, s.
-const LAGS: [f64; 3] = [0.02, 0.05, 0.1];
 /// Two signs of a fault of one motor within this time are one fault, s.
 const SAME: f64 = 0.7;
 /// A speed below this share of the others' median is that of a motor that stands.
@@ -90,14 +90,15 @@ pub struct Study {
 
 /// Studies a record.
 ///
-/// `commands` are, at the times of `record.outputs`, the share of full thrust and whether it is switched off for each
-/// motor; `hidden` outputs (motors from
-/// 0) are not looked at. `None` if commands or rates are logged too slowly for any answer.
-pub fn study(record: &Record, commands: &[Vec<(f64, bool)>], effects: &[Effect], hidden: &[usize]) -> Option<Study> {
-    let times = &record.outputs.times;
-    let mut shares: Vec<Vec<f64>> = commands.iter().map(|row| row.iter().map(|(share, _)| *share).collect()).collect();
-    hide(&mut shares, effects, hidden);
-    let samples = Samples::of(record, times, &shares, record.outputs.period())?;
+/// `hidden` outputs (motors from 0) are not looked at. `None` if commands or rates are logged too slowly for any
+/// answer.
+pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &[usize]) -> Option<Study> {
+    let mixed = Mixed::of(effects, hidden);
+    let command = |row: usize, motor: usize| match &mixed {
+        Some(mixed) if hidden.contains(&motor) => mixed.command(motor, |k| commands(row, k).0),
+        _ => commands(row, motor).0,
+    };
+    let samples = Samples::of(record, effects.len(), &command)?;
     let flights = flights(record, &samples);
     let mut study = Study {
         flights,
@@ -131,27 +132,31 @@ pub fn study(record: &Record, commands: &[Vec<(f64, bool)>], effects: &[Effect],
     Some(study)
 }
 
-/// Replaces the commands of hidden motors by what the mixer would command them: the combination of thrust and torques
-/// nearest to the others' commands.
-pub fn hide(shares: &mut [Vec<f64>], effects: &[Effect], hidden: &[usize]) {
-    if hidden.is_empty() {
-        return;
+/// What the mixer would command hidden motors: the combination of thrust and torques nearest to the others' commands.
+struct Mixed {
+    seen: Vec<usize>,
+    /// For each motor the share of each seen command in its own.
+    shares: DMatrix<f64>,
+}
+
+impl Mixed {
+    /// `None` if no motor is hidden.
+    fn of(effects: &[Effect], hidden: &[usize]) -> Option<Self> {
+        let seen: Vec<usize> = (0..effects.len()).filter(|k| !hidden.contains(k)).collect();
+        let of_seen = DMatrix::from_fn(seen.len(), 4, |row, axis| effects[seen[row]][axis]);
+        let of_all = DMatrix::from_fn(effects.len(), 4, |motor, axis| effects[motor][axis]);
+        let inverse = of_seen.pseudo_inverse(1e-6).ok().filter(|_| !hidden.is_empty())?;
+        Some(Mixed { seen, shares: of_all * inverse })
     }
-    let seen: Vec<usize> = (0..effects.len()).filter(|k| !hidden.contains(k)).collect();
-    let matrix = nalgebra::DMatrix::from_fn(seen.len(), 4, |row, axis| effects[seen[row]][axis]);
-    let Ok(inverse) = matrix.pseudo_inverse(1e-6) else { return };
-    for row in shares {
-        let commands = nalgebra::DVector::from_iterator(seen.len(), seen.iter().map(|k| row[*k]));
-        let wanted = &inverse * commands;
-        for &k in hidden {
-            row[k] = (0..4).map(|axis| effects[k][axis] * wanted[axis]).sum::<f64>().clamp(0.0, 1.0);
-        }
+
+    fn command(&self, motor: usize, of_seen: impl Fn(usize) -> f64) -> f64 {
+        self.seen.iter().enumerate().map(|(i, k)| self.shares[(motor, i)] * of_seen(*k)).sum::<f64>().clamp(0.0, 1.0)
     }
 }
 
 fn losses_of(
     record: &Record,
-    commands: &[Vec<(f64, bool)>],
+    commands: &Commands,
     effects: &[Effect],
     hidden: &[usize],
     samples: &Samples,
@@ -190,8 +195,13 @@ fn losses_of(
     if motors - hidden.len() < 4 {
         return losses;
     }
-    let by_lag = LAGS.map(|lag| sudden(samples, &samples.followed(lag), effects, range.clone()));
-    moved.extend(by_lag.into_iter().flatten().max_by(|a, b| a.strength.total_cmp(&b.strength)));
+    let candidates = sudden(samples, effects, range.clone());
+    let found = candidates.strongest.iter().filter_map(|one| onset(samples, effects, range.clone(), one.time));
+    let mut found = found.max_by(|a, b| a.strength.total_cmp(&b.strength));
+    if let (Some(found), Some(clear)) = (&mut found, &candidates.clear) {
+        found.narrow(clear);
+    }
+    moved.extend(found.or(candidates.clear));
     for round in 0..=MOST_LOSSES {
         cancel::checkpoint();
         let residuals = residuals_after(&fit, samples, effects, &moved);

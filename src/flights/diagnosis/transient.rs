@@ -2,8 +2,8 @@
 //!
 //! A vehicle that hovers calmly does not show how fast it turns for a torque, so that the balance of `change` is all
 //! that is known of it; when a rotor stops, it turns. For each instant at which it starts to turn, and each rotor and
-//! capacity, the gains of the three axes are fitted to the seconds around it. A loss is taken if it explains the
-//! angular acceleration, which the commands alone do not, and which no other rotor explains as well.
+//! capacity, the gains of the three axes are fitted to the seconds around it. The instant is a candidate if a loss
+//! explains the angular acceleration better than the commands alone; `onset` decides.
 
 use super::change::Change;
 use super::fit::Effect;
@@ -13,6 +13,8 @@ use super::samples::Samples;
 /// Seconds before an instant, and after it: a quadcopter without a rotor turns over in a fraction of a second.
 const BEFORE: f64 = 4.0;
 const AFTER: [f64; 3] = [0.15, 0.3, 0.9];
+/// Time constants of rotors that are tried, s.
+const LAGS: [f64; 3] = [0.02, 0.05, 0.1];
 /// Faster turns than this are left out, rad/s.
 const FASTEST: f64 = 6.0;
 /// A vehicle that already turned faster than this in the second before is not under control, rad/s.
@@ -23,16 +25,29 @@ const STARTS: f64 = 6.0;
 const FLOOR: f64 = 0.15;
 /// Share of an angular acceleration by which the model may be off.
 const MODEL_ERROR: f64 = 0.25;
-/// A loss is taken if it lowers the squared error by so many variances, to at most this share of what it is without.
-const THRESHOLD: f64 = 50.0;
-const EXPLAINS: f64 = 0.35;
-/// Half of the 95 % interval of a capacity by the errors of the model alone (benches/diagnosis).
-const SHARE_ERROR: f64 = 0.06;
-/// The same after less than this, s: the thrust of a rotor that stops decays meanwhile.
-const SHORT: f64 = 0.25;
-const SHORT_ERROR: f64 = 0.25;
-/// Capacities that are tried first.
+/// A loss is a candidate if it lowers the squared error by so many variances, to at most this share of what it is
+/// without: `onset` decides, which knows more.
+const THRESHOLD: f64 = 40.0;
+const EXPLAINS: f64 = 0.75;
+/// A candidate that lowers it by so many variances, to at most this share, is clear (recorded flights).
+const CLEAR: f64 = 50.0;
+const BEGINS: f64 = 0.35;
+/// Half of the 95 % interval of a capacity, which the few windows show badly.
+const SHARE_ERROR: f64 = 0.25;
+/// The most candidates, and how far apart they are, s.
+const MOST: usize = 6;
+const APART: f64 = 1.0;
+/// Capacities that are tried.
 const CAPACITIES: [f64; 15] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7];
+
+/// What the starts of turns show.
+#[derive(Debug, Clone, Default)]
+pub struct Candidates {
+    /// The strongest, in the order of strength.
+    pub strongest: Vec<Change>,
+    /// The strongest that explains its few windows so well that it counts even if nothing explains what follows.
+    pub clear: Option<Change>,
+}
 
 /// Rows of the windows around an instant.
 struct Around<'s> {
@@ -80,24 +95,40 @@ impl Around<'_> {
     }
 }
 
-/// The strongest sudden loss in a range of windows, by the commands of each as the rotors follow them; `None` if there
-/// is none.
-pub fn sudden(
-    samples: &Samples,
-    commands: &[Vec<f64>],
-    effects: &[Effect],
-    range: std::ops::Range<usize>,
-) -> Option<Change> {
-    let mut best: Option<Change> = None;
+/// The candidates in a range of windows, whatever the time constant of the rotors.
+pub fn sudden(samples: &Samples, effects: &[Effect], range: std::ops::Range<usize>) -> Candidates {
+    let mut kept = Candidates::default();
     let windows = |seconds: f64| ((seconds / samples.step).round() as usize).max(3);
-    for start in range.clone().skip(windows(BEFORE) / 2) {
-        let Some(around) = Around::new(samples, commands, effects, range.clone(), start) else { continue };
-        for after in AFTER.map(windows) {
-            let found = around.loss(start, (start + after).min(range.end));
-            best = [best, found].into_iter().flatten().max_by(|a, b| a.strength.total_cmp(&b.strength));
+    for lag in LAGS {
+        let commands = samples.followed(lag);
+        for start in range.clone().skip(windows(BEFORE) / 2) {
+            let Some(around) = Around::new(samples, &commands, effects, range.clone(), start) else { continue };
+            for after in AFTER.map(windows) {
+                let found = around.loss(start, (start + after).min(range.end));
+                found.into_iter().for_each(|(change, left)| kept.take(change, left));
+            }
         }
     }
-    best
+    kept
+}
+
+impl Candidates {
+    /// Keeps a candidate, which leaves a share of the squared error, unless one near it is stronger; at most [`MOST`].
+    fn take(&mut self, new: Change, left: f64) {
+        let is_clear = new.strength > CLEAR && left < BEGINS;
+        if is_clear && self.clear.as_ref().is_none_or(|best| best.strength < new.strength) {
+            self.clear = Some(new.clone());
+        }
+        let is_near = |other: &Change| (other.time - new.time).abs() <= APART;
+        let kept = &mut self.strongest;
+        if kept.iter().any(|other| is_near(other) && other.strength >= new.strength) {
+            return;
+        }
+        kept.retain(|other| !is_near(other));
+        kept.push(new);
+        kept.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+        kept.truncate(MOST);
+    }
 }
 
 impl<'s> Around<'s> {
@@ -141,43 +172,35 @@ impl<'s> Around<'s> {
         (start..(start + 2).min(range.end)).any(starts).then_some(around)
     }
 
-    /// The loss from window `start` on that explains the windows until `end`.
-    fn loss(&self, start: usize, end: usize) -> Option<Change> {
+    /// The loss from window `start` on that lowers the squared error of the windows until `end` most; `None` if none
+    /// explains them. With it the share of the squared error that is left.
+    fn loss(&self, start: usize, end: usize) -> Option<(Change, f64)> {
         let healthy = self.error(start..end, None);
         if healthy < THRESHOLD {
             return None;
         }
-        let tried = |k: usize, c: f64| self.error(start..end, Some((k, start, c)));
         let best_of = |k: usize| {
-            let all = CAPACITIES.iter().map(|c| (tried(k, *c), *c));
-            all.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((healthy, 1.0))
+            let all = CAPACITIES.map(|c| (self.error(start..end, Some((k, start, c))), c));
+            all.into_iter().fold((f64::INFINITY, 1.0), |best, one| if one.0 < best.0 { one } else { best })
         };
         let each: Vec<(f64, f64)> = (0..self.effects.len()).map(best_of).collect();
         let motor = (0..each.len()).min_by(|a, b| each[*a].0.total_cmp(&each[*b].0))?;
         let (error, capacity) = each[motor];
-        let strength = healthy - error;
-        if strength < THRESHOLD || error > EXPLAINS * healthy {
+        if healthy - error < THRESHOLD || error > EXPLAINS * healthy {
             return None;
         }
         let noise = (error / (3 * (end - start)) as f64).max(1.0);
-        let fine = || (0..=100).map(|percent| 0.01 * f64::from(percent)).filter(|c| (c - capacity).abs() < 0.3);
-        let each_fine: Vec<(f64, f64)> = fine().map(|c| (tried(motor, c), c)).collect();
-        let (least, capacity) =
-            each_fine.iter().copied().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((error, capacity));
-        let inside: Vec<f64> = each_fine.iter().filter(|(e, _)| *e < least + 3.84 * noise).map(|(_, c)| *c).collect();
-        let [low, high] = [inside.first(), inside.last()].map(|c| c.map_or(0.0, |c| (c - capacity).abs()));
         let step = self.samples.step;
-        let is_short = (end - start) as f64 * step < SHORT;
-        let wide = |half: f64| half.hypot(if is_short { SHORT_ERROR } else { SHARE_ERROR });
         let time = self.samples.samples[start].time - 0.5 * step;
-        Some(Change {
+        let change = Change {
             motor,
             time,
             interval: [time - 2.0 * step, time + step],
             capacity,
-            capacity_interval: [(capacity - wide(low)).max(0.0), (capacity + wide(high)).min(1.0)],
-            strength,
+            capacity_interval: [(capacity - SHARE_ERROR).max(0.0), (capacity + SHARE_ERROR).min(1.0)],
+            strength: healthy - error,
             alternatives: (0..each.len()).filter(|k| *k != motor && each[*k].0 < error + 9.0 * noise).collect(),
-        })
+        };
+        Some((change, error / healthy))
     }
 }

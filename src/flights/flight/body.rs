@@ -126,6 +126,13 @@ impl Body {
         }
     }
 
+    /// What an accelerometer at the centre of gravity reads, m/s^2, body frame: thrust (N) and drag in an air with a
+    /// velocity (m/s, world frame).
+    pub fn specific_force(&self, frame: &Frame, thrust: f64, air: &Vector3<f64>) -> Vector3<f64> {
+        let through = self.rotation().inverse() * (self.velocity - air);
+        (Vector3::z() * thrust - through.component_mul(&frame.drag)) / frame.mass
+    }
+
     /// The state plus `h` times a derivative.
     fn along(&self, slope: &Body, h: f64) -> Body {
         Body {

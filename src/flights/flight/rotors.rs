@@ -72,6 +72,15 @@ impl Rotors {
         }
     }
 
+    /// Replaces the commands of stuck rotors by the speeds that they have: what a log of the outputs shows.
+    pub fn hold_stuck(&mut self) {
+        for (k, stuck) in self.stuck.iter().enumerate() {
+            if stuck.is_some() {
+                self.command[k] = self.speed[k];
+            }
+        }
+    }
+
     /// Advances the speeds by half a step of w' = (command - w) / time constant, in closed form.
     pub fn half_step(&mut self) {
         for (k, speed) in self.speed.iter_mut().enumerate() {

@@ -6,6 +6,7 @@ use super::knowledge::Knowledge;
 use super::reference::Reference;
 use super::rotors::Rotors;
 use crate::actuation::Wrench;
+use nalgebra::Vector3;
 
 /// The state of a flight at an instant.
 #[derive(Debug, Clone, Copy)]
@@ -24,6 +25,10 @@ pub struct Sample<'a> {
     pub wanted: &'a Wrench,
     /// The speed of each rotor, rad/s.
     pub speeds: &'a [f64],
+    /// The commanded speed of each rotor, rad/s; of a stuck rotor the speed at which it is.
+    pub commands: &'a [f64],
+    /// What the vehicle's gyroscope and accelerometer read.
+    pub inertial: Inertial,
     /// The capacity theta of each rotor that the allocation uses.
     pub believed: &'a [f64],
     /// The capacity theta of each rotor as estimated; `believed` without an estimator.
@@ -32,6 +37,15 @@ pub struct Sample<'a> {
     pub regressor: Option<(usize, f64)>,
     /// Whether this is the last sample of the flight.
     pub is_last: bool,
+}
+
+/// Readings of gyroscope and accelerometer, body frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inertial {
+    /// Body rates, rad/s, with the noise and the range of the gyroscope.
+    pub rates: Vector3<f64>,
+    /// Specific force of the centre of gravity, m/s^2; without noise, as a spec gives none.
+    pub force: Vector3<f64>,
 }
 
 impl Sample<'_> {
@@ -50,6 +64,7 @@ pub(super) struct View<'a> {
     pub heading: Heading,
     pub wrench: &'a Wrench,
     pub wanted: &'a Wrench,
+    pub inertial: Inertial,
 }
 
 impl<'a> View<'a> {
@@ -61,7 +76,7 @@ impl<'a> View<'a> {
         regressor: Option<&(usize, f64)>,
         is_last: bool,
     ) -> Sample<'a> {
-        let View { body, reference, heading, wrench, wanted } = self;
+        let View { body, reference, heading, wrench, wanted, inertial } = self;
         Sample {
             time,
             body,
@@ -70,6 +85,8 @@ impl<'a> View<'a> {
             wrench,
             wanted,
             speeds: &rotors.speed,
+            commands: &rotors.command,
+            inertial,
             believed: &knowledge.belief.capacity,
             estimated: knowledge.estimated(),
             regressor: regressor.copied(),

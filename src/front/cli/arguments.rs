@@ -210,6 +210,9 @@ pub(super) struct DiagnoseArgs {
     /// Do not look at the logged output of this motor, and infer its command from the others'
     #[arg(long, value_name = "MOTOR")]
     pub hide: Vec<usize>,
+    /// Write a page with curves of the flight, and the torques that the vehicle can give before and after each loss
+    #[arg(long, value_name = "PAGE.HTML", value_hint = clap::ValueHint::FilePath)]
+    pub html: Option<PathBuf>,
     /// Print the answer for people, or JSON
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,

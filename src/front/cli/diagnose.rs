@@ -1,19 +1,24 @@
 //! `mavc diagnose`: which motor lost thrust in the flight of a log.
 
 use super::progress::Watch;
-use super::results::compact_json;
+use super::results::{Names, Places, Results, compact_json};
 use super::spec::human;
 use super::{CommandError, DiagnoseArgs, FINE, Format, LOSS, NOT_IDENTIFIABLE, Options, SPEC_ERRORS, SpecArgs};
 use super::{files, spec};
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::log::commands;
 use crate::pipeline::{Diagnosed, Undiagnosed, diagnose};
 use crate::read::FlightBlocks;
-use crate::report::diagnosis::{DiagnosisRecord, screen};
+use crate::report::diagnosis::{DiagnosisRecord, page, screen};
+use crate::report::screen::Screen;
 use crate::source::{Source, SourceMap};
 use std::io::Read;
 use std::path::Path;
 
 pub fn run(args: &DiagnoseArgs, options: &Options) -> Result<u8, CommandError> {
+    let places = Places::new(Names { page: args.html.as_deref(), ..Names::default() })?;
+    let read = || std::iter::once(&args.log).chain(&args.spec).chain(&args.baseline).map(String::as_str);
+    places.page.iter().try_for_each(|target| target.must_spare(read()))?;
     let vehicle = match &args.spec {
         None => None,
         Some(path) => {
@@ -32,11 +37,19 @@ pub fn run(args: &DiagnoseArgs, options: &Options) -> Result<u8, CommandError> {
             eprint(&args.log, found, options);
             Ok(SPEC_ERRORS)
         }
-        Ok(Diagnosed { diagnosis, diagnostics }) => {
+        Ok(Diagnosed { diagnosis, record, diagnostics }) => {
             eprint(&args.log, diagnostics, options);
-            match args.format {
-                Format::Json => files::print(&compact_json(&DiagnosisRecord::new(&diagnosis))?)?,
-                Format::Human => files::print_screen(&screen(&diagnosis))?,
+            let mut results = Results::new(&places);
+            results.page(|| page(&spec::shown(&args.log), &diagnosis, &record, &commands(&record)));
+            let text = match args.format {
+                Format::Json => Screen::as_it_is(&compact_json(&DiagnosisRecord::new(&diagnosis))?),
+                Format::Human => screen(&diagnosis),
+            };
+            results.print(&text)?;
+            results.write()?;
+            results.print_beside(&text);
+            if args.format == Format::Human {
+                results.note_page(options)?;
             }
             Ok(match () {
                 () if !diagnosis.losses().is_empty() => LOSS,

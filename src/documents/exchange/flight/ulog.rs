@@ -1,6 +1,6 @@
 //! A flight as ULog, the format of PX4's logs. Topics have the names, fields and frames of PX4's where these exist
-//! (`vehicle_local_position`, `vehicle_attitude`, `vehicle_angular_velocity`, `trajectory_setpoint`); topics of mavc
-//! begin with `mavc_`. <https://docs.px4.io/main/en/dev_log/ulog_file_format.html>
+//! (`vehicle_local_position`, `vehicle_attitude`, `vehicle_angular_velocity`, `trajectory_setpoint`, `sensor_combined`,
+//! `actuator_motors`); topics of mavc begin with `mavc_`. <https://docs.px4.io/main/en/dev_log/ulog_file_format.html>
 
 use super::Row;
 use crate::exchange::bytes::Bytes;
@@ -16,13 +16,15 @@ struct Topic {
     values: fn(&Row) -> Vec<f64>,
 }
 
-fn topics(rotors: usize) -> Vec<Topic> {
+/// The topics of a vehicle; that of commands only where PX4's has room for its motors.
+fn topics(rotors: usize, has_commands: bool) -> Vec<Topic> {
     let each = |names: &[&str]| {
         let of_rotor = |k: usize| names.iter().map(move |name| format!("float {name}_{k};"));
         (1..=rotors).flat_map(of_rotor).collect::<String>()
     };
     let topic = |name, fields: &str, values| Topic { name, fields: fields.into(), values };
-    vec![
+    let commands = topic("actuator_motors", "float[12] control;", |row| row.commands.into_iter().flatten().collect());
+    let mut topics = vec![
         topic("vehicle_local_position", "float x;float y;float z;float vx;float vy;float vz;float heading;", |row| {
             let [position, velocity] = [row.position, row.velocity].map(|v| Frame::NedFrd.world(v));
             [&position[..], &velocity, &[wrapped(Frame::NedFrd.yaw(row.angles[2]))]].concat()
@@ -59,7 +61,13 @@ fn topics(rotors: usize) -> Vec<Topic> {
         topic("mavc_estimator", "float regressor_rank;float regressor_condition;", |row| {
             row.regressor.unwrap_or([f64::NAN; 2]).to_vec()
         }),
-    ]
+        // Measured, while the topics of `vehicle_` are true.
+        topic("sensor_combined", "float[3] gyro_rad;float[3] accelerometer_m_s2;", |row| {
+            row.inertial.map(|reading| Frame::NedFrd.body(reading)).concat()
+        }),
+    ];
+    topics.extend(has_commands.then_some(commands));
+    topics
 }
 
 /// The whole log. Numbers are float32, times microseconds.
@@ -68,7 +76,8 @@ pub(super) fn bytes(rows: &[Row]) -> Vec<u8> {
     out.u8(VERSION).u64(0);
     // No flags, no appended data.
     message(&mut out, b'B', &[0; 40]);
-    let topics = topics(rows.first().map_or(0, |row| row.rotors.len()));
+    let first = rows.first();
+    let topics = topics(first.map_or(0, |row| row.rotors.len()), first.is_some_and(|row| row.commands.is_some()));
     for (key, value) in [("sys_name", "mavc"), ("ver_sw", env!("CARGO_PKG_VERSION"))] {
         let key = format!("char[{}] {key}", value.len());
         let mut content = Bytes::default();
