@@ -1,7 +1,7 @@
 //! Specs, and the compiler that makes one from a text.
 //!
 //! - What comes in: texts, files that they use, overrides.
-//! - What goes out: a [`Spec`](crate::Spec) with its [`Model`](crate::model::Model), or diagnostics.
+//! - What goes out: a [`Spec`] with its [`Model`], or diagnostics.
 //! - What it does not know: admissible sets, planners, flights.
 
 pub mod model;

@@ -190,32 +190,24 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
     let delays = if least < most { vec![least, most] } else { vec![most] };
     let modes = 0..model.modes.len();
     let sets: Vec<_> = modes.clone().into_par_iter().map(|mode| of_one_mode(model, mode, &healthy)).collect();
-    let none = |mode: usize, why: NotAttempted| {
+    let none = |mode: usize, not_attempted: Option<NotAttempted>| {
         let piece = Piece { from: 0.0, to: plan.duration(), way: None, branches: Vec::new(), near_miss: None };
         let families = between.then(Families::default);
-        ModeRecovery { mode, not_attempted: Some(why), pieces: vec![piece], instants: 0, families }
+        ModeRecovery { mode, not_attempted, pieces: vec![piece], instants: 0, families }
     };
+    let why: Vec<Option<NotAttempted>> = sets.iter().map(|(set, provision)| why_none(model, set, provision)).collect();
     let look = |mode: usize| {
         cancel::checkpoint();
         let (set, provision) = &sets[mode];
-        match why_none(model, set, provision) {
-            Some(why) => Err(none(mode, why)),
-            None => {
-                let mut search = Search::new(problem, plan, (mode, set, provision), &healthy, &delays, between);
-                let found = search.all();
-                Ok((search, found))
-            }
+        if why[mode].is_some() {
+            return (None, Vec::new());
         }
+        let mut search = Search::new(problem, plan, (mode, set, provision), &healthy, &delays, between);
+        let found = search.all();
+        (Some(search), found)
     };
-    let looked: Vec<_> = modes.clone().into_par_iter().map(look).collect();
+    let (searches, outcomes): (Vec<_>, Vec<_>) = modes.clone().into_par_iter().map(look).unzip();
     // Gaps are looked at again when all modes are known: they lend each other their branches.
-    let (searches, outcomes): (Vec<_>, Vec<_>) = looked
-        .into_iter()
-        .map(|of_mode| match of_mode {
-            Ok((search, found)) => (Ok(search), found),
-            Err(none) => (Err(none), Vec::new()),
-        })
-        .unzip();
     let again: Vec<_> = searches
         .into_par_iter()
         .enumerate()
@@ -223,15 +215,16 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
             let mut search = search?;
             let others: Vec<&[Found]> = modes.clone().filter(|m| *m != mode).map(|m| &outcomes[m][..]).collect();
             let fresh = search.again(&outcomes[mode], &others);
-            Ok((search, fresh))
+            Some((search, fresh))
         })
         .collect();
     let each: Vec<_> = again
         .into_par_iter()
         .zip(outcomes)
-        .map(|(of_mode, found)| match of_mode {
-            Ok((search, fresh)) => search.result(found, fresh),
-            Err(none) => (none, Vec::new(), Effort::default()),
+        .enumerate()
+        .map(|(mode, (search, found))| match search {
+            Some((search, fresh)) => search.result(found, fresh),
+            None => (none(mode, why[mode]), Vec::new(), Effort::default()),
         })
         .collect();
     let mut found = Recovery {

@@ -255,7 +255,7 @@ fn when_lost(design: &Design, tally: &Tally, plans: &[Survival], modes: &[usize]
     let mut lost =
         (0..design.cases.times).filter(|&t| is_lost(t)).map(|t| fault_time(design.time, design.cases.times, t));
     let Some(first) = lost.next() else { return "-".into() };
-    match lost.last() {
+    match lost.next_back() {
         Some(last) => format!("{} to {} s", number(first), number(last)),
         None => format!("{} s", number(first)),
     }
