@@ -125,7 +125,7 @@ fn a_quadcopter_tolerates_weak_rotors_and_lands_without_one() {
     let flight = mavc(&["simulate", "-v", PARCEL]);
     assert_eq!(flight.status.code(), Some(0));
     let text = String::from_utf8(flight.stdout).unwrap();
-    assert!(text.contains("\nLanded at ") && text.contains("\n  yaw given up at 6.0"), "{text}");
+    assert!(text.contains("\n  Landed at ") && text.contains("\n  yaw given up at 6.0"), "{text}");
     let held = mavc(&["simulate", "-v", PARCEL, "--set", "plan.without_yaw=never"]);
     assert_eq!(held.status.code(), Some(6));
 }
