@@ -1,10 +1,13 @@
 """Flight logs, as the command reads them. The logs are of simulated flights, with the losses known."""
 
-import importlib.util
+import importlib
+import itertools
 import json
 import os
 import random
+import re
 import subprocess
+import sys
 
 import mavc
 import numpy as np
@@ -12,14 +15,19 @@ import pint
 import pytest
 from conftest import ROOT
 
-# The script that writes simulated flights as DataFlash logs.
-place = importlib.util.spec_from_file_location("diagnosing", ROOT / "benches" / "diagnosis" / "run.py")
-assert place is not None and place.loader is not None
-diagnosing = importlib.util.module_from_spec(place)
-place.loader.exec_module(diagnosing)
+# The scripts that make flights, and write them as DataFlash logs.
+sys.path.insert(0, str(ROOT / "benches" / "diagnosis"))
+dataflash, flights = (importlib.import_module(name) for name in ("dataflash", "flights"))
 
-HEXACOPTER = 2
 LOST = 4
+
+
+def hexacopter():
+    """The first random flight of a hexacopter along lanes that loses motor 4."""
+    for seed in itertools.count():
+        flight = flights.Flight(random.Random(seed))
+        if (flight.layout, flight.mission, flight.motor, flight.capacity) == ("hexa PNPNPN", "lanes", LOST, 0.0):
+            return flight
 
 
 class Flown:
@@ -27,15 +35,18 @@ class Flown:
 
     def __init__(self, folder, path):
         self.folder, self.path = folder, path
-        rng = random.Random(3)
-        text, self.mass, self.full, lag, self.time = diagnosing.spec(rng, HEXACOPTER, (LOST - 1, 0.0))
-        self.spec = mavc.compile(text, warn=False)
-        lost = self.spec.simulate().log
-        good = mavc.compile(text.replace(f"; fault F at {self.time:.3f} s", ""), warn=False).simulate().log
-        for name, log, rate, seed in [("lost", lost, 50, 1), ("good", good, 50, 2), ("other", good, 50, 3), ("slow", good, 1, 4)]:
-            rows = [dict(zip(log, values)) for values in zip(*log.values())]
-            noise = random.Random(seed)
-            diagnosing.write(rows, HEXACOPTER, self.mass, lag, rate, 2 * rate, 0.004, noise, folder / f"{name}.bin")
+        flight = hexacopter()
+        self.mass, self.time = flight.mass, flight.time
+        self.full = float(re.search(r"max_thrust *= ([0-9.]+) N", flight.spec)[1])
+        self.spec = mavc.compile(flight.spec, warn=False)
+        good = flight.spec.replace(f"\n    fault F at {flight.time} s", "")
+        assert good != flight.spec
+        flight.noise = 0.004
+        for name, text, rate, seed in [("lost", flight.spec, 50, 1), ("good", good, 50, 2), ("other", good, 50, 3), ("slow", good, 1, 4)]:
+            table = folder / "flight.csv"
+            table.write_text(mavc.compile(text, warn=False).simulate(rate=400).log.csv)
+            flight.rate = rate
+            dataflash.write(flight, table, 2 * rate, random.Random(seed), folder / f"{name}.bin")
 
     def __call__(self, name):
         return str(self.folder / f"{name}.bin")
