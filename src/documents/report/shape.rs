@@ -2,7 +2,7 @@
 //! where it climbs or strays although no volume is in the way.
 
 use super::caveats::{Caveat, CaveatKind};
-use crate::explain::detour::{Detour, DetourKind, Forbids};
+use crate::explain::detour::{Detour, DetourKind, Forbids, is_cheap};
 use crate::model::{Limit, LimitKind, Mission, MissionTime, Problem};
 use crate::motion::shape::{Place, Shape};
 use crate::motion::time_grid::determined;
@@ -249,9 +249,14 @@ pub fn detour_records(problem: Problem, detours: &[Detour]) -> Vec<DetourRecord>
 }
 
 /// What a quick search with the statements against all detours found, with `with` for these statements: `. A quick
-/// search with it found a plan of 91.2 s, 1.1 s longer`; empty if it found none.
+/// search with it found a plan of 91.2 s, 1.1 s longer`, or that it found none or was not attempted.
 fn price(problem: Problem, solved: &MissionPlan, detour: &Detour, with: &str) -> String {
-    let Some(time) = detour.tried else { return String::new() };
+    let Some(time) = detour.tried else {
+        return match is_cheap(problem) {
+            true => format!(". A quick search {with} found no plan"),
+            false => ". No value was tried".into(),
+        };
+    };
     if detour.covers_less {
         return format!(". A quick search {with} found only a plan that covers fewer fault modes");
     }
