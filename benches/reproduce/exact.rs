@@ -10,7 +10,7 @@ use mavc::motion::Z;
 use mavc::motion::checks::linear_range;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::studies::{MissionPlan, PlannerRun, Run};
-use mavc::planner::transcription::UPRIGHT;
+use mavc::tolerance::UPRIGHT;
 use mavc::{Planning, Spec};
 
 /// Heads the part that takes long to compute; it ends the page.

@@ -264,3 +264,17 @@ fn the_schemas_of_reports_have_the_same_words() {
     }
     assert!(compared >= 6, "{compared}");
 }
+
+/// A new limit counts after a fault too, unless it bounds a place or the yaw.
+#[test]
+fn limits_after_a_fault_are_those_of_no_place_and_no_yaw() {
+    use mavc::language::table::{after_fault_limits, limits};
+    let forms = |entry: &Entry| match entry.takes {
+        Takes::Bound(_, forms) => format!("{forms:?}"),
+        ref other => panic!("{}: {other:?}", entry.name),
+    };
+    let places = forms(&limits::X);
+    let others = limits::ENTRIES.iter().filter(|entry| forms(entry) != places).map(|entry| entry.name);
+    let after: Vec<&str> = after_fault_limits::ENTRIES.iter().map(|entry| entry.name).collect();
+    assert_eq!(after, others.collect::<Vec<_>>());
+}

@@ -14,6 +14,14 @@ pub const EDGE: f64 = 1e-6;
 /// A set may be violated by this share of the healthy set's width, in which reports measure violations.
 pub const MOST_OUTSIDE: f64 = 1e-4;
 
+/// In the exact model the vertical part of the thrust is at least this share of the weight, (68) of docs/method. Closer
+/// to free fall, and upside down, ZYX angles jump, and the direction of a vanishing thrust is undefined.
+pub const UPRIGHT: f64 = 0.1;
+
+/// Where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this times g^2:
+/// docs/method/air.md, (90e).
+pub const LEAST_PRODUCT: f64 = 0.5 * UPRIGHT * UPRIGHT;
+
 /// Upper end of the usual range of a speed limit, and of the speed of a plan without such a limit, m/s
 /// (docs/diagnostics/sense.md).
 pub const USUAL_SPEED: f64 = 60.0;

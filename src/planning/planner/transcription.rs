@@ -56,18 +56,11 @@ pub enum Row {
     Facet(usize),
     /// A limit of the mission, by index.
     Limit(usize),
-    /// (68): the thrust's vertical part is at least [`UPRIGHT`] times the weight.
+    /// (68): the thrust's vertical part is at least [`crate::tolerance::UPRIGHT`] times the weight.
     Upright,
     /// A row of the planning set, by index, on the commanded wrench of rotors that lag.
     Command { facet: usize, slope: Slope },
 }
-
-/// In the exact model the vertical part of the thrust is at least this share of the weight (68). Closer to free fall,
-/// and upside down, ZYX angles jump, and the direction of a vanishing thrust is undefined.
-pub const UPRIGHT: f64 = 0.1;
-
-/// (90e): where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this times g^2.
-pub const LEAST_PRODUCT: f64 = 0.5 * UPRIGHT * UPRIGHT;
 
 /// All that a program depends on, except its objective and the choice of rows.
 pub struct Transcription<'a> {

@@ -5,9 +5,10 @@ use crate::flatness::rotor_drag::Attitude;
 use crate::model::Environment;
 use crate::motion::{NodeState, Z, attitude, in_air};
 use crate::planner::limits::Widening;
-use crate::planner::transcription::{LEAST_PRODUCT, Transcription, UPRIGHT};
+use crate::planner::transcription::Transcription;
 use crate::qp::RowOrigin;
 use crate::qp::build::Builder;
+use crate::tolerance::{LEAST_PRODUCT, UPRIGHT};
 
 impl Transcription<'_> {
     /// The row (68): z'' + g >= [`UPRIGHT`] g, with drag in addition; of the extreme winds the last, which lifts most.

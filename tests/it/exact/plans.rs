@@ -10,7 +10,7 @@ use mavc::planner::selection::PlanningSet;
 use mavc::planner::studies::Comparison;
 
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::transcription::UPRIGHT;
+use mavc::tolerance::UPRIGHT;
 
 /// The violation of rows that is allowed between the [`PARTS`] instants of an interval, as a share. Rows hold at the
 /// instants; the deviation of wrenches and norms from straight lines in between decreases with the square of the step.

@@ -22,18 +22,11 @@ use crate::number::significant;
 use crate::source::Span;
 use std::sync::{Arc, OnceLock};
 
-pub use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
+pub use crate::tolerance::{LEAST_PRODUCT, MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT, UPRIGHT};
 use selection::Selecting;
 
 pub(super) use along::upright;
 pub use along::{POINTS_OF_A_GRID, wrench_family};
-
-/// In the exact model the vertical part of the thrust is at least this share of the weight.
-pub const UPRIGHT: f64 = 0.1;
-
-/// Where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this share of g^2:
-/// docs/method/air.md, (90e).
-pub const LEAST_PRODUCT: f64 = 0.5 * UPRIGHT * UPRIGHT;
 
 /// A motion that passed all checks at the nodes, with the rows to check between them.
 struct Checked<'m> {

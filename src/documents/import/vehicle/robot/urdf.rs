@@ -62,7 +62,7 @@ pub fn read(source: &Source, root: Node) -> Result<Robot, RobotError> {
 fn joints<'a>(root: Node<'a, '_>) -> HashMap<String, Joint<'a>> {
     let joint = |joint: Node<'a, '_>| {
         let end = |name| child(joint, name).and_then(|node| node.attribute("link")).unwrap_or_default().to_string();
-        // A joint without a type is no URDF; it counts as fixed, as it places its link.
+        // A joint without a type is not URDF; it counts as fixed, as it places its link.
         let kind = joint.attribute("type").unwrap_or("fixed");
         (end("child"), Joint { parent: end("parent"), kind })
     };
