@@ -153,8 +153,8 @@ fn planned(
     Ok((Planned { of: of.clone(), diagnostics, done: Some(done) }, texts))
 }
 
-/// `plan(spec, job, flies, recovery)`: `(handle, verdict, json, text, csv or None, shown)`; `(None, shown)` if the spec cannot be
-/// planned.
+/// `plan(spec, job, flies, recovery)`: `(handle, verdict, json, text, csv or None, shown)`; `(None, shown)` if the spec
+/// cannot be planned.
 pub fn plan(arguments: Arguments) -> Value {
     let py = arguments.py();
     let of = Compiled::of(&arguments.get_item(0)?)?;
