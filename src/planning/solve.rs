@@ -122,31 +122,28 @@ struct Tolerance {
     /// Static regularisation of the solver's linear systems, whose effect iterative refinement removes from the
     /// solution.
     regularization: f64,
-    /// Residual of the linear systems at which refinement ends, relative and absolute.
-    refinement: (f64, f64),
+    /// Residual of the linear systems at which refinement ends, relative and absolute; `None` without refinement.
+    refinement: Option<(f64, f64)>,
 }
 
 /// For verdicts, and for plans of the hover model: the solver's defaults.
-const CLOSE: Tolerance = Tolerance { gap: 1e-8, feasibility: 1e-8, regularization: 1e-8, refinement: (1e-13, 1e-12) };
+const CLOSE: Tolerance =
+    Tolerance { gap: 1e-8, feasibility: 1e-8, regularization: 1e-8, refinement: Some((1e-13, 1e-12)) };
 
 /// For steps of a sequence, which evaluates what they reach.
 ///
-/// With residuals of 1e-8 a third of the programs of 200 intervals took all iterations and ended no closer. In the
-/// differences from an iterate a gap of 1e-4 and residuals of 1e-5 took 0.67 and 0.74 times the work of 1e-5 and 1e-6
-/// (RIP on `slalom_quad` and `pick_x8` of `benches/missions/known`), with times of flight the same to 0.8 %. Residuals
-/// of 1e-4, as large as the margin of the steps, took less still, and a curve of the paper was not planned.
-///
-/// The regularisation is ten times the solver's default. Measured on programs of steps of three missions (every sixth,
-/// and all that were not solved to tolerance): with the default, 75 of 165 programs with equilibration and 6 of 44
-/// without ended with a numerical error; with this value none does. Programs of the hover model do not need it, and
-/// their refinement took a fifth more time with it.
-///
-/// Refinement to the solver's default residual took a quarter of the time of an iteration and saved no iterations
-/// (measured on five missions).
-const STEP: Tolerance = Tolerance { gap: 1e-4, feasibility: 1e-5, regularization: 1e-7, refinement: (1e-10, 1e-10) };
+/// Measured on every fifth program of RIP's plans for `tower_hexa` and `edge_hexa` of `benches/missions/known`, rows
+/// scaled by their slack: a regularisation of 1e-9 to 1e-10 lets every program be solved; with 1e-7 the objective was
+/// off by up to 1e-3, and by up to ten times the gain of a step on coarse grids. Refinement then changes nothing but a
+/// quarter of the time.
+const STEP: Tolerance = Tolerance { gap: 1e-4, feasibility: 1e-6, regularization: 1e-10, refinement: None };
 
 /// For [`solve_graded`].
-const GRADED: Tolerance = Tolerance { regularization: STEP.regularization, ..CLOSE };
+///
+/// The regularisation is ten times the solver's default: with the default, half of the programs on graded grids ended
+/// with a numerical error (measured). Programs of the hover model do not need it, and their refinement took a fifth more
+/// time with it.
+const GRADED: Tolerance = Tolerance { regularization: 1e-7, ..CLOSE };
 
 /// Solves a program on one thread. The result is deterministic: equal programs give equal bits.
 ///
@@ -175,34 +172,54 @@ fn decide(program: &QuadraticProgram, tolerance: Tolerance) -> (Outcome, Effort)
     (again, effort)
 }
 
-/// A point that is accurate enough for a step of sequential convex programming, which evaluates what the step reaches.
-#[derive(Debug, Clone)]
-pub(crate) struct StepSolution {
-    pub(crate) solution: Solution,
-    /// Whether the solver met its tolerances or its reduced tolerances; otherwise it stopped early.
-    pub(crate) is_optimal: bool,
-}
-
-/// A point that satisfies the rows of a program to [`PRIMAL_TOLERANCE`], with its multipliers; `None` if the solver
-/// reaches none. `scaled` switches the solver's equilibration of rows and columns on.
+/// A point that satisfies the rows of a program to [`STEP_VIOLATION`], with its multipliers; `None` if the solver
+/// reaches none.
 ///
 /// The solver gets the program in the differences from a point near the solution: its tolerances are relative, and
-/// large terms that cancel would leave it no digits.
-pub(crate) fn solve_step(program: &QuadraticProgram, scaled: bool, near: &[f64]) -> (Option<StepSolution>, Effort) {
-    let (raw, effort) = call(program, scaled, STEP, near);
-    let Some(Raw { status, x, z }) = raw else { return (None, effort) };
-    let is_optimal = matches!(status, SolverStatus::Solved | SolverStatus::AlmostSolved);
-    let stopped = matches!(
+/// large terms that cancel would leave it no digits. Each row is divided by its slack there, at least [`LEAST_SLACK`],
+/// and equations by the norm of their coefficients. So the solver begins where slacks and multipliers are of order one.
+/// With the solver's own equilibration it took twice the iterations (measured as in [`STEP`]).
+///
+/// The point is accurate enough for a step of sequential convex programming, which evaluates what the step reaches. That
+/// includes one at which the solver stopped without meeting its tolerances.
+pub(crate) fn solve_step(program: &QuadraticProgram, near: &[f64]) -> (Option<Solution>, Effort) {
+    let slack = program.slack(near);
+    let factors = factors(program, &slack);
+    let mut data = Data::of(program);
+    data.q.iter_mut().zip(program.hessian_times(near)).for_each(|(q, px)| *q += px);
+    data.q.iter_mut().chain(&mut data.p.nzval).for_each(|value| *value *= OBJECTIVE);
+    data.b = slack.iter().zip(&factors).map(|(slack, factor)| slack * factor).collect();
+    data.a.nzval.iter_mut().zip(&data.a.rowval).for_each(|(value, &row)| *value *= factors[row]);
+    let tolerance = Tolerance { gap: OBJECTIVE * STEP.gap, ..STEP };
+    let (raw, effort) = call(&data, &program.cones, false, tolerance);
+    let Some(Raw { status, mut x, mut z }) = raw else { return (None, effort) };
+    x.iter_mut().zip(near).for_each(|(x, near)| *x += near);
+    z.iter_mut().zip(&factors).for_each(|(z, factor)| *z *= factor / OBJECTIVE);
+    let has_point = matches!(
         status,
-        SolverStatus::InsufficientProgress | SolverStatus::NumericalError | SolverStatus::MaxIterations
+        SolverStatus::Solved
+            | SolverStatus::AlmostSolved
+            | SolverStatus::InsufficientProgress
+            | SolverStatus::NumericalError
+            | SolverStatus::MaxIterations
     );
-    let holds = (is_optimal || stopped)
-        && x.iter().chain(&z).all(|v| v.is_finite())
-        && program.cone_violation(&program.slack(&x)) <= PRIMAL_TOLERANCE;
+    let left: Vec<f64> = program.slack(&x).iter().zip(&factors).map(|(slack, factor)| slack * factor).collect();
+    let holds =
+        has_point && x.iter().chain(&z).all(|v| v.is_finite()) && program.cone_violation(&left) <= STEP_VIOLATION;
     let objective = program.objective(&x);
-    let solution = Solution { bound: f64::NEG_INFINITY, objective, x, z };
-    (holds.then_some(StepSolution { solution, is_optimal }), effort)
+    (holds.then_some(Solution { bound: f64::NEG_INFINITY, objective, x, z }), effort)
 }
+
+/// The largest violation of a row, divided as in [`solve_step`], in the solution of a step.
+const STEP_VIOLATION: f64 = 1e-5;
+
+/// Rows with less slack are divided by this much, in their own units of order one. From 0.003 to 0.3 iterations change
+/// by a tenth (measured as in [`STEP`]).
+const LEAST_SLACK: f64 = 0.03;
+
+/// The factor of a step's objective for the solver. With 1 it took 5 % more iterations, with 30 as many (measured as in
+/// [`STEP`]).
+const OBJECTIVE: f64 = 10.0;
 
 /// The solver's unchecked result.
 struct Raw {
@@ -211,9 +228,23 @@ struct Raw {
     z: Vec<f64>,
 }
 
+/// The numbers of a program in the solver's form.
+struct Data {
+    p: CscMatrix<f64>,
+    q: Vec<f64>,
+    a: CscMatrix<f64>,
+    b: Vec<f64>,
+}
+
+impl Data {
+    fn of(program: &QuadraticProgram) -> Data {
+        Data { p: matrix(&program.p), q: program.q.clone(), a: matrix(&program.a), b: program.b.clone() }
+    }
+}
+
 /// One checked call of the solver, with or without its equilibration.
 fn attempt(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Outcome, Effort) {
-    match call(program, scaled, tolerance, &[]) {
+    match call(&Data::of(program), &program.cones, scaled, tolerance) {
         (Some(Raw { status, x, z }), effort) => (judge(program, status, x, z), effort),
         (None, effort) => {
             let status = "the program contains a number that is not finite, or the solver rejected it".into();
@@ -222,21 +253,14 @@ fn attempt(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (O
     }
 }
 
-/// One call of the solver, on the program in the differences from `near` unless that is empty; `None` if the program
-/// contains a number that is not finite or the solver rejects it.
-fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance, near: &[f64]) -> (Option<Raw>, Effort) {
+/// One call of the solver; `None` if the program contains a number that is not finite or the solver rejects it.
+fn call(data: &Data, cones: &[Cone], scaled: bool, tolerance: Tolerance) -> (Option<Raw>, Effort) {
+    let Data { p, q, a, b } = data;
     let finite = |v: &[f64]| v.iter().all(|x| x.is_finite());
-    // P (near + d) + q and b - A (near + d)
-    let (mut q, mut b) = (program.q.clone(), program.b.clone());
-    if !near.is_empty() {
-        q.iter_mut().zip(program.hessian_times(near)).for_each(|(q, px)| *q += px);
-        b = program.slack(near);
-    }
-    if ![&program.p.nzval[..], &q, &program.a.nzval, &b].into_iter().all(finite) {
+    if ![&p.nzval[..], q, &a.nzval, b].into_iter().all(finite) {
         return (None, Effort::default());
     }
-    let cones: Vec<SupportedConeT<f64>> = program
-        .cones
+    let of_solver: Vec<SupportedConeT<f64>> = cones
         .iter()
         .map(|c| match *c {
             Cone::Zero(n) => SupportedConeT::ZeroConeT(n),
@@ -244,6 +268,9 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance, near: &[
             Cone::SecondOrder(n) => SupportedConeT::SecondOrderConeT(n),
         })
         .collect();
+    let defaults = DefaultSettings::default();
+    let (relative, absolute) =
+        tolerance.refinement.unwrap_or((defaults.iterative_refinement_reltol, defaults.iterative_refinement_abstol));
     let settings = DefaultSettings {
         verbose: false,
         max_threads: 1,
@@ -251,25 +278,46 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance, near: &[
         max_iter: MOST_ITERATIONS,
         equilibrate_enable: scaled,
         static_regularization_constant: tolerance.regularization,
-        iterative_refinement_reltol: tolerance.refinement.0,
-        iterative_refinement_abstol: tolerance.refinement.1,
+        iterative_refinement_enable: tolerance.refinement.is_some(),
+        iterative_refinement_reltol: relative,
+        iterative_refinement_abstol: absolute,
         tol_feas: tolerance.feasibility,
         tol_gap_abs: tolerance.gap,
         tol_gap_rel: tolerance.gap,
-        ..DefaultSettings::default()
+        ..defaults
     };
     let begin = Instant::now();
     let stop = cancel::current().map(|cancel| -> Stop { Box::new(move || cancel.is_cancelled()) });
-    let conic = Conic { p: &matrix(&program.p), q: &q, a: &matrix(&program.a), b: &b, cones: &cones };
-    let ended = mavc_solver::solve(&conic, settings, stop);
+    let ended = mavc_solver::solve(&Conic { p, q, a, b, cones: &of_solver }, settings, stop);
     cancel::checkpoint();
-    let Some(Ended { status, mut x, z, iterations }) = ended else { return (None, Effort::default()) };
+    let Some(Ended { status, x, z, iterations }) = ended else { return (None, Effort::default()) };
     let iterations = iterations as usize;
-    let size = program.p.nzval.len() + program.a.nzval.len() + program.q.len() + program.b.len();
+    let size = p.nzval.len() + a.nzval.len() + q.len() + b.len();
     let work = (iterations * size) as u64;
     let effort = Effort { solves: 1, iterations, work, starts: 0, time: begin.elapsed() };
-    x.iter_mut().zip(near).for_each(|(x, near)| *x += near);
     (Some(Raw { status, x, z }), effort)
+}
+
+/// The factor of each row of a program with these slacks at a point near the solution: see [`solve_step`].
+fn factors(program: &QuadraticProgram, slack: &[f64]) -> Vec<f64> {
+    let mut norms = vec![0.0_f64; slack.len()];
+    for (value, &row) in program.a.nzval.iter().zip(&program.a.rowval) {
+        norms[row] += value * value;
+    }
+    let by_slack = |slack: f64| 1.0 / slack.abs().max(LEAST_SLACK);
+    let mut factors = Vec::with_capacity(slack.len());
+    for cone in &program.cones {
+        let first = factors.len();
+        match *cone {
+            Cone::Zero(n) => factors.extend(norms[first..first + n].iter().map(|&square| match square {
+                0.0 => 1.0,
+                _ => square.sqrt().recip(),
+            })),
+            Cone::Nonnegative(n) => factors.extend(slack[first..first + n].iter().map(|&slack| by_slack(slack))),
+            Cone::SecondOrder(n) => factors.extend(std::iter::repeat_n(by_slack(slack[first]), n)),
+        }
+    }
+    factors
 }
 
 /// The bound X on the entries of points for which infeasibility is proved, in the program's scaling: ten times the

@@ -55,7 +55,8 @@ use crate::planner::limits::{covers, room_of};
 use crate::planner::selection::PlanningSet;
 use crate::planner::spline::NodeSpline;
 use crate::planner::transcription::{Row, RowAt, Transcription, splines};
-use crate::solve::{Outcome, Solution, StepSolution, solve_graded, solve_step};
+use crate::qp::RowOrigin;
+use crate::solve::{Outcome, Solution, solve_graded, solve_step};
 use commands::Lag;
 use settings::ProximalSettings;
 use std::cell::Cell;
@@ -154,9 +155,6 @@ pub struct ScpPlanner<'e, 'a> {
     sides: BTreeMap<usize, usize>,
     /// Of the last step, with the times of the nodes, s.
     splines: Option<(Vec<f64>, Arc<[NodeSpline; 2]>)>,
-    /// Numbers of intervals on which a program in spline coefficients was not solved: programs there are solved in
-    /// stage variables at once.
-    stiff: BTreeSet<usize>,
     /// The work after which the search was told that what it has is enough.
     told_at: Cell<Option<u64>>,
     /// What counts beside (48) in the cost of a second pass.
@@ -224,7 +222,6 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             has_cores: set.has_cores(),
             sides: BTreeMap::new(),
             splines: None,
-            stiff: BTreeSet::new(),
             told_at: Cell::new(None),
             comfort: None,
         }
@@ -320,11 +317,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         }
         working_set.extend(self.rows_at_nodes(iterate, -settings.subproblem.slack_of_working_set));
         working_set.extend(self.rows_everywhere(&iterate.grid));
-        // Splines cannot have the jumps (72) that legs with different changes need, and stiff ones leave the solver no
-        // digits.
-        let together = legs.iter().all(|leg| *leg == legs[0]);
-        let in_splines = together && !self.stiff.contains(&iterate.grid.intervals());
-        let known = in_splines.then(|| self.splines(&iterate.grid));
+        let splines = self.splines(&iterate.grid);
         let linear = self.linearise(iterate, working_set);
         let curvature = self.curvature(iterate);
         let chosen: Vec<RowAt> = working_set.iter().copied().collect();
@@ -351,38 +344,14 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             commands: commands.as_ref(),
         };
         let positions = self.positions(iterate);
-        let form = || {
-            let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
-            form.about_states(Some(&iterate.states)).with_durations(legs)
-        };
-        let (stages, splines) = (form(), known.map(|known| form().in_these(known)));
-        let most = settings.subproblem.max_stiffness * self.cost(iterate);
-        let splines = splines.filter(|form| form.stiffness() <= most);
-        // Tried in turn until one is solved: splines with the solver's scaling, stage variables without it and then
-        // with it.
-        let of_splines = splines.iter().map(|form| (form, true));
-        let ways = of_splines.chain([(&stages, false), (&stages, true)]);
-        let mut found = None;
-        let mut price = weights.penalty;
-        for (form, scaled) in ways {
-            let (program, places) = form.step_program(&step, &chosen);
-            let near = form.variables_of(&iterate.states, &program);
-            let (approached, effort) = solve_step(&program, scaled, &near);
-            self.hover.effort += effort;
-            let Some(StepSolution { solution: Solution { x, z, .. }, is_optimal }) = approached else { continue };
-            if is_optimal || found.is_none() {
-                let row = program.row_origin.iter().position(|o| *o == crate::qp::RowOrigin::Violation);
-                price = weights.penalty - row.map_or(0.0, |row| z[row]);
-                found = Some((form, x, z, places));
-            }
-            if is_optimal {
-                break;
-            }
-            if !std::ptr::eq(form, &stages) {
-                self.stiff.insert(iterate.grid.intervals());
-            }
-        }
-        let (form, x, z, places) = found?;
+        let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
+        let form = form.about_states(Some(&iterate.states)).with_durations(legs).in_these(splines)?;
+        let (program, places) = form.step_program(&step, &chosen);
+        let (solved, effort) = solve_step(&program, &form.variables_of(&iterate.states, &program));
+        self.hover.effort += effort;
+        let Solution { x, z, .. } = solved?;
+        let row = program.row_origin.iter().position(|o| *o == RowOrigin::Violation);
+        let price = weights.penalty - row.map_or(0.0, |row| z[row]);
         let variables = form.variables();
         let of_leg = |leg: &Option<usize>| leg.map_or(0.0, |i| change(x[variables + 1 + i]).clamp(range.0, range.1));
         let negligible = settings.subproblem.negligible_multiplier;

@@ -20,7 +20,7 @@ use crate::planner::commands::{CommandAt, CommandMaps, Slope};
 use crate::planner::cores::{CoreAt, Scaling};
 use crate::planner::limits::Widening;
 use crate::planner::selection::PlanningSet;
-use crate::planner::spline::NodeSpline;
+use crate::planner::spline::{JumpAt, NodeSpline};
 use crate::planner::wrench_expression::WrenchExpression;
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{QuadraticProgram, RowOrigin};
@@ -101,8 +101,9 @@ pub struct Transcription<'a> {
 enum Form {
     /// Scaled derivatives at every node.
     Stages,
-    /// Spline coefficients, for quadruple and double integrators.
-    Splines(Arc<[NodeSpline; 2]>),
+    /// Spline coefficients, for quadruple and double integrators, and by waypoint where legs may change their durations
+    /// by different shares, the motion of its jump for each axis.
+    Splines(Arc<[NodeSpline; 2]>, Vec<(usize, [JumpAt; 4])>),
 }
 
 /// The splines of quadruple and of double integrators over a time grid.
@@ -183,18 +184,30 @@ impl<'a> Transcription<'a> {
     /// This transcription in spline coefficients.
     pub fn in_splines(self) -> Self {
         let splines = splines(self.grid);
-        self.in_these(splines)
+        Transcription { form: Form::Splines(splines, Vec::new()), ..self }
     }
 
-    /// This transcription in the coefficients of splines made before ([`splines`]), of this time grid.
-    pub(super) fn in_these(self, splines: Arc<[NodeSpline; 2]>) -> Self {
-        Transcription { form: Form::Splines(splines), ..self }
+    /// This transcription in the coefficients of splines made before ([`splines`]), of this time grid, and of jumps of
+    /// one size for each change of a duration. `None` if the grid has too few steps for a jump.
+    pub(super) fn in_these(self, splines: Arc<[NodeSpline; 2]>) -> Option<Self> {
+        let times = &self.grid.node_times;
+        let jump_at = |&node: &usize| {
+            let of_axis = |axis: usize| {
+                let sizes: Vec<f64> =
+                    (0..=self.orders[axis]).map(|order| self.size_of_jump(node, axis, order)).collect();
+                JumpAt::new(times, node, &sizes)
+            };
+            Some((node, [of_axis(X)?, of_axis(Y)?, of_axis(Z)?, of_axis(YAW)?]))
+        };
+        let jumping = self.grid.waypoint_nodes.iter().filter(|&&node| self.legs_of_jump(node).is_some());
+        let jumps: Option<Vec<_>> = jumping.map(jump_at).collect();
+        jumps.map(|jumps| Transcription { form: Form::Splines(splines, jumps), ..self })
     }
 
     /// An estimate of the largest entry of the cost's matrix in spline coefficients: the contributions of coefficients
     /// a few steps apart cancel, so the solver loses digits where this is large. Zero with stage variables.
     pub(super) fn stiffness(&self) -> f64 {
-        let Form::Splines(splines) = &self.form else { return 0.0 };
+        let Form::Splines(splines, _) = &self.form else { return 0.0 };
         let [quadruple, _] = &**splines;
         let step = self.grid.steps().fold(f64::INFINITY, f64::min);
         self.model.plan.snap_weight * step * quadruple.steepest().powi(2)
@@ -222,7 +235,7 @@ impl<'a> Transcription<'a> {
     pub fn variables(&self) -> usize {
         match &self.form {
             Form::Stages => self.nodes() * self.per_node(),
-            Form::Splines(splines) => self.axes.iter().map(|&a| self.spline(splines, a).coefficients()).sum(),
+            Form::Splines(splines, _) => self.axes.iter().map(|&a| self.spline(splines, a).coefficients()).sum(),
         }
     }
 
@@ -301,11 +314,18 @@ impl<'a> Transcription<'a> {
     pub(super) fn at_node(&self, node: usize, axis: usize, order: usize) -> Affine {
         match &self.form {
             Form::Stages => Affine::term(self.var(node, axis, order), self.tau_at(node).powi(-(order as i32))),
-            Form::Splines(splines) => {
+            Form::Splines(splines, jumps) => {
                 let before = self.axes.iter().take_while(|&&a| a != axis);
                 let first: usize = before.map(|&a| self.spline(splines, a).coefficients()).sum();
                 let weights = self.spline(splines, axis).at(node, order);
-                Affine { terms: weights.iter().map(|&(i, w)| (first + i, w)).collect(), constant: 0.0 }
+                let mut sum = Affine { terms: weights.iter().map(|&(i, w)| (first + i, w)).collect(), constant: 0.0 };
+                for (waypoint, motions) in jumps {
+                    let motion = motions[axis].at(node, order);
+                    if motion != 0.0 {
+                        sum.add(&self.changes_of_jump(*waypoint), motion);
+                    }
+                }
+                sum
             }
         }
     }
@@ -321,17 +341,35 @@ impl<'a> Transcription<'a> {
     /// their durations by different shares: in the new time both share one trajectory,
     /// `D (1 - m epsilon) = D' (1 - m epsilon')` to first order.
     pub(super) fn jump(&self, node: usize, axis: usize, order: usize) -> Affine {
-        let (Some(states), false) = (self.states, self.durations.is_empty() || node == 0 || order == 0) else {
-            return Affine::default();
-        };
-        let (before, after) = (self.leg_of(node * self.parts), self.leg_of(node * self.parts + 1));
-        if self.durations[before] == self.durations[after] {
-            return Affine::default();
+        match self.size_of_jump(node, axis, order) {
+            0.0 => Affine::default(),
+            size => self.changes_of_jump(node).times(size),
         }
-        let factor = order as f64 * states[node][axis][order];
-        let mut jump = self.duration_change(after).times(factor);
-        jump.add(&self.duration_change(before), -factor);
-        jump
+    }
+
+    /// The jump (72) of a derivative for one unit of [`Self::changes_of_jump`]; 0 where there is none.
+    fn size_of_jump(&self, node: usize, axis: usize, order: usize) -> f64 {
+        match self.states {
+            Some(states) if self.legs_of_jump(node).is_some() => order as f64 * states[node][axis][order],
+            _ => 0.0,
+        }
+    }
+
+    /// `epsilon' - epsilon` of the legs after and before a node.
+    fn changes_of_jump(&self, node: usize) -> Affine {
+        let Some((before, after)) = self.legs_of_jump(node) else { return Affine::default() };
+        let mut changes = self.duration_change(after);
+        changes.add(&self.duration_change(before), -1.0);
+        changes
+    }
+
+    /// The legs before and after a node, where their durations may change by different shares.
+    fn legs_of_jump(&self, node: usize) -> Option<(usize, usize)> {
+        if self.durations.is_empty() || node == 0 || node + 1 == self.nodes() {
+            return None;
+        }
+        let (before, after) = (self.leg_of(node * self.parts), self.leg_of(node * self.parts + 1));
+        (self.durations[before] != self.durations[after]).then_some((before, after))
     }
 
     /// The leg that an instant belongs to; at a waypoint the one that ends there.
@@ -483,7 +521,7 @@ impl<'a> Transcription<'a> {
                 };
                 states.iter().enumerate().flat_map(of_node).collect()
             }
-            Form::Splines(splines) => {
+            Form::Splines(splines, _) => {
                 let of_axis =
                     |&axis: &usize| self.spline(splines, axis).coefficients_of(|node, order| states[node][axis][order]);
                 self.axes.iter().flat_map(of_axis).collect()

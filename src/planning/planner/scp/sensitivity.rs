@@ -120,20 +120,18 @@ impl ScpPlanner<'_, '_> {
             commands: commands.as_ref(),
         };
         let positions = self.positions(&iterate);
+        let splines = splines(&iterate.grid);
         let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
-        let form = form.about_states(Some(&iterate.states)).with_durations(&legs);
+        let form = form.about_states(Some(&iterate.states)).with_durations(&legs).in_these(splines.clone())?;
         let (program, _) = form.step_program(&step, &chosen);
-        let solved = [false, true].into_iter().find_map(|scaled| {
-            let (approached, effort) = solve_step(&program, scaled, &form.variables_of(&iterate.states, &program));
-            self.hover.effort += effort;
-            approached.filter(|approached| approached.is_optimal)
-        });
-        let Solution { x, z, .. } = solved?.solution;
+        let (solved, effort) = solve_step(&program, &form.variables_of(&iterate.states, &program));
+        self.hover.effort += effort;
+        let Solution { x, z, .. } = solved?;
         let mission = relaxed(self.hover.mission());
         let mut set = self.set.clone();
         set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset += SHARE);
         let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
-        let form = form.about_states(Some(&iterate.states)).with_durations(&legs);
+        let form = form.about_states(Some(&iterate.states)).with_durations(&legs).in_these(splines)?;
         let form = form.of_statements(&mission, &set);
         let (wider, _) = form.step_program(&step, &chosen);
         let given = wider.slack(&x).into_iter().zip(program.slack(&x)).map(|(wide, narrow)| wide - narrow);

@@ -51,10 +51,6 @@ pub struct SubproblemSettings {
     /// Rows of volumes are in every program at every node, unless there are more than this: then programs start without
     /// them, and get them like other rows. A row takes some 800 bytes, most of them in the solver.
     pub max_rows_of_volumes: usize,
-    /// Subproblems are solved in spline coefficients while `Transcription::stiffness` is at most this many times the
-    /// iterate's cost, else in stage variables. Measured on five missions at 100 to 400 samples: 102 s in all instead
-    /// of 110 s with 1e8, with the same times to 0.2 % or shorter ones.
-    pub max_stiffness: f64,
     /// Multipliers below this add no curvature to the Lagrangian.
     pub negligible_multiplier: f64,
     /// Pieces of an iterate join where derivatives on both sides agree to this share of their largest size (at least 1,

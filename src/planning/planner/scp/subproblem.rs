@@ -280,21 +280,29 @@ impl Transcription<'_> {
     }
 
     /// The proximal term of the inputs, relative to their mean square, that of x, y and z together.
+    ///
+    /// The mean square counts as at least that of an input which within the mean duration of a leg builds up the least
+    /// acceleration, or the unit of yaw, that the proximal term knows: relative to a line's inputs, which are rounding
+    /// errors, no change would be small.
     fn add_proximal_term_of_inputs(&self, builder: &mut Builder, step: &Step) {
         let steps: Vec<f64> = self.grid.steps().collect();
         let square = |axis: usize, k: usize| {
             let [u0, u1] = [k, k + 1].map(|node| step.from[node][axis][self.orders[axis]]);
             (u0 * u0 + u0 * u1 + u1 * u1) / 3.0
         };
-        for group in [&[X, Y, Z][..], &[YAW]] {
+        let settings = &step.settings.proximal;
+        let leg = self.grid.total / self.grid.segments.len() as f64;
+        let acceleration = settings.min_acceleration * self.model.gravity;
+        let groups =
+            [(&[X, Y, Z][..], acceleration, self.orders[X] - 2), (&[YAW], settings.yaw_unit, self.orders[YAW])];
+        for (group, unit, builds_up) in groups {
+            let least = self.grid.total * (unit / leg.powi(builds_up as i32)).powi(2);
             let sum: f64 = group
                 .iter()
                 .flat_map(|&axis| steps.iter().enumerate().map(move |(k, h)| (axis, k, h)))
                 .map(|(axis, k, h)| h * square(axis, k))
-                .sum();
-            if sum == 0.0 {
-                continue;
-            }
+                .sum::<f64>()
+                .max(least);
             for (k, h) in steps.iter().enumerate() {
                 for &axis in group {
                     let order = self.orders[axis];

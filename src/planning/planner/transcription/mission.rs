@@ -13,7 +13,7 @@ impl Transcription<'_> {
     ///
     /// The derivatives `d_j` are those at the beginning of the interval ([`Self::jump`]).
     pub(in crate::planning::planner) fn dynamics(&self, builder: &mut Builder) {
-        if let Form::Splines(_) = self.form {
+        if let Form::Splines(..) = self.form {
             return; // splines keep these rows by construction
         }
         const FACTORIAL: [f64; 6] = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0];

@@ -8,7 +8,6 @@ impl ScpSettings {
         subproblem: SubproblemSettings {
             slack_of_working_set: 0.1,
             max_rows_of_volumes: 100_000,
-            max_stiffness: 1e10,
             negligible_multiplier: 1e-4,
             joined_within: 1e-5,
         },
