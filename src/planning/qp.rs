@@ -9,6 +9,7 @@
 //! into a program is described in `docs/method/hover-model.md` and `exact-planner.md`.
 
 pub mod build;
+pub mod elimination;
 
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -295,6 +296,13 @@ impl QuadraticProgram {
             }
         }
         y
+    }
+
+    /// P x + q.
+    pub(crate) fn gradient(&self, x: &[f64]) -> Vec<f64> {
+        let mut gradient = self.hessian_times(x);
+        gradient.iter_mut().zip(&self.q).for_each(|(sum, q)| *sum += q);
+        gradient
     }
 
     /// The objective 1/2 x'P x + q'x + constant.

@@ -4,6 +4,7 @@
 //! `docs/method/hover-model.md`.
 
 use crate::cancel;
+use crate::qp::elimination::Elimination;
 use crate::qp::{Cone, QuadraticProgram, Sparse};
 use mavc_solver::{Conic, CscMatrix, DefaultSettings, Ended, SolverStatus, Stop, SupportedConeT};
 use std::time::{Duration, Instant};
@@ -90,10 +91,8 @@ pub struct Residuals {
 /// The residuals of a solution, computed from the program's data.
 pub fn residuals(program: &QuadraticProgram, solution: &Solution) -> Residuals {
     let s = program.slack(&solution.x);
-    let mut gradient = program.hessian_times(&solution.x);
-    for (g, (q, az)) in gradient.iter_mut().zip(program.q.iter().zip(program.a.transposed_times(&solution.z))) {
-        *g += q + az;
-    }
+    let mut gradient = program.gradient(&solution.x);
+    gradient.iter_mut().zip(program.a.transposed_times(&solution.z)).for_each(|(g, az)| *g += az);
     Residuals {
         primal: program.cone_violation(&s),
         stationarity: gradient.iter().fold(0.0, |m, v| m.max(v.abs())),
@@ -175,26 +174,47 @@ fn decide(program: &QuadraticProgram, tolerance: Tolerance) -> (Outcome, Effort)
 /// A point that satisfies the rows of a program to [`STEP_VIOLATION`], with its multipliers; `None` if the solver
 /// reaches none.
 ///
-/// The solver gets the program in the differences from a point near the solution: its tolerances are relative, and
+/// The solver gets the program without its equations ([`Elimination`]) and in the differences from a point near the solution: its tolerances are relative, and
 /// large terms that cancel would leave it no digits. Each row is divided by its slack there, at least [`LEAST_SLACK`],
-/// and equations by the norm of their coefficients. So the solver begins where slacks and multipliers are of order one.
+/// and an equation that stays by the norm of its coefficients. So the solver begins where slacks and multipliers are of order one.
 /// With the solver's own equilibration it took twice the iterations (measured as in [`STEP`]).
 ///
 /// The point is accurate enough for a step of sequential convex programming, which evaluates what the step reaches. That
 /// includes one at which the solver stopped without meeting its tolerances.
 pub(crate) fn solve_step(program: &QuadraticProgram, near: &[f64]) -> (Option<Solution>, Effort) {
     let slack = program.slack(near);
+    let equations = match program.cones.first() {
+        Some(Cone::Zero(n)) => *n,
+        _ => 0,
+    };
+    let elimination = Elimination::of(&program.a, &slack, equations);
+    let constants = elimination.variables(&vec![0.0; elimination.free()]);
+    let begin: Vec<f64> = near.iter().zip(&constants).map(|(near, constant)| near + constant).collect();
+    let slack = program.slack(&begin);
     let factors = factors(program, &slack);
-    let mut data = Data::of(program);
-    data.q.iter_mut().zip(program.hessian_times(near)).for_each(|(q, px)| *q += px);
+    let (p, a) = (elimination.hessian(&program.p), elimination.matrix(&program.a));
+    let mut data = Data {
+        p: matrix(&p),
+        q: elimination.gradient(&program.gradient(&begin)),
+        a: matrix(&a),
+        b: elimination.kept.iter().map(|&row| slack[row] * factors[row]).collect(),
+    };
     data.q.iter_mut().chain(&mut data.p.nzval).for_each(|value| *value *= OBJECTIVE);
-    data.b = slack.iter().zip(&factors).map(|(slack, factor)| slack * factor).collect();
-    data.a.nzval.iter_mut().zip(&data.a.rowval).for_each(|(value, &row)| *value *= factors[row]);
+    data.a.nzval.iter_mut().zip(&data.a.rowval).for_each(|(value, &row)| *value *= factors[elimination.kept[row]]);
+    let mut cones = program.cones.clone();
+    let left = equations - (program.b.len() - elimination.kept.len());
+    match cones.first_mut() {
+        Some(Cone::Zero(n)) if left > 0 => *n = left,
+        Some(Cone::Zero(_)) => drop(cones.remove(0)),
+        _ => {}
+    }
     let tolerance = Tolerance { gap: OBJECTIVE * STEP.gap, ..STEP };
-    let (raw, effort) = call(&data, &program.cones, false, tolerance);
-    let Some(Raw { status, mut x, mut z }) = raw else { return (None, effort) };
-    x.iter_mut().zip(near).for_each(|(x, near)| *x += near);
-    z.iter_mut().zip(&factors).for_each(|(z, factor)| *z *= factor / OBJECTIVE);
+    let (raw, effort) = call(&data, &cones, false, tolerance);
+    let Some(Raw { status, x: free, z: of_kept }) = raw else { return (None, effort) };
+    let of_kept: Vec<f64> =
+        of_kept.iter().zip(&elimination.kept).map(|(z, &row)| z * factors[row] / OBJECTIVE).collect();
+    let x: Vec<f64> = near.iter().zip(elimination.variables(&free)).map(|(near, x)| near + x).collect();
+    let z = elimination.multipliers(&of_kept, &program.gradient(&x), program);
     let has_point = matches!(
         status,
         SolverStatus::Solved
