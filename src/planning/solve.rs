@@ -131,17 +131,18 @@ const CLOSE: Tolerance =
 
 /// For steps of a sequence, which evaluates what they reach.
 ///
-/// Measured on every fifth program of RIP's plans for `tower_hexa` and `edge_hexa` of `benches/missions/known`, rows
-/// scaled by their slack: a regularisation of 1e-9 to 1e-10 lets every program be solved; with 1e-7 the objective was
-/// off by up to 1e-3, and by up to ten times the gain of a step on coarse grids. Refinement then changes nothing but a
-/// quarter of the time.
+/// Measured on every fifth program of RIP's plans for `specs/missions/tower_hexa.mav` and
+/// `benches/missions/known/edge_hexa.mav`, rows scaled by their slack: with a regularisation of 1e-9 to 1e-10 every
+/// program was solved; with 1e-7 the objective was off by up to 1e-3. In stage variables, whose equations depend on the
+/// regularisation most, it was off by up to ten times the gain of a step. Refinement added a third to the time and
+/// changed nothing else.
 const STEP: Tolerance = Tolerance { gap: 1e-4, feasibility: 1e-6, regularization: 1e-10, refinement: None };
 
 /// For [`solve_graded`].
 ///
 /// The regularisation is ten times the solver's default: with the default, half of the programs on graded grids ended
-/// with a numerical error (measured). Programs of the hover model do not need it, and their refinement took a fifth more
-/// time with it.
+/// with a numerical error (measured). Programs of the hover model do not need it, and their refinement took a fifth
+/// more time with it.
 const GRADED: Tolerance = Tolerance { regularization: 1e-7, ..CLOSE };
 
 /// Solves a program on one thread. The result is deterministic: equal programs give equal bits.
@@ -174,13 +175,14 @@ fn decide(program: &QuadraticProgram, tolerance: Tolerance) -> (Outcome, Effort)
 /// A point that satisfies the rows of a program to [`STEP_VIOLATION`], with its multipliers; `None` if the solver
 /// reaches none.
 ///
-/// The solver gets the program without its equations ([`Elimination`]) and in the differences from a point near the solution: its tolerances are relative, and
-/// large terms that cancel would leave it no digits. Each row is divided by its slack there, at least [`LEAST_SLACK`],
-/// and an equation that stays by the norm of its coefficients. So the solver begins where slacks and multipliers are of order one.
-/// With the solver's own equilibration it took twice the iterations (measured as in [`STEP`]).
+/// The solver gets the program without its equations ([`Elimination`]) and in the differences from a point near the
+/// solution: its tolerances are relative, and large terms that cancel would leave it no digits. Each row is divided by
+/// its slack there, at least [`LEAST_SLACK`], and an equation that stays by the norm of its coefficients. So the solver
+/// begins where slacks and multipliers are of order one. With the solver's own equilibration it took twice the
+/// iterations (measured as in [`STEP`]).
 ///
-/// The point is accurate enough for a step of sequential convex programming, which evaluates what the step reaches. That
-/// includes one at which the solver stopped without meeting its tolerances.
+/// The point is accurate enough for a step of sequential convex programming, which evaluates what the step reaches; it
+/// may be one at which the solver stopped without meeting its tolerances.
 pub(crate) fn solve_step(program: &QuadraticProgram, near: &[f64]) -> (Option<Solution>, Effort) {
     let slack = program.slack(near);
     let equations = match program.cones.first() {
