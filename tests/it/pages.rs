@@ -376,7 +376,7 @@ fn charts_become_svg_files() {
     let texts = |svg: &str| -> Vec<String> {
         svg.lines().filter(|l| !l.starts_with('<') && !l.is_empty()).map(str::to_string).collect()
     };
-    let label = ["Margin to each fault mode&apos;s set, in", "widths of the healthy set [%]"];
+    let label = ["Spare in each fault mode&apos;s set, in", "widths of the healthy set [%]"];
     assert!(label.iter().all(|line| texts(&margin).contains(&line.to_string())), "{:?}", texts(&margin));
     // Areas, path and cross are named.
     for name in ["healthy", "bad", "planned wrench", "hover"] {
