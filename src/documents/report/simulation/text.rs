@@ -188,9 +188,10 @@ pub(super) fn broken(record: &FlightRecord) -> Option<String> {
 
 /// `Landed at 40.20 s at [3.1, 2, 0] m, touching down at 0.42 m/s`
 pub fn landed(at: f64, place: [f64; 3], speed: f64) -> String {
-    // To a centimetre.
-    let place = place.map(|x| number((100.0 * x).round() / 100.0)).join(", ");
-    format!("Landed at {} s at [{place}] m, touching down at {} m/s", fixed(at, 2), significant(speed, 2))
+    // To a centimetre and a centimetre a second.
+    let hundredths = |x: f64| number((100.0 * x).round() / 100.0);
+    let place = place.map(hundredths).join(", ");
+    format!("Landed at {} s at [{place}] m, touching down at {} m/s", fixed(at, 2), hundredths(speed))
 }
 
 /// How a flight that was neither lost nor landed has ended, and whether it met its waypoints and limits: a `duration`
