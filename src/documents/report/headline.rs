@@ -109,7 +109,7 @@ fn are_all(modes: &[&FaultMode], rotors: usize, k: usize) -> bool {
     different.len() == modes.len() && different.len() as u128 == ways
 }
 
-/// What the fault modes of a vehicle leave of it, in one sentence without a full stop: `survey_hexa: any single motor
+/// What the fault modes of a vehicle leave of it, in one sentence without a full stop: `survey_hexa: any single rotor
 /// lost: 4 of 6 full control, 2 of 6 fly on, heading not held`. `outcomes` are those of the healthy vehicle, then of
 /// every declared mode; modes of different kinds are counted apart.
 pub fn headline_of(model: &Model, outcomes: &[Outcome]) -> String {
