@@ -172,7 +172,7 @@ fn modes_with_the_same_finding_share_a_diagnostic() {
     assert_eq!(code(&ran), 3);
     let records: Vec<Value> = out(&ran).lines().map(|l| serde_json::from_str(l).unwrap()).collect();
     assert_eq!(records.len(), 1, "{}", out(&ran));
-    assert_eq!(records[0]["message"], "with each of the fault modes M1, M2, M3 and M4 the vehicle cannot hold its yaw");
+    assert_eq!(records[0]["message"], "in each of the fault modes M1, M2, M3 and M4 the vehicle cannot hold its yaw");
     assert_eq!(records[0]["labels"][1]["file"], "--set");
     // Without a mission no mode has to be tolerated.
     let vehicle = HOP.split("mission").next().unwrap();

@@ -98,7 +98,7 @@ fn a_lighter_vehicle_is_asked_for_only_where_it_helps() {
     // A quadcopter without a rotor lifts nothing with its torques balanced; PPNNPN would without 0.2 of its 1.54 kg.
     let quad = ring_model("PNPN", 1.32, [0.0128, 0.0128, 0.0239], 9.9865e-6, 1.5978e-7, 840.0);
     let (label, help) = told(quad, &[1], 0.0);
-    assert_eq!(label, "no mass makes it possible");
+    assert_eq!(label, "not possible at any mass");
     assert!(help.contains("change the vehicle's layout") && !help.contains("lighter"), "{help}");
     let (label, help) = told(hexacopter("PPNNPN"), &[5], 0.0);
     assert!(label.starts_with("possible at 1.3") && help.contains("make the vehicle lighter"), "{label}: {help}");

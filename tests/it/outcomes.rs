@@ -30,10 +30,10 @@ fn outcomes(spec: &mavc::Spec) -> Vec<Outcome> {
 fn a_headline_counts_modes_of_each_kind() {
     let hexa = |faults: &str| line(&spec("PPNNPN", "3.4 kg", ROTOR, "", faults));
     let every = "every 1 rotor lost as M";
-    assert_eq!(hexa(every), "v: any single motor lost: 4 of 6 full control, 2 of 6 fly on, heading not held");
+    assert_eq!(hexa(every), "v: any single rotor lost: 4 of 6 full control, 2 of 6 fly on, heading not held");
     assert_eq!(hexa(""), "v: full control without a fault; no fault modes declared");
-    assert_eq!(hexa("mode a { rotor 1 lost }"), "v: a (one motor lost): full control");
-    assert_eq!(hexa("mode a { rotor 5 lost }"), "v: a (one motor lost): flies on, heading not held");
+    assert_eq!(hexa("mode a { rotor 1 lost }"), "v: a (one rotor lost): full control");
+    assert_eq!(hexa("mode a { rotor 5 lost }"), "v: a (one rotor lost): flies on, heading not held");
     assert_eq!(
         hexa("mode a { rotor 1 lost }; mode b { rotor 5 lost }"),
         "v: 2 single losses: 1 of 2 full control, 1 of 2 flies on, heading not held"
@@ -47,17 +47,17 @@ fn a_headline_counts_modes_of_each_kind() {
         mode nothing { rotor 1 reduced to 100 % }";
     assert_eq!(
         hexa(mixed),
-        "v: gone (6 motors lost): lost; 2 modes of reduced thrust: 2 of 2 full control; jam (stuck): full control; \
+        "v: gone (6 rotors lost): lost; 2 modes of reduced thrust: 2 of 2 full control; jam (stuck): full control; \
          both (mixed faults): full control; nothing (nothing fails): full control"
     );
     let one_way = |faults: &str| line(&spec("PPPPPN", "3.4 kg", ROTOR, "", faults));
     assert_eq!(one_way(""), "v: without a fault: flies on, heading not held; no fault modes declared");
     assert_eq!(
         one_way("mode a { rotor 1 lost }"),
-        "v: without a fault: flies on, heading not held; a (one motor lost): flies on, heading not held"
+        "v: without a fault: flies on, heading not held; a (one rotor lost): flies on, heading not held"
     );
     let doubles = line(&spec("PPNNPPNN", "3.4 kg", ROTOR, "", "every 1 rotor lost as M; every 2 rotors lost as D"));
-    assert!(doubles.starts_with("v: any single motor lost: 8 of 8 full control; any two motors lost: "), "{doubles}");
+    assert!(doubles.starts_with("v: any single rotor lost: 8 of 8 full control; any two rotors lost: "), "{doubles}");
 }
 
 /// Rings whose outcomes are known from theory: PNPNPN keeps roll, pitch and thrust after a loss and has no margin of

@@ -330,7 +330,7 @@ fn of_equal_modes_the_first_is_named_everywhere() {
     let spec = HOSTILE.replace("faults {\n", &format!("faults {{\n{modes}")).replace("[bad]", "[m0, m1, m2, m3]");
     let (ran, text) = page(&["plan", &written(dir.path(), &spec)], dir.path());
     assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
-    assert!(text.contains("to the set of m0,"));
+    assert!(text.contains("in the set of m0,"));
     // There the page opens.
     let drawn = content(&text);
     assert_eq!(drawn["sets"][drawn["opens"]["set"].as_u64().unwrap() as usize]["name"], "m0");
@@ -376,7 +376,7 @@ fn charts_become_svg_files() {
     let texts = |svg: &str| -> Vec<String> {
         svg.lines().filter(|l| !l.starts_with('<') && !l.is_empty()).map(str::to_string).collect()
     };
-    let label = ["Margin to each fault mode&apos;s set, in", "widths of the healthy set [%]"];
+    let label = ["Spare in each fault mode&apos;s set, in", "widths of the healthy set [%]"];
     assert!(label.iter().all(|line| texts(&margin).contains(&line.to_string())), "{:?}", texts(&margin));
     // Areas, path and cross are named.
     for name in ["healthy", "bad", "planned wrench", "hover"] {

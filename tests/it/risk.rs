@@ -328,6 +328,11 @@ fn a_required_risk_counts_stops() {
     let [(held, text, json), (continued, other, trade)] = ["hold", "continue"].map(keep);
     assert_eq!((held, continued), (0, 0), "{text}\n{other}");
     let steps = |json: &Value| json["trade_off"].as_array().unwrap().clone();
+    // The screen shows what is allowed beside the risk.
+    let chosen = ["--set", "plan.model=hover", "--set", "plan.after_fault=hold", "--set", "plan.against=[weak]"];
+    let screen = mavc_with(&[&["plan", "-"], &chosen[..]].concat(), &spec);
+    let screen = flat(&String::from_utf8(screen.stdout).unwrap());
+    assert!(screen.contains(" risk ") && screen.contains(" (1.94e-7 allowed)"), "{screen}");
     assert_eq!(steps(&json).len(), 1, "{text}");
     assert!(steps(&trade).len() > 1, "{other}");
     for (text, json) in [(&text, &json), (&other, &trade)] {

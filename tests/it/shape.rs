@@ -211,7 +211,7 @@ fn statements_are_tried_and_priced() {
         assert!(found.iter().all(|detour| detour.tried.is_some()), "{found:?}");
         let text = terminal::detours(task.problem(), &plan, &found).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            text.contains("The plan climbs 3 m above both waypoints of the leg to waypoint 2 far, at 2.00 s"),
+            text.contains("The plan climbs 3 m above both waypoints of the leg to waypoint 2 `far`, at 2.00 s"),
             "{text}"
         );
         assert!(
@@ -242,7 +242,7 @@ fn text_record_and_schema_agree() {
     let lines: Vec<&str> =
         text.lines().filter(|line| line.starts_with("  height up to") || line.contains("yaw turns")).collect();
     assert!(lines.len() == 2 && lines.iter().all(|line| line.len() <= 80), "{text}");
-    assert!(text.contains("m from the straight leg (leg to waypoint 2 far, "), "{text}");
+    assert!(text.contains("m from the straight leg (leg to waypoint 2 `far`, "), "{text}");
 }
 
 /// `yaw along path` from a start at rest: the vehicle begins in the direction of its first leg and turns with the

@@ -115,6 +115,51 @@ fn a_lost_vehicle_gives_exit_code_6_and_reports_when_and_why() {
     assert!(log.exists());
 }
 
+/// The first sentence is a verdict on waypoints and limits, and what was not kept is marked.
+#[test]
+fn a_flight_says_whether_it_met_its_waypoints_and_limits() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = folder.path().join("sim.json");
+    let flown = |limits: &str, simulate: &str| -> (String, Value) {
+        let spec = hop(folder.path(), &format!("simulate {{ {simulate} }}\n"));
+        let text = std::fs::read_to_string(&spec).unwrap();
+        let text = text.replace("[4, 1, 4] m\n", &format!("[4, 1, 4] m\n    limits {{ {limits} }}\n"));
+        std::fs::write(&spec, text).unwrap();
+        let ran = simulate_with_report(&spec, &report);
+        (flat(&ran), serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap())
+    };
+    let (text, record) = flown("speed <= 5 m/s; tilt <= 20 deg", "");
+    assert!(
+        text.contains("to its end at 6.00 s: waypoints met, limits kept within tolerance; no fault struck"),
+        "{text}"
+    );
+    assert!(!text.contains("! limits") && !text.contains("! largest tilt"), "{text}");
+    assert_eq!(record["limits_broken"], serde_json::json!([]));
+
+    // A strong gust breaks limits that the plan keeps.
+    let (text, record) = flown("speed <= 1.3 m/s; tilt <= 4 deg", "gusts = 3 m/s; drag = 1 N*s/m");
+    let broken: Vec<&str> = record["limits_broken"].as_array().unwrap().iter().map(|l| l.as_str().unwrap()).collect();
+    assert!(!broken.is_empty(), "{record}");
+    let named = format!("! limits broken: {}", broken.join(", "));
+    assert!(text.contains("limits BROKEN; no fault") && text.contains(&named), "{text}");
+    assert!(text.contains("! largest tilt ") && text.contains("beyond the plan's limit of 4 degrees"), "{text}");
+
+    let (text, record) = flown("speed <= 5 m/s", "fault M3 at 2 s; detection = 50 ms; after_fault = land");
+    let outcome = &record["outcome"];
+    assert_eq!(outcome["status"], "landed", "{text}");
+    let [x, y, z] = [0, 1, 2].map(|axis| outcome["place_m"][axis].as_f64().unwrap());
+    let speed = outcome["speed_m_s"].as_f64().unwrap();
+    assert!(0.0 < x && x < 4.5 && -0.5 < y && y < 1.5 && z.abs() < 0.1 && 0.0 < speed && speed <= 2.0, "{outcome}");
+    assert!(text.contains(" s at [") && text.contains("] m, touching down at "), "{text}");
+}
+
+/// What a flight prints, with its record in a file.
+fn simulate_with_report(spec: &Path, report: &Path) -> String {
+    let ran = simulate(spec, &["--report", report.to_str().unwrap()]);
+    assert_eq!(code(&ran), 0, "{}", err(&ran));
+    String::from_utf8(ran.stdout).unwrap()
+}
+
 #[test]
 fn mistakes_are_reported_before_anything_flies() {
     let folder = tempfile::tempdir().unwrap();

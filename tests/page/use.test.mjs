@@ -10,7 +10,7 @@ test("a page opens at the worst instant and mode, and plays from the start", asy
   await open("plan", {}, async (page) => {
     const [at] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
     assert.ok(Math.abs(at - 15.12) < 0.05, `opens at ${at} s`);
-    const worst = (await text(page, "#strips-headline")).match(/smallest margin is \u2212([\d.]+)\s%/)[1];
+    const worst = (await text(page, "#strips-headline")).match(/smallest spare is \u2212([\d.]+)\s%/)[1];
     assert.match(await text(page, "#sets-headline"), /the planned wrench is outside the set of M1, by 1\d/);
     assert.ok((await text(page, "#sets-headline")).includes(`by ${worst} %`), worst);
     assert.ok((await text(page, "#room caption")).includes("M1"));
@@ -69,7 +69,7 @@ test("what the page says of an instant is what the compiler says", () =>
         s.value = String(t);
         s.dispatchEvent(new Event("input"));
       }, columns.t[k]);
-      const said = (await text(page, "#room caption")).match(/margin ([+\u2212]?[\d.]+) %/)[1].replace("\u2212", "-");
+      const said = (await text(page, "#room caption")).match(/spare ([+\u2212]?[\d.]+) %/)[1].replace("\u2212", "-");
       assert.ok(Math.abs(Number(said) - columns.margin_1[k]) < 0.06, `${said} ${columns.margin_1[k]}`);
     }
   }));
@@ -122,8 +122,8 @@ test("a flight's path is coloured by its faults, and by how far off it is", () =
       s.value = "12";
       s.dispatchEvent(new Event("input"));
     });
-    assert.match(await text(page, "#space-readout"), /position error .*\scm; shown without motor 3; M3 detected$/);
-    assert.match(await text(page, "#strips-headline"), /^The plan \(RIP, 30 s\): the smallest margin is/);
+    assert.match(await text(page, "#space-readout"), /position error .*\scm; shown without rotor 3; M3 detected$/);
+    assert.match(await text(page, "#strips-headline"), /^The plan \(RIP, 30 s\): the smallest spare is/);
   }));
 
 test("hovering a chart reads its curves", () =>
@@ -153,7 +153,7 @@ test("the theme can be turned over, and paper is light", () =>
     if (shots) writeFileSync(join(shots, "plan.pdf"), pdf);
   }));
 
-test("the margin of an instant is the same wherever it is told", () =>
+test("the spare of an instant is the same wherever it is told", () =>
   open("plan", {}, async (page) => {
     for (const t of ["0.3", "7.77", "15.12"]) {
       await page.locator("#time").evaluate((s, value) => {
@@ -162,8 +162,8 @@ test("the margin of an instant is the same wherever it is told", () =>
       }, t);
       const told = [
         (await text(page, "#strips .readout")).match(/M1 (.* %)/)[1],
-        (await text(page, "#space-readout")).match(/margin (.* %) to M1/)[1],
-        (await text(page, "#room caption")).match(/margin (.* %)/)[1],
+        (await text(page, "#space-readout")).match(/spare (.* %) in M1/)[1],
+        (await text(page, "#room caption")).match(/spare (.* %)/)[1],
       ];
       assert.deepEqual(new Set(told).size, 1, told.join(", "));
     }
@@ -221,7 +221,7 @@ test("volumes are drawn in space and in the flat views", async () => {
 test("an analysis marks the rotors that each mode takes, without a mission too", async () => {
   await open("analysis", {}, async (page) => {
     const headline = await text(page, ".headline");
-    assert.match(headline, /^survey_hexa: any single motor lost: 4 of 6 full control/);
+    assert.match(headline, /^survey_hexa: any single rotor lost: 4 of 6 full control/);
     assert.equal(await page.title(), headline);
     // Six modes, each with one rotor of six crossed out, in the row with its name.
     const views = await page.evaluate(() =>

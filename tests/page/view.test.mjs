@@ -150,7 +150,7 @@ test("a file that the spec uses is watched too, and what is planned is cancelled
       browsing(address, async (page) => {
         await page.waitForFunction(() => /trying/.test(document.querySelector("#live .progress")?.textContent ?? ""));
         assert.equal(await page.locator("#live").getAttribute("data-stage"), "planning");
-        assert.match(await text(page, "#live .verdict-line"), /^octo: M1 \(one motor lost\)/);
+        assert.match(await text(page, "#live .verdict-line"), /^octo: M1 \(one rotor lost\)/);
         save("octo.mav", VEHICLE.replace("1.8 kg", "1.8 m"));
         await stage(page, "error");
         assert.match(await text(page, "#live .diagnostics"), /octo\.mav:4/);

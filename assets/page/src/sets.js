@@ -198,7 +198,7 @@ function room(body, w, m) {
   const table = element(
     "table",
     {},
-    element("caption", {}, element("span", {}, `Range of each component by itself in the set of ${body.name}${body.core ? ", torque about z included" : ""}; margin ${percent(m)}`)),
+    element("caption", {}, element("span", {}, `Range of each component by itself in the set of ${body.name}${body.core ? ", torque about z included" : ""}; spare ${percent(m)}`)),
     element("thead", {}, element("tr", {}, ...heads.map((h, i) => element("th", i === 0 ? { scope: "col" } : { scope: "col", class: "n" }, h)))),
     element("tbody", {}, ...rows),
   );

@@ -41,12 +41,12 @@ function colorings() {
   const found = [];
   if (modes.length > 0) {
     const least = columns.t.map((_, k) => smallest(k));
-    found.push({ name: modes.length > 1 ? "smallest margin" : `margin to ${modes[0].name}`, ...byMargin(least.map((l) => l.margin)) });
+    found.push({ name: modes.length > 1 ? "smallest spare" : `spare in ${modes[0].name}`, ...byMargin(least.map((l) => l.margin)) });
     if (modes.length > 1) {
       const seen = [...new Set(least.map((l) => l.mode))].slice(0, MOST_COLORS);
       const color = (mode) => (seen.includes(mode) ? line(seen.indexOf(mode)) : css("--soft"));
-      found.push({ name: "mode with the smallest margin", colors: least.map((l) => color(l.mode)), legend: seen.map((mode) => ({ name: mode, color: color(mode) })) });
-      for (const { name, values } of modes) found.push({ name: `margin to ${name}`, ...byMargin(values) });
+      found.push({ name: "mode with the smallest spare", colors: least.map((l) => color(l.mode)), legend: seen.map((mode) => ({ name: mode, color: color(mode) })) });
+      for (const { name, values } of modes) found.push({ name: `spare in ${name}`, ...byMargin(values) });
     }
   }
   // For a flight: the faults in force, and the position error.
@@ -88,11 +88,11 @@ function struck() {
   return content.sets.filter((s) => names.includes(s.name)).flatMap((s) => s.struck ?? []);
 }
 
-/** `; motor 2 lost (M2)` */
+/** `; shown without rotor 2 (M2)` */
 function strikes() {
   const lost = struck().filter(([, isLost]) => isLost).map(([k]) => k + 1);
   const name = phaseAt(state.time) === undefined ? ` (${set()?.name})` : "";
-  return lost.length === 0 ? "" : `; shown without motor${lost.length > 1 ? "s" : ""} ${lost.join(", ")}${name}`;
+  return lost.length === 0 ? "" : `; shown without rotor${lost.length > 1 ? "s" : ""} ${lost.join(", ")}${name}`;
 }
 
 function tell() {
@@ -100,7 +100,7 @@ function tell() {
   const k = indexAt(columns.t, state.time);
   const { margin, mode } = nearest();
   const place = ["x", "y", "z"].map((name) => `${name} ${number(columns[name][k])}`).join(", ");
-  const near = mode === null ? "" : `; margin ${percent(margin)} to ${mode}`;
+  const near = mode === null ? "" : `; spare ${percent(margin)} in ${mode}`;
   const off = columns.error ? `; position error ${number(100 * columns.error[k])} cm` : "";
   const phase = phaseAt(columns.t[k]);
   const under = phase ? `; ${phase}` : "";

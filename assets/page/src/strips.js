@@ -117,7 +117,7 @@ function draw(shownRun, place, isLast) {
   const cell = (t, row) => `${names[row]} ${percent(strips[row].margins[cellAt(t, row)])}`;
   const span = (t, row) => {
     const [k, count] = [cellAt(t, row), strips[row].margins.length];
-    return `Smallest margin from ${seconds((k / count) * end)} to ${seconds(((k + 1) / count) * end)}`;
+    return `Smallest spare from ${seconds((k / count) * end)} to ${seconds(((k + 1) / count) * end)}`;
   };
   const options = {
     legend: { show: false },
@@ -152,7 +152,7 @@ function draw(shownRun, place, isLast) {
   place.append(plot);
   // Of several plans the numbers of the one shown are enough.
   if (content.runs.length <= 2 || shownRun === run()) place.append(readout);
-  const name = `Smallest margin to each mode's set over time, ${shownRun.label}`;
+  const name = `Smallest spare in each mode's set over time, ${shownRun.label}`;
   const made = chart(plot, name, () => height * strips.length + (isLast ? 52 : 6), options, [[0, end], [0, strips.length]]);
   made.over.addEventListener("click", () => {
     setTime(made.posToVal(made.cursor.left, "x"));
@@ -195,7 +195,7 @@ function build() {
   drawn = add(place, lead);
   const most = Math.max(...measured.map((r) => r.strips.length));
   if (most > MOST_ROWS) {
-    const button = element("button", { type: "button", class: "more" }, whole ? "Only the smallest margins" : `All ${most} modes`);
+    const button = element("button", { type: "button", class: "more" }, whole ? "Only the smallest spares" : `All ${most} modes`);
     button.addEventListener("click", () => {
       whole = !whole;
       build();

@@ -72,6 +72,31 @@ pub fn percent(x: f64) -> String {
     format!("{} %", significant(100.0 * x, DIGITS))
 }
 
+/// A share that people compare with others as percent: three significant digits, at most one of them after the point.
+/// What rounds to zero is `0.0 %` if it is not zero; below zero it keeps one digit, because the sign matters.
+pub fn tenths(x: f64) -> String {
+    let share = 100.0 * x;
+    if share.abs() >= 1.0 || share == 0.0 || !share.is_finite() {
+        return percent(x);
+    }
+    match fixed(share, 1) {
+        zero if zero == "0.0" && share < 0.0 => format!("{} %", significant(share, 1)),
+        zero if zero == "0.0" => "0.0 %".into(),
+        shown => format!("{} %", trim(&shown)),
+    }
+}
+
+/// A number beside a larger one of its kind: with as many decimals as the larger one has with up to `digits`
+/// significant digits.
+pub fn beside(x: f64, whole: f64, digits: usize) -> String {
+    let exponent = whole.abs().max(x.abs()).log10().floor();
+    if !exponent.is_finite() {
+        return significant(x, digits);
+    }
+    let decimals = (digits as f64 - 1.0 - exponent).max(0.0) as usize;
+    trim(&fixed(x, decimals)).to_string()
+}
+
 /// `1 row`, `2 rows`
 pub fn plural(n: usize, word: &str) -> String {
     format!("{n} {word}{}", if n == 1 { "" } else { "s" })
@@ -161,6 +186,10 @@ mod tests {
         assert_eq!(above.map(|(x, other)| down_but_above(x, 4, other)), ["13.485", "13.48", "13.4800001", "2"]);
         let shares = [0.0, 0.146378, 0.995, 0.9995, 0.99951, 0.9996, 0.99999, 1.0 - 1.0 / 3e6, 1.0].map(part_of_all);
         assert_eq!(shares, ["0", "14.6", "99.5", "99.95", "99.95", "99.96", "99.999", "99.99996", "100"]);
+        let tenth = [0.146378, 0.0872, 0.00437, 0.000111, 0.0, -0.000213, -0.0394].map(tenths);
+        assert_eq!(tenth, ["14.6 %", "8.72 %", "0.4 %", "0.0 %", "0 %", "-0.02 %", "-3.94 %"]);
+        let pairs = [(0.0437, 20.0), (0.00623, 2.0), (20.0, 20.0), (1.66, 1.0), (0.0, 0.0), (30.04, 30.0)];
+        assert_eq!(pairs.map(|(x, whole)| beside(x, whole, 3)), ["0", "0.01", "20", "1.66", "0", "30"]);
         assert_eq!([0.0, 0.0049, 0.005, 1.2].map(short_seconds), ["< 0.01", "< 0.01", "0.01", "1.20"]);
     }
 }

@@ -26,7 +26,7 @@ const FEWEST_NAMES: usize = 18;
 /// Digits of every figure.
 const DIGITS: usize = 3;
 /// Marks the outcome of the mode with full control that leaves least of it.
-const WEAKEST: &str = ", weakest";
+const WEAKEST: &str = ", least margin";
 
 /// The output.
 pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
@@ -207,7 +207,7 @@ fn shown(mut rows: Vec<Row>) -> (Vec<Row>, Vec<(Outcome, usize)>) {
 fn columns(model: &Model, modes: &[ModeAnalysis]) -> [String; 2] {
     let is_weakest = |row: &Row| row.cells[0].ends_with(WEAKEST);
     let weakest = match Overview::of(model, modes, &[]).rows.iter().any(is_weakest) {
-        true => "; weakest: hover has the least margin",
+        true => "; least margin: hover nearest to the edge",
         false => "",
     };
     [
@@ -297,7 +297,9 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
         format!("{names}: the vehicle loses height before it is caught; `mavc analyze --capture` simulates how much")
     }));
     remarks.extend(named(&|mode| mode.outcome == Outcome::NoMargin).map(|names| {
-        format!("{names}: thrust and torques balance, but in some direction no disturbance is countered")
+        format!(
+            "{names}: hover is on the edge of what the rotors left can give, so some disturbance cannot be countered"
+        )
     }));
     let faint = |mode: &ModeAnalysis| mode.nearest_rows.is_some_and(|rows| rows.angle < least_angle());
     remarks.extend(named(&faint).map(|names| {

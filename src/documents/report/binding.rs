@@ -1,5 +1,6 @@
 //! Which constraints limit the time of a plan, leg by leg.
 
+use super::waypoints;
 use crate::model::{Limit, Mission, Problem};
 use crate::number::{fixed, number, significant};
 use crate::planner::scp::sensitivity::{Statement, Unit};
@@ -97,9 +98,12 @@ fn record(problem: Problem, statement: Statement, time_saved_s: f64) -> Statemen
     StatementRecord { kind, statement: text, mode, relaxed_by, time_saved_s }
 }
 
-/// `tower`, `waypoint 3`
+/// The quoted name of a waypoint, or `waypoint 3`.
 fn place(mission: &Mission, waypoint: usize) -> String {
-    mission.waypoints[waypoint].name.clone().unwrap_or_else(|| format!("waypoint {}", waypoint + 1))
+    match &mission.waypoints[waypoint].name {
+        Some(name) => format!("`{name}`"),
+        None => format!("waypoint {}", waypoint + 1),
+    }
 }
 
 /// `climb <= 4 m/s`, `keep_in field`
@@ -167,15 +171,14 @@ pub const HEADLINE: &str =
     "What limits the time, and the time saved to first order by relaxing each by 1 % (a set: 1 % of its width)";
 
 impl BindingRecord {
-    /// `the leg to waypoint 2 climb`
+    /// ``the leg to waypoint 2 `climb` ``
     pub fn to(&self) -> String {
-        let name = self.to.as_ref().map_or(String::new(), |name| format!(" {name}"));
-        format!("the leg to waypoint {}{name}", self.leg + 1)
+        format!("the leg to {}", waypoints::waypoint(self.leg + 1, self.to.as_deref()))
     }
 
-    /// `1 to climb`
+    /// ``1 to `climb` ``
     pub fn label(&self) -> String {
-        let to = self.to.as_ref().map_or(String::new(), |name| format!(" to {name}"));
+        let to = self.to.as_ref().map_or(String::new(), |name| format!(" to `{name}`"));
         format!("{}{to}", self.leg)
     }
 }

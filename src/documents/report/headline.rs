@@ -37,7 +37,7 @@ impl Kind {
         }
     }
 
-    /// The modes of a kind: `any single motor lost` where these are all that there could be, else `3 single losses`.
+    /// The modes of a kind: `any single rotor lost` where these are all that there could be, else `3 single losses`.
     fn called(self, modes: &[&FaultMode], rotors: usize) -> String {
         let n = modes.len();
         if let [one] = modes {
@@ -45,17 +45,17 @@ impl Kind {
         }
         match self {
             Kind::Lost(k) if are_all(modes, rotors, k) => match k {
-                1 => "any single motor lost".into(),
-                2 => "any two motors lost".into(),
-                3 => "any three motors lost".into(),
-                k => format!("any {k} motors lost"),
+                1 => "any single rotor lost".into(),
+                2 => "any two rotors lost".into(),
+                3 => "any three rotors lost".into(),
+                k => format!("any {k} rotors lost"),
             },
             Kind::Lost(1) => format!("{n} single losses"),
             Kind::Lost(2) => format!("{n} double losses"),
             Kind::Lost(3) => format!("{n} triple losses"),
-            Kind::Lost(k) => format!("{n} losses of {k} motors"),
+            Kind::Lost(k) => format!("{n} losses of {k} rotors"),
             Kind::Reduced => format!("{n} modes of reduced thrust"),
-            Kind::Stuck => format!("{n} modes of stuck motors"),
+            Kind::Stuck => format!("{n} modes of stuck rotors"),
             Kind::Mixed => format!("{n} mixed modes"),
             Kind::Nothing => format!("{n} modes in which nothing fails"),
         }
@@ -63,8 +63,8 @@ impl Kind {
 
     fn of_one(self) -> String {
         match self {
-            Kind::Lost(1) => "one motor lost".into(),
-            Kind::Lost(k) => format!("{k} motors lost"),
+            Kind::Lost(1) => "one rotor lost".into(),
+            Kind::Lost(k) => format!("{k} rotors lost"),
             Kind::Reduced => "reduced thrust".into(),
             Kind::Stuck => "stuck".into(),
             Kind::Mixed => "mixed faults".into(),
@@ -73,8 +73,8 @@ impl Kind {
     }
 }
 
-/// What fails in each of some declared modes, alike ones together in the order of the first of each: `one motor lost`,
-/// `2 motors reduced to 60 %`.
+/// What fails in each of some declared modes, alike ones together in the order of the first of each: `one rotor lost`,
+/// `2 rotors reduced to 60 %`.
 pub fn by_failure(model: &Model, modes: impl Iterator<Item = usize>) -> Vec<(String, Vec<usize>)> {
     let mut groups: Vec<(String, Vec<usize>)> = Vec::new();
     for mode in modes {
@@ -90,14 +90,14 @@ pub fn by_failure(model: &Model, modes: impl Iterator<Item = usize>) -> Vec<(Str
 /// What fails in a mode; shares only if all its rotors have the same.
 fn failure(mode: &FaultMode) -> String {
     let failed: Vec<&RotorState> = mode.rotors.iter().filter(|rotor| **rotor != RotorState::Sound).collect();
-    let motors = match failed.len() {
-        1 => "one motor".to_string(),
-        n => plural(n, "motor"),
+    let rotors = match failed.len() {
+        1 => "one rotor".to_string(),
+        n => plural(n, "rotor"),
     };
     let is_alike = failed.windows(2).all(|two| two[0] == two[1]);
     match failed.first() {
-        Some(RotorState::Reduced(share)) if is_alike => format!("{motors} reduced to {} %", part_of_all(*share)),
-        Some(RotorState::Stuck(share)) if is_alike => format!("{motors} stuck at {} %", part_of_all(*share)),
+        Some(RotorState::Reduced(share)) if is_alike => format!("{rotors} reduced to {} %", part_of_all(*share)),
+        Some(RotorState::Stuck(share)) if is_alike => format!("{rotors} stuck at {} %", part_of_all(*share)),
         _ => Kind::of(mode).of_one(),
     }
 }
@@ -109,7 +109,7 @@ fn are_all(modes: &[&FaultMode], rotors: usize, k: usize) -> bool {
     different.len() == modes.len() && different.len() as u128 == ways
 }
 
-/// What the fault modes of a vehicle leave of it, in one sentence without a full stop: `survey_hexa: any single motor
+/// What the fault modes of a vehicle leave of it, in one sentence without a full stop: `survey_hexa: any single rotor
 /// lost: 4 of 6 full control, 2 of 6 fly on, heading not held`. `outcomes` are those of the healthy vehicle, then of
 /// every declared mode; modes of different kinds are counted apart.
 pub fn headline_of(model: &Model, outcomes: &[Outcome]) -> String {

@@ -3,7 +3,7 @@
 use super::caveats::exceeded_limits;
 use crate::model::{Mission, Problem};
 use crate::motion::time_grid::has_fixed_times;
-use crate::number::{down, down_but_above, percent};
+use crate::number::{down, down_but_above, tenths};
 use crate::planner::studies::{PlanOutcome, PlannerRun};
 use crate::planner::timing::kinematics::{LeastTime, least_time, least_time_within};
 
@@ -55,7 +55,7 @@ pub fn gap(problem: Problem, run: &PlannerRun) -> Option<String> {
         true => ", exceeded no further than by this plan between its nodes,",
         false => "",
     };
-    let (seconds, gap) = (down(least.seconds, DIGITS), percent(solved.time / least.seconds - 1.0));
+    let (seconds, gap) = (down(least.seconds, DIGITS), tenths(solved.time / least.seconds - 1.0));
     Some(format!("no motion {}{widened} takes less than {seconds} s (gap {gap})", within(mission)))
 }
 

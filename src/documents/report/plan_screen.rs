@@ -173,7 +173,7 @@ impl Answer<'_> {
             };
             let at = fixed(record.at_s, 2);
             let of = if nearest.len() > 1 { format!(", the tightest of {}", nearest.len()) } else { String::new() };
-            let text = format!("{distance} from {} at {at} s, {required}{of}", record.name);
+            let text = format!("{distance} from `{}` at {at} s, {required}{of}", record.name);
             lines.push((Keep::Figure, "volumes", text));
         }
         if let Some(risk) = rated_risk(&rates(model), &solved.committed) {
@@ -181,7 +181,9 @@ impl Answer<'_> {
                 true => format!("probability {} of a fault while the plan is unsafe", significant(risk, DIGITS)),
                 false => "none from the modes planned against, which the plan covers".into(),
             };
-            lines.push((Keep::Figure, "risk", text + &not_counted(model)));
+            // A plan that exceeds it is not found.
+            let allowed = model.plan.require_risk.map(|most| format!(" ({} allowed)", significant(most, DIGITS)));
+            lines.push((Keep::Figure, "risk", text + &allowed.unwrap_or_default() + &not_counted(model)));
         }
         let limits = binding::records(self.problem, solved);
         let most = limits.iter().flat_map(|leg| leg.statements.iter().map(move |of_leg| (leg, of_leg)));

@@ -2,6 +2,7 @@
 //! where it climbs or strays although no volume is in the way.
 
 use super::caveats::{Caveat, CaveatKind};
+use super::waypoints;
 use crate::explain::detour::{Detour, DetourKind, Forbids, is_cheap};
 use crate::model::{Limit, LimitKind, Mission, MissionTime, Problem};
 use crate::motion::shape::{Place, Shape};
@@ -135,10 +136,9 @@ fn degrees(value: f64) -> String {
     format!("{} deg", significant((10.0 * value.to_degrees()).round() / 10.0, 4))
 }
 
-/// `waypoint 3`, `waypoint 3 mast`; `index` from 0.
+/// ``waypoint 3 `mast` ``; `index` from 0.
 fn waypoint(mission: &Mission, index: usize) -> String {
-    let name = mission.waypoints[index].name.as_ref().map_or(String::new(), |name| format!(" {name}"));
-    format!("waypoint {}{name}", index + 1)
+    waypoints::waypoint(index + 1, mission.waypoints[index].name.as_deref())
 }
 
 /// `leg to waypoint 3 mast`; `leg` from 1.

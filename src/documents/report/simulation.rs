@@ -11,4 +11,4 @@ pub use screen::screen;
 pub use text::disturbed;
 pub(super) use text::manner;
 #[cfg(feature = "report")]
-pub(super) use text::{DIVERGED, detection, duration, length, loss, no_fault, to_its_end, trespass, turned};
+pub(super) use text::{DIVERGED, detection, duration, landed, length, loss, no_fault, to_its_end, trespass, turned};

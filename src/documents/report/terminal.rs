@@ -19,7 +19,7 @@ use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
-use crate::number::{down, fixed, number, part_of_all, percent, short_seconds, significant};
+use crate::number::{down, fixed, number, part_of_all, percent, short_seconds, significant, tenths};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Protection;
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, label};
@@ -362,7 +362,7 @@ fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> T
         let mut cells = vec![name.clone()];
         cells.extend(match is_captured {
             true => [dash(), dash()],
-            false => [percent(spare(out)), out.worst_at.map_or_else(dash, seconds)],
+            false => [tenths(spare(out)), out.worst_at.map_or_else(dash, seconds)],
         });
         cells.extend(match out.last {
             None if is_captured => ["no rows".into(), dash(), dash(), dash(), "not planned".into()],

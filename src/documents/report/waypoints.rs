@@ -3,7 +3,7 @@
 use crate::model::{Heading, Limit, Mission, Part, Waypoint};
 use crate::motion::checks::heading_error;
 use crate::motion::{NodeState, YAW};
-use crate::number::{DIGITS, percent, significant};
+use crate::number::{DIGITS, beside, significant, tenths};
 use crate::planner::studies::MissionPlan;
 use crate::text_table::Table;
 use crate::verify::plan::MOST_MISS;
@@ -98,21 +98,35 @@ impl WaypointRecord {
         }
     }
 
+    /// ``waypoint 3 `mast` ``: for sentences, where a name such as `land` reads like one of their words.
+    pub fn quoted(&self) -> String {
+        waypoint(self.number, self.name.as_deref())
+    }
+
     /// `5 of 5 cm allowed`: the error with the larger share of its tolerance.
     pub fn largest(&self) -> String {
         match self.position_share.total_cmp(&self.yaw_share).is_ge() {
             true => {
                 let [error, allowed] = [self.position_error_m, self.position_tolerance_m];
                 let (unit, per_metre) = length_unit(error.max(allowed));
-                let [error, allowed] = [error, allowed].map(|m| significant(per_metre * m, DIGITS));
-                format!("{error} of {allowed} {unit} allowed")
+                let [error, allowed] = [error, allowed].map(|m| per_metre * m);
+                format!("{} of {} {unit} allowed", beside(error, allowed, DIGITS), significant(allowed, DIGITS))
             }
             false => {
-                let [error, allowed] =
-                    [self.yaw_error_rad, self.yaw_tolerance_rad].map(|rad| significant(rad.to_degrees(), DIGITS));
-                format!("{error} of {allowed} deg of yaw allowed")
+                let [error, allowed] = [self.yaw_error_rad, self.yaw_tolerance_rad].map(f64::to_degrees);
+                let error = beside(error, allowed, DIGITS);
+                format!("{error} of {} deg of yaw allowed", significant(allowed, DIGITS))
             }
         }
+    }
+}
+
+/// ``waypoint 3 `mast` ``, `waypoint 1 (start)`; `number` from 1.
+pub fn waypoint(number: usize, name: Option<&str>) -> String {
+    match name {
+        Some(name) => format!("waypoint {number} `{name}`"),
+        None if number == 1 => "waypoint 1 (start)".into(),
+        None => format!("waypoint {number}"),
     }
 }
 
@@ -156,7 +170,7 @@ pub fn met_or_missed(waypoints: &[WaypointRecord]) -> String {
 /// `21 waypoints met; tightest: waypoint 7, 5 of 5 cm allowed`. The tightest has the largest share of its
 /// tolerance, which need not be the largest error.
 pub fn headline(waypoints: &[WaypointRecord]) -> String {
-    let tightest = |w: &WaypointRecord| format!("; tightest: waypoint {}, {}", w.label(), w.largest());
+    let tightest = |w: &WaypointRecord| format!("; tightest: {}, {}", w.quoted(), w.largest());
     format!("{}{}", met_or_missed(waypoints), worst(waypoints).map_or(String::new(), tightest))
 }
 
@@ -182,7 +196,7 @@ pub fn table(waypoints: &[WaypointRecord], indent: usize) -> String {
         table.row(std::iter::once(w.label()).chain(w.cells()).collect());
     }
     let rest = others.map_or(String::new(), |(n, share)| {
-        format!("{}{n} more, with errors of at most {} of their tolerances\n", " ".repeat(indent), percent(share))
+        format!("{}{n} more, with errors of at most {} of their tolerances\n", " ".repeat(indent), tenths(share))
     });
     table.render(indent) + &rest
 }
@@ -192,12 +206,16 @@ impl WaypointRecord {
     pub fn cells(&self) -> [String; 6] {
         let [error, allowed, share] = match self.yaw_is_free {
             true => ["-", "free", "-"].map(String::from),
-            false => [angle(self.yaw_error_rad), angle(self.yaw_tolerance_rad), percent(self.yaw_share)],
+            false => [
+                angle_beside(self.yaw_error_rad, self.yaw_tolerance_rad),
+                angle(self.yaw_tolerance_rad),
+                tenths(self.yaw_share),
+            ],
         };
         [
-            length(self.position_error_m),
+            length_beside(self.position_error_m, self.position_tolerance_m),
             length(self.position_tolerance_m),
-            percent(self.position_share),
+            tenths(self.position_share),
             error,
             allowed,
             share,
@@ -215,6 +233,16 @@ fn length(metres: f64) -> String {
     format!("{} {unit}", significant(per_metre * metres, DIGITS))
 }
 
+/// A length in the unit of the one that it is compared with, and as fine.
+fn length_beside(metres: f64, whole: f64) -> String {
+    let (unit, per_metre) = length_unit(metres.max(whole));
+    format!("{} {unit}", beside(per_metre * metres, per_metre * whole, DIGITS))
+}
+
 fn angle(radians: f64) -> String {
     format!("{} deg", significant(radians.to_degrees(), DIGITS))
+}
+
+fn angle_beside(radians: f64, whole: f64) -> String {
+    format!("{} deg", beside(radians.to_degrees(), whole.to_degrees(), DIGITS))
 }

@@ -86,9 +86,14 @@ impl BrokenLimits {
         self.0 |= 1 << class;
     }
 
+    /// The words of the limits that are broken.
+    pub fn words(self) -> Vec<&'static str> {
+        (0..WORDS.len()).filter(|&k| self.has(k)).map(|k| WORDS[k]).collect()
+    }
+
     /// `speed+tilt`, or `none`.
     pub fn text(self) -> String {
-        let words: Vec<&str> = (0..WORDS.len()).filter(|&k| self.has(k)).map(|k| WORDS[k]).collect();
+        let words = self.words();
         if words.is_empty() { "none".into() } else { words.join("+") }
     }
 

@@ -22,6 +22,10 @@ pub enum Outcome {
     Landed {
         /// s since the start.
         at: f64,
+        /// Where it touched the ground, m.
+        place: [f64; 3],
+        /// Its speed just before, m/s.
+        speed: f64,
     },
     /// The vehicle was not lost, but it entered a `keep_out` or left a `keep_in` ([`super::volumes::PAST_BOUNDARY`]).
     Trespassed {
@@ -197,7 +201,10 @@ impl<'a> Watch<'a> {
             return match (self.may_land && soft, self.is_off_its_heading()) {
                 (false, _) => lost(Cause::Ground),
                 (true, true) => Some(Outcome::Lost { at: t, cause: Cause::Heading, at_end: true }),
-                (true, false) => Some(self.unless_trespassed(Outcome::Landed { at: t })),
+                (true, false) => {
+                    let (place, speed) = (body.position.into(), body.velocity.norm());
+                    Some(self.unless_trespassed(Outcome::Landed { at: t, place, speed }))
+                }
             };
         }
         self.headings.add(&self.heading, after);

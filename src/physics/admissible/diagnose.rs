@@ -131,11 +131,11 @@ impl Answer {
     fn diagnostic(self, model: &Model) -> Diagnostic {
         let who = match self.modes.as_slice() {
             [] => "even without a fault".to_string(),
-            [mode] => format!("with fault mode {mode}"),
+            [mode] => format!("in fault mode {mode}"),
             [first @ .., last] if first.len() < NAMED => {
-                format!("with each of the fault modes {} and {last}", first.join(", "))
+                format!("in each of the fault modes {} and {last}", first.join(", "))
             }
-            many => format!("with each of {} fault modes ({}, ...)", many.len(), many[..NAMED].join(", ")),
+            many => format!("in each of {} fault modes ({}, ...)", many.len(), many[..NAMED].join(", ")),
         };
         let message = format!("{who} {}", self.what);
         let pointed = !self.modes.is_empty() && is_written(model, "plan.against");
@@ -304,7 +304,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
                             down(most, 4)
                         )
                     }
-                    None => "no mass makes it possible".to_string(),
+                    None => "not possible at any mass".to_string(),
                 },
             };
             let what = match verdict {

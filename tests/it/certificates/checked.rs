@@ -171,7 +171,7 @@ fn a_stop_is_flown_beyond_a_plan_that_ends_in_motion() {
         (ran.status.code(), String::from_utf8(ran.stdout).unwrap())
     };
     let (code, told) = flown(&[]);
-    assert!(code == Some(0) && told.contains("Simulated to its end at 20.00 s\n"), "{told}");
+    assert!(code == Some(0) && told.contains("Simulated to its end at 20.00 s"), "{told}");
     let (_, told) = flown(&["--set", "simulate.after_fault=continue"]);
     assert!(!told.contains("at 20.00 s") && told.contains(" at 5.00 s"), "{told}");
 }

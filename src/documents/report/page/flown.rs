@@ -10,8 +10,8 @@ use crate::model::Model;
 use crate::motion::Trajectory;
 use crate::number::{fixed, number, significant};
 use crate::report::simulation::{
-    DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss, no_fault, to_its_end,
-    trespass, turned,
+    DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, landed, length, loss, no_fault,
+    to_its_end, trespass, turned,
 };
 use maud::{Markup, html};
 
@@ -99,7 +99,7 @@ pub fn headline(model: &Model, record: &FlightRecord) -> String {
     match record.outcome {
         OutcomeRecord::Flown => format!("{}{}", to_its_end(model, record), no_fault(record)),
         OutcomeRecord::Trespassed { at_s } => format!("Not survived: {}", trespass(at_s)),
-        OutcomeRecord::Landed { at_s } => format!("Landed at {} s", fixed(at_s, 2)),
+        OutcomeRecord::Landed { at_s, place_m, speed_m_s } => landed(at_s, place_m, speed_m_s),
         OutcomeRecord::Lost { at_s, cause, at_end } => {
             format!("Lost at {} s: {}", fixed(at_s, 2), loss(model, cause, at_end))
         }

@@ -11,7 +11,7 @@ use crate::energy::Power;
 use crate::model::{LimitKind, Mission, Model, Problem};
 use crate::motion::checks::peak;
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z, roll_pitch, tilt};
-use crate::number::{fixed, percent, significant};
+use crate::number::{fixed, percent, significant, tenths};
 use crate::planner::studies::MissionPlan;
 use crate::report::battery;
 use crate::report::record::errors;
@@ -154,14 +154,14 @@ fn margins(solved: &MissionPlan, shown: &[ShownSet]) -> Chart {
     let least = nearest(solved).and_then(|n| sets().find(|(.., against)| *against == n));
     let headline = match least.map(|(_, s, against)| (s, -solved.outside[against].max_violation)) {
         Some((set, margin)) if margin < 0.0 => {
-            format!("The smallest margin is {}, outside {}", signed_percent(margin), set.name)
+            format!("The smallest spare is {}, outside {}", signed_percent(margin), set.name)
         }
-        Some((set, margin)) => format!("The smallest margin is {}, to {}", signed_percent(margin), set.name),
+        Some((set, margin)) => format!("The smallest spare is {}, in {}", signed_percent(margin), set.name),
         None => "No fault mode is planned against".into(),
     };
     Chart {
         id: "margin",
-        title: "Margin to each fault mode's set, in widths of the healthy set",
+        title: "Spare in each fault mode's set, in widths of the healthy set",
         headline,
         unit: "%",
         lines: sets().map(|(i, s, _)| Line::new(s.name.clone(), format!("margin_{i}"))).collect(),
@@ -178,13 +178,13 @@ pub fn nearest(solved: &MissionPlan) -> Option<usize> {
     solved.outside.iter().position(|o| o.max_violation >= worst - 1e-5)
 }
 
-/// A margin in percent with its sign: `+3.2 %`, `−14.6 %`.
+/// A spare in percent with its sign: `+3.2 %`, `−14.6 %`.
 pub fn signed_percent(share: f64) -> String {
     match share {
         // Smaller than what counts as a violation.
         s if s.abs() < VIOLATED / 2.0 => "0 %".into(),
-        s if s < 0.0 => format!("\u{2212}{}", percent(-s)),
-        s => format!("+{}", percent(s)),
+        s if s < 0.0 => format!("\u{2212}{}", tenths(s).trim_start_matches('-')),
+        s => format!("+{}", tenths(s)),
     }
 }
 

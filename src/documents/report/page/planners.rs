@@ -26,7 +26,7 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     let heads = || {
         let mut heads = vec![words("Planner"), numbers("Time", "s")];
         if has_modes {
-            heads.push(numbers("Smallest margin", "healthy widths"));
+            heads.push(numbers("Smallest spare", "healthy widths"));
             heads.extend(["Longest violation", "Last violation"].map(|name| numbers(name, "s")));
         }
         heads.extend([numbers("Sum of errors", "m"), numbers("Largest error", "cm"), numbers("Yaw errors", "rad")]);
@@ -60,7 +60,7 @@ fn meanings(has_modes: bool, has_risk: bool) -> Vec<(&'static str, &'static str)
     let mut found = Vec::new();
     if has_modes {
         found.extend([
-            ("Smallest margin", "over the flight and all modes; negative outside a set."),
+            ("Smallest spare", "over the flight and all modes; negative outside a set."),
             ("Longest violation", "how long the plan is outside the admissible set of the worst mode."),
             ("Last violation", "of any mode's set; a fault before this instant still meets a violation."),
         ]);

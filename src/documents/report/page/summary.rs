@@ -110,7 +110,7 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
     let all: Vec<_> = solved.iter().flat_map(|(_, s)| waypoints(mission, s)).collect();
     let met = worst(&all).map_or("no plan meets them".to_string(), |worst| {
         let met = if all.iter().all(|w| w.met) { "met by every plan" } else { "missed by some plan" };
-        format!("{met}; tightest: waypoint {}, {}", worst.label(), worst.largest())
+        format!("{met}; tightest: {}, {}", worst.quoted(), worst.largest())
     });
     let waypoints = Figure::new("Waypoints", mission.waypoints.len().to_string(), met);
     let beside = format!("in addition to the healthy set's{}", in_planes(comparison));
@@ -200,8 +200,8 @@ fn margin(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
     let (name, outside) = (comparison.modes.get(mode)?, &solved.outside[mode]);
     let margin = -outside.max_violation;
     let of = if comparison.provisions[mode] == Provision::WithYaw { "set" } else { "core" };
-    let note = format!("to the {of} of {name}, in widths of the healthy set");
-    Some(Figure::new("Smallest margin", signed_percent(margin), note).bad_if(outside.last.is_some()))
+    let note = format!("in the {of} of {name}, in widths of the healthy set");
+    Some(Figure::new("Smallest spare", signed_percent(margin), note).bad_if(outside.last.is_some()))
 }
 
 fn stays(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
@@ -236,7 +236,7 @@ fn stays(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
 /// The error with the largest share of its tolerance.
 fn waypoint_error(planner: &PlannerRecord) -> Option<Figure> {
     let worst = worst(&planner.waypoints)?;
-    let note = format!("of its tolerance: {}, at waypoint {}", worst.largest(), worst.label());
+    let note = format!("of its tolerance: {}, at {}", worst.largest(), worst.quoted());
     Some(
         Figure::new("Tightest waypoint", percent(worst.share()), note).bad_if(planner.waypoints.iter().any(|w| !w.met)),
     )

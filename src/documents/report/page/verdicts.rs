@@ -76,7 +76,7 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     // What decides comes first: on a narrow screen the rest is scrolled to.
     let mut heads = vec![words("Mode"), words("What it leaves")];
     if columns.of_plan {
-        heads.push(numbers("Plan's margin", "healthy widths"));
+        heads.push(numbers("Plan's spare", "healthy widths"));
         heads.extend(["Last violation", "Violated for"].map(|name| numbers(name, "s")));
     }
     if columns.after {
@@ -159,7 +159,7 @@ fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &
     }
     if columns.of_plan {
         found.extend([
-            ("Plan's margin", "the smallest over the flight, negative outside, to the set used for planning."),
+            ("Plan's spare", "the smallest over the flight, negative outside, to the set used for planning."),
             ("Violated for", "how long the plan is outside the mode's admissible set."),
             ("Last violation", "a lost rotor stays lost, so a fault before this instant still meets a violation."),
         ]);

@@ -9,7 +9,7 @@ use crate::flight::equilibrium::outcome_of;
 use crate::model::{AfterFault, Mission, Model, PlannerKind};
 use crate::motion::outside::Outside;
 use crate::motion::wrench_model::WrenchModel;
-use crate::number::{fixed, part_of_all, percent, significant};
+use crate::number::{fixed, part_of_all, significant, tenths};
 use crate::planner::studies::{MissionPlan, PlannerRun, Run};
 use crate::report::headline::by_failure;
 use crate::report::mode_names::within;
@@ -190,7 +190,7 @@ fn advice(answer: &Answer, run: &PlannerRun) -> String {
 }
 
 /// Modes that are planned against, given by their places there, with what fails in them if that is of few kinds: `M1 ..
-/// M8 (one motor lost)`.
+/// M8 (one rotor lost)`.
 fn named(answer: &Answer, places: &[usize]) -> String {
     let model = answer.problem.model();
     let of = by_failure(model, declared(model, places).into_iter());
@@ -280,10 +280,15 @@ fn not_covered(model: &Model) -> Option<String> {
 fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
     let of_sets = |between: &&Between| [WRENCH, CORES].contains(&between.rows.as_str());
     let rows: Vec<&Between> = answer.between.unwrap_or(&[]).iter().filter(of_sets).collect();
+    let is_protected = !answer.comparison.trade_off.is_empty();
     let is_proved = !rows.is_empty() && rows.iter().all(|rows| rows.shown == Shown::Proved);
     match (run.planner, is_proved) {
-        (PlannerKind::Rsp, _) if answer.comparison.selected.is_empty() && answer.comparison.trade_off.is_empty() => {
-            "Computed along the plan, not proved: RSP had nothing to guard.".into()
+        (PlannerKind::Rsp, _) if answer.problem.model().plan.rounds == 0 && !is_protected => {
+            "Computed along the plan, not proved: with `rounds = 0` RSP guards no mode.".into()
+        }
+        (PlannerKind::Rsp, _) if answer.comparison.selected.is_empty() && !is_protected => {
+            "Computed along the plan, not proved: the plan that ignores faults violates no constraint of these modes; RSP adds none."
+                .into()
         }
         (PlannerKind::Rcp, true) => "Proved at every instant.".into(),
         (PlannerKind::Rcp, false) => "Checked on a grid of instants, not proved between them.".into(),
@@ -313,7 +318,7 @@ fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<us
         let cells = match is_captured {
             true => vec!["-".to_string(), "-".into(), "not planned".into()],
             false => vec![
-                percent(spare),
+                tenths(spare),
                 out.worst_at
                     .map_or("-".into(), |at| format!("{}{}", seconds(at), leg(answer.problem.mission(), solved, at))),
                 unsafe_until(model, solved, i).map_or("never".into(), |at| format!("until {}", seconds(at))),

@@ -25,7 +25,7 @@ pub struct Flown<'a> {
 }
 
 /// Version of this record; raised when a field or the meaning of its values changes.
-const SCHEMA: u32 = 4;
+const SCHEMA: u32 = 5;
 
 /// Result of one simulated flight along the spec's plan, with faults during the flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -84,6 +84,9 @@ pub struct FlightRecord {
     pub waypoints_due: usize,
     /// Those of them that were missed by more than their tolerance.
     pub waypoints_missed: usize,
+    /// Limits that were exceeded by more than a tenth of their size (docs/flight.md, section 5), since the first fault
+    /// if one struck.
+    pub limits_broken: Vec<&'static str>,
     /// Largest angle between body z and the vertical, rad.
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub max_tilt_rad: f64,
@@ -144,6 +147,11 @@ pub enum OutcomeRecord {
         /// When it touched the ground, s.
         #[cfg_attr(test, schemars(range(min = 0)))]
         at_s: f64,
+        /// Where it touched the ground, m.
+        place_m: [f64; 3],
+        /// Its speed just before, m/s.
+        #[cfg_attr(test, schemars(range(min = 0)))]
+        speed_m_s: f64,
     },
     /// It was not lost, but it entered a `keep_out` or left a `keep_in`.
     Trespassed {
@@ -273,7 +281,9 @@ impl FlightRecord {
             seed: s.seed,
             outcome: match flight.outcome {
                 Outcome::Flown => OutcomeRecord::Flown,
-                Outcome::Landed { at } => OutcomeRecord::Landed { at_s: at },
+                Outcome::Landed { at, place, speed } => {
+                    OutcomeRecord::Landed { at_s: at, place_m: place, speed_m_s: speed }
+                }
                 Outcome::Trespassed { at } => OutcomeRecord::Trespassed { at_s: at },
                 Outcome::Lost { at, cause, at_end } => OutcomeRecord::Lost { at_s: at, cause: cause.name(), at_end },
                 Outcome::Diverged { at } => OutcomeRecord::Diverged { at_s: at },
@@ -284,6 +294,7 @@ impl FlightRecord {
             rms_error_after_m: (!flight.found.is_empty()).then_some(flight.rms_error_after),
             waypoints_due: flight.damage.waypoints_due,
             waypoints_missed: flight.damage.waypoints_missed,
+            limits_broken: flight.damage.limits.words(),
             max_tilt_rad: flight.max_tilt,
             rms_heading_error_rad: flight.heading.rms,
             max_heading_error_rad: flight.heading.max,

@@ -2,8 +2,8 @@
 
 use super::record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, WayOutRecord};
 use super::text::{
-    DIVERGED, beyond_plan, duration, ending, heading, indistinguishable, length, loss, manner, no_fault, to_its_end,
-    trespass, waypoints,
+    DIVERGED, beyond_plan, broken, duration, ending, heading, indistinguishable, landed, length, loss, manner,
+    no_fault, to_its_end, trespass, waypoints,
 };
 use crate::admissible::outcome::Outcome;
 use crate::flight::equilibrium::outcome_of;
@@ -40,8 +40,12 @@ pub fn screen(flown: &Flown, verbose: bool) -> Screen {
     );
     screen.gap();
     let (tone, ended) = match record.outcome {
-        OutcomeRecord::Flown => (Tone::Good, format!("{}{}", to_its_end(model, &record), no_fault(&record))),
-        OutcomeRecord::Landed { at_s } => (Tone::Good, format!("Landed at {} s", fixed(at_s, 2))),
+        OutcomeRecord::Flown => {
+            let is_met = record.waypoints_missed == 0 && record.limits_broken.is_empty();
+            let tone = if is_met { Tone::Good } else { Tone::Warning };
+            (tone, format!("{}{}", to_its_end(model, &record), no_fault(&record)))
+        }
+        OutcomeRecord::Landed { at_s, place_m, speed_m_s } => (Tone::Good, landed(at_s, place_m, speed_m_s)),
         OutcomeRecord::Trespassed { at_s } => (Tone::Bad, format!("NOT SURVIVED: {}", trespass(at_s))),
         OutcomeRecord::Lost { at_s, cause, at_end } => {
             let struck = record.faults.iter().any(|fault| fault.struck);
@@ -55,12 +59,22 @@ pub fn screen(flown: &Flown, verbose: bool) -> Screen {
     screen.gap();
     let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
     let is_lost = matches!(record.outcome, OutcomeRecord::Lost { .. } | OutcomeRecord::Diverged { .. });
-    let mut lines: Vec<String> = waypoints(&record).into_iter().filter(|_| !is_lost).collect();
+    // What the plan promises and the flight did not keep is a remark.
+    let mut unkept = Vec::new();
+    let mut lines = Vec::new();
+    if let Some(text) = waypoints(&record).filter(|_| !is_lost) {
+        if record.waypoints_missed > 0 { &mut unkept } else { &mut lines }.push(text);
+    }
     lines.extend([
         format!("position error: {} rms{after}; largest {}", length(flight.rms_error), length(flight.max_error)),
         heading(&record).replace("root mean square", "rms"),
-        format!("largest tilt {} degrees{}", fixed(flight.max_tilt.to_degrees(), 1), beyond_plan(flown)),
     ]);
+    let tilt = format!("largest tilt {} degrees", fixed(flight.max_tilt.to_degrees(), 1));
+    match beyond_plan(flown) {
+        Some(beyond) => unkept.push(tilt + &beyond),
+        None => lines.push(tilt),
+    }
+    unkept.extend(broken(&record).filter(|_| !is_lost));
     lines.extend(
         record
             .gave_up_yaw_at_s
@@ -82,8 +96,8 @@ pub fn screen(flown: &Flown, verbose: bool) -> Screen {
     lines.extend(record.volumes.iter().min_by(|a, b| spare(a).total_cmp(&spare(b))).filter(|_| !verbose).map(
         |nearest| {
             format!(
-                "nearest volume: {} m from {} at {} s ({} m required of the plan)",
-                significant(nearest.distance_m, 3),
+                "nearest volume: {} `{}` at {} s ({} m required of the plan)",
+                beside_boundary(nearest.distance_m),
                 nearest.name,
                 fixed(nearest.at_s, 2),
                 significant(nearest.required_m, 3)
@@ -93,6 +107,7 @@ pub fn screen(flown: &Flown, verbose: bool) -> Screen {
     lines.push(format!("{}, seed {}", manner(model), record.seed));
     lines.extend(Some(battery::full_thrust(model)).filter(|text| verbose && !text.is_empty()));
     lines.iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
+    unkept.iter().for_each(|text| screen.remark(Keep::Finding, text));
     remarks(flown, &record).iter().for_each(|(keep, text)| screen.remark(*keep, text));
     match verbose {
         true => volumes::table(&record.volumes, model, " in the flight")
@@ -101,6 +116,12 @@ pub fn screen(flown: &Flown, verbose: bool) -> Screen {
         false => screen.close(0),
     }
     screen
+}
+
+/// `1.2 m from`, or `3.7 cm past the boundary of`.
+fn beside_boundary(distance: f64) -> String {
+    let past = if distance < 0.0 { "past the boundary of" } else { "from" };
+    format!("{} {past}", length(distance.abs()))
 }
 
 /// When each of at most so many faults struck and became known.

@@ -1,6 +1,6 @@
 //! What is said of a simulated flight, on the terminal and the page.
 
-use super::record::{FlightRecord, Flown, SpinRecord};
+use super::record::{FlightRecord, Flown, OutcomeRecord, SpinRecord};
 use crate::flight::indistinguishable::listed;
 use crate::model::{
     AfterFault, Allocation, Attitude, Controller, Detection, FlownVehicle, LimitKind, LostYaw, Model, Simulation,
@@ -84,15 +84,14 @@ pub fn disturbed(s: &Simulation) -> String {
     parts.iter().map(|part| format!("; {part}")).collect()
 }
 
-/// `, beyond the plan's limit of 20 degrees`: the mission's limit applies to the plan and not to the flight.
-pub(super) fn beyond_plan(flown: &Flown) -> String {
+/// `, beyond the plan's limit of 20 degrees`: the mission's limit applies to the plan and not to the flight. `None` if
+/// the tilt stays within it.
+pub(super) fn beyond_plan(flown: &Flown) -> Option<String> {
     let limits = flown.model.mission.iter().flat_map(|mission| &mission.limits);
     let tilt =
         limits.filter(|limit| limit.is_general() && limit.kind == LimitKind::Tilt).filter_map(|limit| limit.upper);
-    match tilt.filter(|most| flown.flight.max_tilt > *most).reduce(f64::min) {
-        Some(most) => format!(", beyond the plan's limit of {} degrees", number(most.to_degrees())),
-        None => String::new(),
-    }
+    let most = tilt.filter(|most| flown.flight.max_tilt > *most).reduce(f64::min)?;
+    Some(format!(", beyond the plan's limit of {} degrees", number(most.to_degrees())))
 }
 
 /// `heading error: 1.2 degrees root mean square; largest 4.0 degrees, 4.0 since the first fault`
@@ -159,8 +158,49 @@ pub(super) fn ending(spin: &SpinRecord, model: &Model) -> String {
     format!("Warning: the spin {settled} {rate} rad/s{beyond}")
 }
 
-/// How a flight that was neither lost nor landed has ended: a `duration` may end it before its plan does.
+/// `: waypoints met, limits kept within tolerance`: whether a flight met its waypoints and limits, since the first fault if
+/// one struck, up to what flights may exceed limits by ([`crate::flight::damage::LIMIT_BROKEN`]); empty if it had
+/// neither.
+fn met(model: &Model, record: &FlightRecord) -> String {
+    let mut parts = Vec::new();
+    if record.waypoints_due > 0 {
+        parts.push(if record.waypoints_missed == 0 { "waypoints met" } else { "waypoints MISSED" }.to_string());
+    }
+    if model.mission.as_ref().is_some_and(|mission| !mission.limits.is_empty()) {
+        let word = if record.limits_broken.is_empty() { "limits kept within tolerance" } else { "limits BROKEN" };
+        parts.push(word.into());
+    }
+    if parts.is_empty() { String::new() } else { format!(": {}", parts.join(", ")) }
+}
+
+/// Which limits were broken; `None` if none was.
+pub(super) fn broken(record: &FlightRecord) -> Option<String> {
+    let since = if record.faults.iter().any(|fault| fault.struck) { " since the first fault" } else { "" };
+    // A landing is below every least altitude.
+    let is_landing = matches!(record.outcome, OutcomeRecord::Landed { .. });
+    let counted = record.limits_broken.iter().filter(|limit| !is_landing || **limit != "altitude");
+    let limits = counted.copied().collect::<Vec<_>>().join(", ");
+    if limits.is_empty() {
+        return None;
+    }
+    Some(format!("limits broken{since}: {limits}"))
+}
+
+/// `Landed at 40.20 s at [3.1, 2, 0] m, touching down at 0.42 m/s`
+pub fn landed(at: f64, place: [f64; 3], speed: f64) -> String {
+    // To a centimetre and a centimetre a second.
+    let hundredths = |x: f64| number((100.0 * x).round() / 100.0);
+    let place = place.map(hundredths).join(", ");
+    format!("Landed at {} s at [{place}] m, touching down at {} m/s", fixed(at, 2), hundredths(speed))
+}
+
+/// How a flight that was neither lost nor landed has ended, and whether it met its waypoints and limits: a `duration`
+/// may end it before its plan does.
 pub fn to_its_end(model: &Model, record: &FlightRecord) -> String {
+    ended(model, record) + &met(model, record)
+}
+
+fn ended(model: &Model, record: &FlightRecord) -> String {
     let end = fixed(record.end_s, 2);
     let tick = 1.0 / model.simulation.control_rate;
     let duration = model.simulation.duration;
