@@ -164,7 +164,7 @@ fn a_table_lies_beside_the_file_that_names_it_and_belongs_to_the_certificate() {
     fs::write(at("motors/motor.csv"), MADE_UP).unwrap();
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let words = [at("plan.json"), at("root.mav")].map(|path| text(&path).to_string());
-    let code = mavc_verify::program::run(words.into_iter(), &mut out, &mut err);
+    let code = mavc_verify::program::run(words, &mut out, &mut err);
     assert_eq!(i32::from(code), 0, "{}", String::from_utf8_lossy(&err));
 }
 

@@ -114,8 +114,7 @@ group! {
     /// The fields of `rotor { }`.
     rotor:
     TABLE "table", Text, Otherwise("none"),
-        "a thrust table of the motor's maker, a CSV file such as `\"motor.csv\"`: it gives `max_thrust`, \
-         `torque_per_thrust` and `max_speed` where they are not written, and the battery's `hover_power`";
+        "the motor maker's thrust table, a CSV file: for the numbers that are not written";
     THRUST_COEFFICIENT "thrust_coefficient", Quantity("N*s^2/rad^2", Positive), Otherwise("required, or `max_thrust`"),
         "a rotor's thrust divided by the square of its speed"
         .excludes(&["max_thrust"]).sweepable().family(Family::Thrust);
@@ -187,7 +186,7 @@ group! {
         .bounds(1e-3, MOST).likely(CHARGES);
     VOLTAGE "voltage", Quantity("V", Positive), Needed,
         "its mean voltage meanwhile: for lithium polymer about 3.7 V for each cell in series".bounds(1e-3, 1e6);
-    HOVER_POWER "hover_power", Quantity("W", Positive), Otherwise("required, or a `table` of the rotors"),
+    HOVER_POWER "hover_power", Quantity("W", Positive), Otherwise("required, or `table` of `rotor`"),
         "the electrical power that the whole vehicle takes in hover at its `mass`, as measured".bounds(1e-6, 1e9);
     KEEP "keep", Share, Value(0.2, "20 %", "a fifth of the charge stays in reserve"),
         "the share of the charge that a plan should leave; below 100 %".sweepable();

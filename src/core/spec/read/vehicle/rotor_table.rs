@@ -1,9 +1,9 @@
 //! `rotor { table = "motor.csv" }`: the thrust table of a motor's maker, measured on a bench with one propeller at one
 //! voltage. It gives the numbers of the `rotor` block that are not written there, and the battery's hover power.
 //!
-//! The header names the columns in their usual spellings: a thrust and its unit (`Thrust (g)`), and optionally throttle,
-//! torque, speed, current, voltage and electrical power. Other columns are ignored. Every row is one throttle, from
-//! little to full. Cells are divided by commas or semicolons.
+//! The header names the columns in their usual spellings: a thrust and its unit (`Thrust (g)`), and optionally
+//! throttle, torque, speed, current, voltage and electrical power. Other columns are ignored. Every row is one throttle,
+//! from little to full. Cells are divided by commas or semicolons.
 
 mod cell;
 mod header;
@@ -304,8 +304,8 @@ impl RotorTable {
             let coefficient = self.max_thrust() / (speed * speed);
             let residual = self.points.iter().filter_map(|p| Some((p.thrust - coefficient * p.speed?.powi(2)).abs()));
             let reason = format!(
-                "the last row of `{name}`; the thrusts of its rows differ from the square of the speed by at most {} of \
-                 the largest",
+                "the last row of `{name}`; the thrusts of its rows differ from the square of the speed by at most {} \
+                 of the largest",
                 percent(residual.fold(0.0, f64::max) / self.max_thrust())
             );
             given.push(Given { entry: &table::MAX_SPEED, value: speed, reason });
