@@ -250,6 +250,7 @@ impl<'a> Compiler<'a> {
                     Err(diagnostic) => diagnostics.push(diagnostic),
                 }
             }
+            diagnostics.extend(files.bring_tables_of(&overrides, self.read, &entries));
             Parsed { files, overrides, diagnostics }
         })
     }

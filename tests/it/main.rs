@@ -60,6 +60,7 @@ mod reproduction;
 mod rest_to_rest;
 mod reversible;
 mod risk;
+mod rotor_tables;
 mod rounds;
 mod safety;
 mod schemas;

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// The largest text of a spec, in bytes: 1 MiB.
 pub const MAX_FILE_BYTES: usize = 1 << 20;
 
-/// The largest table of waypoints, in bytes: 4 MiB.
+/// The largest table of waypoints or thrusts, in bytes: 4 MiB.
 pub const MAX_TABLE_BYTES: usize = 4 << 20;
 
 /// The kinds of files that a spec can name.

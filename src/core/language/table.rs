@@ -113,16 +113,19 @@ group! {
 group! {
     /// The fields of `rotor { }`.
     rotor:
+    TABLE "table", Text, Otherwise("none"),
+        "the motor maker's thrust table, a CSV file: for the numbers that are not written";
     THRUST_COEFFICIENT "thrust_coefficient", Quantity("N*s^2/rad^2", Positive), Otherwise("required, or `max_thrust`"),
         "a rotor's thrust divided by the square of its speed"
         .excludes(&["max_thrust"]).sweepable().family(Family::Thrust);
-    MAX_THRUST "max_thrust", Quantity("N", Positive), Otherwise("required, or `thrust_coefficient`"),
+    MAX_THRUST "max_thrust", Quantity("N", Positive), Otherwise("required, or `thrust_coefficient` or `table`"),
         "a rotor's thrust at full speed".sweepable().bounds(1e-6, 1e6).likely(THRUSTS).family(Family::Thrust);
     DRAG_COEFFICIENT "drag_coefficient", Quantity("N*m*s^2/rad^2", Positive),
         Otherwise("required, or `torque_per_thrust`"),
         "a rotor's drag torque divided by the square of its speed"
         .excludes(&["torque_per_thrust"]).sweepable().family(Family::Torque);
-    TORQUE_PER_THRUST "torque_per_thrust", Quantity("m", Positive), Otherwise("required, or `drag_coefficient`"),
+    TORQUE_PER_THRUST "torque_per_thrust", Quantity("m", Positive),
+        Otherwise("required, or `drag_coefficient` or `table`"),
         "a rotor's drag torque divided by its thrust"
         .sweepable().bounds(1e-12, 1e4).likely(LEVERS).family(Family::Torque);
     MIN_SPEED "min_speed", Quantity("rad/s", Any), Otherwise("0"),
@@ -132,7 +135,7 @@ group! {
     MIN_THRUST "min_thrust", QuantityOrShare("N", Any), Otherwise("0, or that of `min_speed`"),
         "the lowest thrust instead of the lowest speed, in newtons or as a share of the thrust at full speed: `-60 %` \
          for a rotor that reverses with up to 60 % of it".sweepable().bounds(0.0, 1e9);
-    MAX_SPEED "max_speed", Quantity("rad/s", Positive), Needed,
+    MAX_SPEED "max_speed", Quantity("rad/s", Positive), Otherwise("required, or `table`"),
         "the full speed, the highest at which a rotor turns".sweepable().bounds(0.1, 1e6).likely(SPEEDS);
     TIME_CONSTANT "time_constant", Quantity("s", Positive), Otherwise("20 ms in simulations"),
         "the time constant with which the speed w follows its command, w' = (command - w)/time_constant; \
@@ -146,7 +149,8 @@ group! {
         .excludes(&["time_constant"]).sweepable().bounds(1e-3, 1e3).likely(DELAYS).family(Family::Thrust);
 }
 
-/// The clauses of `rotor at` in `rotors { }`: two of its own, and the fields of [`rotor`].
+/// The clauses of `rotor at` in `rotors { }`: three of its own, and the fields of [`rotor`] except `table`, which
+/// gives the numbers of all rotors.
 pub mod placed_rotor {
     use super::*;
 
@@ -161,13 +165,11 @@ pub mod placed_rotor {
         "the number of its motor at the autopilot, where rotors are numbered in another order here",
     );
     const OWN: [&Entry; 3] = [&AT, &SPIN, &MOTOR];
-    pub const ENTRIES: &[&Entry] = &joined(OWN, rotor::ENTRIES);
+    const SHARED: &[&Entry] = rotor::ENTRIES.split_at(1).1;
+    pub const ENTRIES: &[&Entry] = &joined(OWN, SHARED);
 
-    const fn joined(
-        own: [&'static Entry; 3],
-        shared: &[&'static Entry],
-    ) -> [&'static Entry; OWN.len() + rotor::ENTRIES.len()] {
-        let mut all = [own[0]; OWN.len() + rotor::ENTRIES.len()];
+    const fn joined(own: [&'static Entry; 3], shared: &[&'static Entry]) -> [&'static Entry; OWN.len() + SHARED.len()] {
+        let mut all = [own[0]; OWN.len() + SHARED.len()];
         let mut k = 0;
         while k < all.len() {
             all[k] = if k < own.len() { own[k] } else { shared[k - own.len()] };
@@ -184,7 +186,7 @@ group! {
         .bounds(1e-3, MOST).likely(CHARGES);
     VOLTAGE "voltage", Quantity("V", Positive), Needed,
         "its mean voltage meanwhile: for lithium polymer about 3.7 V for each cell in series".bounds(1e-3, 1e6);
-    HOVER_POWER "hover_power", Quantity("W", Positive), Needed,
+    HOVER_POWER "hover_power", Quantity("W", Positive), Otherwise("required, or `table` of `rotor`"),
         "the electrical power that the whole vehicle takes in hover at its `mass`, as measured".bounds(1e-6, 1e9);
     KEEP "keep", Share, Value(0.2, "20 %", "a fifth of the charge stays in reserve"),
         "the share of the charge that a plan should leave; below 100 %".sweepable();

@@ -9,6 +9,7 @@ mod blame;
 mod blocks;
 mod campaign;
 mod context;
+mod csv_rows;
 mod defaulted;
 mod edits;
 mod elaborate;

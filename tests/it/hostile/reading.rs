@@ -76,6 +76,9 @@ fn use_and_tables_take_only_regular_files_of_their_kind() {
         "mission m { waypoints from \"proc.txt\" }",
         "mission m { waypoints from \"quad.mav\" }",
         "mission m { waypoints from \"/dev/zero\" }",
+        "vehicle v { rotor { table = \"pipe.csv\" } }",
+        "vehicle v { rotor { table = \"link.csv\" } }",
+        "vehicle v { rotor { table = \"/dev/zero\" } }",
     ] {
         fs::write(dir.path().join("a.mav"), format!("use \"quad.mav\"\n{statement}\n")).unwrap();
         let text = format!("use \"quad.mav\"\n{statement}\n");

@@ -338,7 +338,8 @@ fn paths_are_offered_from_their_folder() {
     for name in ["root.mav", "quad.mav", "points.csv", "notes.md", ".hidden.mav", "parts/hexa.mav"] {
         std::fs::write(path.join(name), "").unwrap();
     }
-    let text = "use \"|\"\nuse \"parts/h|\"\nmission m {\n waypoints from \"|\n}\nplan { vehicle = \"|\" }\n";
+    let text = "use \"|\"\nuse \"parts/h|\"\nmission m {\n waypoints from \"|\n}\nplan { vehicle = \"|\" }\n\
+                vehicle v {\n rotor { table = \"|\" }\n}\n";
     let (text, places) = marked(text);
     let uri = super::client::uri_of(&path.join("root.mav"));
     let mut client = Client::start();
@@ -355,6 +356,7 @@ fn paths_are_offered_from_their_folder() {
     assert_eq!(of(&places[1]), ["hexa.mav"]);
     assert_eq!(of(&places[2]), ["parts/", "points.csv"]);
     assert!(of(&places[3]).is_empty());
+    assert_eq!(of(&places[4]), ["parts/", "points.csv"]);
     client.stop();
 }
 

@@ -15,7 +15,7 @@ const IDLE: &str = "mavc::allow::idle";
 
 /// The warnings that `allow` can suppress: those about what is written. The results of an analysis (`mavc::analysis`)
 /// and errors cannot be suppressed.
-const WARNINGS: [&str; 40] = [
+const WARNINGS: [&str; 41] = [
     "mavc::sense::thrust_to_weight",
     "mavc::sense::inertia",
     "mavc::sense::parts",
@@ -25,6 +25,7 @@ const WARNINGS: [&str; 40] = [
     "mavc::sense::coincident",
     "mavc::sense::torque_ratio",
     "mavc::sense::tip_speed",
+    "mavc::sense::rotor_table",
     "mavc::sense::time_constant",
     "mavc::sense::yaw_drag",
     "mavc::sense::hover_power",

@@ -97,7 +97,7 @@ fn whole<'a>(
     settle_gravity(cx, blocks.gravity, &mut defaults);
     cx.settle();
 
-    let vehicles: Vec<_> = blocks.vehicles.iter().map(|block| vehicle::elaborate(cx, block)).collect();
+    let vehicles: Vec<_> = blocks.vehicles.iter().map(|block| vehicle::elaborate(cx, block, files)).collect();
     let mut draft = Draft::read(cx, blocks.plans.first().copied());
     let named: Vec<(&str, Span)> = vehicles.iter().map(|v| (v.name.as_str(), v.span)).collect();
     let vehicle = choose(cx, &draft, "vehicle", &named, &blocks.vehicles).map(|index| &vehicles[index]);

@@ -4,14 +4,17 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
+use super::elaborate::expr_of;
 use super::near_files::List;
+use super::overrides::{OVERRIDE, Override};
 use super::unreadable::{refused_by_name, unreadable};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::foreign::{self, Foreign};
 use crate::input::MAX_FILE_BYTES;
 use crate::input::{FileKind, MAX_TABLE_BYTES};
+use crate::language::table::rotor;
 use crate::source::{FileId, Source, SourceMap, Span, Spanned, visible};
-use crate::syntax::ast::{Item, SpecFile, Statement};
+use crate::syntax::ast::{ExprKind, Field, Item, SpecFile, Statement};
 use crate::syntax::{not_utf8, parse, too_large};
 
 /// Bytes at the beginning of a file that identify a log.
@@ -27,13 +30,13 @@ pub struct FileSet {
     pub sources: SourceMap,
     /// The parsed files, the root first.
     pub files: Vec<SpecFile>,
-    /// The tables that `waypoints from` names.
+    /// The tables that `waypoints from` and `table` of a `rotor` name.
     pub tables: Vec<Table>,
     /// Some file could not be loaded, so that what seems to be missing may be declared there.
     pub incomplete: bool,
 }
 
-/// A table of waypoints as read from its file.
+/// A table as read from its file.
 #[derive(Debug, Clone)]
 pub struct Table {
     pub name: String,
@@ -56,8 +59,33 @@ impl FileSet {
 
     /// The table at `path`, as written in `file`.
     pub fn table(&self, file: FileId, path: &str) -> Option<&Table> {
-        let name = resolve(&self.sources.get(file).name, path).display().to_string();
+        let name = resolve(self.base(file), path).display().to_string();
         self.tables.iter().find(|table| table.name == name)
+    }
+
+    /// The name of the file whose folder the paths in `file` are relative to: an override is written as if in the root
+    /// file.
+    fn base(&self, file: FileId) -> &str {
+        match self.sources.get(file).name.as_str() {
+            OVERRIDE => &self.sources.get(FileId(0)).name,
+            name => name,
+        }
+    }
+
+    /// Reads the tables that overrides name; the diagnostics are those of tables that could not be read.
+    pub(in crate::spec) fn bring_tables_of(
+        &mut self,
+        overrides: &[Override],
+        read: &dyn Fn(&Path) -> io::Result<Vec<u8>>,
+        list: &List,
+    ) -> Vec<Diagnostic> {
+        let mut loader = Loader { set: std::mem::take(self), ..Loader::new(read, list) };
+        for table in overrides.iter().filter_map(table_of_override) {
+            let from = loader.set.base(table.span.file).to_string();
+            loader.bring_table(&from, &table);
+        }
+        *self = loader.set;
+        loader.diagnostics
     }
 }
 
@@ -82,14 +110,7 @@ pub fn load_among(
     read: &dyn Fn(&Path) -> io::Result<Vec<u8>>,
     list: &List,
 ) -> (FileSet, Vec<Diagnostic>) {
-    let mut loader = Loader {
-        set: FileSet::default(),
-        diagnostics: Vec::new(),
-        read,
-        list,
-        seen: BTreeMap::new(),
-        open: Vec::new(),
-    };
+    let mut loader = Loader::new(read, list);
     loader.file(root_name.to_string(), root_bytes, None);
     sort(&mut loader.diagnostics);
     (loader.set, loader.diagnostics)
@@ -105,7 +126,12 @@ struct Loader<'r> {
     open: Vec<PathBuf>,
 }
 
-impl Loader<'_> {
+impl<'r> Loader<'r> {
+    fn new(read: &'r dyn Fn(&Path) -> io::Result<Vec<u8>>, list: &'r List<'r>) -> Self {
+        let (set, seen) = (FileSet::default(), BTreeMap::new());
+        Loader { set, diagnostics: Vec::new(), read, list, seen, open: Vec::new() }
+    }
+
     /// Loads one file and what it uses. `used_at` is the place of the `use` that named it.
     fn file(&mut self, name: String, bytes: &[u8], used_at: Option<Span>) {
         let path = normal(Path::new(&name));
@@ -213,7 +239,7 @@ impl Loader<'_> {
             return;
         }
         if self.set.tables.len() >= MAX_FILES {
-            let message = format!("a spec may have at most {MAX_FILES} tables of waypoints");
+            let message = format!("a spec may have at most {MAX_FILES} tables");
             let error = Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many");
             self.fail(error.help("merge some of the tables"));
             return;
@@ -265,14 +291,34 @@ fn wanted(item: &Item) -> Vec<Wanted> {
     match item {
         Item::Use(path) => vec![Wanted::Spec(path.clone())],
         Item::Block(block) => {
-            let tables = block.body.iter().filter_map(|statement| match statement {
-                Statement::WaypointsFrom { path, .. } => Some(Wanted::Table(path.clone())),
-                _ => None,
+            let tables = block.body.iter().flat_map(|statement| match statement {
+                Statement::WaypointsFrom { path, .. } => vec![path.clone()],
+                Statement::Block(inner) if inner.keyword.value == "rotor" => {
+                    let fields =
+                        inner.body.iter().filter_map(|s| if let Statement::Field(f) = s { Some(f) } else { None });
+                    fields.filter_map(table_of_rotor).collect()
+                }
+                _ => vec![],
             });
-            tables.collect()
+            tables.map(Wanted::Table).collect()
         }
         _ => vec![],
     }
+}
+
+/// The path that a field of `rotor { }` names, if it is `table`.
+fn table_of_rotor(field: &Field) -> Option<Spanned<String>> {
+    let expr = expr_of(field).filter(|_| field.name.value == rotor::TABLE.name)?;
+    match &expr.kind {
+        ExprKind::Text(path) => Some(Spanned::new(path.clone(), expr.span)),
+        _ => None,
+    }
+}
+
+/// The table that `vehicle.rotor.table = ...` names.
+fn table_of_override(item: &Override) -> Option<Spanned<String>> {
+    let is_rotor = item.path.last().is_some_and(|block| block.value == "rotor");
+    table_of_rotor(&item.field).filter(|_| is_rotor)
 }
 
 /// `path` relative to the folder of the file `from`, without `.` and without those `..` that can be resolved.

@@ -5,11 +5,11 @@
 //! optional column counts as not given. Lines that begin with `#` are comments.
 
 use super::context::{Context, duplicate, listed};
+use super::csv_rows::{BrokenRow, Row, rows};
 use super::expected::Expected;
 use super::load::Table;
 use super::mission::{Route, Stop, WaypointDefaults};
 use crate::diagnostic::Diagnostic;
-use crate::number::plural;
 use crate::source::{Span, Spanned, visible};
 use crate::unit::{Quantity, Unit, parse_unit};
 use std::collections::BTreeMap;
@@ -38,41 +38,24 @@ struct Column {
     unit: Option<Unit>,
 }
 
-/// One line of the table with its place.
-struct Row {
-    record: csv::StringRecord,
-    span: Span,
-    /// The span of every cell, without surrounding blanks.
-    cells: Vec<Span>,
-}
-
 pub(super) fn read(cx: &mut Context, table: &Table, defaults: WaypointDefaults, route: &mut Route) {
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_reader(table.bytes.as_slice());
     let mut columns: Option<Vec<Column>> = None;
     let mut errors = 0;
     // Where each name was first given.
     let mut names: BTreeMap<String, Span> =
         route.waypoints.iter().rev().filter_map(|w| Some((w.name.clone()?, w.span))).collect();
-    for record in reader.records() {
-        let outcome = match (&columns, record) {
-            (_, Err(error)) => {
-                let error =
-                    Diagnostic::error(CODE, place(table, error.position()), broken_row(&error)).here("this row");
+    for row in rows(table, b',') {
+        let outcome = match (&columns, row) {
+            (_, Err(BrokenRow { span, message })) => {
+                let error = Diagnostic::error(CODE, span, message).here("this row");
                 Err(Box::new(error.help("separate cells by commas, and write numbers with a decimal point")))
             }
-            (None, Ok(record)) => header(cx, &Row::new(table, record)).map(|found| columns = Some(found)),
-            (Some(columns), Ok(record)) => {
-                let row = Row::new(table, record);
-                row.stop(columns, defaults).and_then(|stop| {
-                    let twice = row.second_of_its_name(columns, &mut names);
-                    route.push(cx, stop, None);
-                    twice
-                })
-            }
+            (None, Ok(row)) => header(cx, &row).map(|found| columns = Some(found)),
+            (Some(columns), Ok(row)) => stop(&row, columns, defaults).and_then(|stop| {
+                let twice = second_of_its_name(&row, columns, &mut names);
+                route.push(cx, stop, None);
+                twice
+            }),
         };
         if let Err(error) = outcome {
             cx.report(*error);
@@ -91,150 +74,86 @@ pub(super) fn read(cx: &mut Context, table: &Table, defaults: WaypointDefaults, 
     }
 }
 
-/// The bytes of one line of the table.
-fn place(table: &Table, position: Option<&csv::Position>) -> Span {
-    let start = start(table, position);
-    let end = start + table.bytes[start..].iter().take_while(|b| !matches!(b, b'\n' | b'\r')).count();
-    trimmed(table, start, end)
-}
-
-/// Where a line begins: the reader's position includes the empty lines and comments before it.
-fn start(table: &Table, position: Option<&csv::Position>) -> usize {
-    let mut start = position.map_or(0, |p| p.byte() as usize).min(table.bytes.len());
-    loop {
-        match table.bytes[start..] {
-            [b'\n' | b'\r', ..] => start += 1,
-            [b'#', ..] => start += table.bytes[start..].iter().take_while(|b| **b != b'\n').count(),
-            _ => return start,
+/// Adds the row's name to `names`, which maps each name to its first place.
+///
+/// # Errors
+/// The name is taken.
+fn second_of_its_name(
+    row: &Row,
+    columns: &[Column],
+    names: &mut BTreeMap<String, Span>,
+) -> Result<(), Box<Diagnostic>> {
+    let Some(index) = columns.iter().position(|column| COLUMNS[column.kind].0 == "name") else { return Ok(()) };
+    let name = Spanned::new(row.record[index].to_string(), row.cells[index]);
+    if name.value.is_empty() {
+        return Ok(());
+    }
+    match names.get(&name.value) {
+        Some(first) => Err(Box::new(duplicate("waypoint", &name, *first))),
+        None => {
+            names.insert(name.value, name.span);
+            Ok(())
         }
     }
 }
 
-/// The end of the cell that begins at `from`: the next comma or end of line outside quotes.
-fn cell_end(bytes: &[u8], from: usize) -> usize {
-    let quoted = bytes[from..].starts_with(b"\"");
-    let mut inside = false;
-    let ends = |byte: &u8| {
-        inside ^= quoted && *byte == b'"';
-        !inside && matches!(byte, b',' | b'\n' | b'\r')
+fn stop(row: &Row, columns: &[Column], defaults: WaypointDefaults) -> Result<Stop, Box<Diagnostic>> {
+    let mut values = [None; COLUMNS.len()];
+    let mut name = None;
+    for ((column, cell), &span) in columns.iter().zip(&row.record).zip(&row.cells) {
+        let fail = |message: String| Diagnostic::error(CODE, span, message).here("this cell");
+        let (title, due_unit, due) = COLUMNS[column.kind];
+        if due_unit.is_empty() {
+            name = (!cell.is_empty()).then(|| visible::line(cell).into_owned());
+            continue;
+        }
+        if cell.is_empty() {
+            if due {
+                let error = fail(format!("`{title}` is empty"));
+                return Err(Box::new(error.help("write a number: every row needs a position")));
+            }
+            continue;
+        }
+        let number = cell.parse::<f64>().ok().filter(|x| x.is_finite());
+        let value = number.map(|x| column.unit.map_or(x, |unit| Quantity::with_unit(x, unit).value));
+        let Some(value) = value.filter(|x| x.is_finite()) else {
+            let error = fail(format!("`{cell}` in column `{title}` is not a number"));
+            return Err(Box::new(error.help(match column.unit {
+                Some(_) => "write a number such as `1.5`; its unit belongs in the header",
+                None => "write a number such as `1.5`",
+            })));
+        };
+        values[column.kind] = Some((value, span));
+    }
+    let given = |title: &str| COLUMNS.iter().position(|c| c.0 == title).and_then(|kind| values[kind]);
+    let value = |title: &str| given(title).map(|(value, _)| value);
+    let wrong = |code, title: &str, rule: &str| {
+        let span = given(title).map_or(row.span, |(_, span)| span);
+        Box::new(Diagnostic::error(code, span, format!("`{title}` {rule}")).here("this cell"))
     };
-    bytes[from..].iter().position(ends).map_or(bytes.len(), |length| from + length)
-}
-
-/// A span of the table without surrounding blanks.
-fn trimmed(table: &Table, start: usize, end: usize) -> Span {
-    let blanks = |text: &[u8], rest: &[u8]| text.len() - rest.len();
-    let text = &table.bytes[start..end];
-    let (front, back) = (text.trim_ascii_start(), text.trim_ascii_end());
-    match front.is_empty() {
-        true => Span::new(table.file, start, start),
-        false => Span::new(table.file, start + blanks(text, front), end - blanks(text, back)),
-    }
-}
-
-fn broken_row(error: &csv::Error) -> String {
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-            format!("this row has {}, but the header has {expected_len}", plural(*len as usize, "cell"))
-        }
-        _ => "this row cannot be read".into(),
-    }
-}
-
-impl Row {
-    fn new(table: &Table, record: csv::StringRecord) -> Self {
-        let mut from = start(table, record.position());
-        let cell = |_| {
-            let end = cell_end(&table.bytes, from);
-            let span = trimmed(table, from, end);
-            from = (end + 1).min(table.bytes.len());
-            span
-        };
-        let cells = (0..record.len()).map(cell).collect();
-        Row { span: place(table, record.position()), record, cells }
-    }
-
-    /// Adds the row's name to `names`, which maps each name to its first place.
-    ///
-    /// # Errors
-    /// The name is taken.
-    fn second_of_its_name(
-        &self,
-        columns: &[Column],
-        names: &mut BTreeMap<String, Span>,
-    ) -> Result<(), Box<Diagnostic>> {
-        let Some(index) = columns.iter().position(|column| COLUMNS[column.kind].0 == "name") else { return Ok(()) };
-        let name = Spanned::new(self.record[index].to_string(), self.cells[index]);
-        if name.value.is_empty() {
-            return Ok(());
-        }
-        match names.get(&name.value) {
-            Some(first) => Err(Box::new(duplicate("waypoint", &name, *first))),
-            None => {
-                names.insert(name.value, name.span);
-                Ok(())
-            }
+    for title in ["within", "yaw_within"] {
+        if value(title).is_some_and(|v| v <= 0.0) {
+            return Err(wrong("mavc::mission::tolerance", title, "must be greater than zero"));
         }
     }
-
-    fn stop(&self, columns: &[Column], defaults: WaypointDefaults) -> Result<Stop, Box<Diagnostic>> {
-        let mut values = [None; COLUMNS.len()];
-        let mut name = None;
-        for ((column, cell), &span) in columns.iter().zip(&self.record).zip(&self.cells) {
-            let fail = |message: String| Diagnostic::error(CODE, span, message).here("this cell");
-            let (title, due_unit, due) = COLUMNS[column.kind];
-            if due_unit.is_empty() {
-                name = (!cell.is_empty()).then(|| visible::line(cell).into_owned());
-                continue;
-            }
-            if cell.is_empty() {
-                if due {
-                    let error = fail(format!("`{title}` is empty"));
-                    return Err(Box::new(error.help("write a number: every row needs a position")));
-                }
-                continue;
-            }
-            let number = cell.parse::<f64>().ok().filter(|x| x.is_finite());
-            let value = number.map(|x| column.unit.map_or(x, |unit| Quantity::with_unit(x, unit).value));
-            let Some(value) = value.filter(|x| x.is_finite()) else {
-                let error = fail(format!("`{cell}` in column `{title}` is not a number"));
-                return Err(Box::new(error.help(match column.unit {
-                    Some(_) => "write a number such as `1.5`; its unit belongs in the header",
-                    None => "write a number such as `1.5`",
-                })));
-            };
-            values[column.kind] = Some((value, span));
-        }
-        let given = |title: &str| COLUMNS.iter().position(|c| c.0 == title).and_then(|kind| values[kind]);
-        let value = |title: &str| given(title).map(|(value, _)| value);
-        let wrong = |code, title: &str, rule: &str| {
-            let span = given(title).map_or(self.span, |(_, span)| span);
-            Box::new(Diagnostic::error(code, span, format!("`{title}` {rule}")).here("this cell"))
-        };
-        for title in ["within", "yaw_within"] {
-            if value(title).is_some_and(|v| v <= 0.0) {
-                return Err(wrong("mavc::mission::tolerance", title, "must be greater than zero"));
-            }
-        }
-        if value("weight").is_some_and(|v| v < 0.0) {
-            return Err(wrong("mavc::mission::weight", "weight", "cannot be negative"));
-        }
-        let [Some(x), Some(y), Some(z)] = ["x", "y", "z"].map(value) else {
-            return Err(wrong(CODE, "x", "and the other coordinates are needed in every row"));
-        };
-        Ok(Stop {
-            name,
-            position: [x, y, z],
-            yaw: value("yaw"),
-            within: value("within").unwrap_or(defaults.within),
-            yaw_within: value("yaw_within").unwrap_or(defaults.yaw_within),
-            weight: value("weight").unwrap_or(defaults.weight),
-            time: given("time"),
-            leg: None,
-            heading: value("yaw").map(|_| super::heading::Rule::Given),
-            span: self.span,
-        })
+    if value("weight").is_some_and(|v| v < 0.0) {
+        return Err(wrong("mavc::mission::weight", "weight", "cannot be negative"));
     }
+    let [Some(x), Some(y), Some(z)] = ["x", "y", "z"].map(value) else {
+        return Err(wrong(CODE, "x", "and the other coordinates are needed in every row"));
+    };
+    Ok(Stop {
+        name,
+        position: [x, y, z],
+        yaw: value("yaw"),
+        within: value("within").unwrap_or(defaults.within),
+        yaw_within: value("yaw_within").unwrap_or(defaults.yaw_within),
+        weight: value("weight").unwrap_or(defaults.weight),
+        time: given("time"),
+        leg: None,
+        heading: value("yaw").map(|_| super::heading::Rule::Given),
+        span: row.span,
+    })
 }
 
 fn header(cx: &Context, row: &Row) -> Result<Vec<Column>, Box<Diagnostic>> {

@@ -55,9 +55,10 @@ pub(super) fn unreadable(
 
 /// The error for a file of a kind that the statement does not take.
 fn refusal(kind: FileKind, target: &Path, path: &Spanned<String>, refused: &Refused) -> Diagnostic {
-    let statement = match kind {
-        FileKind::Spec => "`use`",
-        FileKind::Table => "`waypoints from`",
+    let endings = kind.endings_in_words();
+    let rule = match kind {
+        FileKind::Spec => format!("`use` reads only regular files whose names end in {endings}"),
+        FileKind::Table => format!("a table must be a regular file whose name ends in {endings}"),
     };
     let message = format!("cannot read `{}`: {refused}", shown(target));
     let help = match refused {
@@ -66,9 +67,7 @@ fn refusal(kind: FileKind, target: &Path, path: &Spanned<String>, refused: &Refu
         Refused::Ending(FileKind::Table) => "name a table, as in `survey.csv`",
         Refused::Elsewhere { .. } => "copy the file instead of linking to it, or rename the target of the link",
     };
-    Diagnostic::error("mavc::file::kind", path.span, message)
-        .here(format!("{statement} reads only regular files whose names end in {}", kind.endings_in_words()))
-        .help(help)
+    Diagnostic::error("mavc::file::kind", path.span, message).here(rule).help(help)
 }
 
 fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &Error, list: &List) -> Diagnostic {

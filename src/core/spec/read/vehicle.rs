@@ -5,12 +5,14 @@ mod mounts;
 mod parts;
 mod reverse;
 mod rotor;
+mod rotor_table;
 mod whole;
 
 use super::context::{Context, second_block};
 use super::defaulted::Defaulted;
 use super::expected::Expected;
 use super::fields::Fields;
+use super::load::FileSet;
 use super::plausibility::{Measured, RotorSpans, VehicleSpans, check_battery, check_parts, check_vehicle};
 use super::written::Written;
 use super::yaw_drag;
@@ -22,6 +24,7 @@ use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
 pub use mounts::ROTORS;
+use rotor_table::RotorTable;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
 const ALLOCATION: &str = "mavc::vehicle::allocation";
@@ -39,12 +42,13 @@ pub(super) struct Outline {
     pub defaults: Vec<DefaultUsed>,
 }
 
-pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
+pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, files: &FileSet) -> Outline {
     let name = block.name.as_ref().map_or("vehicle", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     let fields = Fields::of_block(cx, format!("vehicle `{name}`"), span, &block.body, Group::Vehicle);
-    let mut reader = Reader { fields: Defaulted::new("vehicle", fields), blocks: Blocks::of(cx, block), count: None };
-    let vehicle = reader.read(cx, block, &name);
+    let fields = Defaulted::new("vehicle", fields);
+    let mut reader = Reader { fields, blocks: Blocks::of(cx, block), count: None, table: Written::Absent };
+    let vehicle = reader.read(cx, block, &name, files);
     Outline { name, span, rotors: reader.count, vehicle, defaults: reader.fields.used }
 }
 
@@ -94,6 +98,8 @@ struct Reader<'a> {
     blocks: Blocks<'a>,
     /// The number of rotors, once it is known, errors or not.
     count: Option<usize>,
+    /// That of the `rotor` block, once it is read.
+    table: Written<RotorTable>,
 }
 
 /// The whole as a rigid body, with the place of its mass in the text.
@@ -112,7 +118,7 @@ struct Rotors {
 }
 
 impl<'a> Reader<'a> {
-    fn read(&mut self, cx: &mut Context<'a>, block: &'a Block, name: &str) -> Option<Vehicle> {
+    fn read(&mut self, cx: &mut Context<'a>, block: &'a Block, name: &str, files: &FileSet) -> Option<Vehicle> {
         let parts = self.parts(cx);
         let mass = self.unless_parts(cx, &table::MASS, "mass = 1.8 kg", |cx, expr| {
             cx.interval(Expected::of(&table::MASS), expr, POSITIVE)
@@ -121,7 +127,7 @@ impl<'a> Reader<'a> {
         let inertia = self.unless_parts(cx, &table::INERTIA, example, inertia_of);
         let centre =
             self.fields.written("centre_of_gravity", |expr| cx.triple(Expected::of(&table::CENTRE_OF_GRAVITY), expr));
-        let rotors = self.rotors(cx);
+        let rotors = self.rotors(cx, files);
         let propeller_radius = self.fields.quantity(cx, &table::PROPELLER_RADIUS, POSITIVE);
         let size = self.fields.quantity(cx, &table::SIZE, POSITIVE);
         let drag = self.fields.written("drag", |expr| cx.drag(&table::DRAG, expr, POSITIVE));
@@ -136,6 +142,11 @@ impl<'a> Reader<'a> {
         };
         let Body { mass, mass_spread, mass_span, inertia, centre_of_gravity } =
             self.body(cx, parts.optional()?, &measured, &rotors.list)?;
+        let hover_thrust = mass * cx.gravity / rotors.list.len() as f64;
+        let battery = match battery {
+            Some(draft) => Some(draft.finish(cx, &self.table, rotors.list.len(), hover_thrust)?),
+            None => None,
+        };
         if let Some(centre) = centre_of_gravity {
             for rotor in &mut rotors.list {
                 rotor.position = std::array::from_fn(|axis| rotor.position[axis] - centre[axis]);
@@ -269,13 +280,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn battery(&self, cx: &mut Context<'a>) -> Written<battery::Read<'a>> {
+    fn battery(&self, cx: &mut Context<'a>) -> Written<battery::Draft<'a>> {
         let Some(block) = self.blocks.battery else { return Written::Absent };
-        let read = battery::read(cx, block, &self.fields.owner);
+        let read = battery::read(cx, block, &self.fields.owner, &self.table);
         Written::of(read.filter(|_| !self.blocks.battery_twice))
     }
 
-    fn rotors(&mut self, cx: &mut Context<'a>) -> Option<Rotors> {
+    fn rotors(&mut self, cx: &mut Context<'a>, files: &FileSet) -> Option<Rotors> {
         let owner = format!("`rotor` of {}", self.fields.owner);
         let of_block = |block: &'a Block| Fields::of_block(cx, owner, block.keyword.span, &block.body, Group::Rotor);
         let shared = self.blocks.shared.map(of_block);
@@ -284,7 +295,15 @@ impl<'a> Reader<'a> {
             None => mounts::ring(cx, &self.fields),
         };
         self.count = mounts.count;
-        let base = shared.as_ref().map(|fields| rotor::PartialRotor::read(cx, fields));
+        let base = shared.as_ref().map(|fields| {
+            let written = rotor::PartialRotor::read(cx, fields);
+            self.table = rotor_table::read(cx, fields, files);
+            if let Written::Value(table) = &self.table {
+                written.compare(cx, fields, table);
+                self.fields.used.extend(table.used(fields));
+            }
+            written.over(&rotor::PartialRotor::of_table(&self.table))
+        });
         if base.is_none() && self.blocks.placed.is_none() && !self.fields.may_have("rotor") {
             let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
             self.fields.missing(cx, "a `rotor` block", example);

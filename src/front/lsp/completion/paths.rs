@@ -1,4 +1,4 @@
-//! Files that `use` and `waypoints from` may name, while their path is typed.
+//! Files that `use`, `waypoints from` and `table` may name, while their path is typed.
 
 use super::{ItemKind, Offer};
 use crate::input::FileKind;
@@ -19,7 +19,7 @@ pub fn offers(source: &Source, offset: usize) -> Option<(Vec<Offer>, Range<usize
     let before = before.rsplit([';', '{']).next()?.split_whitespace().collect::<Vec<_>>();
     let kind = match before.as_slice() {
         ["use"] => FileKind::Spec,
-        ["waypoints", "from"] => FileKind::Table,
+        ["waypoints", "from"] | ["table", "="] | ["table="] => FileKind::Table,
         _ => return None,
     };
     let (folder, begun) = typed.rsplit_once('/').map_or(("", typed), |(folder, begun)| (folder, begun));

@@ -2,18 +2,21 @@
 
 use super::POSITIVE;
 use super::rotor::MIN_SPEED;
+use super::rotor_table::RotorTable;
 use crate::diagnostic::Diagnostic;
 use crate::language::table::battery as table;
 use crate::language::{Entry, Group};
-use crate::model::{Battery, Rotor, Vehicle};
-use crate::number::{number, percent, significant};
+use crate::model::{Battery, DefaultUsed, Rotor, Vehicle};
+use crate::number::{number, percent, shortest, significant};
 use crate::read::context::Context;
 use crate::read::defaulted::Defaulted;
 use crate::read::fields::Fields;
+use crate::read::written::Written;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr};
 
 const CODE: &str = "mavc::vehicle::battery";
+const HOVER_POWER: &str = "hover_power = 220 W";
 
 /// A battery with the places of its fields.
 pub(super) struct Read<'a> {
@@ -21,14 +24,36 @@ pub(super) struct Read<'a> {
     pub fields: Defaulted<'a>,
 }
 
-/// Reads the block of a vehicle, which messages call `owner`; `None` if it has errors.
-pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> Option<Read<'a>> {
+/// A battery whose hover power may be that of a thrust table.
+pub(super) struct Draft<'a> {
+    capacity: f64,
+    voltage: f64,
+    /// W; `None` if the table gives it.
+    hover_power: Option<f64>,
+    keep: f64,
+    thrust_at_empty: f64,
+    span: Span,
+    fields: Defaulted<'a>,
+}
+
+/// Reads the block of a vehicle, which messages call `owner`; `None` if it has errors. `table` is that of the rotors.
+pub(super) fn read<'a>(
+    cx: &mut Context<'a>,
+    block: &'a Block,
+    owner: &str,
+    table: &Written<RotorTable>,
+) -> Option<Draft<'a>> {
     let span = block.keyword.span;
     let fields = Fields::of_block(cx, format!("`battery` of {owner}"), span, &block.body, Group::Battery);
     let mut fields = Defaulted::new("vehicle.battery", fields);
     let capacity = demanded(cx, &fields, &table::CAPACITY, "capacity = 5 A*h");
     let voltage = demanded(cx, &fields, &table::VOLTAGE, "voltage = 22.2 V");
-    let hover_power = demanded(cx, &fields, &table::HOVER_POWER, "hover_power = 220 W");
+    let hover_power = match table {
+        Written::Value(table) if table.has_power() && !fields.may_have(table::HOVER_POWER.name) => Some(None),
+        // What the table would give is unknown.
+        Written::Faulty if !fields.may_have(table::HOVER_POWER.name) => None,
+        _ => demanded(cx, &fields, &table::HOVER_POWER, HOVER_POWER).map(Some),
+    };
     let keep = fields.value_or(&table::KEEP, table::KEEP.value(), |expr| {
         let keep = cx.share("`keep`", expr, CODE)?;
         let help = "write the share that a plan should leave, as in `20 %`";
@@ -40,15 +65,52 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> O
         let message = "`thrust_at_empty` must be above 0 %";
         if share > 0.0 { Some(share) } else { out_of_range(cx, expr, message, share, help) }
     });
-    let battery = Battery {
-        capacity: capacity?,
-        voltage: voltage?,
-        hover_power: hover_power?,
-        keep: keep?,
-        thrust_at_empty: thrust_at_empty?,
-        span,
-    };
-    block.is_whole().then_some(Read { battery, fields })
+    let (capacity, voltage, hover_power) = (capacity?, voltage?, hover_power?);
+    let (keep, thrust_at_empty) = (keep?, thrust_at_empty?);
+    block.is_whole().then_some(Draft { capacity, voltage, hover_power, keep, thrust_at_empty, span, fields })
+}
+
+impl<'a> Draft<'a> {
+    /// The battery of a vehicle with so many rotors, each of which carries `thrust` (N) in hover; `None` if the table
+    /// gives no power at this thrust, which is reported.
+    pub fn finish(
+        mut self,
+        cx: &mut Context<'a>,
+        table: &Written<RotorTable>,
+        rotors: usize,
+        thrust: f64,
+    ) -> Option<Read<'a>> {
+        let hover_power = match (self.hover_power, table) {
+            (Some(power), _) => power,
+            (None, Written::Value(table)) => match table.power(thrust).map(|power| power * rotors as f64) {
+                Some(power) if power > 0.0 => {
+                    self.fields.used.push(DefaultUsed {
+                        field: "vehicle.battery.hover_power".into(),
+                        value: format!("{} W", shortest(power)),
+                        reason: format!(
+                            "{rotors} motors at the power of `{}` for {} N each, without other electronics",
+                            table.name(),
+                            significant(thrust, 3)
+                        ),
+                    });
+                    power
+                }
+                _ => {
+                    let help = format!(
+                        "in hover each rotor carries {} N, for which `{}` has no power: add `{HOVER_POWER}`, with the \
+                         value of your vehicle",
+                        significant(thrust, 3),
+                        table.name()
+                    );
+                    self.fields.missing_or(cx, "`hover_power`", HOVER_POWER, &help);
+                    return None;
+                }
+            },
+            (None, _) => return None,
+        };
+        let Draft { capacity, voltage, keep, thrust_at_empty, span, fields, .. } = self;
+        Some(Read { battery: Battery { capacity, voltage, hover_power, keep, thrust_at_empty, span }, fields })
+    }
 }
 
 /// A quantity that only the user knows.

@@ -2,11 +2,12 @@
 
 use super::POSITIVE;
 use super::mounts::Mount;
+use super::rotor_table::RotorTable;
 use crate::diagnostic::Diagnostic;
 use crate::language::Entry;
 use crate::language::table::rotor as table;
 use crate::model::{Rotor, RotorSpread, Spin, Spread};
-use crate::number::number;
+use crate::number::{number, significant};
 use crate::read::context::Context;
 use crate::read::expected::Expected;
 use crate::read::fields::Fields;
@@ -58,10 +59,10 @@ pub(super) fn spans(mounts: &[Mount], fields: &Fields, shared: Option<&Fields>) 
         };
         RotorSpans {
             place: of(&["at", "arm"]),
-            thrust: of(&["thrust_coefficient", "max_thrust"]),
-            torque: of(&["drag_coefficient", "torque_per_thrust"]),
+            thrust: of(&["thrust_coefficient", "max_thrust", "table"]),
+            torque: of(&["drag_coefficient", "torque_per_thrust", "table"]),
             min_speed: of(&["min_speed", "min_thrust"]),
-            max_speed: of(&["max_speed"]),
+            max_speed: of(&["max_speed", "table"]),
             time_constant: of(&["time_constant"]),
         }
     };
@@ -105,6 +106,10 @@ pub(super) struct PartialRotor {
     max_speed: Written<Known>,
     time_constant: Written<f64>,
     inertia: Written<f64>,
+    /// Whether a thrust table gives what it can.
+    has_table: bool,
+    /// The torque per thrust that a table without torques suggests.
+    estimated_torque: Option<Known>,
 }
 
 impl PartialRotor {
@@ -134,6 +139,8 @@ impl PartialRotor {
                 };
                 meant(fields, "min_thrust", meant(fields, "min_speed", lowest))
             },
+            has_table: false,
+            estimated_torque: None,
         };
         let alike = table::ENTRIES.iter().flat_map(|row| row.excludes.iter().map(|other| (row.name, *other)));
         for (a, b) in alike {
@@ -151,8 +158,55 @@ impl PartialRotor {
         partial
     }
 
+    /// What a thrust table gives; faulty if it has errors.
+    pub fn of_table(table: &Written<RotorTable>) -> Self {
+        let table = match table {
+            Written::Absent => return PartialRotor::default(),
+            Written::Faulty => {
+                let (max_thrust, torque_per_thrust) = (Written::Faulty, Written::Faulty);
+                return PartialRotor { max_thrust, torque_per_thrust, max_speed: Written::Faulty, ..Self::default() };
+            }
+            Written::Value(table) => table,
+        };
+        let known = |value: Option<f64>| value.map_or(Written::Absent, |value| Written::Value((value, Spread::NONE)));
+        PartialRotor {
+            max_thrust: known(Some(table.max_thrust())),
+            torque_per_thrust: known(table.torque_per_thrust()),
+            max_speed: known(table.max_speed()),
+            has_table: true,
+            estimated_torque: table.estimated_torque_per_thrust(),
+            ..Self::default()
+        }
+    }
+
+    /// Warns of properties that differ from those of a table beside them.
+    pub fn compare<'a>(&self, cx: &mut Context<'a>, fields: &Fields<'a>, table: &RotorTable) {
+        // Full thrust is b w_max^2, and the torque per thrust d/b, with the table's speed and coefficient.
+        let square = table.max_speed().map(|speed| speed * speed);
+        let coefficient = square.map(|square| table.max_thrust() / square);
+        let scaled = |known: Written<Known>, factor: Option<f64>| {
+            known.value().zip(factor).map(|((value, spread), factor)| (value * factor, spread))
+        };
+        let written = [
+            (&table::MAX_THRUST, &table::MAX_THRUST, self.max_thrust.value()),
+            (&table::THRUST_COEFFICIENT, &table::MAX_THRUST, scaled(self.thrust_coefficient, square)),
+            (&table::TORQUE_PER_THRUST, &table::TORQUE_PER_THRUST, self.torque_per_thrust.value()),
+            (
+                &table::DRAG_COEFFICIENT,
+                &table::TORQUE_PER_THRUST,
+                scaled(self.drag_coefficient, coefficient.map(f64::recip)),
+            ),
+            (&table::MAX_SPEED, &table::MAX_SPEED, self.max_speed.value()),
+        ];
+        for (field, entry, value) in written {
+            if let Some((value, spread)) = value {
+                table.compare(cx, fields, field, entry, value, spread);
+            }
+        }
+    }
+
     /// These properties, completed by `base`; a thrust or torque in one form replaces the other form.
-    fn over(&self, base: &PartialRotor) -> PartialRotor {
+    pub fn over(&self, base: &PartialRotor) -> PartialRotor {
         let thrust = !self.thrust_coefficient.is_absent() || !self.max_thrust.is_absent();
         let torque = !self.drag_coefficient.is_absent() || !self.torque_per_thrust.is_absent();
         PartialRotor {
@@ -164,6 +218,8 @@ impl PartialRotor {
             max_speed: self.max_speed.or(base.max_speed),
             time_constant: self.time_constant.or(base.time_constant),
             inertia: self.inertia.or(base.inertia),
+            has_table: self.has_table || base.has_table,
+            estimated_torque: self.estimated_torque.or(base.estimated_torque),
         }
     }
 
@@ -173,6 +229,39 @@ impl PartialRotor {
         self.rotor(cx, &anywhere, Some(fields), &mut false);
     }
 
+    /// What is neither written nor in a table.
+    fn missing(&self) -> Vec<Missing> {
+        let alone = |what, example: &str| {
+            let help = match self.has_table {
+                false => format!("add `{example}`"),
+                true => format!("its table has no such column; add `{example}`, with a value of your own"),
+            };
+            Missing { what, example: example.to_string(), help }
+        };
+        let mut missing = Vec::new();
+        if self.max_speed.is_absent() {
+            missing.push(alone("`max_speed`", "max_speed = 800 rad/s"));
+        }
+        if self.thrust_coefficient.is_absent() && self.max_thrust.is_absent() {
+            missing.push(alone("`thrust_coefficient` or `max_thrust`", "thrust_coefficient = 9e-6 N*s^2/rad^2"));
+        }
+        if self.drag_coefficient.is_absent() && self.torque_per_thrust.is_absent() {
+            let what = "`drag_coefficient` or `torque_per_thrust`";
+            missing.push(match self.estimated_torque {
+                None => alone(what, "drag_coefficient = 1.5e-7 N*m*s^2/rad^2"),
+                Some((value, spread)) => {
+                    let example = estimate(value, spread);
+                    let help = format!(
+                        "its table has no torque; add `{example}`, an estimate by its electrical power for motors of \
+                         usual efficiency"
+                    );
+                    Missing { what, example, help }
+                }
+            });
+        }
+        missing
+    }
+
     fn rotor<'a>(
         &self,
         cx: &mut Context<'a>,
@@ -180,19 +269,10 @@ impl PartialRotor {
         owner: Option<&Fields<'a>>,
         reported: &mut bool,
     ) -> Option<Rotor> {
-        let mut missing = Vec::new();
-        if self.max_speed.is_absent() {
-            missing.push(("`max_speed`", "max_speed = 800 rad/s"));
-        }
-        if self.thrust_coefficient.is_absent() && self.max_thrust.is_absent() {
-            missing.push(("`thrust_coefficient` or `max_thrust`", "thrust_coefficient = 9e-6 N*s^2/rad^2"));
-        }
-        if self.drag_coefficient.is_absent() && self.torque_per_thrust.is_absent() {
-            missing.push(("`drag_coefficient` or `torque_per_thrust`", "drag_coefficient = 1.5e-7 N*m*s^2/rad^2"));
-        }
+        let missing = self.missing();
         if !missing.is_empty() {
             if let Some(owner) = owner.filter(|_| !*reported) {
-                missing.iter().for_each(|(what, example)| owner.missing(cx, what, example));
+                missing.iter().for_each(|Missing { what, example, help }| owner.missing_or(cx, what, example, help));
                 *reported = true;
             }
             return None;
@@ -244,6 +324,23 @@ impl PartialRotor {
             spread,
         })
     }
+}
+
+/// A property that a rotor lacks.
+struct Missing {
+    what: &'static str,
+    /// How it may be written.
+    example: String,
+    help: String,
+}
+
+/// The field of an estimated torque per thrust (m), with its interval.
+fn estimate(value: f64, spread: Spread) -> String {
+    format!(
+        "torque_per_thrust = {} mm +- {} %",
+        significant(1e3 * value, 2),
+        significant(100.0 * (spread.high - 1.0), 2)
+    )
 }
 
 /// A field that is not written is faulty where a mistake may have been meant for it.
