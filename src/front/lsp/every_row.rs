@@ -65,7 +65,8 @@ fn completion_has_every_field_but_those_that_another_excludes() {
 fn completion_has_the_clauses_of_rotors() {
     let after = |text: &str| offered(&format!("vehicle v {{\n rotors {{\n rotor at [0, 1, 0] m {text} |\n }}\n}}\n"));
     let offered = after("spin P");
-    for clause in Group::Rotor.names() {
+    // A table of a motor is one of all rotors of a vehicle.
+    for clause in Group::Rotor.names().filter(|&name| name != "table") {
         assert!(offered.iter().any(|label| label == clause), "{clause}: {offered:?}");
     }
     assert!(!after("max_thrust 6 N").iter().any(|label| label == "thrust_coefficient"), "one excludes the other");

@@ -212,21 +212,21 @@ fn beside_others() -> Model {
 }
 
 /// Every draft.
-/// A short leg beside a landing site, which the vehicle reaches after the loss of its first rotor.
+/// A short leg beside a landing site, so wide that the vehicle comes down inside it after the loss of its first rotor.
 fn beside_a_site() -> Draft {
     let flight = mission(vec![waypoint([0.0, 0.0, 4.0], 0.0), waypoint([3.0, 0.0, 4.5], 0.0)]);
     let mut model = octo(flight, PlannerKind::Rip, 12);
     model.modes.truncate(1);
     let site = |name: &str, x: f64| LandingSite {
         name: name.into(),
-        at: [x, 3.0, 0.0],
-        radius: 1.5,
+        at: [x, 1.0, 0.0],
+        radius: 6.0,
         span: Default::default(),
     };
     let flown = model.mission.as_mut().expect("a mission");
     flown.ground = Some(0.0);
     flown.limits = vec![limit(LimitKind::Speed, 6.0), limit(LimitKind::Descent, 3.0)];
-    flown.after_fault.sites = vec![site("pad", 3.0), site("far", 60.0)];
+    flown.after_fault.sites = vec![site("pad", 2.0), site("far", 60.0)];
     model.plan.reserve = 0.1;
     model.plan.time = MissionTime::Fixed(4.0);
     model.plan.recovery.order = vec![Recovery::LandAtSites];

@@ -287,7 +287,8 @@ fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
             "Computed along the plan, not proved: with `rounds = 0` RSP guards no mode.".into()
         }
         (PlannerKind::Rsp, _) if answer.comparison.selected.is_empty() && !is_protected => {
-            "Computed along the plan, not proved: the plan that ignores faults violates no constraint of these modes; RSP adds none."
+            "Computed along the plan, not proved: the plan that ignores faults violates no constraint of these modes; \
+             RSP adds none."
                 .into()
         }
         (PlannerKind::Rcp, true) => "Proved at every instant.".into(),
