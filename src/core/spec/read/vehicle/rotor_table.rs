@@ -2,8 +2,8 @@
 //! voltage. It gives the numbers of the `rotor` block that are not written there, and the battery's hover power.
 //!
 //! The header names the columns in their usual spellings: a thrust and its unit (`Thrust (g)`), and optionally
-//! throttle, torque, speed, current, voltage and electrical power. Other columns are ignored. Every row is one throttle,
-//! from little to full. Cells are divided by commas or semicolons.
+//! throttle, torque, speed, current, voltage and electrical power. Other columns are ignored. Every row is one
+//! throttle, from little to full. Cells are divided by commas or semicolons.
 
 mod cell;
 mod header;
