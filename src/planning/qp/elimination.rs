@@ -18,13 +18,15 @@ const MOST_EQUATIONS: usize = 24;
 /// A pivot smaller than this share of the largest entry of its row counts as zero.
 const LEAST_PIVOT: f64 = 1e-9;
 
+/// A sum of variables, by index with their weights, and a constant.
+type Sum = (Vec<(usize, f64)>, f64);
+
 /// What a variable becomes.
 #[derive(Debug, Clone, PartialEq)]
 enum Variable {
     /// The variable of this index.
     Free(usize),
-    /// A sum of free variables, by index with their weights, and a constant.
-    Sum(Vec<(usize, f64)>, f64),
+    Sum(Sum),
 }
 
 /// Equations that determine as many variables.
@@ -86,7 +88,7 @@ impl Elimination {
         }
         let mut rows_of: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         (0..equations).filter(short).for_each(|row| rows_of.entry(sets.of(row)).or_default().push(row));
-        let mut sums: BTreeMap<usize, (Vec<(usize, f64)>, f64)> = BTreeMap::new();
+        let mut sums: BTreeMap<usize, Sum> = BTreeMap::new();
         let mut blocks = Vec::new();
         for rows in rows_of.into_values().filter(|rows| rows.len() <= MOST_EQUATIONS) {
             let Some((block, determined)) = solved(&rows, &terms, b) else { continue };
@@ -102,7 +104,9 @@ impl Elimination {
             free += usize::from(!sums.contains_key(&variable));
         }
         let variable = |v: usize| match sums.remove(&v) {
-            Some((terms, constant)) => Variable::Sum(terms.into_iter().map(|(v, w)| (index[v], w)).collect(), constant),
+            Some((terms, constant)) => {
+                Variable::Sum((terms.into_iter().map(|(v, w)| (index[v], w)).collect(), constant))
+            }
             None => Variable::Free(index[v]),
         };
         let variables = (0..a.cols).map(variable).collect();
@@ -117,7 +121,7 @@ impl Elimination {
                 *alone = [(*index, 1.0)];
                 alone
             }
-            Variable::Sum(terms, _) => terms,
+            Variable::Sum((terms, _)) => terms,
         }
     }
 
@@ -130,7 +134,7 @@ impl Elimination {
     pub fn variables(&self, free: &[f64]) -> Vec<f64> {
         let value = |variable: &Variable| match variable {
             Variable::Free(index) => free[*index],
-            Variable::Sum(terms, constant) => terms.iter().map(|&(i, w)| w * free[i]).sum::<f64>() + constant,
+            Variable::Sum((terms, constant)) => terms.iter().map(|&(i, w)| w * free[i]).sum::<f64>() + constant,
         };
         self.variables.iter().map(value).collect()
     }
@@ -201,7 +205,7 @@ impl Elimination {
 
 /// The equations of a block solved for as many of its variables: each as a sum of the others, by index with their
 /// weights, and a constant. `None` if the equations depend on each other.
-fn solved(rows: &[usize], terms: &[Vec<(usize, f64)>], b: &[f64]) -> Option<(Block, Vec<(Vec<(usize, f64)>, f64)>)> {
+fn solved(rows: &[usize], terms: &[Vec<(usize, f64)>], b: &[f64]) -> Option<(Block, Vec<Sum>)> {
     let mut names: Vec<usize> = rows.iter().flat_map(|&row| terms[row].iter().map(|term| term.0)).collect();
     names.sort_unstable();
     names.dedup();
@@ -268,8 +272,8 @@ mod tests {
     fn program() -> QuadraticProgram {
         let mut builder = Builder::new(3);
         let origin = RowOrigin::Violation;
-        builder.zero(Affine::term(0, 1.0).plus(1, 2.0).plus_constant(-1.0), origin.clone());
-        builder.zero(Affine::term(1, 3.0).plus(2, -1.0).plus_constant(-2.0), origin.clone());
+        builder.zero(Affine::term(0, 1.0).plus(1, 2.0).plus_constant(-1.0), origin);
+        builder.zero(Affine::term(1, 3.0).plus(2, -1.0).plus_constant(-2.0), origin);
         builder.nonnegative(Affine::term(2, -1.0).plus_constant(9.0), origin);
         for i in 0..3 {
             builder.product(i, i, 1.0);
