@@ -51,7 +51,7 @@ impl ScpSettings {
             medium: StoppingRule { max_steps: 6, min_gain: 0.01 },
             close: StoppingRule { max_steps: 12, min_gain: 2e-3 },
         },
-        tightening: TighteningSettings { margin: 1e-4, max_violation: 5e-5, parts: 4, factor: 1.5, max_rounds: 8 },
+        tightening: TighteningSettings { margin: 1e-4, max_violation: 2e-5, parts: 4, factor: 1.5, max_rounds: 8 },
         durations: DurationSettings {
             proximal_weight: 0.1,
             longest_on_its_own_grid: 1.02,
