@@ -7,8 +7,8 @@ use crate::qp::build::Affine;
 use std::sync::Arc;
 
 impl Transcription<'_> {
-    /// This transcription in the coefficients of splines made before ([`super::splines`]), of this time grid, and of jumps of
-    /// one size for each change of a duration. `None` if the grid has too few steps for a jump.
+    /// This transcription in the coefficients of splines made before ([`super::splines`]), of this time grid, and of
+    /// jumps of one size for each change of a duration. `None` if the grid has too few steps for a jump.
     pub(in crate::planning::planner) fn in_these(self, splines: Arc<[NodeSpline; 2]>) -> Option<Self> {
         let times = &self.grid.node_times;
         let jump_at = |&node: &usize| {
