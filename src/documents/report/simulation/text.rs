@@ -158,9 +158,9 @@ pub(super) fn ending(spin: &SpinRecord, model: &Model) -> String {
     format!("Warning: the spin {settled} {rate} rad/s{beyond}")
 }
 
-/// `: waypoints met, limits kept within tolerance`: whether a flight met its waypoints and limits, since the first fault
-/// if one struck, up to what flights may exceed limits by ([`crate::flight::damage::LIMIT_BROKEN`]); empty if it had
-/// neither.
+/// `: waypoints met, limits kept within tolerance`: whether a flight met its waypoints and limits, since the first
+/// fault if one struck, up to what flights may exceed limits by ([`crate::flight::damage::LIMIT_BROKEN`]); empty if it
+/// had neither.
 fn met(model: &Model, record: &FlightRecord) -> String {
     let mut parts = Vec::new();
     if record.waypoints_due > 0 {
