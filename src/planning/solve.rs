@@ -243,7 +243,7 @@ const STEP_VIOLATION: f64 = 1e-5;
 const LEAST_SLACK: f64 = 0.03;
 
 /// The largest norm of a row for the solver. On fine grids rows of the snap have norms up to 1e9 when divided by
-/// their sizes, with which 34 of the 120 steps of `edge_hexa` at 800 samples ended with a numerical error at once; with
+/// their sizes, with which 34 of the 147 steps of `edge_hexa` at 800 samples ended with a numerical error at once; with
 /// 1e4 six came to no point. The feasibility of [`STEP`] is that close because such rows then count less: with 1e-6 the
 /// plan of `slalom_quad` took 11.75 s instead of 11.44 s.
 const LARGEST_NORM: f64 = 1e4;

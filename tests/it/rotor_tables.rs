@@ -1,5 +1,5 @@
-//! Thrust tables of motors: a spec with one is the spec with the values written out, wherever the table lies and however
-//! its cells are damaged.
+//! Thrust tables of motors: a spec with one is the spec with the values written out, wherever the table lies, and
+//! damaged cells end in a message.
 
 use crate::cli::{mavc_in, text};
 use mavc::diagnostic::{Diagnostic, render_human};

@@ -171,7 +171,7 @@ pub struct TighteningSettings {
     /// tolerance of a flat set's equalities. Widths of the healthy set or shares of a limit.
     pub margin: f64,
     /// The violation accepted between instants: a fifth of what counts as a violation, because the finer grid has gaps
-    /// too. With a half the checker did not prove RIP's plan for `pick_x8`, which takes the same time (measured).
+    /// too. With a half the checker did not prove one plan of 49 that it proves now, in the same time (measured).
     pub max_violation: f64,
     /// Parts of each interval between instants at which it is measured.
     pub parts: usize,
