@@ -361,7 +361,7 @@ impl<'s> Task<'s> {
             cut_short: cancel::is_enough(),
         };
         if let Some(run) = planning.comparison.runs.last() {
-            match self.without_detours(run, observer) {
+            match self.without_detours(&planning.comparison, run, observer) {
                 (_, Some(shorter)) => planning.replace(self, shorter),
                 (tried, None) => planning.detours = tried,
             }
@@ -381,7 +381,7 @@ impl<'s> Task<'s> {
         };
         if plan.time == MissionTime::Minimum
             && let Some(place) = comparison.runs.iter().position(is_own)
-            && let (_, Some(shorter)) = self.without_detours(&comparison.runs[place], observer)
+            && let (_, Some(shorter)) = self.without_detours(&comparison, &comparison.runs[place], observer)
         {
             comparison.take_own(place, shorter);
         }
@@ -422,16 +422,19 @@ impl<'s> Task<'s> {
 
     /// The detours of a run's plan, with what statements against them give if one quick search is cheap and the search
     /// was not told to end; also what was found so, if that is shorter.
-    fn without_detours(&self, run: &PlannerRun, observer: &dyn Observer) -> (Vec<Detour>, Option<Comparison>) {
+    fn without_detours(
+        &self,
+        comparison: &Comparison,
+        run: &PlannerRun,
+        observer: &dyn Observer,
+    ) -> (Vec<Detour>, Option<Comparison>) {
         let mut detours = self.untried(run);
-        let Some(plan) = run.outcome.plan().filter(|_| !detours.is_empty() && !cancel::is_enough()) else {
-            return (detours, None);
-        };
-        if !detour::is_cheap(self.problem()) {
+        if detours.is_empty() || cancel::is_enough() || !detour::is_cheap(self.problem()) {
             return (detours, None);
         }
         observer.begins("the plan climbs or strays from its legs; trying statements that forbid it");
-        let tried = timed(observer, "detours", || detour::try_statements(self.problem(), plan, &mut detours));
+        let tried =
+            timed(observer, "detours", || detour::try_statements(self.problem(), comparison, run, &mut detours));
         observer.asked(None, &tried.1);
         (detours, tried.0)
     }

@@ -220,10 +220,10 @@ fn columns(model: &Model, modes: &[ModeAnalysis]) -> [String; 2] {
 pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin]) -> Vec<String> {
     let mut lines = Vec::new();
     if !spins.is_empty() {
-        lines.push("rad/s, deg: the spin in which flights settle; its axis from the body's z axis".into());
+        lines.push("rad/s, deg: the spin in which flights settle (none: no spin), and its axis from z".into());
     }
     if modes.iter().skip(1).any(|mode| mode.outcome == Outcome::FliesOn) {
-        lines.push("flies on: it can hover, and may fail to reach hover: `mavc simulate`".into());
+        lines.push("flies on: it can hover, but may be lost on the way there: `mavc simulate`".into());
     }
     lines.extend(planned_against(model));
     if model.vehicle.is_uncertain() {
@@ -298,7 +298,7 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     }));
     remarks.extend(named(&|mode| mode.outcome == Outcome::NoMargin).map(|names| {
         format!(
-            "{names}: hover is on the edge of what the rotors left can give, so some disturbance cannot be countered"
+            "{names}: hover is on the edge of what the remaining rotors can give, so some disturbance cannot be countered"
         )
     }));
     let faint = |mode: &ModeAnalysis| mode.nearest_rows.is_some_and(|rows| rows.angle < least_angle());

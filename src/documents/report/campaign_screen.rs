@@ -1,6 +1,6 @@
 //! The short output of `mavc campaign`: who survives which faults, and whether the planners differ.
 
-use super::campaign_text::{by_flight, hundred, remarks};
+use super::campaign_text::{by_flight, hundred, lost_if, remarks};
 use super::headline::headline_of;
 use super::mode_names::within;
 use super::planner_names::planners_in_full;
@@ -55,7 +55,7 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
     screen.gap();
     screen.table(&planners(design, tally, &plans));
     let flown: Vec<PlannerKind> = design.plans.iter().map(|plan| plan.planner).collect();
-    for text in [planners_in_full(&flown), manner(model)] {
+    for text in [planners_in_full(&flown), manner(model), lost_if(&model.simulation)] {
         screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &text));
     }
     if cases.modes > 0 {

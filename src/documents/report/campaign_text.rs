@@ -69,15 +69,22 @@ pub(super) fn flown_how(design: &Design) -> String {
     };
     format!(
         "controller {}, allocation {}; {detection}; after_fault = {}{}\n\
-         lost: {} m off the plan, tilted past 90 degrees for {} s or at the end, {}or on the ground; {}\n",
+         {}; {}\n",
         s.controller.name(),
         model.vehicle.allocation.name(),
         s.after_fault.name(),
         disturbed(s),
-        number(s.lost_beyond),
-        number(s.upside_down),
-        off_heading(s),
+        lost_if(s),
         aftermath(design)
+    )
+}
+
+/// `lost: 5 m off the plan, tilted past 90 degrees for 1 s or at the end, or on the ground`
+pub(super) fn lost_if(s: &Simulation) -> String {
+    let [beyond, upside_down] = [s.lost_beyond, s.upside_down].map(number);
+    let heading = off_heading(s);
+    format!(
+        "lost: {beyond} m off the plan, tilted past 90 degrees for {upside_down} s or at the end, {heading}or on the ground"
     )
 }
 

@@ -4,6 +4,7 @@ use super::caveats::{Caveat, CaveatKind};
 use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::Exposed;
 use crate::flight::capture::heights::CaptureHeights;
+use crate::flight::indistinguishable::listed;
 use crate::model::Model;
 use crate::number::{fixed, number, plural, significant};
 use crate::text_table::{Table, indented};
@@ -61,13 +62,15 @@ impl CaptureRecord {
 }
 
 /// The height that a plan keeps and what remains, in one line: `6.64 m kept above the ground outside 5 m of start and
-/// end; for 8.65 s near them the fall after L4 may end on the ground (simulated)`; `None` where the spec requires none.
+/// end; for up to 8.65 s near them the fall after L1, L2, L3 and L4 may end on the ground (simulated)`; `None` where the spec requires none.
 pub fn figure(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<String> {
     let (height, radius) = record.height_m.zip(record.radius_m)?;
     let worst = exposed.iter().max_by(|a, b| a.seconds.total_cmp(&b.seconds));
     let near = worst.map_or(String::new(), |worst| {
         let seconds = significant(worst.seconds, 3);
-        format!("; for {seconds} s near them the fall after {} may end on the ground (simulated)", worst.mode)
+        let modes: Vec<&str> = exposed.iter().map(|of_mode| of_mode.mode.as_str()).collect();
+        let modes = listed(&modes);
+        format!("; for up to {seconds} s near them the fall after {modes} may end on the ground (simulated)")
     });
     let [height, radius] = [height, radius].map(|m| significant(m, 3));
     Some(format!("{height} m kept above the ground outside {radius} m of start and end{near}"))

@@ -142,7 +142,7 @@ fn without_air(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     }
     let speed = peak(&solved.trajectory, speed);
     let message = format!(
-        "The plan reaches {} m/s at {} s, and drag is ignored: vehicle `{}` has no `drag`.",
+        "The plan reaches {} m/s at {} s and ignores drag: vehicle `{}` has no `drag`.",
         significant(speed.value, 3),
         fixed(speed.at, 2),
         model.vehicle.name

@@ -223,13 +223,18 @@ fn wind(model: &Model) -> Option<String> {
     Some(format!("planned for {} m/s{spread}{gusts}", vector(air.wind)))
 }
 
-/// The modes with a rate that the risk leaves out, because the plan is not against them.
+/// The modes that the risk leaves out: those with a rate because the plan is not against them, the others of these for
+/// want of one.
 fn not_counted(model: &Model) -> String {
     let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
-    let is_left_out =
-        |m: &usize| !model.plan.against.contains(m) && model.modes[*m].rate.is_some_and(|rate| rate > 0.0);
-    let left: Vec<usize> = (0..all.len()).filter(is_left_out).collect();
-    if left.is_empty() { String::new() } else { format!("; not counted: {}", within(&all, &left, NAMES)) }
+    let left = |wanted: &dyn Fn(Option<f64>) -> bool| -> Option<String> {
+        let is_left_out = |m: &usize| !model.plan.against.contains(m) && wanted(model.modes[*m].rate);
+        let left: Vec<usize> = (0..all.len()).filter(is_left_out).collect();
+        (!left.is_empty()).then(|| within(&all, &left, NAMES))
+    };
+    let not_counted = left(&|rate| rate.is_some_and(|rate| rate > 0.0)).map(|names| format!("; not counted: {names}"));
+    let no_rate = left(&|rate| rate.is_none()).map(|names| format!("; without a rate: {names}"));
+    [not_counted, no_rate].into_iter().flatten().collect()
 }
 
 /// `height up to 25.4 m, 0.4 m above the highest waypoint; 0.4 m off the straight legs; speed 9.47 of 10 m/s`

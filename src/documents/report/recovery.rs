@@ -350,7 +350,7 @@ pub fn write(screen: &mut Screen, model: &Model, recovery: &Recovery, verbose: b
     if let Some(replanned) = &record.replanned {
         screen.paragraph(Tone::Plain, 2, 2, &replanned.sentence(model.plan.reserve));
     }
-    let mut table = Table::new(&["fault", &scale(recovery.duration), "uncovered s"]);
+    let mut table = Table::new(&["fault", &scale(recovery.duration), "no way out s"]);
     let mut modes: Vec<&ModeRecovery> = recovery.modes.iter().collect();
     modes.sort_by(|a, b| b.uncovered().total_cmp(&a.uncovered()));
     let shown = if verbose { modes.len() } else { modes.len().min(MOST_MODES) };

@@ -56,6 +56,8 @@ struct Part {
     keep: Keep,
     /// What is counted in the last line if the part is left out, and how many of it.
     counted: Option<(Counted, usize)>,
+    /// The names of the modes in its row.
+    names: Option<String>,
 }
 
 /// What is counted if it is left out.
@@ -131,7 +133,7 @@ impl Screen {
         write(self);
         let part = Some(self.parts.len());
         self.lines[first..].iter_mut().for_each(|line| line.part = part);
-        self.parts.push(Part { keep, counted });
+        self.parts.push(Part { keep, counted, names: None });
     }
 
     /// A remark: `! text`. It may be left out, and is counted then.
@@ -152,13 +154,20 @@ impl Screen {
     }
 
     /// A fitted table of modes, the tightest first, whose rows after the first `always` may be left out. `modes` are
-    /// the numbers of modes in each row.
-    pub fn fitted_modes(&mut self, most: usize, always: usize, modes: &[usize], table: impl Fn(usize) -> Table) {
+    /// the names of modes in each row, and how many there are.
+    pub fn fitted_modes(
+        &mut self,
+        most: usize,
+        always: usize,
+        modes: &[(String, usize)],
+        table: impl Fn(usize) -> Table,
+    ) {
         let headings = self.lines.len();
         self.fitted(most, table);
-        for (row, n) in modes.iter().enumerate().skip(always) {
+        for (row, (names, n)) in modes.iter().enumerate().skip(always) {
             self.lines[headings + 1 + row].part = Some(self.parts.len());
-            self.parts.push(Part { keep: Keep::Row, counted: Some((Counted::Mode, *n)) });
+            let counted = Some((Counted::Mode, *n));
+            self.parts.push(Part { keep: Keep::Row, counted, names: Some(names.clone()) });
         }
     }
 
@@ -166,27 +175,37 @@ impl Screen {
     /// how many modes are in no row.
     pub fn close(&mut self, hidden: usize) {
         let (mut remarks, mut figures, mut modes) = (0, 0, hidden);
+        let (mut names, mut all_named): (Vec<&str>, bool) = (Vec::new(), hidden == 0);
         while self.lines.len() >= LINES {
             let last_of_least = |a: &usize, b: &usize| self.parts[*a].keep.cmp(&self.parts[*b].keep).then(b.cmp(a));
             let Some(least) = self.lines.iter().filter_map(|line| line.part).min_by(last_of_least) else { break };
             self.lines.retain(|line| line.part != Some(least));
             // No two empty lines meet where all between them is left out.
             self.lines.dedup_by(|line, before| line.text.is_empty() && before.text.is_empty());
-            match self.parts[least].counted {
+            let Part { counted, names: of_row, .. } = &self.parts[least];
+            names.extend(of_row.as_deref());
+            all_named &= of_row.is_some() || !matches!(counted, Some((Counted::Mode, _)));
+            match *counted {
                 Some((Counted::Remark, n)) => remarks += n,
                 Some((Counted::Figure, n)) => figures += n,
                 Some((Counted::Mode, n)) => modes += n,
                 None => {}
             }
         }
-        let left = [Counted::Remark.words(remarks), Counted::Figure.words(figures), Counted::Mode.words(modes)];
-        let left: Vec<String> = left.into_iter().flatten().collect();
-        let left = if left.is_empty() { String::new() } else { format!("; not shown: {}", left.join(", ")) };
-        let mut last = format!("  {EVERY_TABLE}{left}");
-        if last.len() > WIDTH {
-            last = last.replace(MORE_TO_SPARE, "");
-        }
-        self.line(Tone::Plain, &last);
+        names.reverse();
+        let named = (modes > 0).then(|| format!("{}{MORE_TO_SPARE}", names.join(", ")));
+        let line = |modes: Option<String>| {
+            let left = [Counted::Remark.words(remarks), Counted::Figure.words(figures), modes];
+            let left: Vec<String> = left.into_iter().flatten().collect();
+            let left = if left.is_empty() { String::new() } else { format!("; not shown: {}", left.join(", ")) };
+            format!("  {EVERY_TABLE}{left}")
+        };
+        let mut all = [named, Counted::Mode.words(modes)].map(line);
+        all.iter_mut()
+            .filter(|last| last.chars().count() > WIDTH)
+            .for_each(|last| *last = last.replace(MORE_TO_SPARE, ""));
+        let [named, counted] = all;
+        self.line(Tone::Plain, if named.chars().count() <= WIDTH && all_named { &named } else { &counted });
     }
 
     /// The lines with their tones.
@@ -219,7 +238,8 @@ mod tests {
             (0..lines).for_each(|i| screen.line(Tone::Plain, &format!("line {i}")));
             let mut table = Table::new(&["mode"]);
             (0..4).for_each(|row| table.row(vec![format!("row {row}")]));
-            screen.fitted_modes(8, 2, &[1, 1, 3, 2], |_| table.clone());
+            let rows = [("A", 1), ("B", 1), ("C1 .. C3", 3), ("D1, D2", 2)].map(|(names, n)| (names.to_string(), n));
+            screen.fitted_modes(8, 2, &rows, |_| table.clone());
             screen.part(Keep::Reason, None, |screen| screen.line(Tone::Plain, "reason"));
             screen.remark(Keep::Advice, "advice");
             screen.remark(Keep::Finding, "finding");
@@ -236,10 +256,10 @@ mod tests {
         let last = |text: &str| text.lines().last().unwrap().to_string();
         let text = shown(19);
         assert_eq!(kept(&text), ["finding"]);
-        assert_eq!(last(&text), "  -v prints every table; not shown: 1 remark, 5 modes with more to spare");
+        assert_eq!(last(&text), "  -v prints every table; not shown: 1 remark, C1 .. C3, D1, D2 with more to spare");
         assert_eq!(text.lines().count(), LINES);
         // Lines that are not part of one stay.
         assert_eq!(shown(40).lines().filter(|line| line.starts_with("line")).count(), 40);
-        assert!(last(&shown(40)).ends_with("2 remarks, 5 modes with more to spare"));
+        assert!(last(&shown(40)).ends_with("2 remarks, C1 .. C3, D1, D2"));
     }
 }

@@ -120,9 +120,20 @@ pub struct Damage {
     pub waypoints_due: usize,
     /// Those of them that were missed by more than their tolerance.
     pub waypoints_missed: usize,
+    /// The one that was missed by most of those whose turn came.
+    pub worst_miss: Option<Miss>,
     pub limits: BrokenLimits,
     /// Whether the heading error exceeded [`HEADING_BROKEN`] before yaw was given up on purpose.
     pub heading_broken: bool,
+}
+
+/// A waypoint that was missed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Miss {
+    /// Its index in [`Mission::waypoints`].
+    pub waypoint: usize,
+    /// By how much more than its tolerance, m.
+    pub beyond: f64,
 }
 
 /// A waypoint: passed where the vehicle comes within its tolerance between the middles, in time, of the legs before and
@@ -257,7 +268,12 @@ impl<'a> Collector<'a> {
     fn pass(&mut self, gate: Gate) {
         if gate.time >= self.from && gate.time <= self.stopped {
             self.damage.waypoints_due += 1;
-            self.damage.waypoints_missed += usize::from(self.nearest > gate.within + MOST_MISS);
+            let miss = Miss { waypoint: self.next, beyond: self.nearest - gate.within };
+            self.damage.waypoints_missed += usize::from(miss.beyond > MOST_MISS);
+            let is_worst = self.damage.worst_miss.is_none_or(|worst| worst.beyond < miss.beyond);
+            if miss.beyond > MOST_MISS && miss.beyond.is_finite() && is_worst {
+                self.damage.worst_miss = Some(miss);
+            }
         }
         self.next += 1;
         self.nearest = f64::INFINITY;

@@ -7,7 +7,7 @@ use crate::model::legs::distance;
 use crate::model::volume::{corridor, passage};
 use crate::model::{Limit, LimitKind, Mission, MissionTime, OnLeg, Part, PlanModel, Problem, SearchEffort};
 use crate::motion::shape::Shape;
-use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, compare, hardly_shorter};
+use crate::planner::studies::{self, Comparison, MissionPlan, PlanOutcome, PlannerRun, hardly_shorter};
 use crate::solve::Effort;
 use std::sync::Arc;
 
@@ -171,11 +171,17 @@ pub fn is_cheap(problem: Problem) -> bool {
         && model.vehicle.rotors.len() <= MOST_ROTORS
 }
 
-/// Plans with the statements that forbid all detours, once, by a quick search whatever the spec's effort, and records
-/// the time of the plan if there is one. A plan that keeps more statements is one of the mission too: if it is shorter
-/// than `solved`, and the mission's time is searched for, it is returned, checked for the mission as it is written. It
-/// is not if it is hardly shorter and leaves a mode's set in which `solved` stays.
-pub fn try_statements(problem: Problem, solved: &MissionPlan, detours: &mut [Detour]) -> (Option<Comparison>, Effort) {
+/// Plans with the statements that forbid all detours, once, by a quick search from the plan of a comparison's run
+/// whatever the spec's effort, and records the time of the plan if there is one. A plan that keeps more statements is one of the mission
+/// too: if it is shorter, and the mission's time is searched for, it is returned, checked for the mission as it is
+/// written. It is not if it is hardly shorter and leaves a mode's set in which the run's plan stays.
+pub fn try_statements(
+    problem: Problem,
+    comparison: &Comparison,
+    run: &PlannerRun,
+    detours: &mut [Detour],
+) -> (Option<Comparison>, Effort) {
+    let Some(solved) = run.outcome.plan() else { return (None, Effort::default()) };
     let mut other = problem.model().clone();
     other.plan.effort = SearchEffort::Quick;
     if let Some(mission) = &mut other.mission {
@@ -183,13 +189,12 @@ pub fn try_statements(problem: Problem, solved: &MissionPlan, detours: &mut [Det
         mission.limits.extend(limits);
     }
     let Some(other) = Problem::of(&other) else { return (None, Effort::default()) };
-    let mut found = compare(other, Scope::Plan, None);
+    let mut found = studies::again(other, comparison, run);
     certify::check(other, &mut found);
     // A search that was ended early says little about the price.
     let plan = found.runs.last().and_then(|run| run.outcome.plan()).filter(|_| !cancel::is_enough());
     let time = plan.map(|plan| plan.time);
 
-    let effort = found.effort;
     let is_searched = problem.model().plan.time == MissionTime::Minimum;
     let leaves = |plan: &MissionPlan| {
         let mut pairs = plan.outside.iter().zip(&solved.outside);
@@ -199,6 +204,10 @@ pub fn try_statements(problem: Problem, solved: &MissionPlan, detours: &mut [Det
     let least_gain = if covers_less { hardly_shorter(solved.time) } else { 0.0 };
     detours.iter_mut().for_each(|detour| (detour.tried, detour.covers_less) = (time, covers_less));
     let is_shorter = is_searched && time.is_some_and(|time| time < solved.time - least_gain);
+    if is_shorter {
+        studies::pass_again(other, &mut found);
+    }
+    let effort = found.effort;
     if let (true, Some(PlanOutcome::Planned(plan))) = (is_shorter, found.runs.last_mut().map(|run| &mut run.outcome)) {
         // What was proved of the mission with the statements is not proved of the mission without them.
         plan.infeasible_at = solved.infeasible_at.filter(|&below| below < plan.time);

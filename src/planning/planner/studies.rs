@@ -55,6 +55,22 @@ pub fn compare(problem: Problem, scope: Scope, progress: Progress) -> Comparison
     comparison
 }
 
+/// A run of a comparison, which is its only one here, once more on a mission that differs from the comparison's in
+/// limits only: the same planner in the same set, from the run's plan, without a second pass ([`pass_again`]). No run if
+/// that has no plan.
+pub fn again(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Comparison {
+    let setting = Setting { weighs_risk: true, ..Setting::new(problem, None) };
+    let (run, effort) = setting.again(run).unzip();
+    Comparison { runs: run.into_iter().collect(), effort: effort.unwrap_or_default(), ..comparison.clone() }
+}
+
+/// Puts the plan of a second pass in place of each run's plan, where there is one that is as quick.
+pub fn pass_again(problem: Problem, comparison: &mut Comparison) {
+    let setting = Setting { weighs_risk: true, ..Setting::new(problem, None) };
+    let effort = setting.pass_again(comparison);
+    comparison.effort += effort;
+}
+
 /// A comparison with another plan of the mission as the outcome of its last run, with what is reported of it; `None`
 /// without a run. Whether it is a plan of that run is for [`crate::certify::check`] to say.
 pub fn adopted(problem: Problem, comparison: &Comparison, plan: &MissionPlan) -> Option<Comparison> {

@@ -133,7 +133,7 @@ pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec
         say(
             Covers::UnsafeUntil,
             format!(
-                "UNSAFE until {} s: after {} the rotors left cannot always give {wrench}{reserve}.{}",
+                "UNSAFE until {} s: after {} the remaining rotors cannot always give {wrench}{reserve}.{}",
                 fixed(until, 2),
                 named(answer, &unsafe_ones),
                 advice(answer, run)
@@ -143,12 +143,12 @@ pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec
     let mut safe = Vec::new();
     if !with_yaw.is_empty() {
         let names = named(answer, &with_yaw);
-        safe.push(format!("After {names} at any instant the rotors left still give {wrench}{reserve}."));
+        safe.push(format!("After {names} at any instant the remaining rotors still give {wrench}{reserve}."));
     }
     if !without_yaw.is_empty() {
         let names = named(answer, &without_yaw);
         safe.push(format!(
-            "After {names} at any instant the rotors left still give {wrench} except about yaw{reserve}: the heading \
+            "After {names} at any instant the remaining rotors still give {wrench} except about yaw{reserve}: the heading \
              is not held."
         ));
     }
@@ -162,7 +162,7 @@ pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec
         say(
             Covers::Stops,
             format!(
-                "After {names} the plan leaves what the rotors left can give, but from every node before that a stop \
+                "After {names} the plan leaves what the remaining rotors can give, but from every node before that a stop \
                  within it was found (`after_fault = hold`)."
             ),
         );
@@ -264,12 +264,12 @@ fn not_covered(model: &Model) -> Option<String> {
         vec![names(&left)]
     } else if kinds.len() > MOST_KINDS {
         let each = outcomes(&left).into_iter();
-        each.map(|(outcome, modes)| format!("{} (hover alone: {})", names(&modes), outcome.words_of(modes.len())))
+        each.map(|(outcome, modes)| format!("{} (in hover: {})", names(&modes), outcome.words_of(modes.len())))
             .collect()
     } else {
         let each = kinds.iter().flat_map(|(what, modes)| outcomes(modes).into_iter().map(move |of| (what, of)));
         each.map(|(what, (outcome, modes))| {
-            format!("{} ({what}; hover alone: {})", names(&modes), outcome.words_of(modes.len()))
+            format!("{} ({what}; in hover: {})", names(&modes), outcome.words_of(modes.len()))
         })
         .collect()
     };
@@ -284,20 +284,20 @@ fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
     let is_proved = !rows.is_empty() && rows.iter().all(|rows| rows.shown == Shown::Proved);
     match (run.planner, is_proved) {
         (PlannerKind::Rsp, _) if answer.problem.model().plan.rounds == 0 && !is_protected => {
-            "Computed along the plan, not proved: with `rounds = 0` RSP guards no mode.".into()
+            "Sampled along the plan, not proved: with `rounds = 0` RSP guards no mode.".into()
         }
         (PlannerKind::Rsp, _) if answer.comparison.selected.is_empty() && !is_protected => {
-            "Computed along the plan, not proved: the plan that ignores faults violates no constraint of these modes; \
+            "Sampled along the plan, not proved: the plan that ignores faults violates no constraint of these modes; \
              RSP adds none."
                 .into()
         }
         (PlannerKind::Rcp, true) => "Proved at every instant.".into(),
         (PlannerKind::Rcp, false) => "Checked on a grid of instants, not proved between them.".into(),
         (PlannerKind::Rsp, true) => {
-            "Proved for the constraints that RSP guards, computed along the plan for the rest.".into()
+            "Proved for the constraints that RSP guards; for the rest sampled along the plan.".into()
         }
-        (PlannerKind::Rsp, false) => "Computed along the plan, not proved.".into(),
-        (PlannerKind::Rip, _) => "Computed along the plan, not proved: RIP guards no mode.".into(),
+        (PlannerKind::Rsp, false) => "Sampled along the plan, not proved.".into(),
+        (PlannerKind::Rip, _) => "Sampled along the plan, not proved: RIP guards no mode.".into(),
     }
 }
 
@@ -307,8 +307,8 @@ pub(in crate::documents::report) fn spare(out: &Outside) -> f64 {
 }
 
 /// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first; how many
-/// modes each row has, and how many are left out.
-fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<usize>, usize)) {
+/// modes each row has, with their names, and how many are left out.
+fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<(String, usize)>, usize)) {
     let (model, comparison) = (answer.problem.model(), answer.comparison);
     let headings = ["fault", "spare", "tightest", "unsafe"];
     let mut rows: Vec<(f64, Vec<usize>, Vec<String>)> = Vec::new();
@@ -334,11 +334,13 @@ fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<us
     rows.sort_by(|a, b| a.0.total_cmp(&b.0));
     let hidden = rows.split_off(rows.len().min(MOST_ROWS));
     let mut table = Table::new(&headings);
+    let mut of_rows = Vec::new();
     for (_, modes, cells) in &rows {
         let name = within(&self::names(model), &declared(model, modes), names);
+        of_rows.push((name.clone(), modes.len()));
         table.row(std::iter::once(name).chain(cells.iter().cloned()).collect());
     }
-    (table, (rows.iter().map(|row| row.1.len()).collect(), hidden.iter().map(|row| row.1.len()).sum()))
+    (table, (of_rows, hidden.iter().map(|row| row.1.len()).sum()))
 }
 
 /// `, to waypoint 3`: the leg on which an instant is.

@@ -149,7 +149,7 @@ impl PriceRecord {
             }
             (true, ..) => {
                 let time = seconds(solved.time);
-                bare(Baseline::None, format!("no time at {time}; `mavc compare` finds it at the shortest times"))
+                bare(Baseline::None, format!("no time at {time}; `mavc compare` finds the price of the shortest plan"))
             }
             (false, ..) => {
                 // The bound is about the limits alone, so it holds for every motion that ignores faults.
@@ -162,7 +162,7 @@ impl PriceRecord {
                 // As the headline shows it, so that a reader may subtract.
                 let bound = least_time::shown(least.seconds);
                 let sentence = format!(
-                    "at most {}, because no motion within the limits saves more; `mavc compare` finds it",
+                    "at most {}, because no motion within the limits saves more; `mavc compare` finds the price",
                     seconds(solved.time - bound)
                 );
                 timed(Baseline::LeastTime, bound, sentence)

@@ -84,6 +84,9 @@ pub struct FlightRecord {
     pub waypoints_due: usize,
     /// Those of them that were missed by more than their tolerance.
     pub waypoints_missed: usize,
+    /// The one missed by most; omitted if none was missed, or none before the vehicle was lost.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub worst_miss: Option<MissRecord>,
     /// Limits that were exceeded by more than a tenth of their size (docs/flight.md, section 5), since the first fault
     /// if one struck.
     pub limits_broken: Vec<&'static str>,
@@ -234,6 +237,18 @@ pub struct FaultRecord {
     pub isolated_after_s: Option<f64>,
 }
 
+/// A waypoint that a flight missed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct MissRecord {
+    /// Its place in the mission, from 1.
+    #[cfg_attr(test, schemars(range(min = 1)))]
+    pub waypoint: usize,
+    /// By how much more than its `within` it was missed, m.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
+    pub beyond_m: f64,
+}
+
 /// The estimator's regressor along a flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -294,6 +309,10 @@ impl FlightRecord {
             rms_error_after_m: (!flight.found.is_empty()).then_some(flight.rms_error_after),
             waypoints_due: flight.damage.waypoints_due,
             waypoints_missed: flight.damage.waypoints_missed,
+            worst_miss: flight
+                .damage
+                .worst_miss
+                .map(|miss| MissRecord { waypoint: miss.waypoint + 1, beyond_m: miss.beyond }),
             limits_broken: flight.damage.limits.words(),
             max_tilt_rad: flight.max_tilt,
             rms_heading_error_rad: flight.heading.rms,

@@ -2,8 +2,8 @@
 
 use super::record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, WayOutRecord};
 use super::text::{
-    DIVERGED, beyond_plan, broken, duration, ending, heading, indistinguishable, landed, length, loss, manner,
-    no_fault, to_its_end, trespass, waypoints,
+    DIVERGED, broken, duration, ending, heading, indistinguishable, landed, length, loss, manner, no_fault, tilt,
+    to_its_end, trespass, waypoints,
 };
 use crate::admissible::outcome::Outcome;
 use crate::flight::equilibrium::outcome_of;
@@ -69,11 +69,7 @@ pub fn screen(flown: &Flown, verbose: bool) -> Screen {
         format!("position error: {} rms{after}; largest {}", length(flight.rms_error), length(flight.max_error)),
         heading(&record).replace("root mean square", "rms"),
     ]);
-    let tilt = format!("largest tilt {} degrees", fixed(flight.max_tilt.to_degrees(), 1));
-    match beyond_plan(flown) {
-        Some(beyond) => unkept.push(tilt + &beyond),
-        None => lines.push(tilt),
-    }
+    lines.push(tilt(flown));
     unkept.extend(broken(&record).filter(|_| !is_lost));
     lines.extend(
         record

@@ -84,14 +84,13 @@ pub fn disturbed(s: &Simulation) -> String {
     parts.iter().map(|part| format!("; {part}")).collect()
 }
 
-/// `, beyond the plan's limit of 20 degrees`: the mission's limit applies to the plan and not to the flight. `None` if
-/// the tilt stays within it.
-pub(super) fn beyond_plan(flown: &Flown) -> Option<String> {
+/// `largest tilt 21.5 degrees (20 in the plan)`: the mission's limit applies to the plan and not to the flight.
+pub(super) fn tilt(flown: &Flown) -> String {
     let limits = flown.model.mission.iter().flat_map(|mission| &mission.limits);
-    let tilt =
-        limits.filter(|limit| limit.is_general() && limit.kind == LimitKind::Tilt).filter_map(|limit| limit.upper);
-    let most = tilt.filter(|most| flown.flight.max_tilt > *most).reduce(f64::min)?;
-    Some(format!(", beyond the plan's limit of {} degrees", number(most.to_degrees())))
+    let of_all = limits.filter(|limit| limit.is_general() && limit.kind == LimitKind::Tilt);
+    let most = of_all.filter_map(|limit| limit.upper).reduce(f64::min);
+    let in_plan = most.map_or(String::new(), |most| format!(" ({} in the plan)", number(most.to_degrees())));
+    format!("largest tilt {} degrees{in_plan}", fixed(flown.flight.max_tilt.to_degrees(), 1))
 }
 
 /// `heading error: 1.2 degrees root mean square; largest 4.0 degrees, 4.0 since the first fault`
@@ -107,13 +106,22 @@ pub(super) fn heading(record: &FlightRecord) -> String {
     )
 }
 
-/// `waypoints: 1 of 4 missed by more than `within``, of those due after the first fault; `None` if none was due.
+/// `waypoints: 1 of 4 missed; waypoint 3 by 4.2 cm more than its `within``, of those due after the first fault; `None`
+/// if none was due.
 pub(super) fn waypoints(record: &FlightRecord) -> Option<String> {
     let (due, missed) = (record.waypoints_due, record.waypoints_missed);
     let since = if record.faults.iter().any(|fault| fault.struck) { " after the first fault" } else { "" };
     (due > 0).then(|| match missed {
         0 => format!("waypoints{since}: {due} of {due} met"),
-        _ => format!("waypoints{since}: {missed} of {due} missed by more than `within`"),
+        _ => format!("waypoints{since}: {missed} of {due} missed{}", worst_miss(record)),
+    })
+}
+
+/// `; waypoint 3 by 4.2 cm more than its `within``
+fn worst_miss(record: &FlightRecord) -> String {
+    let most = if record.waypoints_missed > 1 { "worst " } else { "" };
+    record.worst_miss.as_ref().map_or(String::new(), |miss| {
+        format!("; {most}waypoint {} by {} more than its `within`", miss.waypoint, length(miss.beyond_m))
     })
 }
 
@@ -126,10 +134,10 @@ pub fn turned(turns: usize) -> String {
     }
 }
 
-/// `; no fault struck`, because such a flight shows nothing about faults, and how to have one strike.
+/// `; no fault simulated`, because such a flight shows nothing about faults, and how to have one.
 pub fn no_fault(record: &FlightRecord) -> &'static str {
     match &record.faults[..] {
-        [] => "; no fault struck: `fault NAME at 5 s` in `simulate` lets one",
+        [] => "; no fault simulated: add `fault NAME at 5 s` to `simulate`",
         faults if faults.iter().any(|fault| fault.struck) => "",
         _ => "; no fault struck",
     }
@@ -158,7 +166,7 @@ pub(super) fn ending(spin: &SpinRecord, model: &Model) -> String {
     format!("Warning: the spin {settled} {rate} rad/s{beyond}")
 }
 
-/// `: waypoints met, limits kept within tolerance`: whether a flight met its waypoints and limits, since the first
+/// `: waypoints met, limits kept within a tenth`: whether a flight met its waypoints and limits, since the first
 /// fault if one struck, up to what flights may exceed limits by ([`crate::flight::damage::LIMIT_BROKEN`]); empty if it
 /// had neither.
 fn met(model: &Model, record: &FlightRecord) -> String {
@@ -167,7 +175,7 @@ fn met(model: &Model, record: &FlightRecord) -> String {
         parts.push(if record.waypoints_missed == 0 { "waypoints met" } else { "waypoints MISSED" }.to_string());
     }
     if model.mission.as_ref().is_some_and(|mission| !mission.limits.is_empty()) {
-        let word = if record.limits_broken.is_empty() { "limits kept within tolerance" } else { "limits BROKEN" };
+        let word = if record.limits_broken.is_empty() { "limits kept within a tenth" } else { "limits BROKEN" };
         parts.push(word.into());
     }
     if parts.is_empty() { String::new() } else { format!(": {}", parts.join(", ")) }

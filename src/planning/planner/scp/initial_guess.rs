@@ -73,7 +73,7 @@ impl ScpPlanner<'_, '_> {
         let settings = &self.settings.grids;
         let medium = settings.medium.max(self.hover.coarse_samples());
         let is_much_finer = self.hover.model().plan.samples as f64 > settings.refinement * medium as f64;
-        (self.chooses_times() && is_much_finer).then_some(medium)
+        is_much_finer.then_some(medium)
     }
 
     /// A feasible iterate on a grid with `samples` intervals, near one on another grid.

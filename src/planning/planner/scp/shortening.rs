@@ -122,9 +122,11 @@ impl ScpPlanner<'_, '_> {
         let weights = Weights { objective: Objective::Time, penalty, cost_weight, input_weight };
         let share_of_budget = self.share_until(steps.at.grid.intervals());
         let mut violation = self.violation_by(&steps.at, working_set);
-        let (mut slow, mut hopeless, mut was_repeated, mut price) = (0, 0, false, 0.0_f64);
+        let (mut slow, mut hopeless, mut was_repeated, mut saves, mut price) = (0, 0, false, false, 0.0_f64);
         steps.pace.radius = steps.pace.radius.max(settings.least_first_radius);
-        while steps.pace.radius >= settings.min_radius && steps.left > 0 && !self.has_spent(share_of_budget) {
+        // Short steps that still save time may become longer again.
+        while (steps.pace.radius >= settings.min_radius || saves) && steps.left > 0 && !self.has_spent(share_of_budget)
+        {
             if violation <= 0.0 {
                 steps.keep();
                 if steps.at.grid.total <= steps.target {
@@ -150,7 +152,7 @@ impl ScpPlanner<'_, '_> {
             let has_new_rows = working_set.len() > known;
             violation = self.violation_by(at, working_set);
             price = (settings.price_decay * price).max(stepped.price);
-            let weight = (settings.price_factor * price).max(1.0);
+            let weight = (settings.price_factor * price).max(settings.least_price);
             let target = steps.target;
             let merit = |total: f64, violation: f64| total.max(target) / at.grid.total + weight * violation.max(0.0);
             let was = merit(at.grid.total, violation);
@@ -186,6 +188,7 @@ impl ScpPlanner<'_, '_> {
                 return;
             }
             steps.pace = steps.pace.after(share, gained / expected, &settings);
+            saves = gained > 0.0 && next.grid.total < (1.0 - settings.min_gain) * steps.at.grid.total;
             if gained > 0.0 {
                 (steps.at, violation) = (next, left);
                 working_set.extend(self.rows_between(&steps.at));

@@ -30,9 +30,6 @@ impl Comparison {
     pub fn take_own(&mut self, place: usize, mut other: Comparison) {
         self.effort += other.effort;
         let Some(run) = other.runs.pop() else { return };
-        if run.planner == PlannerKind::Rsp {
-            self.own_selected_by = Some(other.selected_by);
-        }
         self.runs[place] = run;
         put_in_order(&mut self.runs, self.modes.len(), self.own_selected_by.is_none());
     }

@@ -2,7 +2,7 @@
 
 use super::candidates::nothing_selected_at;
 use super::found::{Found, hint_from};
-use super::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, Run, Setting};
+use super::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, PlannerRun, Run, Setting, label};
 use crate::model::PlannerKind;
 use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
@@ -69,6 +69,24 @@ impl Setting<'_> {
         out.effort += effort;
         out.runs.push(self.run(kind, against, run, outcome, &set));
         out
+    }
+
+    /// A run's planner once more, in the same set and from the run's plan; `None` if that has none.
+    pub(super) fn again(&self, run: &PlannerRun) -> Option<(PlannerRun, Effort)> {
+        let planned = run.outcome.plan()?.planned.as_deref()?;
+        let (name, set) = (label(run.planner, &run.against), &run.set);
+        let (outcome, effort) = match self.fixed_time() {
+            Some(time) => {
+                let (decision, effort) = self.at(&name, set, time, WorkingSet::default(), &[planned]);
+                (self.common(time, &decision), effort)
+            }
+            None => {
+                let hint = Hint { initial_guesses: vec![planned.clone()], ..Hint::default() };
+                let found = self.search(&name, set, hint, WorkingSet::default());
+                (self.own(&found), found.effort)
+            }
+        };
+        Some((PlannerRun { outcome, ..run.clone() }, effort))
     }
 
     /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with the facets that it violates;

@@ -65,6 +65,7 @@ impl ScpSettings {
             min_radius: 0.002,
             penalty: 100.0,
             price_factor: 1.5,
+            least_price: 0.3,
             price_decay: 0.5,
             sufficient_gain: 0.1,
             min_share: 0.125,
