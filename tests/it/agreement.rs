@@ -2,7 +2,7 @@
 
 use crate::cli::{folder, mavc_in};
 use mavc::model::Problem;
-use mavc::planner::studies::{Scope, compare};
+use mavc::planner::studies::{Scope, run_planners};
 use std::path::Path;
 
 /// A table of numbers by the names of its columns; words are NaN.
@@ -49,7 +49,7 @@ fn a_flight_follows_the_second_pass_of_a_plan() {
     assert!(farthest(&planned, &flown) < 1e-9, "{}", farthest(&planned, &flown));
 
     let compiled = mavc::compile(spec).into_result().unwrap();
-    let comparison = compare(Problem::of(compiled.model()).unwrap(), Scope::Plan, None);
+    let comparison = run_planners(Problem::of(compiled.model()).unwrap(), Scope::Plan, None);
     let run = comparison.runs.last().unwrap();
     let (plan, plainer) = (run.outcome.plan().unwrap(), run.plainer.as_deref().expect("a second pass"));
     let place = |row: &[f64], motion: &mavc::motion::Trajectory| {

@@ -26,7 +26,7 @@ use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::certificate::Certificate;
 use mavc::diagnostic::Diagnostic;
 use mavc::model::{LimitKind, MissionTime, Model, PlannerKind, Problem};
-use mavc::planner::studies::{Comparison, Scope, compare};
+use mavc::planner::studies::{Comparison, Scope, run_planners};
 use mavc::source::FileId;
 use mavc::verify::{Accepted, Refusal, Rejection, Settings};
 
@@ -90,7 +90,7 @@ fn hop(planner: PlannerKind, time: f64) -> Model {
 }
 
 fn planned(model: &Model) -> Comparison {
-    compare(Problem::of(model).unwrap(), Scope::Plan, None)
+    run_planners(Problem::of(model).unwrap(), Scope::Plan, None)
 }
 
 fn certified(model: &Model) -> Option<Certificate> {

@@ -12,7 +12,7 @@ use mavc::explain::statement::statements;
 use mavc::explain::{Change, Explanation, Statement, explain};
 use mavc::model::{MissionTime, Model, Problem};
 use mavc::motion::time_grid::determined;
-use mavc::planner::studies::{PlanOutcome, Proof, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Proof, Scope, run_planners};
 use mavc::read::FileSet;
 use mavc::source::Span;
 use rayon::prelude::*;
@@ -52,7 +52,7 @@ impl Text {
     /// How `mavc plan` ends.
     fn outcome(&self) -> PlanOutcome {
         let (_, model) = self.model();
-        let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
+        let comparison = run_planners(Problem::of(&model).unwrap(), Scope::Plan, None);
         comparison.runs.last().unwrap().outcome.clone()
     }
 

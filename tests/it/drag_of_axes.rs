@@ -13,7 +13,7 @@ use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{CommandState, NodeState, X, Y, YAW, Z, in_air};
 use mavc::planner::selection::sets::PlanningSets;
 use mavc::planner::stop::Stops;
-use mavc::planner::studies::{PlanOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, run_planners};
 use mavc::planner::timing::kinematics::least_time_within;
 use mavc::verify::interval::Interval;
 use mavc::verify::wrench::{Dynamics, Held};
@@ -424,7 +424,7 @@ fn a_stop_keeps_attitude_and_body_rates() {
     model.plan.samples = 40;
     model.plan.time = MissionTime::Fixed(5.0);
     let environment = model.environment();
-    let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
+    let comparison = run_planners(Problem::of(&model).unwrap(), Scope::Plan, None);
     let plan = match &comparison.runs.last().unwrap().outcome {
         PlanOutcome::Planned(plan) => &plan.trajectory,
         other => panic!("{other:?}"),

@@ -11,7 +11,7 @@ mod verdicts;
 
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind, Problem};
-use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Scope, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Scope, run_planners};
 
 /// An octocopter with another inertia about each axis, planned for in the exact model.
 fn vehicle() -> Model {
@@ -45,7 +45,7 @@ fn planning(mission: Mission, planner: PlannerKind, against: &[usize], time: Mis
 }
 
 fn compared(model: &Model) -> Comparison {
-    compare(Problem::of(model).unwrap(), Scope::Plan, None)
+    run_planners(Problem::of(model).unwrap(), Scope::Plan, None)
 }
 
 /// The run of the spec's own planner.

@@ -8,7 +8,7 @@ use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::{Allocation, FaultMode, Mission, Model, PlannerKind, Problem, RotorState};
 use mavc::planner::hover::{Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
-use mavc::planner::studies::{MissionPlan, PlanOutcome, Run, Scope, compare};
+use mavc::planner::studies::{MissionPlan, PlanOutcome, Run, Scope, run_planners};
 use mavc::planner::working_set::WorkingSet;
 use proptest::prelude::*;
 
@@ -160,7 +160,7 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
     assert!(least < idle - 0.5, "{least} {idle}");
 
     // Every planner at its own time: none takes less than RIP, for the healthy set bounds them all.
-    let comparison = compare(Problem::of(&model).unwrap(), Scope::Everything, None);
+    let comparison = run_planners(Problem::of(&model).unwrap(), Scope::Everything, None);
     let own = comparison.runs.iter().filter(|r| r.run == Run::Own);
     let times: Vec<f64> = own.map(|r| solved(&r.outcome).time).collect();
     assert!(times.len() == 3 && times.iter().all(|t| *t >= times[0]), "{times:?}");
@@ -174,6 +174,6 @@ fn solved(outcome: &PlanOutcome) -> &MissionPlan {
 }
 
 fn shortest(model: &Model) -> MissionPlan {
-    let comparison = compare(Problem::of(model).unwrap(), Scope::Plan, None);
+    let comparison = run_planners(Problem::of(model).unwrap(), Scope::Plan, None);
     solved(&comparison.runs[0].outcome).clone()
 }

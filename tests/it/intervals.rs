@@ -8,7 +8,7 @@ use mavc::admissible::verdict::{HoverVerdict, analyze};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::model::RotorState;
 use mavc::model::{MissionTime, Model, PlannerKind, Problem, RotorSpread, Spread};
-use mavc::planner::studies::{PlanOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, run_planners};
 use proptest::prelude::*;
 
 fn about(share: f64) -> Spread {
@@ -201,7 +201,7 @@ fn plans_hold_for_every_value() {
     model.plan.time = MissionTime::Fixed(20.0);
     assert_eq!(diagnose(&model), vec![]);
     let plan = |model: &Model| {
-        let comparison = compare(Problem::of(model).unwrap(), Scope::Plan, None);
+        let comparison = run_planners(Problem::of(model).unwrap(), Scope::Plan, None);
         match &comparison.runs[0].outcome {
             PlanOutcome::Planned(plan) => plan.trajectory.clone(),
             other => panic!("{other:?}"),

@@ -11,7 +11,7 @@ use crate::vehicles::{mission, octocopter, waypoint};
 use mavc::actuation::Wrench;
 use mavc::model::{Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind, Problem};
 use mavc::motion::Trajectory;
-use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, run_planners};
 
 /// The model with rotors whose thrusts are planned to follow in `tau` s.
 pub fn lagging(mut model: Model, tau: f64) -> Model {
@@ -52,7 +52,7 @@ pub fn planning(mission: Mission, model: PlanModel, time: MissionTime) -> Model 
 }
 
 fn compared(model: &Model) -> Comparison {
-    compare(Problem::of(model).unwrap(), Scope::Plan, None)
+    run_planners(Problem::of(model).unwrap(), Scope::Plan, None)
 }
 
 fn solved(comparison: &Comparison) -> &MissionPlan {

@@ -7,12 +7,12 @@ use mavc::admissible::row::VIOLATED;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind, Problem};
 use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
-use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Proof, Run, Scope, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Proof, Run, Scope, run_planners};
 use mavc::planner::timing::search::RESOLUTION;
 use mavc::planner::working_set::WorkingSet;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
-    compare(Problem::of(model).unwrap(), scope, None)
+    run_planners(Problem::of(model).unwrap(), scope, None)
 }
 
 fn solved(run: &PlannerRun) -> &MissionPlan {

@@ -7,7 +7,7 @@ use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::RotorState;
 use mavc::model::{Allocation, Environment, MissionTime, Model, PlanModel, PlannerKind, Problem};
-use mavc::planner::studies::{PlanOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, run_planners};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
@@ -173,7 +173,7 @@ fn plans_ask_for_nothing_that_is_clipped() {
     let mut model = pseudo(paper_case(PlannerKind::Rcp, &[0, 2]));
     model.plan.samples = 60;
     model.plan.time = MissionTime::Fixed(24.0);
-    let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
+    let comparison = run_planners(Problem::of(&model).unwrap(), Scope::Plan, None);
     let PlanOutcome::Planned(plan) = &comparison.runs[0].outcome else { panic!("{:?}", comparison.runs[0].outcome) };
     for w in plan.trajectory.node_wrenches(&model.vehicle, &model.environment()) {
         for mode in [0, 2] {
@@ -189,7 +189,7 @@ fn plans_ask_for_nothing_that_is_clipped() {
 #[test]
 fn what_is_given_away_costs_time() {
     let time = |model: &Model| {
-        let comparison = compare(Problem::of(model).unwrap(), Scope::Plan, None);
+        let comparison = run_planners(Problem::of(model).unwrap(), Scope::Plan, None);
         let PlanOutcome::Planned(plan) = &comparison.runs[0].outcome else {
             panic!("{:?}", comparison.runs[0].outcome)
         };
@@ -213,7 +213,7 @@ fn plans_in_air_ask_for_nothing_that_is_clipped() {
     (model.vehicle.drag, model.mission) = ([0.35; 3], Some(flight));
     (model.plan.planner, model.plan.against, model.plan.samples) = (PlannerKind::Rcp, vec![0, 1], 20);
     (model.plan.model, model.plan.time) = (PlanModel::Exact, MissionTime::Fixed(2.8));
-    let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
+    let comparison = run_planners(Problem::of(&model).unwrap(), Scope::Plan, None);
     let PlanOutcome::Planned(plan) = &comparison.runs[0].outcome else { panic!("{:?}", comparison.runs[0].outcome) };
     let motion = &plan.trajectory;
     let mut least = f64::INFINITY;
@@ -230,7 +230,7 @@ fn plans_in_air_ask_for_nothing_that_is_clipped() {
     // Bounded allocation gives more, and its plan is clipped by the formula.
     let mut bounded = model.clone();
     bounded.vehicle.allocation = Allocation::Bounded;
-    let comparison = compare(Problem::of(&bounded).unwrap(), Scope::Plan, None);
+    let comparison = run_planners(Problem::of(&bounded).unwrap(), Scope::Plan, None);
     let PlanOutcome::Planned(other) = &comparison.runs[0].outcome else { panic!("{:?}", comparison.runs[0].outcome) };
     let air = model.environment();
     let worst =

@@ -10,14 +10,14 @@ use mavc::model::{
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use mavc::planner::selection::PlanningSet;
 use mavc::planner::selection::sets::of_one_mode;
-use mavc::planner::studies::{PlanOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, run_planners};
 use mavc::recovery::carry::{carry, quiet};
 use mavc::recovery::{FoundBranch, Way, recovery};
 use mavc::source::Span;
 use nalgebra::Vector3;
 
 fn planned(model: &Model) -> Trajectory {
-    let comparison = compare(Problem::of(model).unwrap(), Scope::Plan, None);
+    let comparison = run_planners(Problem::of(model).unwrap(), Scope::Plan, None);
     match &comparison.runs.last().unwrap().outcome {
         PlanOutcome::Planned(plan) => plan.trajectory.clone(),
         other => panic!("{other:?}"),

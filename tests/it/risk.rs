@@ -8,12 +8,12 @@ use mavc::motion::nearness::nearness;
 use mavc::motion::risk::{rated_risk, risk};
 use mavc::planner::hover::ACCEPTED;
 use mavc::planner::studies::protect::{Protection, UNMET};
-use mavc::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, Proof, Scope, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, Proof, Scope, run_planners};
 use proptest::prelude::*;
 use serde_json::Value;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
-    compare(Problem::of(model).unwrap(), scope, None)
+    run_planners(Problem::of(model).unwrap(), scope, None)
 }
 
 fn solved(comparison: &Comparison) -> &MissionPlan {

@@ -9,12 +9,12 @@ use mavc::motion::Trajectory;
 use mavc::motion::outside::PARTS;
 use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
-use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Run, Scope, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Run, Scope, run_planners};
 use mavc::planner::timing::search::Hint;
 use mavc::planner::working_set::WorkingSet;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
-    compare(Problem::of(model).unwrap(), scope, None)
+    run_planners(Problem::of(model).unwrap(), scope, None)
 }
 
 fn only(comparison: &Comparison) -> &MissionPlan {
@@ -167,7 +167,7 @@ fn rsp_without_facets_is_rip() {
     model.plan.time = MissionTime::Fixed(2.5);
     let told = std::sync::Mutex::new(Vec::new());
     let tell = |name: &str, _: f64| told.lock().unwrap().push(name.to_string());
-    let all = compare(Problem::of(&model).unwrap(), Scope::Everything, Some(&tell));
+    let all = run_planners(Problem::of(&model).unwrap(), Scope::Everything, Some(&tell));
     // Progress counts the runs that are in the end there: six with one mode.
     let told = told.into_inner().unwrap();
     assert_eq!(all.runs.len(), 6);
@@ -182,7 +182,7 @@ fn rsp_without_facets_is_rip() {
     assert!(plan(PlannerKind::Rip, Run::Common) == plan(PlannerKind::Rsp, Run::Common));
     let mut open = model.clone();
     open.plan.time = MissionTime::Minimum;
-    let alone = compare(Problem::of(&open).unwrap(), Scope::Plan, None);
+    let alone = run_planners(Problem::of(&open).unwrap(), Scope::Plan, None);
     let least = alone.runs[0].outcome.plan().unwrap();
     assert_eq!(plan(PlannerKind::Rsp, Run::Own).duration(), least.trajectory.duration());
 }

@@ -10,7 +10,7 @@ use mavc::motion::shape::{Place, Shape, Turned, distance_from_segment};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory};
 use mavc::observer::Silent;
-use mavc::planner::studies::{MissionPlan, Scope, Verification, compare};
+use mavc::planner::studies::{MissionPlan, PlanOutcome, Scope, Verification, run_planners};
 use mavc::report::{shape, terminal};
 
 /// A motion of the exact model through the states at these times; waypoints are at the nodes given.
@@ -193,14 +193,19 @@ fn statements_are_tried_and_priced() {
     for (time, price) in [("minimum", " s, which is not longer."), ("6 s", " found a plan at the same time.")] {
         let spec = spec_of("", "", time);
         let task = Task::new(&spec).unwrap();
-        let mut plan = bent(&mavc::plan(&spec).unwrap(), 3.0, 4.0);
+        let planning = mavc::plan(&spec).unwrap();
+        let mut plan = bent(&planning, 3.0, 4.0);
         plan.time = 60.0;
+        let mut comparison = planning.comparison().clone();
+        let run = comparison.runs.last_mut().unwrap();
+        run.outcome = PlanOutcome::Planned(Box::new(plan.clone()));
+        let run = run.clone();
         let mut found = detours(task.problem(), &plan);
         let untried = flat(&terminal::detours(task.problem(), &plan, &found));
         assert!(untried.contains("`altitude <= ...` in `limits` forbids it."), "{untried}");
         assert!(untried.contains("`straight` or `corridor ...` on waypoint 2 forbids it."), "{untried}");
         assert!(is_cheap(task.problem()));
-        let (shorter, _) = try_statements(task.problem(), &plan, &mut found);
+        let (shorter, _) = try_statements(task.problem(), &comparison, &run, &mut found);
         // A plan that keeps more is one of this mission too; at a fixed time there is no shorter one.
         let shorter = shorter.map(|shorter| shorter.runs.last().unwrap().outcome.plan().unwrap().clone());
         // What limits its time counts limits that this mission does not have.
@@ -298,7 +303,7 @@ fn a_plan_with_time_keeps_its_heights() {
         }
         plan { planner = rip; time = 26 s; samples = 100 }";
     let spec = mavc::compile(text).into_result().unwrap();
-    let comparison = compare(Problem::of(spec.model()).unwrap(), Scope::Plan, None);
+    let comparison = run_planners(Problem::of(spec.model()).unwrap(), Scope::Plan, None);
     let mission = spec.model().mission.as_ref().unwrap();
     let climb = |plan: &MissionPlan| {
         let legs = Shape::of(&plan.trajectory, mission).legs;

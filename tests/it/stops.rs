@@ -12,12 +12,12 @@ use mavc::motion::{NodeState, X, Y, YAW, Z};
 use mavc::planner::scp::Iterate;
 use mavc::planner::selection::sets::PlanningSets;
 use mavc::planner::stop::Stops;
-use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, run_planners};
 use mavc::source::Span;
 use nalgebra::Vector3;
 
 fn run(model: &Model) -> Comparison {
-    compare(Problem::of(model).unwrap(), Scope::Plan, None)
+    run_planners(Problem::of(model).unwrap(), Scope::Plan, None)
 }
 
 fn solved(comparison: &Comparison) -> &MissionPlan {

@@ -6,7 +6,7 @@ use mavc::admissible::AdmissibleSet;
 use mavc::admissible::edge::{EDGE, HoverPlace};
 use mavc::admissible::verdict::analyze;
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, Problem};
-use mavc::planner::studies::{PlanOutcome, Proof, Run, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Proof, Run, Scope, run_planners};
 use mavc::report::record::Record;
 use mavc::report::waypoints::{WaypointRecord, headline, listed, table, waypoints};
 use mavc::report::{comparison_text, terminal};
@@ -98,7 +98,7 @@ fn what_is_proved_of_many_times_is_proved_of_each() {
     (up.plan.planner, up.plan.time, up.plan.samples) = (PlannerKind::Rip, MissionTime::Minimum, 20);
     for model in [PlanModel::Exact, PlanModel::Hover] {
         up.plan.model = model;
-        let comparison = compare(Problem::of(&up).unwrap(), Scope::Plan, None);
+        let comparison = run_planners(Problem::of(&up).unwrap(), Scope::Plan, None);
         let PlanOutcome::Infeasible(Proof { at, proved }) = &comparison.runs[0].outcome else { panic!("{model:?}") };
         assert!(proved.len() > 3 && proved.last() == Some(at) && proved.is_sorted(), "{model:?} {proved:?}");
         let record = Record::new(Problem::of(&up).unwrap(), &comparison, String::new());
@@ -108,7 +108,7 @@ fn what_is_proved_of_many_times_is_proved_of_each() {
         for &time in proved.iter().filter(|t| **t < 1e4) {
             let mut fixed = up.clone();
             fixed.plan.time = MissionTime::Fixed(time);
-            let comparison = compare(Problem::of(&fixed).unwrap(), Scope::Plan, None);
+            let comparison = run_planners(Problem::of(&fixed).unwrap(), Scope::Plan, None);
             assert_eq!(comparison.runs[0].outcome.verdict(), Verdict::ProvedInfeasible, "{model:?}, {time} s");
         }
     }
@@ -130,13 +130,13 @@ fn on_the_edge() -> Model {
 fn rsp_without_a_common_time_is_not_attempted() {
     let model = on_the_edge();
     let problem = Problem::of(&model).unwrap();
-    let plan = compare(problem, Scope::Plan, None);
+    let plan = run_planners(problem, Scope::Plan, None);
     assert!(plan.common_time.is_none());
     assert_eq!(plan.runs.last().unwrap().outcome.verdict(), Verdict::NotAttempted, "{:?}", plan.runs);
     let text = terminal::plan(problem, &plan);
     assert!(text.contains("RSP: not attempted: ") && !text.contains("proved infeasible"), "{text}");
     // RCP against the mode is searched for, and RIP has a plan.
-    let all = compare(problem, Scope::Everything, None);
+    let all = run_planners(problem, Scope::Everything, None);
     let verdict = |planner: PlannerKind| {
         let run = all.runs.iter().find(|run| run.planner == planner && run.run == Run::Own);
         run.map(|run| run.outcome.verdict())
@@ -211,7 +211,7 @@ fn moved(by: f64, yaw_by: f64) -> Vec<WaypointRecord> {
     (model.plan.model, model.plan.planner) = (PlanModel::Hover, PlannerKind::Rip);
     (model.plan.time, model.plan.samples) = (MissionTime::Fixed(6.0), 20);
     let flown = model.mission.as_ref().unwrap();
-    let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
+    let comparison = run_planners(Problem::of(&model).unwrap(), Scope::Plan, None);
     let solved = comparison.runs[0].outcome.plan().unwrap();
     let end = solved.trajectory.nodes.last().unwrap();
     let mut asked = flown.clone();
@@ -337,10 +337,10 @@ mod thorough {
             model.plan.time = MissionTime::Fixed(time);
             for (planner, verdict) in [PlannerKind::Rip, PlannerKind::Rsp].into_iter().zip(verdicts) {
                 model.plan.planner = planner;
-                let comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
+                let comparison = run_planners(Problem::of(&model).unwrap(), Scope::Plan, None);
                 assert_eq!(comparison.runs[0].outcome.verdict(), verdict, "{planner:?} in {time} s");
             }
-            let all = compare(Problem::of(&model).unwrap(), Scope::Everything, None);
+            let all = run_planners(Problem::of(&model).unwrap(), Scope::Everything, None);
             let rsp = all.runs.iter().find(|run| run.planner == PlannerKind::Rsp && run.run == Run::Common).unwrap();
             assert_eq!(rsp.outcome.verdict(), verdicts[1], "{time} s");
         }

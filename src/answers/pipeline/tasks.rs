@@ -14,9 +14,7 @@ use crate::flight::capture::heights::CaptureHeights;
 use crate::model::MAX_SAMPLES_OF_A_SEARCH;
 use crate::model::{Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::observer::{Observer, Silent, timed};
-use crate::planner::studies::{
-    Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Run, Scope, compare as compare_planners,
-};
+use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Run, Scope, run_planners};
 use crate::spec::{Spec, SpecIdentity};
 use crate::verdict::Verdict;
 use std::cell::Cell;
@@ -396,7 +394,7 @@ impl<'s> Task<'s> {
     fn run(&self, scope: Scope, observer: &dyn Observer) -> Comparison {
         let tries = |planner: &str, time: f64| observer.tries(planner, time);
         observer.begins("building the admissible sets");
-        let mut comparison = timed(observer, "plan", || compare_planners(self.problem(), scope, Some(&tries)));
+        let mut comparison = timed(observer, "plan", || run_planners(self.problem(), scope, Some(&tries)));
         timed(observer, "check", || certify::check(self.problem(), &mut comparison));
         observer.solved(&comparison.effort);
         comparison

@@ -4,7 +4,7 @@
 use super::{Recovery, recovery};
 use crate::certify;
 use crate::model::{MissionTime, Model, PlannerKind, Problem};
-use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, adopted, compare};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, adopted, run_planners};
 
 /// Shares of the sets kept in addition to the reserve, in the order tried. Chosen by hand.
 const ROOMS: [f64; 4] = [0.05, 0.1, 0.2, 0.4];
@@ -113,7 +113,7 @@ fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f
             model.plan.time = MissionTime::Fixed(time);
         }
         let variant = Problem::of(&model)?;
-        let mut comparison = compare(variant, Scope::Plan, None);
+        let mut comparison = run_planners(variant, Scope::Plan, None);
         certify::check(variant, &mut comparison);
         match comparison.runs.pop()?.outcome {
             PlanOutcome::Planned(plan) => Some(*plan),

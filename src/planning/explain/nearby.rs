@@ -5,7 +5,7 @@ use crate::certify;
 use crate::model::{MissionTime, Problem, SearchEffort};
 use crate::motion::time_grid::determined;
 use crate::planner::scp::NOT_FOUND;
-use crate::planner::studies::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, Scope, compare};
+use crate::planner::studies::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, Scope, run_planners};
 use crate::solve::Effort;
 
 /// Multiples of the required time that are tried, the nearest first, if the shortest time found is not longer than that
@@ -49,7 +49,7 @@ pub fn nearby(problem: Problem, comparison: &Comparison, on_progress: &dyn Fn(f6
         other.plan.time = time;
         other.plan.effort = SearchEffort::Quick;
         let other = Problem::of(&other)?;
-        let mut found = compare(other, Scope::Plan, None);
+        let mut found = run_planners(other, Scope::Plan, None);
         effort += found.effort;
         certify::check(other, &mut found);
         found.runs.last().and_then(|run| run.outcome.plan()).map(|solved| solved.time)

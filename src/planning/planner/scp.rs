@@ -43,20 +43,19 @@ pub use settings::ScpSettings;
 use crate::actuation::Wrench;
 use crate::admissible;
 use crate::flatness::FlatState;
-use crate::model::{Environment, Limit};
+use crate::model::{Environment, Mission, Model, Problem};
 use crate::motion::hover_map::WrenchMap;
-use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};
+use crate::motion::time_grid::TimeGrid;
 use crate::motion::winds::OverWinds;
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::comfort::Comfort;
-use crate::planner::hover::{ACCEPTED, HoverPlanner, Planned};
-use crate::planner::limits::{covers, room_of};
+use crate::planner::hover::HoverPlanner;
 use crate::planner::selection::PlanningSet;
 use crate::planner::spline::NodeSpline;
 use crate::planner::transcription::{Row, RowAt, Transcription, splines};
 use crate::qp::RowOrigin;
-use crate::solve::{Outcome, Solution, solve_graded, solve_step};
+use crate::solve::{Solution, solve_step};
 use commands::Lag;
 use settings::ProximalSettings;
 use std::cell::Cell;
@@ -129,7 +128,7 @@ struct Durations {
 
 /// Plans one mission against one set by sequential convex programming.
 pub struct ScpPlanner<'e, 'a> {
-    /// The mission, its progress report and the solver's effort; time grids are laid out by it.
+    /// The mission, its progress report and the solver's effort; relaxations (74) and bounds on the time are its own.
     pub hover: &'e mut HoverPlanner<'a>,
     /// The wrench of a trajectory: exact, or one of the models about hover.
     pub wrench: WrenchModel,
@@ -227,12 +226,24 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         }
     }
 
+    fn problem(&self) -> Problem<'a> {
+        self.hover.problem
+    }
+
+    fn model(&self) -> &'a Model {
+        self.hover.model()
+    }
+
+    fn mission(&self) -> &'a Mission {
+        self.hover.mission()
+    }
+
     fn transcription<'s>(&self, grid: &'s TimeGrid, maps: &'s [WrenchMap]) -> Transcription<'s>
     where
         'a: 's,
         'e: 's,
     {
-        let form = Transcription::new(self.hover.problem, grid, self.set, maps, &ALL_AXES);
+        let form = Transcription::new(self.problem(), grid, self.set, maps, &ALL_AXES);
         form.with_orders(self.wrench.orders(), PARTS).branching_as(self.hover.branch).with_comfort(self.comfort)
     }
 
@@ -250,7 +261,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let needed: BTreeSet<usize> = working_set.iter().map(|r| r.instant).chain(nodes).collect();
         for instant in needed {
             let state = iterate.at(instant);
-            let map = self.wrench.linearised(&self.hover.model().vehicle, &self.environment, &state);
+            let map = self.wrench.linearised(&self.model().vehicle, &self.environment, &state);
             let change = |sum: Wrench, &(axis, order, c): &(usize, usize, Wrench)| {
                 let order: usize = order;
                 sum - c * (order as f64 * state[axis][order])
@@ -267,7 +278,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let tau = self.transcription(&iterate.grid, &[]).mean_tau();
         let at = |(&instant, n): (&usize, &Wrench)| {
             let state = iterate.at(instant);
-            let vehicle = &self.hover.model().vehicle;
+            let vehicle = &self.model().vehicle;
             (instant, state, self.wrench.curvature(vehicle, &self.environment, &state, n, tau))
         };
         // Without curvature there is nothing to add, and its directions need not exist.
@@ -288,7 +299,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// The durations of a step that changes none.
     fn fixed_durations(&self) -> Durations {
-        Durations { legs: vec![None; self.hover.mission().legs.len()], range: (0.0, 0.0), spans: Vec::new() }
+        Durations { legs: vec![None; self.mission().legs.len()], range: (0.0, 0.0), spans: Vec::new() }
     }
 
     fn forget_multipliers(&mut self) {

@@ -36,7 +36,7 @@ pub const NOTHING_TO_SELECT_BY: &str = "RSP selects facets from a RIP plan, and 
 /// Runs the planners of a scope. Hover must be admissible in every mode of `against`; see `crate::admissible::verdict`.
 ///
 /// `progress` receives the planner's name and each mission time, s, before it is tried.
-pub fn compare(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
+pub fn run_planners(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
     let ended = times::with_time_of_its_end(problem);
     let problem = ended.as_ref().and_then(Problem::of).unwrap_or(problem);
     let model = problem.model();

@@ -5,7 +5,7 @@ use super::Harder;
 use mavc::certificate::{Certificate, Claim};
 use mavc::certify;
 use mavc::model::{Limit, LimitKind, MissionTime, Model, PlannerKind, Problem, Rotor};
-use mavc::planner::studies::{Scope, compare};
+use mavc::planner::studies::{Scope, run_planners};
 
 /// The share of the top speeds that the weaker vehicle's rotors have; its thrusts go with the square.
 pub const WEAKER: f64 = 0.62;
@@ -61,7 +61,7 @@ fn shorten(model: &mut Model, total: f64, share: f64) {
 
 fn refuted(model: &Model) -> Option<Certificate> {
     let problem = Problem::of(model)?;
-    let comparison = compare(problem, Scope::Plan, None);
+    let comparison = run_planners(problem, Scope::Plan, None);
     let certificate = certify::of(problem, &comparison, crate::SHA.into()).ok()?;
     matches!(certificate.claim, Claim::Infeasible(_)).then_some(certificate)
 }

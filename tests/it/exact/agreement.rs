@@ -5,7 +5,7 @@ use super::{last, planning, solved};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::model::grid::Spacing;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind, Problem};
-use mavc::planner::studies::{Comparison, PlanOutcome, PlannerRun, Run, Scope, compare};
+use mavc::planner::studies::{Comparison, PlanOutcome, PlannerRun, Run, Scope, run_planners};
 use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::SeedableRng;
@@ -43,7 +43,7 @@ fn free(mission: Mission, planner: PlannerKind) -> Model {
 }
 
 fn found(model: &Model, scope: Scope) -> Comparison {
-    compare(Problem::of(model).unwrap(), scope, None)
+    run_planners(Problem::of(model).unwrap(), scope, None)
 }
 
 fn run(comparison: &Comparison, planner: PlannerKind, against: usize, which: Run) -> &PlannerRun {

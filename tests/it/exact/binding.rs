@@ -4,13 +4,13 @@ use super::{Model, last, planning, solved};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::model::{LimitKind, Mission, MissionTime, PlannerKind, Problem};
 use mavc::planner::scp::sensitivity::Statement;
-use mavc::planner::studies::{MissionPlan, Scope, compare};
+use mavc::planner::studies::{MissionPlan, Scope, run_planners};
 
 fn planned(mission: Mission, chooses_times: bool) -> MissionPlan {
     let mut model: Model = planning(mission, PlannerKind::Rip, &[], MissionTime::Minimum);
     model.plan.samples = 40;
     model.plan.chooses_times = chooses_times;
-    solved(last(&compare(Problem::of(&model).unwrap(), Scope::Plan, None))).clone()
+    solved(last(&run_planners(Problem::of(&model).unwrap(), Scope::Plan, None))).clone()
 }
 
 /// Up 40 m at no more than 2 m/s: d/v and what starting and stopping take, of which 1 % more speed gives back 1 % of

@@ -4,7 +4,7 @@ use super::strike;
 use mavc::flight::{Flight, Outcome, Sample, Sortie, fly};
 use mavc::model::{AfterFault, Controller, Detection, MissionTime, Model, PlannerKind, Problem};
 use mavc::motion::Trajectory;
-use mavc::planner::studies::{PlanOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, run_planners};
 use std::sync::LazyLock;
 
 pub(super) static CASE: LazyLock<(Model, Trajectory)> =
@@ -15,7 +15,7 @@ fn planned(name: &str, change: impl FnOnce(&mut Model)) -> (Model, Trajectory) {
     let path = format!("{}/specs/paper/{name}.mav", env!("CARGO_MANIFEST_DIR"));
     let mut model = mavc::Compiler::new().file(path).unwrap().into_result().unwrap().model().clone();
     change(&mut model);
-    let mut comparison = compare(Problem::of(&model).unwrap(), Scope::Plan, None);
+    let mut comparison = run_planners(Problem::of(&model).unwrap(), Scope::Plan, None);
     match comparison.runs.remove(0).outcome {
         PlanOutcome::Planned(solved) => (model, solved.trajectory),
         other => panic!("{other:?}"),

@@ -1,8 +1,14 @@
 //! Steps to an iterate that branches off after a fault and stays inside the set: short attempts, because risk figures
 //! need dozens of them, and recovery hundreds.
 
-use super::*;
+use super::iterate::Iterate;
+use super::subproblem::Objective;
+use super::{ALL_AXES, ProximalWeight, ScpPlanner, Weights};
+use crate::motion::NodeState;
+use crate::motion::time_grid::TimeGrid;
+use crate::motion::wrench_model::WrenchModel;
 use crate::planner::branch::Ending;
+use std::collections::BTreeSet;
 
 /// States count as equal within this, as a share of their size (at least 1, in SI units): the solver leaves less.
 const BEGINS_WITHIN: f64 = 1e-5;

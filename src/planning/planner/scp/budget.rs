@@ -1,7 +1,7 @@
 //! How much of the solver's work a search may take. Work is counted, not timed, so that results depend neither on the
 //! machine nor on what else it does.
 
-use super::*;
+use super::ScpPlanner;
 use crate::model::SearchEffort;
 
 impl ScpPlanner<'_, '_> {
@@ -9,7 +9,7 @@ impl ScpPlanner<'_, '_> {
     /// as a quick search has after its coarse grid: a plan on the full grid has to be made of what it has.
     pub(super) fn has_spent(&self, share: f64) -> bool {
         let settings = self.settings.budget;
-        let budget = match self.hover.model().plan.effort {
+        let budget = match self.model().plan.effort {
             SearchEffort::Quick => settings.quick,
             SearchEffort::Normal => settings.normal,
             SearchEffort::Thorough => settings.thorough,
@@ -30,10 +30,10 @@ impl ScpPlanner<'_, '_> {
     /// phase of the plan.
     pub(super) fn share_until(&self, intervals: usize) -> f64 {
         let settings = self.settings.budget;
-        let holds = self.hover.mission().waypoints.iter().filter(|w| w.hold > 0.0).count();
+        let holds = self.mission().waypoints.iter().filter(|w| w.hold > 0.0).count();
         let samples = intervals + holds;
         match self.medium_grid() {
-            _ if samples >= self.hover.model().plan.samples => settings.until_full_grid,
+            _ if samples >= self.model().plan.samples => settings.until_full_grid,
             Some(medium) if samples >= medium => settings.until_medium_grid,
             _ => settings.until_coarse_grid,
         }

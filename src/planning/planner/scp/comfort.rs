@@ -1,7 +1,11 @@
 //! The second pass over a plan: at its durations, comfort beside least snap.
 
-use super::*;
+use super::iterate::Iterate;
+use super::subproblem::Objective;
+use super::{ProximalWeight, ScpPlanner, Weights};
 use crate::planner::comfort::Comfort;
+use crate::planner::hover::Planned;
+use std::collections::BTreeSet;
 
 impl ScpPlanner<'_, '_> {
     /// A plan at the durations of another that is nearer to the lines of its legs and turns less; `None` where none was

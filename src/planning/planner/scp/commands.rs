@@ -2,15 +2,22 @@
 //! commanded wrench jumps where the slope of the inputs does, so a node has rows for both its sides. Equalities of a
 //! flat set are not repeated: where w stays in a plane, w' does too.
 
-use super::*;
+use super::iterate::Iterate;
+use super::{PARTS, ScpPlanner};
+use crate::actuation::Wrench;
 use crate::flatness::CommandFlatState;
+use crate::motion::NodeState;
+use crate::motion::hover_map::WrenchMap;
 use crate::motion::winds::OverWinds;
 use crate::motion::wrench_model::COMMAND_DERIVATIVES;
 use crate::motion::{CommandState, with_slopes};
 use crate::planner::commands::{CommandAt, Slope, interval_of};
 use crate::planner::scp::subproblem::{ORDER_OF_TIME, Step, without_wind};
+use crate::planner::selection::PlanningSet;
+use crate::planner::transcription::{Row, RowAt, Transcription};
 use crate::planner::wrench_expression::WrenchExpression;
 use crate::qp::build::{Affine, Builder};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What the planner keeps from one step to the next for rotors that lag.
 pub(super) struct Lag {
@@ -63,7 +70,7 @@ impl ScpPlanner<'_, '_> {
 
     /// The commanded wrench of a state in every possible wind, N and N m.
     fn command_at(&self, lag: &Lag, state: &CommandState) -> OverWinds {
-        OverWinds::of_commands(self.wrench, &self.hover.model().vehicle, &self.environment, lag.tau, state)
+        OverWinds::of_commands(self.wrench, &self.model().vehicle, &self.environment, lag.tau, state)
     }
 
     /// The violation of each row of the set by the commanded wrench, with its local tightening.
@@ -151,7 +158,7 @@ impl ScpPlanner<'_, '_> {
         working_set: &BTreeSet<RowAt>,
     ) -> Option<CommandLinearisation> {
         let lag = self.lag.as_ref()?;
-        let vehicle = &self.hover.model().vehicle;
+        let vehicle = &self.model().vehicle;
         let mut linearised = BTreeMap::new();
         for &RowAt { row, instant } in working_set {
             let Row::Command { slope, .. } = row else { continue };

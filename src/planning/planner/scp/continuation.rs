@@ -1,9 +1,14 @@
 //! Continuation in time: plans from iterates that are feasible at another mission time, by slowing down and by
 //! shortening.
 
-use super::*;
+use super::iterate::Iterate;
+use super::{PARTS, ScpPlanner};
+use crate::motion::NodeState;
 use crate::motion::time_grid::has_fixed_times;
+use crate::planner::hover::Planned;
 use crate::planner::timing::MAX_MISSION_TIME;
+use crate::planner::transcription::RowAt;
+use std::collections::BTreeSet;
 
 /// Times count as equal within this share.
 const ROUNDING: f64 = 1e-9;
@@ -95,7 +100,7 @@ impl ScpPlanner<'_, '_> {
     /// a first feasible iterate. `None` where waypoints have fixed times, because no motion can then be slowed down as
     /// a whole.
     pub(super) fn by_continuation(&mut self, total: f64, initial_guesses: &[&Planned]) -> Option<Planned> {
-        if has_fixed_times(self.hover.mission()) {
+        if has_fixed_times(self.mission()) {
             return None;
         }
         let warm_start = self.warm_start(initial_guesses, &mut BTreeSet::new());

@@ -1,8 +1,12 @@
 //! The cost phase at fixed durations: steps that minimise the cost (48), judged by a merit function with an exact
 //! penalty.
 
-use super::*;
+use super::iterate::Iterate;
+use super::subproblem::Objective;
+use super::{ProximalWeight, ScpPlanner, Weights, settings};
+use crate::planner::transcription::RowAt;
 use settings::StoppingRule;
+use std::collections::BTreeSet;
 
 /// The state of a cost phase.
 struct CostPhase {

@@ -1,18 +1,22 @@
 //! Whether the planner chooses the waypoint times, and the grid that belongs to the durations chosen.
 
-use super::*;
+use super::ScpPlanner;
+use super::iterate::Iterate;
 use crate::model::grid::{fewest_pieces, is_coarser, pieces};
+use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};
+use crate::planner::transcription::RowAt;
+use std::collections::BTreeSet;
 
 impl ScpPlanner<'_, '_> {
     /// Whether the planner chooses the waypoint times.
     pub(super) fn chooses_times(&self) -> bool {
-        self.hover.model().plan.chooses_times && self.hover.mission().leaves_times_free()
+        self.model().plan.chooses_times && self.mission().leaves_times_free()
     }
 
     /// The iterate on the grid of its own durations if some leg has longer pieces than that grid ([`is_coarser`]);
     /// unchanged if it cannot be restored there.
     pub(super) fn on_its_own_grid(&mut self, iterate: Iterate, working_set: &mut BTreeSet<RowAt>) -> Iterate {
-        let mission = self.hover.mission();
+        let mission = self.mission();
         let segments = &iterate.grid.segments;
         let durations: Vec<f64> = segments.iter().map(|s| s.duration).collect();
         let samples = iterate.grid.intervals() + mission.waypoints.iter().filter(|w| w.hold > 0.0).count();

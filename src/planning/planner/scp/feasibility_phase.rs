@@ -1,7 +1,11 @@
 //! The feasibility phase (restoration) at fixed durations: steps that minimise the violation until the iterate is
 //! feasible.
 
-use super::*;
+use super::iterate::Iterate;
+use super::subproblem::Objective;
+use super::{ProximalWeight, ScpPlanner, Weights};
+use crate::planner::transcription::{Row, RowAt};
+use std::collections::{BTreeMap, BTreeSet};
 
 impl ScpPlanner<'_, '_> {
     /// The feasibility phase: steps that minimise the violation, until the iterate is feasible at every instant. `None`
@@ -115,7 +119,7 @@ impl ScpPlanner<'_, '_> {
                 Row::Facet(facet) => {
                     self.violation_of_row(facet, self.wrench_at_instant(iterate, r.instant, &mut known))
                 }
-                Row::Limit(limit) => match &self.hover.mission().limits[limit] {
+                Row::Limit(limit) => match &self.mission().limits[limit] {
                     limit if form.covers(limit, r.instant) => form.violation_of(limit, &state, 0.0),
                     _ => f64::NEG_INFINITY,
                 },

@@ -1,9 +1,16 @@
 //! Fixed times of waypoints among free ones. The legs between two fixed times form a span: they can divide its time in
 //! another way, but only the legs after the last fixed time can take longer in all.
 
-use super::*;
+use super::iterate::Iterate;
+use super::subproblem::Objective;
+use super::{Durations, ProximalWeight, ScpPlanner, Weights};
 use crate::model::Problem;
+use crate::motion::time_grid::TimeGrid;
 use crate::motion::time_grid::has_fixed_times;
+use crate::planner::hover::{HoverPlanner, Planned};
+use crate::planner::transcription::RowAt;
+use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// Relative changes of durations, scaled within each span so that its sum of durations does not change.
 pub(super) fn keep_sums(grid: &TimeGrid, mut changes: Vec<f64>, spans: &[Range<usize>]) -> Vec<f64> {
@@ -23,7 +30,7 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn spans(&self) -> Vec<Range<usize>> {
         let mut spans = Vec::new();
         let mut from = 0;
-        for (to, waypoint) in self.hover.mission().waypoints.iter().enumerate().skip(1) {
+        for (to, waypoint) in self.mission().waypoints.iter().enumerate().skip(1) {
             if waypoint.time.is_some() {
                 spans.push(from..to);
                 from = to;
@@ -35,7 +42,7 @@ impl ScpPlanner<'_, '_> {
     /// The spans at one mission time: the legs after the last fixed time are one more.
     fn spans_of_all(&self) -> Vec<Range<usize>> {
         let mut spans = self.spans();
-        let (from, last) = (spans.last().map_or(0, |span| span.end), self.hover.mission().legs.len());
+        let (from, last) = (spans.last().map_or(0, |span| span.end), self.mission().legs.len());
         if from < last {
             spans.push(from..last);
         }
@@ -46,7 +53,7 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn changing(&self, spans: &[Range<usize>]) -> Vec<Option<usize>> {
         let alone = |leg: usize| spans.iter().any(|span| span.len() == 1 && span.contains(&leg));
         let mut own = 0..;
-        (0..self.hover.mission().legs.len()).map(|leg| if alone(leg) { None } else { own.next() }).collect()
+        (0..self.mission().legs.len()).map(|leg| if alone(leg) { None } else { own.next() }).collect()
     }
 
     /// An iterate of `flown` s in all: slower or faster on all legs alike, or where times are fixed on those after the
@@ -85,7 +92,7 @@ impl ScpPlanner<'_, '_> {
     /// of a short motion without fixed times; then, from it and from `divisions`, the divisions that steps towards the
     /// least violation find.
     pub(super) fn divided_anew(&mut self, total: f64, divisions: &[TimeGrid]) -> Option<Planned> {
-        let samples = self.hover.model().plan.samples;
+        let samples = self.model().plan.samples;
         let fastest = self.durations_without_fixed_times().and_then(|legs| self.lay_out(Some(&legs), total, samples));
         if let Some(planned) = fastest.as_ref().and_then(|full| self.on_grid(full, &[])) {
             return Some(planned);
@@ -101,9 +108,9 @@ impl ScpPlanner<'_, '_> {
 
     /// The durations of the legs, s, of a short motion on the coarse grid without fixed times.
     fn durations_without_fixed_times(&mut self) -> Option<Vec<f64>> {
-        let mut mission = self.hover.mission().clone();
+        let mut mission = self.mission().clone();
         mission.waypoints.iter_mut().for_each(|w| w.time = None);
-        let model = self.hover.problem.with_mission(mission);
+        let model = self.problem().with_mission(mission);
         let mut hover = HoverPlanner::new(Problem::of(&model)?, self.hover.healthy);
         hover.on_progress = self.hover.on_progress;
         let mut free = ScpPlanner::with_settings(&mut hover, self.wrench, self.set, self.settings);
@@ -160,6 +167,6 @@ impl ScpPlanner<'_, '_> {
 
     /// Whether the planner chooses the durations between fixed times.
     pub(super) fn divides_spans(&self) -> bool {
-        self.chooses_times() && has_fixed_times(self.hover.mission())
+        self.chooses_times() && has_fixed_times(self.mission())
     }
 }

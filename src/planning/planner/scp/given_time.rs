@@ -1,12 +1,17 @@
 //! Plans at a given mission time, from the initial guesses in turn.
 
-use super::*;
+use super::iterate::Iterate;
+use super::{ScpPlanner, settings};
 use crate::model::{Leg, Mission};
+use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};
 use crate::motion::time_grid::{has_fixed_times, time_grid};
 use crate::planner::hover::Decision;
+use crate::planner::hover::Planned;
 use crate::planner::scp::relaxation::RelaxationOutcome;
 use crate::planner::timing::kinematics;
+use crate::planner::transcription::RowAt;
 use settings::StoppingRule;
+use std::collections::BTreeSet;
 
 /// The status where no plan is found and none is proved infeasible.
 pub const NOT_FOUND: &str = "no plan found";
@@ -16,10 +21,10 @@ impl ScpPlanner<'_, '_> {
     /// mission's own; `None` if some leg has no time.
     pub(super) fn lay_out(&self, shares: Option<&[f64]>, total: f64, samples: usize) -> Option<TimeGrid> {
         match shares {
-            None => time_grid(self.hover.mission(), total, samples),
+            None => time_grid(self.mission(), total, samples),
             Some(shares) => {
                 let legs = shares.iter().map(|&share| Leg { share }).collect();
-                time_grid(&Mission { legs, ..self.hover.mission().clone() }, total, samples)
+                time_grid(&Mission { legs, ..self.mission().clone() }, total, samples)
             }
         }
     }
@@ -27,13 +32,13 @@ impl ScpPlanner<'_, '_> {
     /// The time grid of the first division tried at a mission time: the spec's, or where the planner chooses durations,
     /// shares as the limits of each leg need them.
     fn first_division(&self, total: f64, samples: usize) -> Option<TimeGrid> {
-        let initial = self.chooses_times().then(|| kinematics::initial(self.hover.problem));
+        let initial = self.chooses_times().then(|| kinematics::initial(self.problem()));
         self.lay_out(initial.as_deref(), total, samples)
     }
 
     /// The sum of all holds, s.
     pub(super) fn held(&self) -> f64 {
-        self.hover.mission().waypoints.iter().map(|w| w.hold).sum()
+        self.mission().waypoints.iter().map(|w| w.hold).sum()
     }
 
     /// A plan of the mission as an initial guess.
@@ -45,7 +50,7 @@ impl ScpPlanner<'_, '_> {
     /// The divisions of a mission time that are tried unchanged: [`Self::first_division`] and, where the planner
     /// chooses durations, the one by lengths. Empty if some leg has no time.
     fn divisions(&self, total: f64) -> Vec<TimeGrid> {
-        let samples = self.hover.model().plan.samples;
+        let samples = self.model().plan.samples;
         let by_length = self.chooses_times().then(|| self.lay_out(None, total, samples)).flatten();
         self.first_division(total, samples).into_iter().chain(by_length).collect()
     }
@@ -104,7 +109,7 @@ impl ScpPlanner<'_, '_> {
         if self.hover.is_too_short(total) {
             return Decision::Infeasible;
         }
-        let samples = self.hover.model().plan.samples;
+        let samples = self.model().plan.samples;
         let Some(full) = self.first_division(total, samples) else { return Decision::Infeasible };
         self.hover.progress(total);
         let flown = full.flown();
@@ -133,7 +138,7 @@ impl ScpPlanner<'_, '_> {
     /// are seldom cheaper.
     pub(super) fn on_grid(&mut self, full: &TimeGrid, initial_guesses: &[&Planned]) -> Option<Planned> {
         let flown = full.total - self.held();
-        let fixed = has_fixed_times(self.hover.mission());
+        let fixed = has_fixed_times(self.mission());
         let mut working_set = BTreeSet::new();
         let close = self.settings.cost.close;
         let smooth = self.minimum_snap(&full.flown());
@@ -217,7 +222,7 @@ impl ScpPlanner<'_, '_> {
             minimised.states[node][axis][order] = 0.0;
         }
         let legs: Vec<LegGrid> = minimised.grid.segments.iter().map(Segment::leg_grid).collect();
-        let grid = TimeGrid::with_legs(self.hover.mission(), &legs, total);
+        let grid = TimeGrid::with_legs(self.mission(), &legs, total);
         Some(Planned {
             states: grid.with_holds(&minimised.states),
             grid,

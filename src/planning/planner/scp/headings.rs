@@ -1,7 +1,12 @@
 //! A yaw that follows from the motion, in the initial guess: the steps take its direction anew from each iterate.
 
-use super::*;
+use super::ScpPlanner;
+use super::iterate::Iterate;
+use crate::model::Limit;
 use crate::model::{Heading, LimitKind};
+use crate::motion::time_grid::TimeGrid;
+use crate::motion::{NodeState, X, Y, YAW};
+use crate::planner::limits::covers;
 use std::f64::consts::TAU;
 
 /// How often the yaw of the initial guess is solved for about the path that came of it. Chosen by hand.
@@ -11,7 +16,7 @@ impl ScpPlanner<'_, '_> {
     /// An initial guess whose yaw follows from its own path where the mission requires it; unchanged if it requires
     /// none or if no such guess was found.
     pub(super) fn headed(&mut self, grid: &TimeGrid, mut iterate: Iterate) -> Iterate {
-        if !self.hover.mission().limits.iter().any(|limit| limit.kind.is_heading()) {
+        if !self.mission().limits.iter().any(|limit| limit.kind.is_heading()) {
             return iterate;
         }
         for _ in 0..ROUNDS {
@@ -27,7 +32,7 @@ impl ScpPlanner<'_, '_> {
 
     /// The states with the yaw that they have to follow, continued from node to node by the shorter way.
     fn with_continuous_yaw(&self, iterate: &Iterate) -> Vec<NodeState> {
-        let mission = self.hover.mission();
+        let mission = self.mission();
         let limits: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.kind.is_heading()).collect();
         let mut last = mission.waypoints[0].yaw;
         let mut states = iterate.states.clone();

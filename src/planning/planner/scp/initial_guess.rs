@@ -1,7 +1,9 @@
 //! Initial guesses: from the coarse grid over a medium one to the full grid.
 
-use super::*;
+use super::ScpPlanner;
+use super::iterate::Iterate;
 use crate::planner::timing::kinematics;
+use std::collections::BTreeSet;
 
 impl ScpPlanner<'_, '_> {
     /// A feasible iterate on the full grid, of about `near` s of flight or as short as the coarse grids make it; `None`
@@ -9,7 +11,7 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn first_feasible(&mut self, near: f64) -> Option<Iterate> {
         // Where the planner chooses the durations, the initial one of each leg comes from its own limits. (A second
         // start with shares by length took up to twice the solves and found times at most 0.5 % shorter.)
-        let initial = self.chooses_times().then(|| kinematics::initial(self.hover.problem));
+        let initial = self.chooses_times().then(|| kinematics::initial(self.problem()));
         let coarse = self.coarse_on_all_sides(initial.as_deref(), near);
         let kept = std::mem::take(&mut self.sides);
         let found = coarse.into_iter().find_map(|(iterate, sides)| {
@@ -26,7 +28,7 @@ impl ScpPlanner<'_, '_> {
     /// the motion from rest to rest: on the coarse grid, or where that fails on the full one.
     fn refined_from_rest(&mut self, near: f64) -> Option<Iterate> {
         self.forget_multipliers();
-        let (mut samples, full) = (self.hover.coarse_samples(), self.hover.model().plan.samples);
+        let (mut samples, full) = (self.hover.coarse_samples(), self.model().plan.samples);
         let mut coarse = self.rest_to_rest(samples);
         while coarse.is_none() && samples < full {
             samples = ((self.settings.grids.growth * samples as f64).ceil() as usize).min(full);
@@ -37,7 +39,7 @@ impl ScpPlanner<'_, '_> {
             self.refined_to_full(iterate, near)
         });
         refined.or_else(|| {
-            let full = self.rest_to_rest(self.hover.model().plan.samples)?;
+            let full = self.rest_to_rest(self.model().plan.samples)?;
             Some(self.shortened_from_rest(full, near))
         })
     }
@@ -60,7 +62,7 @@ impl ScpPlanner<'_, '_> {
 
     /// A coarse iterate on the full grid, over a medium one.
     fn refined_to_full(&mut self, mut iterate: Iterate, near: f64) -> Option<Iterate> {
-        let (samples, settings) = (self.hover.model().plan.samples, self.settings.durations);
+        let (samples, settings) = (self.model().plan.samples, self.settings.durations);
         if let Some(medium) = self.medium_grid() {
             iterate = self.refined(iterate, medium, &settings.cost_weights_on_medium_grid, near)?;
         }
@@ -72,7 +74,7 @@ impl ScpPlanner<'_, '_> {
     pub(super) fn medium_grid(&self) -> Option<usize> {
         let settings = &self.settings.grids;
         let medium = settings.medium.max(self.hover.coarse_samples());
-        let is_much_finer = self.hover.model().plan.samples as f64 > settings.refinement * medium as f64;
+        let is_much_finer = self.model().plan.samples as f64 > settings.refinement * medium as f64;
         is_much_finer.then_some(medium)
     }
 
@@ -99,7 +101,7 @@ impl ScpPlanner<'_, '_> {
 
     /// A feasible iterate of short duration on the coarse grid; the initial durations come from the limits of each leg.
     pub(super) fn first_coarse(&mut self) -> Option<Iterate> {
-        let initial = kinematics::initial(self.hover.problem);
+        let initial = kinematics::initial(self.problem());
         self.coarse(Some(&initial), 0.0)
     }
 

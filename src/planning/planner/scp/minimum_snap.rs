@@ -1,10 +1,14 @@
 //! The minimum-snap initial guess: the least cost through the waypoints, without the set.
 
-use super::*;
+use super::iterate::Iterate;
+use super::{PARTS, ScpPlanner};
+use crate::motion::time_grid::TimeGrid;
 use crate::planner::limits::Widening;
 use crate::planner::transcription::Purpose;
+use crate::planner::transcription::{Row, RowAt, Transcription};
 use crate::qp::QuadraticProgram;
 use crate::qp::build::{Affine, Builder};
+use crate::solve::{Outcome, Solution};
 
 impl Transcription<'_> {
     /// Minimises the cost and [`Self::gentleness`] subject to the limits in `chosen`, without the set.
@@ -65,7 +69,7 @@ impl ScpPlanner<'_, '_> {
         }
         // A coarse grid would cut the corners of a way around.
         if positions.is_some() && !self.has_many_volumes(grid) {
-            let volumes = self.hover.problem.mission().limits.iter().enumerate().filter(|(_, l)| l.kind.is_clearance());
+            let volumes = self.problem().mission().limits.iter().enumerate().filter(|(_, l)| l.kind.is_clearance());
             let instants = (0..=grid.intervals() * PARTS).step_by(self.settings.guidance.instants);
             let rows =
                 volumes.flat_map(|(i, _)| instants.clone().map(move |instant| RowAt { row: Row::Limit(i), instant }));

@@ -3,11 +3,16 @@
 //! The motion keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within
 //! the largest thrust of the set. Torques are left free.
 
-use super::*;
+use super::iterate::Iterate;
+use super::{PARTS, ScpPlanner};
+use crate::motion::time_grid::TimeGrid;
 use crate::planner::hover::{FEASIBLE, LEEWAY};
 use crate::planner::transcription::Purpose;
+use crate::planner::transcription::RowAt;
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{QuadraticProgram, RowOrigin};
+use crate::solve::{Outcome, Solution, solve_graded};
+use std::collections::BTreeSet;
 
 /// The largest thrust of a set, with the multipliers that prove it.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,7 +85,7 @@ impl ScpPlanner<'_, '_> {
     /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the
     /// vehicle from rest in time. Such short times are beyond the solver, whose numbers then span too many decades.
     fn out_of_reach(&self, grid: &TimeGrid, thrust: f64) -> bool {
-        let (model, mission) = (self.hover.model(), self.hover.mission());
+        let (model, mission) = (self.model(), self.mission());
         let most = LEEWAY * (thrust / model.vehicle.mass + model.gravity);
         let start = &mission.waypoints[0];
         mission.start_at_rest
@@ -94,7 +99,7 @@ impl ScpPlanner<'_, '_> {
     /// The largest thrust of the set over all torques.
     fn most_thrust(&mut self) -> MostThrust {
         let mut builder = Builder::new(4);
-        let scale = self.hover.model().vehicle.rotors.iter().map(crate::model::Rotor::max_thrust).sum::<f64>();
+        let scale = self.model().vehicle.rotors.iter().map(crate::model::Rotor::max_thrust).sum::<f64>();
         // Thrust in units of full thrust, torques in those of the rows.
         let sides = |equality: bool| if equality { &[1.0, -1.0][..] } else { &[1.0] };
         let mut of_row = Vec::new();

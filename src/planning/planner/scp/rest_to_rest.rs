@@ -5,9 +5,13 @@
 //! ends, so that its duration is found for itself. The search for short times starts from here where the minimum-snap
 //! motion ([`super::minimum_snap`]) leads to no plan.
 
+use super::iterate::Iterate;
 use super::way_around::{nth_way, obstructed};
-use super::*;
+use super::{PARTS, ScpPlanner};
+use crate::model::Limit;
 use crate::model::{Heading, LimitKind, Mission, Target, Waypoint};
+use crate::motion::time_grid::{Segment, TimeGrid};
+use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::timing::kinematics;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -181,11 +185,11 @@ impl ScpPlanner<'_, '_> {
     /// A motion from rest to rest at every waypoint, over the grid with `samples` intervals, that satisfies every row
     /// at every instant. `None` if some leg has no such motion, or too few intervals for it.
     pub(super) fn rest_to_rest(&mut self, samples: usize) -> Option<Iterate> {
-        let yaws = yaws(self.hover.mission());
-        let legs = 0..self.hover.mission().legs.len();
+        let yaws = yaws(self.mission());
+        let legs = 0..self.mission().legs.len();
         let phases: Vec<Vec<Phase>> = legs.map(|leg| self.phases(leg, &yaws)).collect::<Option<_>>()?;
         // The nodes of a leg follow its duration, and that is found on its nodes: twice is enough.
-        let first = self.fast_enough(&kinematics::initial(self.hover.problem), &phases, samples)?;
+        let first = self.fast_enough(&kinematics::initial(self.problem()), &phases, samples)?;
         let durations: Vec<f64> = first.grid.segments.iter().map(|s| s.duration).collect();
         self.fast_enough(&durations, &phases, samples)
     }
@@ -201,7 +205,7 @@ impl ScpPlanner<'_, '_> {
 
     /// The phases of a leg; `None` if no way around what is on it was found.
     fn phases(&self, leg: usize, yaws: &[f64]) -> Option<Vec<Phase>> {
-        let mission = self.hover.problem.mission();
+        let mission = self.problem().mission();
         let limits: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.concerns(leg)).collect();
         let (from, to) = (mission.waypoints[leg].position, mission.waypoints[leg + 1].position);
         let way = match obstructed(&limits, from, to) {
@@ -285,6 +289,8 @@ impl ScpPlanner<'_, '_> {
 mod tests {
     use super::*;
     use crate::model::Problem;
+    use crate::motion::wrench_model::WrenchModel;
+    use crate::planner::hover::HoverPlanner;
     use crate::planner::selection::sets::PlanningSets;
 
     /// In both models, with a leg without a move, turns on the spot, a yaw towards a point, a hold and a vertical leg:

@@ -5,9 +5,15 @@
 //! Optimization*, section 5.6). The change ds comes from the same program built for a spec that is relaxed by a unit
 //! throughout, so that no scaling of rows enters here.
 
-use super::*;
+use super::subproblem::{Objective, Step};
+use super::{PARTS, ScpPlanner};
 use crate::model::{LimitKind, Mission};
+use crate::motion::YAW;
+use crate::planner::hover::Planned;
+use crate::planner::transcription::{RowAt, Transcription, splines};
 use crate::qp::RowOrigin;
+use crate::solve::{Solution, solve_step};
+use std::collections::BTreeMap;
 
 /// The unit by which limits and tolerances are relaxed, as a share of themselves, and sets, as a share of the healthy
 /// set's width.
@@ -127,7 +133,7 @@ impl ScpPlanner<'_, '_> {
         let (solved, effort) = solve_step(&program, &form.variables_of(&iterate.states, &program));
         self.hover.effort += effort;
         let Solution { x, z, .. } = solved?;
-        let mission = relaxed(self.hover.mission());
+        let mission = relaxed(self.mission());
         let mut set = self.set.clone();
         set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset += SHARE);
         let form = self.transcription(&iterate.grid, &linear.maps).about(positions.as_deref());
@@ -171,7 +177,7 @@ impl ScpPlanner<'_, '_> {
     fn free_legs(&self) -> Vec<Option<usize>> {
         let fixed = self.spans().last().map_or(0, |span| span.end);
         let own = |leg: usize| if self.chooses_times() { leg - fixed } else { 0 };
-        (0..self.hover.mission().legs.len()).map(|leg| (leg >= fixed).then(|| own(leg))).collect()
+        (0..self.mission().legs.len()).map(|leg| (leg >= fixed).then(|| own(leg))).collect()
     }
 
     /// The statement that a row of the subproblem comes from, and its leg: at a waypoint the one that ends there.

@@ -6,8 +6,12 @@
 //! section 18.5). The weight of the violation in the merit function follows the multipliers, so that it is large enough
 //! for a minimum at a feasible iterate, and rarely much larger.
 
-use super::*;
+use super::iterate::Iterate;
+use super::subproblem::Objective;
+use super::{Durations, ProximalWeight, ScpPlanner, Weights, settings};
+use crate::planner::transcription::RowAt;
 use settings::DurationSettings;
+use std::collections::BTreeSet;
 
 /// How far steps may go. With the next weight of the cost they begin where they ended with the last.
 #[derive(Debug, Clone, Copy)]
@@ -67,7 +71,7 @@ impl ScpPlanner<'_, '_> {
                 let spans = self.spans();
                 Durations { legs: self.changing(&spans), range, spans }
             }
-            false => Durations { legs: vec![Some(0); self.hover.mission().legs.len()], range, spans: Vec::new() },
+            false => Durations { legs: vec![Some(0); self.mission().legs.len()], range, spans: Vec::new() },
         }
     }
 

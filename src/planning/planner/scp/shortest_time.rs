@@ -1,13 +1,17 @@
 //! The search for the shortest mission time of a plan.
 
-use super::*;
+use super::iterate::Iterate;
+use super::{ScpPlanner, settings};
 use crate::motion::time_grid::{determined, earliest, has_fixed_times};
 use crate::planner::hover::Decision;
+use crate::planner::hover::Planned;
 use crate::planner::scp::given_time::NOT_FOUND;
 use crate::planner::scp::relaxation::RelaxationOutcome;
 use crate::planner::timing::kinematics;
 use crate::planner::timing::search::{GRID, NoTime, Shortest};
+use crate::planner::transcription::RowAt;
 use settings::StoppingRule;
+use std::collections::BTreeSet;
 
 fn shortest(time: f64, planned: Planned) -> Shortest {
     Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() }
@@ -25,19 +29,19 @@ impl ScpPlanner<'_, '_> {
     /// # Errors
     /// [`NoTime`], if each time tried is proved infeasible or if no plan is found.
     pub fn shortest(&mut self, initial_guesses: &[&Planned], larger: Option<f64>) -> Result<Shortest, NoTime> {
-        if let Some(total) = determined(self.hover.mission()) {
+        if let Some(total) = determined(self.mission()) {
             return match self.decide(total, initial_guesses) {
                 Decision::Feasible(planned) => Ok(shortest(total, *planned)),
                 Decision::Infeasible => Err(NoTime::Infeasible { times: vec![total] }),
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
             };
         }
-        if kinematics::least_time_within(self.hover.problem).too_early.is_some() {
+        if kinematics::least_time_within(self.problem()).too_early.is_some() {
             // A fixed time is too early whatever the mission time: one is named for all.
             let time = (self.hover.guess() / GRID).ceil() / (1.0 / GRID).round();
             return Err(NoTime::Infeasible { times: vec![time] });
         }
-        if has_fixed_times(self.hover.mission()) {
+        if has_fixed_times(self.mission()) {
             return match self.chooses_times() {
                 true => self.shortest_about_fixed_times(initial_guesses),
                 false => self.shortest_after_fixed_times(initial_guesses),
@@ -67,7 +71,7 @@ impl ScpPlanner<'_, '_> {
     /// The plan in closed form ([`Self::rest_to_rest`]), which takes no program: where the budget ends before a shorter
     /// one is complete. `None` if there is no such motion on the full grid.
     fn at_rest_between(&mut self) -> Option<Shortest> {
-        let slow = self.rest_to_rest(self.hover.model().plan.samples)?;
+        let slow = self.rest_to_rest(self.model().plan.samples)?;
         // It satisfies every row at the instants; between these it may need a little more time.
         let slower = self.settings.grids.slowdowns;
         let plan = |factor: f64| {
@@ -87,7 +91,7 @@ impl ScpPlanner<'_, '_> {
         working_set: &mut BTreeSet<RowAt>,
     ) -> Result<Shortest, NoTime> {
         // Rows hold at nodes only, so that an iterate could be shorter than the bound.
-        let least = kinematics::least_time_within(self.hover.problem).seconds;
+        let least = kinematics::least_time_within(self.problem()).seconds;
         let ticks = ((iterate.grid.total + self.held()) / GRID - 1e-6).ceil().max((least / GRID).ceil());
         for late in self.settings.search.late {
             let time = (ticks + late) / (1.0 / GRID).round();
@@ -102,9 +106,9 @@ impl ScpPlanner<'_, '_> {
     /// Where some waypoints have fixed times and the planner chooses the others': starts from the plan of another set,
     /// or from one with ample time after the last fixed time, and shortens the durations.
     fn shortest_about_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
-        let mission = self.hover.mission();
+        let mission = self.mission();
         let after = self.spans().last().map_or(0, |span| span.end);
-        let initial_total: f64 = kinematics::initial(self.hover.problem)[after..].iter().sum();
+        let initial_total: f64 = kinematics::initial(self.problem())[after..].iter().sum();
         let mut tried: Vec<f64> = initial_guesses.iter().map(|planned| planned.grid.total).collect();
         tried.sort_by(f64::total_cmp);
         tried.dedup();
@@ -144,8 +148,8 @@ impl ScpPlanner<'_, '_> {
     /// The verdict where no plan was found from a first guess of the time, nor at slower ones: proved infeasible, if
     /// the relaxation proves it from a quarter of that flight on, at times each twice the last; else not found.
     fn none_at_all(&mut self, time: f64) -> NoTime {
-        let samples = self.hover.model().plan.samples;
-        let mut at = time - self.settings.search.first_proof * (time - earliest(self.hover.mission()));
+        let samples = self.model().plan.samples;
+        let mut at = time - self.settings.search.first_proof * (time - earliest(self.mission()));
         let mut proved = Vec::new();
         while !self.chooses_times() {
             let Some(full) = self.lay_out(None, at, samples) else { break };
@@ -164,7 +168,7 @@ impl ScpPlanner<'_, '_> {
     /// Where only the legs after the last fixed time are free: bisection, from the time of another set's plan or from
     /// the first of ever longer times with a plan.
     fn shortest_after_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
-        let floor = earliest(self.hover.mission());
+        let floor = earliest(self.mission());
         let settings = self.settings.search;
         let resolution = settings.resolution;
         let mut low = floor;
@@ -217,6 +221,9 @@ impl ScpPlanner<'_, '_> {
 mod tests {
     use super::*;
     use crate::model::Problem;
+    use crate::motion::wrench_model::WrenchModel;
+    use crate::planner::hover::HoverPlanner;
+    use crate::planner::scp::settings::ScpSettings;
     use crate::planner::selection::sets::PlanningSets;
 
     /// A search that may solve one program only still has the plan in closed form.

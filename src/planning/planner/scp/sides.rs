@@ -1,7 +1,10 @@
 //! On which sides legs pass the volumes in their way: several coarse iterates, of which the quickest is refined.
 
+use super::ScpPlanner;
+use super::iterate::Iterate;
 use super::way_around::{nth_way, obstructed};
-use super::*;
+use crate::model::Limit;
+use std::collections::BTreeMap;
 
 /// The sides of a coarse iterate, for [`ScpPlanner::sides`].
 type Sides = BTreeMap<usize, usize>;
@@ -54,7 +57,7 @@ impl ScpPlanner<'_, '_> {
     /// Sides other than those of the shortest ways: for one leg at a time, at most
     /// [`settings::GuidanceSettings::sides`] in all.
     pub(super) fn other_sides(&self) -> Vec<Sides> {
-        let mission = self.hover.problem.mission();
+        let mission = self.problem().mission();
         let most = self.settings.guidance.sides;
         if most == 0 || !mission.limits.iter().any(|limit| limit.kind.is_clearance()) {
             return Vec::new();

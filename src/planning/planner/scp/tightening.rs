@@ -1,7 +1,11 @@
 //! Constraint tightening, so that rows also hold between the instants.
 
-use super::*;
+use super::iterate::Iterate;
+use super::{PARTS, ScpPlanner, settings};
+use crate::model::Limit;
+use crate::planner::transcription::{Row, RowAt};
 use settings::StoppingRule;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl ScpPlanner<'_, '_> {
     /// The cost phase, then constraint tightening until no row is violated between the instants by more than
@@ -75,7 +79,7 @@ impl ScpPlanner<'_, '_> {
             }
         }
         // Limits on places have no width for a tightening, except distances from bodies.
-        let limits = &self.hover.mission().limits;
+        let limits = &self.mission().limits;
         let is_place = |limit: &Limit| limit.kind.is_of_place() && !limit.kind.is_clearance();
         over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if is_place(&limits[limit])));
         over.into_iter().collect()

@@ -1,14 +1,24 @@
 //! The violation of facets and limits by an iterate, and row generation: which rows the next subproblem needs.
 
-use super::*;
+use super::iterate::Iterate;
+use super::{PARTS, ScpPlanner};
+use crate::model::Limit;
+use crate::motion::time_grid::TimeGrid;
 use crate::motion::winds::OverWinds;
+use crate::motion::wrench_model::WrenchModel;
+use crate::motion::{NodeState, X, Y, Z};
+use crate::planner::hover::ACCEPTED;
+use crate::planner::limits::{covers, room_of};
+use crate::planner::transcription::{Row, RowAt, Transcription};
 use crate::qp::QuadraticProgram;
+use crate::solve::{Outcome, Solution, solve_graded};
 use std::cell::Cell;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl<'e, 'a> ScpPlanner<'e, 'a> {
     /// The wrench of a state in every possible wind, N and N m.
     pub(super) fn wrench_at(&self, state: &NodeState) -> OverWinds {
-        let vehicle = &self.hover.model().vehicle;
+        let vehicle = &self.model().vehicle;
         let wrench = OverWinds::of_wrench(self.wrench, vehicle, &self.environment, state);
         match self.has_cores {
             true => wrench.turning(self.wrench.turning(vehicle, &self.environment, state)),
@@ -68,7 +78,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             true => form.violation_of(limit, state, 0.0) - if limit.kind.is_of_place() { ACCEPTED } else { 0.0 },
             false => f64::NEG_INFINITY,
         };
-        let limits = self.hover.mission().limits.iter().map(of_limit);
+        let limits = self.mission().limits.iter().map(of_limit);
         let exact = self.wrench == WrenchModel::Exact;
         facets.chain(limits).chain(exact.then(|| form.violation_upright(state)))
     }
@@ -102,7 +112,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// The limit whose row is at a place.
     fn limit_at(&self, place: usize) -> Option<&'a Limit> {
-        place.checked_sub(self.set.rows.len()).and_then(|limit| self.hover.problem.mission().limits.get(limit))
+        place.checked_sub(self.set.rows.len()).and_then(|limit| self.problem().mission().limits.get(limit))
     }
 
     /// The largest violation of facets and limits at an instant.
@@ -132,7 +142,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// The row at a place among those of [`Self::violations`].
     pub(super) fn row(&self, place: usize) -> Row {
-        let (facets, limits) = (self.set.rows.len(), self.hover.mission().limits.len());
+        let (facets, limits) = (self.set.rows.len(), self.mission().limits.len());
         match place {
             p if p < facets => Row::Facet(p),
             p if p < facets + limits => Row::Limit(p - facets),
@@ -145,7 +155,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         match row {
             Row::Facet(facet) => Some(facet),
             Row::Limit(limit) => Some(self.set.rows.len() + limit),
-            Row::Upright => Some(self.set.rows.len() + self.hover.mission().limits.len()),
+            Row::Upright => Some(self.set.rows.len() + self.mission().limits.len()),
             Row::Command { .. } => None,
         }
     }
@@ -231,7 +241,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let waypoint_nodes = grid.waypoint_nodes.clone();
         let many = self.has_many_volumes(grid);
         let wanted = move |limit: &Limit| wanted(limit) && !(many && is_of_volume(limit));
-        let limits = self.hover.mission().limits.iter().enumerate().filter(move |(_, limit)| wanted(limit));
+        let limits = self.mission().limits.iter().enumerate().filter(move |(_, limit)| wanted(limit));
         limits.flat_map(move |(index, limit)| {
             let span = match &limit.leg {
                 Some(on) => waypoint_nodes[on.leg]..waypoint_nodes[on.leg + 1] + 1,
@@ -248,7 +258,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         // The first motion around a volume keeps it between nodes too.
         let between = PARTS / self.settings.guidance.instants;
         let rows_at_node = |limit: &Limit| if limit.kind.is_clearance() { 1 + between } else { 1 };
-        let limits = self.hover.mission().limits.iter().filter(|limit| is_of_volume(limit));
+        let limits = self.mission().limits.iter().filter(|limit| is_of_volume(limit));
         limits.map(rows_at_node).sum::<usize>() * grid.nodes() > self.settings.subproblem.max_rows_of_volumes
     }
 

@@ -5,9 +5,13 @@
 //! steps that follow take the separating planes anew and keep these sides as far as that pays. Other ways are the
 //! shortest ones on which the sides of the ways before are closed: `sides` chooses among them.
 
-use super::*;
+use super::iterate::Iterate;
+use super::{PARTS, ScpPlanner};
 use crate::body::BoundingBox;
+use crate::model::Limit;
 use crate::model::{LimitKind, Mission};
+use crate::motion::time_grid::TimeGrid;
+use crate::motion::{NodeState, X, Y, Z};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -26,7 +30,7 @@ const TOUCHING: f64 = 1e-3;
 impl ScpPlanner<'_, '_> {
     /// The position at each instant, m; `None` if the mission keeps out of no volume.
     pub(super) fn positions(&self, iterate: &Iterate) -> Option<Vec<Point>> {
-        keeps_out(self.hover.problem.mission()).then(|| {
+        keeps_out(self.problem().mission()).then(|| {
             let instants = iterate.grid.intervals() * PARTS + 1;
             (0..instants).map(|instant| position(&iterate.at(instant))).collect()
         })
@@ -35,7 +39,7 @@ impl ScpPlanner<'_, '_> {
     /// A position for each instant that keeps out of the volumes, near those of an iterate that enters one; `None` if
     /// it enters none or if no way around was found.
     pub(super) fn way_around(&self, iterate: &Iterate) -> Option<Vec<Point>> {
-        let mission = self.hover.problem.mission();
+        let mission = self.problem().mission();
         let mut positions = self.positions(iterate)?;
         let mut is_changed = false;
         for (leg, segment) in iterate.grid.segments.iter().enumerate() {
@@ -58,7 +62,7 @@ impl ScpPlanner<'_, '_> {
     /// A position for each instant of a grid on a short way from one place to another around the volumes that hold on
     /// all legs, at shares of its length as of time; `None` where no volume is in the way, or none was found.
     pub(super) fn way_between(&self, grid: &TimeGrid, from: Point, to: Point) -> Option<Vec<Point>> {
-        let mission = self.hover.problem.mission();
+        let mission = self.problem().mission();
         let limits: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.is_general()).collect();
         if !keeps_out(mission) || obstructed(&limits, from, to).is_none() {
             return None;
