@@ -21,11 +21,3 @@ pub const UPRIGHT: f64 = 0.1;
 /// Where the drag differs along x and y, `alpha_f beta_f + alpha_u beta_u` is at least this times g^2:
 /// docs/method/air.md, (90e).
 pub const LEAST_PRODUCT: f64 = 0.5 * UPRIGHT * UPRIGHT;
-
-/// Upper end of the usual range of a speed limit, and of the speed of a plan without such a limit, m/s
-/// (docs/diagnostics/sense.md).
-pub const USUAL_SPEED: f64 = 60.0;
-
-/// Speed, m/s, from which a plan without `drag` has a caveat. With a drag of 0.35 N s/m the paper's octocopter has to
-/// tilt by 5.7 degrees to hold this speed.
-pub const FAST_WITHOUT_AIR: f64 = 5.0;

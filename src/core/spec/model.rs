@@ -32,7 +32,7 @@ pub use flight_settings::{
 pub use heading::{Heading, SLOWEST, Target};
 pub use interval::{RotorSpread, Spread};
 pub use lag::SLOWEST_SHARE;
-pub use limits::{Description, Quantity};
+pub use limits::{Description, Quantity, USUAL_SPEED};
 pub use origin::Origin;
 pub use parts::{Composite, Part as VehiclePart, Shape as PartShape};
 pub use plan_settings::{

@@ -3,6 +3,10 @@
 use super::{DistanceFrom, LimitKind, Obstacle, Target};
 use std::f64::consts::PI;
 
+/// Upper end of the usual range of a speed limit, and of the speed of a plan without such a limit, m/s
+/// (docs/diagnostics/sense.md).
+pub const USUAL_SPEED: f64 = 60.0;
+
 /// The quantity that a kind of limit bounds, as a function of the axes x, y, z and yaw (0 to 3).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity<'l> {

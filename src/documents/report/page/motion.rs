@@ -29,6 +29,10 @@ const NORMS: [(LimitKind, &str, &[usize], usize); 5] = [
     (LimitKind::Jerk, "jerk", &[X, Y, Z], 3),
 ];
 
+/// Limited derivatives of yaw: kind, column, order.
+const YAW_RATES: [(LimitKind, &str, usize); 2] =
+    [(LimitKind::YawRate, "yaw_rate", 1), (LimitKind::YawAcceleration, "yaw_acceleration", 2)];
+
 fn norm(state: &NodeState, axes: &[usize], order: usize) -> f64 {
     axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt()
 }
@@ -277,18 +281,16 @@ fn rare(
     kinds: &[LimitKind],
 ) -> Option<Chart> {
     let first = mission.limits.iter().find(|l| kinds.contains(&l.kind))?;
-    let column_of = |kind: &LimitKind| match kind {
-        LimitKind::YawRate => "yaw_rate",
-        LimitKind::YawAcceleration => "yaw_acceleration",
-        _ => NORMS.iter().find(|n| n.0 == *kind).map_or("speed", |n| n.1),
+    let of_yaw = |kind: &LimitKind| YAW_RATES.iter().find(|of_yaw| of_yaw.0 == *kind);
+    let of_norm = |kind: &LimitKind| NORMS.iter().find(|norm| norm.0 == *kind);
+    let column_of = |kind: &LimitKind| of_yaw(kind).map(|of_yaw| of_yaw.1).or(of_norm(kind).map(|norm| norm.1));
+    let top = match (of_yaw(&first.kind), of_norm(&first.kind)) {
+        (Some((_, _, order)), _) => peak(&solved.trajectory, |s| s[YAW][*order].abs().to_degrees()),
+        (None, Some((_, _, axes, order))) => peak(&solved.trajectory, |s| norm(s, axes, *order)),
+        (None, None) => return None,
     };
-    let value = |s: &NodeState| match NORMS.iter().find(|n| n.0 == first.kind) {
-        Some((_, _, axes, order)) => norm(s, axes, *order),
-        None if first.kind == LimitKind::YawRate => s[YAW][1].abs().to_degrees(),
-        None => s[YAW][2].abs().to_degrees(),
-    };
-    let top = peak(&solved.trajectory, value);
-    let lines = kinds.iter().filter(|k| mission.limits.iter().any(|l| l.kind == **k));
+    let limited = kinds.iter().filter(|k| mission.limits.iter().any(|l| l.kind == **k));
+    let lines = limited.filter_map(|kind| Some(Line::new(kind.describe().name, column_of(kind)?))).collect();
     let name = first.kind.describe().name;
     Some(Chart {
         id,
@@ -301,7 +303,7 @@ fn rare(
             allowed(mission, &first.kind)
         ),
         unit,
-        lines: lines.map(|k| Line::new(k.describe().name, column_of(k))).collect(),
+        lines,
         bounds: bounds(mission, kinds),
         axis: None,
     })

@@ -17,7 +17,7 @@ impl ScpPlanner<'_, '_> {
     /// The branch [`HoverPlanner::branch`] over a time grid; `None` where the steps find none.
     pub fn branch(&mut self, grid: &TimeGrid) -> Option<Iterate> {
         let smooth = self.minimum_snap(grid)?;
-        let violation = self.violation(&smooth);
+        let violation = self.largest_violation(&smooth);
         self.branch_by_steps(smooth, violation)
     }
 
@@ -26,7 +26,7 @@ impl ScpPlanner<'_, '_> {
     pub fn branch_along(&mut self, grid: &TimeGrid, from: [f64; 3], to: [f64; 3]) -> Option<Iterate> {
         let Some(way) = self.way_between(grid, from, to) else { return self.branch(grid) };
         let around = self.minimum_snap_about(grid, Some(&way), None)?;
-        let violation = self.violation(&around);
+        let violation = self.largest_violation(&around);
         self.branch_by_steps(around, violation)
     }
 
@@ -69,7 +69,7 @@ impl ScpPlanner<'_, '_> {
             let mut share = 1.0;
             let (reached, now) = loop {
                 let reached = iterate.with_states(iterate.towards(&stepped.states, share));
-                let now = self.violation(&reached);
+                let now = self.largest_violation(&reached);
                 let enough = now <= violation - settings.sufficient_decrease * share * (violation - stepped.sigma);
                 if share == 1.0 && !enough {
                     // A rejected step would otherwise be proposed again.

@@ -79,7 +79,7 @@ impl ScpPlanner<'_, '_> {
         self.set.rows.iter().zip(&lag.local_tightening).enumerate().map(move |(facet, (row, tightening))| {
             match row.equality {
                 true => f64::NEG_INFINITY,
-                false => self.violation_of_row(facet, &wrench) + tightening,
+                false => self.violation_of_facet(facet, &wrench) + tightening,
             }
         })
     }
@@ -100,7 +100,7 @@ impl ScpPlanner<'_, '_> {
         let Some((lag, state)) = self.lag.as_ref().zip(self.command_state(iterate, at)) else {
             return f64::NEG_INFINITY;
         };
-        self.violation_of_row(facet, &self.command_at(lag, &state))
+        self.violation_of_facet(facet, &self.command_at(lag, &state))
     }
 
     /// Rows on the commanded wrench with a violation over `threshold`, on both sides of a node.

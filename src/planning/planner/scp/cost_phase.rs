@@ -85,7 +85,7 @@ impl ScpPlanner<'_, '_> {
             let was = merit(here, violation);
             let towards = |s: &Self, working_set: &BTreeSet<RowAt>, share: f64| {
                 let reached = at.with_states(at.towards(&stepped.states, share));
-                (s.cost(&reached), s.violation_by(&reached, working_set), reached)
+                (s.cost(&reached), s.largest_violation_with(&reached, working_set), reached)
             };
             let expected = was - merit(self.cost(&at.with_states(stepped.states.clone())), sigma);
             if expected <= 0.0 && sigma <= 0.0 {
@@ -109,7 +109,7 @@ impl ScpPlanner<'_, '_> {
             if gained > 0.0 {
                 // Evaluated again, at the instants that the working set has now.
                 at = reached;
-                violation = self.violation_by(&at, working_set);
+                violation = self.largest_violation_with(&at, working_set);
             }
             if expected < min_gain && sigma <= 0.0 || proximal.is_exhausted(&proximal_settings) {
                 break;

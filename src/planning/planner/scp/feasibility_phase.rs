@@ -28,7 +28,7 @@ impl ScpPlanner<'_, '_> {
         let (settings, proximal_settings) = (self.settings.feasibility, self.settings.proximal);
         let durations = self.fixed_durations();
         let mut proximal = ProximalWeight { weight: settings.proximal_weight };
-        let mut violation = self.violation_by(&iterate, working_set);
+        let mut violation = self.largest_violation_with(&iterate, working_set);
         // A nearly feasible iterate needs no very different inputs.
         let input_weight = if violation < settings.nearly_feasible { self.input_weight } else { 0.0 };
         let mut weights = Weights { objective: Objective::Violation, penalty: 1.0, cost_weight: 0.0, input_weight };
@@ -65,11 +65,11 @@ impl ScpPlanner<'_, '_> {
             // violates.
             let whole = iterate.with_states(stepped.states.clone());
             working_set.extend(self.rows_violated_most(&whole));
-            violation = self.violation_by(&iterate, working_set);
+            violation = self.largest_violation_with(&iterate, working_set);
             let mut share = 1.0;
             let (reached, now) = loop {
                 let reached = iterate.with_states(iterate.towards(&stepped.states, share));
-                let now = self.violation_by(&reached, working_set);
+                let now = self.largest_violation_with(&reached, working_set);
                 let enough = now <= violation - settings.sufficient_decrease * share * (violation - stepped.sigma);
                 if enough || share < 2.0 * settings.min_share {
                     break (reached, now);
@@ -117,7 +117,7 @@ impl ScpPlanner<'_, '_> {
             let state = iterate.at(r.instant);
             let violation = match r.row {
                 Row::Facet(facet) => {
-                    self.violation_of_row(facet, self.wrench_at_instant(iterate, r.instant, &mut known))
+                    self.violation_of_facet(facet, self.wrench_at_instant(iterate, r.instant, &mut known))
                 }
                 Row::Limit(limit) => match &self.mission().limits[limit] {
                     limit if form.covers(limit, r.instant) => form.violation_of(limit, &state, 0.0),

@@ -133,7 +133,7 @@ impl ScpPlanner<'_, '_> {
         let max_predicted = self.settings.feasibility.max_predicted_after_change;
         let input_weight = self.settings.proximal.input_weight;
         let weights = Weights { objective: Objective::Violation, penalty: 1.0, cost_weight: 0.0, input_weight };
-        let mut violation = self.violation_by(&iterate, working_set);
+        let mut violation = self.largest_violation_with(&iterate, working_set);
         let mut radius = settings.first_radius;
         for _ in 0..settings.max_steps {
             self.forget_multipliers();
@@ -146,7 +146,7 @@ impl ScpPlanner<'_, '_> {
                 .and_then(|reached| self.joined(&reached, working_set));
             if let Some(reached) = reached {
                 working_set.extend(self.rows_violated_most(&reached));
-                let now = self.violation_by(&reached, working_set);
+                let now = self.largest_violation_with(&reached, working_set);
                 let restored =
                     self.restore_feasibility_within(reached.clone(), max_predicted, &mut working_set.clone());
                 if restored.is_some() {

@@ -160,7 +160,8 @@ impl ScpPlanner<'_, '_> {
                 continue;
             }
             let scaled = if fixed { other } else { other.slower(flown / other.grid.total) };
-            let worth = |found: &Planned| self.cost(&scaled) < found.objective && self.violation(&scaled) <= 0.0;
+            let worth =
+                |found: &Planned| self.cost(&scaled) < found.objective && self.largest_violation(&scaled) <= 0.0;
             if found.as_ref().is_none_or(worth) {
                 let kept = self.restored_plan(scaled, full.total, close, &mut working_set);
                 found = kept.into_iter().chain(found).min_by(|a, b| a.objective.total_cmp(&b.objective));

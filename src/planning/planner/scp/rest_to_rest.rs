@@ -278,7 +278,7 @@ impl ScpPlanner<'_, '_> {
             let slow = iterate.slower(factor);
             let form = self.transcription(&slow.grid, &[]);
             instants.clone().all(|instant| {
-                self.violation_at(&form, &slow.at(instant), instant) <= 0.0
+                self.largest_violation_at(&form, &slow.at(instant), instant) <= 0.0
                     && self.command_violation_at(&slow, instant) <= 0.0
             })
         })
@@ -320,7 +320,7 @@ plan { planner = rip; against = []; samples = 150 }",
             let mut hover = HoverPlanner::new(problem, &sets.healthy);
             let mut planner = ScpPlanner::new(&mut hover, wrench, &sets.rip);
             let iterate = planner.rest_to_rest(150).unwrap();
-            assert!(planner.violation(&iterate) <= 0.0, "{wrench:?} {}", planner.violation(&iterate));
+            assert!(planner.largest_violation(&iterate) <= 0.0, "{wrench:?} {}", planner.largest_violation(&iterate));
             assert!(iterate.is_joined(1e-9), "{wrench:?}");
             for (waypoint, &node) in problem.mission().waypoints.iter().zip(&iterate.grid.waypoint_nodes) {
                 let state = iterate.states[node];

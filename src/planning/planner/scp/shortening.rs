@@ -125,7 +125,7 @@ impl ScpPlanner<'_, '_> {
         let (penalty, input_weight) = (settings.penalty, settings.input_weight);
         let weights = Weights { objective: Objective::Time, penalty, cost_weight, input_weight };
         let share_of_budget = self.share_until(steps.at.grid.intervals());
-        let mut violation = self.violation_by(&steps.at, working_set);
+        let mut violation = self.largest_violation_with(&steps.at, working_set);
         let (mut slow, mut hopeless, mut was_repeated, mut saves, mut price) = (0, 0, false, false, 0.0_f64);
         steps.pace.radius = steps.pace.radius.max(settings.least_first_radius);
         // Short steps that still save time may become longer again.
@@ -154,7 +154,7 @@ impl ScpPlanner<'_, '_> {
             let known = working_set.len();
             working_set.extend(self.rows_violated_most(&whole));
             let has_new_rows = working_set.len() > known;
-            violation = self.violation_by(at, working_set);
+            violation = self.largest_violation_with(at, working_set);
             price = (settings.price_decay * price).max(stepped.price);
             let weight = (settings.price_factor * price).max(settings.least_price);
             let target = steps.target;
@@ -163,7 +163,7 @@ impl ScpPlanner<'_, '_> {
             let expected = was - merit(whole.grid.total, stepped.sigma - self.settings.tightening.margin);
             let taken = |share: f64, planner: &Self, working_set: &BTreeSet<RowAt>| {
                 let next = reached(share);
-                let left = planner.violation_by(&next, working_set);
+                let left = planner.largest_violation_with(&next, working_set);
                 (was - merit(next.grid.total, left), left, next)
             };
             let mut share = 1.0;

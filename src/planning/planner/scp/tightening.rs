@@ -71,7 +71,7 @@ impl ScpPlanner<'_, '_> {
                 let state = iterate.inside(interval, part as f64 / parts as f64);
                 let instant = interval * PARTS + part / settings.parts;
                 let holds = |limit: &Limit| form.covers_interval(limit, interval);
-                let violations = self.violations(&form, &state, holds, || settings.max_violation).enumerate();
+                let violations = self.violations_of_state(&form, &state, holds, || settings.max_violation).enumerate();
                 for (place, violation) in violations.filter(|(_, e)| *e > settings.max_violation) {
                     let entry = over.entry(RowAt { row: self.row(place), instant }).or_default();
                     *entry = entry.max(violation);

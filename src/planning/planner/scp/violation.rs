@@ -52,7 +52,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
 
     /// The largest violation of a row in all winds, in widths of the healthy set; a flat set's equalities hold to
     /// within the margin on both sides.
-    pub(super) fn violation_of_row(&self, facet: usize, wrench: &OverWinds) -> f64 {
+    pub(super) fn violation_of_facet(&self, facet: usize, wrench: &OverWinds) -> f64 {
         let row = &self.set.rows[facet];
         let violation =
             if row.equality { wrench.worst(row) - self.settings.tightening.margin } else { wrench.worst(row) };
@@ -63,7 +63,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
     /// The violation of every facet and then of every limit for one state, at which the limits that `holds` selects
     /// hold. Where a body is so far away that its violation is surely below `floor`, it is not computed and minus
     /// infinity.
-    pub(super) fn violations<'s>(
+    pub(super) fn violations_of_state<'s>(
         &'s self,
         form: &'s Transcription<'s>,
         state: &'s NodeState,
@@ -71,7 +71,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         floor: impl Fn() -> f64 + 's,
     ) -> impl Iterator<Item = f64> + 's {
         let wrench = self.wrench_at(state);
-        let facets = (0..self.set.rows.len()).map(move |facet| self.violation_of_row(facet, &wrench));
+        let facets = (0..self.set.rows.len()).map(move |facet| self.violation_of_facet(facet, &wrench));
         let position = [state[X][0], state[Y][0], state[Z][0]];
         // Limits on places have no width for a margin.
         let of_limit = move |limit: &Limit| match holds(limit) && !limit.is_violated_by_less(position, floor()) {
@@ -100,7 +100,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let holds = move |limit: &Limit| form.covers(limit, instant);
         // What is added to violations at most.
         let most = local_tightening.into_iter().flat_map(BTreeMap::values).fold(0.5 * room, |sum, own| sum + own.abs());
-        self.violations(form, state, holds, move || floor() - most).enumerate().map(with_its_own)
+        self.violations_of_state(form, state, holds, move || floor() - most).enumerate().map(with_its_own)
     }
 
     /// Whether the row at a place is of a volume, a corridor, a direction of arrival or a yaw that follows from the
@@ -116,7 +116,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
     }
 
     /// The largest violation of facets and limits at an instant.
-    pub(super) fn violation_at(&self, form: &Transcription, state: &NodeState, instant: usize) -> f64 {
+    pub(super) fn largest_violation_at(&self, form: &Transcription, state: &NodeState, instant: usize) -> f64 {
         let most = Cell::new(f64::NEG_INFINITY);
         let all = self.violations_at(form, state, instant, || most.get());
         all.for_each(|(_, violation)| most.set(most.get().max(violation)));
@@ -124,23 +124,25 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
     }
 
     /// The largest violation over all instants.
-    pub(super) fn violation(&self, iterate: &Iterate) -> f64 {
+    pub(super) fn largest_violation(&self, iterate: &Iterate) -> f64 {
         let form = self.transcription(&iterate.grid, &[]);
-        let at = |i: usize| self.violation_at(&form, &iterate.at(i), i).max(self.command_violation_at(iterate, i));
+        let at =
+            |i: usize| self.largest_violation_at(&form, &iterate.at(i), i).max(self.command_violation_at(iterate, i));
         (0..form.instants()).map(at).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The largest violation at the nodes and at the instants of `working_set`; if there is none, over all instants.
-    pub(super) fn violation_by(&self, iterate: &Iterate, working_set: &BTreeSet<RowAt>) -> f64 {
+    pub(super) fn largest_violation_with(&self, iterate: &Iterate, working_set: &BTreeSet<RowAt>) -> f64 {
         let form = self.transcription(&iterate.grid, &[]);
         let between: BTreeSet<usize> = working_set.iter().map(|r| r.instant).filter(|i| i % PARTS != 0).collect();
         let known = (0..form.instants()).step_by(PARTS).chain(between);
-        let at = |i: usize| self.violation_at(&form, &iterate.at(i), i).max(self.command_violation_at(iterate, i));
+        let at =
+            |i: usize| self.largest_violation_at(&form, &iterate.at(i), i).max(self.command_violation_at(iterate, i));
         let violation = known.map(at).fold(f64::NEG_INFINITY, f64::max);
-        if violation > 0.0 { violation } else { self.violation(iterate) }
+        if violation > 0.0 { violation } else { self.largest_violation(iterate) }
     }
 
-    /// The row at a place among those of [`Self::violations`].
+    /// The row at a place among those of [`Self::violations_of_state`].
     pub(super) fn row(&self, place: usize) -> Row {
         let (facets, limits) = (self.set.rows.len(), self.mission().limits.len());
         match place {

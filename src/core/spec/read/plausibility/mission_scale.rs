@@ -2,11 +2,10 @@
 
 use super::{Usual, short, warning};
 use crate::model::legs::distance;
-use crate::model::{Limit, LimitKind, Waypoint};
+use crate::model::{Limit, LimitKind, USUAL_SPEED, Waypoint};
 use crate::read::context::Context;
 use crate::read::mission::MAX_DURATION;
 use crate::source::Span;
-use crate::tolerance::USUAL_SPEED;
 
 /// Length of the whole path, m: a shorter one is hardly a motion, for a longer one no battery lasts.
 const PATH: Usual = Usual::new(0.05, 100_000.0);
