@@ -8,7 +8,7 @@ import os
 import warnings
 from functools import cache, cached_property
 from pathlib import Path
-from typing import Any, Iterable
+from typing import Any, Iterable, Literal
 
 from . import _mavc
 from .errors import Diagnostics, Rejected, SpecError, SpecWarning, diagnostics
@@ -16,6 +16,9 @@ from .quantity import Overrides, overrides
 from .results import Analysis, Campaign, Log, Plan, Record, Simulation, Trajectory, analysis, loaded
 from .runs import Callback, Cancel, Job, job
 from .table import Rows
+
+Effort = Literal["quick", "normal", "thorough"]
+"""How much of the solver's work a search for a plan may take."""
 
 
 class Spec:
@@ -105,17 +108,21 @@ class Spec:
     def plan(
         self,
         *,
+        effort: Effort | None = None,
         recovery: bool = False,
         threads: int | None = None,
         progress: Callback = None,
         cancel: Cancel | None = None,
     ) -> Plan:
-        """Plans the mission. That there is no plan is a verdict, not an exception. With `recovery`, and if the spec requires it,
-        a way out after every fault is sought: `Plan.ways_out`.
+        """Plans the mission. That there is no plan is a verdict, not an exception. `effort` overrides `plan.effort`, as
+        `--effort` does. With `recovery`, and if the spec requires it, a way out after every fault is sought: `Plan.ways_out`.
 
         Raises SpecError if nothing can be planned: there is no mission, or the spec is too large.
         """
-        return self._plan(False, job(threads, progress, cancel), recovery)
+        return self._with(effort)._plan(False, job(threads, progress, cancel), recovery)
+
+    def _with(self, effort: Effort | None) -> Spec:
+        return self if effort is None else self.set("plan.effort", effort)
 
     def _plan(self, flies: bool, job: Job, recovery: bool = False) -> Plan:
         found = _mavc.plan(self._handle, *job, flies, recovery)
@@ -125,13 +132,18 @@ class Spec:
         return Plan(verdict, None if csv is None else Trajectory(csv), report, text, diagnostics(shown), handle)
 
     def compare(
-        self, *, threads: int | None = None, progress: Callback = None, cancel: Cancel | None = None
+        self,
+        *,
+        effort: Effort | None = None,
+        threads: int | None = None,
+        progress: Callback = None,
+        cancel: Cancel | None = None,
     ) -> Record:
-        """Plans with every planner; the record of `mavc compare --report`.
+        """Plans with every planner; the record of `mavc compare --report`. `effort` is that of `plan`.
 
         Raises SpecError if the planners cannot be compared.
         """
-        report, shown = _mavc.compare(self._handle, *job(threads, progress, cancel))
+        report, shown = _mavc.compare(self._with(effort)._handle, *job(threads, progress, cancel))
         if report is None:
             raise SpecError(diagnostics(shown))
         return loaded(report)

@@ -111,3 +111,11 @@ def test_a_panic_is_an_exception(capfd):
         _mavc.panic(0, None, _mavc.new_cancel())
     assert issubclass(mavc.InternalError, Exception)
     assert mavc.compile(mavc.new()).analyze().survived == 9
+
+
+def test_effort_is_that_of_the_spec(small):
+    spec = mavc.compile(small)
+    assert spec.plan(effort="quick").json == spec.set("plan.effort", "quick").plan().json
+    assert spec.plan(effort="quick").json != spec.plan().json
+    with pytest.raises(mavc.SpecError):
+        spec.plan(effort="endless")
