@@ -171,6 +171,14 @@ fn not_covered(flown: &Flown, record: &FlightRecord) -> Vec<String> {
 fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<(Keep, String)> {
     let model = flown.model;
     let mut all = not_covered(flown, record);
+    let is_unfaulted = record.outcome == OutcomeRecord::Flown && !record.faults.iter().any(|fault| fault.struck);
+    if is_unfaulted && (record.waypoints_missed > 0 || !record.limits_broken.is_empty()) {
+        all.push(
+            "without a fault the controller does not keep what the plan keeps: a larger `reserve`, or tighter limits in \
+             the plan than in flight, may help"
+                .into(),
+        );
+    }
     let spin = record.gave_up_yaw_at_s.and(record.spin.as_ref()).filter(|_| record.outcome == OutcomeRecord::Flown);
     all.extend(spin.map(|spin| ending(spin, model).trim_start_matches("Warning: ").to_string()));
     if let Some(seconds) = record.gyroscope_saturated_s {
