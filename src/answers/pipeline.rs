@@ -5,8 +5,10 @@ mod certificates;
 mod diagnosis;
 mod flights;
 mod identification;
+mod planning;
 mod records;
 mod recovery;
+mod refusals;
 #[cfg(feature = "report")]
 mod safety;
 mod stages;
@@ -17,12 +19,12 @@ pub use certificates::{Rejected, Uncertified, certify, verify, verify_within, wi
 pub use diagnosis::{Diagnosed, Undiagnosed, diagnose};
 pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict};
 pub use identification::{Figure, Identified, identify};
+pub use planning::{Explained, Planning};
 pub use records::defaults_text;
+pub use refusals::{OtherSpec, Refusal, Unexplained};
 pub use stages::{NotPrinted, Program, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};
 pub use sweep::{Flip, Sweep};
-pub use tasks::{
-    Explained, NO_MISSION, OtherSpec, Planning, Refusal, Task, Unexplained, compare, explain, no_mission, plan,
-};
+pub use tasks::{NO_MISSION, Task, compare, explain, no_mission, plan};
 
 #[cfg(feature = "cli")]
 pub(crate) use flights::sized;

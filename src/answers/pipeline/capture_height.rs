@@ -1,7 +1,8 @@
 //! The height that a fault without control of yaw costs: what plans keep, and how long they fly lower. All of it is
 //! simulated.
 
-use super::tasks::{Planning, Task};
+use super::planning::Planning;
+use super::tasks::Task;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::flight::capture::Capture;
 use crate::flight::capture::exposed::{Exposed, exposed};

@@ -1,6 +1,7 @@
 //! Certificates: making one from an outcome, and deciding whether it holds.
 
-use super::tasks::{OtherSpec, Planning};
+use super::planning::Planning;
+use super::refusals::OtherSpec;
 use crate::certificate::{Certificate, Claim};
 use crate::certify as write;
 use crate::model::Problem;

@@ -1,6 +1,8 @@
 //! Simulated flights along plans: one with the faults of the spec, or a campaign.
 
-use super::tasks::{OtherSpec, Planning, Refusal, Task};
+use super::planning::Planning;
+use super::refusals::{OtherSpec, Refusal};
+use super::tasks::Task;
 use crate::campaign::cases::{MAX_FLIGHTS, Shard};
 use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;

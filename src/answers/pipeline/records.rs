@@ -1,6 +1,7 @@
 //! Reports of plans and comparisons, for programs (docs/schema) and for people.
 
-use super::tasks::{Explained, Planning, Task};
+use super::planning::{Explained, Planning};
+use super::tasks::Task;
 use crate::certify::between::Between;
 use crate::diagnostic::Diagnostic;
 use crate::explain::diagnose::diagnose;

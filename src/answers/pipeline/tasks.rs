@@ -1,26 +1,23 @@
 //! Planning: the check that every mode can be tolerated, a plan, a comparison of planners, and why no plan was found.
 
 use super::capture_height::{self, ImposedHeight};
+use super::planning::{Explained, Planning};
+use super::refusals::{OtherSpec, Refusal, Unexplained};
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::cancel;
 use crate::certify;
-use crate::certify::between::{Between, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::detour::{self, Detour};
 use crate::explain::nearby::{self, Nearby};
 use crate::explain::planners::Planners;
 use crate::explain::{self, Explanation};
-use crate::flight::capture::heights::CaptureHeights;
 use crate::model::MAX_SAMPLES_OF_A_SEARCH;
 use crate::model::{Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::observer::{Observer, Silent, timed};
-use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Run, Scope, run_planners};
-use crate::spec::{Spec, SpecIdentity};
-use crate::verdict::Verdict;
+use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run, Scope, run_planners};
+use crate::spec::Spec;
 use std::cell::Cell;
-use std::error::Error;
-use std::fmt;
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 use std::time::Instant;
 
 /// The spec has no mission to plan.
@@ -96,86 +93,6 @@ pub fn explain(spec: &Spec, planning: &Planning) -> Result<Explained, Unexplaine
     Ok(Task::new(spec)?.explain(planning, &Silent)?)
 }
 
-/// Why a spec was not explained.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Unexplained {
-    /// The mission cannot be planned.
-    Refused(Refusal),
-    /// The outcome is for another spec.
-    OtherSpec(OtherSpec),
-}
-
-impl From<Refusal> for Unexplained {
-    fn from(refusal: Refusal) -> Self {
-        Unexplained::Refused(refusal)
-    }
-}
-
-impl From<OtherSpec> for Unexplained {
-    fn from(other: OtherSpec) -> Self {
-        Unexplained::OtherSpec(other)
-    }
-}
-
-impl fmt::Display for Unexplained {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Unexplained::Refused(refusal) => refusal.fmt(f),
-            Unexplained::OtherSpec(other) => other.fmt(f),
-        }
-    }
-}
-
-impl Error for Unexplained {}
-
-/// The outcome of [`plan`] was given together with another spec than the one that was planned: another text, or other
-/// overrides.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct OtherSpec;
-
-impl fmt::Display for OtherSpec {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("this plan was made for another spec: plan this spec again")
-    }
-}
-
-impl Error for OtherSpec {}
-
-/// Why planning was not attempted for a spec.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Refusal {
-    /// The spec has no mission.
-    NoMission(Vec<Diagnostic>),
-    /// The spec is larger than what can be planned or compared.
-    TooLarge(Vec<Diagnostic>),
-    /// Hover is not inside every set that the plan must keep to.
-    Intolerable(Vec<Diagnostic>),
-    /// The mission cannot keep the height that `require capture_height` asks for.
-    TooLow(Vec<Diagnostic>),
-}
-
-impl Refusal {
-    /// The reasons, and warnings, at their places in the spec.
-    pub fn diagnostics(&self) -> &[Diagnostic] {
-        match self {
-            Refusal::NoMission(found)
-            | Refusal::TooLarge(found)
-            | Refusal::Intolerable(found)
-            | Refusal::TooLow(found) => found,
-        }
-    }
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let errors = self.diagnostics().iter().filter(|d| d.severity == Severity::Error);
-        let messages: Vec<&str> = errors.map(|d| d.message.as_str()).collect();
-        f.write_str(&messages.join("; "))
-    }
-}
-
-impl Error for Refusal {}
-
 /// A mission that can be planned: hover is inside the set of every mode that the plan must tolerate.
 #[derive(Debug, Clone)]
 pub struct Task<'s> {
@@ -183,94 +100,6 @@ pub struct Task<'s> {
     /// With `require capture_height`: what is planned instead of the spec's model.
     pub(super) imposed: Option<ImposedHeight>,
     remarks: Vec<Diagnostic>,
-}
-
-/// The outcome of planning one mission with the spec's planner.
-#[derive(Debug, Clone)]
-pub struct Planning {
-    comparison: Comparison,
-    /// The spec that was planned.
-    spec: SpecIdentity,
-    /// The simulated height that its limits keep, m.
-    pub(super) height: Option<f64>,
-    /// The captures against which it is measured, once they are simulated.
-    pub(super) capture_heights: OnceLock<Option<Arc<CaptureHeights>>>,
-    /// The detours of its plan, with what statements against them gave.
-    detours: Vec<Detour>,
-    /// Whether its search was ended before it was done.
-    cut_short: bool,
-}
-
-impl Planning {
-    pub(super) fn run(&self) -> &PlannerRun {
-        &self.comparison.runs[self.comparison.runs.len() - 1]
-    }
-
-    /// A plan, a proof of infeasibility, or neither.
-    pub fn outcome(&self) -> &PlanOutcome {
-        &self.run().outcome
-    }
-
-    /// The outcome as one of four words.
-    pub fn verdict(&self) -> Verdict {
-        self.outcome().verdict()
-    }
-
-    /// The plan, if one was found.
-    pub fn plan(&self) -> Option<&MissionPlan> {
-        self.outcome().plan()
-    }
-
-    /// What reports print: the sets, the facets that RSP selected, and under `require risk` the trade-off.
-    pub fn comparison(&self) -> &Comparison {
-        &self.comparison
-    }
-
-    /// The detours of the plan with what was tried. Where one quick search is cheap, statements that forbid them were
-    /// tried together.
-    pub fn detours(&self) -> &[Detour] {
-        &self.detours
-    }
-
-    /// Whether the search was told to end with what it had: a longer search may find a shorter plan.
-    pub fn was_cut_short(&self) -> bool {
-        self.cut_short
-    }
-
-    /// Puts another plan of the mission in place of the one that was found.
-    pub(super) fn replace(&mut self, task: &Task, comparison: Comparison) {
-        self.detours = comparison.runs.last().map_or(Vec::new(), |run| task.untried(run));
-        self.comparison = comparison;
-        self.capture_heights = OnceLock::new();
-    }
-
-    /// Which rows of the plan are proved to hold between its nodes; `None` if there is no plan.
-    ///
-    /// # Errors
-    /// `task` is that of another spec.
-    pub fn between(&self, task: &Task, observer: &dyn Observer) -> Result<Option<Vec<Between>>, OtherSpec> {
-        self.check_spec(task.spec)?;
-        observer.begins("looking for a proof of every instant");
-        Ok(timed(observer, "prove", || {
-            let run = self.run();
-            run.outcome.plan().map(|plan| between(task.problem(), run, plan))
-        }))
-    }
-
-    /// # Errors
-    /// Another spec was planned.
-    pub(super) fn check_spec(&self, spec: &Spec) -> Result<(), OtherSpec> {
-        if self.spec == spec.identity() { Ok(()) } else { Err(OtherSpec) }
-    }
-}
-
-/// Why no plan was found.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Explained {
-    /// Times below and above the spec's at which the planner found a plan. If there is one, no statement is blamed.
-    pub nearby: Nearby,
-    /// Statements for which together there is no plan or none was found, and changes that give a plan.
-    pub conflict: Option<Explanation>,
 }
 
 impl<'s> Task<'s> {
@@ -358,8 +187,8 @@ impl<'s> Task<'s> {
             detours: Vec::new(),
             cut_short: cancel::is_enough(),
         };
-        if let Some(run) = planning.comparison.runs.last() {
-            match self.without_detours(&planning.comparison, run, observer) {
+        if let Some(run) = planning.comparison().runs.last() {
+            match self.without_detours(planning.comparison(), run, observer) {
                 (_, Some(shorter)) => planning.replace(self, shorter),
                 (tried, None) => planning.detours = tried,
             }
@@ -413,7 +242,7 @@ impl<'s> Task<'s> {
         let needs_no_conflict = planning.plan().is_some()
             || is_failed
             || nearby.times().next().is_some()
-            || !planning.comparison.trade_off.is_empty();
+            || !planning.comparison().trade_off.is_empty();
         let conflict = if needs_no_conflict { None } else { self.conflict(observer) };
         Ok(Explained { nearby, conflict })
     }
@@ -437,7 +266,7 @@ impl<'s> Task<'s> {
         (detours, tried.0)
     }
 
-    fn untried(&self, run: &PlannerRun) -> Vec<Detour> {
+    pub(super) fn untried(&self, run: &PlannerRun) -> Vec<Detour> {
         run.outcome.plan().map_or(Vec::new(), |plan| detour::detours(self.problem(), plan))
     }
 
@@ -446,7 +275,7 @@ impl<'s> Task<'s> {
             observer.begins(&format!("no plan was found; looking for times with one, near {time:.2} s"));
         };
         let begin = Instant::now();
-        let (nearby, effort) = nearby::nearby(self.problem(), &planning.comparison, &tries);
+        let (nearby, effort) = nearby::nearby(self.problem(), planning.comparison(), &tries);
         if effort.solves > 0 {
             observer.ended("nearby", begin.elapsed());
             observer.asked(None, &effort);

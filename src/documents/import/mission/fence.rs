@@ -1,7 +1,7 @@
 //! The geofence of a plan as volumes: inclusion becomes `keep_in`, exclusion `keep_out`.
 
 use super::draft::{Draft, Mark, Shape, Volume};
-use super::items::{Setting, place, refuse};
+use super::items::{FileSettings, place, refuse};
 use super::qgc_plan::{listed, numeric};
 use crate::diagnostic::Diagnostic;
 use crate::geodesy::TangentPlane;
@@ -15,7 +15,7 @@ const MOST_CORNERS: usize = 200;
 /// Bays of a polygon that are less deep than this stay part of it, m: the places of a plan are no finer.
 const SHALLOW: f64 = 0.01;
 
-pub fn read(fences: &Json, setting: &Setting, draft: &mut Draft) -> Read<()> {
+pub fn read(fences: &Json, setting: &FileSettings, draft: &mut Draft) -> Read<()> {
     let plane = TangentPlane::at(setting.home.place);
     let empty = |key: &str| fences.get(key).and_then(Json::list).is_none_or(<[Json]>::is_empty);
     if !empty("polygon") || fences.get("polygon").is_some_and(|p| p.list().is_none()) {

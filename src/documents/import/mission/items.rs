@@ -31,7 +31,7 @@ pub struct Item {
 }
 
 /// What holds for all items of a file.
-pub struct Setting {
+pub struct FileSettings {
     pub home: Home,
     /// The autopilot is ArduPilot, otherwise PX4.
     pub is_ardupilot: bool,
@@ -39,11 +39,11 @@ pub struct Setting {
     pub speeds: Speeds,
 }
 
-impl Setting {
+impl FileSettings {
     /// The speeds of the autopilot that flies the mission.
     pub fn of(home: Home, is_ardupilot: bool) -> Self {
         let speeds = autopilot(is_ardupilot).speeds(&home.span);
-        Setting { home, is_ardupilot, speeds }
+        FileSettings { home, is_ardupilot, speeds }
     }
 }
 
@@ -64,7 +64,7 @@ const SAME_PLACE: f64 = 0.5;
 
 /// The state while items are followed.
 struct Follow<'f> {
-    setting: &'f Setting,
+    setting: &'f FileSettings,
     plane: TangentPlane,
     speeds: Speeds,
     stops: Vec<Stop>,
@@ -105,7 +105,7 @@ impl Faults {
 ///
 /// # Errors
 /// An item without which the flight would be another one; if there are several, all but the last are added to `found`.
-pub fn follow(items: &[Item], setting: &Setting, draft: &mut Draft, found: &mut Vec<Diagnostic>) -> Step {
+pub fn follow(items: &[Item], setting: &FileSettings, draft: &mut Draft, found: &mut Vec<Diagnostic>) -> Step {
     let plane = TangentPlane::at(setting.home.place);
     let mut follow = Follow {
         setting,

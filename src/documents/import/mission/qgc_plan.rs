@@ -1,7 +1,7 @@
 //! Plans of QGroundControl, JSON of `"fileType": "Plan"` (version 1 with a mission of version 2).
 
 use super::draft::{Draft, Home, Mark};
-use super::items::{Faults, Item, Setting, follow, place, refuse};
+use super::items::{Faults, FileSettings, Item, follow, place, refuse};
 use super::{LEFT_OUT, fence, rally};
 use crate::diagnostic::Diagnostic;
 use crate::import::json::{Json, JsonValue, parse};
@@ -36,7 +36,7 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     let home = home(mission)?;
     let firmware = mission.get("firmwareType").and_then(Json::number);
     check_vehicle(mission, found);
-    let mut setting = Setting::of(home.clone(), firmware == Some(ARDUPILOT));
+    let mut setting = FileSettings::of(home.clone(), firmware == Some(ARDUPILOT));
     if let Some(speed) = hover_speed(mission)? {
         setting.speeds.horizontal = Some(speed);
     }

@@ -1,7 +1,7 @@
 //! Rally points, to which an autopilot returns instead of home, as landing sites on the ground below them.
 
 use super::draft::{Draft, Mark, Site, Stop};
-use super::items::{FARTHEST, Item, Setting, place, refuse};
+use super::items::{FARTHEST, FileSettings, Item, place, refuse};
 use super::qgc_plan::{listed, numeric};
 use super::wpl::cells;
 use crate::diagnostic::Diagnostic;
@@ -33,7 +33,7 @@ struct Point {
 }
 
 /// Adds the points `[latitude, longitude, height above home]` of a plan of QGroundControl.
-pub fn of_plan(rally: &Json, setting: &Setting, draft: &mut Draft) -> Read<()> {
+pub fn of_plan(rally: &Json, setting: &FileSettings, draft: &mut Draft) -> Read<()> {
     let Some(points) = rally.get("points") else { return Ok(()) };
     for point in listed(points, "points")? {
         let [latitude, longitude, rest @ ..] = listed(point, "points")? else {
@@ -52,7 +52,7 @@ pub fn of_plan(rally: &Json, setting: &Setting, draft: &mut Draft) -> Read<()> {
 }
 
 /// Adds a rally point among the items of MAVLink's plain text.
-pub fn of_item(item: &Item, setting: &Setting, draft: &mut Draft) -> Read<()> {
+pub fn of_item(item: &Item, setting: &FileSettings, draft: &mut Draft) -> Read<()> {
     let arrival = item.params[6].map(|height| match item.frame {
         0.0 | 5.0 => format!("{} m above sea", number(height)),
         _ => above_home(height),
@@ -68,7 +68,7 @@ pub fn is_line(text: &str) -> bool {
 }
 
 /// Adds the rally point of a line `RALLY latitude longitude altitude ...`, whose altitude is above home.
-pub fn of_line(text: &str, span: Range<usize>, setting: &Setting, draft: &mut Draft) -> Read<()> {
+pub fn of_line(text: &str, span: Range<usize>, setting: &FileSettings, draft: &mut Draft) -> Read<()> {
     let between = |c: char| c.is_ascii_whitespace();
     let cells = cells(text, span.start, between).filter(|(cell, _)| !cell.is_empty()).skip(1).take(3);
     let mut numbers = Vec::new();
@@ -91,7 +91,7 @@ fn above_home(height: f64) -> String {
     format!("{} m above home", number(height))
 }
 
-fn add(point: Point, setting: &Setting, draft: &mut Draft) -> Read<()> {
+fn add(point: Point, setting: &FileSettings, draft: &mut Draft) -> Read<()> {
     let home = setting.home.place;
     let mark = Mark { name: format!("rally point {}", draft.sites.len() + 1), span: point.span.clone() };
     let [latitude, longitude] = &point.spans;
@@ -108,7 +108,7 @@ fn add(point: Point, setting: &Setting, draft: &mut Draft) -> Read<()> {
 
 /// Sets the height of the ground of a mission with landing sites: that of home, or of the lowest item or site. A
 /// warning in `found` names an item that is below the height of home.
-pub fn set_ground(setting: &Setting, draft: &mut Draft, found: &mut Vec<Diagnostic>) {
+pub fn set_ground(setting: &FileSettings, draft: &mut Draft, found: &mut Vec<Diagnostic>) {
     if draft.sites.is_empty() {
         return;
     }

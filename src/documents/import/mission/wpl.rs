@@ -3,7 +3,7 @@
 
 use super::commands::{is_fence, is_rally_point};
 use super::draft::{Draft, Home, Mark};
-use super::items::{Item, Setting, follow, place, refuse};
+use super::items::{FileSettings, Item, follow, place, refuse};
 use super::rally;
 use crate::diagnostic::Diagnostic;
 use crate::import::{ASSUMED, FORMAT, SYNTAX, UNSUPPORTED, at};
@@ -51,7 +51,7 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     let mut draft =
         Draft { format: "a mission of MAVLink (`QGC WPL 110`)", home: Some(home.clone()), ..Draft::default() };
     // Files of this format are ArduPilot's.
-    let setting = Setting::of(home, true);
+    let setting = FileSettings::of(home, true);
     let (points, flown): (Vec<Item>, Vec<Item>) = rest.iter().cloned().partition(|item| is_rally_point(item.command));
     follow(&flown, &setting, &mut draft, found)?;
     if draft.stops.len() < 2 {
