@@ -256,7 +256,7 @@ mod tests {
         let last = |text: &str| text.lines().last().unwrap().to_string();
         let text = shown(19);
         assert_eq!(kept(&text), ["finding"]);
-        assert_eq!(last(&text), "  -v prints every table; not shown: 1 remark, C1 .. C3, D1, D2 with more to spare");
+        assert_eq!(last(&text), "  -v prints every table; not shown: 1 remark, C1 .. C3, D1, D2");
         assert_eq!(text.lines().count(), LINES);
         // Lines that are not part of one stay.
         assert_eq!(shown(40).lines().filter(|line| line.starts_with("line")).count(), 40);

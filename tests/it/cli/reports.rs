@@ -71,7 +71,7 @@ fn unsafe_plans_can_be_denied() {
     let [bad, advice] = ["UNSAFE until 1.71 s: after M1", "`--set plan.planner=rcp` may cover them."];
     assert!(said.contains(bad) && said.find(bad) < said.find(advice), "{said}");
     // What is unsafe comes before what is covered.
-    assert!(said.find(bad) < said.find("at any instant the rotors left"), "{said}");
+    assert!(said.find(bad) < said.find("at any instant the remaining rotors"), "{said}");
 }
 
 /// One line where there is nothing to explain.

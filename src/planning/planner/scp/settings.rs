@@ -207,8 +207,8 @@ pub struct DurationSettings {
     /// shrinks by the root of the share, by the share itself if it is the smallest. Measured: with the share itself
     /// missions from rest to rest ended 3 % longer.
     pub proximal_increase: f64,
-    /// Steps end below this radius, unless the last one saved at least `min_gain`. Measured: without the exception RCP of
-    /// one hexacopter's mission ended at 40.8 instead of 40.3 s.
+    /// Steps end below this radius, unless the last one saved at least `min_gain`. Measured: without the exception RCP
+    /// of one hexacopter's mission ended at 40.8 instead of 40.3 s.
     pub min_radius: f64,
     /// Penalty weight of the violation in the subproblem, against the relative time: far above the multipliers, so that
     /// steps do not trade time for a violation.
