@@ -260,6 +260,11 @@ class Judge:
                 return "it ends in an area to keep off"
         return None
 
+    def holds_yaw(self, mode):
+        """Whether hover is inside a mode's set less the reserve, as far as the set without yaw is not meant."""
+        normals, limits, _, _ = self.vehicle.rows[mode]
+        return bool((normals[:, 0] * self.vehicle.mass * GRAVITY <= limits).all())
+
     def inside(self, mode):
         """From when on the plan is inside a mode's set, s."""
         if mode not in self.inside_from:
@@ -372,7 +377,7 @@ def judged(claims, places, count, seed):
             kind, why = "proved", judge.why_lost(mode, motion, outcome, site, at, delay)
         else:
             row = claims.nearest(mode, at)
-            if row is None or row["outcome"] == "continue spinning":
+            if row is None or not judge.holds_yaw(mode):
                 counts["open"] += 1
                 continue
             name = row["file"]
