@@ -45,7 +45,9 @@ pub fn screen(problem: Problem, comparison: &Comparison, recoverable: Option<&Re
         let title = format!("All planners at one time, {} s", significant(time, DIGITS));
         block(&mut screen, problem, comparison, &title, |run| !is_own(run));
     }
-    recoverable::write(&mut screen, recoverable);
+    if let Some(record) = recoverable {
+        recoverable::write(&mut screen, record);
+    }
     let hidden: BTreeSet<&[String]> =
         comparison.runs.iter().filter(|run| !is_shown(comparison, run)).map(|run| run.against.as_slice()).collect();
     if !hidden.is_empty() {
@@ -55,6 +57,9 @@ pub fn screen(problem: Problem, comparison: &Comparison, recoverable: Option<&Re
     legends(model, comparison)
         .iter()
         .for_each(|text| screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, text)));
+    if recoverable.is_none() {
+        recoverable::write_not_attempted(&mut screen);
+    }
     if let Some(text) = outside_the_model(model, comparison) {
         screen.remark(Keep::Finding, &text);
     }

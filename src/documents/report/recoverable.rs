@@ -72,17 +72,18 @@ impl RecoverableRecord {
 }
 
 /// In words that nothing of the kind was attempted.
-const NOT_ATTEMPTED: &str =
-    "A plan with ways out after faults: not attempted; `require uncovered <= 0 %` in `plan` adds it.";
+const NOT_ATTEMPTED: &str = "Ways out after faults: not attempted (`require uncovered` in `plan` adds them).";
 
 /// Digits of times.
 const DIGITS: usize = 4;
 
-/// The row on a screen, or in words that the spec does not ask for it.
-pub fn write(screen: &mut Screen, record: Option<&RecoverableRecord>) {
-    let Some(record) = record else {
-        return screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, NOT_ATTEMPTED));
-    };
+/// In words on a screen, where there is room, that the spec does not ask for the row.
+pub fn write_not_attempted(screen: &mut Screen) {
+    screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, NOT_ATTEMPTED));
+}
+
+/// The row on a screen.
+pub fn write(screen: &mut Screen, record: &RecoverableRecord) {
     screen.gap();
     screen.paragraph(Tone::Strong, 2, 2, &record.title());
     screen.table(&record.table());
