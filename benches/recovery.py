@@ -15,6 +15,10 @@ model they are those of the linear model, because that is what is claimed. Place
 by patterns, which fit the shipped missions: in still air, with the nominal mass. Modes without yaw are not evaluated: they are open.
 What takes from the reserve, which ways out are to keep too, is counted by itself, with the largest share of the healthy set's width.
 
+Measured with seed 1 and 20,000 triples each on tower_hexa, inspection_octo, parcel_quad and ridge_hexa: of 40,152 that were claimed none
+was lost, and 39,848 were open, all of those of ridge_hexa among them; ways out of 469 triples took up to 0.74 % from the reserve, between
+the instants at which mavc looks. parcel_x8 was not measured.
+
 Prints one line for each spec. Exit code 1 if anything that was claimed is lost. Needs numpy.
 """
 
