@@ -9,7 +9,7 @@ use mavc::certify::between::Between;
 use mavc::diagnostic::{Diagnostic, sort};
 use mavc::pipeline::{Explained, NoFlight, Planning, Refusal, Task, certify, with_ways_out};
 use mavc::recovery::Recovery;
-use mavc::report::page::{self, PageKind, Subject};
+use mavc::report::page::{self, Beside, PageKind, Subject};
 use mavc::report::record::Record;
 use mavc::report::recovery::{self, RecoveryRecord};
 use mavc::report::trajectory_csv;
@@ -217,7 +217,8 @@ fn page_of(planned: &Planned) -> Result<String, String> {
     let record = done.record(&task);
     let subject = Subject { problem: task.problem(), sources: spec.sources(), diagnostics: &shown };
     let curves = task.capture_curves(&done.planning);
-    Ok(page::plans(PageKind::Plan, &subject, done.planning.comparison(), &record, &curves))
+    let beside = Beside { captures: &curves, recovery: done.recovery.as_ref() };
+    Ok(page::plans(PageKind::Plan, &subject, done.planning.comparison(), &record, beside))
 }
 
 /// `branches(plan, job)`: `(name, text)` of each file that `--branches` writes.

@@ -57,7 +57,11 @@ pub fn compare(arguments: Arguments) -> Value {
         let task = Task::to_compare(&of.spec);
         found.extend_from_slice(task.as_ref().map_or_else(|refusal| refusal.diagnostics(), Task::remarks));
         sort(&mut found);
-        let record = task.ok().map(|task| json(&task.comparison_report(&task.compare(reports))));
+        let record = task.ok().map(|task| {
+            let mut record = task.comparison_report(&task.compare(reports));
+            record.recoverable = task.recoverable(reports);
+            json(&record)
+        });
         (record, shown(&found, of.spec.sources()))
     })?;
     object(arguments.py(), found)

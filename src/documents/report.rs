@@ -27,6 +27,7 @@ pub mod page;
 pub mod plan_screen;
 mod planner_names;
 pub mod record;
+pub mod recoverable;
 pub mod recovery;
 pub mod screen;
 pub mod shape;

@@ -21,7 +21,7 @@ use crate::planner::selection::PlanningSet;
 use crate::planner::selection::sets::of_one_mode;
 use crate::solve::Effort;
 use rayon::prelude::*;
-use replanning::Change;
+use replanning::{Change, Longer};
 use search::{Found, Search};
 use std::collections::BTreeMap;
 
@@ -160,6 +160,8 @@ pub struct Recovery {
     pub effort: Effort,
     /// If the plan was planned again for ways out, how.
     pub change: Option<Change>,
+    /// If the spec fixes the time and requires more than was found, a longer time that was tried.
+    pub longer: Option<Longer>,
 }
 
 /// Instants are at most this far apart, s, in plans up to [`FINE`] instants long. Chosen by hand.
@@ -236,6 +238,7 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
         effort: Effort::default(),
         delays: delays.clone(),
         change: None,
+        longer: None,
     };
     for (mut mode, branches, effort) in each {
         let before = found.branches.len();

@@ -8,7 +8,7 @@ mod particular;
 use super::motion::{Timetable, Wish, add_spline, certificate};
 use super::numbers::Numbers;
 use super::truth::{Falsehood, Outline, Truth};
-use mavc::certificate::{Certificate, Claim, RecoveryClaim};
+use mavc::certificate::{Certificate, Claim, FamilyRecord, RecoveryClaim};
 use mavc::model::{
     Allocation, Environment, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, Problem, RotorSpread,
     Spread, Volume,
@@ -41,12 +41,25 @@ pub struct Draft {
     pub outlines: Vec<Outline>,
     /// Whether the honest certificate has ways out.
     pub ways: bool,
+    /// Until when the honest plan is inside the set of every mode, s, where it leaves it later.
+    pub calm_until: Option<f64>,
 }
 
 impl Draft {
     pub fn new(name: &'static str, total: f64, model: Model, limits: &[(LimitKind, f64)]) -> Self {
         let (limits, outlines) = (limits.to_vec(), Vec::new());
-        Draft { name, model, total, limits, harder: false, motion: None, capture_height: None, outlines, ways: false }
+        Draft {
+            name,
+            model,
+            total,
+            limits,
+            harder: false,
+            motion: None,
+            capture_height: None,
+            outlines,
+            ways: false,
+            calm_until: None,
+        }
     }
 }
 
@@ -92,6 +105,8 @@ pub struct Spec {
     pub capture_height: Option<f64>,
     /// The ways out after faults, which only kinds about them claim.
     pub ways: Option<RecoveryClaim>,
+    /// Ways back to a part of the honest plan that is inside the modes' sets, after which it leaves them.
+    pub too_early: Option<RecoveryClaim>,
     /// No certificate of this spec proves anything: its reserve is taken about a hover outside a set.
     pub is_void: bool,
 }
@@ -171,7 +186,8 @@ impl Spec {
     /// # Panics
     /// Where the draft's honest plan is none: a mistake in the list.
     pub fn of(draft: Draft) -> Self {
-        let Draft { name, mut model, total, limits, harder, motion, capture_height, outlines, ways } = draft;
+        let Draft { name, mut model, total, limits, harder, motion, capture_height, outlines, ways, calm_until } =
+            draft;
         let honest = motion.or_else(|| smooth(&model, total)).unwrap_or_else(|| panic!("{name}: no motion"));
         let air = model.environment();
         let wanted = limits.into_iter().map(|(kind, share)| reached(&honest, kind, share, &air));
@@ -201,7 +217,20 @@ impl Spec {
             let problem = Problem::of(&model).expect("a mission");
             recovery(problem, &honest, true).claim().unwrap_or_else(|| panic!("{name}: no ways out"))
         });
-        Spec { name, truth, honest, selected_by, easier, harder: found, capture_height, ways, is_void }
+        let too_early = calm_until.map(|until| {
+            let problem = Problem::of(&model).expect("a mission");
+            let claim = recovery(problem, &honest.part(0.0, until), true).claim();
+            let mut claim = claim.unwrap_or_else(|| panic!("{name}: no early ways back"));
+            let RecoveryClaim { branches, families } = &mut claim;
+            let longest = model.plan.recovery.detection[1];
+            let returns = |family: &FamilyRecord| {
+                branches[family.corners[0]].times_s.last().map(|takes| family.to_s + longest + takes)
+            };
+            families.retain(|family| returns(family).is_some_and(|at| at < until));
+            assert!(!families.is_empty(), "{name}: no early ways back");
+            claim
+        });
+        Spec { name, truth, honest, selected_by, easier, harder: found, capture_height, ways, too_early, is_void }
     }
 }
 

@@ -8,7 +8,7 @@ use mavc::flight::capture::heights::CaptureHeights;
 use mavc::flight::{Outcome, Sortie, fly};
 use mavc::model::{AfterFault, Detection, DistanceFrom, LimitKind, Strike};
 use mavc::observer::Silent;
-use mavc::report::page::{self, PageKind, Subject};
+use mavc::report::page::{self, Beside, PageKind, Subject};
 use mavc::{Planning, Refusal, Spec, Task};
 
 /// A quadcopter that may lose rotor 1, and a mission over a yard; `{ground}`, `{up}` and `{require}` are filled in.
@@ -246,7 +246,13 @@ fn the_page_draws_heights_over_delays() {
     // At 5 m/s not all flights regain level flight after 150 ms: the line has a gap there.
     let curves: Vec<Capture> = at(0.0, [5; 5]).chain(at(5.0, [5, 5, 4, 5, 5])).collect();
     let subject = Subject { problem: task.problem(), sources: spec.sources(), diagnostics: &[] };
-    let page = page::plans(PageKind::Plan, &subject, planning.comparison(), &record, &curves);
+    let page = page::plans(
+        PageKind::Plan,
+        &subject,
+        planning.comparison(),
+        &record,
+        Beside { captures: &curves, recovery: None },
+    );
     let (_, section) = page.split_once("<section id=\"capture\">").unwrap();
     let (section, _) = section.split_once("</section>").unwrap();
     let lines: Vec<usize> = section
@@ -259,7 +265,7 @@ fn the_page_draws_heights_over_delays() {
     // 10 m (14).
     assert!(section.contains("546.0,81.5"), "{section}");
     assert!(section.contains("Simulated: the median of 5 flights") && section.contains("L</th>"));
-    let without = page::plans(PageKind::Plan, &subject, planning.comparison(), &record, &[]);
+    let without = page::plans(PageKind::Plan, &subject, planning.comparison(), &record, Beside::default());
     assert!(without.contains("Table of heights") && !without.contains("<polyline"));
 }
 

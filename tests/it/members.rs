@@ -1,5 +1,5 @@
 //! Members of families of ways out by their definition, in plain `f64`: the blend of four branches, plus polynomials
-//! that take the deviations of the initial state to zero.
+//! that take the deviations of the initial state to zero and lead to those of the final one.
 
 use mavc::certificate::FamilyRecord;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
@@ -61,14 +61,19 @@ impl<'b> Blend<'b> {
         })
     }
 
-    /// The member that begins with these deviations from the blend.
-    pub fn with(&self, deviations: &NodeState, t: f64) -> NodeState {
+    /// The member that begins and ends with these deviations from the blend.
+    pub fn between(&self, first: &NodeState, last: &NodeState, t: f64) -> NodeState {
         let mut state = self.at(t);
+        let before = (self.duration() - t).max(0.0);
         for axis in [X, Y, Z, YAW] {
             for i in 0..kept(axis) {
-                let values = response(i, WINDOWS[i].min(self.duration()), t);
-                let by = deviations[axis][i];
-                state[axis].iter_mut().zip(values).for_each(|(slot, value)| *slot += by * value);
+                let window = WINDOWS[i].min(self.duration());
+                let (from, to) = (response(i, window, t), response(i, window, before));
+                for (k, slot) in state[axis].iter_mut().enumerate() {
+                    // Backwards, odd derivatives change their signs.
+                    let sign = if (i + k) % 2 == 0 { 1.0 } else { -1.0 };
+                    *slot += first[axis][i] * from[k] + sign * last[axis][i] * to[k];
+                }
             }
         }
         state

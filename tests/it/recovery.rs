@@ -270,6 +270,13 @@ fn the_command_shows_ways_out_and_writes_them() {
         }
     }
     assert!(listed > 8 && index.lines().count() == listed + 1, "{listed}\n{index}");
+    // Landings prefer the middle of the site.
+    for line in index.lines().skip(1) {
+        let name = line.split(',').next().unwrap();
+        let table = std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+        let last: Vec<f64> = table.lines().last().unwrap().split(',').map(|cell| cell.parse().unwrap()).collect();
+        assert!((last[1] - 10.0).hypot(last[2] - 6.0) < 0.1, "{name} ends at {last:?}");
+    }
 }
 
 /// A simulated flight takes the first way out of the order: down on the site, or back to the plan; it flies on where
@@ -294,7 +301,8 @@ fn a_flight_takes_the_way_out() {
     let (landed, last, text) = flown("land_at_sites", "12 s", "100 ms");
     assert_eq!(landed["outcome"]["status"], "landed", "{landed}");
     assert_eq!(landed["way_out"]["way"], "landing at pad");
-    assert!((last[1] - 10.0).hypot(last[2] - 6.0) < 2.1 && last[3] < 0.05, "{last:?}");
+    // In the middle of the site, which has a radius of 2 m.
+    assert!((last[1] - 10.0).hypot(last[2] - 6.0) < 0.5 && last[3] < 0.05, "{last:?}");
     assert!(text.contains("way out from 3.10 s: landing at pad"), "{text}");
     let (back, last, _) = flown("continue", "12 s", "100 ms");
     assert_eq!(
@@ -348,6 +356,59 @@ fn gaps_are_closed_by_planning_again() {
     assert_eq!(closed["replanned"]["uncovered_before"], open["uncovered"]);
     let text = crate::cli::flat(&text);
     assert!(text.contains("Planned again for ways out, with ") && text.contains("the time is the same"), "{text}");
+}
+
+/// Where a fixed time leaves no room for ways out, the screen names a longer one that does, and the plan stays.
+#[test]
+fn a_fixed_time_that_is_too_short_has_a_nearest_miss() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = with_gaps("    require uncovered <= 0 %").replace("time    = 6.5 s", "time    = 5.8 s");
+    std::fs::write(folder.path().join("field.mav"), spec).unwrap();
+    let (code, text, errors) = mavc_in(folder.path(), &["plan", "field.mav", "--report", "r.json"]);
+    assert_eq!(code, 4, "{text}{errors}");
+    let report = std::fs::read(folder.path().join("r.json")).unwrap();
+    let report: serde_json::Value = serde_json::from_slice(&report).unwrap();
+    crate::schemas::schema("report").assert_valid(&report);
+    let found = &report["recovery"];
+    let longer = &found["longer"];
+    assert_eq!(report["planners"][0]["time_s"], 5.8);
+    assert!(longer["time_s"].as_f64().unwrap() > 5.8, "{text}");
+    assert!(longer["uncovered"].as_f64().unwrap() < found["uncovered"].as_f64().unwrap(), "{text}");
+    assert!(crate::cli::flat(&text).contains("s instead of 5.8 s and leaves"), "{text}");
+}
+
+/// A comparison has a row for the plan with ways out, the one of `mavc plan`; without the requirement it says that none
+/// was attempted.
+#[test]
+fn a_comparison_has_the_price_of_ways_out() {
+    let compared = |command: &str, require: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("field.mav"), with_gaps(require)).unwrap();
+        let (code, text, errors) =
+            mavc_in(folder.path(), &[command, "field.mav", "--report", "r.json", "--html", "p.html"]);
+        assert_eq!(code, 0, "{text}{errors}");
+        let report = std::fs::read(folder.path().join("r.json")).unwrap();
+        let report: serde_json::Value = serde_json::from_slice(&report).unwrap();
+        crate::schemas::schema("report").assert_valid(&report);
+        let page = std::fs::read_to_string(folder.path().join("p.html")).unwrap();
+        (report, crate::cli::flat(&text), page)
+    };
+    let require = "    require uncovered <= 0 %";
+    let (report, text, page) = compared("compare", require);
+    let (planned, ..) = compared("plan", require);
+    let row = &report["recoverable"];
+    assert_eq!(row["time_s"], planned["planners"][0]["time_s"], "{row}");
+    for field in ["required", "uncovered", "replanned"] {
+        assert_eq!(row[field], planned["recovery"][field], "{row}");
+    }
+    assert!(row["verdict"] == "found" && row["replanned"]["price_s"] == 0.0, "{row}");
+    let title = "With ways out after faults, `require uncovered <= 0 %`";
+    assert!(text.contains(title) && text.contains("the same time"), "{text}");
+    assert!(page.contains("With ways out after faults"), "the page has no row");
+    let (report, text, page) = compared("compare", "");
+    assert!(report.get("recoverable").is_none() && !text.contains(title), "{text}");
+    let words = "Ways out after faults: not attempted";
+    assert!(page.contains(words), "the page does not say that it was not attempted");
 }
 
 /// On a map: the ground projections of ways out, landing sites as polygons and as rally points of a ground station.

@@ -42,6 +42,35 @@ faults {
 }
 `;
 
+/** Faults with ways out to a site, and one with a gap. */
+const FIELD = `
+vehicle octo {
+    layout  = "PPNNPPNN"
+    arm     = 21 cm
+    mass    = 1.8 kg
+    inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor { max_thrust = 6.5 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+}
+faults {
+    mode M1 { rotor 1 lost }
+    mode M4 { rotor 4 lost }
+}
+mission field {
+    ground = 0 m
+    start at [0, 0, 4] m
+    waypoint at [30, 0, 10] m
+    limits { speed <= 6 m/s; descent <= 3 m/s }
+    landing_site pad { at = [10, 6, 0] m; radius = 2 m }
+}
+plan {
+    model   = hover
+    against = [M1]
+    time    = 9 s
+    samples = 40
+    recovery { order = [land_at_sites]; detection = 100 ms; within = 12 s }
+}
+`;
+
 export const pages = {
   plan: ["plan", "specs/paper/case1.mav"],
   compare: ["compare", "specs/paper/case1.mav"],
@@ -54,6 +83,7 @@ export const pages = {
   coaxial: ["analyze", join(folder, "coaxial.mav")],
   campaign: ["campaign", join(folder, "hostile.mav"), "--times", "3", "--seeds", "1"],
   volumes: ["plan", "specs/missions/mast_octo.mav", "--set", "plan.planner=rip", "--set", "plan.time=20s", "--set", "plan.samples=40"],
+  ways: ["plan", join(folder, "field.mav"), "--recovery"],
   // Maps of many instants beside each other.
   instants: ["campaign", join(folder, "instants.mav"), "--times", "12", "--seeds", "1"],
 };
@@ -76,6 +106,7 @@ export function file(name) {
 before(async () => {
   writeFileSync(join(folder, "hostile.mav"), HOSTILE);
   writeFileSync(join(folder, "coaxial.mav"), COAXIAL);
+  writeFileSync(join(folder, "field.mav"), FIELD);
   writeFileSync(join(folder, "instants.mav"), `${HOSTILE}campaign { planners = [rip, rcp, rsp] }\n`);
   if (shots) mkdirSync(shots, { recursive: true });
   const launch = (args) =>

@@ -218,6 +218,58 @@ test("volumes are drawn in space and in the flat views", async () => {
   }
 });
 
+test("the way out at the instant chosen is drawn, in space and in the flat views", async () => {
+  for (const browser of ["webgl", "flat"]) {
+    await open("ways", { browser }, async (page) => {
+      // Pixels in the colour of landings at a site, over both flat views.
+      const drawn = async () => {
+        // Pictures are drawn in the next frame.
+        await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+        return page.evaluate(() => {
+          const css = getComputedStyle(document.documentElement).getPropertyValue("--accent").trim();
+          const pen = new OffscreenCanvas(1, 1).getContext("2d");
+          pen.fillStyle = css;
+          pen.fillRect(0, 0, 1, 1);
+          const want = pen.getImageData(0, 0, 1, 1).data;
+          let count = 0;
+          for (const c of document.querySelectorAll("#space canvas")) {
+            const copy = new OffscreenCanvas(c.width, c.height).getContext("2d", { willReadFrequently: true });
+            copy.drawImage(c, 0, 0);
+            const { data } = copy.getImageData(0, 0, c.width, c.height);
+            for (let i = 0; i < data.length; i += 4) count += data[i + 3] > 250 && [0, 1, 2].every((k) => Math.abs(data[i + k] - want[k]) < 4);
+          }
+          return count;
+        });
+      };
+      const before = await drawn();
+      assert.match(await text(page, "#way-readout"), /^Choose a fault/);
+      await page.selectOption("#way", { label: "M1" });
+      assert.match(await text(page, "#way-readout"), /^Fault M1 at .* lands at pad; drawn from /);
+      assert.ok((await drawn()) > before + 100, `${browser}: ${before}, then ${await drawn()}`);
+      // A click on a strip chooses its mode and the instant.
+      const strip = page.locator("svg.ways").nth(1);
+      await strip.scrollIntoViewIfNeeded();
+      const box = await strip.boundingBox();
+      await page.mouse.click(box.x + 0.1 * box.width, box.y + box.height / 2);
+      const [now, end] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
+      assert.ok(Math.abs(now - 0.1 * end) < 0.2, `${now} of ${end}`);
+      assert.match(await text(page, "#way-readout"), /^Fault M4 at 0\.\d+ s: lands at pad/);
+      // In a gap nothing is drawn.
+      const gap = await page.evaluate(() => {
+        const { ways } = JSON.parse(document.getElementById("content").textContent).ways[1];
+        const k = ways.findIndex((w, i) => i > 0 && w.from > ways[i - 1].to + 0.1);
+        return k < 0 ? null : (ways[k].from + ways[k - 1].to) / 2;
+      });
+      assert.ok(gap, "the mission has no gap");
+      await page.mouse.click(box.x + (gap / end) * box.width, box.y + box.height / 2);
+      assert.match(await text(page, "#way-readout"), /no way out was found/);
+      assert.ok((await drawn()) <= before + 20, `${browser}: ${await drawn()} in a gap`);
+      await page.selectOption("#way", { label: "none" });
+      assert.match(await text(page, "#way-readout"), /^Choose a fault/);
+    });
+  }
+});
+
 test("an analysis marks the rotors that each mode takes, without a mission too", async () => {
   await open("analysis", {}, async (page) => {
     const headline = await text(page, ".headline");

@@ -6,7 +6,7 @@ import { css } from "./palette.js";
 import { plane } from "./plane.js";
 import { flat as drawVolumes, reach } from "./volumes.js";
 
-export function flat({ place, run, state, content }) {
+export function flat({ place, run, state, content, reached, wayShown }) {
   let colors = [];
   const view = (i, j, name, outline) => {
     const plot = element("div", { class: "plot" });
@@ -25,7 +25,7 @@ export function flat({ place, run, state, content }) {
       box: () => {
         const ends = columns().map((values, k) => {
           const along = axes[k === 0 ? i : j];
-          const all = [...values, ...content.waypoints.map((w) => w.at[along]), ...near().map((p) => p.getComponent(along))];
+          const all = [...values, ...content.waypoints.map((w) => w.at[along]), ...near().map((p) => p.getComponent(along)), ...reached().map((p) => p[along])];
           const [low, high] = [Math.min(...all), Math.max(...all)];
           const room = 0.06 * (high - low) + 0.2;
           return [low - room, high + room];
@@ -41,6 +41,8 @@ export function flat({ place, run, state, content }) {
         for (let k = 0; k + 1 < xs.length; k++) {
           pen.line([[xs[k], ys[k]], [xs[k + 1], ys[k + 1]]], { stroke: colors[k], width: 3 });
         }
+        const shown = wayShown();
+        if (shown) pen.line(shown.points.map((p) => [p[axes[i]], p[axes[j]]]), { stroke: shown.color, width: 3, dash: [8, 4] });
         const k = Math.max(0, run().columns.t.findLastIndex((t) => t <= state.time));
         pen.dot([xs[k], ys[k]], { fill: css("--ink"), stroke: css("--paper"), radius: 6 });
       },

@@ -8,12 +8,14 @@ import { sets } from "./sets.js";
 import { space } from "./space.js";
 import { strips } from "./strips.js";
 import { theme } from "./theme.js";
+import { ways } from "./ways.js";
 
 document.documentElement.classList.add("scripted");
 theme();
 if (content.runs.length > 0) {
   player();
   space();
+  ways();
   strips();
   charts();
 }

@@ -32,13 +32,13 @@ const MOST_LABELS = 16;
 /** Distance in px within which the pointer counts as on the path. */
 const NEAR = 14;
 
-export function scene({ place, run, state, setTime, struck, content, note }, lost) {
+export function scene({ place, run, state, setTime, struck, content, note, reached, wayShown }, lost) {
   const points = () => {
     const { x, y, z } = run().columns;
     return x.map((v, k) => new Vector3(v, y[k], z[k]));
   };
   const stops = content.waypoints.map((w) => new Vector3(...w.at));
-  const seen = [...points(), ...stops];
+  const seen = [...points(), ...stops, ...reached().map((p) => new Vector3(...p))];
   seen.push(...reach(seen));
   const land = extent(seen);
   const { size, step, floor } = land;
@@ -65,6 +65,9 @@ export function scene({ place, run, state, setTime, struck, content, note }, los
   const material = new LineMaterial({ vertexColors: true, linewidth: 4.5 });
   onFit((width, height) => material.resolution.set(width, height));
   let path = null;
+  const branching = new LineMaterial({ linewidth: 4.5, dashed: true, dashSize: 0.012 * size, gapSize: 0.006 * size });
+  onFit((width, height) => branching.resolution.set(width, height));
+  let branch = null;
   const shadow = new Line(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.45 }));
   const others = new Group();
   world.add(shadow, others);
@@ -139,7 +142,25 @@ export function scene({ place, run, state, setTime, struck, content, note }, los
     time();
   }
 
+  /** The way out at the instant shown: dashed, so that it differs from the path by more than its colour. */
+  function drawBranch() {
+    if (branch) {
+      world.remove(branch);
+      branch.geometry.dispose();
+      branch = null;
+    }
+    const shown = wayShown();
+    if (!shown) return;
+    branching.color.set(shown.color);
+    const geometry = new LineGeometry();
+    geometry.setPositions(shown.points.flat());
+    branch = new Line2(geometry, branching);
+    branch.computeLineDistances();
+    world.add(branch);
+  }
+
   function time() {
+    drawBranch();
     const c = run().columns;
     const k = indexAt(c.t, state.time);
     const [roll, pitch, yaw] = ["roll", "pitch", "yaw"].map((n) => (c[n][k] * Math.PI) / 180);

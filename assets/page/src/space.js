@@ -7,6 +7,7 @@ import { classLegend, legend } from "./strips.js";
 import { keep } from "./kept.js";
 import { on, run, set, setTime, state } from "./state.js";
 import { flat } from "./flat.js";
+import { reached, wayShown } from "./ways.js";
 import { scene } from "./scene.js";
 import { NOTE } from "./volumes.js";
 
@@ -114,7 +115,7 @@ export function space() {
   let view;
   // The hint about rotating is not printed.
   const note = (text, hint = "") => byId("space-note").replaceChildren(text, element("span", { class: "hint" }, hint));
-  const views = { place, run, state, setTime, struck, content, note };
+  const views = { place, run, state, setTime, struck, content, note, reached, wayShown };
   const fill = () => {
     const kept = choice.selectedIndex;
     choice.replaceChildren(...colorings().map((c, i) => element("option", { value: String(i) }, c.name)));
@@ -161,6 +162,7 @@ export function space() {
     fill();
     color();
   });
+  on("way", () => view.time());
   on("set", () => {
     view.time();
     tell();

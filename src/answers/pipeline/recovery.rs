@@ -8,6 +8,7 @@ use crate::number::{percent, significant};
 use crate::observer::{Observer, timed};
 use crate::recovery::replanning::replanned;
 use crate::recovery::{Recovery, recovery};
+use crate::report::recoverable::RecoverableRecord;
 use crate::report::recovery::uncovered;
 
 impl Task<'_> {
@@ -36,11 +37,21 @@ impl Task<'_> {
         }
         if let (true, Some(plan)) = (between && required, planning.plan()) {
             observer.begins("looking for families of ways out");
-            let change = found.change;
+            let (change, longer) = (found.change, found.longer);
             found = timed(observer, "recovery", || recovery(self.problem(), &plan.trajectory, true));
-            found.change = change;
+            (found.change, found.longer) = (change, longer);
         }
         Ok(Some(found))
+    }
+
+    /// The plan of [`Task::plan`] and [`Task::recovery`] with its price, beside a comparison of planners; `None` if the
+    /// spec does not require ways out.
+    pub fn recoverable(&self, observer: &dyn Observer) -> Option<RecoverableRecord> {
+        self.model().plan.recovery.require?;
+        let mut planning = self.plan(observer);
+        // It is a plan for this spec.
+        let found = self.recovery(&mut planning, false, observer).ok()?;
+        RecoverableRecord::new(self.model(), planning.run(), found.as_ref())
     }
 
     /// Plans again with more room, and keeps what leaves a smaller share of the time without a way out.
@@ -52,13 +63,14 @@ impl Task<'_> {
         };
         let share = |found: &Recovery| uncovered(self.model(), found).0;
         let again = replanned(self.problem(), planning.comparison(), &found, (&share, required.uncovered), &tries);
-        match again {
-            Some(again) => {
-                planning.replace(self, again.comparison);
-                again.recovery
+        let kept = match again.replanned {
+            Some(replanned) => {
+                planning.replace(self, replanned.comparison);
+                replanned.recovery
             }
             None => found,
-        }
+        };
+        Recovery { longer: again.longer, ..kept }
     }
 
     /// Whether a larger share of the time has no way out than `require uncovered` allows.

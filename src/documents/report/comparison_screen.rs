@@ -6,6 +6,7 @@ use super::comparison_text::name_of;
 use super::plan_screen::{unsafe_until, warn_of_not_covered};
 use super::planner_names::planners_in_full;
 use super::record::rates;
+use super::recoverable::{self, RecoverableRecord};
 use super::screen::{Keep, Screen, Tone};
 use super::terminal::vehicle_line;
 use crate::admissible::row::VIOLATED;
@@ -22,8 +23,8 @@ use std::collections::BTreeSet;
 /// Digits of times and energies.
 const DIGITS: usize = 4;
 
-/// The output.
-pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
+/// The output; `recoverable` is the plan with ways out after faults, if the spec requires them.
+pub fn screen(problem: Problem, comparison: &Comparison, recoverable: Option<&RecoverableRecord>) -> Screen {
     let (model, mission) = (problem.model(), problem.mission());
     let mut screen = Screen::default();
     screen.paragraph(Tone::Plain, 0, 2, &format!("{} with {}", mission.name, vehicle_line(model)));
@@ -44,6 +45,9 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
         let title = format!("All planners at one time, {} s", significant(time, DIGITS));
         block(&mut screen, problem, comparison, &title, |run| !is_own(run));
     }
+    if let Some(record) = recoverable {
+        recoverable::write(&mut screen, record);
+    }
     let hidden: BTreeSet<&[String]> =
         comparison.runs.iter().filter(|run| !is_shown(comparison, run)).map(|run| run.against.as_slice()).collect();
     if !hidden.is_empty() {
@@ -53,6 +57,9 @@ pub fn screen(problem: Problem, comparison: &Comparison) -> Screen {
     legends(model, comparison)
         .iter()
         .for_each(|text| screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, text)));
+    if recoverable.is_none() {
+        recoverable::write_not_attempted(&mut screen);
+    }
     if let Some(text) = outside_the_model(model, comparison) {
         screen.remark(Keep::Finding, &text);
     }

@@ -3,6 +3,7 @@
 mod fold;
 
 use super::record::{errors, rates};
+use super::recoverable::{self, RecoverableRecord};
 use super::terminal::{head, holds, in_planes};
 use super::{least_time, without_yaw};
 use crate::admissible::row::VIOLATED;
@@ -23,8 +24,9 @@ const CHEAPER: f64 = 1e-3;
 /// The most modes that a cell of a table names.
 const NAMED: usize = 4;
 
-/// The tables of the paper's section 5.4, for any spec.
-pub fn compare(problem: Problem, comparison: &Comparison) -> String {
+/// The tables of the paper's section 5.4, for any spec, and the plan with ways out after faults, if the spec requires
+/// them.
+pub fn compare(problem: Problem, comparison: &Comparison, recoverable: Option<&RecoverableRecord>) -> String {
     let (model, mission) = (problem.model(), problem.mission());
     let mut out = head(problem, comparison, None);
     out.push_str(match determined(mission) {
@@ -70,6 +72,7 @@ pub fn compare(problem: Problem, comparison: &Comparison) -> String {
             out.push_str(risk_note(model, comparison));
         }
     }
+    out.push_str(&recoverable::text(recoverable));
     out.push_str(&guarded(comparison));
     out.push_str(&words(problem, comparison));
     out

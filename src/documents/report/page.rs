@@ -31,6 +31,7 @@ mod table;
 mod verdicts;
 mod volumes;
 mod waypoint_table;
+mod ways;
 
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnostic::Diagnostic;
@@ -38,6 +39,7 @@ use crate::flight::capture::Capture;
 use crate::flight::equilibrium::analyze_each;
 use crate::model::{Model, Problem};
 use crate::planner::studies::{Comparison, PlanOutcome, Run};
+use crate::recovery::Recovery;
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::record::Record;
 use crate::report::simulation::FlightRecord;
@@ -66,20 +68,29 @@ pub enum PageKind {
     Compare,
 }
 
-/// The page of `mavc plan` or `mavc compare`; `record` is the JSON report, and `captures` are those that are drawn over
-/// delays. Complete HTML, the same for the same input.
+/// What a plan's page shows beside the plan.
+#[derive(Clone, Copy, Default)]
+pub struct Beside<'a> {
+    /// Those that are drawn over delays.
+    pub captures: &'a [Capture],
+    /// The ways out, if they were sought.
+    pub recovery: Option<&'a Recovery>,
+}
+
+/// The page of `mavc plan` or `mavc compare`; `record` is the JSON report. Complete HTML, the same for the same input.
 pub fn plans(
     kind: PageKind,
     subject: &Subject,
     comparison: &Comparison,
     record: &Record,
-    captures: &[Capture],
+    Beside { captures, recovery: found }: Beside,
 ) -> String {
     let problem = subject.problem;
     let (model, mission) = (problem.model(), problem.mission());
     let analyses = analyze_each(model);
     let shown = sets::shown(model, comparison);
-    let content = Content::of_plans(subject, comparison, &shown, record).with_places(&analyses);
+    let mut content = Content::of_plans(subject, comparison, &shown, record).with_places(&analyses);
+    content.ways = found.map_or(Vec::new(), |found| ways::contents(model, found));
     let mut sections = vec![Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses))];
     if kind == PageKind::Plan {
         if let Some(section) = recovery::section(record) {

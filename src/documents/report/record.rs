@@ -8,6 +8,7 @@ use super::conflict_record::ConflictRecord;
 use super::headings::{self, HeadingRecord};
 use super::least_time;
 use super::plan_screen::{CoverageRecord, PriceRecord};
+use super::recoverable::RecoverableRecord;
 use super::recovery::RecoveryRecord;
 use super::shape::{self, DetourRecord, ShapeRecord};
 use super::verdict_text::{headline, statement};
@@ -71,6 +72,10 @@ pub struct Record {
     /// What can be done after each fault, in `mavc plan --recovery` and with `require uncovered`; omitted otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub recovery: Option<RecoveryRecord>,
+    /// In `mavc compare` with `require uncovered`: the plan with ways out after faults, and their price; omitted
+    /// otherwise, because it was not attempted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recoverable: Option<RecoverableRecord>,
     /// With `require risk`, in `mavc plan`: the plan without protection, then after each addition of the greedy
     /// choice; null otherwise.
     #[cfg_attr(test, schemars(length(min = 1)))]
@@ -292,6 +297,7 @@ impl Record {
             conflict: None,
             capture_height: None,
             recovery: None,
+            recoverable: None,
             trade_off: (!comparison.trade_off.is_empty()).then(steps),
         }
     }
@@ -320,6 +326,7 @@ impl Record {
             conflict: None,
             capture_height: None,
             recovery: None,
+            recoverable: None,
             trade_off: None,
         }
     }

@@ -42,6 +42,10 @@ pub struct RecoveryRecord {
     /// If the mission was planned again because `require uncovered` did not hold: how.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replanned: Option<ReplannedRecord>,
+    /// If the spec fixes the mission time and `require uncovered` does not hold: a longer time that was tried and
+    /// leaves less. Omitted if there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub longer: Option<LongerRecord>,
     /// Every declared mode, in their order.
     pub modes: Vec<ModeRecoveryRecord>,
 }
@@ -76,6 +80,27 @@ impl ReplannedRecord {
             percent(reserve),
             percent(self.uncovered_before)
         )
+    }
+}
+
+/// A plan in more time than the spec fixes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct LongerRecord {
+    /// Mission time, s.
+    #[cfg_attr(test, schemars(extend("exclusiveMinimum" = 0)))]
+    pub time_s: f64,
+    /// The share of the time without a way out.
+    #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
+    pub uncovered: f64,
+}
+
+impl LongerRecord {
+    /// `A plan was found that takes 21 s instead of 20 s and leaves 0 % without a way out.`
+    fn sentence(&self, duration: f64) -> String {
+        let [time, instead] = [self.time_s, duration].map(|t| significant(t, 4));
+        let left = percent(self.uncovered);
+        format!("A plan was found that takes {time} s instead of {instead} s and leaves {left} without a way out.")
     }
 }
 
@@ -160,7 +185,8 @@ pub const OUTCOMES: [&str; 5] = ["continue", "continue spinning", "land at site"
 pub const WORDS: [&str; 5] =
     ["back on the plan", "back on the plan, spinning", "lands at a site", "lands where it is", "none found"];
 
-fn outcome(way: Option<Way>) -> &'static str {
+/// The word of an outcome.
+pub(super) fn outcome(way: Option<Way>) -> &'static str {
     match way {
         Some(Way::Continue) => OUTCOMES[0],
         Some(Way::ContinueSpinning) => OUTCOMES[1],
@@ -185,6 +211,14 @@ fn site_name(model: &Model, site: usize) -> &str {
     model.mission.as_ref().and_then(|mission| mission.after_fault.sites.get(site)).map_or("", |site| &site.name)
 }
 
+/// The name of the landing site of a way out that leads to one.
+pub(super) fn site_of(model: &Model, way: Way) -> Option<&str> {
+    match way {
+        Way::LandAt(site) => Some(site_name(model, site)),
+        Way::Continue | Way::ContinueSpinning | Way::LandHere => None,
+    }
+}
+
 /// `M1_12.50s_200ms`: mode, instant of the fault, delay.
 fn branch_name(model: &Model, branch: &FoundBranch) -> String {
     let FoundBranch { mode, fault_at, delay, .. } = branch;
@@ -195,10 +229,7 @@ impl RecoveryRecord {
     pub fn new(model: &Model, recovery: &Recovery) -> Self {
         let (uncovered, weighted) = uncovered(model, recovery);
         let name = |index: &usize| branch_name(model, &recovery.branches[*index]) + ".csv";
-        let site = |way: Option<Way>| match way {
-            Some(Way::LandAt(site)) => Some(site_name(model, site).into()),
-            _ => None,
-        };
+        let site = |way: Option<Way>| way.and_then(|way| site_of(model, way)).map(String::from);
         let piece = |piece: &Piece| PieceRecord {
             from_s: piece.from,
             to_s: piece.to,
@@ -238,6 +269,7 @@ impl RecoveryRecord {
                 time_before_s: change.time_before,
                 uncovered_before: change.uncovered_before,
             }),
+            longer: recovery.longer.map(|longer| LongerRecord { time_s: longer.time, uncovered: longer.uncovered }),
             modes: recovery.modes.iter().map(mode).collect(),
         }
     }
@@ -261,10 +293,7 @@ pub fn files(problem: Problem, recovery: &Recovery) -> Result<Vec<(String, Vec<u
     let mut files = Vec::with_capacity(recovery.branches.len() + 1);
     for (place, branch) in recovery.branches.iter().enumerate() {
         let name = branch_name(model, branch) + ".csv";
-        let site = match branch.way {
-            Way::LandAt(site) => site_name(model, site),
-            _ => "",
-        };
+        let site = site_of(model, branch.way).unwrap_or_default();
         let begins = branch.fault_at + branch.delay;
         let flight = if recovery.failed.binary_search(&place).is_ok() { "failed" } else { "as planned" };
         index.push_str(&format!(
@@ -349,6 +378,9 @@ pub fn write(screen: &mut Screen, model: &Model, recovery: &Recovery, verbose: b
     screen.paragraph(tone, 2, 2, &format!("AFTER A FAULT {}", sentence(&record)));
     if let Some(replanned) = &record.replanned {
         screen.paragraph(Tone::Plain, 2, 2, &replanned.sentence(model.plan.reserve));
+    }
+    if let Some(longer) = &record.longer {
+        screen.paragraph(Tone::Plain, 2, 2, &longer.sentence(recovery.duration));
     }
     let mut table = Table::new(&["fault", &scale(recovery.duration), "no way out s"]);
     let mut modes: Vec<&ModeRecovery> = recovery.modes.iter().collect();

@@ -35,18 +35,36 @@ pub struct Change {
     pub uncovered_before: f64,
 }
 
-/// Plans again with more and more room, and if the spec leaves the time open then in more and more time, until at most
-/// a share `bound` of the time has no way out, as `uncovered` measures it. Without success the plan that leaves the
-/// smallest share, if it is smaller than that of the first. `tries` receives each reserve, and the time where it is
-/// given, s, before they are tried.
+/// A plan in more time than a spec fixes, which leaves less without a way out: the nearest miss.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Longer {
+    /// The mission time, s.
+    pub time: f64,
+    /// The share of the time without a way out.
+    pub uncovered: f64,
+}
+
+/// What planning again gives.
+#[derive(Default)]
+pub struct Outcome {
+    /// The plan that leaves the smallest share without a way out, if it is smaller than that of the first plan.
+    pub replanned: Option<Replanned>,
+    /// If the spec fixes the time and too much is left without a way out: the shortest of the longer times tried that
+    /// leaves little enough, or else the one that leaves least, if that is less.
+    pub longer: Option<Longer>,
+}
+
+/// Plans again with more and more room, and then in more and more time, until at most a share `bound` of the time has
+/// no way out, as `uncovered` measures it. A plan in more time is taken only if the spec leaves the time open. `tries`
+/// receives each reserve, and the time where it is given, s, before they are tried.
 pub fn replanned(
     problem: Problem,
     first: &Comparison,
     found: &Recovery,
     (uncovered, bound): (&dyn Fn(&Recovery) -> f64, f64),
     tries: &dyn Fn(f64, Option<f64>),
-) -> Option<Replanned> {
-    let before = first.runs.last()?.outcome.plan()?;
+) -> Outcome {
+    let Some(before) = first.runs.last().and_then(|run| run.outcome.plan()) else { return Outcome::default() };
     let uncovered_before = uncovered(found);
     let mut best = Best { share: uncovered_before, replanned: None };
     let attempt = |reserve: f64, time: Option<f64>, best: &mut Best| {
@@ -76,16 +94,37 @@ pub fn replanned(
             break;
         }
     }
-    if problem.model().plan.time == MissionTime::Minimum {
-        let reserve = (problem.model().plan.reserve + WITH_TIME).min(MOST);
-        for factor in LONGER {
-            if best.share <= bound {
-                break;
-            }
-            attempt(reserve, Some(factor * before.time), &mut best);
+    let is_open = problem.model().plan.time == MissionTime::Minimum;
+    let reserve = (problem.model().plan.reserve + WITH_TIME).min(MOST);
+    let mut longer: Option<Longer> = None;
+    for time in LONGER.map(|factor| factor * before.time) {
+        let least = longer.map_or(best.share, |longer| longer.uncovered);
+        if least <= bound {
+            break;
+        }
+        if is_open {
+            attempt(reserve, Some(time), &mut best);
+        } else {
+            tries(reserve, Some(time));
+            let share = in_another_time(problem, found, reserve, time).map(|found| uncovered(&found));
+            longer = share.filter(|share| *share < least).map(|uncovered| Longer { time, uncovered }).or(longer);
         }
     }
-    best.replanned
+    Outcome { longer, replanned: best.replanned }
+}
+
+/// The ways out along a plan in another time than the spec's, s, which is a plan of another spec; `None` if none is
+/// found.
+fn in_another_time(problem: Problem, found: &Recovery, reserve: f64, time: f64) -> Option<Recovery> {
+    let plan = with_reserve(problem, found, reserve, Some(time))?;
+    let other = in_time(problem.model().clone(), time);
+    Some(recovery(Problem::of(&other)?, &plan.trajectory, false))
+}
+
+/// A model with the mission time `time`, s.
+fn in_time(mut model: Model, time: f64) -> Model {
+    model.plan.time = MissionTime::Fixed(time);
+    model
 }
 
 /// The plan so far with the smallest share of the time without a way out.
@@ -105,13 +144,14 @@ fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f
     let gaps: Vec<usize> = (0..problem.model().modes.len()).filter(|&mode| has_gap(mode)).collect();
     let more: Vec<usize> = own.iter().copied().chain(gaps.iter().copied().filter(|mode| !own.contains(mode))).collect();
     let with = |against: &[usize]| {
-        let mut model: Model = problem.model().clone();
+        let own = problem.model().clone();
+        let mut model = match time {
+            Some(time) => in_time(own, time),
+            None => own,
+        };
         model.plan.planner = PlannerKind::Rcp;
         model.plan.reserve = reserve;
         model.plan.against = against.to_vec();
-        if let Some(time) = time {
-            model.plan.time = MissionTime::Fixed(time);
-        }
         let variant = Problem::of(&model)?;
         let mut comparison = run_planners(variant, Scope::Plan, None);
         certify::check(variant, &mut comparison);

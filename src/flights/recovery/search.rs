@@ -25,9 +25,14 @@ use std::collections::BTreeMap;
 /// processor time.
 const BACK_IN: [f64; 3] = [4.0, 1.0, 2.0];
 
-/// Times of a landing as multiples of a likely one, in the order tried; the longest allowed is tried last. Chosen by
-/// hand.
-const LONGER: [f64; 3] = [1.0, 2.1, 1.45];
+/// Times of a landing as multiples of a likely one, ascending, because the shortest that is found is taken; the longest
+/// allowed is tried last. Chosen by hand.
+const LONGER: [f64; 3] = [1.0, 1.45, 2.1];
+
+/// A landing about a known one that takes more than this many times as long as one of the times to try is sought again
+/// in that time. Chosen by hand: below the ratio of neighbours in [`LONGER`], above the change of the likely time from
+/// one instant to the next.
+const MUCH_LONGER: f64 = 1.2;
 
 /// A vehicle that lands where it comes to rest may touch down this far from there, m. Chosen by hand.
 const HERE: f64 = 1.0;
@@ -327,11 +332,32 @@ impl<'a> Search<'a> {
         let within = self.problem.model().plan.recovery.within;
         let goal = Goal::Ground { at: to, radius };
         self.for_each_delay(at, carried, way, |search, start| {
-            let Start { state, alike, .. } = start;
+            let Start { state, alike: [last, of_longer_delay], .. } = start;
+            // In the time of the longer delay, if there is one.
+            let alike = [of_longer_delay, last];
             let likely = search.tight.likely_duration(state, &goal);
             let times = LONGER.map(|factor| factor * likely).into_iter().filter(|t| *t < within).chain([within]);
-            search.branch(state, alike, &start.tried(times), |_, _| goal)
+            let found = search.branch(state, alike, &start.tried(times.clone()), |_, _| goal)?;
+            let is_known = last.is_some() && of_longer_delay.is_none();
+            let shorter = if is_known { search.shorter(at, state, &found, times, goal) } else { None };
+            Some(shorter.unwrap_or(found))
         })
+    }
+
+    /// A landing in a time so much shorter than that of one about a known one that it is worth the search; `None` where
+    /// there is none. One time is tried at each instant, those that are shorter in turn, because most are too short.
+    fn shorter(
+        &mut self,
+        at: f64,
+        state: &NodeState,
+        found: &Iterate,
+        times: impl Iterator<Item = f64>,
+        goal: Goal,
+    ) -> Option<Iterate> {
+        let shorter: Vec<f64> = times.filter(|time| MUCH_LONGER * time < found.grid.total).collect();
+        let turn = (at / super::apart(self.plan.duration())) as usize;
+        let time = *shorter.get(turn.checked_rem(shorter.len())?)?;
+        self.branch(state, [None; 2], &[time], |_, _| goal)
     }
 
     /// A branch from a state about one of those that are `alike`, or else in one of some times, s; one with room if

@@ -6,7 +6,7 @@ use super::spec::{self, Start};
 use super::{CommandError, CompareArgs, Options, code_of};
 use crate::pipeline::Task;
 use crate::read::FlightBlocks;
-use crate::report::page::{self, PageKind};
+use crate::report::page::{self, Beside, PageKind};
 use crate::report::screen::Screen;
 use crate::report::{comparison_screen, comparison_text};
 
@@ -27,13 +27,16 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, CommandError> {
     };
     let comparison = task.compare(&watch);
     let problem = task.problem();
-    let record = task.comparison_report(&comparison);
+    let mut record = task.comparison_report(&comparison);
+    record.recoverable = task.recoverable(&watch);
     let mut results = Results::new(&places);
     results.report(&record)?;
-    results.page(|| page::plans(PageKind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record, &[]));
+    results.page(|| {
+        page::plans(PageKind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record, Beside::default())
+    });
     results.print(&match options.verbose {
-        true => Screen::of_text(&comparison_text::compare(problem, &comparison)),
-        false => comparison_screen::screen(problem, &comparison),
+        true => Screen::of_text(&comparison_text::compare(problem, &comparison, record.recoverable.as_ref())),
+        false => comparison_screen::screen(problem, &comparison, record.recoverable.as_ref()),
     })?;
     results.charts(&subject(&task, &[]), &comparison)?;
     results.write()?;

@@ -13,7 +13,7 @@ use crate::model::MissionTime;
 use crate::observer::{Observer, timed};
 use crate::pipeline::{Explained, Planning, Task, certify, with_ways_out};
 use crate::read::FlightBlocks;
-use crate::report::page::{self, PageKind};
+use crate::report::page::{self, Beside, PageKind};
 use crate::report::plan_screen::Covers;
 use crate::report::recovery::{self, RecoveryRecord};
 use std::panic::resume_unwind;
@@ -85,7 +85,9 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         let shown: Vec<Diagnostic> = findings.diagnostics.iter().chain(&conflict).cloned().collect();
         let comparison = planning.comparison();
         results.page(|| {
-            page::plans(PageKind::Plan, &subject(&task, &shown), comparison, &record, &task.capture_curves(&planning))
+            let captures = &task.capture_curves(&planning);
+            let beside = Beside { captures, recovery: recovery.as_ref() };
+            page::plans(PageKind::Plan, &subject(&task, &shown), comparison, &record, beside)
         });
         let between = between.as_deref();
         let text = task.for_people(&planning, &explained, between, recovery.as_ref(), options.verbose);

@@ -7,7 +7,7 @@ use super::{CommandError, NO_PLAN, Options, code_of, files};
 use crate::diagnostic::Diagnostic;
 use crate::pipeline::{Explained, Planning, Task};
 use crate::planner::studies::Comparison;
-use crate::report::page::{self, PageKind, Subject};
+use crate::report::page::{self, Beside, PageKind, Subject};
 use crate::report::record::Record;
 use crate::report::screen::Screen;
 use crate::source::{SourceMap, visible};
@@ -94,7 +94,9 @@ impl<'a> Places<'a> {
         let record = task.report(planning, &Explained::default(), None);
         let mut results = Results::new(self);
         results.report(&record)?;
-        results.page(|| page::plans(PageKind::Plan, &subject(task, &findings.diagnostics), comparison, &record, &[]));
+        results.page(|| {
+            page::plans(PageKind::Plan, &subject(task, &findings.diagnostics), comparison, &record, Beside::default())
+        });
         results.print(&task.for_people(planning, &Explained::default(), None, None, options.verbose))?;
         let why = "\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n";
         results.print(&Screen::of_text(why))?;

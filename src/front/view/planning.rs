@@ -5,7 +5,7 @@ use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::{Diagnostic, render_human, sort};
 use crate::observer::{Observer, Stages, attempt};
 use crate::pipeline::{Task, analyze};
-use crate::report::page::{self, PageKind, Subject};
+use crate::report::page::{self, Beside, PageKind, Subject};
 use crate::report::{analysis_text, headline};
 use crate::source::SourceMap;
 use crate::spec::{Compiled, Spec};
@@ -83,6 +83,12 @@ fn plan(spec: &Spec, read: &[Diagnostic], board: &Board) {
     let shown: Vec<Diagnostic> = diagnostics.into_iter().chain(task.diagnose(&explained)).collect();
     let subject = Subject { problem: task.problem(), sources: spec.sources(), diagnostics: &shown };
     let curves = task.capture_curves(&planning);
-    let page = page::plans(PageKind::Plan, &subject, planning.comparison(), &record, &curves);
+    let page = page::plans(
+        PageKind::Plan,
+        &subject,
+        planning.comparison(),
+        &record,
+        Beside { captures: &curves, recovery: None },
+    );
     board.publish(&page, human(&shown, spec.sources()));
 }

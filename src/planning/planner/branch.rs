@@ -72,6 +72,10 @@ const LEVEL: f64 = 1.0;
 /// The shortest part between these and the descent, s. Chosen by hand.
 const SHORTEST_WAY: f64 = 0.5;
 
+/// Distances to the middle of a place of landing count in radii of it, which count as this much at least, m. Chosen by
+/// hand.
+const SMALLEST_PLACE: f64 = 0.1;
+
 /// About the length of an interval in that part, s, and its least and largest number of intervals. Chosen by hand.
 const STEP_OF_WAY: f64 = 0.8;
 const INTERVALS_OF_WAY: [usize; 2] = [4, 12];
@@ -231,8 +235,13 @@ impl<'a> Branches<'a> {
             time_span: None,
             hold_span: None,
         };
+        let mut waypoints = vec![waypoint; legs.len() + 1];
+        if let (Goal::Ground { at, radius }, Some(last)) = (*goal, waypoints.last_mut()) {
+            // The middle of the place is preferred: by the initial guess, and by every step.
+            (last.position, last.weight) = (at, radius.max(SMALLEST_PLACE).powi(-2));
+        }
         let mission = Mission {
-            waypoints: vec![waypoint; legs.len() + 1],
+            waypoints,
             legs: legs.iter().map(|leg| Leg { share: leg.duration }).collect(),
             spacing: Spacing::Even,
             start_at_rest: false,

@@ -41,6 +41,11 @@ impl Transcription<'_> {
                 }
             }
         }
+        self.distances(builder, factor);
+    }
+
+    /// The part of (48) that counts squared distances to the waypoints, times `factor`.
+    pub(super) fn distances(&self, builder: &mut Builder, factor: f64) {
         for (w, &node) in self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes) {
             let targets = [w.position[0], w.position[1], w.position[2], w.yaw];
             let is_due = |axis: usize| axis != YAW || w.heading == Heading::Given;

@@ -17,6 +17,8 @@ pub const KINDS: &[Kind] = &[
     evaluated("a way out from states too far away", &[Premise::WayRows], wide),
     evaluated("a way out to another site", &[Premise::WayEnd], misnamed),
     evaluated("a way out that ends in the air", &[Premise::WayEnd], hovering),
+    evaluated("a way back that ends beside the plan", &[Premise::WayRows], beside),
+    evaluated("a way back to a plan that leaves the set later", &[Premise::WayEnd], premature),
     evaluated("a way out that is torn", &[Premise::Joints], torn),
     evaluated("a way out that the spec does not allow", &[], forbidden),
 ];
@@ -138,6 +140,58 @@ fn hovering(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     // No farther than a vehicle may have risen meanwhile.
     let by = numbers.between(0.03, 0.08);
     changed(spec, |ways| each(spec, ways, |motion| motion.nodes.iter_mut().for_each(|state| state[Z][0] += by)))
+}
+
+/// Branches that end beside the plan. The nearer ones return all the same, as the polynomials of their members take them
+/// to the plan.
+fn beside(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
+    let angle = numbers.between(0.0, std::f64::consts::TAU);
+    let far = numbers.magnitude(5.0, 200.0);
+    changed(spec, |ways| {
+        let is_back = ways.families.iter().all(|family| family.way == WayRecord::Continue);
+        is_back.then_some(())?;
+        each(spec, ways, |motion| {
+            lead_to(motion, X, far * angle.cos());
+            lead_to(motion, Y, far * angle.sin());
+        })
+    })
+}
+
+/// Adds `by (5 x^4 - 4 x^5)` with x = t/T, which at the beginning changes nothing below the fourth derivative.
+fn lead_to(motion: &mut Trajectory, axis: usize, by: f64) {
+    let whole = motion.duration();
+    for (time, node) in motion.times.iter().zip(&mut motion.nodes) {
+        let x = time / whole;
+        let shape = [
+            x.powi(4) * (5.0 - 4.0 * x),
+            20.0 * x.powi(3) * (1.0 - x),
+            20.0 * x * x * (3.0 - 4.0 * x),
+            120.0 * x * (1.0 - 2.0 * x),
+            120.0 * (1.0 - 4.0 * x),
+        ];
+        for (order, value) in shape.into_iter().enumerate() {
+            node[axis][order] += by * value / whole.powi(order as i32);
+        }
+    }
+}
+
+/// Ways back before the plan leaves the mode's set, with the honest ones after them or without.
+fn premature(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
+    let mut early = spec.too_early.clone()?;
+    let with_the_others = numbers.below(2) == 0;
+    changed(spec, |ways| {
+        let until = early.families.last()?.to_s;
+        let first = early.branches.len();
+        if with_the_others {
+            for mut family in ways.families.drain(..).filter(|family| family.from_s >= until) {
+                family.corners.iter_mut().for_each(|corner| *corner += first);
+                early.families.push(family);
+            }
+            early.branches.append(&mut ways.branches);
+        }
+        *ways = early;
+        Some(())
+    })
 }
 
 fn torn(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {

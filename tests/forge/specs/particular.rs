@@ -211,7 +211,6 @@ fn beside_others() -> Model {
     })
 }
 
-/// Every draft.
 /// A short leg beside a landing site, so wide that the vehicle comes down inside it after the loss of its first rotor.
 fn beside_a_site() -> Draft {
     let flight = mission(vec![waypoint([0.0, 0.0, 4.0], 0.0), waypoint([3.0, 0.0, 4.5], 0.0)]);
@@ -235,10 +234,32 @@ fn beside_a_site() -> Draft {
     Draft { ways: true, ..Draft::new("beside a landing site", 4.0, model, &[]) }
 }
 
+/// A slow leg, a quick one that is outside the set without the first rotor, and a hold. Ways lead back to the hold.
+fn quick_at_last() -> Draft {
+    let places = [[0.0, 0.0, 4.0], [2.5, 0.0, 4.0], [2.5, 4.0, 4.0]];
+    let mut flight = mission(places.map(|place| waypoint(place, 0.0)).to_vec());
+    flight.waypoints[1].stop = true;
+    flight.waypoints[1].time = Some(CALM);
+    flight.waypoints[2].hold = 1.0;
+    let mut model = octo(flight, PlannerKind::Rip, 30);
+    model.modes.truncate(1);
+    model.plan.reserve = 0.1;
+    model.plan.time = MissionTime::Fixed(8.1);
+    model.plan.recovery.order = vec![Recovery::Continue];
+    model.plan.recovery.detection = [0.1, 0.15];
+    model.plan.recovery.within = 6.0;
+    Draft { ways: true, calm_until: Some(CALM), ..Draft::new("quick at last", 8.1, model, &[]) }
+}
+
+/// When the quick leg begins, s.
+const CALM: f64 = 5.5;
+
+/// Every draft.
 pub fn drafts() -> Vec<Draft> {
     use PlannerKind::{Rcp, Rsp};
     let mut list = vec![
         beside_a_site(),
+        quick_at_last(),
         void("reserve about nothing", weak(Rcp, 0.1), -8.0),
         void("reserve about nothing, exact", exact(weak(Rcp, 0.1)), -8.0),
         void("reserve about nothing, RSP", exact(weak(Rsp, 0.1)), -8.0),

@@ -15,7 +15,10 @@ use mavc::planner::selection::sets::of_one_mode;
 const MEMBERS: usize = 3;
 const INSTANTS: usize = 60;
 
-/// Whether a claim of ways out by landings is false.
+/// Instants of a plan after the return that are looked at are so far apart, s.
+const LATER: f64 = 0.02;
+
+/// Whether a claim of ways out by landings, or back to the plan, is false.
 pub fn are_false(model: &Model, plan: &Trajectory, claim: &RecoveryClaim) -> bool {
     let mission = model.mission.as_ref().expect("every spec here has a mission");
     let branches: Option<Vec<Trajectory>> = claim.branches.iter().map(|branch| of_record(branch, plan.model)).collect();
@@ -45,9 +48,15 @@ fn is_false(
     branches: &[Trajectory],
 ) -> bool {
     let Some(mode) = model.modes.iter().position(|mode| mode.name == family.mode) else { return true };
-    let WayRecord::LandAt(name) = &family.way else { return true };
-    let Some(site) = mission.after_fault.sites.iter().find(|site| site.name == *name) else { return true };
-    let is_allowed = model.recovery(mode).contains(&Recovery::LandAtSites);
+    let (way, site) = match &family.way {
+        WayRecord::Continue => (Recovery::Continue, None),
+        WayRecord::LandAt(name) => {
+            let Some(site) = mission.after_fault.sites.iter().find(|site| site.name == *name) else { return true };
+            (Recovery::LandAtSites, Some(site))
+        }
+        WayRecord::LandHere => return true,
+    };
+    let is_allowed = model.recovery(mode).contains(&way);
     let Some(corners) = family.corners.iter().map(|&corner| branches.get(corner)).collect::<Option<Vec<_>>>() else {
         return true;
     };
@@ -61,9 +70,40 @@ fn is_false(
     members.into_iter().any(|(s, r)| {
         let blend = Blend::new(corners, s, r);
         let [at, delay] = Blend::when(family, s, r);
-        begins_elsewhere(model, plan, &blend, [at, delay])
-            || ends_elsewhere(&blend, site.at, site.radius)
-            || deviations(model, family).iter().any(|by| breaks(model, mission, plan, &set, &blend, by))
+        let joins = at + delay + blend.duration();
+        let (is_wrong, last) = match site {
+            Some(site) => (ends_elsewhere(&blend, site.at, site.radius), NodeState::default()),
+            None => (leaves_later(model, plan, &set, joins), short_of_the_plan(plan, &blend, joins)),
+        };
+        is_wrong
+            || begins_elsewhere(model, plan, &blend, [at, delay])
+            || deviations(model, family).iter().any(|by| breaks(model, mission, plan, &set, &blend, [by, &last]))
+    })
+}
+
+/// The state of the plan, at rest after its end.
+fn planned(plan: &Trajectory, at: f64) -> NodeState {
+    match at < plan.duration() {
+        true => plan.at(at),
+        false => plan.nodes[plan.nodes.len() - 1].map(|axis| [axis[0], 0.0, 0.0, 0.0, 0.0]),
+    }
+}
+
+/// How far the plan is from the end of a blend.
+fn short_of_the_plan(plan: &Trajectory, blend: &Blend, joins: f64) -> NodeState {
+    let (there, end) = (planned(plan, joins), blend.at(blend.duration()));
+    std::array::from_fn(|axis| std::array::from_fn(|k| there[axis][k] - end[axis][k]))
+}
+
+/// Whether the plan is outside the mode's set at some instant after the return.
+fn leaves_later(model: &Model, plan: &Trajectory, set: &PlanningSet, joins: f64) -> bool {
+    let air = model.environment();
+    let rest = plan.duration() - joins;
+    let parts = (rest / LATER).ceil().max(0.0) as usize;
+    (0..=parts).any(|part| {
+        let state = planned(plan, joins + rest.max(0.0) * part as f64 / parts.max(1) as f64);
+        let wrench = plan.wrench(&model.vehicle, &air, &state);
+        set.rows.iter().any(|row| row.violation(&wrench) > TIMES * ROW)
     })
 }
 
@@ -106,19 +146,19 @@ fn deviations(model: &Model, family: &FamilyRecord) -> Vec<NodeState> {
     std::iter::once(NodeState::default()).chain(each).collect()
 }
 
-/// Whether a member leaves the mode's set, or a limit within which it began.
+/// Whether a member with these deviations at its ends leaves the mode's set, or a limit within which it began.
 fn breaks(
     model: &Model,
     mission: &Mission,
     plan: &Trajectory,
     set: &PlanningSet,
     blend: &Blend,
-    deviations: &NodeState,
+    [first, last]: [&NodeState; 2],
 ) -> bool {
     let air = model.environment();
-    let begins = blend.with(deviations, 0.0);
+    let begins = blend.between(first, last, 0.0);
     (0..=INSTANTS).any(|step| {
-        let state = blend.with(deviations, blend.duration() * step as f64 / INSTANTS as f64);
+        let state = blend.between(first, last, blend.duration() * step as f64 / INSTANTS as f64);
         let wrench = plan.wrench(&model.vehicle, &air, &state);
         set.rows.iter().any(|row| row.violation(&wrench) > TIMES * ROW)
             || mission.limits.iter().any(|limit| {

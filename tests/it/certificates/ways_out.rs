@@ -99,7 +99,7 @@ fn a_way_out_is_claimed_from_every_state_in_which_a_fault_becomes_known() {
             let (first, duration) = (blend.at(0.0), blend.duration());
             let apart: NodeState =
                 std::array::from_fn(|axis| std::array::from_fn(|k| struck[axis][k] - first[axis][k]));
-            let flown = |t: f64| blend.with(&apart, t);
+            let flown = |t: f64| blend.between(&apart, &NodeState::default(), t);
             let begin = flown(0.0);
             for axis in [X, Y, Z, YAW] {
                 for (flown, struck) in begin[axis].iter().zip(&struck[axis]).take(kept(axis)) {

@@ -4,6 +4,7 @@ use super::chart::{Chart, Columns, rounded};
 use super::opening::{Opening, opening};
 use super::sets::{SetContent, ShownSet};
 use super::volumes::{self, NearestContent, VolumeContent};
+use super::ways::ModeWays;
 use super::{Subject, motion, shown_first};
 use crate::admissible::verdict::ModeAnalysis;
 use crate::admissible::{AdmissibleSet, hover};
@@ -47,6 +48,9 @@ pub struct Content {
     /// Healthy first.
     pub sets: Vec<SetContent>,
     pub runs: Vec<RunContent>,
+    /// Of a plan along which ways out were sought: those of every mode.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub ways: Vec<ModeWays>,
     /// Index into `runs` of the one shown first.
     pub first: usize,
     /// The instant and the set shown first.
@@ -203,6 +207,7 @@ impl Content {
             opens: opening(None, &sets),
             sets,
             runs: Vec::new(),
+            ways: Vec::new(),
             first: 0,
             record: whole.filter(small),
         }

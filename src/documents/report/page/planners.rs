@@ -1,12 +1,13 @@
 //! The comparison of planners.
 
 use super::motion::signed_percent;
-use super::prose::terms;
+use super::prose::{terms, unbroken};
 use super::table::{Frame, counts, numbers, table, words};
 use super::verdicts::violation_cells;
 use crate::number::{down, number, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run};
 use crate::report::record::{PlannerRecord, Record};
+use crate::report::recoverable;
 use crate::report::without_yaw;
 use maud::{Markup, html};
 
@@ -51,6 +52,7 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
             p.note { "No motion within the limits and at the fixed times takes less than " (down(bound, 4)) " s." }
         }
         @for which in [Run::Common, Run::Own] { @if has_solved(which) { (of_runs(which)) } }
+        p.note { (unbroken(&recoverable::sentence(record.recoverable.as_ref()))) }
         (terms("planners-terms", meanings(has_modes, has_risk)))
     }
 }

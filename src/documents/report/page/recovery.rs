@@ -21,10 +21,10 @@ pub fn section(record: &Record) -> Option<Section> {
     let heads = [table::words("Fault"), table::words("Outcome by the time at which it strikes"), numbers("Open", "s")];
     let frame = Frame { label: "Table of what can be done after each fault", ..Frame::default() };
     let rows = html! {
-        @for mode in &recovery.modes {
+        @for (index, mode) in recovery.modes.iter().enumerate() {
             tr {
                 th scope="row" { (mode.name) }
-                td { (strip(mode)) }
+                td { (strip(mode, index)) }
                 td.n { (fixed(mode.uncovered_s, 2)) }
             }
         }
@@ -51,12 +51,13 @@ fn has(recovery: &RecoveryRecord, outcome: &str) -> bool {
     recovery.modes.iter().flat_map(|mode| &mode.pieces).any(|piece| piece.outcome == outcome)
 }
 
-fn strip(mode: &ModeRecoveryRecord) -> Markup {
+/// The script reads from `data-mode` which of the page's ways out are those of the strip.
+fn strip(mode: &ModeRecoveryRecord, index: usize) -> Markup {
     let duration = mode.pieces.last().map_or(1.0, |piece| piece.to_s).max(f64::MIN_POSITIVE);
     let place = |t: f64| WIDTH * t / duration;
     let [view, label] = [format!("0 0 {WIDTH} {HEIGHT}"), format!("Outcomes of {}", mode.name)];
     html! {
-        svg.ways viewBox=(view) preserveAspectRatio="none" role="img" aria-label=(label) {
+        svg.ways data-mode=(index) viewBox=(view) preserveAspectRatio="none" role="img" aria-label=(label) {
             @for piece in &mode.pieces { (part(piece, &place)) }
         }
     }

@@ -406,6 +406,9 @@ pub struct StopSettings {
     /// give steps that are rejected. Measured on one mode of `specs/missions/tower_hexa.mav`: with 0.1, 2,472 programs
     /// and no branch at 8 % of the instants; with 0.5, 810 programs and a branch at all.
     pub slack_of_working_set: f64,
+    /// Weight of the squared distance between the end of a landing and the middle of its place, in radii of the place,
+    /// against the violation.
+    pub pull_of_place: f64,
     /// The shortest duration tried, s, unless braking with 2 g takes longer; `stop` tries longer ones in a fixed ratio.
     pub min_duration: f64,
 }

@@ -178,6 +178,9 @@ impl Transcription<'_> {
         if step.cost_weight > 0.0 {
             self.cost(&mut builder, step.cost_weight / self.cost_of(step.from).max(f64::MIN_POSITIVE));
         }
+        if self.branch.is_some() {
+            self.distances(&mut builder, step.settings.stops.pull_of_place);
+        }
         let program = builder.finish();
         let equal = match program.cones.first() {
             Some(Cone::Zero(rows)) => *rows,

@@ -128,6 +128,7 @@ impl ScpSettings {
             shares: [1.0, 2.0, 3.0, 2.0, 1.0],
             intervals_per_part: 5,
             slack_of_working_set: 0.5,
+            pull_of_place: 1e-3,
             min_duration: 0.4,
         },
         guidance: GuidanceSettings {
