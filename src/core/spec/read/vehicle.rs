@@ -302,6 +302,7 @@ impl<'a> Reader<'a> {
             self.table = rotor_table::read(cx, fields, files);
             if let Written::Value(table) = &self.table {
                 written.compare(cx, fields, table);
+                table.note(cx, fields);
                 self.fields.used.extend(table.used(fields));
             }
             written.over(&rotor::PartialRotor::of_table(&self.table))
