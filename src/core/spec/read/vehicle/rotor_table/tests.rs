@@ -75,7 +75,7 @@ fn units_may_be_below_the_names() {
     ] {
         assert_eq!(table(&format!("{header}{rows}")), table(SMALL), "{header}");
     }
-    let semicolons = "Thrust;RPM;Torque\n\n# units\nkgf;r/min;N*m\n0,4;3 000;0,02\n";
+    let semicolons = "Thrust;RPM;Torque\n\n# units\nkgf;r/min;N*m\n0.4;3 000;0.02\n";
     let one = table(semicolons);
     close(one.max_thrust(), 0.4 * 9.80665);
     close(one.torque_per_thrust().unwrap(), 0.02 / (0.4 * 9.80665));
