@@ -93,7 +93,7 @@ fn flights_at_the_corners_have_their_own_drag() {
 /// In level flight through still air only the product of drag and speed matters.
 #[test]
 fn the_airspeed_is_that_of_the_largest_drag() {
-    let speed = |drag: &str| mavc::analyze(&spec(drag, "", ""))[0].airspeed.clone().unwrap().largest_m_per_s.unwrap();
+    let speed = |drag: &str| mavc::analyze(&spec(drag, "", ""))[0].airspeed.unwrap().largest_m_per_s.unwrap();
     for (interval, largest) in [
         ("drag = 0.4 N*s/m +- 25 %", "drag = 0.5 N*s/m"),
         ("drag = [0.4, 0.2, 0.1] N*s/m +- 25 %", "drag = [0.5, 0.25, 0.125] N*s/m"),

@@ -89,8 +89,8 @@ group! {
         "the radius of a propeller".bounds(1e-4, 1e4).likely(LENGTHS);
     DRAG "drag", QuantityOrVector("N*s/m", NotNegative), Otherwise("plans take no air into account"),
         "the drag force divided by the speed through the [air](#air): one number for all directions, or `[x, y, z]` \
-         along the axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`. Plans are made and proved for the middle of an \
-         [interval](#vehicle) alone, which no end bounds: drag slows down, and the wind acts through it".sweepable();
+         along the axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`. Plans hold for the middle of an \
+         interval".sweepable();
     YAW_DRAG "yaw_drag", Quantity("N*m*s/rad", Positive), Otherwise("unknown"),
         "the torque of the air about z divided by the rate at which the body turns about z. It ends the spin of a \
          vehicle that [gives up yaw](#without-yaw)".sweepable().bounds(1e-12, 1e6);
@@ -143,8 +143,7 @@ group! {
          [plans](#plan) use it with `rotors = lagging`".bounds(1e-6, 1e4).likely(LAGS);
     ROTOR_INERTIA "rotor_inertia", Quantity("kg*m^2", Positive), Otherwise("0: the momentum of rotors is neglected"),
         "the moment of inertia of a rotor about its axis, propeller and motor bell together, for the equilibria of a \
-         vehicle that [gives up yaw](#without-yaw). Plans hold for the largest of an interval, which bounds all \
-         others".bounds(1e-15, 1e6);
+         vehicle that [gives up yaw](#without-yaw)".bounds(1e-15, 1e6);
     // `made_up_field.rs` looks for it in everything that follows from the table.
     #[cfg(test)]
     MADE_UP "made_up", Quantity("s", Positive), Otherwise("nothing"), "a field of the tests, which no reader uses"

@@ -25,7 +25,7 @@ pub struct Aftermath {
     pub to: f64,
     /// Time (s) and speed (m/s) of an impact.
     pub impact: Option<(f64, f64)>,
-    /// When the vehicle began to turn faster than [`FAST`] one way for [`LASTS`], s, and which way: 1
+    /// When the vehicle began to turn faster than 90 deg/s one way for 0.3 s or longer, s, and which way: 1
     /// counter-clockwise seen from above, -1 clockwise.
     pub fast_from: Option<(f64, f64)>,
     /// The fastest turn about the vertical axis of the body either way, rad/s; `None` without rates.

@@ -42,8 +42,8 @@ pub struct SettledSpin {
 }
 
 /// The spins of all modes in which flights give up yaw and can hover, in their order; of a vehicle with an interval of
-/// `yaw_drag` or `rotor_inertia` in its middle. Modes without an equilibrium of this kind are left out, and without `yaw_drag` there is
-/// none.
+/// `yaw_drag` or `rotor_inertia` in its middle. Modes without an equilibrium of this kind are left out, and without
+/// `yaw_drag` there is none.
 pub fn settled_spins(model: &Model) -> Vec<SettledSpin> {
     let Some(drag) = model.vehicle.yaw_drag else { return Vec::new() };
     let mut allocator = Allocator::new(model, Allocation::Bounded);
