@@ -1,5 +1,5 @@
-//! Intervals of `drag`, `yaw_drag` and `rotor_inertia`: how they are written, at which end verdicts take them, and where
-//! outcomes change inside.
+//! Intervals of `drag`, `yaw_drag` and `rotor_inertia`: how they are written, at which end verdicts take them, and
+//! where outcomes change inside.
 
 use crate::cli::mavc;
 use mavc::Spec;

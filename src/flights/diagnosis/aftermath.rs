@@ -5,8 +5,8 @@ use super::record::Record;
 use super::study::Loss;
 use std::ops::Range;
 
-/// A turn about the vertical axis of the body faster than this is not one that was flown, rad/s: missions and pilots turn
-/// at up to about 90 degrees a second (chosen by hand).
+/// A turn about the vertical axis of the body faster than this is not one that was flown, rad/s: missions and pilots
+/// turn at up to about 90 degrees a second (chosen by hand).
 const FAST: f64 = std::f64::consts::FRAC_PI_2;
 /// How long a turn stays so fast before it counts, s: longer than a jolt.
 const LASTS: f64 = 0.3;

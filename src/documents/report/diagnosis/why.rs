@@ -8,8 +8,8 @@ use crate::diagnosis::aftermath::Aftermath;
 use crate::diagnosis::study::{Kind, Loss};
 use crate::number::fixed;
 
-/// A yaw torque below this share of that of the other direction is none (chosen by hand: the hover share of a log is not
-/// known better).
+/// A yaw torque below this share of that of the other direction is none (chosen by hand: the hover share of a log is
+/// not known better).
 const NONE: f64 = 0.02;
 
 /// The sentence; `None` without a loss in a flight.

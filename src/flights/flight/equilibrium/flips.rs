@@ -9,6 +9,8 @@ use serde::Serialize;
 
 /// Halvings of an interval: to a thousandth of its width.
 const HALVINGS: usize = 10;
+/// At most so many modes are looked at, because each takes a dozen verdicts (chosen by hand).
+const MOST: usize = 32;
 
 /// A change of a mode's outcome inside the interval of one figure, the others in the middle of theirs. The outcomes at
 /// the two ends differ; changes and changes back in between are not sought.
@@ -35,27 +37,38 @@ pub fn interval_flips(model: &Model, outcomes: &[Outcome]) -> Vec<IntervalFlip> 
     let vehicle = &model.vehicle;
     let figures = DynamicFigure::ALL.into_iter().filter(|figure| !figure.spread(vehicle).is_none());
     let mut flips = Vec::new();
+    if figures.clone().next().is_none() {
+        return flips;
+    }
+    let mut middle = model.clone();
+    DynamicFigure::ALL.into_iter().for_each(|figure| figure.place_middle(&mut middle.vehicle));
+    let undecided = (0..outcomes.len()).filter(|k| outcomes[*k] == Outcome::Undecided).take(MOST);
+    // What other intervals leave undecided, these do not decide.
+    let modes: Vec<Option<usize>> = undecided
+        .map(|k| k.checked_sub(1))
+        .filter(|mode| outcome_alone(&middle, *mode) != Outcome::Undecided)
+        .collect();
     for figure in figures {
         let mut alone = model.clone();
         for other in DynamicFigure::ALL.into_iter().filter(|other| *other != figure) {
             other.place_middle(&mut alone.vehicle);
         }
-        for (k, _) in outcomes.iter().enumerate().filter(|(_, outcome)| **outcome == Outcome::Undecided) {
-            flips.extend(of_mode(&alone, figure, k.checked_sub(1)));
-        }
+        flips.extend(modes.iter().filter_map(|mode| of_mode(&alone, figure, *mode)));
     }
     flips
 }
 
+/// The outcome of one mode, `None` for the healthy vehicle.
+fn outcome_alone(model: &Model, mode: Option<usize>) -> Outcome {
+    match mode {
+        None => verdict::outcome(model, &AdmissibleSet::healthy(model)),
+        Some(mode) => outcome(model, mode, verdict::outcome(model, &AdmissibleSet::of_mode(model, mode))),
+    }
+}
+
 /// The change of one mode, `None` for the healthy vehicle; `model` has no other interval of a [`DynamicFigure`].
 fn of_mode(model: &Model, figure: DynamicFigure, mode: Option<usize>) -> Option<IntervalFlip> {
-    let at = |share: f64| {
-        let model = model.at(figure, share);
-        match mode {
-            None => verdict::outcome(&model, &AdmissibleSet::healthy(&model)),
-            Some(mode) => outcome(&model, mode, verdict::outcome(&model, &AdmissibleSet::of_mode(&model, mode))),
-        }
-    };
+    let at = |share: f64| outcome_alone(&model.at(figure, share), mode);
     let (below, above) = (at(0.0), at(1.0));
     if below == above {
         return None;

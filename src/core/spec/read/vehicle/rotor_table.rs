@@ -3,7 +3,7 @@
 //!
 //! The header names the columns in their usual spellings: a thrust and its unit (`Thrust (g)`), and optionally
 //! throttle, torque, speed, current, voltage and electrical power. The units may be in a second line below the names.
-//! Other columns are ignored. Every row is one throttle, from little to full. Cells are divided by commas or semicolons.
+//! Other columns are ignored. Every row is one throttle, from little to full. Commas or semicolons divide the cells.
 
 mod cell;
 mod header;

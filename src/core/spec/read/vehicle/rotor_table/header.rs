@@ -134,8 +134,8 @@ pub(super) struct Column {
     pub unit: Unit,
 }
 
-/// Whether the line below a header gives the units of its columns, as in `Thrust,RPM` above `g,1/min`: it has no number,
-/// and a unit of at least one column that the header names.
+/// Whether the line below a header gives the units of its columns, as in `Thrust,RPM` above `g,1/min`: it has no
+/// number, and a unit of at least one column that the header names.
 pub(super) fn is_of_units(header: &Row, below: &Row, separator: u8) -> bool {
     let is_unit = |(name, cell): (&str, &str)| {
         recognised(name).is_some_and(|(kind, _)| bare(cell).is_some_and(|text| unit(kind, text).is_some()))
