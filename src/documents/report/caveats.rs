@@ -162,14 +162,12 @@ fn one_drag(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     let (drag, spread) = (DynamicFigure::Drag.largest(&model.vehicle), model.vehicle.drag_spread);
     let [middle, low, high] = [1.0, spread.low, spread.high].map(|share| significant(share * drag, 3));
     let beyond = |(end, violation): (&str, f64)| match violation {
-        v if v > VIOLATED => Some(format!("at {end} N*s/m it leaves a mode's set by {} of its width", percent(v))),
+        v if v > VIOLATED => Some(format!("at {end} N*s/m it leaves an admissible set by {} of its width", percent(v))),
         _ => None,
     };
     let left: Vec<String> = [(&*low, ends[0]), (&*high, ends[1])].into_iter().filter_map(beyond).collect();
     let at_ends = match left.is_empty() {
-        // Without a mode there is nothing to leave.
-        true if ends.iter().all(|violation| violation.is_infinite()) => String::new(),
-        true => format!("; at {low} and at {high} N*s/m it stays in the same modes' sets"),
+        true => format!("; at {low} and at {high} N*s/m it stays in the same admissible sets"),
         false => format!("; {}", left.join(", ")),
     };
     let message = format!(
@@ -177,7 +175,6 @@ fn one_drag(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
          `drag`, or plan at both ends: `--set drag={low}N*s/m`."
     );
     let value = ends[0].max(ends[1]);
-    let value = if value.is_finite() { value } else { 0.0 };
     Some(Caveat { kind: CaveatKind::DragInterval, limit: None, value, at_s: 0.0, message })
 }
 

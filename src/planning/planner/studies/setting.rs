@@ -211,7 +211,8 @@ impl<'a> Setting<'a> {
         Some([0.0, 1.0].map(|share| {
             let model = model.at(DynamicFigure::Drag, share);
             let (vehicle, environment) = (&model.vehicle, model.environment());
-            let violations = held().map(|(set, _)| outside(trajectory, vehicle, &environment, &set.rows).max_violation);
+            let sets = held().map(|(set, _)| set).chain([&self.sets.rip]);
+            let violations = sets.map(|set| outside(trajectory, vehicle, &environment, &set.rows).max_violation);
             violations.fold(f64::NEG_INFINITY, f64::max)
         }))
     }
