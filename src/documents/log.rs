@@ -29,6 +29,9 @@ pub const MISSING: &str = "mavc::log::missing";
 /// Code: the answer depends on something that the log does not say for certain.
 pub const ASSUMED: &str = "mavc::log::assumed";
 
+/// First bytes of MCAP.
+const MCAP: &[u8] = b"\x89MCAP0\r\n";
+
 /// A log that was read.
 #[derive(Debug)]
 pub struct Log {
@@ -66,6 +69,9 @@ pub fn read(source: &mut dyn Read) -> Result<Log, Unreadable> {
         collector
     } else if head.is_empty() {
         return Err(error("the file is empty".into(), logs));
+    } else if head.starts_with(MCAP) {
+        let help = "of a flight of `mavc simulate` read the ULog: `mavc simulate -o flight.ulg`";
+        return Err(error("this is an MCAP recording, and not a log of PX4 or ArduPilot".into(), help));
     } else if let Some(kind) = foreign::of_bytes(&head) {
         return Err(error(format!("this is {}, and not a log of PX4 or ArduPilot", kind.what()), logs));
     } else if head.starts_with(b"FMT, 128") || head.starts_with(b"FMT,128") {

@@ -2,6 +2,7 @@
 //!
 //! The record comes from a log (`documents::log`); nothing here knows its format. Methods: `docs/method/diagnosis.md`.
 
+pub mod aftermath;
 pub mod capacity;
 pub mod change;
 pub mod ending;

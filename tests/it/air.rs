@@ -250,6 +250,55 @@ fn certificates_and_flights_have_the_air_of_the_plan() {
     assert!(known < 0.15 && unknown > 4.0 * known, "{known} {unknown}");
 }
 
+/// A plan of an interval of `drag` is that of its middle. Plan, certificate and its verdict say that it is shown for
+/// no other value, and what it does at the ends.
+#[test]
+fn a_plan_of_an_interval_of_drag_is_shown_for_its_middle_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let [spec, exact, proof] = ["dash.mav", "exact.mav", "proof.json"].map(|name| folder.path().join(name));
+    let text = dash("air { wind = [6, 0, 0] m/s }", "").replace("samples = 24", "samples = 24; time = 6 s");
+    let interval =
+        text.replace("drag = 0.35 N*s/m", "drag = 0.35 N*s/m +- 40 %").replace("planner = rip", "planner = rcp");
+    std::fs::write(&spec, &interval).unwrap();
+    std::fs::write(&exact, interval.replace(" +- 40 %", "")).unwrap();
+    let [spec, exact, proof] = [&spec, &exact, &proof].map(|path| path.to_str().unwrap());
+    let output = mavc(&["plan", spec, "--certificate", proof, "--report", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let plan = report["planners"].as_array().unwrap().iter().find(|run| run["warnings"].is_array()).unwrap();
+    let warnings = plan["warnings"].as_array().unwrap();
+    let caveat = warnings.iter().find(|warning| warning["kind"] == "drag_interval").expect("a caveat");
+    let message = caveat["message"].as_str().unwrap();
+    assert!(message.contains("`drag` = 0.35 N*s/m alone") && message.contains("0.49"), "{message}");
+    let verified = mavc(&["verify", proof, spec]);
+    let printed = String::from_utf8_lossy(&verified.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(verified.status.code(), Some(7), "{printed}");
+    assert!(printed.contains("`drag`: shown for 0.35 N*s/m alone, the middle of its interval"), "{printed}");
+    // The same plan as without the interval.
+    let flown = |path: &str| mavc(&["plan", path, "-o", "-", "-q"]).stdout;
+    assert!(!flown(spec).is_empty());
+    assert_eq!(flown(spec), flown(exact));
+    // What it violates at the ends is what the trajectory violates there.
+    let model = compiled(&interval).model().clone();
+    let rcp = compiled(&interval);
+    let planned = mavc::plan(&rcp).unwrap();
+    let solved = planned.plan().unwrap();
+    let ends = solved.at_ends_of_drag.expect("an interval");
+    let planned_sets = mavc::planner::selection::sets::PlanningSets::of(&model);
+    for (share, found) in [0.0, 1.0].into_iter().zip(ends) {
+        let at = model.at(mavc::model::DynamicFigure::Drag, share);
+        let mut most = f64::NEG_INFINITY;
+        for set in &planned_sets.modes {
+            for k in 0..solved.trajectory.intervals() {
+                let state = solved.trajectory.within(k, 0.0);
+                let wrench = solved.trajectory.wrench(&at.vehicle, &at.environment(), &state);
+                most = set.rows.iter().map(|row| row.violation(&wrench)).fold(most, f64::max);
+            }
+        }
+        assert!(found >= most - 1e-9 && found < most + 0.05, "{share}: {found} {most}");
+    }
+}
+
 /// ISO 2533, table 1: the density at 5000 m is 0.73612 kg/m^3, at -1000 m 1.3470 kg/m^3 (geopotential heights differ by
 /// 4 m).
 #[test]

@@ -432,6 +432,7 @@ fn new_writes_a_vehicle_of_estimates() {
         assert_eq!(compiled.diagnostics, vec![], "{}", compiled.render());
         let vehicle = &compiled.spec.unwrap().model().vehicle.clone();
         assert!(vehicle.yaw_drag.unwrap().spread.high > 1.4 && vehicle.has_uncertain_rotors());
+        assert!(vehicle.drag_spread.high > 1.4 && vehicle.rotors.iter().all(|rotor| rotor.inertia_spread.high > 1.5));
     }
     // Ranges that decide nothing one by one may do so together, and `analyze` says the same.
     let (ran, spec) = run("together.mav", &label("6", "1500g", "55cm", "10in"), &[]);

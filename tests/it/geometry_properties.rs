@@ -6,7 +6,7 @@ use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::geometry::polytope::{Polytope, intersect};
 use mavc::geometry::zonotope::Zonotope;
-use mavc::model::{Model, Rotor, RotorSpread, Spin};
+use mavc::model::{Model, Rotor, RotorSpread, Spin, Spread};
 use mavc::qp::RowOrigin;
 use mavc::qp::build::{Affine, Builder};
 use mavc::solve::{Outcome, solve};
@@ -25,6 +25,7 @@ fn rotor(x: f64, y: f64, p: bool, thrust: f64) -> Rotor {
         max_speed: 1000.0,
         time_constant: None,
         inertia: 0.0,
+        inertia_spread: Spread::NONE,
         motor: None,
         spread: RotorSpread::default(),
     }

@@ -268,7 +268,12 @@ fn estimates_stand_in_comments() {
     let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 0.05, "{a} is not {b}");
     near(vehicle.drag[0], drag);
     near(vehicle.yaw_drag.unwrap().linear, drag * 2.0 * 0.15 * 0.15);
-    near(vehicle.rotors[0].inertia, 1.5e-5 * (diameter / 0.2).powi(5));
+    // From half to twice the rule.
+    let rule = 1.5e-5 * (diameter / 0.2).powi(5);
+    let one = &vehicle.rotors[0];
+    near(one.inertia * one.inertia_spread.low, 0.5 * rule);
+    near(one.inertia * one.inertia_spread.high, 2.0 * rule);
+    assert!((vehicle.drag_spread.low - 0.5).abs() < 1e-12 && (vehicle.drag_spread.high - 1.5).abs() < 1e-12);
     // Without masses there is nothing to estimate from; the inertia has the rule behind its `?`.
     let bare = read(&file("flat.sdf").replace("<mass>", "<!--").replace("</mass>", "-->")).text.unwrap();
     assert!(

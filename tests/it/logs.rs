@@ -69,6 +69,9 @@ fn the_answer_its_record_and_its_exit_codes() {
     let record: Value = serde_json::from_slice(&run(&["diagnose", &lost, "--format", "json"]).stdout).unwrap();
     crate::schemas::schema("diagnose").assert_valid(&record);
     assert_eq!((&record["answer"], &record["losses"][0]["motor"]), (&"loss".into(), &3.into()));
+    let why = record["why"].as_str().unwrap();
+    let shown = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(why.starts_with("why: without motor 3") && shown.contains(why), "{why}");
 
     let good = named("good.bin", &log(Fault::None, 30.0, 50.0, 100.0, 3));
     assert_eq!(run(&["diagnose", &good]).status.code(), Some(0));
@@ -80,6 +83,9 @@ fn the_answer_its_record_and_its_exit_codes() {
         assert_eq!(ran.status.code(), Some(1), "{name}");
         assert!(String::from_utf8(ran.stderr).unwrap().contains("mavc::log::format"), "{name}");
     }
+    let ran = run(&["diagnose", &named("flight.mcap", b"\x89MCAP0\r\n\x01")]);
+    let said = String::from_utf8(ran.stderr).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(ran.status.code() == Some(1) && said.contains("mavc simulate -o flight.ulg"), "{said}");
     let baseline = named("other.bin", &log(Fault::None, 30.0, 50.0, 100.0, 4));
     let compared = run(&["diagnose", &good, "--baseline", &baseline, &baseline]);
     assert!(String::from_utf8(compared.stdout).unwrap().contains("change"));

@@ -15,6 +15,7 @@ mod codes;
 mod conflicts;
 mod controllability;
 mod drag_of_axes;
+mod dynamic_figures;
 mod effort;
 mod errors;
 mod exact;

@@ -197,7 +197,8 @@ fn the_answer_comes_first() {
     assert!(safe.contains("NOT covered at any time, not in `against`: M5, M6 (one rotor lost;"), "{safe}");
     let ignoring = first(&["plan", survey, "--set", "plan.planner=rip"]);
     assert!(
-        ignoring.contains("UNSAFE until 2.7") && ignoring.contains("after M2, M3 (one rotor lost) the remaining rotors"),
+        ignoring.contains("UNSAFE until 2.7")
+            && ignoring.contains("after M2, M3 (one rotor lost) the remaining rotors"),
         "{ignoring}"
     );
     let early = first(&["plan", survey, "--set", "plan.time=12s"]);

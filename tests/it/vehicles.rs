@@ -20,6 +20,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
                 max_speed,
                 time_constant: None,
                 inertia: 0.0,
+                inertia_spread: Spread::NONE,
                 motor: None,
                 spread: RotorSpread::default(),
             }
@@ -38,6 +39,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             centre_of_gravity: None,
             battery: None,
             drag: [0.0; 3],
+            drag_spread: Spread::NONE,
             drag_span: None,
             yaw_drag: None,
             propeller_radius: None,

@@ -2,6 +2,7 @@
 
 use crate::admissible::AdmissibleSet;
 use crate::admissible::verdict::ModeAnalysis;
+use crate::diagnosis::aftermath::Aftermath;
 use crate::diagnosis::capacity::{Capacity, student};
 use crate::diagnosis::fit::{Effect, effects};
 use crate::diagnosis::record::{Autopilot, MOTORS, Record};
@@ -76,6 +77,8 @@ pub fn diagnose(
     if !baseline.is_empty() && good.len() < 2 {
         unknown.push("one baseline flight gives no spread: name two or more, of the same load".into());
     }
+    let flights = found.as_ref().map_or(&[][..], |study| &study.flights);
+    let aftermath = Aftermath::of(&record, flights, losses);
     let diagnosis = Diagnosis {
         autopilot: record.autopilot,
         model,
@@ -83,6 +86,7 @@ pub fn diagnose(
         study: found,
         after,
         sets,
+        aftermath,
         unknown,
         rates,
         baseline: against.filter(|_| good.len() >= 2),

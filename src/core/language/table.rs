@@ -89,7 +89,8 @@ group! {
         "the radius of a propeller".bounds(1e-4, 1e4).likely(LENGTHS);
     DRAG "drag", QuantityOrVector("N*s/m", NotNegative), Otherwise("plans take no air into account"),
         "the drag force divided by the speed through the [air](#air): one number for all directions, or `[x, y, z]` \
-         along the axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`".sweepable();
+         along the axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`. Plans hold for the middle of an \
+         interval".sweepable();
     YAW_DRAG "yaw_drag", Quantity("N*m*s/rad", Positive), Otherwise("unknown"),
         "the torque of the air about z divided by the rate at which the body turns about z. It ends the spin of a \
          vehicle that [gives up yaw](#without-yaw)".sweepable().bounds(1e-12, 1e6);

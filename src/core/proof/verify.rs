@@ -366,7 +366,8 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
                 found.shown.push(Shown { statement, reach: None });
             }
             let headline = plan_headline(problem, found.total, &claim.selected_by);
-            let weaker = found.weaker.into_iter().chain(capture_height::weaker(model, false)).collect();
+            let weaker = found.weaker.into_iter().chain(capture_height::weaker(model, false));
+            let weaker = weaker.chain(one_drag(model)).collect();
             Ok(Accepted { headline, shown: found.shown, weaker, undecided: found.undecided, ways_out: found.ways_out })
         }
         Claim::TooEarly(claim) => {
@@ -392,6 +393,24 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
             Ok(verdict)
         }
     }
+}
+
+/// Why a plan of a vehicle with an interval of `drag` shows less than the spec asks for. That there is none for the
+/// middle shows that there is none for all values.
+fn one_drag(model: &Model) -> Option<String> {
+    let (spread, [x, y, z]) = (model.vehicle.drag_spread, model.vehicle.drag);
+    if spread.is_none() {
+        return None;
+    }
+    let [low, high] = [spread.low, spread.high].map(|share| number(100.0 * share));
+    let middle = match x == y && y == z {
+        true => number(x),
+        false => format!("[{}, {}, {}]", number(x), number(y), number(z)),
+    };
+    Some(format!(
+        "`drag`: shown for {middle} N*s/m alone, the middle of its interval, and not for the other values from {low} \
+         to {high} % of it"
+    ))
 }
 
 /// The claim of an accepted plan in one sentence.

@@ -30,7 +30,7 @@ pub use flight_settings::{
     MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
 pub use heading::{Heading, SLOWEST, Target};
-pub use interval::{RotorSpread, Spread};
+pub use interval::{DynamicFigure, RotorSpread, Spread};
 pub use lag::SLOWEST_SHARE;
 pub use limits::{Description, Quantity, USUAL_SPEED};
 pub use origin::Origin;
@@ -114,6 +114,9 @@ pub struct Vehicle {
     /// Linear drag along the axes x, y and z of the body, N s/m: the force along an axis is -drag times the velocity
     /// through the air along it. 0 if the spec gives none.
     pub drag: [f64; 3],
+    /// The interval of `drag`, relative to its middle, the same along all axes. Plans are made for the middle:
+    /// certificates and reports name it.
+    pub drag_spread: Spread,
     /// The place of `drag`, if the spec gives it.
     pub drag_span: Option<Span>,
     /// The drag of the body that turns about z; `None` if the spec gives none.
@@ -159,6 +162,8 @@ pub struct Rotor {
     pub time_constant: Option<f64>,
     /// Moment of inertia about its axis, kg m^2; 0 if the spec gives none.
     pub inertia: f64,
+    /// The interval of `inertia`, relative to its middle.
+    pub inertia_spread: Spread,
     /// The number of its motor at the autopilot; `None` if the spec gives none.
     pub motor: Option<u32>,
     /// The intervals of these numbers.

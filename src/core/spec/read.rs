@@ -52,4 +52,4 @@ pub use mission::ARRIVAL;
 pub use near_files::{List, entries, is_unfit};
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
-pub use understanding::{Reading, Understanding};
+pub use understanding::{FromTable, Reading, Understanding};

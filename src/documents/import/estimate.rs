@@ -37,6 +37,8 @@ const INERTIA: [f64; 3] = [0.25, 0.25, 0.45];
 /// Moment of inertia of a propeller with its motor bell, kg m^2, and the diameter that it belongs to, m (Mueller and
 /// D'Andrea). Of similar propellers the mass grows with the third power of the diameter, so this with the fifth.
 const PROPELLER_INERTIA: (f64, f64) = (1.5e-5, 0.2);
+/// The middle of the range from half to twice a value, over it, and the half width over the middle.
+const HALF_TO_TWICE: (f64, f64) = (1.25, 0.6);
 /// Full thrust over weight, for which camera and cargo multirotors are built, and the range that is assumed.
 const THRUST_TO_WEIGHT: f64 = 2.0;
 const THRUST_RANGE: f64 = 0.2;
@@ -107,8 +109,8 @@ impl Known {
         [
             (
                 "drag",
-                format!("{} N*s/m", shown(self.drag())),
-                format!("estimate, +- 50 %: {SIDEWAYS} m g over the speed of the tips in hover"),
+                format!("{} N*s/m +- {} %", shown(self.drag()), shown(100.0 * SIDEWAYS_RANGE)),
+                format!("estimate: {SIDEWAYS} m g over the speed of the tips in hover"),
             ),
             (
                 "yaw_drag",
@@ -117,8 +119,12 @@ impl Known {
             ),
             (
                 "rotor_inertia",
-                format!("{} kg*m^2", shown(self.rotor_inertia())),
-                "estimate, half to twice: 1.5e-5 kg*m^2 times (diameter/20 cm)^5".into(),
+                format!(
+                    "{} kg*m^2 +- {} %",
+                    shown(HALF_TO_TWICE.0 * self.rotor_inertia()),
+                    shown(100.0 * HALF_TO_TWICE.1)
+                ),
+                "estimate: half to twice 1.5e-5 kg*m^2 times (diameter/20 cm)^5".into(),
             ),
         ]
     }

@@ -5,6 +5,7 @@ use crate::admissible::HEALTHY;
 use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::flight::capture::Capture;
+use crate::flight::equilibrium::flips::{IntervalFlip, interval_flips};
 use crate::flight::equilibrium::{SettledSpin, settled_spins};
 use crate::model::Model;
 use serde::Serialize;
@@ -36,6 +37,9 @@ pub struct AnalysisRecord<'a, F> {
     modes: &'a [ModeAnalysis],
     /// Where flights settle in each mode in which they give up yaw; empty without `yaw_drag`.
     settled_spins: Vec<SettledSpin>,
+    /// Where outcomes that are undecided change inside the interval of `drag`, `yaw_drag` or `rotor_inertia`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    interval_flips: Vec<IntervalFlip>,
     /// With `--sweep`: where outcomes and verdicts change, ascending; omitted otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     flips: Option<&'a [F]>,
@@ -60,6 +64,7 @@ impl<'a, F> AnalysisRecord<'a, F> {
             headline: headline(model, modes),
             modes,
             settled_spins: settled_spins(model),
+            interval_flips: interval_flips(model, &modes.iter().map(|mode| mode.outcome).collect::<Vec<_>>()),
             flips,
             captures,
         }

@@ -226,7 +226,7 @@ pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin
         lines.push("flies on: it can hover, but may be lost on the way there: `mavc simulate`".into());
     }
     lines.extend(planned_against(model));
-    if model.vehicle.is_uncertain() {
+    if model.vehicle.has_intervals() {
         lines.push("outcomes hold for all values of the intervals; figures are those of the middle".into());
     }
     lines.extend(speeds(model, modes));
@@ -288,7 +288,8 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     let unplannable = error.filter(|_| model.mission.is_some());
     let mut remarks: Vec<String> =
         unplannable.map(|error| format!("no plan of the mission can be made: {}", error.message)).into_iter().collect();
-    remarks.extend(why_undecided(model, modes));
+    let outcomes: Vec<Outcome> = modes.iter().map(|mode| mode.outcome).collect();
+    remarks.extend(why_undecided(model, &outcomes));
     remarks.extend(
         named(&needs_spin)
             .map(|names| format!("{names}: the vehicle must spin; the rate is unknown without `yaw_drag`")),

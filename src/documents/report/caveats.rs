@@ -3,7 +3,8 @@
 
 use super::battery;
 use super::screen::Keep;
-use crate::model::{LimitKind, Model, USUAL_SPEED};
+use crate::admissible::row::VIOLATED;
+use crate::model::{DynamicFigure, LimitKind, Model, USUAL_SPEED};
 use crate::motion::NodeState;
 use crate::motion::checks::{
     LimitViolation, coarser_legs, limit_violations, linear_range, peak, peak_of, violation_as_checked,
@@ -24,7 +25,8 @@ pub struct Caveat {
     pub limit: Option<String>,
     /// SI: by how much the limit is exceeded; the number of legs with fewer pieces; the highest speed, m/s; the
     /// largest tilt, rad; the smallest thrust, N; the share of the charge that is left; the time during which the
-    /// plan is too low, s; how far the plan climbs or strays, m.
+    /// plan is too low, s; how far the plan climbs or strays, m; the largest violation of a set at an end of the
+    /// interval of `drag`, in widths of the healthy set, negative where all hold.
     pub value: f64,
     /// The worst instant, s since the start.
     #[cfg_attr(test, schemars(range(min = 0)))]
@@ -46,6 +48,8 @@ pub enum CaveatKind {
     Speed,
     /// The plan is faster than 5 m/s and the vehicle has no `drag`.
     NoDrag,
+    /// The plan is made for the middle of an interval of `drag`, and holds for no other value for certain.
+    DragInterval,
     /// The tilt is over 20 degrees, outside the range of the small-angle approximation.
     Tilt,
     /// The thrust is within 2 % of zero, or negative.
@@ -155,6 +159,29 @@ fn without_air(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     (speed.value > FAST_WITHOUT_AIR).then_some(caveat)
 }
 
+/// The caveat of a plan of a vehicle with an interval of `drag`: no value of it is the worst, because drag slows the
+/// vehicle down and the wind acts through it, so that the plan is made for the middle.
+fn one_drag(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
+    let ends = solved.at_ends_of_drag?;
+    let (drag, spread) = (DynamicFigure::Drag.largest(&model.vehicle), model.vehicle.drag_spread);
+    let [middle, low, high] = [1.0, spread.low, spread.high].map(|share| significant(share * drag, 3));
+    let beyond = |(end, violation): (&str, f64)| match violation {
+        v if v > VIOLATED => Some(format!("at {end} N*s/m it leaves an admissible set by {} of its width", percent(v))),
+        _ => None,
+    };
+    let left: Vec<String> = [(&*low, ends[0]), (&*high, ends[1])].into_iter().filter_map(beyond).collect();
+    let at_ends = match left.is_empty() {
+        true => format!("; at {low} and at {high} N*s/m it stays in the same admissible sets"),
+        false => format!("; {}", left.join(", ")),
+    };
+    let message = format!(
+        "The plan is made, and proved, for `drag` = {middle} N*s/m alone, the middle of its interval{at_ends}. Measure \
+         `drag`, or plan at both ends: `--set drag={low}N*s/m`."
+    );
+    let value = ends[0].max(ends[1]);
+    Some(Caveat { kind: CaveatKind::DragInterval, limit: None, value, at_s: 0.0, message })
+}
+
 /// The speed of a state, m/s.
 fn speed(state: &NodeState) -> f64 {
     (0..3).map(|axis| state[axis][1].powi(2)).sum::<f64>().sqrt()
@@ -181,7 +208,7 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
         }
     });
     let all = exceeded.chain(coarser(model, solved)).chain(too_fast(model, solved));
-    let all = all.chain(without_air(model, solved)).chain(charge(model, solved));
+    let all = all.chain(without_air(model, solved)).chain(one_drag(model, solved)).chain(charge(model, solved));
     if solved.trajectory.model == WrenchModel::Exact {
         return all.collect();
     }

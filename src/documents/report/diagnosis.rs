@@ -4,6 +4,7 @@
 mod page;
 mod record;
 mod text;
+mod why;
 
 #[cfg(feature = "report")]
 pub use page::page;
@@ -12,6 +13,7 @@ pub use text::screen;
 
 use crate::admissible::AdmissibleSet;
 use crate::admissible::verdict::ModeAnalysis;
+use crate::diagnosis::aftermath::Aftermath;
 use crate::diagnosis::record::Autopilot;
 use crate::diagnosis::study::Study;
 use crate::model::Model;
@@ -30,6 +32,8 @@ pub struct Diagnosis {
     pub after: Vec<ModeAnalysis>,
     /// The sets of wrenches after each loss, likewise.
     pub sets: Vec<AdmissibleSet>,
+    /// What the log shows after the losses of the last flight with one.
+    pub aftermath: Option<Aftermath>,
     /// Why nothing or not everything can be said, each with the parameter to set.
     pub unknown: Vec<String>,
     /// Rates at which the log has outputs of motors, and rates of turn, Hz.

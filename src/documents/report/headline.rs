@@ -1,12 +1,18 @@
 //! The first line of every answer: what the fault modes leave of the vehicle.
 
+use super::mode_names::within;
+use crate::admissible::HEALTHY;
 use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::ModeAnalysis;
+use crate::flight::equilibrium::flips::{IntervalFlip, interval_flips};
 use crate::model::{FaultMode, Model, RotorState};
 use crate::number::{part_of_all, plural};
 use std::collections::BTreeSet;
 
 /// What fails in a mode, for counting modes of the same kind together.
+/// Characters of a list of modes.
+const NAMES: usize = 40;
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     /// So many rotors are lost, and nothing else.
@@ -154,15 +160,37 @@ pub fn counted(outcomes: &[Outcome]) -> String {
     each.collect::<Vec<_>>().join(", ")
 }
 
-/// Why some outcomes are undecided, as a sentence for a note; `None` if none is.
-pub fn why_undecided(model: &Model, modes: &[ModeAnalysis]) -> Option<String> {
-    let undecided: Vec<&ModeAnalysis> = modes.iter().filter(|mode| mode.outcome == Outcome::Undecided).collect();
-    let which = plural(undecided.len(), "mode");
-    match (undecided.is_empty(), model.vehicle.is_uncertain(), model.vehicle.yaw_drag) {
-        (true, ..) => None,
-        (_, _, None) if undecided.iter().all(|mode| mode.robust.is_none()) => Some(format!(
-            "{which} undecided: hover needs a spin, and without `yaw_drag` of the vehicle its rate is unknown"
-        )),
-        _ => Some(format!("{which} undecided: the vehicles of the spec's intervals differ in the outcome")),
+/// Why some outcomes are undecided, as a sentence for a note; `None` if none is. `outcomes` are those of the healthy
+/// vehicle, then of every declared mode.
+pub fn why_undecided(model: &Model, outcomes: &[Outcome]) -> Option<String> {
+    let undecided = outcomes.iter().filter(|outcome| **outcome == Outcome::Undecided).count();
+    let which = plural(undecided, "mode");
+    if undecided == 0 {
+        return None;
     }
+    let flips = interval_flips(model, outcomes);
+    if flips.is_empty() && model.vehicle.yaw_drag.is_none() && !model.vehicle.is_uncertain() {
+        return Some(format!(
+            "{which} undecided: hover needs a spin, and without `yaw_drag` of the vehicle its rate is unknown"
+        ));
+    }
+    let names: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
+    let place = |flip: &IntervalFlip| names.iter().position(|name| *name == flip.mode);
+    let mut alike: Vec<(String, Vec<usize>)> = Vec::new();
+    for flip in flips {
+        let (words, mode) = (flip.words(), place(&flip));
+        match alike.iter_mut().find(|(same, _)| *same == words) {
+            Some((_, modes)) => modes.extend(mode),
+            None => alike.push((words, mode.into_iter().collect())),
+        }
+    }
+    let of_modes = |(words, modes): &(String, Vec<usize>)| match modes.is_empty() {
+        true => format!("{HEALTHY}: {words}"),
+        false => format!("{}: {words}", within(&names, modes, NAMES)),
+    };
+    let flips: Vec<String> = alike.iter().map(of_modes).collect();
+    Some(match flips.is_empty() {
+        true => format!("{which} undecided: the vehicles of the spec's intervals differ in the outcome"),
+        false => format!("{which} undecided. {}", flips.join("; ")),
+    })
 }

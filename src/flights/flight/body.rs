@@ -26,14 +26,18 @@ impl Frame {
         Frame::of_vehicle(&model.vehicle, model)
     }
 
-    /// The constants of another vehicle in the world of a model, with the drag of its `simulate` block.
+    /// The constants of another vehicle in the world of a model, with the drag of its `simulate` block if that differs
+    /// from the drag of the model's own vehicle.
     pub fn of_vehicle(vehicle: &Vehicle, model: &Model) -> Self {
         Frame {
             mass: vehicle.mass,
             inertia: vehicle.inertia.into(),
             gravity: model.gravity,
             yaw_drag: vehicle.yaw_drag,
-            drag: model.simulation.drag.into(),
+            drag: match model.simulation.drag == model.vehicle.drag {
+                true => vehicle.drag.into(),
+                false => model.simulation.drag.into(),
+            },
         }
     }
 }

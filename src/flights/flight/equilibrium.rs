@@ -1,6 +1,8 @@
 //! The spin in which flights without yaw settle: the equilibrium of the controller's primary axis with the slowest yaw
 //! torque that the rotors leave (`docs/flight.md`, section 2, "Without yaw").
 
+pub mod flips;
+
 use super::allocate::{Allocator, Belief};
 use super::body::Frame;
 use super::reduced_attitude::WithoutYaw;
@@ -9,9 +11,10 @@ use crate::actuation::Wrench;
 use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::{self, ModeAnalysis, Standing};
 use crate::admissible::{AdmissibleSet, hover};
-use crate::model::{Allocation, Model, YawDrag};
+use crate::model::{Allocation, DynamicFigure, Model, YawDrag};
 use nalgebra::Vector3;
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// Rates at which the balance is evaluated to find its change of sign, and halvings of that interval.
 const SCAN: usize = 200;
@@ -39,8 +42,8 @@ pub struct SettledSpin {
 }
 
 /// The spins of all modes in which flights give up yaw and can hover, in their order; of a vehicle with an interval of
-/// `yaw_drag` in its middle. Modes without an equilibrium of this kind are left out, and without `yaw_drag` there is
-/// none.
+/// `yaw_drag` or `rotor_inertia` in its middle. Modes without an equilibrium of this kind are left out, and without
+/// `yaw_drag` there is none.
 pub fn settled_spins(model: &Model) -> Vec<SettledSpin> {
     let Some(drag) = model.vehicle.yaw_drag else { return Vec::new() };
     let mut allocator = Allocator::new(model, Allocation::Bounded);
@@ -50,6 +53,9 @@ pub fn settled_spins(model: &Model) -> Vec<SettledSpin> {
 /// The analyses of the healthy vehicle and of every mode, with outcomes that consider the gyroscope: see [`outcome`].
 pub fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
     let mut modes = verdict::analyze_each(model);
+    if let Some(healthy) = modes.first_mut() {
+        healthy.outcome = in_every_drag(model, None, healthy.outcome);
+    }
     for (mode, analysis) in modes.iter_mut().skip(1).enumerate() {
         analysis.outcome = outcome(model, mode, analysis.outcome);
     }
@@ -70,6 +76,9 @@ pub fn outcomes(model: &Model) -> Vec<Outcome> {
 /// The words of the healthy vehicle and of every mode, with the outcomes of [`analyze_each`].
 pub fn standings(model: &Model) -> Vec<Standing> {
     let mut all: Vec<Standing> = AdmissibleSet::each(model).map(|set| Standing::of(model, &set)).collect();
+    if let Some(healthy) = all.first_mut() {
+        healthy.outcome = in_every_drag(model, None, healthy.outcome);
+    }
     for (mode, standing) in all.iter_mut().skip(1).enumerate() {
         standing.outcome = outcome(model, mode, standing.outcome);
     }
@@ -78,28 +87,46 @@ pub fn standings(model: &Model) -> Vec<Standing> {
 
 /// The outcome in the mode with index `mode`, of which the wrenches give `of_wrenches`. A vehicle that flies on, or is
 /// caught by spinning, is lost where the spin of its flights settles beyond the range of the gyroscope
-/// ([`SettledSpin::beyond_gyroscope`]): the controller loses it some time later. The outcome is undecided where the two
-/// ends of the interval of `yaw_drag` differ in this.
+/// ([`SettledSpin::beyond_gyroscope`]): the controller loses it some time later. The outcome is undecided where the
+/// ends of the intervals of `drag`, `yaw_drag` and `rotor_inertia` differ.
 pub fn outcome(model: &Model, mode: usize, of_wrenches: Outcome) -> Outcome {
+    let of_wrenches = in_every_drag(model, Some(mode), of_wrenches);
     let Some(drag) = model.vehicle.yaw_drag.filter(|_| matches!(of_wrenches, Outcome::FliesOn | Outcome::Caught))
     else {
         return of_wrenches;
     };
     let mut allocator = Allocator::new(model, Allocation::Bounded);
     let range = model.simulation.gyroscope_range;
-    let mut is_beyond = |drag: YawDrag| {
+    let mut is_beyond = |model: &Model, drag: YawDrag| {
         with_balance(model, drag, &mut allocator, mode, |at, most| most > range && passes(at, range)).unwrap_or(false)
     };
-    let ends = drag.ends();
-    let beyond = match drag.spread.is_none() {
-        true => [is_beyond(ends[0]); 2],
-        false => ends.map(is_beyond),
+    let drags = if drag.spread.is_none() { vec![drag] } else { drag.ends().to_vec() };
+    let with_momenta = match DynamicFigure::RotorInertia.spread(&model.vehicle).is_none() {
+        true => vec![Cow::Borrowed(model)],
+        false => [0.0, 1.0].map(|share| Cow::Owned(model.at(DynamicFigure::RotorInertia, share))).to_vec(),
     };
-    match beyond {
-        [true, true] => Outcome::Lost,
-        [false, false] => of_wrenches,
-        _ => Outcome::Undecided,
+    let corners = with_momenta.iter().flat_map(|model| drags.iter().map(move |drag| (model, *drag)));
+    let beyond: Vec<bool> = corners.map(|(model, drag)| is_beyond(model, drag)).collect();
+    match (beyond.contains(&true), beyond.contains(&false)) {
+        (true, false) => Outcome::Lost,
+        (false, _) => of_wrenches,
+        (true, true) => Outcome::Undecided,
     }
+}
+
+/// The outcome that the wrenches of a mode give at both ends of the interval of `drag`, which moves hover in a wind:
+/// undecided where they differ from that in the middle.
+fn in_every_drag(model: &Model, mode: Option<usize>, in_the_middle: Outcome) -> Outcome {
+    let is_still = model.mission.as_ref().is_none_or(|mission| mission.air.wind == [0.0; 3]);
+    if model.vehicle.drag_spread.is_none() || is_still {
+        return in_the_middle;
+    }
+    let differs = [0.0, 1.0].into_iter().any(|share| {
+        let model = model.at(DynamicFigure::Drag, share);
+        let set = mode.map_or_else(|| AdmissibleSet::healthy(&model), |mode| AdmissibleSet::of_mode(&model, mode));
+        verdict::outcome(&model, &set) != in_the_middle
+    });
+    if differs { Outcome::Undecided } else { in_the_middle }
 }
 
 fn settled_spin(model: &Model, drag: YawDrag, allocator: &mut Allocator, mode: usize) -> Option<SettledSpin> {

@@ -1,6 +1,6 @@
 //! Vehicles whose parameters have other values of the spec's intervals than the middles, which the controller assumes.
 
-use crate::model::{RotorSpread, Spread, Vehicle};
+use crate::model::{DynamicFigure, RotorSpread, Spread, Vehicle};
 use rand_distr::{Distribution, StandardUniform};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
@@ -16,7 +16,7 @@ const SEED: u64 = 1;
 #[derive(Debug, Clone, Copy)]
 enum Parameter {
     Mass,
-    YawDrag,
+    Dynamic(DynamicFigure),
     /// Of a rotor, by its index.
     Thrust(usize),
     TorquePerThrust(usize),
@@ -26,27 +26,27 @@ impl Parameter {
     /// Those of a vehicle that have an interval.
     fn of(vehicle: &Vehicle) -> Vec<Parameter> {
         let rotors = (0..vehicle.rotors.len()).flat_map(|k| [Parameter::Thrust(k), Parameter::TorquePerThrust(k)]);
-        let all = [Parameter::Mass, Parameter::YawDrag].into_iter().chain(rotors);
+        let dynamic = DynamicFigure::ALL.map(Parameter::Dynamic);
+        let all = [Parameter::Mass].into_iter().chain(dynamic).chain(rotors);
         all.filter(|parameter| !parameter.spread(vehicle).is_none()).collect()
     }
 
     fn spread(self, vehicle: &Vehicle) -> Spread {
         match self {
             Parameter::Mass => vehicle.mass_spread,
-            Parameter::YawDrag => vehicle.yaw_drag.map_or(Spread::NONE, |drag| drag.spread),
+            Parameter::Dynamic(figure) => figure.spread(vehicle),
             Parameter::Thrust(k) => vehicle.rotors[k].spread.full_thrust,
             Parameter::TorquePerThrust(k) => vehicle.rotors[k].spread.torque_per_thrust,
         }
     }
 
-    fn scale(self, vehicle: &mut Vehicle, factor: f64) {
+    /// Moves the parameter to a share of its interval: 0 at the lower end, 1 at the upper one.
+    fn place(self, vehicle: &mut Vehicle, share: f64) {
+        let Spread { low, high } = self.spread(vehicle);
+        let factor = low + share * (high - low);
         match self {
             Parameter::Mass => vehicle.mass *= factor,
-            Parameter::YawDrag => {
-                if let Some(drag) = &mut vehicle.yaw_drag {
-                    drag.linear *= factor;
-                }
-            }
+            Parameter::Dynamic(figure) => figure.place(vehicle, share),
             // The speed that is commanded stays, and thrust and torque of that speed change.
             Parameter::Thrust(k) => {
                 vehicle.rotors[k].thrust_coefficient *= factor;
@@ -61,14 +61,10 @@ impl Parameter {
 fn at(vehicle: &Vehicle, parameters: &[Parameter], shares: &[f64]) -> Vehicle {
     let mut varied = vehicle.clone();
     for (parameter, share) in parameters.iter().zip(shares) {
-        let Spread { low, high } = parameter.spread(vehicle);
-        parameter.scale(&mut varied, low + share * (high - low));
+        parameter.place(&mut varied, *share);
     }
     varied.mass_spread = Spread::NONE;
     varied.rotors.iter_mut().for_each(|rotor| rotor.spread = RotorSpread::default());
-    if let Some(drag) = &mut varied.yaw_drag {
-        drag.spread = Spread::NONE;
-    }
     varied
 }
 

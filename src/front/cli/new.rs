@@ -3,6 +3,7 @@
 use super::files::shown;
 use super::target::{Target, write};
 use super::{CommandError, FINE, NewVehicleArgs, Options, files};
+use crate::admissible::outcome::Outcome;
 use crate::import::estimate::{Estimated, Label};
 use crate::pipeline::{Sweep, analyze};
 use crate::report::headline::{headline, why_undecided};
@@ -64,7 +65,8 @@ fn depends(estimated: &Estimated, name: &str) -> String {
     if let Some(spec) = Compiler::new().text(name, estimated.text.as_bytes()).spec {
         let modes = analyze(&spec);
         let together = headline(spec.model(), &modes);
-        let why = why_undecided(spec.model(), &modes).map_or(String::new(), |why| format!(" ({why})"));
+        let outcomes: Vec<Outcome> = modes.iter().map(|mode| mode.outcome).collect();
+        let why = why_undecided(spec.model(), &outcomes).map_or(String::new(), |why| format!(" ({why})"));
         out.push_str(&filled(&format!("All ranges together: {together}{why}")));
     }
     out.push_str(&format!("Next: mavc analyze {name}\n"));

@@ -58,7 +58,8 @@ pub fn hover(spec: &Spec, file: FileId, offset: usize) -> Option<Shown> {
         What::Definition(index) | What::Reference(index) => named(spec, &mention, &spec.names().definitions[index]),
         What::Word => plain(word(spec, &mention)?),
         What::Text => match file_named_at(spec, file, offset) {
-            Some(named) => plain(facts::file(spec, named)),
+            // A table is a file of the spec that declares no name.
+            Some(named) => plain(facts::table_at(spec, mention.span).unwrap_or_else(|| facts::file(spec, named))),
             None => value(spec, file, offset),
         },
         What::Number | What::Unit => value(spec, file, offset),
@@ -113,6 +114,7 @@ fn field(spec: &Spec, place: Place, span: Span) -> Option<String> {
     let name = spec.snippet(span);
     let entry = documentation::field(place, name)?;
     let mut parts = vec![described(entry)];
+    parts.extend(facts::table(spec, span.file, name, span.end));
     // The value follows the name: the first reading of the statement that begins here.
     let next = spec.mentions().in_file(span.file).iter().find(|m| m.span.start > span.start && is_field(m));
     let end = next.map_or(u32::MAX, |m| m.span.start);

@@ -73,6 +73,8 @@ impl Airspeed {
     /// The airspeed with thrusts without torques between two, N.
     fn between(model: &Model, full: Option<(f64, f64)>) -> Self {
         let [drag, ..] = model.vehicle.drag;
+        // In still air only the products of drag and airspeed matter: of an interval the largest drag gives the least.
+        let slower = model.vehicle.drag_spread.high;
         let is_isotropic = model.environment().is_isotropic();
         // Thrust decides by a concave function of the mass, tilt by a monotone one: the least is at an end of the
         // interval.
@@ -88,8 +90,8 @@ impl Airspeed {
             };
             let by_tilt = least_tilt(model).map_or(f64::INFINITY, |tilt| weight * tilt.tan() / drag);
             Some(match by_tilt < by_thrust {
-                true => (by_tilt, LimitedBy::Tilt),
-                false => (by_thrust, LimitedBy::Thrust),
+                true => (by_tilt / slower, LimitedBy::Tilt),
+                false => (by_thrust / slower, LimitedBy::Thrust),
             })
         });
         let least = match ends {

@@ -83,3 +83,32 @@ fn the_upper_and_the_lower_rotor_of_an_x8_are_distinguished() {
 fn gusts_and_noise_are_no_loss() {
     assert_eq!(losses(&spec("layout = \"PPNNPPNN\"; arm = 0.25 m;", ""), 100.0), []);
 }
+
+/// The sentence about the end, from a log without a spec's faults.
+fn why(text: &str) -> String {
+    let spec = mavc::compile(text).spec.unwrap();
+    let Ok(planning) = mavc::plan(&spec) else { panic!("a plan") };
+    let solved = planning.plan().expect("a plan");
+    let mut recorder = Recorder::new(Format::Ulog, spec.model(), Some(50.0), solved.time).unwrap();
+    let mut record = |sample: &Sample| recorder.add(sample);
+    fly_plan(&spec, solved, Some(&mut record), &Silent);
+    let Ok(found) = diagnose(&mut &recorder.finish()[..], Some(&spec), &[], &mut []) else { panic!("an answer") };
+    let json = serde_json::to_value(mavc::report::diagnosis::DiagnosisRecord::new(&found.diagnosis)).unwrap();
+    json["why"].as_str().map(str::to_string).unwrap_or_default()
+}
+
+/// A lost rotor that turns counter-clockwise pushed the body clockwise: without it a ring PNPNPN, which needs all of its
+/// yaw torque to hover, cannot counter a counter-clockwise turn.
+#[test]
+fn the_end_is_explained_by_the_set_and_the_log() {
+    let ring = "layout = \"PNPNPN\"; arm = 0.25 m;";
+    let said = why(&spec(ring, "lost"));
+    assert!(said.starts_with("why: without motor 3 the other motors can hold height, roll and pitch, but "), "{said}");
+    assert!(said.contains("have no yaw torque against a counter-clockwise turn"), "{said}");
+    assert!(said.contains("the log shows ") && said.contains("deg/s") && said.contains("tilt of up to"), "{said}");
+    // Six of eight rotors hold all that the eight do: nothing explains an end, and nothing is claimed.
+    let said = why(&spec("layout = \"PPNNPPNN\"; arm = 0.25 m;", "lost"));
+    assert!(said.contains("can hold height, attitude and heading"), "{said}");
+    assert!(said.contains("no fast turn") && said.contains("in the air for"), "{said}");
+    assert_eq!(why(&spec("layout = \"PPNNPPNN\"; arm = 0.25 m;", "")), "");
+}

@@ -523,3 +523,37 @@ fn formatting_gives_the_layout_of_fmt_and_nothing_where_there_is_none() {
     assert_eq!(client.ask("textDocument/formatting", params).unwrap(), Value::Null);
     client.stop();
 }
+
+/// A thrust table shows what it gives, on the field and on its path; what the spec writes itself is marked.
+#[test]
+fn a_table_shows_the_numbers_that_it_gives() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().canonicalize().unwrap();
+    std::fs::write(path.join("motor.csv"), "Thrust,Torque,RPM\nN,N*m,1/min\n2,0.03,3000\n4,0.06,4500\n").unwrap();
+    std::fs::write(path.join("wrong.csv"), "Thrust\n1\n").unwrap();
+    let text = "vehicle v {\n layout = \"PNPN\"; arm = 20 cm; mass = 1 kg; inertia = [0.01, 0.01, 0.02] kg*m^2\n \
+                rotor { ta|ble = \"mot|or.csv\"; max_speed = 470 rad/s }\n}\n\
+                vehicle w {\n rotor { table = \"wr|ong.csv\" }\n}\n";
+    let (text, places) = marked(text);
+    let uri = super::client::uri_of(&path.join("root.mav"));
+    let mut client = Client::start();
+    client.open(&uri, &text);
+    let shown: Vec<Value> = places
+        .iter()
+        .map(|place| {
+            let params = json!({ "textDocument": { "uri": uri }, "position": place });
+            client.ask("textDocument/hover", params).unwrap()
+        })
+        .collect();
+    for shown in &shown[..2] {
+        let shown = shown["contents"]["value"].as_str().unwrap();
+        assert!(shown.contains("`max_thrust` = **4 N**"), "{shown}");
+        assert!(shown.contains("`torque_per_thrust` = **0.015 m**") && shown.contains("least squares"), "{shown}");
+        assert!(
+            shown.contains("`max_speed` = **471.2 rad/s**") && shown.contains("the spec writes its own"),
+            "{shown}"
+        );
+    }
+    assert!(!shown[2].to_string().contains("max_thrust"), "{}", shown[2]);
+    client.stop();
+}

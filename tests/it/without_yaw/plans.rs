@@ -5,7 +5,7 @@ use super::without;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::without_yaw::planned::{PlannedCore, Provision, Turning};
 use mavc::certificate::{Certificate, Claim, PlanClaim};
-use mavc::model::{Environment, Model, YawDrag};
+use mavc::model::{Environment, Model, Spread, YawDrag};
 use mavc::motion::turning::TurningMap;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, X, Y, YAW, Z};
@@ -241,4 +241,40 @@ fn rsp_selects_rows_of_cores() {
     let certificate = certify(&spec, &planning).unwrap();
     let accepted = verify(&changed(&certificate, |_| {}), &spec).unwrap();
     assert!(accepted.shown.iter().any(|s| s.statement.contains("selected rows of the core of")));
+}
+
+/// An interval of `rotor_inertia` counts by its largest value, in the planner's rows and in the checker's.
+#[test]
+fn the_largest_inertia_of_an_interval_counts() {
+    let with = |model: &Model, inertia: f64, spread: Spread| {
+        let mut model = model.clone();
+        for rotor in &mut model.vehicle.rotors {
+            (rotor.inertia, rotor.inertia_spread) = (inertia, spread);
+        }
+        model
+    };
+    let wide = Spread { low: 0.5, high: 1.5 };
+    let bare = without("hexa", "PNPNPN", &[1]);
+    let [of_interval, of_largest, of_middle] =
+        [(2e-5, wide), (3e-5, Spread::NONE), (2e-5, Spread::NONE)].map(|(inertia, of)| core(&with(&bare, inertia, of)));
+    // 1.5 times 2e-5 is 3e-5 up to rounding.
+    for (a, b) in of_interval.rows.iter().zip(&of_largest.rows) {
+        assert!((a.offset - b.offset).abs() < 1e-9 && (a.normal - b.normal).amax() < 1e-9, "{a:?} {b:?}");
+        let [a, b] = [a, b].map(|row| row.core.map(|core| core.momentum));
+        assert!(a.zip(b).is_none_or(|(a, b)| (a - b).abs() < 1e-9), "{a:?} {b:?}");
+    }
+    let momenta = |core: &PlannedCore| core.rows.iter().filter_map(|row| row.core).map(|core| core.momentum).collect();
+    let [largest, middle]: [Vec<f64>; 2] = [momenta(&of_largest), momenta(&of_middle)];
+    assert!(largest.iter().zip(&middle).any(|(a, b)| (a - b).abs() > 1e-9), "{largest:?} {middle:?}");
+
+    let spec = spec("model = hover; time = 4.6 s");
+    let certificate = certify(&spec, &plan(&spec).unwrap()).unwrap();
+    let decided = |inertia: f64, spread: Spread| {
+        let model = with(spec.model(), inertia, spread);
+        verify::decide(&certificate, &model, verify::Settings::default()).map_err(|refusal| refusal.sentence())
+    };
+    assert!(decided(1e-9, wide).is_ok());
+    let high = Spread { low: 0.5, high: 1e6 };
+    let [interval, largest] = [decided(1e-9, high), decided(1e-3, Spread::NONE)];
+    assert!(interval.is_err() && largest.is_err() && decided(1e-9, Spread::NONE).is_ok(), "{interval:?} {largest:?}");
 }

@@ -437,13 +437,15 @@ fn corners(model: &Model, spin: [f64; 2]) -> Vec<(Interval, Interval)> {
     let inertia = Interval::point(model.vehicle.inertia[2]);
     let (mut low, mut high) = (Interval::ZERO, Interval::ZERO);
     for rotor in &model.vehicle.rotors {
-        let most = Interval::point(rotor.inertia) * fastest(rotor);
+        // Of an interval the largest: the box contains that of every smaller one.
+        let largest = Interval::point(rotor.inertia) * Interval::point(rotor.inertia_spread.high);
+        let most = largest * fastest(rotor);
         match rotor.spin {
             Spin::P => high = high + most,
             Spin::N => low = low - most,
         }
         if rotor.is_reversible() {
-            let least = Interval::point(rotor.inertia) * Interval::point(rotor.min_speed);
+            let least = largest * Interval::point(rotor.min_speed);
             match rotor.spin {
                 Spin::P => low = low + least,
                 Spin::N => high = high - least,

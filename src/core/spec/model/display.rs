@@ -86,7 +86,7 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
         }
     }
     if v.drag != [0.0; 3] {
-        writeln!(f, "  drag {} N*s/m", along_axes(&v.drag))?;
+        writeln!(f, "  drag {} N*s/m{}", along_axes(&v.drag), interval_of(v.drag_spread))?;
     }
     if let Some(centre) = &v.centre_of_gravity {
         writeln!(f, "  centre_of_gravity {} m from the frame's origin; places below are from it", place(centre))?;
@@ -145,7 +145,7 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
             write!(f, ", motor {motor}")?;
         }
         match r.inertia > 0.0 {
-            true => writeln!(f, ", rotor_inertia {} kg*m^2", number(r.inertia))?,
+            true => writeln!(f, ", rotor_inertia {} kg*m^2{}", number(r.inertia), interval_of(r.inertia_spread))?,
             false => writeln!(f)?,
         }
     }

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::allow::Allowed;
 use super::edits;
 use super::expression::Value;
-use super::understanding::Reading;
+use super::understanding::{FromTable, Reading};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
 use crate::syntax::ast::{Block, Field, FieldValue, Name};
@@ -45,6 +45,8 @@ pub(super) struct Context<'a> {
     pub softened: bool,
     /// The values read so far with their places, for editors.
     pub readings: Vec<Reading>,
+    /// The numbers of the thrust tables read so far, for editors.
+    pub from_tables: Vec<FromTable>,
     pub(super) lets: BTreeMap<&'a str, Let<'a>>,
     /// The index in `diagnostics` of the first report of a wrong use of a `let`, by its name and what was expected.
     pub(super) accused: BTreeMap<(&'a str, String), usize>,
@@ -86,6 +88,7 @@ impl<'a> Context<'a> {
             dropped_softly: 0,
             softened: false,
             readings: Vec::new(),
+            from_tables: Vec::new(),
             lets: BTreeMap::new(),
             accused: BTreeMap::new(),
             parameter: None,

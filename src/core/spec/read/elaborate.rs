@@ -73,7 +73,7 @@ fn understand_for(files: &FileSet, overrides: &[Override], flights: FlightBlocks
         checked.value = None;
     }
     let Parts { vehicles, modes } = parts;
-    Understanding { checked, gravity: cx.gravity, vehicles, modes, readings: cx.readings }
+    Understanding { checked, gravity: cx.gravity, vehicles, modes, readings: cx.readings, from_tables: cx.from_tables }
 }
 
 /// The parts of a spec that have no errors of their own.

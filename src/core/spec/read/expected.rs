@@ -3,9 +3,11 @@
 use super::blame::sole_name;
 use super::context::Context;
 use super::expression::{Value, is_bare};
+use super::interval::written;
 use super::likely_unit::likely_units;
 use crate::diagnostic::Diagnostic;
 use crate::language::{Entry, Range, Takes};
+use crate::model::Spread;
 use crate::number::number;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Operator};
@@ -186,6 +188,28 @@ impl<'a> Context<'a> {
             return None;
         }
         Some(drag)
+    }
+
+    /// A drag as [`Context::drag`] reads it, and its interval, the same share along all axes, if one is written: `0.35
+    /// N*s/m +- 20 %`, `[0.35, 0.35, 0.2] N*s/m +- 20 %`.
+    pub fn drag_interval(
+        &mut self,
+        entry: &'static Entry,
+        expr: &'a Expr,
+        code: &'static str,
+    ) -> Option<([f64; 3], Spread)> {
+        let ExprKind::Interval { value, by } = &expr.kind else {
+            return match written(expr) {
+                Some(_) => self.interval(Expected::of(entry), expr, code).map(|(drag, spread)| ([drag; 3], spread)),
+                None => self.drag(entry, expr, code).map(|drag| (drag, Spread::NONE)),
+            };
+        };
+        let middle = self.let_behind(value).map_or(&**value, |(_, value)| value);
+        if !matches!(middle.kind, ExprKind::List { .. }) {
+            return self.interval(Expected::of(entry), expr, code).map(|(drag, spread)| ([drag; 3], spread));
+        }
+        let (drag, spread) = (self.drag(entry, value, code), self.share_of_list(entry, by));
+        Some((drag?, spread?))
     }
 
     /// `[x, y, z] m`: three quantities of the expected dimension, in SI units.

@@ -14,14 +14,14 @@ use crate::unit::Quantity;
 const INTERVAL: &str = "mavc::unit::interval";
 
 /// An interval as it is written: `value +- by`, or `(value +- by) unit`.
-struct Written<'a> {
+pub(super) struct Written<'a> {
     value: &'a Expr,
     by: &'a Expr,
     unit: Option<&'a UnitText>,
 }
 
 /// The interval that an expression consists of, in parentheses or not.
-fn written(expr: &Expr) -> Option<Written<'_>> {
+pub(super) fn written(expr: &Expr) -> Option<Written<'_>> {
     match &expr.kind {
         ExprKind::Interval { value, by } => Some(Written { value, by, unit: None }),
         ExprKind::Paren { inner, unit } => {
@@ -110,13 +110,27 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// The interval around a list of values, a share of each: `20 %`.
+    pub(super) fn share_of_list(&mut self, entry: &'static Entry, by: &'a Expr) -> Option<Spread> {
+        let width = self.evaluate_quantity(by)?;
+        let is_share = width.dimension.is_plain() && !is_bare(width, by) && (0.0..1.0).contains(&width.value);
+        if !is_share {
+            let message =
+                format!("the interval of three values of `{}` must be a share of them below 100 %", entry.name);
+            let error = Diagnostic::error(INTERVAL, by.span, message).here("not such a share");
+            self.report(error.help("write a percentage: `+- 20 %`"));
+        }
+        is_share.then_some(Spread { low: 1.0 - width.value, high: 1.0 + width.value })
+    }
+
     /// Reports an interval where one number is expected.
     pub(super) fn no_interval(&mut self, value: &'a Expr, by: &'a Expr, span: Span) -> Option<Value> {
         let error = Diagnostic::error(INTERVAL, span, "an interval is not allowed here").here("expected one number");
         let [value, by] = [value, by].map(|e| self.sources.snippet(e.span).to_string());
         self.report(error.help(format!(
-            "write `{value}` without `+- {by}`; an interval is allowed only in the fields `mass` and `rate`, and in a \
-             rotor `max_thrust`, `thrust_coefficient`, `torque_per_thrust`, `drag_coefficient` and `max_speed`"
+            "write `{value}` without `+- {by}`; an interval is allowed only in the fields `mass`, `drag`, \
+             `yaw_drag` and `rate`, and in a rotor `max_thrust`, `thrust_coefficient`, `torque_per_thrust`, \
+             `drag_coefficient`, `max_speed` and `rotor_inertia`"
         )));
         None
     }

@@ -18,6 +18,21 @@ pub struct Reading {
     pub unit: String,
 }
 
+/// A number of the `rotor` block that its thrust table gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FromTable {
+    /// The path of the table in the spec.
+    pub span: Span,
+    pub field: &'static str,
+    /// In SI units.
+    pub value: f64,
+    pub unit: &'static str,
+    /// Where in the table it comes from, and how far the rows are from it.
+    pub reason: String,
+    /// Whether the spec takes it, because it writes none itself.
+    pub is_used: bool,
+}
+
 /// A spec as far as it could be understood.
 #[derive(Debug, Clone)]
 pub struct Understanding {
@@ -31,6 +46,8 @@ pub struct Understanding {
     pub modes: Vec<FaultMode>,
     /// In the order read. Coordinates of curves, which have one value per point, are not included.
     pub readings: Vec<Reading>,
+    /// The numbers of all thrust tables without errors.
+    pub from_tables: Vec<FromTable>,
 }
 
 impl Context<'_> {

@@ -130,7 +130,7 @@ impl<'a> Reader<'a> {
         let rotors = self.rotors(cx, files);
         let propeller_radius = self.fields.quantity(cx, &table::PROPELLER_RADIUS, POSITIVE);
         let size = self.fields.quantity(cx, &table::SIZE, POSITIVE);
-        let drag = self.fields.written("drag", |expr| cx.drag(&table::DRAG, expr, POSITIVE));
+        let drag = self.fields.written("drag", |expr| cx.drag_interval(&table::DRAG, expr, POSITIVE));
         let yaw_drag = yaw_drag::read(cx, &self.fields);
         let allocation = self.fields.choice_or(cx, &table::ALLOCATION, ALLOCATION, &ALLOCATIONS, Allocation::Bounded);
         let battery = self.battery(cx);
@@ -152,6 +152,7 @@ impl<'a> Reader<'a> {
                 rotor.position = std::array::from_fn(|axis| rotor.position[axis] - centre[axis]);
             }
         }
+        let (drag, drag_spread) = drag.or_default(|| ([0.0; 3], Spread::NONE))?;
         let mut vehicle = Vehicle {
             name: name.to_string(),
             doc: block.doc.clone(),
@@ -160,7 +161,8 @@ impl<'a> Reader<'a> {
             mass_spread,
             inertia,
             centre_of_gravity,
-            drag: drag.or_default(|| [0.0; 3])?,
+            drag,
+            drag_spread,
             drag_span: self.fields.span_of("drag"),
             yaw_drag: yaw_drag.optional()?,
             propeller_radius: propeller_radius.optional()?,
@@ -300,6 +302,7 @@ impl<'a> Reader<'a> {
             self.table = rotor_table::read(cx, fields, files);
             if let Written::Value(table) = &self.table {
                 written.compare(cx, fields, table);
+                table.note(cx, fields);
                 self.fields.used.extend(table.used(fields));
             }
             written.over(&rotor::PartialRotor::of_table(&self.table))

@@ -1,5 +1,6 @@
 //! The record of `mavc diagnose --format json`.
 
+use super::why::why;
 use super::{Against, Diagnosis};
 use crate::admissible::outcome::Outcome;
 use crate::diagnosis::record::Autopilot;
@@ -28,6 +29,9 @@ pub struct DiagnosisRecord {
     capacities: Vec<CapacityRecord>,
     /// The flights of the log.
     flights: Vec<FlightRecord>,
+    /// After a loss in a flight: what the remaining rotors could not hold, and what the log shows, in one sentence;
+    /// otherwise null.
+    why: Option<String>,
     /// Why nothing or not everything can be said.
     unknown: Vec<String>,
     /// Rate at which the log has the outputs of motors, Hz; null if it has none.
@@ -176,6 +180,7 @@ impl DiagnosisRecord {
             losses: losses.collect(),
             capacities: capacities.collect(),
             flights: flights.collect(),
+            why: why(diagnosis),
             unknown: diagnosis.unknown.clone(),
             outputs_hz: rate(diagnosis.rates[0]),
             rates_hz: rate(diagnosis.rates[1]),

@@ -2,7 +2,7 @@
 
 use super::Diagnosis;
 use super::record::name;
-use crate::admissible::outcome::Outcome;
+use super::why::why;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnosis::study::{Evidence, Kind, Loss};
 use crate::model::Spin;
@@ -30,12 +30,10 @@ pub fn screen(diagnosis: &Diagnosis) -> Screen {
             }
         }
     }
+    why(diagnosis).iter().for_each(|why| screen.paragraph(Tone::Strong, 0, 2, why));
     diagnosis.unknown.iter().for_each(|why| screen.remark(Keep::Finding, why));
     screen.gap();
     flights(diagnosis, &mut screen);
-    if let Some(after) = diagnosis.after.last() {
-        screen.paragraph(Tone::Plain, 0, 2, &why(diagnosis, after));
-    }
     screen.gap();
     capacities(diagnosis, &mut screen);
     screen.gap();
@@ -116,29 +114,6 @@ fn flights(diagnosis: &Diagnosis, screen: &mut Screen) {
     if more > 0 {
         screen.line(Tone::Plain, &format!("and {}", plural(more, "more flight")));
     }
-}
-
-/// What the remaining motors can do, and so why the flight ended as it did.
-fn why(diagnosis: &Diagnosis, after: &ModeAnalysis) -> String {
-    let of =
-        |share: Option<f64>| share.map_or(String::new(), |h| format!(" at {} % thrust in hover", fixed(100.0 * h, 0)));
-    let hover = of(diagnosis.study.as_ref().and_then(|study| study.hover));
-    let what = match after.outcome {
-        Outcome::FullControl => "the other motors can hold height, attitude and heading",
-        Outcome::FliesOn => {
-            "the other motors can hold height and attitude, but not the heading: a controller that goes on to hold it \
-             takes the thrust that roll and pitch need"
-        }
-        Outcome::Caught | Outcome::Undecided => {
-            "the other motors can hold the vehicle only while it spins, with a controller made for it"
-        }
-        Outcome::NoMargin => {
-            "the other motors balance weight and torques exactly and no more: some torque can be given in one \
-             direction only, so that no controller can hold the attitude against a disturbance"
-        }
-        Outcome::Lost => "the other motors cannot hold the vehicle",
-    };
-    format!("why: {what}{hover}")
 }
 
 /// The capacities in one row for each motor.

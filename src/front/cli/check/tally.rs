@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::flight::equilibrium::outcomes;
 use crate::number::plural;
 use crate::report::analysis_screen::planned_against;
-use crate::report::headline::headline_of;
+use crate::report::headline::{headline_of, why_undecided};
 use crate::report::screen::{Screen, Tone};
 use crate::spec::Spec;
 use std::collections::HashSet;
@@ -117,7 +117,10 @@ impl Findings {
         let left = spec.filter(|_| count.errors == 0).map(|spec| {
             let (model, indent) = (spec.model(), if is_alone { 0 } else { 2 });
             let mut screen = Screen::default();
-            screen.paragraph(Tone::Plain, indent, indent + 2, &headline_of(model, &outcomes(model)));
+            let outcomes = outcomes(model);
+            screen.paragraph(Tone::Plain, indent, indent + 2, &headline_of(model, &outcomes));
+            let why = why_undecided(model, &outcomes).filter(|_| is_alone);
+            why.iter().for_each(|line| screen.paragraph(Tone::Plain, 0, 2, line));
             let against = planned_against(model).filter(|_| is_alone);
             against.iter().for_each(|line| screen.paragraph(Tone::Plain, 0, 2, line));
             screen

@@ -7,6 +7,7 @@ use crate::admissible::verdict::{HoverVerdict, ModeAnalysis};
 use crate::lsp::names::NameKind;
 use crate::model::{FaultMode, Model, Rotor, RotorState};
 use crate::number::{down, number, percent, significant};
+use crate::read::FromTable;
 use crate::source::{FileId, Span};
 
 /// Modes that are named; of more the first and the last.
@@ -74,6 +75,28 @@ pub fn file(spec: &Spec, file: FileId) -> String {
         .collect();
     let names = if declared.is_empty() { "declares no name".to_string() } else { declared.join(", ") };
     format!("`{}`\n\n{names}", spec.source(file).name)
+}
+
+/// The numbers that a thrust table gives, whose path is at `span`.
+pub fn table_at(spec: &Spec, span: Span) -> Option<String> {
+    let of_it: Vec<&FromTable> = spec.understanding.from_tables.iter().filter(|given| given.span == span).collect();
+    let item = |given: &&FromTable| {
+        let FromTable { field, value, unit, reason, is_used, .. } = given;
+        let unused = if *is_used { "" } else { "; the spec writes its own" };
+        format!("- `{field}` = **{} {unit}**: {reason}{unused}", significant(*value, 4))
+    };
+    (!of_it.is_empty()).then(|| of_it.iter().map(item).collect::<Vec<_>>().join("\n"))
+}
+
+/// The numbers of the first thrust table after a place of a file, if the field there is a `table`.
+pub fn table(spec: &Spec, file: FileId, field: &str, from: u32) -> Option<String> {
+    let after = |given: &&FromTable| given.span.file == file && given.span.start >= from;
+    let is_table = field == crate::language::table::rotor::TABLE.name;
+    let first =
+        spec.understanding.from_tables.iter().filter(|_| is_table).filter(after).min_by_key(|g| g.span.start)?;
+    // Only the relation is between the field and its path.
+    let between = spec.snippet(Span { start: from, end: first.span.start, ..first.span });
+    (between.trim() == "=").then(|| table_at(spec, first.span))?
 }
 
 /// What modes do to the rotors; their names, where they are several.

@@ -266,9 +266,11 @@ fn momenta(model: &Model, spin: [f64; 2]) -> Vec<(f64, f64)> {
     for rotor in &model.vehicle.rotors {
         // The highest speed over the intervals of b w_max^2 and of b.
         let fastest = (rotor.spread.full_thrust.high / rotor.spread.idle_thrust.low).sqrt();
-        let most = rotor.inertia * rotor.max_speed * fastest;
+        // Of an interval the largest inertia: the box of momenta grows with it.
+        let largest = rotor.inertia * rotor.inertia_spread.high;
+        let most = largest * rotor.max_speed * fastest;
         // Below zero for a rotor that may reverse.
-        let least = rotor.inertia * rotor.min_speed.min(0.0);
+        let least = largest * rotor.min_speed.min(0.0);
         match rotor.spin {
             Spin::P => (low, high) = (low + least, high + most),
             Spin::N => (low, high) = (low - most, high - least),

@@ -2,10 +2,12 @@
 
 use super::found::Found;
 use super::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Progress, Run, Verification};
-use crate::model::{Mission, MissionTime, Model, PlannerKind, Problem};
+use crate::admissible::row::VIOLATED;
+use crate::model::{DynamicFigure, Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::motion::Trajectory;
 use crate::motion::outside::{Outside, outside};
 use crate::motion::time_grid::determined;
+use crate::motion::wrench_model::WrenchModel;
 use crate::planner::hover::{Decision, HoverPlanner, Planned};
 use crate::planner::scp::ScpPlanner;
 use crate::planner::selection::PlanningSet;
@@ -180,6 +182,7 @@ impl<'a> Setting<'a> {
             .iter()
             .map(|s| outside(&trajectory, &self.model().vehicle, &self.model().environment(), &s.rows))
             .collect();
+        let at_ends_of_drag = self.at_ends_of_drag(&trajectory, &outside);
         let committed = if self.weighs_risk { self.committed(&trajectory, &outside) } else { Vec::new() };
         MissionPlan {
             time,
@@ -189,12 +192,29 @@ impl<'a> Setting<'a> {
             least_objective: objective,
             rows,
             outside,
+            at_ends_of_drag,
             verification: Verification::None,
             binding: Vec::new(),
             infeasible_at: None,
             infeasible_above: Vec::new(),
             planned: None,
         }
+    }
+
+    /// [`MissionPlan::at_ends_of_drag`] of a trajectory, which violates the modes' sets by `middle`.
+    fn at_ends_of_drag(&self, trajectory: &Trajectory, middle: &[Outside]) -> Option<[f64; 2]> {
+        let model = self.model();
+        if model.vehicle.drag_spread.is_none() || trajectory.model != WrenchModel::Exact {
+            return None;
+        }
+        let held = || self.sets.modes.iter().zip(middle).filter(|(_, found)| found.max_violation <= VIOLATED);
+        Some([0.0, 1.0].map(|share| {
+            let model = model.at(DynamicFigure::Drag, share);
+            let (vehicle, environment) = (&model.vehicle, model.environment());
+            let sets = held().map(|(set, _)| set).chain([&self.sets.rip]);
+            let violations = sets.map(|set| outside(trajectory, vehicle, &environment, &set.rows).max_violation);
+            violations.fold(f64::NEG_INFINITY, f64::max)
+        }))
     }
 
     /// The outcome of a search for the shortest time.

@@ -105,7 +105,7 @@ pub(super) struct PartialRotor {
     lowest: Written<(Lowest, Span)>,
     max_speed: Written<Known>,
     time_constant: Written<f64>,
-    inertia: Written<f64>,
+    inertia: Written<Known>,
     /// Whether a thrust table gives what it can.
     has_table: bool,
     /// The torque per thrust that a table without torques suggests.
@@ -127,8 +127,8 @@ impl PartialRotor {
             drag_coefficient: take(&table::DRAG_COEFFICIENT, true),
             torque_per_thrust: take(&table::TORQUE_PER_THRUST, false),
             max_speed: take(&table::MAX_SPEED, false),
+            inertia: take(&table::ROTOR_INERTIA, false),
             time_constant: quantity(cx, &table::TIME_CONSTANT),
-            inertia: quantity(cx, &table::ROTOR_INERTIA),
             lowest: {
                 let speed = fields.written("min_speed", |expr| {
                     cx.quantity(&table::MIN_SPEED, expr, MIN_SPEED).map(|w| (Lowest::Speed(w), expr.span))
@@ -310,7 +310,7 @@ impl PartialRotor {
             None => 0.0,
         };
         let time_constant = self.time_constant.optional()?;
-        let inertia = self.inertia.or_default(|| 0.0)?;
+        let (inertia, inertia_spread) = self.inertia.or_default(|| (0.0, Spread::NONE))?;
         Some(Rotor {
             position: mount.position,
             spin: mount.spin,
@@ -320,6 +320,7 @@ impl PartialRotor {
             max_speed,
             time_constant,
             inertia,
+            inertia_spread,
             motor: mount.motor,
             spread,
         })

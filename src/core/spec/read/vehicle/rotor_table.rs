@@ -2,8 +2,8 @@
 //! voltage. It gives the numbers of the `rotor` block that are not written there, and the battery's hover power.
 //!
 //! The header names the columns in their usual spellings: a thrust and its unit (`Thrust (g)`), and optionally
-//! throttle, torque, speed, current, voltage and electrical power. Other columns are ignored. Every row is one
-//! throttle, from little to full. Cells are divided by commas or semicolons.
+//! throttle, torque, speed, current, voltage and electrical power. The units may be in a second line below the names.
+//! Other columns are ignored. Every row is one throttle, from little to full. Commas or semicolons divide the cells.
 
 mod cell;
 mod header;
@@ -18,6 +18,7 @@ use crate::read::csv_rows::{BrokenRow, Row, rows, start_of_header};
 use crate::read::expected::Expected;
 use crate::read::fields::Fields;
 use crate::read::load::{FileSet, Table};
+use crate::read::understanding::FromTable;
 use crate::read::written::Written;
 use crate::source::{Span, visible};
 use crate::syntax::ast::ExprKind;
@@ -90,13 +91,23 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, files: &FileSe
 fn points(cx: &mut Context, table: &Table) -> Option<Vec<Point>> {
     let mut reader = Reader { separator: separator(table), ..Reader::default() };
     let mut errors = 0;
-    for (index, row) in rows(table, reader.separator).enumerate() {
+    let mut lines = rows(table, reader.separator).peekable();
+    let mut is_header = true;
+    while let Some(row) = lines.next() {
         let outcome = match row {
             Err(BrokenRow { span, message }) => {
                 let error = Diagnostic::error(CODE, span, message).here("this row");
                 Err(Box::new(error.help("write as many cells as in the header; a number with a comma needs quotes")))
             }
-            Ok(row) if index == 0 => header::columns(&row, reader.separator).map(|found| reader.columns = found),
+            Ok(row) if is_header => {
+                // Many makers write the units below the names.
+                let separator = reader.separator;
+                let is_of_units = |below: &Result<Row, BrokenRow>| {
+                    below.as_ref().is_ok_and(|b| header::is_of_units(&row, b, separator))
+                };
+                let units = lines.next_if(is_of_units).and_then(Result::ok);
+                header::columns(&row, units.as_ref(), separator).map(|found| reader.columns = found)
+            }
             Ok(row) if row.record.iter().all(str::is_empty) => Ok(()),
             Ok(row) if reader.points.len() >= MAX_ROWS => {
                 let message = format!("a thrust table may have at most {MAX_ROWS} rows");
@@ -113,6 +124,7 @@ fn points(cx: &mut Context, table: &Table) -> Option<Vec<Point>> {
         if reader.columns.is_empty() || errors >= MAX_ERRORS {
             return None;
         }
+        is_header = false;
     }
     if errors > 0 {
         return None;
@@ -313,12 +325,23 @@ impl RotorTable {
         given
     }
 
+    /// The numbers that the table gives, for editors.
+    pub fn note(&self, cx: &mut Context, fields: &Fields) {
+        let Some(path) = fields.get(table::TABLE.name) else { return };
+        let of = |given: Given| FromTable {
+            span: path.span,
+            field: given.entry.name,
+            value: given.value,
+            unit: given.entry.unit().unwrap_or("1"),
+            is_used: is_unwritten(&given, fields),
+            reason: given.reason,
+        };
+        cx.from_tables.extend(self.given().into_iter().map(of));
+    }
+
     /// The numbers that are taken from the table, as records of defaults: those that `fields` do not write.
     pub fn used(&self, fields: &Fields) -> Vec<DefaultUsed> {
-        let taken = self.given().into_iter().filter(|given| {
-            let mut forms = written_forms(given.entry);
-            !forms.any(|form| fields.get(form).is_some())
-        });
+        let taken = self.given().into_iter().filter(|given| is_unwritten(given, fields));
         let record = |Given { entry, value, reason }: Given| DefaultUsed {
             field: format!("vehicle.rotor.{}", entry.name),
             value: format!("{} {}", shortest(value), entry.unit().unwrap_or("1")),
@@ -354,6 +377,11 @@ impl RotorTable {
                     blocks";
         cx.report(Diagnostic::warning("mavc::sense::rotor_table", span, message).here(here).help(help));
     }
+}
+
+/// Whether the fields write a number in no form.
+fn is_unwritten(given: &Given, fields: &Fields) -> bool {
+    !written_forms(given.entry).any(|form| fields.get(form).is_some())
 }
 
 /// The fields of `rotor` that replace a number of the table.

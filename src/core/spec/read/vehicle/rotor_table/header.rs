@@ -134,8 +134,28 @@ pub(super) struct Column {
     pub unit: Unit,
 }
 
-/// The columns that a header names; those that it does not know are left out.
-pub(super) fn columns(row: &Row, separator: u8) -> Result<Vec<Column>, Box<Diagnostic>> {
+/// Whether the line below a header gives the units of its columns, as in `Thrust,RPM` above `g,1/min`: it has no
+/// number, and a unit of at least one column that the header names.
+pub(super) fn is_of_units(header: &Row, below: &Row, separator: u8) -> bool {
+    let is_unit = |(name, cell): (&str, &str)| {
+        recognised(name).is_some_and(|(kind, _)| bare(cell).is_some_and(|text| unit(kind, text).is_some()))
+    };
+    !has_number(below, separator) && header.record.iter().zip(&below.record).any(is_unit)
+}
+
+fn has_number(row: &Row, separator: u8) -> bool {
+    row.record.iter().any(|cell| super::cell::number(cell, separator).is_ok())
+}
+
+/// The unit in a cell, `g`, `(g)` or `[g]`; `None` for a column without one, which is empty or a dash.
+fn bare(cell: &str) -> Option<&str> {
+    let inner = cell.strip_prefix(['(', '[', '（']).and_then(|rest| rest.strip_suffix([')', ']', '）']));
+    Some(inner.unwrap_or(cell).trim()).filter(|text| !matches!(*text, "" | "-" | "/" | "—" | "–"))
+}
+
+/// The columns that a header names, with the units of the line below it if it has one; those that it does not know are
+/// left out.
+pub(super) fn columns(row: &Row, units: Option<&Row>, separator: u8) -> Result<Vec<Column>, Box<Diagnostic>> {
     let fail_whole = |message: String| Diagnostic::error(CODE, row.span, message).here("the header");
     if row.record.len() == 1 && row.record[0].contains('\t') {
         let error = fail_whole("the cells of a table must be separated by commas or semicolons".into());
@@ -143,33 +163,50 @@ pub(super) fn columns(row: &Row, separator: u8) -> Result<Vec<Column>, Box<Diagn
     }
     let mut columns: Vec<Column> = Vec::new();
     for (index, (cell, &span)) in row.record.iter().zip(&row.cells).enumerate() {
-        let fail = |message: String| Diagnostic::error(CODE, span, message).here("this column");
         let Some((kind, written)) = recognised(cell) else { continue };
         let title = kind.title();
         if let Some(first) = columns.iter().find(|column| column.kind == kind) {
-            let error = fail(format!("two columns give the {title}")).also(row.cells[first.index], "the other");
+            let error = Diagnostic::error(CODE, span, format!("two columns give the {title}")).here("this column");
+            let error = error.also(row.cells[first.index], "the other");
             return Err(Box::new(error.help("remove one of them")));
         }
         let example = if kind == Kind::Speed { "RPM".to_string() } else { example(kind) };
-        let unit = match written {
+        let below = units.and_then(|units| Some((bare(&units.record[index])?, units.cells[index])));
+        let (unit_of_name, unit_below) = (written, below.map(|(text, _)| text));
+        let span = if written.is_none() { below.map_or(span, |(_, span)| span) } else { span };
+        let fail = |message: String| Diagnostic::error(CODE, span, message).here("this column");
+        let unit = match unit_of_name.or(unit_below) {
             // Percent, microseconds or steps: only the order of the throttles is used.
             _ if kind == Kind::Throttle => Unit { numerator: 1.0, denominator: 1.0, dimension: Dimension::PLAIN },
             Some(text) => unit(kind, text).ok_or_else(|| {
                 let error = fail(format!("`{}` is not a unit of the {title}", visible::line(text)));
-                Box::new(error.help(format!("write a unit in parentheses, as in `{example}`")))
+                Box::new(error.help(match unit_of_name {
+                    Some(_) => format!("write a unit in parentheses, as in `{example}`"),
+                    None => format!("write a unit such as `{}`", if kind == Kind::Speed { "RPM" } else { kind.unit() }),
+                }))
             })?,
             None => {
                 let error = fail(format!("the column of the {title} needs a unit"));
-                return Err(Box::new(error.help(format!("write `{example}`"))));
+                return Err(Box::new(
+                    error.help(format!("write `{example}`, or the units in the line below the names")),
+                ));
             }
         };
+        let factor = |unit: Unit| unit.numerator / unit.denominator;
+        if let (Some(_), Some((text, below))) = (unit_of_name, below)
+            && kind != Kind::Throttle
+            && self::unit(kind, text).map(factor) != Some(factor(unit))
+        {
+            let error = Diagnostic::error(CODE, below, format!("the column of the {title} has two units"));
+            let error = error.here("another unit").also(row.cells[index], "the unit in its name");
+            return Err(Box::new(error.help("keep one of them")));
+        }
         columns.push(Column { kind, index, unit });
     }
     if columns.iter().any(|column| column.kind == Kind::Thrust) {
         return Ok(columns);
     }
-    let has_number = row.record.iter().any(|cell| super::cell::number(cell, separator).is_ok());
-    let error = match has_number {
+    let error = match has_number(row, separator) {
         true => fail_whole("the first line of a thrust table must name its columns".into())
             .help("put a line such as `Thrust (g),RPM,Torque (N*m),Power (W)` above it"),
         false => {

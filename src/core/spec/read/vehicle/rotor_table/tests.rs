@@ -65,6 +65,23 @@ fn separators_spellings_and_gaps_change_nothing() {
 }
 
 #[test]
+fn units_may_be_below_the_names() {
+    let rows = SMALL.split_once('\n').unwrap().1;
+    for header in [
+        "Throttle,Thrust,Torque,RPM,Current,Voltage,Efficiency\n%,g,mN*m,1/min,A,V,g/W\n",
+        "Throttle,Thrust,Torque,Speed,Current,Voltage,Efficiency\n(%),(g),(mN·m),(RPM),(A),(V),(g/W)\n",
+        "Throttle,Thrust,Torque,RPM,Current,Voltage,Efficiency\n,[g],[mNm],-,[A],[V],\n",
+        "Throttle,Thrust (g),Torque,RPM,Current (A),Voltage,Efficiency\n,G,mN*m,,A,V,\n",
+    ] {
+        assert_eq!(table(&format!("{header}{rows}")), table(SMALL), "{header}");
+    }
+    let semicolons = "Thrust;RPM;Torque\n\n# units\nkgf;r/min;N*m\n0.4;3 000;0.02\n";
+    let one = table(semicolons);
+    close(one.max_thrust(), 0.4 * 9.80665);
+    close(one.torque_per_thrust().unwrap(), 0.02 / (0.4 * 9.80665));
+}
+
+#[test]
 fn a_table_gives_only_what_it_has() {
     let bare = table("Thrust (N)\n0\n5\n");
     assert_eq!((bare.max_thrust(), bare.max_speed(), bare.torque_per_thrust()), (5.0, None, None));
@@ -92,6 +109,13 @@ fn every_bad_table_is_reported() {
         ("50,200,4000\n60,300,5000\n", "must name its columns"),
         ("Thrust (g)\tRPM\n1\t2\n", "separated by commas or semicolons"),
         ("Thrust\n1\n", "the thrust needs a unit"),
+        ("Thrust,RPM\nfurlong,RPM\n1,3000\n", "`furlong` is not a unit of the thrust"),
+        ("Thrust,Torque\ng,\n1,2\n", "the column of the torque needs a unit"),
+        ("Thrust (N),RPM\ng,RPM\n1,3000\n", "the thrust has two units"),
+        ("Thrust,RPM\nforce,many\n1,3000\n", "the thrust needs a unit"),
+        ("Thrust (N),RPM\nA,B\n1,3000\n", "`A` in column `thrust` is not a number"),
+        ("Thrust,RPM\ng,RPM\n", "no row with a thrust above zero"),
+        ("Thrust,RPM\ng,RPM\ng,RPM\n1,3000\n", "`g` in column `thrust` is not a number"),
         ("Thrust (furlong)\n1\n", "`furlong` is not a unit of the thrust"),
         ("Thrust (W)\n1\n", "`W` is not a unit of the thrust"),
         ("Thrust (g),Torque (g)\n1,2\n", "`g` is not a unit of the torque"),
