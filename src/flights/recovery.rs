@@ -312,6 +312,6 @@ impl Recovery {
 impl ModeRecovery {
     /// For how long no way out was found, s.
     pub fn uncovered(&self) -> f64 {
-        self.pieces.iter().filter(|piece| piece.way.is_none()).map(|piece| piece.to - piece.from).sum()
+        self.pieces.iter().filter(|piece| piece.way.is_none()).fold(0.0, |sum, piece| sum + (piece.to - piece.from))
     }
 }

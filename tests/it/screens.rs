@@ -217,7 +217,7 @@ fn the_answer_comes_first() {
     ];
     for (plan, reason) in ["rounds = 1", "rounds = 0"].into_iter().zip(reasons) {
         let text = slow(plan);
-        assert!(text.contains(&format!("Computed along the plan, not proved: {reason}")), "{text}");
+        assert!(text.contains(&format!("Sampled along the plan, not proved: {reason}")), "{text}");
     }
     let caught = spec("PNPN", "2 kg", "every 1 rotor lost as M", "time = 9 s");
     let caught = out(&mavc_with(&["plan", "-"], &caught));

@@ -299,7 +299,8 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     }));
     remarks.extend(named(&|mode| mode.outcome == Outcome::NoMargin).map(|names| {
         format!(
-            "{names}: hover is on the edge of what the remaining rotors can give, so some disturbance cannot be countered"
+            "{names}: hover is on the edge of what the remaining rotors can give, so some disturbance cannot be \
+             countered"
         )
     }));
     let faint = |mode: &ModeAnalysis| mode.nearest_rows.is_some_and(|rows| rows.angle < least_angle());

@@ -84,7 +84,8 @@ pub(super) fn lost_if(s: &Simulation) -> String {
     let [beyond, upside_down] = [s.lost_beyond, s.upside_down].map(number);
     let heading = off_heading(s);
     format!(
-        "lost: {beyond} m off the plan, tilted past 90 degrees for {upside_down} s or at the end, {heading}or on the ground"
+        "lost: {beyond} m off the plan, tilted past 90 degrees for {upside_down} s or at the end, {heading}or on the \
+         ground"
     )
 }
 

@@ -62,7 +62,8 @@ impl CaptureRecord {
 }
 
 /// The height that a plan keeps and what remains, in one line: `6.64 m kept above the ground outside 5 m of start and
-/// end; for up to 8.65 s near them the fall after L1, L2, L3 and L4 may end on the ground (simulated)`; `None` where the spec requires none.
+/// end; for up to 8.65 s near them the fall after L1 and L4 may end on the ground (simulated)`; `None` where the spec
+/// requires none.
 pub fn figure(record: &CaptureRecord, exposed: &[ExposedRecord]) -> Option<String> {
     let (height, radius) = record.height_m.zip(record.radius_m)?;
     let worst = exposed.iter().max_by(|a, b| a.seconds.total_cmp(&b.seconds));

@@ -202,7 +202,7 @@ pub fn uncovered(model: &Model, recovery: &Recovery) -> (f64, bool) {
     let weighted = rates.as_ref().is_some_and(|rates| rates.iter().sum::<f64>() > 0.0);
     let weight = |mode: usize| rates.as_ref().filter(|_| weighted).map_or(1.0, |rates| rates[mode]);
     let all: f64 = recovery.modes.iter().map(|mode| weight(mode.mode) * recovery.duration).sum();
-    let open: f64 = recovery.modes.iter().map(|mode| weight(mode.mode) * mode.uncovered()).sum();
+    let open = recovery.modes.iter().fold(0.0, |sum, mode| sum + weight(mode.mode) * mode.uncovered());
     (if all > 0.0 { open / all } else { 0.0 }, weighted)
 }
 

@@ -18,6 +18,9 @@ const WORST: usize = 5;
 /// A plan that begins nearer to the start than this begins there, m. Chosen by hand.
 const AT_THE_START: f64 = 1e-3;
 
+/// A waypoint is called tight from this share of its tolerance on. Chosen by hand.
+const TIGHT: f64 = 0.1;
+
 /// Errors below this are rounding and are reported as zero, m and rad.
 const ROUNDING: f64 = 1e-12;
 
@@ -181,7 +184,8 @@ pub fn headline(waypoints: &[WaypointRecord]) -> String {
         format!("; begins {} {unit} from the start", significant(per_metre * w.position_error_m, 2))
     };
     let begins = start.first().filter(|w| w.position_error_m >= AT_THE_START).map_or(String::new(), begins);
-    format!("{}{}{begins}", met_or_missed(waypoints), worst(later).map_or(String::new(), tightest))
+    let tight = worst(later).filter(|w| !w.met || w.share() >= TIGHT);
+    format!("{}{}{begins}", met_or_missed(waypoints), tight.map_or(String::new(), tightest))
 }
 
 /// The waypoints that a table lists, in the order of flight: all, or of many the `WORST`; and for the others their

@@ -172,9 +172,9 @@ pub fn is_cheap(problem: Problem) -> bool {
 }
 
 /// Plans with the statements that forbid all detours, once, by a quick search from the plan of a comparison's run
-/// whatever the spec's effort, and records the time of the plan if there is one. A plan that keeps more statements is one of the mission
-/// too: if it is shorter, and the mission's time is searched for, it is returned, checked for the mission as it is
-/// written. It is not if it is hardly shorter and leaves a mode's set in which the run's plan stays.
+/// whatever the spec's effort, and records the time of the plan if there is one. A plan that keeps more statements is
+/// one of the mission too: if it is shorter, and the mission's time is searched for, it is returned, checked for the
+/// mission as it is written. It is not if it is hardly shorter and leaves a mode's set in which the run's plan stays.
 pub fn try_statements(
     problem: Problem,
     comparison: &Comparison,

@@ -55,9 +55,9 @@ pub fn run_planners(problem: Problem, scope: Scope, progress: Progress) -> Compa
     comparison
 }
 
-/// A run of a comparison, which is its only one here, once more on a mission that differs from the comparison's in
-/// limits only: the same planner in the same set, from the run's plan, without a second pass ([`pass_again`]). No run if
-/// that has no plan.
+/// A run of a comparison, which is its only one here, once more on a mission that differs from the comparison's in its
+/// limits only: the same planner in the same set, from the run's plan, without a second pass ([`pass_again`]). Without
+/// a plan there is no run.
 pub fn again(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Comparison {
     let setting = Setting { weighs_risk: true, ..Setting::new(problem, None) };
     let (run, effort) = setting.again(run).unzip();

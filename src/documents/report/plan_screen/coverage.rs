@@ -148,8 +148,8 @@ pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec
     if !without_yaw.is_empty() {
         let names = named(answer, &without_yaw);
         safe.push(format!(
-            "After {names} at any instant the remaining rotors still give {wrench} except about yaw{reserve}: the heading \
-             is not held."
+            "After {names} at any instant the remaining rotors still give {wrench} except about yaw{reserve}: the \
+             heading is not held."
         ));
     }
     if !safe.is_empty() {
@@ -162,8 +162,8 @@ pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec
         say(
             Covers::Stops,
             format!(
-                "After {names} the plan leaves what the remaining rotors can give, but from every node before that a stop \
-                 within it was found (`after_fault = hold`)."
+                "After {names} the plan leaves what the remaining rotors can give, but from every node before that a \
+                 stop within it was found (`after_fault = hold`)."
             ),
         );
     }

@@ -174,8 +174,8 @@ fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<(Keep, String)> {
     let is_unfaulted = record.outcome == OutcomeRecord::Flown && !record.faults.iter().any(|fault| fault.struck);
     if is_unfaulted && (record.waypoints_missed > 0 || !record.limits_broken.is_empty()) {
         all.push(
-            "without a fault the controller does not keep what the plan keeps: a larger `reserve`, or tighter limits in \
-             the plan than in flight, may help"
+            "without a fault the controller does not keep what the plan keeps: a larger `reserve`, or tighter limits \
+             in the plan than in flight, may help"
                 .into(),
         );
     }
