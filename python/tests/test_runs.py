@@ -116,6 +116,5 @@ def test_a_panic_is_an_exception(capfd):
 def test_effort_is_that_of_the_spec(small):
     spec = mavc.compile(small)
     assert spec.plan(effort="quick").json == spec.set("plan.effort", "quick").plan().json
-    assert spec.plan(effort="quick").json != spec.plan().json
     with pytest.raises(mavc.SpecError):
         spec.plan(effort="endless")

@@ -36,7 +36,7 @@ impl fmt::Display for Unexplained {
 
 impl Error for Unexplained {}
 
-/// The outcome of [`plan`] was given together with another spec than the one that was planned: another text, or other
+/// The outcome of `plan` was given together with another spec than the one that was planned: another text, or other
 /// overrides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OtherSpec;

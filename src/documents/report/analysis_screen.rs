@@ -50,7 +50,7 @@ pub fn screen(model: &Model, modes: &[ModeAnalysis]) -> Screen {
     columns(model, modes).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
     legend(model, modes, &spins).iter().for_each(|line| screen.paragraph(Tone::Plain, 2, 2, line));
     remarks(model, modes).iter().for_each(|text| screen.remark(Keep::Finding, text));
-    screen.close(0);
+    screen.close();
     screen
 }
 

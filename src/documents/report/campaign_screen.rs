@@ -68,7 +68,7 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
         screen.paragraph(Tone::Plain, 2, 2, &by_flight(&Agreement::new(design, tally).all.total));
     }
     warnings(design, tally, &plans).iter().for_each(|text| screen.remark(Keep::Finding, text));
-    screen.close(0);
+    screen.close();
     screen
 }
 

@@ -63,7 +63,7 @@ pub fn screen(problem: Problem, comparison: &Comparison, recoverable: Option<&Re
     if let Some(text) = outside_the_model(model, comparison) {
         screen.remark(Keep::Finding, &text);
     }
-    screen.close(0);
+    screen.close();
     screen
 }
 

@@ -63,17 +63,14 @@ impl Answer<'_> {
         screen.paragraph(Tone::Plain, 0, 2, &format!("{} with {}", mission.name, vehicle_line(model)));
         screen.gap();
         let Some(run) = self.comparison.runs.last() else { return screen };
-        let hidden = match &run.outcome {
+        match &run.outcome {
             PlanOutcome::Planned(solved) => self.found(&mut screen, run, solved, further.is_none()),
-            outcome => {
-                self.missing(&mut screen, run, outcome);
-                0
-            }
-        };
+            outcome => self.missing(&mut screen, run, outcome),
+        }
         if let Some(further) = further {
             further(&mut screen);
         }
-        screen.close(hidden);
+        screen.close();
         screen
     }
 
@@ -113,15 +110,17 @@ impl Answer<'_> {
         screen.paragraph(Tone::Plain, 2, 2, detail);
     }
 
-    /// A plan, and how many modes its table leaves out.
-    fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan, has_table: bool) -> usize {
+    /// A plan.
+    fn found(&self, screen: &mut Screen, run: &PlannerRun, solved: &MissionPlan, has_table: bool) {
         let model = self.problem.model();
         let text = verdict_text::headline(self.problem, self.comparison, run);
         let is_doubtful = caveats(model, solved).iter().any(|caveat| caveat.kind.is_outside_the_model());
         let tone = if is_doubtful || coverage::is_partial(self, solved) { Tone::Warning } else { Tone::Good };
         screen.paragraph(tone, 2, 2, &text);
         coverage::say(self, screen, run, solved);
-        let hidden = if has_table { coverage::tabulate(self, screen, solved) } else { 0 };
+        if has_table {
+            coverage::tabulate(self, screen, solved);
+        }
         screen.gap();
         let labelled = |screen: &mut Screen, label: &str, text: &str| {
             screen.paragraph(Tone::Plain, 2, 11, &format!("{label:<10} {text}"));
@@ -138,7 +137,6 @@ impl Answer<'_> {
             screen.part(keep, Some((Counted::Figure, 1)), |screen| labelled(screen, label, &text));
         }
         self.remarks(model, solved).iter().for_each(|(keep, text)| screen.remark(*keep, text));
-        hidden
     }
 
     /// Labelled lines of figures.

@@ -94,6 +94,8 @@ struct Line {
 pub struct Screen {
     lines: Vec<Line>,
     parts: Vec<Part>,
+    /// Names of modes that are in no row, and how many there are.
+    hidden: Vec<(String, usize)>,
 }
 
 impl Screen {
@@ -171,11 +173,17 @@ impl Screen {
         }
     }
 
-    /// The last line, after parts were left out until the screen fits: of those to keep shortest the last. `hidden` is
-    /// how many modes are in no row.
-    pub fn close(&mut self, hidden: usize) {
-        let (mut remarks, mut figures, mut modes) = (0, 0, hidden);
-        let (mut names, mut all_named): (Vec<&str>, bool) = (Vec::new(), hidden == 0);
+    /// Modes with more to spare than those in the rows of the table.
+    pub fn hide_modes(&mut self, names: String, n: usize) {
+        self.hidden.push((names, n));
+    }
+
+    /// The last line, after parts were left out until the screen fits: of those to keep shortest the last.
+    pub fn close(&mut self) {
+        let (mut remarks, mut figures) = (0, 0);
+        let mut modes: usize = self.hidden.iter().map(|(_, n)| n).sum();
+        let mut names: Vec<&str> = self.hidden.iter().rev().map(|(names, _)| names.as_str()).collect();
+        let mut all_named = true;
         while self.lines.len() >= LINES {
             let last_of_least = |a: &usize, b: &usize| self.parts[*a].keep.cmp(&self.parts[*b].keep).then(b.cmp(a));
             let Some(least) = self.lines.iter().filter_map(|line| line.part).min_by(last_of_least) else { break };
@@ -243,7 +251,7 @@ mod tests {
             screen.part(Keep::Reason, None, |screen| screen.line(Tone::Plain, "reason"));
             screen.remark(Keep::Advice, "advice");
             screen.remark(Keep::Finding, "finding");
-            screen.close(0);
+            screen.close();
             screen.to_string()
         };
         let all = ["row 3", "row 2", "reason", "advice", "finding"];

@@ -83,22 +83,24 @@ pub fn say(answer: &Answer, screen: &mut Screen, run: &PlannerRun, solved: &Miss
     }
 }
 
-/// The table of modes, and how many it leaves out.
-pub fn tabulate(answer: &Answer, screen: &mut Screen, solved: &MissionPlan) -> usize {
+/// The table of modes.
+pub fn tabulate(answer: &Answer, screen: &mut Screen, solved: &MissionPlan) {
     let model = answer.problem.model();
     if answer.comparison.modes.is_empty() {
-        return 0;
+        return;
     }
     screen.gap();
-    let (modes, hidden) = table(answer, solved, NAMES).1;
-    screen.fitted_modes(NAMES, ALWAYS, &modes, |names| table(answer, solved, names).0);
+    let ModeTable { rows, hidden, .. } = table(answer, solved, NAMES);
+    screen.fitted_modes(NAMES, ALWAYS, &rows, |names| table(answer, solved, names).table);
+    if !hidden.is_empty() {
+        screen.hide_modes(within(&names(model), &declared(model, &hidden), NAMES_IN_TEXT), hidden.len());
+    }
     if answer.comparison.provisions.iter().all(|provision| *provision == Provision::Capture) {
-        return hidden;
+        return;
     }
     let reserve = if model.plan.reserve > 0.0 { " beyond the reserve" } else { "" };
     let legend = format!("spare: what the plan leaves{reserve}, % of the healthy set's width");
     screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &legend));
-    hidden
 }
 
 /// Which modes a plan covers and which not, in sentences.
@@ -306,9 +308,17 @@ pub(in crate::documents::report) fn spare(out: &Outside) -> f64 {
     if out.max_violation.abs() <= VIOLATED { 0.0 } else { -out.max_violation }
 }
 
-/// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first; how many
-/// modes each row has, with their names, and how many are left out.
-fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<(String, usize)>, usize)) {
+/// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first.
+struct ModeTable {
+    table: Table,
+    /// The names of modes in each row, and how many there are.
+    rows: Vec<(String, usize)>,
+    /// The modes in no row, by their places in `against`.
+    hidden: Vec<usize>,
+}
+
+/// The table of modes with names of so many columns.
+fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> ModeTable {
     let (model, comparison) = (answer.problem.model(), answer.comparison);
     let headings = ["fault", "spare", "tightest", "unsafe"];
     let mut rows: Vec<(f64, Vec<usize>, Vec<String>)> = Vec::new();
@@ -340,7 +350,7 @@ fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> (Table, (Vec<(S
         of_rows.push((name.clone(), modes.len()));
         table.row(std::iter::once(name).chain(cells.iter().cloned()).collect());
     }
-    (table, (of_rows, hidden.iter().map(|row| row.1.len()).sum()))
+    ModeTable { table, rows: of_rows, hidden: hidden.into_iter().flat_map(|row| row.1).collect() }
 }
 
 /// `, to waypoint 3`: the leg on which an instant is.

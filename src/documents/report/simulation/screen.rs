@@ -109,7 +109,7 @@ pub fn screen(flown: &Flown, verbose: bool) -> Screen {
         true => volumes::table(&record.volumes, model, " in the flight")
             .lines()
             .for_each(|line| screen.line(Tone::Plain, line)),
-        false => screen.close(0),
+        false => screen.close(),
     }
     screen
 }

@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 const BEGINS_WITHIN: f64 = 1e-5;
 
 impl ScpPlanner<'_, '_> {
-    /// The branch [`HoverPlanner::branch`] over a time grid; `None` where the steps find none.
+    /// The branch `HoverPlanner::branch` over a time grid; `None` where the steps find none.
     pub fn branch(&mut self, grid: &TimeGrid) -> Option<Iterate> {
         let smooth = self.minimum_snap(grid)?;
         let violation = self.largest_violation(&smooth);

@@ -31,7 +31,7 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// The weights of comfort for an iterate: each mean square counts as much as the whole cost (48) where it is that
-    /// of its unit, and at most [`settings::ComfortSettings::most`] times as much: where little is free, steps could
+    /// of its unit, and at most `ComfortSettings::most` times as much: where little is free, steps could
     /// not gain.
     fn comfort_about(&self, iterate: &Iterate) -> Comfort {
         let settings = self.settings.comfort;

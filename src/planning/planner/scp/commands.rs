@@ -134,7 +134,7 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// The largest violation of each row by the commanded wrench on the finer grid of
-    /// [`settings::TighteningSettings::parts`], without tightening.
+    /// `TighteningSettings::parts`, without tightening.
     pub(super) fn commands_between_instants(&self, iterate: &Iterate) -> Vec<f64> {
         let Some(lag) = &self.lag else { return Vec::new() };
         let mut worst = vec![f64::NEG_INFINITY; self.set.rows.len()];

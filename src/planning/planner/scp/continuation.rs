@@ -57,7 +57,7 @@ impl ScpPlanner<'_, '_> {
         Some(high)
     }
 
-    /// The iterate slowed down by the first of [`settings::SlowingSettings::slowdowns`] with which it can be restored,
+    /// The iterate slowed down by the first of `SlowingSettings::slowdowns` with which it can be restored,
     /// after a short cost phase.
     pub(super) fn restore_feasibility_slower(
         &mut self,

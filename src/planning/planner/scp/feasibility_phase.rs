@@ -109,7 +109,7 @@ impl ScpPlanner<'_, '_> {
         Some(iterate)
     }
 
-    /// Drops the rows with more slack at an iterate than [`settings::SubproblemSettings::slack_of_working_set`].
+    /// Drops the rows with more slack at an iterate than `SubproblemSettings::slack_of_working_set`.
     fn prune(&self, iterate: &Iterate, working_set: &mut BTreeSet<RowAt>) {
         let form = self.transcription(&iterate.grid, &[]);
         let mut known = BTreeMap::new();

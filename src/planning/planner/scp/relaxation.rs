@@ -35,7 +35,7 @@ pub struct Relaxed {
 /// The outcome of the relaxation over a time grid.
 pub(super) enum RelaxationOutcome {
     /// Proved infeasible by multipliers that are checked in plain arithmetic; they are left in
-    /// [`HoverPlanner::weights`] by row.
+    /// `HoverPlanner::weights` by row.
     Infeasible,
     /// The solution of least cost, which keeps every limit at the nodes; `None` where none was found.
     Feasible(Option<Iterate>),

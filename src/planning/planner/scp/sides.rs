@@ -55,7 +55,7 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// Sides other than those of the shortest ways: for one leg at a time, at most
-    /// [`settings::GuidanceSettings::sides`] in all.
+    /// `GuidanceSettings::sides` in all.
     pub(super) fn other_sides(&self) -> Vec<Sides> {
         let mission = self.problem().mission();
         let most = self.settings.guidance.sides;
