@@ -88,7 +88,7 @@ pub(super) enum Command {
     /// Write a spec from the file of another tool; unknown figures become `?`
     #[command(subcommand)]
     Import(ImportCommand),
-    /// Write a commented spec that can be planned as it is
+    /// Write a commented spec that can be planned as it is, or a vehicle of estimates
     New {
         /// The file to write, which must not exist yet, or `-` for standard output
         file: PathBuf,
