@@ -9,10 +9,10 @@ use crate::model::{FaultMode, Model, RotorState};
 use crate::number::{part_of_all, plural};
 use std::collections::BTreeSet;
 
-/// What fails in a mode, for counting modes of the same kind together.
-/// Characters of a list of modes.
+/// Most columns of a list of modes.
 const NAMES: usize = 40;
 
+/// What fails in a mode, for counting modes of the same kind together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     /// So many rotors are lost, and nothing else.
