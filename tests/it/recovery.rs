@@ -358,7 +358,7 @@ fn gaps_are_closed_by_planning_again() {
     assert!(text.contains("Planned again for ways out, with ") && text.contains("the time is the same"), "{text}");
 }
 
-/// Where a fixed time leaves no room for ways out, the screen names a longer one that does, and the plan stays.
+/// If a fixed time leaves no room for ways out, the screen names a longer time that does; the plan stays as it is.
 #[test]
 fn a_fixed_time_that_is_too_short_has_a_nearest_miss() {
     let folder = tempfile::tempdir().unwrap();

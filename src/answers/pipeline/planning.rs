@@ -72,7 +72,7 @@ impl Planning {
         self.capture_heights = OnceLock::new();
     }
 
-    /// Which rows of the plan are proved to hold between its nodes; `None` if there is no plan.
+    /// The rows of the plan that are proved to hold between its nodes; `None` without a plan.
     ///
     /// # Errors
     /// `task` is that of another spec.
@@ -97,6 +97,6 @@ impl Planning {
 pub struct Explained {
     /// Times below and above the spec's at which the planner found a plan. If there is one, no statement is blamed.
     pub nearby: Nearby,
-    /// Statements for which together there is no plan or none was found, and changes that give a plan.
+    /// Statements that together leave no plan, proved or as far as the search found, and changes that give one.
     pub conflict: Option<Explanation>,
 }

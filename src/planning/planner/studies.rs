@@ -59,6 +59,8 @@ pub fn run_planners(problem: Problem, scope: Scope, progress: Progress) -> Compa
 /// limits only: the same planner in the same set, from the run's plan, without a second pass ([`pass_again`]). Without
 /// a plan there is no run.
 pub fn again(problem: Problem, comparison: &Comparison, run: &PlannerRun) -> Comparison {
+    let ended = times::with_time_of_its_end(problem);
+    let problem = ended.as_ref().and_then(Problem::of).unwrap_or(problem);
     let setting = Setting { weighs_risk: true, ..Setting::new(problem, None) };
     let (run, effort) = setting.again(run).unzip();
     Comparison { runs: run.into_iter().collect(), effort: effort.unwrap_or_default(), ..comparison.clone() }

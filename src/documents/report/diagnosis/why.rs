@@ -125,7 +125,7 @@ fn can(after: &ModeAnalysis, missing: Missing) -> String {
     }
 }
 
-/// ` (hover takes 42 % of full thrust)`: how heavily the vehicle is loaded decides what is left.
+/// ` (hover takes 42 % of full thrust)`: what is left depends on the load.
 fn hover(diagnosis: &Diagnosis) -> String {
     match diagnosis.study.as_ref().and_then(|study| study.hover) {
         Some(share) => format!(" (hover takes {} % of full thrust)", fixed(100.0 * share, 0)),

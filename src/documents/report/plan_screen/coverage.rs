@@ -317,7 +317,7 @@ struct ModeTable {
     hidden: Vec<usize>,
 }
 
-/// The table of modes with names of so many columns.
+/// The table of modes, with names of at most `names` columns.
 fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> ModeTable {
     let (model, comparison) = (answer.problem.model(), answer.comparison);
     let headings = ["fault", "spare", "tightest", "unsafe"];

@@ -145,8 +145,8 @@ pub struct MissionPlan {
     /// Against every mode of the comparison, in their order.
     pub outside: Vec<Outside>,
     /// For a vehicle with an interval of `drag`, for whose middle the plan is made: the largest violation at its lower
-    /// and at its upper end, in widths of the healthy set, of the healthy vehicle's set and of
-    /// the modes' sets that hold in the middle.
+    /// and at its upper end, in widths of the healthy set, of the healthy vehicle's set and of the modes' sets that
+    /// hold in the middle.
     pub at_ends_of_drag: Option<[f64; 2]>,
     /// How long the mission is committed to each of them, s, by what it does after a fault
     /// ([`crate::model::Model::after_fault`]). Empty under [`Scope::Common`] and for rounds, which compute no risk.
