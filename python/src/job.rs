@@ -6,7 +6,7 @@
 use crate::held::Held;
 use crate::{Arguments, Value};
 use mavc::cancel::{Cancel, NoResult};
-use mavc::observer::{Observer, Stages, attempt};
+use mavc::observer::{Observer, Stages, Trial, trial_text};
 use pyo3::import_exception;
 use pyo3::prelude::*;
 use std::any::Any;
@@ -70,8 +70,8 @@ impl Observer for Reports {
         (self.send)(Progress { text: what.into(), planner: None, time: None, done: None, total: None });
     }
 
-    fn tries(&self, planner: &str, time: f64) {
-        let text = attempt(None, planner, time);
+    fn tries(&self, planner: &str, trial: Trial) {
+        let (text, time) = (trial_text(None, planner, trial), trial.time);
         (self.send)(Progress { text, planner: Some(planner.into()), time: Some(time), done: None, total: None });
     }
 }

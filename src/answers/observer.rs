@@ -4,6 +4,7 @@ use crate::flight::Flight;
 use crate::solve::Effort;
 use std::time::Duration;
 
+pub use crate::planner::trial::Trial;
 pub use mavc_verify::stages::{Silent, Stages, timed};
 
 /// Receives the progress of a run, and by [`Stages::ended`] the time of each stage. Every method does nothing by
@@ -12,8 +13,8 @@ pub trait Observer: Stages {
     /// Work has started that `what` describes, for a line of progress.
     fn begins(&self, _what: &str) {}
 
-    /// `planner` tries a mission time, s.
-    fn tries(&self, _planner: &str, _time: f64) {}
+    /// A trial of `planner` begins.
+    fn tries(&self, _planner: &str, _trial: Trial) {}
 
     /// What the solver did in the stage that ended last.
     fn solved(&self, _effort: &Effort) {}
@@ -31,14 +32,17 @@ impl Observer for Silent {}
 /// The names by which [`Observer::tries`] calls the planners.
 pub const PLANNERS: [&str; 3] = ["RIP", "RCP", "RSP"];
 
-/// The time (s) for which a plan is sought, for a line of progress; a plan of another planner on the way to the one
-/// that is wanted is called so.
-pub fn attempt(wanted: Option<&str>, planner: &str, time: f64) -> String {
+/// A trial for a line of progress, in at most 80 columns with what surrounds it. A search for RSP begins with RCP's plan,
+/// which satisfies RSP's rows too.
+pub fn trial_text(wanted: Option<&str>, planner: &str, trial: Trial) -> String {
     let other = wanted.filter(|wanted| *wanted != planner && PLANNERS.contains(&planner));
-    match other {
-        Some(wanted) => format!("{wanted}: trying {time:.2} s, first with {planner}"),
-        None => format!("{planner}: trying {time:.2} s"),
-    }
+    let of = other.map_or(planner.to_string(), |wanted| format!("{wanted} begins with {planner}'s"));
+    let seconds = |what: &str, time: Option<f64>| time.map(|time| format!("{what} {time:.2}"));
+    let known = [seconds("feasible", trial.feasible), seconds("failed", trial.failed)];
+    let left = trial.budget_left.map(|left| format!("budget left {:.0} %", (100.0 * left).floor()));
+    let parts: Vec<String> = known.into_iter().chain([left]).flatten().collect();
+    let known = if parts.is_empty() { String::new() } else { format!("; {}", parts.join(", ")) };
+    format!("{of}: trying {:.2} s{known}", trial.time)
 }
 
 #[cfg(test)]
@@ -46,10 +50,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn attempts_name_the_planner_that_is_wanted() {
-        assert_eq!(attempt(Some("RSP"), "RSP", 35.0), "RSP: trying 35.00 s");
-        assert_eq!(attempt(Some("RSP"), "RCP", 35.0), "RSP: trying 35.00 s, first with RCP");
-        assert_eq!(attempt(Some("RSP"), "round 2", 35.0), "round 2: trying 35.00 s");
-        assert_eq!(attempt(None, "RCP", 35.0), "RCP: trying 35.00 s");
+    fn trials_name_the_planner_that_is_wanted() {
+        let trial = Trial::at(35.0);
+        assert_eq!(trial_text(Some("RSP"), "RSP", trial), "RSP: trying 35.00 s");
+        assert_eq!(trial_text(Some("RSP"), "RCP", trial), "RSP begins with RCP's: trying 35.00 s");
+        assert_eq!(trial_text(Some("RSP"), "round 2", trial), "round 2: trying 35.00 s");
+        assert_eq!(trial_text(None, "RCP", trial), "RCP: trying 35.00 s");
+    }
+
+    #[test]
+    fn trials_list_what_is_known() {
+        let trial = Trial { time: 41.21, feasible: Some(41.754), failed: Some(40.9), budget_left: Some(0.628) };
+        let text = trial_text(Some("RSP"), "RSP", trial);
+        assert_eq!(text, "RSP: trying 41.21 s; feasible 41.75, failed 40.90, budget left 62 %");
+        // With a sign before it and the elapsed time after it.
+        let longest = Trial { time: 4121.21, feasible: Some(4141.75), failed: Some(4040.9), budget_left: Some(1.0) };
+        assert!(trial_text(None, "RSP", longest).len() <= 80 - "* ".len() - "  [2m]".len());
     }
 }

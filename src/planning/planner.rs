@@ -19,6 +19,7 @@ pub mod stop;
 pub mod studies;
 pub mod timing;
 pub mod transcription;
+pub mod trial;
 mod upright;
 pub mod working_set;
 mod wrench_expression;
@@ -33,6 +34,7 @@ use plan::{Decision, Planned};
 use scp::ExactPlanner;
 use selection::PlanningSet;
 use timing::search::{Hint, NoTime, Shortest};
+use trial::OnTrial;
 use working_set::WorkingSet;
 
 /// A quick decision on a mission time; see [`Planner::attempt_at`].
@@ -81,13 +83,9 @@ pub trait Planner {
     fn effort(&self) -> Effort;
 }
 
-/// The planner of the model that the spec plans with. `on_progress` receives each mission time, s, before it is tried.
-pub fn planner<'a>(
-    problem: Problem<'a>,
-    healthy: &'a AdmissibleSet,
-    on_progress: Option<&'a (dyn Fn(f64) + Sync)>,
-) -> Box<dyn Planner + 'a> {
-    let hover = HoverPlanner { on_progress, ..HoverPlanner::new(problem, healthy) };
+/// The planner of the model that the spec plans with. `on_trial` receives each trial before it begins.
+pub fn planner<'a>(problem: Problem<'a>, healthy: &'a AdmissibleSet, on_trial: OnTrial<'a>) -> Box<dyn Planner + 'a> {
+    let hover = HoverPlanner { on_trial, ..HoverPlanner::new(problem, healthy) };
     match problem.model().plan.model {
         PlanModel::Hover => Box::new(hover),
         PlanModel::Exact => Box::new(ExactPlanner::new(hover)),

@@ -13,7 +13,7 @@ use crate::explain::planners::Planners;
 use crate::explain::{self, Explanation};
 use crate::model::MAX_SAMPLES_OF_A_SEARCH;
 use crate::model::{Mission, MissionTime, Model, PlannerKind, Problem};
-use crate::observer::{Observer, Silent, timed};
+use crate::observer::{Observer, Silent, Trial, timed};
 use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run, Scope, run_planners};
 use crate::spec::Spec;
 use std::cell::Cell;
@@ -221,7 +221,7 @@ impl<'s> Task<'s> {
     }
 
     fn run(&self, scope: Scope, observer: &dyn Observer) -> Comparison {
-        let tries = |planner: &str, time: f64| observer.tries(planner, time);
+        let tries = |planner: &str, trial: Trial| observer.tries(planner, trial);
         observer.begins("building the admissible sets");
         let mut comparison = timed(observer, "plan", || run_planners(self.problem(), scope, Some(&tries)));
         timed(observer, "check", || certify::check(self.problem(), &mut comparison));
@@ -259,7 +259,7 @@ impl<'s> Task<'s> {
         if detours.is_empty() || cancel::is_enough() || !detour::is_cheap(self.problem()) {
             return (detours, None);
         }
-        observer.begins("the plan climbs or strays from its legs; trying statements that forbid it");
+        observer.begins("the plan climbs or strays; trying statements that forbid it");
         let tried =
             timed(observer, "detours", || detour::try_statements(self.problem(), comparison, run, &mut detours));
         observer.asked(None, &tried.1);

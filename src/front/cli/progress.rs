@@ -7,7 +7,7 @@ use super::{Options, files};
 use crate::flight::Flight;
 use crate::model::PlannerKind;
 use crate::number::number;
-use crate::observer::{Observer, PLANNERS, Stages, attempt};
+use crate::observer::{Observer, PLANNERS, Stages, Trial, trial_text};
 use crate::solve::Effort;
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use lines::Lines;
@@ -97,8 +97,8 @@ impl Observer for Watch {
         }
     }
 
-    fn tries(&self, planner: &str, time: f64) {
-        self.begins(&attempt(self.wanted.get().copied(), planner, time));
+    fn tries(&self, planner: &str, trial: Trial) {
+        self.begins(&trial_text(self.wanted.get().copied(), planner, trial));
     }
 
     fn solved(&self, effort: &Effort) {

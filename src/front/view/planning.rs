@@ -3,7 +3,7 @@
 use super::board::Board;
 use crate::cancel::{Cancel, NoResult};
 use crate::diagnostic::{Diagnostic, render_human, sort};
-use crate::observer::{Observer, Stages, attempt};
+use crate::observer::{Observer, Stages, Trial, trial_text};
 use crate::pipeline::{Task, analyze};
 use crate::report::page::{self, Beside, PageKind, Subject};
 use crate::report::{analysis_text, headline};
@@ -29,8 +29,8 @@ impl Observer for Progress<'_> {
         self.board.progress(what.to_string());
     }
 
-    fn tries(&self, planner: &str, time: f64) {
-        self.board.progress(attempt(Some(&self.wanted), planner, time));
+    fn tries(&self, planner: &str, trial: Trial) {
+        self.board.progress(trial_text(Some(&self.wanted), planner, trial));
     }
 }
 

@@ -24,6 +24,7 @@ use crate::planner::selection::PlanningSet;
 use crate::planner::timing::kinematics::least_time_within;
 use crate::planner::timing::search::{Hint, NoTime, Shortest};
 use crate::planner::transcription::Purpose;
+use crate::planner::trial::{OnTrial, Trial};
 use crate::planner::working_set::WorkingSet;
 use crate::planner::yaw::plan_yaw;
 use crate::planner::{self, Planner};
@@ -50,8 +51,9 @@ pub struct HoverPlanner<'a> {
     pub weights: Vec<(RowOrigin, f64)>,
     /// If the mission is a branch after a fault: where it begins and ends. See [`crate::planner::branch`].
     pub branch: Option<Branch>,
-    /// Receives each mission time, s, before it is tried.
-    pub on_progress: Option<&'a (dyn Fn(f64) + Sync)>,
+    pub on_trial: OnTrial<'a>,
+    /// The last trial.
+    pub trial: Trial,
     pub settings: HoverSettings,
 }
 
@@ -66,7 +68,7 @@ pub struct Violation {
 
 impl Planner for HoverPlanner<'_> {
     fn plan_at(&mut self, time: f64, set: &PlanningSet, _: &[&Planned], working_set: &mut WorkingSet) -> Decision {
-        self.progress(time);
+        self.begins_trial(time);
         self.decide(time, self.model().plan.samples, set, working_set)
     }
 
@@ -102,7 +104,8 @@ impl<'a> HoverPlanner<'a> {
             effort: Effort::default(),
             weights: Vec::new(),
             branch: None,
-            on_progress: None,
+            on_trial: None,
+            trial: Trial::default(),
             settings: HoverSettings::DEFAULT,
         }
     }
@@ -115,9 +118,11 @@ impl<'a> HoverPlanner<'a> {
         self.problem.mission()
     }
 
-    pub(super) fn progress(&self, time: f64) {
-        if let Some(report) = self.on_progress {
-            report(time);
+    /// Reports that a mission time, s, is tried.
+    pub(super) fn begins_trial(&mut self, time: f64) {
+        self.trial.time = time;
+        if let Some(report) = self.on_trial {
+            report(self.trial);
         }
     }
 
@@ -223,7 +228,7 @@ impl<'a> HoverPlanner<'a> {
         working_set: &mut WorkingSet,
         tolerance: f64,
     ) -> Option<Violation> {
-        self.progress(total);
+        self.begins_trial(total);
         let layout = self.layout(total, samples).ok()??;
         let hover = self.hover_margin(set);
         let epsilon = self.settings.cost_share_of_violation / self.cost_scale(&layout);

@@ -24,18 +24,19 @@ pub use outcome::{
 use crate::model::Problem;
 use crate::planner::finds_local_optima;
 use crate::planner::timing::kinematics::least_time_within;
+use crate::planner::trial::Trial;
 use setting::Setting;
 use std::sync::PoisonError;
 
-/// Receives the planner's name, with how much of a comparison is done, and each mission time (s) before it is tried.
-pub type Progress<'a> = Option<&'a (dyn Fn(&str, f64) + Sync)>;
+/// Receives the planner's name, with how much of a comparison is done, and each trial before it begins.
+pub type Progress<'a> = Option<&'a (dyn Fn(&str, Trial) + Sync)>;
 
 /// Why RSP is not attempted.
 pub const NOTHING_TO_SELECT_BY: &str = "RSP selects facets from a RIP plan, and no RIP plan was found";
 
 /// Runs the planners of a scope. Hover must be admissible in every mode of `against`; see `crate::admissible::verdict`.
 ///
-/// `progress` receives the planner's name and each mission time, s, before it is tried.
+/// `progress` receives the planner's name and each trial before it begins.
 pub fn run_planners(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
     let ended = times::with_time_of_its_end(problem);
     let problem = ended.as_ref().and_then(Problem::of).unwrap_or(problem);

@@ -26,6 +26,10 @@ pub const COST_PER_CORNER: u64 = 1;
 /// Units of one state for the torque that a spinning body needs, at one of its momenta and rates.
 pub const COST_PER_SPIN: u64 = 10;
 
+/// Bounding planes of which one unit finds in plain numbers whether a wrench violates them: four products each, where a
+/// row takes intervals with their rates of change.
+pub const PLANES_OF_A_UNIT: u64 = 8;
+
 /// Units of a joint between two pieces.
 pub const COST_PER_JOINT: u64 = 50;
 

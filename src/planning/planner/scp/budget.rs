@@ -5,17 +5,27 @@ use super::ScpPlanner;
 use crate::model::SearchEffort;
 
 impl ScpPlanner<'_, '_> {
-    /// Whether a search has taken more than this share of its budget. Told that what it has is enough, it gets as much
-    /// as a quick search has after its coarse grid: a plan on the full grid has to be made of what it has.
-    pub(super) fn has_spent(&self, share: f64) -> bool {
+    /// The work of a search at the spec's effort.
+    fn budget(&self) -> f64 {
         let settings = self.settings.budget;
-        let budget = match self.model().plan.effort {
+        match self.model().plan.effort {
             SearchEffort::Quick => settings.quick,
             SearchEffort::Normal => settings.normal,
             SearchEffort::Thorough => settings.thorough,
-        };
-        let work = self.hover.effort.work;
-        if work as f64 > share * budget {
+        }
+    }
+
+    /// Reports that a mission time, s, is tried.
+    pub(super) fn begins_trial(&mut self, time: f64) {
+        self.hover.trial.budget_left = Some((1.0 - self.hover.effort.work as f64 / self.budget()).max(0.0));
+        self.hover.begins_trial(time);
+    }
+
+    /// Whether a search has taken more than this share of its budget. Told that what it has is enough, it gets as much
+    /// as a quick search has after its coarse grid: a plan on the full grid has to be made of what it has.
+    pub(super) fn has_spent(&self, share: f64) -> bool {
+        let (settings, work) = (self.settings.budget, self.hover.effort.work);
+        if work as f64 > share * self.budget() {
             return true;
         }
         if !crate::cancel::is_enough() {

@@ -75,8 +75,12 @@ impl ScpPlanner<'_, '_> {
         factor: f64,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Iterate> {
-        let mut known = working_set.clone();
-        let restored = self.restore_feasibility(iterate.slower(factor), &mut known)?;
+        let (mut known, slower) = (working_set.clone(), iterate.slower(factor));
+        let time = slower.grid.total + self.held();
+        self.begins_trial(time);
+        let restored = self.restore_feasibility(slower, &mut known);
+        self.hover.trial.note(time, restored.is_some());
+        let restored = restored?;
         *working_set = known;
         Some(self.minimise_cost(restored, self.settings.cost.rough, working_set))
     }

@@ -112,7 +112,7 @@ impl ScpPlanner<'_, '_> {
         mission.waypoints.iter_mut().for_each(|w| w.time = None);
         let model = self.problem().with_mission(mission);
         let mut hover = HoverPlanner::new(Problem::of(&model)?, self.hover.healthy);
-        hover.on_progress = self.hover.on_progress;
+        hover.on_trial = self.hover.on_trial;
         let mut free = ScpPlanner::with_settings(&mut hover, self.wrench, self.set, self.settings);
         let iterate = free.first_coarse();
         let effort = hover.effort;

@@ -58,8 +58,10 @@ impl ScpPlanner<'_, '_> {
     /// The first plan found on these time grids. The plans in `initial_guesses` are used on the first grid only.
     fn on_one_of(&mut self, divisions: &[TimeGrid], initial_guesses: &[&Planned]) -> Option<Planned> {
         divisions.iter().enumerate().find_map(|(nth, full)| {
-            self.hover.progress(full.total);
-            self.on_grid(full, if nth == 0 { initial_guesses } else { &[] })
+            self.begins_trial(full.total);
+            let planned = self.on_grid(full, if nth == 0 { initial_guesses } else { &[] });
+            self.hover.trial.note(full.total, planned.is_some());
+            planned
         })
     }
 
@@ -111,7 +113,7 @@ impl ScpPlanner<'_, '_> {
         }
         let samples = self.model().plan.samples;
         let Some(full) = self.first_division(total, samples) else { return Decision::Infeasible };
-        self.hover.progress(total);
+        self.begins_trial(total);
         let flown = full.flown();
         let relaxed = match self.relaxed(&flown) {
             // A proof for one division of the time is not one for all.

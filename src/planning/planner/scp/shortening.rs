@@ -110,10 +110,12 @@ impl ScpPlanner<'_, '_> {
             if best.as_ref().is_some_and(|best| later.grid.total >= best.grid.total) {
                 break;
             }
-            let mut known = working_set.clone();
-            if let Some(restored) = self.restore_feasibility_within(later, max_predicted, &mut known) {
+            let (mut known, time) = (working_set.clone(), later.grid.total + self.held());
+            let restored = self.restore_feasibility_within(later, max_predicted, &mut known);
+            self.hover.trial.note(time, restored.is_some());
+            if restored.is_some() {
                 *working_set = known;
-                return Some(restored);
+                return restored;
             }
         }
         best
@@ -133,12 +135,13 @@ impl ScpPlanner<'_, '_> {
         {
             if violation <= 0.0 {
                 steps.keep();
+                self.hover.trial.note(steps.at.grid.total + self.held(), true);
                 if steps.at.grid.total <= steps.target {
                     return;
                 }
             }
             steps.left -= 1;
-            self.hover.progress(steps.at.grid.total + self.held());
+            self.begins_trial(steps.at.grid.total + self.held());
             let durations = self.durations_to_shorten(steps.pace.radius);
             let stepped = self.step(&steps.at, &durations, steps.pace.proximal, weights, working_set);
             let Some(stepped) = stepped else {

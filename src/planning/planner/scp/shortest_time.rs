@@ -96,7 +96,9 @@ impl ScpPlanner<'_, '_> {
         for late in self.settings.search.late {
             let time = (ticks + late) / (1.0 / GRID).round();
             let slower = self.lasting(iterate, time - self.held());
-            if let Some(planned) = self.restored_plan(slower, time, rule, working_set) {
+            let planned = self.restored_plan(slower, time, rule, working_set);
+            self.hover.trial.note(time, planned.is_some());
+            if let Some(planned) = planned {
                 return Ok(shortest(time, planned));
             }
         }

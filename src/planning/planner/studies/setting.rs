@@ -13,6 +13,7 @@ use crate::planner::scp::ScpPlanner;
 use crate::planner::selection::PlanningSet;
 use crate::planner::selection::sets::PlanningSets;
 use crate::planner::timing::search::{Hint, NoTime};
+use crate::planner::trial::Trial;
 use crate::planner::working_set::WorkingSet;
 use crate::planner::{Planner, finds_local_optima, planner};
 use crate::solve::Effort;
@@ -57,20 +58,20 @@ impl<'a> Setting<'a> {
         })
     }
 
-    /// Reports that `what` tries a mission time, s.
-    fn report(&self, what: &str, time: f64) {
+    /// Reports a trial of `what`.
+    fn report(&self, what: &str, trial: Trial) {
         match (self.progress, self.all) {
             (None, _) => {}
-            (Some(progress), 0) => progress(what, time),
+            (Some(progress), 0) => progress(what, trial),
             (Some(progress), all) => {
-                progress(&format!("{what} ({} of {all} plans done)", self.done.load(Ordering::Relaxed)), time);
+                progress(&format!("{what} ({} of {all} plans done)", self.done.load(Ordering::Relaxed)), trial);
             }
         }
     }
 
     /// The work of the spec's planner, and what it took. `what` names it in progress reports.
     fn with_planner<T>(&self, what: &str, work: impl FnOnce(&mut dyn Planner) -> T) -> (T, Effort) {
-        let report = |t: f64| self.report(what, t);
+        let report = |trial: Trial| self.report(what, trial);
         let mut planner = planner(self.problem, &self.sets.healthy, Some(&report));
         let value = work(&mut *planner);
         (value, planner.effort())

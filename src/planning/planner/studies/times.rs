@@ -10,6 +10,7 @@ use crate::planner::hover::HoverPlanner;
 use crate::planner::scp::ScpPlanner;
 use crate::planner::selection::sets::PlanningSets;
 use crate::planner::timing::kinematics::initial;
+use crate::planner::trial::Trial;
 
 /// In the hover model waypoint times are chosen first, by sequential convex programming with the hover model's wrench,
 /// for the set that the planner imposes; the legs then keep these shares of any mission time. `None` if no plan is
@@ -20,13 +21,13 @@ fn with_better_times(problem: Problem, progress: Progress) -> Option<Model> {
     let is_rip =
         model.plan.planner == PlannerKind::Rip || model.plan.planner == PlannerKind::Rsp && model.plan.rounds == 0;
     let set = if is_rip { &sets.rip } else { &sets.joint };
-    let report = |t: f64| {
+    let report = |trial: Trial| {
         if let Some(progress) = progress {
-            progress("waypoint times", t);
+            progress("waypoint times", trial);
         }
     };
     let mut hover = HoverPlanner::new(problem, &sets.healthy);
-    hover.on_progress = Some(&report);
+    hover.on_trial = Some(&report);
     let wrench = match mission.has_one_yaw() {
         true => WrenchModel::HoverAt(mission.waypoints[0].yaw),
         false => WrenchModel::HoverFollowing,

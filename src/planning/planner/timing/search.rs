@@ -156,8 +156,10 @@ impl Search<'_, '_> {
         if t <= self.floor {
             return Decision::Infeasible;
         }
-        self.planner.progress(seconds(t));
-        self.planner.decide(seconds(t), samples, self.set, self.working_set)
+        self.planner.begins_trial(seconds(t));
+        let decision = self.planner.decide(seconds(t), samples, self.set, self.working_set);
+        self.planner.trial.note(seconds(t), matches!(decision, Decision::Feasible(_)));
+        decision
     }
 
     /// An estimate of the shortest time, s, from the coarse grid, corrected for the error of that grid. It proves
@@ -216,7 +218,7 @@ impl Search<'_, '_> {
         if t <= self.floor {
             return false;
         }
-        self.planner.progress(seconds(t));
+        self.planner.begins_trial(seconds(t));
         matches!(self.planner.decide_roughly(seconds(t), self.set, self.working_set), Decision::Feasible(_))
     }
 

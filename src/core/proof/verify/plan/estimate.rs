@@ -61,15 +61,15 @@ impl Setting<'_> {
     /// those before it select, and all planes are looked at along each once.
     fn estimate_of_selecting(&self, records: &[MotionRecord]) -> Result<Estimate, Rejection> {
         let mut all = Estimate::default();
-        let selectable = if selection::selects(self.model()) { self.model().plan.against.len() as u64 } else { 0 };
         for record in records {
-            let of_motion = self.estimate_of_motion(record, selectable + 1)?;
+            let of_motion = self.estimate_of_motion(record, 1)?;
             all.add(of_motion.units, of_motion.bytes);
         }
         Ok(all)
     }
 
-    /// The cost of deciding one motion at its nodes against some number of sets, and of the facets that it selects.
+    /// The cost of deciding one motion at its nodes against some number of whole sets and, under RSP, at most all facets
+    /// of the modes' sets, and of finding the facets that it selects.
     fn estimate_of_motion(&self, record: &MotionRecord, sets: u64) -> Result<Estimate, Rejection> {
         let mut motion = self.motion(record)?;
         schedule::check(self.problem, &mut motion, self.premises)?;

@@ -338,7 +338,7 @@ impl Setting<'_> {
     pub(in crate::proof::verify) fn cost_of_selecting(&self, checkpoints: u64, planes: u64) -> u64 {
         // In each extreme wind, without a bound for those between.
         let winds = self.dynamics.in_each_wind().len() as u64;
-        let of_wind = self.of_one_wind().saturating_add(planes);
+        let of_wind = self.of_one_wind().saturating_add(planes.div_ceil(cost::PLANES_OF_A_UNIT));
         cost::times(self.selecting_states(checkpoints), cost::times(winds, of_wind))
     }
 
