@@ -5,7 +5,7 @@ mod certificates;
 mod diagnosis;
 mod flights;
 mod identification;
-mod planning;
+mod planned;
 mod records;
 mod recovery;
 mod refusals;
@@ -19,7 +19,7 @@ pub use certificates::{Rejected, Uncertified, certify, verify, verify_within, wi
 pub use diagnosis::{Diagnosed, Undiagnosed, diagnose};
 pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict};
 pub use identification::{Figure, Identified, identify};
-pub use planning::{Explained, Planning};
+pub use planned::{Explained, Planning};
 pub use records::defaults_text;
 pub use refusals::{OtherSpec, Refusal, Unexplained};
 pub use stages::{NotPrinted, Program, actuation_text, mjcf_text, model_record, px4_params_text, sets_text};

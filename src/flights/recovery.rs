@@ -22,7 +22,7 @@ use crate::planner::selection::sets::of_one_mode;
 use crate::solve::Effort;
 use rayon::prelude::*;
 use replanning::{Change, Longer};
-use search::{Found, Search};
+use search::{Found, Search, SoughtMode};
 use std::collections::BTreeMap;
 
 /// A way out after a fault.
@@ -30,7 +30,7 @@ use std::collections::BTreeMap;
 pub enum Way {
     /// Back to the plan, and along it to its end.
     Continue,
-    /// The same with yaw given up.
+    /// Back to the plan and along it to its end, with yaw given up.
     ContinueSpinning,
     /// Down at a landing site, an index into the mission's sites.
     LandAt(usize),
@@ -204,7 +204,7 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
         if why[mode].is_some() {
             return (None, Vec::new());
         }
-        let mut search = Search::new(problem, plan, (mode, set, provision), &healthy, &delays, between);
+        let mut search = Search::new(problem, plan, SoughtMode { mode, set, provision }, &healthy, &delays, between);
         let found = search.all();
         (Some(search), found)
     };
@@ -275,10 +275,11 @@ pub fn way_out(problem: Problem, plan: &Trajectory, mode: usize, at: f64, delay:
     if why_none(model, &set, &provision).is_some() {
         return None;
     }
-    Search::new(problem, plan, (mode, &set, &provision), &healthy, &[delay], false).first(at)
+    let sought = SoughtMode { mode, set: &set, provision: &provision };
+    Search::new(problem, plan, sought, &healthy, &[delay], false).first(at)
 }
 
-/// The same for a flight that takes it.
+/// The way out for a flight that takes it, with its words.
 pub fn flown_way_out(problem: Problem, plan: &Trajectory, mode: usize, at: f64, known: f64) -> Option<WayOut> {
     let FoundBranch { way, motion, .. } = way_out(problem, plan, mode, at, known - at)?;
     let (returns, words) = match way {

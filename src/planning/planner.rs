@@ -1,5 +1,8 @@
 //! Planning as in sections 5.2 and 5.3 of the paper: waypoint times, rows, selection of facets, shortest times.
 //!
+//! A mission is planned by [`studies::run_planners`], which runs planners at times; a planner makes programs by
+//! [`transcription`] and solves them.
+//!
 //! Two planners share one interface, [`Planner`]: [`hover::HoverPlanner`] for the linear model about hover, whose
 //! programs are convex, and [`scp::ExactPlanner`] for the exact model, whose sequential convex programming finds local
 //! optima.
@@ -9,9 +12,9 @@ pub mod comfort;
 pub mod commands;
 mod cores;
 mod cost;
+mod decision;
 pub mod hover;
 mod limits;
-mod plan;
 pub mod scp;
 pub mod selection;
 pub mod spline;
@@ -25,12 +28,13 @@ pub mod working_set;
 mod wrench_expression;
 pub mod yaw;
 
+pub use decision::{Decision, Planned};
+
 use crate::admissible::AdmissibleSet;
 use crate::model::{Model, PlanModel, Problem};
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 use hover::HoverPlanner;
-use plan::{Decision, Planned};
 use scp::ExactPlanner;
 use selection::PlanningSet;
 use timing::search::{Hint, NoTime, Shortest};

@@ -1,7 +1,7 @@
 //! The height that a fault without control of yaw costs: what plans keep, and how long they fly lower. All of it is
 //! simulated.
 
-use super::planning::Planning;
+use super::planned::Planning;
 use super::tasks::Task;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::flight::capture::Capture;

@@ -1,6 +1,6 @@
 //! Certificates: making one from an outcome, and deciding whether it holds.
 
-use super::planning::Planning;
+use super::planned::Planning;
 use super::refusals::OtherSpec;
 use crate::certificate::{Certificate, Claim};
 use crate::certify as write;

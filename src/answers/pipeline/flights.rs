@@ -1,6 +1,6 @@
 //! Simulated flights along plans: one with the faults of the spec, or a campaign.
 
-use super::planning::Planning;
+use super::planned::Planning;
 use super::refusals::{OtherSpec, Refusal};
 use super::tasks::Task;
 use crate::campaign::cases::{MAX_FLIGHTS, Shard};

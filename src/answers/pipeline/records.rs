@@ -1,6 +1,6 @@
 //! Reports of plans and comparisons, for programs (docs/schema) and for people.
 
-use super::planning::{Explained, Planning};
+use super::planned::{Explained, Planning};
 use super::tasks::Task;
 use crate::certify::between::Between;
 use crate::diagnostic::Diagnostic;

@@ -1,7 +1,7 @@
 //! What can be done after a fault: sought along a plan, and how it compares with what the spec requires. Where too much
 //! has no way out, the mission is planned again.
 
-use super::planning::Planning;
+use super::planned::Planning;
 use super::refusals::OtherSpec;
 use super::tasks::Task;
 use crate::number::{percent, significant};

@@ -1,6 +1,6 @@
 //! The outputs of single stages: sets, the actuation matrix, and the convex program of a plan with all of its rows.
 
-use super::planning::Planning;
+use super::planned::Planning;
 use super::tasks::Task;
 use crate::actuation::Actuation;
 use crate::admissible::AdmissibleSet;

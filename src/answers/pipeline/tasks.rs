@@ -1,7 +1,8 @@
-//! Planning: the check that every mode can be tolerated, a plan, a comparison of planners, and why no plan was found.
+//! From a spec to its plan: a [`Task`] is a mission whose modes can all be tolerated. It plans, compares planners, and
+//! explains why no plan was found.
 
 use super::capture_height::{self, ImposedHeight};
-use super::planning::{Explained, Planning};
+use super::planned::{Explained, Planning};
 use super::refusals::{OtherSpec, Refusal, Unexplained};
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::cancel;

@@ -6,6 +6,7 @@ mod air;
 mod battery;
 pub mod capture_height;
 mod display;
+mod fault;
 mod flight_settings;
 pub mod grid;
 mod heading;
@@ -25,6 +26,7 @@ mod yaw_drag;
 pub use crate::body::{Body, Obstacle};
 pub use air::{Air, Environment, STANDARD_DENSITY};
 pub use battery::Battery;
+pub use fault::{FaultMode, RotorState};
 pub use flight_settings::{
     AfterFault, Allocation, Attitude, Campaign, Controller, Detection, FlownVehicle, Gains, LostYaw,
     MOTOR_TIME_CONSTANT, Simulation, Strike,
@@ -32,7 +34,7 @@ pub use flight_settings::{
 pub use heading::{Heading, SLOWEST, Target};
 pub use interval::{DynamicFigure, RotorSpread, Spread};
 pub use lag::SLOWEST_SHARE;
-pub use limits::{Description, Quantity, USUAL_SPEED};
+pub use limits::{Description, DistanceFrom, Limit, LimitKind, OnLeg, Part, Quantity, USUAL_SPEED};
 pub use origin::Origin;
 pub use parts::{Composite, Part as VehiclePart, Shape as PartShape};
 pub use plan_settings::{
@@ -50,7 +52,6 @@ pub use yaw_drag::YawDrag;
 use crate::language::Entry;
 use crate::source::Span;
 use grid::Spacing;
-use std::sync::Arc;
 
 /// A checked spec. A changed copy is not checked again.
 #[derive(Debug, Clone, PartialEq)]
@@ -204,100 +205,6 @@ impl Rotor {
     }
 }
 
-/// What a fault leaves of a rotor.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RotorState {
-    /// Not affected.
-    Sound,
-    /// It gives this share of the thrust and torque that belong to its speed; between 0 and 1.
-    Reduced(f64),
-    /// Its thrust stays at this share of full thrust, 0 to 1.
-    Stuck(f64),
-    /// It gives nothing.
-    Lost,
-}
-
-impl RotorState {
-    /// The state with the capacity theta of the paper's (32), 0 to 1.
-    pub fn of_capacity(theta: f64) -> Self {
-        match theta {
-            0.0 => RotorState::Lost,
-            1.0 => RotorState::Sound,
-            share => RotorState::Reduced(share),
-        }
-    }
-
-    /// The capacity theta of (32), with which the rotor gives theta b w^2 at a speed w; 1 for a stuck rotor, whose
-    /// speed is what the fault determines.
-    pub fn capacity(self) -> f64 {
-        match self {
-            RotorState::Sound | RotorState::Stuck(_) => 1.0,
-            RotorState::Reduced(share) => share,
-            RotorState::Lost => 0.0,
-        }
-    }
-
-    /// The share of full thrust, 0 to 1, at which the rotor is stuck; `None` if it is not.
-    pub fn stuck_at(self) -> Option<f64> {
-        match self {
-            RotorState::Stuck(share) => Some(share),
-            RotorState::Sound | RotorState::Reduced(_) | RotorState::Lost => None,
-        }
-    }
-}
-
-/// A fault mode: what it leaves of each rotor.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FaultMode {
-    pub name: String,
-    pub title: Option<String>,
-    pub doc: Option<String>,
-    /// In the order of [`Vehicle::rotors`].
-    pub rotors: Vec<RotorState>,
-    /// FMEA numbers, 1..10.
-    pub severity: Option<u8>,
-    pub occurrence: Option<u8>,
-    pub detection: Option<u8>,
-    /// Failure rate, 1/s.
-    pub rate: Option<f64>,
-    /// The interval of the rate, relative to its middle.
-    pub rate_spread: Spread,
-    /// The mode's own reaction to the fault, if it gives one: see [`Model::after_fault`].
-    pub after_fault: Option<AfterFault>,
-    /// Whether yaw is given up after this fault, if the mode says so: see [`Model::gives_up_yaw`].
-    pub without_yaw: Option<GiveUpYaw>,
-    /// The mode's own ways out after the fault, if it gives them: see [`Model::recovery`].
-    pub recovery: Option<Vec<Recovery>>,
-    pub span: Span,
-}
-
-impl FaultMode {
-    /// The numbers of the lost rotors, counted from 1.
-    pub fn lost(&self) -> Vec<usize> {
-        (1..=self.rotors.len()).filter(|k| self.rotors[k - 1] == RotorState::Lost).collect()
-    }
-
-    /// The capacity of each rotor: [`RotorState::capacity`].
-    pub fn capacities(&self) -> Vec<f64> {
-        self.rotors.iter().map(|rotor| rotor.capacity()).collect()
-    }
-
-    /// Where each rotor is stuck: [`RotorState::stuck_at`].
-    pub fn stuck(&self) -> Vec<Option<f64>> {
-        self.rotors.iter().map(|rotor| rotor.stuck_at()).collect()
-    }
-
-    /// Whether some rotor is stuck.
-    pub fn has_stuck(&self) -> bool {
-        self.rotors.iter().any(|rotor| rotor.stuck_at().is_some())
-    }
-
-    /// Risk priority number, severity x occurrence x detection, if all three are given.
-    pub fn rpn(&self) -> Option<u32> {
-        Some(u32::from(self.severity?) * u32::from(self.occurrence?) * u32::from(self.detection?))
-    }
-}
-
 /// A mission: waypoints in flight order, the legs between them, and limits on the motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mission {
@@ -404,104 +311,4 @@ pub struct Waypoint {
 pub struct Leg {
     /// Share of the time that fixed times and holds leave free; positive. Only ratios between legs matter.
     pub share: f64,
-}
-
-/// The quantity that a limit bounds, with what it is measured from.
-#[derive(Debug, Clone, PartialEq)]
-pub enum LimitKind {
-    X,
-    Y,
-    /// `z` and `altitude`.
-    Z,
-    Yaw,
-    Speed,
-    SpeedHorizontal,
-    Climb,
-    Descent,
-    Acceleration,
-    AccelerationHorizontal,
-    Jerk,
-    YawRate,
-    YawAcceleration,
-    Tilt,
-    /// The position along a unit vector: the normal of a face of a `keep_in`, or the axis of a corridor, m.
-    Face([f64; 3]),
-    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one or of a corridor,
-    /// m.
-    Distance(DistanceFrom),
-    /// The distance from a body of a `keep_out`, m: a lower bound, and the only limit that is not convex.
-    Clearance(Arc<Obstacle>),
-    /// The angle between the velocity and this unit vector at the end of the leg, rad; without velocity there is none.
-    Arrival([f64; 3]),
-    /// The angle between the yaw and the direction of the target, rad, at nodes; where there is no such direction,
-    /// nothing is bounded.
-    Heading(Target),
-}
-
-/// What a distance is measured from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum DistanceFrom {
-    /// A point.
-    Point([f64; 3]),
-    /// The vertical line through (x, y).
-    Axis([f64; 2]),
-    /// The line through `point` along the unit vector `along`.
-    Line { point: [f64; 3], along: [f64; 3] },
-}
-
-/// Where on its leg a limit holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
-    /// From the one waypoint to the other.
-    Whole,
-    /// At the first waypoint.
-    Start,
-    /// At the second waypoint.
-    End,
-}
-
-/// The leg to which a limit is restricted.
-#[derive(Debug, Clone, PartialEq)]
-pub struct OnLeg {
-    /// Index into [`Mission::legs`].
-    pub leg: usize,
-    pub part: Part,
-    /// The limit as messages name it: `speed on the leg to waypoint 3`.
-    pub name: String,
-}
-
-/// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only
-/// an `upper` bound. So do `Climb` and `Descent`, which bound the upward and the downward speed by a value that is not
-/// negative. A single `<=` on `YawRate` or `YawAcceleration` bounds both directions (lower = -upper).
-#[derive(Debug, Clone, PartialEq)]
-pub struct Limit {
-    pub kind: LimitKind,
-    pub lower: Option<f64>,
-    pub upper: Option<f64>,
-    pub span: Span,
-    /// The volume or corridor that imposes this limit; `None` for a limit that is written as one.
-    pub volume: Option<Arc<Boundary>>,
-    /// The leg on which the limit holds; `None` if it holds on all.
-    pub leg: Option<Arc<OnLeg>>,
-}
-
-impl Limit {
-    /// The scale of a violation, in the SI unit of the limit: the larger bound in magnitude, but at least 1; 1 m for a
-    /// volume, whose distance from the origin says nothing about how well it is kept.
-    pub fn size(&self) -> f64 {
-        if self.volume.is_some() {
-            return 1.0;
-        }
-        self.lower.into_iter().chain(self.upper).map(f64::abs).fold(1.0, f64::max)
-    }
-
-    /// Whether the limit holds on all legs.
-    pub fn is_general(&self) -> bool {
-        self.leg.is_none()
-    }
-
-    /// Whether the limit holds somewhere on a leg.
-    pub fn concerns(&self, leg: usize) -> bool {
-        self.leg.as_ref().is_none_or(|on| on.leg == leg)
-    }
 }

@@ -23,6 +23,14 @@ mod kind {
 /// A chunk is closed once it has so many bytes.
 const CHUNK: usize = 1 << 20;
 
+/// The schema of a channel's messages.
+#[derive(Clone, Copy)]
+pub struct Schema<'s> {
+    pub name: &'s str,
+    pub encoding: &'s str,
+    pub text: &'s str,
+}
+
 /// Writes one file. Times are in nanoseconds.
 pub struct Writer {
     out: Bytes,
@@ -70,10 +78,9 @@ impl Writer {
         &mut self,
         topic: &str,
         message: &str,
-        schema: (&str, &str, &str),
+        Schema { name, encoding, text }: Schema,
         metadata: &[(&str, &str)],
     ) -> usize {
-        let (name, encoding, text) = schema;
         self.schemas += 1;
         let mut content = Bytes::default();
         content

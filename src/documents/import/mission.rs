@@ -50,7 +50,7 @@ pub fn import(name: &str, bytes: &[u8], vehicle: Option<&str>) -> Imported {
     import_beside(name, bytes, vehicle, &[])
 }
 
-/// As [`import`]; the mission gets none of the names `taken`, which those of the vehicle's spec are ([`names_in`]).
+/// [`import`], where the mission gets none of the names `taken`: those of the vehicle's spec ([`names_in`]).
 pub fn import_beside(name: &str, bytes: &[u8], vehicle: Option<&str>, taken: &[String]) -> Imported {
     super::import(name, bytes, |source, found| {
         let draft = read(source, found)?;

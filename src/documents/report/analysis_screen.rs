@@ -88,7 +88,7 @@ impl Overview {
 /// Modes with the same row; a yaw margin that is larger in the other direction does not part them.
 pub(super) struct Row {
     pub outcome: Outcome,
-    /// As [`HEADINGS`] has them.
+    /// One for each of [`HEADINGS`].
     pub cells: Vec<String>,
     /// Indices into the declared modes.
     pub modes: Vec<usize>,

@@ -42,6 +42,25 @@ airspeed  the largest steady airspeed in level flight with the plan's reserve, w
 pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     let head = hanging(&headline(model, modes));
     let mut out = format!("{head}{}\n{}\n", vehicle_line(model), battery::full_thrust(model));
+    out.push_str(&table_of_modes(model, modes));
+    out.push_str(&legend(model, modes));
+    out.push_str(&over_intervals(modes));
+    out.push_str(&parallel_rows(modes));
+    out.push_str(&without_yaw::table(modes));
+    out.push_str(&without_yaw::settled(&settled_spins(model)));
+    out.push_str(&headroom(modes));
+    out
+}
+
+fn is_restricted(model: &Model) -> bool {
+    model.vehicle.allocation == Allocation::PseudoInverse
+}
+
+fn has_airspeeds(modes: &[ModeAnalysis]) -> bool {
+    modes.iter().any(|m| m.airspeed.is_some())
+}
+
+fn table_of_modes(model: &Model, modes: &[ModeAnalysis]) -> String {
     let mut headings = vec![
         "mode",
         "outcome",
@@ -56,12 +75,10 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         "|e_p|",
         "yaw-free |e_p|",
     ];
-    let is_restricted = model.vehicle.allocation == Allocation::PseudoInverse;
-    if is_restricted {
+    if is_restricted(model) {
         headings.push("unreached");
     }
-    let has_airspeeds = modes.iter().any(|m| m.airspeed.is_some());
-    if has_airspeeds {
+    if has_airspeeds(modes) {
         headings.push("airspeed");
     }
     let mut table = Table::new(&headings);
@@ -82,7 +99,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             norm(&m.residual4),
             norm(&m.residual3),
         ];
-        if is_restricted {
+        if is_restricted(model) {
             cells.push(
                 optional(m.unreached_share.map(|share| 100.0 * share), 3)
                     + if m.unreached_share.is_some() { " %" } else { "" },
@@ -91,9 +108,13 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         cells.extend(m.airspeed.as_ref().map(airspeed));
         table.row(cells);
     }
-    out.push_str(&table.render(0));
-    out.push_str(LEGEND);
-    if has_airspeeds {
+    table.render(0)
+}
+
+/// What the columns of the table of modes mean.
+fn legend(model: &Model, modes: &[ModeAnalysis]) -> String {
+    let mut out = LEGEND.to_string();
+    if has_airspeeds(modes) {
         out.push_str(if model.environment().is_isotropic() { AIRSPEED } else { AIRSPEED_OF_HEADINGS });
     }
     if modes.iter().any(|m| m.edge_words() == Some(HoverPlace::OnEdge.word())) {
@@ -101,46 +122,56 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             "the edge  hover can be reached, but in some direction no disturbance, however small, can be countered\n",
         );
     }
-    if is_restricted {
+    if is_restricted(model) {
         out.push_str(
             "\nHere and in plans, each set is restricted to what the pseudo-inverse gives without clipping. The last \
              column\n\
              is the share of the set's volume that it does not reach.\n",
         );
     }
-    if modes.iter().any(|m| m.robust.is_some()) {
-        out.push_str(
-            "\nOver the spec's intervals: does the mode hover with all axes controlled, and bounds on its \
-            margin\n(- if hover may be out of reach or the set is flat)\n",
-        );
-        let mut table = Table::new(&["mode", "hovers", "worst", "best"]);
-        for (m, r) in modes.iter().filter_map(|m| Some((m, m.robust?))) {
-            let shown = |bound: Option<f64>| bound.map_or("-".into(), |margin| significant(margin, 4));
-            // Hover is possible for all values, and on the edge for some of them.
-            let edge =
-                if r.hover == Certainty::Yes && r.acai_worst == Some(0.0) { ", at worst on the edge" } else { "" };
-            let cells = [format!("{}{edge}", r.hover.name()), shown(r.acai_worst), shown(r.acai_best)];
-            table.row(std::iter::once(m.name.clone()).chain(cells).collect());
-        }
-        out.push_str(&table.render(0));
+    out
+}
+
+/// Whether modes hover for every value of the spec's intervals; empty without intervals.
+fn over_intervals(modes: &[ModeAnalysis]) -> String {
+    if modes.iter().all(|m| m.robust.is_none()) {
+        return String::new();
     }
+    let mut table = Table::new(&["mode", "hovers", "worst", "best"]);
+    for (m, r) in modes.iter().filter_map(|m| Some((m, m.robust?))) {
+        let shown = |bound: Option<f64>| bound.map_or("-".into(), |margin| significant(margin, 4));
+        // Hover is possible for all values, and on the edge for some of them.
+        let edge = if r.hover == Certainty::Yes && r.acai_worst == Some(0.0) { ", at worst on the edge" } else { "" };
+        let cells = [format!("{}{edge}", r.hover.name()), shown(r.acai_worst), shown(r.acai_best)];
+        table.row(std::iter::once(m.name.clone()).chain(cells).collect());
+    }
+    format!(
+        "\nOver the spec's intervals: does the mode hover with all axes controlled, and bounds on its \
+        margin\n(- if hover may be out of reach or the set is flat)\n{}",
+        table.render(0)
+    )
+}
+
+/// A warning of modes whose rotors have almost the same effect on two axes; empty without any.
+fn parallel_rows(modes: &[ModeAnalysis]) -> String {
     let faint: Vec<(&ModeAnalysis, Parallel)> =
         modes.iter().filter_map(|m| Some((m, m.nearest_rows.filter(|r| r.angle < least_angle())?))).collect();
-    if !faint.is_empty() {
-        let mut table = Table::new(&["mode", "rows", "angle"]);
-        for (m, rows) in faint {
-            let angle = format!("{} degrees", significant(rows.angle.to_degrees(), 3));
-            table.row(vec![m.name.clone(), rows.axes.join(", "), angle]);
-        }
-        out.push_str(
-            "\nWarning: nearly parallel rows of the actuation matrix: the rotors can hardly control these \
-            axes separately\n",
-        );
-        out.push_str(&table.render(0));
+    if faint.is_empty() {
+        return String::new();
     }
-    out.push_str(&without_yaw::table(modes));
-    out.push_str(&without_yaw::settled(&settled_spins(model)));
-    out.push_str("\nHeadroom from hover to the edge of each mode's admissible set, down/up\n");
+    let mut table = Table::new(&["mode", "rows", "angle"]);
+    for (m, rows) in faint {
+        let angle = format!("{} degrees", significant(rows.angle.to_degrees(), 3));
+        table.row(vec![m.name.clone(), rows.axes.join(", "), angle]);
+    }
+    format!(
+        "\nWarning: nearly parallel rows of the actuation matrix: the rotors can hardly control these \
+        axes separately\n{}",
+        table.render(0)
+    )
+}
+
+fn headroom(modes: &[ModeAnalysis]) -> String {
     let mut table = Table::new(&["mode", "thrust [N]", "tau_x [N m]", "tau_y [N m]", "tau_z [N m]"]);
     for m in modes {
         let both = |b: [f64; 2]| format!("{}/{}", significant(b[0], 3), significant(b[1], 3));
@@ -152,6 +183,5 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             None => table.row(vec![m.name.clone(), "no hover".into()]),
         }
     }
-    out.push_str(&table.render(0));
-    out
+    format!("\nHeadroom from hover to the edge of each mode's admissible set, down/up\n{}", table.render(0))
 }

@@ -187,7 +187,7 @@ pub struct GroupRecord {
     pub isolated_within_s: [Option<f64>; 3],
     /// Alarms of sound rotors, of all flights together.
     pub false_alarms: usize,
-    /// The same for an hour of flight; null without flights.
+    /// Alarms of sound rotors in an hour of flight; null without flights.
     pub false_alarms_per_hour: Option<f64>,
     /// Reconfigurations refused because the vehicle could not hover under them.
     pub refused_reconfigurations: usize,

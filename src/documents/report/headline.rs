@@ -104,7 +104,9 @@ fn failure(mode: &FaultMode) -> String {
     match failed.first() {
         Some(RotorState::Reduced(share)) if is_alike => format!("{rotors} reduced to {} %", part_of_all(*share)),
         Some(RotorState::Stuck(share)) if is_alike => format!("{rotors} stuck at {} %", part_of_all(*share)),
-        _ => Kind::of(mode).of_one(),
+        Some(RotorState::Sound | RotorState::Reduced(_) | RotorState::Stuck(_) | RotorState::Lost) | None => {
+            Kind::of(mode).of_one()
+        }
     }
 }
 

@@ -92,14 +92,14 @@ pub fn write(screen: &mut Screen, record: &RecoverableRecord) {
     }
 }
 
-/// The same for `-v`.
+/// The row for `-v`.
 pub fn text(record: Option<&RecoverableRecord>) -> String {
     let Some(record) = record else { return format!("\n{}", filled(NOT_ATTEMPTED)) };
     let unmet = record.unmet().map_or(String::new(), indented);
     format!("\n{}\n{}{unmet}", record.title(), record.table().render(2))
 }
 
-/// The same as a sentence, for a page.
+/// The row as a sentence, for a page.
 pub fn sentence(record: Option<&RecoverableRecord>) -> String {
     let Some(record) = record else { return NOT_ATTEMPTED.into() };
     let (Some(time), Some(uncovered)) = (record.time_s, record.uncovered) else {

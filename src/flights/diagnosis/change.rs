@@ -203,7 +203,7 @@ pub fn strongest(
     let (at, strength, found, motor) = best?;
     let [lost, deviation, ..] = found[motor];
     let (time, interval) = when(samples, fit, effects, residuals, at, motor, range.clone());
-    // As good as the best: within the error of the model.
+    // Others count as good as the best within the error of the model.
     let margin = (0.1 * strength).max(6.0);
     let alternatives = (0..effects.len()).filter(|k| *k != motor && found[*k][2] > strength - margin).collect();
     let half = 1.96 * deviation;

@@ -16,10 +16,14 @@ const BEFORE: f64 = 4.0;
 /// The instant is sought so long before and after the one that was found, s.
 const EARLIER: f64 = 0.6;
 const LATER: f64 = 0.1;
-/// How long after it the windows count, s, and to which share of the healthy vehicle's squared error a loss has to
-/// lower theirs: the longest that it explains, because a vehicle that turns over soon leaves the model. In 600
-/// simulated flights (benches/diagnosis, seeds 1 and 2) true losses leave at most 0.73 in the longest.
-const AFTER: [(f64, f64); 3] = [(0.9, 0.65), (0.45, 0.4), (0.25, 0.35)];
+/// The neighbourhoods that are tried: the longest that a loss explains is taken, because a vehicle that turns over soon
+/// leaves the model. In 600 simulated flights (benches/diagnosis, seeds 1 and 2) true losses leave at most 0.73 in the
+/// longest.
+const NEIGHBOURHOODS: [Neighbourhood; 3] = [
+    Neighbourhood { after: 0.9, explains: 0.65 },
+    Neighbourhood { after: 0.45, explains: 0.4 },
+    Neighbourhood { after: 0.25, explains: 0.35 },
+];
 /// Faster turns than this are left out, rad/s.
 const FASTEST: f64 = 6.0;
 /// Time constants of rotors that are tried, s.
@@ -43,6 +47,15 @@ const SHARE_ERROR: f64 = 0.06;
 const THRESHOLD: f64 = 80.0;
 /// How often the search begins again from an instant at its edge.
 const AGAIN: usize = 3;
+
+/// The windows by which an instant is judged.
+#[derive(Clone, Copy)]
+struct Neighbourhood {
+    /// How long after it the windows count, s.
+    after: f64,
+    /// To which share of the healthy vehicle's squared error a loss has to lower theirs.
+    explains: f64,
+}
 
 /// An axis: what it shows in each window (NaN: nothing), relative to before, with the weight of each.
 struct Axis {
@@ -100,13 +113,13 @@ struct Profile {
 
 /// The loss near a time (s) that explains its neighbourhood best; `None` if none does.
 pub fn onset(samples: &Samples, effects: &[Effect], range: std::ops::Range<usize>, time: f64) -> Option<Change> {
-    AFTER.into_iter().find_map(|after| {
-        let mut found = near(samples, effects, range.clone(), time, after)?;
+    NEIGHBOURHOODS.into_iter().find_map(|judged_by| {
+        let mut found = near(samples, effects, range.clone(), time, judged_by)?;
         for _ in 0..AGAIN {
             if !found.1 {
                 break;
             }
-            found = near(samples, effects, range.clone(), found.0.time, after)?;
+            found = near(samples, effects, range.clone(), found.0.time, judged_by)?;
         }
         Some(found.0)
     })
@@ -118,7 +131,7 @@ fn near(
     effects: &[Effect],
     range: std::ops::Range<usize>,
     time: f64,
-    (after, explains): (f64, f64),
+    Neighbourhood { after, explains }: Neighbourhood,
 ) -> Option<(Change, bool)> {
     let windows = |seconds: f64, least: usize| ((seconds / samples.step).round() as usize).max(least);
     let at = samples.samples.partition_point(|s| s.time < time).min(range.end);

@@ -150,7 +150,7 @@ struct Gate {
 
 /// A limit that is judged.
 #[derive(Debug, Clone, Copy)]
-struct Bound<'a> {
+struct JudgedLimit<'a> {
     limit: &'a Limit,
     class: usize,
     /// By how much it may be exceeded, in its SI unit.
@@ -174,7 +174,7 @@ pub(super) struct Errors {
 #[derive(Debug, Clone)]
 pub(super) struct Collector<'a> {
     gates: Vec<Gate>,
-    bounds: Vec<Bound<'a>>,
+    bounds: Vec<JudgedLimit<'a>>,
     needs_acceleration: bool,
     needs_yaw_rate: bool,
     environment: Environment,
@@ -243,7 +243,7 @@ impl<'a> Collector<'a> {
     /// Judges the limits that hold at `t` s and are not broken yet.
     fn judge(&mut self, t: f64, body: &Body, errors: Errors, acceleration: impl FnOnce() -> Vector3<f64>) {
         let (broken, keeps_yaw) = (self.damage.limits, errors.heading.is_some());
-        let holds = |bound: &&Bound| {
+        let holds = |bound: &&JudgedLimit| {
             let now = bound.span.is_none_or(|[begin, end]| (begin..=end).contains(&t) && t < self.stopped);
             now && !broken.has(bound.class) && (keeps_yaw || bound.limit.kind != LimitKind::YawRate)
         };
@@ -310,7 +310,7 @@ fn gates(trajectory: &Trajectory, mission: &Mission) -> Vec<Gate> {
         time: times[k],
         until: match k < last {
             true => 0.5 * (times[k] + times[k + 1]),
-            // As long after the end as its turn began before it.
+            // Its turn ends as long after the flight as it began before.
             false => times[k] + 0.5 * (times[k] - times[k.saturating_sub(1)]),
         },
         place: waypoint.position.into(),
@@ -319,7 +319,7 @@ fn gates(trajectory: &Trajectory, mission: &Mission) -> Vec<Gate> {
     mission.waypoints.iter().take(times.len()).enumerate().map(gate).collect()
 }
 
-fn bounds<'a>(trajectory: &Trajectory, mission: &'a Mission) -> Vec<Bound<'a>> {
+fn bounds<'a>(trajectory: &Trajectory, mission: &'a Mission) -> Vec<JudgedLimit<'a>> {
     let bound = |limit: &'a Limit| {
         let class = class(limit)?;
         let span = match limit.leg.as_deref() {
@@ -332,7 +332,7 @@ fn bounds<'a>(trajectory: &Trajectory, mission: &'a Mission) -> Vec<Bound<'a>> {
         };
         let is_position = limit.kind.is_of_place() && !limit.kind.is_of_yaw();
         let size = if is_position { 1.0 } else { limit.size() };
-        Some(Bound { limit, class, slack: LIMIT_BROKEN * size, span })
+        Some(JudgedLimit { limit, class, slack: LIMIT_BROKEN * size, span })
     };
     mission.limits.iter().filter_map(bound).collect()
 }

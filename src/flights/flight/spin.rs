@@ -5,9 +5,9 @@ use crate::model::Vehicle;
 
 /// Time constant of the average that takes the noise out of the rate and of its change, s.
 const AVERAGED: f64 = 0.5;
-/// The spin has settled once it is within this share of its rate in the end,
+/// The spin has settled once it is within this share of its rate in the end, or within [`SLIGHT`].
 const SHARE: f64 = 0.02;
-/// or below this, rad/s.
+/// The spin has settled once it is within this rate of its rate in the end, rad/s.
 const SLIGHT: f64 = 0.1;
 
 /// The spin of a body after it has given up yaw.

@@ -16,9 +16,9 @@ const STEP: f64 = 0.02;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Volumes {
     /// Without clearances: for the vehicle itself.
-    touched: Vec<Bound>,
+    touched: Vec<KeptLimit>,
     /// With clearances: for the path of a stop.
-    kept: Vec<Bound>,
+    kept: Vec<KeptLimit>,
     /// z of the ground, m.
     ground: f64,
     /// How far beyond a `keep_in` a damaged vehicle may be, m.
@@ -26,12 +26,12 @@ pub(super) struct Volumes {
 }
 
 #[derive(Debug, Clone)]
-struct Bound {
+struct KeptLimit {
     limit: Limit,
     is_keep_in: bool,
 }
 
-impl Bound {
+impl KeptLimit {
     /// A landing passes the lower end of a `keep_in`.
     fn holds(&self, lands: bool) -> bool {
         let bounds_below = self.limit.kind == LimitKind::Z && self.limit.lower.is_some();
@@ -47,7 +47,7 @@ impl Volumes {
             let of_volume = move |volume: &Volume| {
                 let is_keep_in = volume.side == VolumeSide::KeepIn;
                 let limits = Volume { clearance: clearance(volume), ..volume.clone() }.limits(size);
-                limits.into_iter().map(move |limit| Bound { limit, is_keep_in })
+                limits.into_iter().map(move |limit| KeptLimit { limit, is_keep_in })
             };
             mission.volumes.iter().flat_map(of_volume).collect()
         };
@@ -85,9 +85,9 @@ impl Volumes {
     }
 }
 
-fn any_past(bounds: &[Bound], place: &Vector3<f64>, lands: bool, by: f64) -> bool {
+fn any_past(bounds: &[KeptLimit], place: &Vector3<f64>, lands: bool, by: f64) -> bool {
     let place = (*place).into();
-    let is_past = |bound: &&Bound| {
+    let is_past = |bound: &&KeptLimit| {
         !bound.limit.is_violated_by_less(place, by) && bound.limit.violation_at(place).is_some_and(|past| past > by)
     };
     bounds.iter().filter(|bound| bound.holds(lands)).any(|bound| is_past(&bound))

@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 /// The vehicle when its fault becomes known.
 #[derive(Debug, Clone)]
 pub struct Carried {
-    /// As derivatives of the position and the yaw, which a branch continues.
+    /// Derivatives of the position and the yaw, which a branch continues.
     pub state: NodeState,
     /// Where it was since the fault, m, at every act of the controller.
     pub path: Vec<[f64; 3]>,

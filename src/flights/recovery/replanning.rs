@@ -46,7 +46,7 @@ pub struct Longer {
 
 /// What planning again gives.
 #[derive(Default)]
-pub struct Outcome {
+pub struct ReplanningOutcome {
     /// The plan that leaves the smallest share without a way out, if it is smaller than that of the first plan.
     pub replanned: Option<Replanned>,
     /// If the spec fixes the time and too much is left without a way out: the shortest of the longer times tried that
@@ -63,8 +63,10 @@ pub fn replanned(
     found: &Recovery,
     (uncovered, bound): (&dyn Fn(&Recovery) -> f64, f64),
     tries: &dyn Fn(f64, Option<f64>),
-) -> Outcome {
-    let Some(before) = first.runs.last().and_then(|run| run.outcome.plan()) else { return Outcome::default() };
+) -> ReplanningOutcome {
+    let Some(before) = first.runs.last().and_then(|run| run.outcome.plan()) else {
+        return ReplanningOutcome::default();
+    };
     let uncovered_before = uncovered(found);
     let mut best = Best { share: uncovered_before, replanned: None };
     let attempt = |reserve: f64, time: Option<f64>, best: &mut Best| {
@@ -110,7 +112,7 @@ pub fn replanned(
             longer = share.filter(|share| *share < least).map(|uncovered| Longer { time, uncovered }).or(longer);
         }
     }
-    Outcome { longer, replanned: best.replanned }
+    ReplanningOutcome { longer, replanned: best.replanned }
 }
 
 /// The ways out along a plan in another time than the spec's, s, which is a plan of another spec; `None` if none is

@@ -83,6 +83,10 @@ pub(super) struct Found {
 }
 
 impl Found {
+    fn way_at(&self) -> WayAt {
+        WayAt { at: self.at, way: self.way }
+    }
+
     fn none(at: f64) -> Self {
         Found { at, way: None, branches: Vec::new(), iterates: Vec::new() }
     }
@@ -112,11 +116,25 @@ impl Start<'_> {
     }
 }
 
+/// The mode for whose faults ways out are sought: its set, and how plans provide for it.
+pub(super) struct SoughtMode<'a> {
+    pub mode: usize,
+    pub set: &'a PlanningSet,
+    pub provision: &'a Provision,
+}
+
+/// The way at an instant, s.
+#[derive(Clone, Copy)]
+struct WayAt {
+    at: f64,
+    way: Option<Way>,
+}
+
 impl<'a> Search<'a> {
     pub fn new(
         problem: Problem<'a>,
         plan: &'a Trajectory,
-        (mode, set, provision): (usize, &'a PlanningSet, &Provision),
+        SoughtMode { mode, set, provision }: SoughtMode<'a>,
         healthy: &'a AdmissibleSet,
         delays: &'a [f64],
         between: bool,
@@ -153,8 +171,8 @@ impl<'a> Search<'a> {
         let mut found: Vec<Found> = Vec::new();
         for k in 0..=count as usize {
             let next = self.at(duration * k as f64 / count);
-            if let Some(before) = found.last().map(|before| (before.at, before.way)) {
-                self.changes(before, (next.at, next.way), &mut found);
+            if let Some(before) = found.last().map(Found::way_at) {
+                self.changes(before, next.way_at(), &mut found);
             }
             found.push(next);
         }
@@ -204,12 +222,12 @@ impl<'a> Search<'a> {
     }
 
     /// Adds outcomes between two instants until those of neighbours are the same or [`RESOLUTION`] apart.
-    fn changes(&mut self, before: (f64, Option<Way>), after: (f64, Option<Way>), found: &mut Vec<Found>) {
-        if before.1 == after.1 || after.0 - before.0 <= RESOLUTION {
+    fn changes(&mut self, before: WayAt, after: WayAt, found: &mut Vec<Found>) {
+        if before.way == after.way || after.at - before.at <= RESOLUTION {
             return;
         }
-        let middle = self.at(0.5 * (before.0 + after.0));
-        let between = (middle.at, middle.way);
+        let middle = self.at(0.5 * (before.at + after.at));
+        let between = middle.way_at();
         self.changes(before, between, found);
         found.push(middle);
         self.changes(between, after, found);

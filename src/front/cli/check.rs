@@ -76,7 +76,7 @@ fn one(name: &str, args: &CheckArgs, is_alone: bool, options: &Options, tally: &
         }
         CheckFormat::Short => files::print(&findings.short())?,
         CheckFormat::Human => {
-            findings.print_human(name, (spec.as_ref(), is_alone), count, repeated, options)?;
+            findings.print_human(name, spec.as_ref(), is_alone, count, repeated, options)?;
         }
     }
     if let Some(spec) = spec.as_ref().filter(|_| args.explain_defaults) {

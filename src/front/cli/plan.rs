@@ -13,9 +13,10 @@ use crate::model::MissionTime;
 use crate::observer::{Observer, timed};
 use crate::pipeline::{Explained, Planning, Task, certify, with_ways_out};
 use crate::read::FlightBlocks;
+use crate::recovery::Recovery;
 use crate::report::page::{self, Beside, PageKind};
 use crate::report::plan_screen::Covers;
-use crate::report::recovery::{self, RecoveryRecord};
+use crate::report::recovery::{self as ways, RecoveryRecord};
 use std::panic::resume_unwind;
 
 pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
@@ -54,14 +55,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
     };
     let mut results = Results::new(&places);
     if places.certificate.is_some() {
-        watch.begins("making the certificate");
-        match timed(&watch, "certify", || certify(task.spec(), &planning)) {
-            Ok(certificate) => results.certificate(&match &recovery {
-                Some(recovery) => with_ways_out(certificate, recovery),
-                None => certificate,
-            })?,
-            Err(why) => files::eprint(&format!("mavc: no certificate was written: {why}\n")),
-        }
+        add_certificate(&mut results, &task, &planning, recovery.as_ref(), &watch)?;
     }
     let between = planning.between(&task, &watch).map_err(|e| e.to_string())?;
     let conflict = task.diagnose(&explained);
@@ -75,9 +69,9 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         is_unsafe = coverage.map(|sentence| sentence.covers).any(Covers::is_bad);
         record.recovery = recovery.as_ref().map(|found| RecoveryRecord::new(task.model(), found));
         if let (Some(folder), Some(found)) = (&args.branches, &recovery) {
-            let mut files = recovery::files(task.problem(), found)?;
+            let mut files = ways::files(task.problem(), found)?;
             // If the mission says where it is.
-            let map = mission::footprints(task.problem().mission(), &recovery::footprints(task.model(), found));
+            let map = mission::footprints(task.problem().mission(), &ways::footprints(task.model(), found));
             files.extend(map.map(|text| ("footprints.geojson".to_string(), text.into_bytes())));
             results.folder("a branch", "--branches", folder, files, task.spec().sources())?;
         }
@@ -107,21 +101,46 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, CommandError> {
         }
         results.note_page(options)
     })?;
-    if planning.was_cut_short() {
-        files::eprint(match planning.plan() {
-            Some(_) => {
-                "mavc: the search was cut short: this is its best plan, and a longer search may find a shorter one\n"
-            }
-            None => "mavc: the search was cut short before it had a plan\n",
-        });
-        return Ok(if args.accept_best { code_of(planning.verdict()) } else { CUT_SHORT });
+    let is_denied = args.deny == Some(DenyOfPlan::Unsafe) && is_unsafe;
+    let is_uncovered = recovery.as_ref().is_some_and(|found| task.exceeds_uncovered(found));
+    Ok(if planning.was_cut_short() {
+        print_cut_short(&planning);
+        if args.accept_best { code_of(planning.verdict()) } else { CUT_SHORT }
+    } else if is_denied || is_uncovered {
+        INCONCLUSIVE
+    } else {
+        code_of(planning.verdict())
+    })
+}
+
+/// Adds the certificate to the results, or prints why there is none.
+fn add_certificate(
+    results: &mut Results,
+    task: &Task,
+    planning: &Planning,
+    recovery: Option<&Recovery>,
+    watch: &Watch,
+) -> Result<(), CommandError> {
+    watch.begins("making the certificate");
+    match timed(watch, "certify", || certify(task.spec(), planning)) {
+        Ok(certificate) => results.certificate(&match recovery {
+            Some(recovery) => with_ways_out(certificate, recovery),
+            None => certificate,
+        }),
+        Err(why) => {
+            files::eprint(&format!("mavc: no certificate was written: {why}\n"));
+            Ok(())
+        }
     }
-    if args.deny == Some(DenyOfPlan::Unsafe) && is_unsafe
-        || recovery.as_ref().is_some_and(|found| task.exceeds_uncovered(found))
-    {
-        return Ok(INCONCLUSIVE);
-    }
-    Ok(code_of(planning.verdict()))
+}
+
+fn print_cut_short(planning: &Planning) {
+    files::eprint(match planning.plan() {
+        Some(_) => {
+            "mavc: the search was cut short: this is its best plan, and a longer search may find a shorter one\n"
+        }
+        None => "mavc: the search was cut short before it had a plan\n",
+    });
 }
 
 /// Bytes of stack of a thread that plans: as much as those of the main program.

@@ -15,9 +15,9 @@ const MOST: usize = 32;
 const SENDING: Duration = Duration::from_secs(10);
 /// Bytes read after a request that is refused.
 const MOST_DRAINED: u64 = 1 << 20;
-/// Changes are told at most this often,
+/// The least time between two reports of changes.
 const PAUSE: Duration = Duration::from_millis(100);
-/// and after this time without one a line shows whether the browser is still there.
+/// After this time without a change a line shows whether the browser is still there.
 const QUIET: Duration = Duration::from_secs(15);
 
 /// The open connections, oldest first.

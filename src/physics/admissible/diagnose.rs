@@ -67,9 +67,9 @@ pub(crate) fn diagnose_by(
         let span = model.modes[index].span;
         let faint = || mode.nearest_rows.filter(|row| !before(row)).and_then(|row| nearly_parallel(&row, span));
         let answer = match without_yaw::judge(model, &mode, index) {
-            without_yaw::Found::YawKept => judge(model, &mode, span),
-            without_yaw::Found::Nothing => None,
-            without_yaw::Found::Answer(answer) => Some(answer),
+            without_yaw::YawFinding::YawKept => judge(model, &mode, span),
+            without_yaw::YawFinding::Nothing => None,
+            without_yaw::YawFinding::Answer(answer) => Some(answer),
         };
         let Some(mut answer) = answer.or_else(faint) else { continue };
         answer.also = without_yaw::could_be_planned(model, &mode, index).filter(|_| answer.severity == Severity::Error);
@@ -215,130 +215,152 @@ enum Possible {
     Never,
 }
 
+impl Possible {
+    fn of(mode: &ModeAnalysis) -> Self {
+        match (mode.critical_mass_kg, mode.least_mass_kg) {
+            (Some(most), Some(least)) if least > 0.0 => Possible::Between(least, most),
+            (Some(most), _) if most > 0.0 => Possible::UpTo(most),
+            _ => Possible::Never,
+        }
+    }
+}
+
 /// The finding about the healthy vehicle or a mode; `None` if hover lies inside its set.
 fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
+    match (mode.verdict, mode.hover) {
+        (HoverVerdict::Controllable, HoverPlace::Inside) => not_robust(model, mode, span),
+        (HoverVerdict::Controllable, HoverPlace::OnEdge | HoverPlace::Outside) => Some(on_the_edge(model, mode, span)),
+        (HoverVerdict::Stabilizable | HoverVerdict::Unstable, _) => Some(cannot_hover(model, mode, span)),
+    }
+}
+
+/// Hover is inside the set, but not for every value of the spec's intervals, or not by a margin.
+fn not_robust(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
+    let sure = |r: &Robust| {
+        r.hover == Certainty::Yes
+            && (model.plan.reserve == 0.0
+                || r.acai_worst.is_some_and(|worst| worst > edge::width(&super::hover(model))))
+    };
+    let robust = mode.robust.filter(|r| !sure(r))?;
+    let label = match (robust.acai_worst, robust.acai_best) {
+        (Some(worst), Some(best)) => {
+            format!("the margin of hover is between {} and {}", significant(worst, 3), significant(best, 3))
+        }
+        (None, Some(best)) => {
+            format!("the margin of hover is at most {}, and hover may be unreachable", significant(best, 3))
+        }
+        _ => "no wrench is guaranteed for all values of the intervals".to_string(),
+    };
+    let help = match mode.name == HEALTHY {
+        true => "narrow the intervals, make the vehicle lighter or change its layout",
+        false => "leave the mode out of `against`, narrow the intervals or make the vehicle lighter",
+    };
+    let what = "hover is not guaranteed over the spec's intervals";
+    Some(Answer::new(Severity::Error, NOT_ROBUST, span, what, label, help))
+}
+
+fn on_the_edge(model: &Model, mode: &ModeAnalysis, span: Span) -> Answer {
     let is_healthy = mode.name == HEALTHY;
     // If hover is on the edge although a heavier vehicle could hover, it is on the edge at every mass.
     let at_heaviest = mode.critical_mass_kg.is_some_and(|most| most <= model.vehicle.mass * (1.0 + 1e-6));
-    let answer = |severity, code, what, label, help| Some(Answer::new(severity, code, span, what, label, help));
-    match (mode.verdict, mode.hover) {
-        (HoverVerdict::Controllable, HoverPlace::Inside) => {
-            let sure = |r: &Robust| {
-                r.hover == Certainty::Yes
-                    && (model.plan.reserve == 0.0
-                        || r.acai_worst.is_some_and(|worst| worst > edge::width(&super::hover(model))))
-            };
-            let robust = mode.robust.filter(|r| !sure(r))?;
-            let label = match (robust.acai_worst, robust.acai_best) {
-                (Some(worst), Some(best)) => {
-                    format!("the margin of hover is between {} and {}", significant(worst, 3), significant(best, 3))
-                }
-                (None, Some(best)) => {
-                    format!("the margin of hover is at most {}, and hover may be unreachable", significant(best, 3))
-                }
-                _ => "no wrench is guaranteed for all values of the intervals".to_string(),
-            };
-            let help = match is_healthy {
-                true => "narrow the intervals, make the vehicle lighter or change its layout",
-                false => "leave the mode out of `against`, narrow the intervals or make the vehicle lighter",
-            };
-            answer(Severity::Error, NOT_ROBUST, "hover is not guaranteed over the spec's intervals", label, help)
-        }
-        (HoverVerdict::Controllable, _) if model.plan.reserve > 0.0 => {
-            let share = number(100.0 * model.plan.reserve);
-            let error = answer(
-                Severity::Error,
-                HOVER_ON_EDGE,
-                "hover lies on the edge of the admissible set, so no reserve is left",
-                format!("the {share} % reserve cannot be kept"),
-                match (is_healthy, at_heaviest) {
-                    (true, true) => "set `reserve = 0 %` in `plan`, make the vehicle lighter or change its layout",
-                    (true, false) => "set `reserve = 0 %` in `plan`, or change the vehicle's layout",
-                    (false, _) => "set `reserve = 0 %` in `plan`, or leave the mode out of `against`",
-                },
-            );
-            error.map(|error| Answer { reserve: true, ..error })
-        }
-        // Roll, pitch and thrust cannot be controlled independently with fewer than three dimensions.
-        (HoverVerdict::Controllable, _) if mode.rank < 3 => answer(
+    let answer = |severity, what, label, help| Answer::new(severity, HOVER_ON_EDGE, span, what, label, help);
+    if model.plan.reserve > 0.0 {
+        let share = number(100.0 * model.plan.reserve);
+        let error = answer(
+            Severity::Error,
+            "hover lies on the edge of the admissible set, so no reserve is left",
+            format!("the {share} % reserve cannot be kept"),
+            match (is_healthy, at_heaviest) {
+                (true, true) => "set `reserve = 0 %` in `plan`, make the vehicle lighter or change its layout",
+                (true, false) => "set `reserve = 0 %` in `plan`, or change the vehicle's layout",
+                (false, _) => "set `reserve = 0 %` in `plan`, or leave the mode out of `against`",
+            },
+        );
+        return Answer { reserve: true, ..error };
+    }
+    // Roll, pitch and thrust cannot be controlled independently with fewer than three dimensions.
+    if mode.rank < 3 {
+        return answer(
             Severity::Warning,
-            HOVER_ON_EDGE,
             "the vehicle cannot be steered, although thrust and torques balance in hover",
             format!("the admissible set has {} of 4 dimensions, so almost no disturbance can be countered", mode.rank),
             match is_healthy {
                 true => "change the vehicle's layout",
                 false => "leave the mode out of `against`, or change the vehicle's layout",
             },
+        );
+    }
+    answer(
+        Severity::Warning,
+        "hover lies on the edge of the admissible set",
+        "even the smallest disturbance in one direction cannot be countered".into(),
+        match at_heaviest && mode.facets.is_some() {
+            true => "a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much",
+            false => "another layout moves hover inside; `mavc analyze` shows by how much",
+        },
+    )
+}
+
+fn cannot_hover(model: &Model, mode: &ModeAnalysis, span: Span) -> Answer {
+    let mass = model.vehicle.mass;
+    let possible = Possible::of(mode);
+    let without_yaw = mode.critical_mass_yaw_free_kg.filter(|most| *most > 0.0 && *most < mass);
+    let what = match mode.verdict {
+        HoverVerdict::Stabilizable => "the vehicle cannot hold its yaw",
+        HoverVerdict::Controllable | HoverVerdict::Unstable => "the vehicle cannot hover",
+    };
+    let (label, help) = match wind::is_the_cause(model, mode) {
+        Some(label) => (label, wind::HELP),
+        None => (
+            possible_masses(possible, mass, without_yaw.filter(|_| mode.verdict != HoverVerdict::Stabilizable)),
+            help_to_hover(possible, model, mode, without_yaw.is_some()),
         ),
-        (HoverVerdict::Controllable, _) => answer(
-            Severity::Warning,
-            HOVER_ON_EDGE,
-            "hover lies on the edge of the admissible set",
-            "even the smallest disturbance in one direction cannot be countered".into(),
-            match at_heaviest && mode.facets.is_some() {
-                true => "a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much",
-                false => "another layout moves hover inside; `mavc analyze` shows by how much",
-            },
-        ),
-        (verdict, _) => {
-            let mass = model.vehicle.mass;
-            let possible = match (mode.critical_mass_kg, mode.least_mass_kg) {
-                (Some(most), Some(least)) if least > 0.0 => Possible::Between(least, most),
-                (Some(most), _) if most > 0.0 => Possible::UpTo(most),
-                _ => Possible::Never,
-            };
-            let given = format!("; the spec's mass is {} kg", number(mass));
-            let without_yaw = mode.critical_mass_yaw_free_kg.filter(|most| *most > 0.0 && *most < mass);
-            let label = match possible {
-                Possible::UpTo(most) => format!("possible at {} kg or less{given}", down(most, 4)),
-                Possible::Between(least, most) if up(least, 4) != down(most, 4) && least < most * (1.0 - 1e-3) => {
-                    format!("possible between {} and {} kg{given}", up(least, 4), down(most, 4))
-                }
-                Possible::Between(least, most) => {
-                    format!("possible only at {} kg{given}", significant(0.5 * (least + most), 6))
-                }
-                Possible::Never => match without_yaw.filter(|_| verdict != HoverVerdict::Stabilizable) {
-                    Some(most) => {
-                        format!(
-                            "with control of yaw at no mass; with yaw given up at {} kg or less{given}",
-                            down(most, 4)
-                        )
-                    }
-                    None => "not possible at any mass".to_string(),
-                },
-            };
-            let what = match verdict {
-                HoverVerdict::Stabilizable => "the vehicle cannot hold its yaw",
-                _ => "the vehicle cannot hover",
-            };
-            if let Some(label) = wind::is_the_cause(model, mode) {
-                return answer(Severity::Error, CANNOT_HOVER, what, label, wind::HELP);
-            }
-            let is_stuck = mode.stuck.iter().any(Option::is_some);
-            let idles = model.vehicle.rotors.iter().any(|r| r.min_speed > 0.0) && !is_stuck;
-            let too_light = matches!(possible, Possible::Between(least, _) if mass < least);
-            let help = match (possible, is_healthy) {
-                (Possible::Never, false) if without_yaw.is_some() => {
-                    "leave the mode out of `against`, make the vehicle lighter or change its layout"
-                }
-                (Possible::UpTo(_), true) => "make the vehicle lighter or change its layout",
-                (Possible::UpTo(_), false) => {
-                    "leave the mode out of `against`, make the vehicle lighter or change its layout"
-                }
-                (Possible::Between(..), true) if too_light && idles => {
-                    "lower `min_speed` or `min_thrust`, or change the layout"
-                }
-                (Possible::Between(..), false) if too_light && idles => {
-                    "leave the mode out of `against`, or lower `min_speed` or `min_thrust`"
-                }
-                (Possible::Between(..), true) if !too_light => "make the vehicle lighter or change its layout",
-                (Possible::Between(..), false) if !too_light => {
-                    "leave the mode out of `against`, make the vehicle lighter or change its layout"
-                }
-                (_, true) => "change the vehicle's layout",
-                (_, false) => "leave the mode out of `against`, or change the vehicle's layout",
-            };
-            answer(Severity::Error, CANNOT_HOVER, what, label, help)
+    };
+    Answer::new(Severity::Error, CANNOT_HOVER, span, what, label, help)
+}
+
+/// At which masses (kg) the mode could hover, where the spec's is `mass`; `without_yaw` is the largest with yaw given
+/// up.
+fn possible_masses(possible: Possible, mass: f64, without_yaw: Option<f64>) -> String {
+    let given = format!("; the spec's mass is {} kg", number(mass));
+    match possible {
+        Possible::UpTo(most) => format!("possible at {} kg or less{given}", down(most, 4)),
+        Possible::Between(least, most) if up(least, 4) != down(most, 4) && least < most * (1.0 - 1e-3) => {
+            format!("possible between {} and {} kg{given}", up(least, 4), down(most, 4))
         }
+        Possible::Between(least, most) => {
+            format!("possible only at {} kg{given}", significant(0.5 * (least + most), 6))
+        }
+        Possible::Never => match without_yaw {
+            Some(most) => {
+                format!("with control of yaw at no mass; with yaw given up at {} kg or less{given}", down(most, 4))
+            }
+            None => "not possible at any mass".to_string(),
+        },
+    }
+}
+
+fn help_to_hover(possible: Possible, model: &Model, mode: &ModeAnalysis, has_mass_without_yaw: bool) -> &'static str {
+    let is_stuck = mode.stuck.iter().any(Option::is_some);
+    let idles = model.vehicle.rotors.iter().any(|r| r.min_speed > 0.0) && !is_stuck;
+    let too_light = matches!(possible, Possible::Between(least, _) if model.vehicle.mass < least);
+    match (possible, mode.name == HEALTHY) {
+        (Possible::Never, false) if has_mass_without_yaw => {
+            "leave the mode out of `against`, make the vehicle lighter or change its layout"
+        }
+        (Possible::UpTo(_), true) => "make the vehicle lighter or change its layout",
+        (Possible::UpTo(_), false) => "leave the mode out of `against`, make the vehicle lighter or change its layout",
+        (Possible::Between(..), true) if too_light && idles => {
+            "lower `min_speed` or `min_thrust`, or change the layout"
+        }
+        (Possible::Between(..), false) if too_light && idles => {
+            "leave the mode out of `against`, or lower `min_speed` or `min_thrust`"
+        }
+        (Possible::Between(..), true) if !too_light => "make the vehicle lighter or change its layout",
+        (Possible::Between(..), false) if !too_light => {
+            "leave the mode out of `against`, make the vehicle lighter or change its layout"
+        }
+        (_, true) => "change the vehicle's layout",
+        (_, false) => "leave the mode out of `against`, or change the vehicle's layout",
     }
 }

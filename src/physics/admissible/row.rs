@@ -41,8 +41,15 @@ impl SetRow {
 impl SetRow {
     /// The largest violation of some wrenches.
     pub fn worst(&self, wrenches: &[Wrench]) -> f64 {
-        wrenches.iter().map(|w| self.violation(w)).fold(f64::NEG_INFINITY, f64::max)
+        largest(wrenches.iter().map(|w| self.violation(w)))
     }
+}
+
+/// The largest of some violations; infinite where one is not a number, because a wrench that is not finite violates
+/// every row.
+pub fn largest(violations: impl IntoIterator<Item = f64>) -> f64 {
+    let larger = |most: f64, violation: f64| if violation.is_nan() { f64::INFINITY } else { most.max(violation) };
+    violations.into_iter().fold(f64::NEG_INFINITY, larger)
 }
 
 /// The dimensionless row of a facet: normal and offset divided by the width of the `healthy` zonotope along the normal.

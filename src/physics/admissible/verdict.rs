@@ -189,7 +189,7 @@ pub struct Standing {
 impl Standing {
     /// Those of [`analyze`].
     pub fn of(model: &Model, set: &AdmissibleSet) -> Self {
-        let found = Found::of(model, set);
+        let found = Basis::of(model, set);
         let verdicts = found.verdicts(model, set);
         Standing {
             outcome: Outcome::of(model, set, &verdicts),
@@ -201,7 +201,7 @@ impl Standing {
 }
 
 /// What the verdicts on a set follow from.
-struct Found {
+struct Basis {
     yaw_free: Polytope<3, ()>,
     residual4: Wrench,
     residual3: Vector3<f64>,
@@ -212,7 +212,7 @@ struct Found {
     place_yaw_free: HoverPlace,
 }
 
-impl Found {
+impl Basis {
     fn of(model: &Model, set: &AdmissibleSet) -> Self {
         let u_ref = hover(model);
         let u_ref3 = u_ref.fixed_rows::<3>(0).into_owned();
@@ -235,7 +235,7 @@ impl Found {
             HoverVerdict::Stabilizable => place_yaw_free,
             HoverVerdict::Unstable => HoverPlace::Outside,
         };
-        Found { yaw_free, residual4, residual3, acai, acai_yaw_free, verdict, hover, place_yaw_free }
+        Basis { yaw_free, residual4, residual3, acai, acai_yaw_free, verdict, hover, place_yaw_free }
     }
 
     fn verdicts(&self, model: &Model, set: &AdmissibleSet) -> Verdicts {
@@ -255,9 +255,9 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         None => (Vec::new(), vec![1.0; rotors], vec![None; rotors]),
     };
     let u_ref = hover(model);
-    let found = Found::of(model, set);
+    let found = Basis::of(model, set);
     let verdicts = found.verdicts(model, set);
-    let Found { yaw_free, verdict, hover, .. } = &found;
+    let Basis { yaw_free, verdict, hover, .. } = &found;
     let size = set.zonotope.scale()[0];
     ModeAnalysis {
         name: set.name.clone(),

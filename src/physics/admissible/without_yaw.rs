@@ -1,4 +1,4 @@
-//! What is left of a mode when yaw is given up: roll, pitch and thrust, while the body turns about the thrust as it
+//! The admissible set of a mode with yaw given up: roll, pitch and thrust, while the body turns about the thrust as it
 //! may. See `docs/method/without-yaw.md`.
 
 mod controllability;
@@ -77,7 +77,7 @@ pub(super) fn word(
     yaw_free: &Polytope<3, ()>,
     place: HoverPlace,
 ) -> (YawFree, bool) {
-    match Slice::of(model, set, yaw_free) {
+    match HoverWithoutYaw::of(model, set, yaw_free) {
         Some(slice) if place != HoverPlace::Outside => {
             (slice.word(place), place == HoverPlace::OnEdge && slice.is_controlled(slice.torques))
         }
@@ -92,12 +92,12 @@ pub(super) fn figures(
     yaw_free: &Polytope<3, ()>,
     place: HoverPlace,
 ) -> Option<WithoutYaw> {
-    let slice = Slice::of(model, set, yaw_free).filter(|_| place != HoverPlace::Outside)?;
+    let slice = HoverWithoutYaw::of(model, set, yaw_free).filter(|_| place != HoverPlace::Outside)?;
     Some(slice.figures(place))
 }
 
 /// The wrenches of hover with yaw given up.
-struct Slice<'a> {
+struct HoverWithoutYaw<'a> {
     model: &'a Model,
     set: &'a AdmissibleSet,
     yaw_free: &'a Polytope<3, ()>,
@@ -105,7 +105,7 @@ struct Slice<'a> {
     torques: [f64; 2],
 }
 
-impl<'a> Slice<'a> {
+impl<'a> HoverWithoutYaw<'a> {
     /// `None` where hover is outside by more than the width of the edge.
     fn of(model: &'a Model, set: &'a AdmissibleSet, yaw_free: &'a Polytope<3, ()>) -> Option<Self> {
         let hover = hover(model);
@@ -113,7 +113,7 @@ impl<'a> Slice<'a> {
         let yaw = Wrench::new(0.0, 0.0, 0.0, 1.0);
         let (low, high) = set.polytope.chord(&hover, &yaw, width)?;
         let dust = |torque: f64| if torque.abs() <= width { 0.0 } else { torque };
-        Some(Slice { model, set, yaw_free, torques: [dust(low), dust(high)] })
+        Some(HoverWithoutYaw { model, set, yaw_free, torques: [dust(low), dust(high)] })
     }
 
     /// The torque of the slowest spin, N m.
@@ -149,7 +149,7 @@ impl<'a> Slice<'a> {
     }
 
     fn figures(&self, place: HoverPlace) -> WithoutYaw {
-        let Slice { model, set, yaw_free, torques } = *self;
+        let HoverWithoutYaw { model, set, yaw_free, torques } = *self;
         let hover = hover(model);
         let disc = core::disc(yaw_free, hover[0], [0.0; 2], edge::width(&hover)).unwrap_or(0.0);
         let [jx, jy, _] = model.vehicle.inertia;
@@ -165,7 +165,7 @@ impl<'a> Slice<'a> {
     }
 
     fn equilibria(&self, place: HoverPlace) -> Vec<RelaxedHover> {
-        let Slice { model, set, yaw_free, .. } = *self;
+        let HoverWithoutYaw { model, set, yaw_free, .. } = *self;
         let Some(drag) = model.vehicle.yaw_drag else { return Vec::new() };
         let system = relaxed_hover::System::new(model, set, yaw_free, drag);
         let about_z = Vector3::new(0.0, 0.0, drag.spin(self.least_torque()));

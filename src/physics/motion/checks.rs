@@ -111,8 +111,8 @@ fn outside_cone(aside: f64, ahead: f64, angle: f64) -> f64 {
 /// violation is the distance from a cone, of the acceleration (divided by gravity), of the velocity, or of the
 /// direction that the yaw follows.
 pub(crate) fn violation_as_checked(limit: &Limit, state: &NodeState, environment: &Environment) -> f64 {
-    match (&limit.kind, limit.upper) {
-        (LimitKind::Tilt, Some(upper)) => {
+    match (limit.kind.describe().quantity, limit.upper) {
+        (Quantity::Tilt, Some(upper)) => {
             let out = |wind: &Environment| {
                 let state = in_air(state, wind);
                 let up = state[Z][2] + wind.gravity;
@@ -120,15 +120,17 @@ pub(crate) fn violation_as_checked(limit: &Limit, state: &NodeState, environment
             };
             environment.corners().iter().map(out).fold(f64::NEG_INFINITY, f64::max)
         }
-        (LimitKind::Arrival(direction), Some(upper)) => {
-            let (ahead, aside) = arrival(direction, state);
+        (Quantity::Arrival(direction), Some(upper)) => {
+            let (ahead, aside) = arrival(&direction, state);
             outside_cone(aside, ahead, upper)
         }
-        (LimitKind::Heading(target), Some(upper)) => {
+        (Quantity::Heading(target), Some(upper)) => {
             let distance = |error: f64| outside_cone(error.sin().abs(), error.cos(), upper);
-            off(target, state).map_or(f64::NEG_INFINITY, distance)
+            off(&target, state).map_or(f64::NEG_INFINITY, distance)
         }
-        _ => violation(limit, state, environment),
+        (Quantity::Tilt | Quantity::Arrival(_) | Quantity::Heading(_), None)
+        | (Quantity::Axis { .. } | Quantity::Norm { .. } | Quantity::Along(_), _)
+        | (Quantity::Distance(_) | Quantity::Clearance(_), _) => violation(limit, state, environment),
     }
 }
 
@@ -202,6 +204,12 @@ pub(crate) fn coarser_legs(trajectory: &Trajectory, mission: &Mission, samples: 
     legs.iter().zip(fewest).filter(|(nodes, fewest)| is_coarser(mission, nodes, *fewest)).count()
 }
 
+/// The small-angle approximation is poor beyond this tilt, rad (20 degrees).
+const SMALL_TILT: f64 = std::f64::consts::PI / 9.0;
+
+/// The direction of the thrust, and so the attitude, becomes meaningless below this share of full thrust.
+const LEAST_THRUST: f64 = 0.02;
+
 /// The quantities that show whether a trajectory stays in the range of the linear model about hover.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LinearRange {
@@ -214,15 +222,14 @@ pub struct LinearRange {
 }
 
 impl LinearRange {
-    /// Whether the tilt exceeds 20 degrees, beyond which the small-angle approximation is poor.
+    /// Whether the tilt exceeds [`SMALL_TILT`].
     pub(crate) fn tilts_too_far(&self) -> bool {
-        self.tilt.value > 20f64.to_radians()
+        self.tilt.value > SMALL_TILT
     }
 
-    /// Whether the thrust falls below 2 % of full thrust, where its direction, and so the attitude, becomes
-    /// meaningless.
+    /// Whether the thrust falls below [`LEAST_THRUST`].
     pub(crate) fn nearly_falls(&self) -> bool {
-        self.least_thrust.value < 0.02 * self.full_thrust
+        self.least_thrust.value < LEAST_THRUST * self.full_thrust
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Trajectory;
 use super::felt::{Felt, Flown};
 use crate::actuation::Wrench;
-use crate::admissible::row::{SetRow, VIOLATED};
+use crate::admissible::row::{SetRow, VIOLATED, largest};
 use crate::model::{Environment, Vehicle};
 
 /// The violations of one set by a trajectory. A row is violated where its violation exceeds [`VIOLATED`].
@@ -166,10 +166,7 @@ fn violations_within(flown: &Flown, rows: &[SetRow], k: usize) -> (Vec<Violation
             let sides: &[f64] = if row.equality { &[1.0, -1.0] } else { &[1.0] };
             let spans_of = |&side| {
                 let one = |w: &Wrench| side * (row.normal.dot(w) - row.offset) - VIOLATED;
-                let over = |felt: &Felt| {
-                    let worst = felt.wrenches.iter().map(one).fold(f64::NEG_INFINITY, f64::max);
-                    worst + row.of_core(felt.turning.as_ref())
-                };
+                let over = |felt: &Felt| largest(felt.wrenches.iter().map(one)) + row.of_core(felt.turning.as_ref());
                 let (from, to) = span_outside(over, &left, &right, at)?;
                 Some(ViolationInterval { row: i, from: begin + from, to: begin + to })
             };

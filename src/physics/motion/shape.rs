@@ -50,7 +50,8 @@ pub struct LegShape {
     pub climb: Peak,
     /// The largest distance from the segment between its waypoints, m.
     pub deviation: Peak,
-    /// The same with heights above the higher waypoint taken as its height, m: what a limit on height leaves.
+    /// The largest distance from the segment with heights above the higher waypoint taken as its height, m: what a
+    /// limit on height leaves.
     pub aside: Peak,
 }
 

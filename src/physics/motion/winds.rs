@@ -83,7 +83,7 @@ impl OverWinds {
     }
 
     /// By how much [`Self::worst`] is above the violation in the middle of the winds.
-    pub fn excess(&self, row: &SetRow) -> f64 {
+    pub fn more_in_winds(&self, row: &SetRow) -> f64 {
         let more = self.worst(row) - row.violation(&self.middle) - row.of_core(self.turning.as_ref());
         if more.is_finite() { more } else { 0.0 }
     }

@@ -2,7 +2,7 @@
 //! on a grid.
 
 use super::witness::{model_of, motion};
-use crate::admissible::row::SetRow;
+use crate::admissible::row::{SetRow, largest};
 use crate::model::{Limit, Model, Part, Problem};
 use crate::motion::checks::{leg_intervals, peak_of, violation_as_checked};
 use crate::motion::winds::OverWinds;
@@ -23,10 +23,10 @@ use serde::Serialize;
 /// of the exact model uses.
 pub const GRID: usize = POINTS_OF_A_GRID + 1;
 
-/// Most work for one proof, in the checker's units: a small part of the planning time.
+/// Most work for one proof, in the checker's units: a small part of the planning time. Chosen by hand.
 const WORK: u64 = 3_000_000;
 
-/// Most work for each row and piece, if that is more.
+/// Most work for each row and piece, if that is more. Chosen by hand.
 const WORK_EACH: u64 = 20;
 
 /// Bounds on the violation of a limit that are tried in turn, as shares of the limit's size. Up to the last one the
@@ -97,9 +97,9 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     let other_sides = rows.iter().filter(|r| r.equality).map(|r| plane(-1.0, r));
     let planes: Vec<Plane> = rows.iter().map(|r| plane(1.0, r)).chain(other_sides).collect();
     let environment = model.environment();
-    let largest = |wrench: &OverWinds| rows.iter().map(|row| wrench.worst(row)).fold(f64::NEG_INFINITY, f64::max);
+    let of_wrench = |wrench: &OverWinds| largest(rows.iter().map(|row| wrench.worst(row)));
     let mut found = vec![kept_facets(setting.dynamics(), &motion, Held::Wrench, &planes, trajectory, |_, state| {
-        largest(&trajectory.in_every_wind(&model.vehicle, &environment, state))
+        of_wrench(&trajectory.in_every_wind(&model.vehicle, &environment, state))
     })];
     let cores: Vec<&SetRow> = run.set.rows.iter().filter(|row| row.core.is_some()).collect();
     if !cores.is_empty() {
@@ -109,12 +109,12 @@ pub fn between(problem: Problem, run: &PlannerRun, solved: &MissionPlan) -> Vec<
     if let Some((held, tau)) = setting.commands().zip(model.thrust_lag()) {
         // If the wrench stays in a plane, so does its rate, and so do the commands.
         let planes: Vec<Plane> = rows.iter().filter(|r| !r.equality).map(|r| plane(1.0, r)).collect();
-        let largest = |commanded: &OverWinds| {
+        let of_commands = |commanded: &OverWinds| {
             let rows = rows.iter().filter(|r| !r.equality);
-            rows.map(|row| commanded.worst(row)).fold(f64::NEG_INFINITY, f64::max)
+            largest(rows.map(|row| commanded.worst(row)))
         };
         found.push(kept_facets(setting.dynamics(), &motion, held, &planes, trajectory, |k, state| {
-            largest(&trajectory.commanded_in_every_wind(&model.vehicle, &environment, tau, k, state))
+            of_commands(&trajectory.commanded_in_every_wind(&model.vehicle, &environment, tau, k, state))
         }));
     }
     found
@@ -177,7 +177,7 @@ fn kept_cores(
     let violation = |_: usize, state: &NodeState| {
         let turning = trajectory.model.turning(&model.vehicle, &environment, state);
         let of = |row: &&SetRow| row.normal[0] * turning[0] - row.offset + row.of_core(Some(&turning));
-        rows.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+        largest(rows.iter().map(of))
     };
     kept_family(CORES.into(), &family, rows.len(), 1, motion, trajectory, violation)
 }
@@ -223,5 +223,5 @@ fn seen(trajectory: &Trajectory, violation: impl Fn(usize, &NodeState) -> f64) -
         violation(k, &trajectory.within(k, h * i as f64 / GRID as f64))
     };
     let looks = (0..trajectory.intervals()).flat_map(|k| (0..=GRID).map(move |i| (k, i)));
-    looks.map(|(k, i)| at(k, i)).fold(f64::NEG_INFINITY, f64::max)
+    largest(looks.map(|(k, i)| at(k, i)))
 }

@@ -11,11 +11,13 @@ use crate::planner::studies::{self, Comparison, MissionPlan, PlanOutcome, Planne
 use crate::solve::Effort;
 use std::sync::Arc;
 
-/// A plan may climb this far above the higher waypoint of a leg, and stray this far from its straight line, m,
+/// A plan may climb this far above the higher waypoint of a leg, and stray this far from its straight line, m. Chosen
+/// by hand.
 const USUAL: f64 = 1.0;
-/// or, for the distance from the line, by this share of the leg's length,
+/// A plan may stray from the line by this share of the leg's length, if that is more. Chosen by hand.
 const SHARE: f64 = 0.1;
-/// and by this much more, so that a plan at the bound of a statement that forbids more is not remarked on, m.
+/// A plan may climb and stray by this much more, m, so that one at the bound of a statement that forbids more is not
+/// remarked on.
 const SLACK: f64 = 1e-3;
 /// A limit on height for all legs leaves at least this much above the highest waypoint, m. Chosen by hand.
 const HEADROOM: f64 = 0.5;

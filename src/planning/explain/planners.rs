@@ -5,14 +5,13 @@ use crate::certify;
 use crate::model::{Environment, Mission, Model, PlannerKind, Problem, Vehicle};
 use crate::motion::checks::{peak_of, violation};
 use crate::motion::time_grid::time_grid;
-use crate::planner::hover::{Decision, Planned};
 use crate::planner::scp::NOT_FOUND;
 use crate::planner::selection::PlanningSet;
 use crate::planner::selection::sets::PlanningSets;
 use crate::planner::studies::{THESE_TIMES, proofs_are_about};
 use crate::planner::timing::kinematics::least_time_within;
 use crate::planner::working_set::WorkingSet;
-use crate::planner::{Attempt, finds_local_optima, planner};
+use crate::planner::{Attempt, Decision, Planned, finds_local_optima, planner};
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 

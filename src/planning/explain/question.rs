@@ -11,13 +11,14 @@ use std::collections::{BTreeMap, BTreeSet};
 /// [`unhurried`]. (Not many more: otherwise few samples would remain for the other legs.) Chosen by hand.
 const LONG: f64 = 4.0;
 
-/// And this many times the time that the spec gives them. Chosen by hand.
+/// A long time is at least this many times the time that the spec gives these legs. Chosen by hand.
 const LONGER: f64 = 1.5;
 
 /// The most of the solver's work for a conflict, and for changes: half as much as a search with `effort = normal`.
+/// Chosen by hand.
 const MOST_WORK: u64 = ScpSettings::DEFAULT.budget.normal as u64 / 2;
 
-/// The longest mission time of a query, s.
+/// The longest mission time of a query, s. Chosen by hand.
 const LONGEST: f64 = 100_000.0;
 
 pub(super) struct Questions<'a> {

@@ -45,9 +45,9 @@ pub struct Fix {
     pub time: f64,
 }
 
-/// Tolerances are widened up to this share of the distance to the nearest adjacent waypoint,
+/// Tolerances are widened up to this share of the distance to the nearest adjacent waypoint. Chosen by hand.
 const WIDEST: f64 = 0.25;
-/// and up to this factor: beyond that it would be a different mission. Chosen by hand.
+/// Tolerances are widened up to this factor: beyond that it would be a different mission. Chosen by hand.
 const WIDER_WITHIN: f64 = 10.0;
 /// Bounds are widened up to this factor. Chosen by hand.
 const WIDER: f64 = 10.0;

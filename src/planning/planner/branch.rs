@@ -80,7 +80,7 @@ const SMALLEST_PLACE: f64 = 0.1;
 const STEP_OF_WAY: f64 = 0.8;
 const INTERVALS_OF_WAY: [usize; 2] = [4, 12];
 
-/// Intervals of a descent.
+/// Intervals of a descent. Chosen by hand.
 const INTERVALS_OF_DESCENT: usize = 8;
 
 /// Limits are widened by this share of themselves, places by this much (m or rad): a plan holds them to tolerances

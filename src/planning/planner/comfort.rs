@@ -22,9 +22,10 @@ pub struct Comfort {
     pub keeps_heights: bool,
 }
 
-/// How far above and below both its waypoints steps let a leg pass at its nodes, m.
+/// How far above and below both its waypoints steps let a leg pass at its nodes, m. Chosen by hand, below
+/// [`PLANS_WITHIN`].
 const STEPS_WITHIN: f64 = 0.4;
-/// How far a plan may at its nodes and still keep the heights of its legs, m.
+/// How far above and below them a plan may pass at its nodes and still keep the heights of its legs, m. Chosen by hand.
 const PLANS_WITHIN: f64 = 0.5;
 
 /// One square at one node: the sum of factors times derivatives, and of a constant.

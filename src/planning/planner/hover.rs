@@ -8,7 +8,7 @@ mod reach;
 mod row_generation;
 pub mod settings;
 
-pub use super::plan::{Decision, Planned};
+pub use super::decision::{Decision, Planned};
 pub use layout::Layout;
 pub(super) use reach::LEEWAY;
 pub use settings::HoverSettings;

@@ -1,4 +1,5 @@
-//! A mission's limits as rows: linear for one axis, second-order cones for norms.
+//! Limits imposed on plans: as rows of a program, linear for one axis, second-order cones for norms; and the violation
+//! of a limit by a state.
 
 mod followed_yaw;
 
@@ -97,6 +98,20 @@ const CLEARANCE_UNIT: f64 = 1.0;
 /// A violation of one unit of a direction of arrival, m/s.
 const ARRIVAL_UNIT: f64 = 1.0;
 
+const SPACE: &[usize] = &[X, Y, Z];
+
+/// A yaw that follows a target to within `upper` rad at an instant.
+struct FollowedAt {
+    target: Target,
+    upper: f64,
+    instant: usize,
+}
+
+/// The parts of a second-order cone: the length of `parts` is at most `reach`.
+fn cone(reach: Affine, parts: Vec<Affine>) -> Vec<Affine> {
+    std::iter::once(reach).chain(parts).collect()
+}
+
 /// `a - (a . along) along`, for a unit vector `along`.
 fn across(along: [f64; 3], a: &[Affine]) -> Vec<Affine> {
     let ahead = self::along(along, a);
@@ -136,12 +151,6 @@ impl Transcription<'_> {
         let room = room_of(limit, widening.room);
         let (lower, upper) = (limit.lower.map(|bound| bound + room), limit.upper.map(|bound| bound - room));
         let origin = RowOrigin::Limit { limit: index, node: instant / self.parts };
-        let parts = |axes: &[usize], order: usize| -> Vec<Affine> {
-            axes.iter().map(|&a| self.derivative(instant, a, order)).collect()
-        };
-        let mut cone = |reach: Affine, parts: Vec<Affine>| {
-            builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
-        };
         let quantity = limit.kind.describe().quantity;
         if !self.plans(if quantity.is_of_yaw() { YAW } else { X }) {
             return;
@@ -157,91 +166,34 @@ impl Transcription<'_> {
                 }
             }
             (Quantity::Tilt, Some(upper)) => {
-                // The cone is convex, so that it contains the thrust in every wind if it does so in the extreme ones;
-                // of those that differ in their vertical part alone, the one that lifts most is the hardest.
-                let lifts_most = self.winds.iter().map(|wind| wind.wind[Z]).fold(f64::NEG_INFINITY, f64::max);
-                for wind in self.winds.iter().filter(|wind| wind.wind[Z] == lifts_most) {
-                    let [x, y, z] = self.thrust(instant, wind);
-                    let mut reach = z.plus_constant(-wind.gravity).times(upper.tan());
-                    reach.add(&widening.bound(wind.gravity, 2, 1.0), upper.tan());
-                    cone(reach, vec![x, y]);
-                }
+                self.tilt_cones(instant, upper, widening).for_each(|cone| builder.cone(cone, origin));
             }
             (Quantity::Norm { .. }, Some(upper)) if limit.kind == LimitKind::Jerk && self.jumps_in_jerk() => {
                 let beside = self.intervals_beside(instant);
                 for (interval, step) in beside.filter(|(interval, _)| self.covers_interval(limit, *interval)) {
-                    let mut slope = self.derivative(interval + 1, Z, 2);
-                    slope.add(&self.derivative(interval, Z, 2), -1.0);
-                    let mut parts = parts(&[X, Y], 3);
-                    parts.push(slope.times(1.0 / step));
-                    cone(widening.bound(upper, 3, 1.0), parts);
+                    builder.cone(self.jerk_cone(instant, interval, step, upper, widening), origin);
                 }
             }
             (Quantity::Norm { axes, order }, Some(upper)) => {
-                cone(widening.bound(upper, order, 1.0), parts(axes, order));
+                builder.cone(cone(widening.bound(upper, order, 1.0), self.derivatives(instant, axes, order)), origin);
             }
             (Quantity::Along(normal), Some(upper)) => {
                 let mut row = widening.bound(upper, 0, 1.0);
-                row.add(&along(normal, &parts(&[X, Y, Z], 0)), -1.0);
+                row.add(&along(normal, &self.derivatives(instant, SPACE, 0)), -1.0);
                 builder.nonnegative(row, origin);
             }
             (Quantity::Distance(from), Some(upper)) => {
-                let reach = widening.bound(upper, 0, 1.0);
-                let centre = match &from {
-                    DistanceFrom::Point(centre) => &centre[..],
-                    DistanceFrom::Axis(centre) => &centre[..],
-                    DistanceFrom::Line { point, along } => {
-                        let from = parts(&[X, Y, Z], 0).into_iter().zip(point).map(|(part, p)| part.plus_constant(-p));
-                        return cone(reach, across(*along, &from.collect::<Vec<_>>()));
-                    }
-                };
-                let coordinates = parts(&[X, Y, Z][..centre.len()], 0);
-                let from_centre = coordinates.into_iter().zip(centre).map(|(part, c)| part.plus_constant(-c)).collect();
-                cone(reach, from_centre);
+                builder.cone(cone(widening.bound(upper, 0, 1.0), self.apart(instant, &from)), origin);
             }
             // The cone does not depend on the duration: all velocities change alike.
             (Quantity::Arrival(direction), Some(upper)) => {
-                let velocity = parts(&[X, Y, Z], 1);
+                let velocity = self.derivatives(instant, SPACE, 1);
                 let mut reach = along(direction, &velocity).times(upper.tan());
                 reach.add(&widening.share, ARRIVAL_UNIT);
-                cone(reach, across(direction, &velocity));
+                builder.cone(cone(reach, across(direction, &velocity)), origin);
             }
-            // Linear in yaw, position and velocity about the states nearby; without these there is no row, and the
-            // program is a relaxation.
             (Quantity::Heading(target), Some(upper)) => {
-                let near = self.states.filter(|_| instant.is_multiple_of(self.parts));
-                let Some(near) = near.and_then(|states| states.get(instant / self.parts)) else { return };
-                let heading = FollowedYaw::of(target, upper, near);
-                let (order, sign) = match target {
-                    Target::Towards { .. } => (0, -1.0),
-                    Target::AlongPath => (1, 1.0),
-                };
-                // The vector, of which the target's point is the constant.
-                let constant = target.vector([0.0; 2], [0.0; 2]);
-                let vector: Vec<Affine> = [X, Y]
-                    .iter()
-                    .zip(constant)
-                    .map(|(&axis, constant)| self.derivative(instant, axis, order).times(sign).plus_constant(constant))
-                    .collect();
-                if heading.is_paused() {
-                    let mut reach = widening.bound(PAUSED * target.least(), order, 1.0);
-                    reach.add(&widening.share, heading.unit);
-                    return cone(reach, vector);
-                }
-                let turn = self.derivative(instant, YAW, 0).plus_constant(-near[YAW][0]);
-                let (sin, cos) = near[YAW][0].sin_cos();
-                let mut ahead = vector[0].clone().times(cos);
-                ahead.add(&vector[1], sin);
-                ahead.add(&turn, heading.aside);
-                let mut aside = vector[1].clone().times(cos);
-                aside.add(&vector[0], -sin);
-                aside.add(&turn, -heading.ahead);
-                for side in [1.0, -1.0] {
-                    let mut row = ahead.clone().times(heading.tan);
-                    row.add(&widening.share, heading.unit);
-                    row.add(&aside, side);
-                    builder.nonnegative(row, origin);
-                }
+                self.heading_rows(builder, FollowedAt { target, upper, instant }, widening, origin);
             }
             // The distance is at least that from the plane that separates the body from a position nearby. Without such
             // a position there is no row, and the program is a relaxation.
@@ -249,13 +201,92 @@ impl Transcription<'_> {
                 let near = self.positions.and_then(|positions| positions.get(instant));
                 let (Some(&near), Some(lower)) = (near, lower) else { return };
                 let Separation { normal, support, .. } = obstacle.body.separation(near);
-                let mut row = along(normal, &parts(&[X, Y, Z], 0)).plus_constant(-support);
+                let mut row = along(normal, &self.derivatives(instant, SPACE, 0)).plus_constant(-support);
                 row.add(&widening.clearance(lower), -1.0);
                 builder.nonnegative(row, origin);
             }
             // They have an upper bound; without one nothing is bounded.
             (Quantity::Norm { .. } | Quantity::Tilt | Quantity::Along(_) | Quantity::Distance(_), None) => {}
             (Quantity::Arrival(_) | Quantity::Heading(_), None) => {}
+        }
+    }
+
+    /// Derivatives of some axes at an instant.
+    fn derivatives(&self, instant: usize, axes: &[usize], order: usize) -> Vec<Affine> {
+        axes.iter().map(|&axis| self.derivative(instant, axis, order)).collect()
+    }
+
+    /// The cones about the vertical that contain the thrust. A cone is convex, so that it contains the thrust in every
+    /// wind if it does so in the extreme ones; of those that differ in their vertical part alone, the one that lifts
+    /// most is the hardest.
+    fn tilt_cones(&self, instant: usize, upper: f64, widening: &Widening) -> impl Iterator<Item = Vec<Affine>> {
+        let lifts_most = self.winds.iter().map(|wind| wind.wind[Z]).fold(f64::NEG_INFINITY, f64::max);
+        self.winds.iter().filter(move |wind| wind.wind[Z] == lifts_most).map(move |wind| {
+            let [x, y, z] = self.thrust(instant, wind);
+            let mut reach = z.plus_constant(-wind.gravity).times(upper.tan());
+            reach.add(&widening.bound(wind.gravity, 2, 1.0), upper.tan());
+            cone(reach, vec![x, y])
+        })
+    }
+
+    /// The bound on the jerk whose part along z is the slope of an input over an interval of `step` s.
+    fn jerk_cone(&self, instant: usize, interval: usize, step: f64, upper: f64, widening: &Widening) -> Vec<Affine> {
+        let mut slope = self.derivative(interval + 1, Z, 2);
+        slope.add(&self.derivative(interval, Z, 2), -1.0);
+        let mut parts = self.derivatives(instant, &[X, Y], 3);
+        parts.push(slope.times(1.0 / step));
+        cone(widening.bound(upper, 3, 1.0), parts)
+    }
+
+    /// The vector whose length is the distance, m.
+    fn apart(&self, instant: usize, from: &DistanceFrom) -> Vec<Affine> {
+        let from_point = |point: &[f64]| -> Vec<Affine> {
+            let coordinates = self.derivatives(instant, &SPACE[..point.len()], 0);
+            coordinates.into_iter().zip(point).map(|(part, p)| part.plus_constant(-p)).collect()
+        };
+        match from {
+            DistanceFrom::Point(centre) => from_point(centre),
+            DistanceFrom::Axis(centre) => from_point(centre),
+            DistanceFrom::Line { point, along } => across(*along, &from_point(point)),
+        }
+    }
+
+    /// The rows of a yaw that follows a vector: linear in yaw, position and velocity about the states nearby. Without
+    /// these there is no row, and the program is a relaxation.
+    fn heading_rows(&self, builder: &mut Builder, followed: FollowedAt, widening: &Widening, origin: RowOrigin) {
+        let FollowedAt { target, upper, instant } = followed;
+        let near = self.states.filter(|_| instant.is_multiple_of(self.parts));
+        let Some(near) = near.and_then(|states| states.get(instant / self.parts)) else { return };
+        let heading = FollowedYaw::of(target, upper, near);
+        let (order, sign) = match target {
+            Target::Towards { .. } => (0, -1.0),
+            Target::AlongPath => (1, 1.0),
+        };
+        // The vector, of which the target's point is the constant.
+        let constant = target.vector([0.0; 2], [0.0; 2]);
+        let vector: Vec<Affine> = [X, Y]
+            .iter()
+            .zip(constant)
+            .map(|(&axis, constant)| self.derivative(instant, axis, order).times(sign).plus_constant(constant))
+            .collect();
+        if heading.is_paused() {
+            let mut reach = widening.bound(PAUSED * target.least(), order, 1.0);
+            reach.add(&widening.share, heading.unit);
+            return builder.cone(cone(reach, vector), origin);
+        }
+        let turn = self.derivative(instant, YAW, 0).plus_constant(-near[YAW][0]);
+        let (sin, cos) = near[YAW][0].sin_cos();
+        let mut ahead = vector[0].clone().times(cos);
+        ahead.add(&vector[1], sin);
+        ahead.add(&turn, heading.aside);
+        let mut aside = vector[1].clone().times(cos);
+        aside.add(&vector[0], -sin);
+        aside.add(&turn, -heading.ahead);
+        for side in [1.0, -1.0] {
+            let mut row = ahead.clone().times(heading.tan);
+            row.add(&widening.share, heading.unit);
+            row.add(&aside, side);
+            builder.nonnegative(row, origin);
         }
     }
 

@@ -154,8 +154,8 @@ pub struct ScpPlanner<'e, 'a> {
     sides: BTreeMap<usize, usize>,
     /// Of the last step, with the times of the nodes, s.
     splines: Option<(Vec<f64>, Arc<[NodeSpline; 2]>)>,
-    /// The work after which the search was told that what it has is enough.
-    told_at: Cell<Option<u64>>,
+    /// The work after which what the search has was enough.
+    enough_at: Cell<Option<u64>>,
     /// What counts beside (48) in the cost of a second pass.
     comfort: Option<Comfort>,
 }
@@ -202,7 +202,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         // No more can be kept free than hover itself does.
         let tightening = set.rows.iter().map(|row| match row.equality {
             true => -margin,
-            false => margin.min(-0.5 * (row.violation(&at_rest) + in_winds.excess(row))).max(0.0),
+            false => margin.min(-0.5 * (row.violation(&at_rest) + in_winds.more_in_winds(row))).max(0.0),
         });
         let lag = model.thrust_lag().map(|tau| Lag::new(tau, set));
         let local_tightening = BTreeMap::new();
@@ -221,7 +221,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             has_cores: set.has_cores(),
             sides: BTreeMap::new(),
             splines: None,
-            told_at: Cell::new(None),
+            enough_at: Cell::new(None),
             comfort: None,
         }
     }

@@ -1,5 +1,5 @@
-//! Steps (a) to (f) of section 5.3 of the paper: which planners are run at which time, and how far each plan leaves
-//! each mode's set.
+//! Where a mission is planned: steps (a) to (f) of section 5.3 of the paper. They decide which planners are run at
+//! which time, and how far each plan leaves each mode's set. [`run_planners`] is the beginning.
 
 mod candidates;
 mod committed;

@@ -9,13 +9,14 @@ use super::{QuadraticProgram, Sparse};
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
-/// Equations with more variables than this stay: their elimination would fill other rows.
+/// Equations with more variables than this stay: their elimination would fill other rows. Chosen by hand.
 const MOST_TERMS: usize = 8;
 
 /// Blocks with more equations than this stay: each of their variables could end in all rows of the block.
+/// Chosen by hand.
 const MOST_EQUATIONS: usize = 24;
 
-/// A pivot smaller than this share of the largest entry of its row counts as zero.
+/// A pivot smaller than this share of the largest entry of its row counts as zero. Chosen by hand.
 const LEAST_PIVOT: f64 = 1e-9;
 
 /// A sum of variables, by index with their weights, and a constant.

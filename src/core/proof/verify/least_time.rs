@@ -306,7 +306,8 @@ fn earliest(due: f64) -> f64 {
 /// It does.
 pub(super) fn not_beaten(problem: Problem, motion: &MotionRecord) -> Result<(), Rejection> {
     let arrivals = motion.waypoint_nodes.iter().map(|&node| motion.times_s.get(node).copied().unwrap_or(f64::NAN));
-    let beaten = soonest(problem).into_iter().zip(arrivals).enumerate().find(|(_, (least, at))| earliest(*least) > *at);
+    let is_beaten = |(_, (least, at)): &(usize, (f64, f64))| exceeds(earliest(*least), *at);
+    let beaten = soonest(problem).into_iter().zip(arrivals).enumerate().find(is_beaten);
     match beaten {
         Some((i, (least, reached))) => {
             let [least, at] = apart(least, reached);

@@ -1,4 +1,5 @@
-//! The mission's limits as quantities along a motion.
+//! What the checker of certificates bounds for each limit of a mission: its violation as a quantity along a motion,
+//! evaluated here on its own. `plan::along` decides at nodes and between them.
 
 use super::cost::{COST_PER_CORNER, COST_PER_LIMIT};
 use super::interval::Interval;
@@ -117,10 +118,7 @@ fn length_of(parts: &[Series]) -> Series {
 
 /// The length |d|, whose rate is between -|d'| and |d'|: this avoids dividing by a length that may vanish.
 fn length(state: &State, axes: &[usize], order: usize) -> Series {
-    let squares = |order: usize| {
-        axes.iter()
-            .fold(Interval::ZERO, |sum, &axis| sum + state[axis].get(order).map_or(Interval::ZERO, |d| d.square()))
-    };
+    let squares = |order: usize| axes.iter().fold(Interval::ZERO, |sum, &axis| sum + state[axis][order].square());
     let parts: Vec<Series> = axes.iter().map(|&axis| series(&state[axis], order)).collect();
     let square = parts.iter().fold(Series::constant(Interval::ZERO), |sum, &p| sum + p * p);
     let value = squares(order).sqrt();

@@ -88,7 +88,7 @@ impl<'a> Setting<'a> {
     pub fn new(problem: Problem<'a>, kind: DynamicModel, premises: Premises) -> Self {
         let (model, mission) = (problem.model(), problem.mission());
         let first = mission.waypoints.first().map_or(0.0, |w| w.yaw);
-        // As the language defines: with one yaw throughout, the model is linearised there.
+        // The language defines that with one yaw throughout the model is linearised there.
         let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
         let dynamics = Dynamics { vehicle: &model.vehicle, environment: model.environment(), model: kind, one_yaw };
         let commands = lag::constant(model).map(|tau| Held::Commands { tau });

@@ -24,7 +24,7 @@ use crate::certificate::{DynamicModel, FamilyRecord, MAX_BRANCH_NODES, RecoveryC
 use crate::model::{HeldLimit, LimitKind};
 use crate::number::number;
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
-use cover::{Cover, Row};
+use cover::{Cover, FamilyRow};
 use start::StartAbout;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -313,7 +313,7 @@ impl<'s, 'a> Recovering<'s, 'a> {
         way: &Way,
         tube: &Tube,
         own: &'r [(HeldLimit, Range<usize>)],
-    ) -> Vec<Row<'r>> {
+    ) -> Vec<FamilyRow<'r>> {
         let setting = self.setting;
         let environment = &setting.dynamics().environment;
         let all = 0..tube.branch().pieces();
@@ -322,11 +322,18 @@ impl<'s, 'a> Recovering<'s, 'a> {
             let family = wrench_family(setting.dynamics(), held, of_mode.planes.iter().collect());
             let name = if held == Held::Wrench { "the set" } else { "the set by the commands" };
             let planes = (!setting.dynamics().is_in_winds()).then_some((held, &*of_mode.planes));
-            rows.push(Row { name: name.into(), family, planes, pieces: all.clone(), held: None, most: MOST_OUTSIDE });
+            rows.push(FamilyRow {
+                name: name.into(),
+                family,
+                planes,
+                pieces: all.clone(),
+                held: None,
+                most: MOST_OUTSIDE,
+            });
         }
         if setting.dynamics().model == DynamicModel::Exact {
             let (name, family) = ("the upright thrust".into(), upright(environment));
-            rows.push(Row { name, family, pieces: all.clone(), planes: None, held: None, most: MOST_PAST_LIMIT });
+            rows.push(FamilyRow { name, family, pieces: all.clone(), planes: None, held: None, most: MOST_PAST_LIMIT });
         }
         for held in &self.limits {
             // A vehicle that lands may be lower than one that does not.
@@ -337,13 +344,13 @@ impl<'s, 'a> Recovering<'s, 'a> {
             let both = limits::family(&held.limit, environment, None);
             let family = if upper_only { both.only(&[0]) } else { both };
             let (name, most) = (held.limit.name().to_string(), MOST_PAST_LIMIT * held.limit.size());
-            rows.push(Row { name, family, pieces: all.clone(), planes: None, held: Some(held), most });
+            rows.push(FamilyRow { name, family, pieces: all.clone(), planes: None, held: Some(held), most });
         }
         for (held, pieces) in own {
             let name = format!("the landing ({})", held.limit.name());
             let family = limits::family(&held.limit, environment, None);
             let most = MOST_PAST_LIMIT * held.limit.size();
-            rows.push(Row { name, family, pieces: pieces.clone(), planes: None, held: Some(held), most });
+            rows.push(FamilyRow { name, family, pieces: pieces.clone(), planes: None, held: Some(held), most });
         }
         rows
     }

@@ -181,7 +181,7 @@ impl Dynamics<'_> {
         self.hover(state, [X, Y, Z, YAW].map(|axis| series(&state[axis], 2)))
     }
 
-    /// The same with the second derivatives given.
+    /// The wrench about hover with the second derivatives given.
     fn hover<const N: usize, S: Scalar>(&self, state: &State, second: [Series<N, S>; 4]) -> [Series<N, S>; 4] {
         let g = Interval::point(self.environment.gravity);
         let [ax, ay, az, yaw_acceleration] = second;

@@ -1,11 +1,115 @@
-//! What each kind of limit bounds: its names, its unit, and how it follows from a motion.
+//! Limits: the kinds, and of each kind what it bounds, its names, its unit, and how it follows from a motion. Planner,
+//! measurements of motions and reports take it from here. CONTRIBUTING ("A new kind of limit or of fault") lists what a
+//! kind needs.
 
-use super::{DistanceFrom, LimitKind, Obstacle, Target};
+use super::{Boundary, Obstacle, Target};
+use crate::source::Span;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Upper end of the usual range of a speed limit, and of the speed of a plan without such a limit, m/s
 /// (docs/diagnostics/sense.md).
 pub const USUAL_SPEED: f64 = 60.0;
+
+/// The quantity that a limit bounds, with what it is measured from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LimitKind {
+    X,
+    Y,
+    /// `z` and `altitude`.
+    Z,
+    Yaw,
+    Speed,
+    SpeedHorizontal,
+    Climb,
+    Descent,
+    Acceleration,
+    AccelerationHorizontal,
+    Jerk,
+    YawRate,
+    YawAcceleration,
+    Tilt,
+    /// The position along a unit vector: the normal of a face of a `keep_in`, or the axis of a corridor, m.
+    Face([f64; 3]),
+    /// The distance from the centre of a spherical `keep_in`, or from the axis of a cylindrical one or of a corridor,
+    /// m.
+    Distance(DistanceFrom),
+    /// The distance from a body of a `keep_out`, m: a lower bound, and the only limit that is not convex.
+    Clearance(Arc<Obstacle>),
+    /// The angle between the velocity and this unit vector at the end of the leg, rad; without velocity there is none.
+    Arrival([f64; 3]),
+    /// The angle between the yaw and the direction of the target, rad, at nodes; where there is no such direction,
+    /// nothing is bounded.
+    Heading(Target),
+}
+
+/// What a distance is measured from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum DistanceFrom {
+    /// A point.
+    Point([f64; 3]),
+    /// The vertical line through (x, y).
+    Axis([f64; 2]),
+    /// The line through `point` along the unit vector `along`.
+    Line { point: [f64; 3], along: [f64; 3] },
+}
+
+/// Where on its leg a limit holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// From the one waypoint to the other.
+    Whole,
+    /// At the first waypoint.
+    Start,
+    /// At the second waypoint.
+    End,
+}
+
+/// The leg to which a limit is restricted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OnLeg {
+    /// Index into [`Mission::legs`].
+    pub leg: usize,
+    pub part: Part,
+    /// The limit as messages name it: `speed on the leg to waypoint 3`.
+    pub name: String,
+}
+
+/// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only
+/// an `upper` bound. So do `Climb` and `Descent`, which bound the upward and the downward speed by a value that is not
+/// negative. A single `<=` on `YawRate` or `YawAcceleration` bounds both directions (lower = -upper).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limit {
+    pub kind: LimitKind,
+    pub lower: Option<f64>,
+    pub upper: Option<f64>,
+    pub span: Span,
+    /// The volume or corridor that imposes this limit; `None` for a limit that is written as one.
+    pub volume: Option<Arc<Boundary>>,
+    /// The leg on which the limit holds; `None` if it holds on all.
+    pub leg: Option<Arc<OnLeg>>,
+}
+
+impl Limit {
+    /// The scale of a violation, in the SI unit of the limit: the larger bound in magnitude, but at least 1; 1 m for a
+    /// volume, whose distance from the origin says nothing about how well it is kept.
+    pub fn size(&self) -> f64 {
+        if self.volume.is_some() {
+            return 1.0;
+        }
+        self.lower.into_iter().chain(self.upper).map(f64::abs).fold(1.0, f64::max)
+    }
+
+    /// Whether the limit holds on all legs.
+    pub fn is_general(&self) -> bool {
+        self.leg.is_none()
+    }
+
+    /// Whether the limit holds somewhere on a leg.
+    pub fn concerns(&self, leg: usize) -> bool {
+        self.leg.as_ref().is_none_or(|on| on.leg == leg)
+    }
+}
 
 /// The quantity that a kind of limit bounds, as a function of the axes x, y, z and yaw (0 to 3).
 #[derive(Debug, Clone, Copy, PartialEq)]

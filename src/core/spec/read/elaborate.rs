@@ -14,7 +14,7 @@ use super::volume;
 use super::{air, lag, mission, plausibility, recovery, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::language::table;
-use crate::model::{DefaultUsed, FaultMode, Model, RecoverySettings, Vehicle};
+use crate::model::{DefaultUsed, FaultMode, Mission, Model, PlanSettings, RecoverySettings, Vehicle};
 use crate::number::number;
 use crate::source::{FileId, Span, Spanned};
 use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile};
@@ -102,15 +102,8 @@ fn whole<'a>(
     let named: Vec<(&str, Span)> = vehicles.iter().map(|v| (v.name.as_str(), v.span)).collect();
     let vehicle = choose(cx, &draft, "vehicle", &named, &blocks.vehicles).map(|index| &vehicles[index]);
     defaults.extend(vehicle.iter().flat_map(|v| v.defaults.iter().cloned()));
-    let readable = items().all(|item| !matches!(item, Item::Broken(_)));
-    if vehicles.is_empty() && readable && !cx.may_exist("vehicle") {
-        let span = items().next().map_or(Span::default(), start_of);
-        let message = match items().next() {
-            Some(_) => "the spec declares no vehicle".to_string(),
-            None => format!("`{}` is empty: no vehicle is declared", cx.sources.get(span.file).name),
-        };
-        let error = Diagnostic::error("mavc::name::no_vehicle", span, message);
-        cx.report(error.help("add a `vehicle` block, or include one with `use \"vehicles/...\"`"));
+    if vehicles.is_empty() {
+        report_no_vehicle(cx, trees);
     }
 
     let mut modes = Modes::default();
@@ -125,13 +118,7 @@ fn whole<'a>(
     let missions: Vec<_> = blocks.missions.iter().map(read).collect();
     let named: Vec<(&str, Span)> = missions.iter().map(|m| (m.name.as_str(), m.span)).collect();
     let mission = choose(cx, &draft, "mission", &named, &blocks.missions).map(|index| &missions[index]);
-    if let Some(mission) = mission.filter(|m| m.yaw_defaulted) {
-        defaults.push(DefaultUsed {
-            field: format!("mission.{}.yaw", mission.name),
-            value: "0 deg".into(),
-            reason: "the first waypoint gives no yaw".into(),
-        });
-    }
+    defaults.extend(mission.filter(|m| m.yaw_defaulted).map(|mission| default_yaw(&mission.name)));
 
     let fallback = mission.map(|m| m.span).or(vehicle.map(|v| v.span)).unwrap_or_default();
     let incomplete = modes.incomplete || vehicle.is_none();
@@ -153,15 +140,7 @@ fn whole<'a>(
     if let Some(flown) = flown {
         plausibility::check_pace(cx, &flown.waypoints, draft.fixed_time);
     }
-    let lags_known = plan
-        .as_ref()
-        .zip(known)
-        .is_none_or(|(plan, vehicle)| lag::check(cx, plan, vehicle) && lag::none_reverses(cx, plan, vehicle));
-    let model_fits = plan.as_ref().zip(flown).is_none_or(|(plan, mission)| {
-        let volumes = volume::only_in_the_exact_model(cx, plan, mission);
-        super::heading::only_in_the_exact_model(cx, plan, mission) && volumes
-    });
-    let air_fits = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| air::check(cx, plan, flown, vehicle));
+    let plan_fits = plan_fits(cx, plan.as_ref(), known, flown);
     let around = Around {
         modes: &modes.modes,
         families: &modes.families,
@@ -194,14 +173,7 @@ fn whole<'a>(
             plan.recovery = RecoverySettings { require: plan.recovery.require, ..settings.unwrap_or_else(unsaid) };
         }
     }
-    let is_fine = places_fit
-        && ways_known
-        && captures_known
-        && of_waypoints_fine
-        && lags_known
-        && volumes_fit
-        && model_fits
-        && air_fits;
+    let is_fine = places_fit && ways_known && captures_known && of_waypoints_fine && volumes_fit && plan_fits;
     let plan = plan.filter(|_| is_fine)?;
     let (simulation, campaign) = (simulation?, campaign?);
     if mission.is_some() && flown.is_none() {
@@ -224,6 +196,46 @@ fn whole<'a>(
         campaign,
         defaults,
     })
+}
+
+/// Reports that no vehicle is declared, unless it may be in what could not be read.
+fn report_no_vehicle(cx: &mut Context, trees: &[SpecFile]) {
+    let items = || trees.iter().flat_map(|tree| &tree.items);
+    if items().any(|item| matches!(item, Item::Broken(_))) || cx.may_exist("vehicle") {
+        return;
+    }
+    let span = items().next().map_or(Span::default(), start_of);
+    let message = match items().next() {
+        Some(_) => "the spec declares no vehicle".to_string(),
+        None => format!("`{}` is empty: no vehicle is declared", cx.sources.get(span.file).name),
+    };
+    let error = Diagnostic::error("mavc::name::no_vehicle", span, message);
+    cx.report(error.help("add a `vehicle` block, or include one with `use \"vehicles/...\"`"));
+}
+
+fn default_yaw(mission: &str) -> DefaultUsed {
+    DefaultUsed {
+        field: format!("mission.{mission}.yaw"),
+        value: "0 deg".into(),
+        reason: "the first waypoint gives no yaw".into(),
+    }
+}
+
+/// Whether vehicle and mission suit the plan: its model, and its lag and air.
+fn plan_fits(
+    cx: &mut Context,
+    plan: Option<&PlanSettings>,
+    vehicle: Option<&Vehicle>,
+    mission: Option<&Mission>,
+) -> bool {
+    let Some(plan) = plan else { return true };
+    let lag_fits = vehicle.is_none_or(|vehicle| lag::check(cx, plan, vehicle) && lag::none_reverses(cx, plan, vehicle));
+    let model_fits = mission.is_none_or(|mission| {
+        let volumes = volume::only_in_the_exact_model(cx, plan, mission);
+        super::heading::only_in_the_exact_model(cx, plan, mission) && volumes
+    });
+    let air_fits = vehicle.is_none_or(|vehicle| air::check(cx, plan, mission, vehicle));
+    lag_fits && model_fits && air_fits
 }
 
 fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: &mut Vec<DefaultUsed>) {

@@ -103,7 +103,7 @@ pub(super) struct Fields<'a> {
 struct Found<'a> {
     /// The known name: the one meant, if the one written is misspelt.
     field: &'a str,
-    /// As it is written.
+    /// The name that is written.
     name: &'a Name,
     value: Option<&'a Expr>,
     /// To the end of its value.

@@ -8,7 +8,7 @@ use super::recovery::LIMIT;
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::table::limits as table;
 use crate::language::{Entry, Group};
-use crate::model::{Limit, LimitKind, Waypoint};
+use crate::model::{Limit, LimitKind, Quantity, Waypoint};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, LimitRelation, Statement};
@@ -244,13 +244,9 @@ pub(super) fn check(
     sure: usize,
 ) {
     for limit in limits {
-        let coordinate = |waypoint: &Waypoint| match limit.kind {
-            LimitKind::X => Some(("x", waypoint.position[0], "m", 1.0)),
-            LimitKind::Y => Some(("y", waypoint.position[1], "m", 1.0)),
-            LimitKind::Z => Some(("z", waypoint.position[2], "m", 1.0)),
-            LimitKind::Yaw => Some(("yaw", waypoint.yaw, "deg", 180.0 / std::f64::consts::PI)),
-            _ => None,
-        };
+        let described = limit.kind.describe();
+        let Quantity::Axis { axis, order: 0, sign } = described.quantity else { continue };
+        let coordinate = |waypoint: &Waypoint| sign * waypoint.position.get(axis).copied().unwrap_or(waypoint.yaw);
         let is_below = |value: f64| limit.lower.is_some_and(|low| value < low - 1e-9);
         let is_above = |value: f64| limit.upper.is_some_and(|high| value > high + 1e-9);
         // The yaw counts on from the waypoint before.
@@ -258,10 +254,10 @@ pub(super) fn check(
         let concerned = |i: usize| limit.leg.as_ref().is_none_or(|on| i == on.leg || i == on.leg + 1);
         let known = known.iter().enumerate().filter(|(i, _)| concerned(*i));
         let mut outside = known.filter_map(|(i, waypoint)| {
-            let found = coordinate(waypoint).filter(|&(_, value, ..)| is_below(value) || is_above(value))?;
-            Some((i, waypoint, found))
+            let value = Some(coordinate(waypoint)).filter(|&value| is_below(value) || is_above(value))?;
+            Some((i, waypoint, value))
         });
-        let Some((index, waypoint, (axis, value, unit, scale))) = outside.next() else {
+        let Some((index, waypoint, value)) = outside.next() else {
             continue;
         };
         let called = |index: usize, waypoint: &Waypoint| match &waypoint.name {
@@ -286,7 +282,8 @@ pub(super) fn check(
             [(i, waypoint)] => format!("; {} violates it too", called(i, waypoint)),
             _ => format!("; {} more waypoints violate it", others.len()),
         };
-        let message = format!("{which} has {axis} = {} {unit}, {side} the limit{others}", number(value * scale));
+        let (word, unit, shown) = (described.word, described.unit, number(value * described.factor()));
+        let message = format!("{which} has {word} = {shown} {unit}, {side} the limit{others}");
         let error = Diagnostic::error("mavc::mission::outside_limits", waypoint.span, message);
         let help = if others.is_empty() {
             "move the waypoint or widen the limit"

@@ -2,7 +2,7 @@
 //! reference's path (`/path`), and every number of the log (`/flight`).
 
 use super::Row;
-use crate::exchange::mcap::Writer;
+use crate::exchange::mcap::{Schema, Writer};
 use serde_json::{Value, json};
 
 /// Foxglove's schema of a frame within another.
@@ -20,7 +20,8 @@ const POSES: usize = 1000;
 /// The whole file; times from 0.
 pub(super) fn bytes(rows: &[Row]) -> Vec<u8> {
     let mut writer = Writer::new("");
-    let mut channel = |topic, name, schema| writer.channel(topic, "json", (name, "jsonschema", schema), &[]);
+    let mut channel =
+        |topic, name, text| writer.channel(topic, "json", Schema { name, encoding: "jsonschema", text }, &[]);
     let tf = channel("/tf", "foxglove.FrameTransform", FRAME);
     let path = channel("/path", "foxglove.PosesInFrame", PATH);
     let flight = channel("/flight", "mavc.Flight", FLIGHT);

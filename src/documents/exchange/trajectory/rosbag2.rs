@@ -3,7 +3,7 @@
 use super::{Choices, Exported};
 use crate::exchange::cdr::Message;
 use crate::exchange::frames::Frame;
-use crate::exchange::mcap::Writer;
+use crate::exchange::mcap::{Schema, Writer};
 
 /// The topic that controllers of mav_msgs listen to.
 const TOPIC: &str = "/command/trajectory";
@@ -29,7 +29,12 @@ pub(super) fn mcap(plan: &Exported, choices: &Choices) -> Result<Vec<u8>, String
         message.time(instant.time);
     }
     let mut writer = Writer::new("ros2");
-    let channel = writer.channel(TOPIC, "cdr", (KIND, "ros2msg", DEFINITION), &[("offered_qos_profiles", "")]);
+    let channel = writer.channel(
+        TOPIC,
+        "cdr",
+        Schema { name: KIND, encoding: "ros2msg", text: DEFINITION },
+        &[("offered_qos_profiles", "")],
+    );
     writer.message(channel, 0, &message.finish());
     Ok(writer.finish())
 }

@@ -45,7 +45,7 @@ pub struct Label {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimated {
     pub text: String,
-    /// The same with the middle of each interval alone, in which one estimate after another can be varied.
+    /// The spec with the middle of each interval alone, in which one estimate after another can be varied.
     pub middle: String,
     /// The estimates on which verdicts depend, as `mavc analyze --sweep` takes them, over their ranges.
     pub sweeps: Vec<String>,

@@ -11,9 +11,9 @@ use crate::text_table::indented;
 const LONGEST_NAME: usize = 36;
 
 /// Two plans with the same trajectory are the same if their margins differ by at most this share of the healthy set's
-/// width
+/// width, and their times by at most [`SECONDS`].
 const MARGIN: f64 = 1e-5;
-/// and their times by at most this, s.
+/// s
 const SECONDS: f64 = 1e-3;
 
 /// Runs with the same result, in their order; at least one.

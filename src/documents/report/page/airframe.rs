@@ -10,9 +10,9 @@ const INSIDE: f64 = 96.0;
 /// Radius of a rotor as a share of the least distance between two, and of the largest from the middle, at most.
 const OF_GAP: f64 = 0.46;
 const OF_REACH: f64 = 0.75;
-/// Rotors nearer to each other than this share of the reach are one over the other,
+/// Rotors nearer to each other than this share of the reach are one over the other.
 const SAME_PLACE: f64 = 1e-3;
-/// and each is drawn smaller than the one before by this share.
+/// Each of the rotors at one place is drawn smaller than the one before by this share.
 const SMALLER: f64 = 0.3;
 
 /// Places of the rotors and their radii, in units of the drawing.

@@ -13,9 +13,9 @@ const MOST_DIAGNOSTICS: usize = 200;
 /// Most characters of a line that are shown.
 const LONGEST_LINE: usize = 400;
 
-/// Most bytes of text that are shown, over all files: lines that are not near a diagnostic
+/// Most bytes of text that are shown, over all files, in lines that are not near a diagnostic.
 const MOST_TEXT: usize = 250_000;
-/// and lines near one.
+/// Most bytes of text that are shown, over all files, in lines near one.
 const MOST_NEAR: usize = 400_000;
 
 /// Lines before and after a diagnostic that count as near it.

@@ -159,7 +159,7 @@ impl PriceRecord {
                     let sentence = "not known from this planner alone; `mavc compare` finds it";
                     return bare(Baseline::None, sentence.into());
                 }
-                // As the headline shows it, so that a reader may subtract.
+                // Rounded like the headline, so that a reader may subtract.
                 let bound = least_time::shown(least.seconds);
                 let sentence = format!(
                     "at most {}, because no motion within the limits saves more; `mavc compare` finds the price",

@@ -5,9 +5,9 @@ use super::{Capture, DELAYS, Fleet, is_captured};
 use crate::model::Model;
 use rayon::prelude::*;
 
-/// The largest step between two simulated speeds, m/s,
+/// The largest step between two simulated speeds, m/s.
 const STEP: f64 = 5.0;
-/// and the most steps.
+/// The most steps between simulated speeds.
 const MOST_STEPS: usize = 8;
 
 /// The most modes of a chart: those of one frame hardly differ, and every one takes sixty flights.

@@ -105,7 +105,8 @@ impl Findings {
     pub fn print_human(
         &self,
         name: &str,
-        (spec, is_alone): (Option<&Spec>, bool),
+        spec: Option<&Spec>,
+        is_alone: bool,
         count: Count,
         repeated: usize,
         options: &Options,

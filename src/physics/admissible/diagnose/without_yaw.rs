@@ -16,7 +16,7 @@ const CAPTURE: &str = "mavc::analysis::capture";
 const YAW_KEPT: &str = "mavc::analysis::yaw_kept";
 
 /// What is found about a mode with regard to yaw.
-pub(super) enum Found {
+pub(super) enum YawFinding {
     /// Yaw is kept: the mode is judged as one with yaw.
     YawKept,
     /// Yaw is given up, and there is nothing to report.
@@ -24,11 +24,11 @@ pub(super) enum Found {
     Answer(Answer),
 }
 
-pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Found {
+pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> YawFinding {
     let asked = model.gives_up_yaw(index);
     let is_needed = !mode.keeps_full_control();
     if asked == GiveUpYaw::Never || (asked == GiveUpYaw::WhereNeeded && !is_needed) {
-        return Found::YawKept;
+        return YawFinding::YawKept;
     }
     // One statement for all modes alike, where the plan is asked for.
     let span = match model.defaults.iter().any(|default| default.field == "plan.against") {
@@ -36,11 +36,11 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Found {
         false => model.plan.against_span,
     };
     let answer =
-        |severity, code, what, label, help| Found::Answer(Answer::new(severity, code, span, what, label, help));
+        |severity, code, what, label, help| YawFinding::Answer(Answer::new(severity, code, span, what, label, help));
     if let Some(obstacle) = Obstacle::of(model) {
         // Where yaw has to be given up, the finding about the mode itself says more.
         return match is_needed {
-            true => Found::YawKept,
+            true => YawFinding::YawKept,
             false => {
                 answer(Severity::Error, YAW_KEPT, "no plan can give up yaw", why(obstacle).into(), remedy(obstacle))
             }
@@ -51,9 +51,9 @@ pub(super) fn judge(model: &Model, mode: &ModeAnalysis, index: usize) -> Found {
     let is_default = model.defaults.iter().any(|default| default.field == "plan.without_yaw");
     let is_written = model.modes[index].without_yaw.is_some() || !is_default;
     match Provision::of(model, &set, &healthy) {
-        Provision::WithYaw => Found::YawKept,
+        Provision::WithYaw => YawFinding::YawKept,
         // Who writes the word knows.
-        Provision::WithoutYaw(_) if is_written => Found::Nothing,
+        Provision::WithoutYaw(_) if is_written => YawFinding::Nothing,
         Provision::WithoutYaw(_) => answer(
             Severity::Warning,
             YAW_GIVEN_UP,

@@ -5,7 +5,7 @@ use crate::actuation::Wrench;
 use crate::planner::transcription::UNBOUNDED;
 use crate::planner::yaw::YawPlan;
 
-/// Bounds on inputs are widened by this factor in proofs, because rows hold to tolerances only.
+/// Bounds on inputs are widened by this factor in proofs, because rows hold to tolerances only. Chosen by hand.
 pub(in crate::planning::planner) const LEEWAY: f64 = 1.001;
 
 /// Number of directions in which the largest torque is evaluated. Chosen by hand.

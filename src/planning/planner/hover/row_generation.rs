@@ -5,21 +5,20 @@ use crate::actuation::Wrench;
 use crate::motion::NodeState;
 use crate::planner::commands::Slope;
 use crate::planner::selection::PlanningSet;
+use crate::planner::timing::search::NEAR_LEAST;
 use crate::planner::transcription::{Purpose, Row, RowAt, Transcription};
 use crate::planner::working_set::WorkingSet;
 use crate::solve::{Outcome, Solution, solve};
 
-/// Where the violation is minimised: after this many rounds, a violation within 1 % of its lower bound ends row
-/// generation, because the estimate does not use such a value. Chosen by hand.
+/// Where the violation is minimised: after this many rounds, a violation beyond [`NEAR_LEAST`] ends row generation,
+/// because the estimate does not use such a value. Chosen by hand.
 const FIRST_ROUNDS: usize = 2;
-/// The share of the (negative) lower bound that ends row generation after [`FIRST_ROUNDS`].
-const NEAR_LEAST: f64 = 0.99;
 /// Where the violation is minimised, rows violated by less than this share of it are not added: the result is an
 /// estimate. Chosen by hand.
 const ACCEPTED_SHARE: f64 = 0.2;
 
 /// The outcome of one program with row generation.
-pub(super) struct Attempt {
+pub(super) struct Generated {
     pub outcome: Outcome,
     /// At the nodes without holds; empty if the program is infeasible.
     pub states: Vec<NodeState>,
@@ -66,7 +65,7 @@ impl HoverPlanner<'_> {
         set: &PlanningSet,
         purpose: Purpose,
         working_set: &mut WorkingSet,
-    ) -> Attempt {
+    ) -> Generated {
         self.generate_within(layout, set, purpose, working_set, ACCEPTED)
     }
 
@@ -79,7 +78,7 @@ impl HoverPlanner<'_> {
         purpose: Purpose,
         working_set: &mut WorkingSet,
         accepted: f64,
-    ) -> Attempt {
+    ) -> Generated {
         let nodes = layout.flown.nodes();
         let maps = layout.yaw.maps(self.model(), nodes);
         let commands = layout.commands(self.model());
@@ -118,17 +117,17 @@ impl HoverPlanner<'_> {
                 // The cost of every feasible plan is lower.
                 Outcome::Solved(solution) if solution.bound > most => {
                     let outcome = Outcome::Infeasible { certificate: solution.z.clone() };
-                    return Attempt { outcome, states: Vec::new(), rows: chosen.len() };
+                    return Generated { outcome, states: Vec::new(), rows: chosen.len() };
                 }
                 Outcome::Solved(solution) => &solution.x,
                 // Even a point without a verdict shows which rows are missing.
                 Outcome::Inconclusive { point: Some(x), .. } => x,
-                _ => return Attempt { outcome, states: Vec::new(), rows: chosen.len() },
+                _ => return Generated { outcome, states: Vec::new(), rows: chosen.len() },
             };
             let mut states = form.states(x);
             let (sigma, accepted) = match purpose {
                 Purpose::Violation { least, .. } => {
-                    let sigma = x.last().copied().unwrap_or(0.0);
+                    let sigma = x[form.variables()];
                     let far = round >= FIRST_ROUNDS && sigma <= NEAR_LEAST * least;
                     (sigma, if far { f64::INFINITY } else { accepted.max(ACCEPTED_SHARE * sigma.abs()) })
                 }
@@ -137,7 +136,7 @@ impl HoverPlanner<'_> {
             working_set.rows.extend(violated_rows(&stages, &states, sigma, accepted));
             if working_set.rows.len() == chosen.len() {
                 layout.yaw.fill(&mut states);
-                return Attempt { outcome, states, rows: chosen.len() };
+                return Generated { outcome, states, rows: chosen.len() };
             }
             round += 1;
             // More rows go on to be added as they are violated.

@@ -16,14 +16,14 @@ pub(super) struct FollowedYaw {
     pub unit: f64,
 }
 
-/// Where the direction is not required, the vector stays below this share of the least length.
+/// Where the direction is not required, the vector stays below this share of the least length. Chosen by hand.
 pub(super) const PAUSED: f64 = 0.999;
 
 /// About rest both conditions hold, and the cone is too narrow for a step's margin: below this width, m or m/s, a step
 /// keeps the vector short. Chosen by hand.
 const SHORT: f64 = 1e-3;
 
-/// Angles up to which a yaw may differ from the direction are treated as at most this, rad.
+/// Angles up to which a yaw may differ from the direction are treated as at most this, rad. Chosen by hand.
 const WIDEST: f64 = 1.4;
 
 impl FollowedYaw {

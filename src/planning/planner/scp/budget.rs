@@ -21,8 +21,9 @@ impl ScpPlanner<'_, '_> {
         self.hover.begins_trial(time);
     }
 
-    /// Whether a search has taken more than this share of its budget. Told that what it has is enough, it gets as much
-    /// as a quick search has after its coarse grid: a plan on the full grid has to be made of what it has.
+    /// Whether a search has taken more than this share of its budget. Once what it has is enough
+    /// ([`crate::cancel::is_enough`]), it gets as much as a quick search has after its coarse grid: a plan on the full
+    /// grid has to be made of what it has.
     pub(super) fn has_spent(&self, share: f64) -> bool {
         let (settings, work) = (self.settings.budget, self.hover.effort.work);
         if work as f64 > share * self.budget() {
@@ -31,9 +32,9 @@ impl ScpPlanner<'_, '_> {
         if !crate::cancel::is_enough() {
             return false;
         }
-        let told = self.told_at.get().unwrap_or(work);
-        self.told_at.set(Some(told));
-        (work - told) as f64 >= (share - settings.until_coarse_grid) * settings.quick
+        let enough_at = self.enough_at.get().unwrap_or(work);
+        self.enough_at.set(Some(enough_at));
+        (work - enough_at) as f64 >= (share - settings.until_coarse_grid) * settings.quick
     }
 
     /// The share of the budget at which steps to shorter times end on a grid: finer grids come after it, and the cost

@@ -3,8 +3,8 @@
 use super::iterate::Iterate;
 use super::subproblem::Objective;
 use super::{ProximalWeight, ScpPlanner, Weights};
+use crate::planner::Planned;
 use crate::planner::comfort::Comfort;
-use crate::planner::hover::Planned;
 use std::collections::BTreeSet;
 
 impl ScpPlanner<'_, '_> {

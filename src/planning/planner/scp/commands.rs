@@ -201,7 +201,7 @@ impl Transcription<'_> {
         let linearised = commands.linearised.get(&at)?;
         let row = &self.set.rows[facet];
         let command = known.entry(at).or_insert_with(|| self.command_expression(&linearised.map, at)).as_ref()?;
-        let kept = step.tightening[facet] + commands.local_tightening[facet] + linearised.in_winds.excess(row);
+        let kept = step.tightening[facet] + commands.local_tightening[facet] + linearised.in_winds.more_in_winds(row);
         let mut slack = command.along(&-row.normal).plus_constant(row.offset - kept);
         let free = row.offset - row.normal.dot(&linearised.wrench);
         let change = ORDER_OF_TIME * free - row.normal.dot(&linearised.time_sensitivity);

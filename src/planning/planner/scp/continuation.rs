@@ -5,7 +5,7 @@ use super::iterate::Iterate;
 use super::{PARTS, ScpPlanner};
 use crate::motion::NodeState;
 use crate::motion::time_grid::has_fixed_times;
-use crate::planner::hover::Planned;
+use crate::planner::Planned;
 use crate::planner::timing::MAX_MISSION_TIME;
 use crate::planner::transcription::RowAt;
 use std::collections::BTreeSet;

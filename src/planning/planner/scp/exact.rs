@@ -3,14 +3,14 @@
 use super::ScpSettings;
 use crate::model::{Mission, Problem};
 use crate::motion::wrench_model::WrenchModel;
-use crate::planner::hover::{Decision, HoverPlanner, Planned};
+use crate::planner::hover::HoverPlanner;
 use crate::planner::scp::ScpPlanner;
 use crate::planner::scp::settings::GuidanceSettings;
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::search::{Hint, NoTime, Shortest};
 use crate::planner::transcription::UNBOUNDED;
 use crate::planner::working_set::WorkingSet;
-use crate::planner::{Attempt, Planner};
+use crate::planner::{Attempt, Decision, Planned, Planner};
 use crate::solve::Effort;
 
 /// Plans one mission in the exact model.

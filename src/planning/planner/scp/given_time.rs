@@ -5,11 +5,10 @@ use super::{ScpPlanner, settings};
 use crate::model::{Leg, Mission};
 use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};
 use crate::motion::time_grid::{has_fixed_times, time_grid};
-use crate::planner::hover::Decision;
-use crate::planner::hover::Planned;
 use crate::planner::scp::relaxation::RelaxationOutcome;
 use crate::planner::timing::kinematics;
 use crate::planner::transcription::RowAt;
+use crate::planner::{Decision, Planned};
 use settings::StoppingRule;
 use std::collections::BTreeSet;
 

@@ -9,7 +9,7 @@ use super::subproblem::{Objective, Step};
 use super::{PARTS, ScpPlanner};
 use crate::model::{LimitKind, Mission};
 use crate::motion::YAW;
-use crate::planner::hover::Planned;
+use crate::planner::Planned;
 use crate::planner::transcription::{RowAt, Transcription, splines};
 use crate::qp::RowOrigin;
 use crate::solve::{Solution, solve_step};

@@ -197,7 +197,8 @@ pub struct DurationSettings {
     pub good_ratio: f64,
     /// Trust region: largest relative change of a duration in the first step.
     pub first_radius: f64,
-    /// The same on a finer grid or with another weight of the cost, unless the steps before ended with a larger one.
+    /// [`Self::first_radius`] on a finer grid or with another weight of the cost, unless the steps before ended with a
+    /// larger one.
     pub least_first_radius: f64,
     /// The largest radius.
     pub max_radius: f64,
@@ -215,8 +216,8 @@ pub struct DurationSettings {
     pub penalty: f64,
     /// The violation's weight in the merit function: this many times the largest sum of multipliers of late.
     pub price_factor: f64,
-    /// and at least this, relative time by violation. Measured: with 1 the paper's third case in the exact model ended
-    /// at 20.7 s, with 0.3 at 19.2 s; its multipliers are 0.01 at first.
+    /// The least of these weights, relative time by violation. Measured: with 1 the paper's third case in the exact
+    /// model ended at 20.7 s, with 0.3 at 19.2 s; its multipliers are 0.01 at first.
     pub least_price: f64,
     /// Factor by which that sum is forgotten from step to step.
     pub price_decay: f64,
@@ -418,19 +419,19 @@ pub struct StopSettings {
 pub struct GuidanceSettings {
     /// Weight of the squared distance to the waypoint, 1/m^2.
     pub weight: f64,
-    /// Tolerance: the larger one of this distance, m,
+    /// The tolerance is at least this distance, m.
     pub min_distance: f64,
-    /// and this many times the largest distance of a waypoint from the first.
+    /// The tolerance is at least this many times the largest distance of a waypoint from the first.
     pub lengths: f64,
     /// Tolerance of the yaw, rad.
     pub yaw: f64,
-    /// How often the first motion around a volume is solved again with separating planes about itself.
+    /// How often the initial guess around a volume is solved again with separating planes about itself.
     pub ways: usize,
-    /// Every which instant that motion keeps the volumes.
+    /// Every which instant that guess keeps the volumes.
     pub instants: usize,
     /// How many other sides of volumes than those of the shortest ways are considered.
     pub sides: usize,
-    /// On how many of them, the quickest by their first motions, a coarse iterate is optimised.
+    /// On how many of them, the quickest by their initial guesses, a coarse iterate is optimised.
     pub quicker_sides: usize,
 }
 

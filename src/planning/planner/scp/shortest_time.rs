@@ -3,13 +3,12 @@
 use super::iterate::Iterate;
 use super::{ScpPlanner, settings};
 use crate::motion::time_grid::{determined, earliest, has_fixed_times};
-use crate::planner::hover::Decision;
-use crate::planner::hover::Planned;
 use crate::planner::scp::given_time::NOT_FOUND;
 use crate::planner::scp::relaxation::RelaxationOutcome;
 use crate::planner::timing::kinematics;
 use crate::planner::timing::search::{GRID, NoTime, Shortest};
 use crate::planner::transcription::RowAt;
+use crate::planner::{Decision, Planned};
 use settings::StoppingRule;
 use std::collections::BTreeSet;
 

@@ -11,7 +11,7 @@ type Sides = BTreeMap<usize, usize>;
 
 impl ScpPlanner<'_, '_> {
     /// Coarse iterates as [`Self::coarse`] makes them, the best first: one on the shortest ways around volumes, and one
-    /// on each of the other sides whose first motion, slowed down until it is inside, is quicker. Without a leg in
+    /// on each of the other sides whose initial guess, slowed down until it is inside, is quicker. Without a leg in
     /// whose way a volume lies there is at most one.
     pub(super) fn coarse_on_all_sides(&mut self, shares: Option<&[f64]>, near: f64) -> Vec<(Iterate, Sides)> {
         let first = self.coarse(shares, near);
@@ -34,7 +34,7 @@ impl ScpPlanner<'_, '_> {
         found
     }
 
-    /// The sides among [`Self::other_sides`] whose first motions are quicker than that on the shortest ways, the
+    /// The sides among [`Self::other_sides`] whose initial guesses are quicker than that on the shortest ways, the
     /// quickest first.
     fn quicker_sides(&mut self, shares: Option<&[f64]>, near: f64) -> Vec<Sides> {
         let others = self.other_sides();

@@ -43,7 +43,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let mut known = BTreeMap::new();
         let of_row = |&RowAt { row, instant }: &RowAt| match row {
             Row::Facet(facet) if self.environment.is_uncertain() => {
-                self.wrench_at_instant(iterate, instant, &mut known).excess(&self.set.rows[facet])
+                self.wrench_at_instant(iterate, instant, &mut known).more_in_winds(&self.set.rows[facet])
             }
             _ => 0.0,
         };
@@ -257,7 +257,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
     /// Whether the volumes have so many rows over a time grid that programs start without them and get those that an
     /// iterate violates or nearly violates.
     pub(super) fn has_many_volumes(&self, grid: &TimeGrid) -> bool {
-        // The first motion around a volume keeps it between nodes too.
+        // The initial guess around a volume keeps it between nodes too.
         let between = PARTS / self.settings.guidance.instants;
         let rows_at_node = |limit: &Limit| if limit.kind.is_clearance() { 1 + between } else { 1 };
         let limits = self.mission().limits.iter().filter(|limit| is_of_volume(limit));

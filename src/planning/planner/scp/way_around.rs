@@ -1,4 +1,4 @@
-//! Ways around the volumes that a mission keeps out of: a coarse search, about which the first motion is linearised.
+//! Ways around the volumes that a mission keeps out of: a coarse search, about which the initial guess is linearised.
 //!
 //! On each leg that enters a volume, the shortest path on a lattice of positions that keep every bound on positions is
 //! searched for (A*: Hart, Nilsson and Raphael, 1968). It chooses on which sides the motion passes the volumes; the

@@ -6,7 +6,7 @@ use crate::admissible::{AdmissibleSet, faults_only_take};
 use crate::model::Model;
 use crate::motion::outside::outside;
 use crate::motion::wrench_model::WrenchModel;
-use crate::planner::hover::Planned;
+use crate::planner::Planned;
 use crate::planner::selection::PlanningSet;
 
 /// The sets of a spec as planned against: for every value of its intervals, and shrunk by the reserve.
@@ -43,7 +43,7 @@ fn planned_set(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Admissib
 }
 
 /// The rows of one mode's set, or of its core.
-fn alone((set, provision): &(AdmissibleSet, Provision), healthy: &AdmissibleSet) -> PlanningSet {
+fn alone(set: &AdmissibleSet, provision: &Provision, healthy: &AdmissibleSet) -> PlanningSet {
     match provision {
         Provision::WithYaw => PlanningSet::of(&[set], healthy),
         Provision::WithoutYaw(_) | Provision::Capture => PlanningSet { rows: provision.core_rows().to_vec() },
@@ -56,8 +56,8 @@ fn alone((set, provision): &(AdmissibleSet, Provision), healthy: &AdmissibleSet)
 /// # Panics
 /// If there is no such mode.
 pub fn of_one_mode(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (PlanningSet, Provision) {
-    let both = planned_set(model, mode, healthy);
-    (alone(&both, healthy), both.1)
+    let (set, provision) = planned_set(model, mode, healthy);
+    (alone(&set, &provision, healthy), provision)
 }
 
 impl PlanningSets {
@@ -68,7 +68,7 @@ impl PlanningSets {
         let modes: Vec<(AdmissibleSet, Provision)> = model.plan.against.iter().map(of_mode).collect();
         let shrunk = planned(healthy.clone(), model);
         let rip = PlanningSet::of(&[&shrunk], &healthy);
-        let each: Vec<PlanningSet> = modes.iter().map(|mode| alone(mode, &healthy)).collect();
+        let each: Vec<PlanningSet> = modes.iter().map(|(set, provision)| alone(set, provision, &healthy)).collect();
         // Until a fault strikes the vehicle is healthy, and cores leave the yaw torque free.
         let imposed = |modes: &[(AdmissibleSet, Provision)], each: &[PlanningSet]| {
             let whole: Vec<&AdmissibleSet> =

@@ -5,10 +5,10 @@
 use super::Setting;
 use super::found::Found;
 use crate::model::SearchEffort;
-use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::search::{Hint, Shortest};
 use crate::planner::working_set::WorkingSet;
+use crate::planner::{Decision, Planned};
 use crate::solve::Effort;
 
 impl Setting<'_> {

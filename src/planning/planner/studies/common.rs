@@ -3,9 +3,9 @@
 use super::found::Found;
 use super::{Comparison, NOTHING_TO_SELECT_BY, PlanOutcome, Run, Setting};
 use crate::model::PlannerKind;
-use crate::planner::hover::{Decision, Planned};
 use crate::planner::timing::search::Hint;
 use crate::planner::working_set::WorkingSet;
+use crate::planner::{Decision, Planned};
 
 impl Setting<'_> {
     /// RIP, RCP jointly and RSP at T_d; no runs without such a time, and no RCP without modes.

@@ -1,8 +1,8 @@
 //! The result of one search for a shortest time.
 
-use crate::planner::hover::{Decision, Planned};
 use crate::planner::timing::search::{Hint, NoTime, Shortest};
 use crate::planner::working_set::WorkingSet;
+use crate::planner::{Decision, Planned};
 use crate::solve::Effort;
 
 /// The result of a search with what later searches can use.

@@ -4,7 +4,7 @@
 use super::found::Found;
 use super::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Run};
 use crate::model::PlannerKind;
-use crate::planner::hover::Planned;
+use crate::planner::Planned;
 use crate::planner::timing::search::Shortest;
 
 impl Found {

@@ -7,7 +7,7 @@ use crate::motion::Trajectory;
 use crate::motion::outside::Outside;
 use crate::motion::time_grid::determined;
 use crate::number::number;
-use crate::planner::plan::Planned;
+use crate::planner::Planned;
 use crate::planner::scp::sensitivity::LegBinding;
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Addition;
@@ -107,12 +107,15 @@ impl PlanOutcome {
         }
     }
 
-    /// `times` in s, in any order; proved for each of them.
+    /// `times` in s, in any order; proved for each of them. Without any nothing is proved.
     pub(super) fn proved_infeasible(times: &[f64]) -> Self {
         let mut proved = times.to_vec();
         proved.sort_by(f64::total_cmp);
         proved.dedup();
-        PlanOutcome::Infeasible(Proof { at: proved.last().copied().unwrap_or(0.0), proved })
+        match proved.last() {
+            Some(&at) => PlanOutcome::Infeasible(Proof { at, proved }),
+            None => PlanOutcome::NotFound(NotFound::Search { at: 0.0, status: "no mission time was tried".into() }),
+        }
     }
 }
 
@@ -159,7 +162,7 @@ pub struct MissionPlan {
     pub infeasible_at: Option<f64>,
     /// Longer times that were tried and proved infeasible, s.
     pub infeasible_above: Vec<f64>,
-    /// As its planner made it: where a second pass starts.
+    /// The planner's own form of the plan, from which a second pass starts.
     pub(super) planned: Option<Box<Planned>>,
 }
 

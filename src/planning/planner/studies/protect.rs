@@ -9,10 +9,10 @@ use crate::admissible::row::SetRow;
 use crate::model::PlannerKind;
 use crate::motion::outside::{ViolationInterval, violation_intervals};
 use crate::motion::risk::risk;
-use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::search::Hint;
 use crate::planner::working_set::WorkingSet;
+use crate::planner::{Decision, Planned};
 use crate::solve::Effort;
 use rayon::prelude::*;
 
@@ -59,7 +59,7 @@ struct Candidate {
 }
 
 /// A plan with all that is protected so far.
-struct Step {
+struct ProtectedPlan {
     added: Protection,
     set: PlanningSet,
     /// Single facets added so far.
@@ -76,9 +76,10 @@ impl Setting<'_> {
         risk(self.weights(solved))
     }
 
-    /// Rate (1/s) and committed time (s) of each mode. (The spec refuses modes without a rate; they would count as 0.)
+    /// Rate (1/s) and committed time (s) of each mode. (The spec refuses modes without a rate; they would count as sure
+    /// to fail.)
     fn weights(&self, solved: &MissionPlan) -> Vec<(f64, f64)> {
-        let rates = self.model().plan.against.iter().map(|&mode| self.model().modes[mode].rate.unwrap_or(0.0));
+        let rates = self.model().plan.against.iter().map(|&mode| self.model().modes[mode].rate.unwrap_or(f64::MAX));
         rates.zip(solved.committed.iter().copied()).collect()
     }
 
@@ -88,7 +89,7 @@ impl Setting<'_> {
         &self,
         what: &str,
         set: &PlanningSet,
-        before: Option<&Step>,
+        before: Option<&ProtectedPlan>,
     ) -> (Result<(MissionPlan, Planned), PlanOutcome>, Effort) {
         let initial_guesses = before.map(|step| &step.planned);
         let time = self.fixed_time().or(before.map(|step| step.solved.time));
@@ -123,7 +124,7 @@ impl Setting<'_> {
     }
 
     /// The candidates of a step.
-    fn candidates(&self, step: &Step) -> Vec<Candidate> {
+    fn candidates(&self, step: &ProtectedPlan) -> Vec<Candidate> {
         let weights = self.weights(&step.solved);
         let mut modes: Vec<(usize, f64)> =
             weights.iter().enumerate().map(|(m, w)| (m, w.0 * w.1)).filter(|m| m.1 > 0.0).collect();
@@ -167,14 +168,14 @@ impl Setting<'_> {
         before.into_iter().find_map(last).map(|interval| interval.row)
     }
 
-    fn tried(&self, before: &Step, candidate: Candidate) -> (Result<Step, PlanOutcome>, Effort) {
+    fn tried(&self, before: &ProtectedPlan, candidate: Candidate) -> (Result<ProtectedPlan, PlanOutcome>, Effort) {
         let Candidate { added, rows, whole, single } = candidate;
         let set = before.set.with(rows);
         let (result, effort) = self.plan_of(&before.trying(&added), &set, Some(before));
         let whole = before.whole.iter().copied().chain(whole).collect();
         let step = result.map(|(solved, planned)| {
             let risk = self.risk_of(&solved);
-            Step { added, set, whole, singles: before.singles + usize::from(single), solved, planned, risk }
+            ProtectedPlan { added, set, whole, singles: before.singles + usize::from(single), solved, planned, risk }
         });
         (step, effort)
     }
@@ -193,7 +194,7 @@ impl Setting<'_> {
             Ok((solved, planned)) => {
                 let risk = self.risk_of(&solved);
                 let set = self.sets.rip.clone();
-                Step { added: Protection::Nothing, set, whole: Vec::new(), singles: 0, solved, planned, risk }
+                ProtectedPlan { added: Protection::Nothing, set, whole: Vec::new(), singles: 0, solved, planned, risk }
             }
             Err(outcome) => return finish(out, outcome, &self.sets.rip),
         };
@@ -203,10 +204,10 @@ impl Setting<'_> {
                 out.selected = step.set.rows[self.sets.rip.rows.len().min(step.set.rows.len())..].to_vec();
                 return finish(out, PlanOutcome::Planned(Box::new(step.solved)), &step.set);
             }
-            let tried: Vec<(Result<Step, PlanOutcome>, Effort)> =
+            let tried: Vec<(Result<ProtectedPlan, PlanOutcome>, Effort)> =
                 self.candidates(&step).into_par_iter().map(|candidate| self.tried(&step, candidate)).collect();
             tried.iter().for_each(|t| out.effort += t.1);
-            let gains = |next: &Step| (next.risk < step.risk).then(|| price(&step, next));
+            let gains = |next: &ProtectedPlan| (next.risk < step.risk).then(|| price(&step, next));
             let best = tried
                 .into_iter()
                 .filter_map(|t| t.0.ok())
@@ -221,7 +222,7 @@ impl Setting<'_> {
                     let (joint, effort) = self.tried(&step, every);
                     out.effort += effort;
                     match joint {
-                        Ok(next) if next.risk < step.risk => Step { whole: all, ..next },
+                        Ok(next) if next.risk < step.risk => ProtectedPlan { whole: all, ..next },
                         _ => return finish(out, unmet(&step), &step.set),
                     }
                 }
@@ -231,7 +232,7 @@ impl Setting<'_> {
     }
 }
 
-impl Step {
+impl ProtectedPlan {
     /// The next attempt, as progress reports name it.
     fn trying(&self, added: &Protection) -> String {
         let protected = match added {
@@ -244,12 +245,12 @@ impl Step {
     }
 }
 
-fn unmet(step: &Step) -> PlanOutcome {
+fn unmet(step: &ProtectedPlan) -> PlanOutcome {
     PlanOutcome::NotFound(NotFound::Search { at: step.solved.time, status: UNMET.into() })
 }
 
 /// Risk removed per second of mission time, then in all: additions that cost no time come first.
-fn price(before: &Step, after: &Step) -> (f64, f64) {
+fn price(before: &ProtectedPlan, after: &ProtectedPlan) -> (f64, f64) {
     let (gain, seconds) = (before.risk - after.risk, after.solved.time - before.solved.time);
     (if seconds > 0.0 { gain / seconds } else { f64::INFINITY }, gain)
 }

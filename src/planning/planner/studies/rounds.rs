@@ -5,9 +5,9 @@
 //! program is a relaxation of RCP's, and a plan that violates no facet solves it.
 
 use super::{Comparison, Setting};
-use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
 use crate::planner::working_set::WorkingSet;
+use crate::planner::{Decision, Planned};
 use std::iter;
 
 impl Setting<'_> {

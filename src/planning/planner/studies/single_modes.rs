@@ -3,7 +3,8 @@
 use super::Setting;
 use super::found::Found;
 use crate::motion::outside::outside;
-use crate::planner::hover::{ACCEPTED, Planned};
+use crate::planner::Planned;
+use crate::planner::hover::ACCEPTED;
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::search::Hint;
 use crate::planner::working_set::WorkingSet;

@@ -4,10 +4,10 @@ use super::candidates::nothing_selected_at;
 use super::found::{Found, hint_from};
 use super::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, PlannerRun, Run, Setting, label};
 use crate::model::PlannerKind;
-use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::search::Hint;
 use crate::planner::working_set::WorkingSet;
+use crate::planner::{Decision, Planned};
 use crate::solve::Effort;
 use std::iter;
 

@@ -328,7 +328,7 @@ const OVER_LEAST: f64 = 1.25;
 /// It is also at least this many times the flight from rest to rest at half of g. Chosen by hand.
 const FLOWN_THROUGH: f64 = 0.7;
 
-/// And at least this share of the mean, because every leg needs some time. Chosen by hand.
+/// A share is at least this share of the mean, because every leg needs some time. Chosen by hand.
 const LEAST_SHARE: f64 = 0.05;
 
 /// Initial durations of the legs, s: by the distance, turn and limits of each leg.

@@ -4,10 +4,11 @@
 //! [`RESOLUTION`], and on the finer [`GRID`] only where the solver gives no verdict at one of those.
 
 use crate::motion::time_grid::{determined, earliest};
-use crate::planner::hover::{Decision, HoverPlanner, Planned};
+use crate::planner::hover::HoverPlanner;
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::MAX_MISSION_TIME;
 use crate::planner::working_set::WorkingSet;
+use crate::planner::{Decision, Planned};
 
 /// Shortest times are multiples of this, s (unless the spec determines the time).
 pub const GRID: f64 = 0.01;
@@ -60,8 +61,9 @@ type Ticks = i64;
 /// Estimate: the slack of hover counts as at least this (widths of the healthy set), because precision is relative to
 /// it. Chosen by hand.
 const MIN_HOVER_MARGIN: f64 = 1e-3;
-/// Estimate: a violation within 1 % of its (negative) lower bound was not minimised further, and is not interpolated.
-const NEAR_LEAST: f64 = 0.99;
+/// Estimate: a violation beyond this share of its (negative) lower bound is neither minimised further nor interpolated.
+/// Chosen by hand.
+pub(crate) const NEAR_LEAST: f64 = 0.99;
 /// Estimate: interpolation changes the time by factors between these, because the rule 1/T^2 holds only nearby.
 /// Chosen by hand.
 const MIN_RATIO: f64 = 0.4;

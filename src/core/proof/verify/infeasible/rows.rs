@@ -263,7 +263,9 @@ impl Rows<'_> {
                 parts.push(slope);
                 with(reach, parts)
             }
-            _ => None,
+            LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw | LimitKind::Climb | LimitKind::Descent => None,
+            LimitKind::YawRate | LimitKind::YawAcceleration | LimitKind::Jerk => None,
+            LimitKind::Face(_) | LimitKind::Clearance(_) | LimitKind::Heading(_) => None,
         }
     }
 }
@@ -282,13 +284,13 @@ fn across(node: usize, order: usize, point: [f64; 3], along: [f64; 3]) -> Vec<Ex
 
 /// A bound on one coordinate or rate; `None` if the limit has no such bound on that side.
 fn one_sided(limit: &Limit, node: usize, side: Side) -> Option<Expression> {
-    if let LimitKind::Face(normal) = &limit.kind {
-        let upper = limit.upper.filter(|_| side == Side::Upper)?;
-        let parts = [X, Y, Z].into_iter().zip(normal);
-        let slack = Expression::constant(Interval::point(upper));
-        return Some(parts.fold(slack, |row, (axis, n)| row.plus(node, axis, 0, Interval::point(-n))));
-    }
-    let (axis, order, sign) = match limit.kind {
+    let (axis, order, sign) = match &limit.kind {
+        LimitKind::Face(normal) => {
+            let upper = limit.upper.filter(|_| side == Side::Upper)?;
+            let parts = [X, Y, Z].into_iter().zip(normal);
+            let slack = Expression::constant(Interval::point(upper));
+            return Some(parts.fold(slack, |row, (axis, n)| row.plus(node, axis, 0, Interval::point(-n))));
+        }
         LimitKind::X => (X, 0, 1.0),
         LimitKind::Y => (Y, 0, 1.0),
         LimitKind::Z => (Z, 0, 1.0),
@@ -297,7 +299,10 @@ fn one_sided(limit: &Limit, node: usize, side: Side) -> Option<Expression> {
         LimitKind::YawAcceleration => (YAW, 2, 1.0),
         LimitKind::Climb => (Z, 1, 1.0),
         LimitKind::Descent => (Z, 1, -1.0),
-        _ => return None,
+        LimitKind::Speed | LimitKind::SpeedHorizontal | LimitKind::Tilt => return None,
+        LimitKind::Acceleration | LimitKind::AccelerationHorizontal | LimitKind::Jerk => return None,
+        LimitKind::Distance(_) | LimitKind::Clearance(_) => return None,
+        LimitKind::Arrival(_) | LimitKind::Heading(_) => return None,
     };
     let (bound, towards) = match side {
         Side::Upper => (limit.upper?, -1.0),

@@ -20,8 +20,7 @@ use super::{
     of_groups,
 };
 use crate::certificate::DynamicModel;
-use crate::model::Target;
-use crate::model::{Environment, Limit, LimitKind, Part};
+use crate::model::{Environment, Limit, LimitKind, Part, Quantity, Target};
 use crate::number::{number, significant};
 use std::collections::BTreeSet;
 
@@ -179,17 +178,18 @@ impl Checked<'_> {
         let setting = self.setting;
         let before = purse.0;
         for limits in setting.mission().limits.chunk_by(same_volume) {
-            match limits[0].kind {
+            match limits[0].kind.describe().quantity {
                 // It holds at one node, where it has been decided.
-                LimitKind::Arrival(_) => {
+                Quantity::Arrival(_) => {
                     found.shown.push(Shown::at_nodes(limited(&limits[0])));
                     continue;
                 }
-                LimitKind::Heading(target) => {
+                Quantity::Heading(target) => {
                     found.shown.push(Shown::at_nodes(self.followed(&limits[0], target, purse)));
                     continue;
                 }
-                _ => {}
+                Quantity::Axis { .. } | Quantity::Norm { .. } | Quantity::Tilt => {}
+                Quantity::Along(_) | Quantity::Distance(_) | Quantity::Clearance(_) => {}
             }
             let reach = |limit: &Limit| {
                 let most = MOST_PAST_LIMIT * limit.size();

@@ -327,7 +327,7 @@ impl Setting<'_> {
         let parts = if self.dynamics.model == DynamicModel::Exact { PARTS } else { 1 };
         let end = (piece + 1 == motion.pieces()).then_some(piece + 1);
         let nodes = std::iter::once(piece).chain(end).map(move |node| motion.node_in(node, piece));
-        // As dense as on the spec's pieces, if the motion's are longer.
+        // Longer pieces than the spec's get points as dense as those on the spec's.
         let points = parts * (motion.extra_points(piece) + 1) - 1;
         let between = motion.grid(piece, points).map(move |at| motion.over(piece, at));
         let winds = self.dynamics.in_each_wind();

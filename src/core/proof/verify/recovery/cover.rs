@@ -27,7 +27,7 @@ const OF_A_TUBE: u64 = 200;
 const MODELS: u64 = 10;
 
 /// A quantity that has to stay at or below a bound in some pieces of all motions of a family.
-pub(super) struct Row<'r> {
+pub(super) struct FamilyRow<'r> {
     pub name: String,
     pub family: Family<'r>,
     /// The quantity and the planes of a row on the wrench in one wind, for which blends are followed as functions.
@@ -52,7 +52,7 @@ pub struct Missed {
 
 pub(super) struct Cover<'c, 'm, 's, 'a> {
     pub tube: &'c Tube<'m>,
-    pub rows: &'c [Row<'c>],
+    pub rows: &'c [FamilyRow<'c>],
     pub start: &'c StartAbout<'s, 'a>,
     pub way: &'c Way,
     pub plan: &'c Motion,
@@ -60,14 +60,18 @@ pub(super) struct Cover<'c, 'm, 's, 'a> {
     pub purse: &'c mut WorkLeft,
 }
 
-/// A row and a piece.
-type Open = (usize, usize);
+/// A row that does not hold yet, on a piece.
+#[derive(Clone, Copy)]
+struct Open {
+    row: usize,
+    piece: usize,
+}
 
 impl Cover<'_, '_, '_, '_> {
     /// Whether every row holds along all motions of the family.
     pub fn all(mut self) -> Result<(), Missed> {
         let rows = self.rows.iter().enumerate();
-        let open = rows.flat_map(|(row, of)| of.pieces.clone().map(move |piece| (row, piece))).collect();
+        let open = rows.flat_map(|(row, of)| of.pieces.clone().map(move |piece| Open { row, piece })).collect();
         let everything = Interval::new(0.0, 1.0);
         let delays = if self.tube.dimensions() == 1 { Interval::ZERO } else { everything };
         self.cell(open, [everything, delays], DEEPEST_CELL)
@@ -78,15 +82,15 @@ impl Cover<'_, '_, '_, '_> {
         let first = self.tube.over(0, Interval::ZERO, cell, &ends);
         let yields: Vec<f64> = self.rows.iter().map(|row| self.yields(row, &first)).collect();
         let (mut left, mut worst) = (Vec::new(), None);
-        for (row, piece) in open {
-            let whole = Interval::new(0.0, self.tube.branch().duration(piece).high);
-            let most = self.rows[row].most + yields[row];
-            if let Err(missed) = self.part((row, piece), whole, (cell, &ends), most, DEEPEST_TIME) {
+        for at in open {
+            let whole = Interval::new(0.0, self.tube.branch().duration(at.piece).high);
+            let most = self.rows[at.row].most + yields[at.row];
+            if let Err(missed) = self.part(at, whole, cell, &ends, most, DEEPEST_TIME) {
                 if missed.value.low > most {
                     return Err(missed);
                 }
                 worst.get_or_insert(missed);
-                left.push((row, piece));
+                left.push(at);
             }
         }
         let Some(worst) = worst else { return Ok(()) };
@@ -109,21 +113,22 @@ impl Cover<'_, '_, '_, '_> {
     /// Bisects a part of a piece until the mean value form bounds a row for all motions of a cell.
     fn part(
         &mut self,
-        (row, piece): Open,
+        open: Open,
         part: Interval,
-        (cell, ends): (Cell, &Ends),
+        cell: Cell,
+        ends: &Ends,
         most: f64,
         deeper: u32,
     ) -> Result<(), Missed> {
-        let Row { family, name, planes, .. } = &self.rows[row];
+        let FamilyRow { family, name, planes, .. } = &self.rows[open.row];
         let units = family.overhead + family.of_a_member * family.members as u64 + OF_A_TUBE;
         let units = if planes.is_some() { MODELS * units } else { units };
-        let at = self.tube.branch().times[piece] + part.middle();
+        let at = self.tube.branch().times[open.piece] + part.middle();
         let missed = |value: Interval| Missed { row: name.clone(), at, value };
         if !self.purse.spend(units) {
             return Err(missed(Interval::WHOLE));
         }
-        let over = self.evaluate(row, piece, part, (cell, ends));
+        let over = self.evaluate(open, part, cell, ends);
         if over.iter().all(|of| !exceeds(of.value.high, most)) {
             return Ok(());
         }
@@ -131,17 +136,17 @@ impl Cover<'_, '_, '_, '_> {
             return Err(missed(Interval::WHOLE));
         }
         let middle = Interval::point(part.middle());
-        let there = self.evaluate(row, piece, middle, (cell, ends));
+        let there = self.evaluate(open, middle, cell, ends);
         let away = part - middle;
-        let mut open = false;
+        let mut is_open = false;
         for (over, there) in over.iter().zip(&there) {
             // Too wide at an instant: shorter times do not help.
             if exceeds(there.value.high, most) {
                 return Err(missed(there.value));
             }
-            open |= exceeds((there.value + over.rate * away).meet(over.value).high, most);
+            is_open |= exceeds((there.value + over.rate * away).meet(over.value).high, most);
         }
-        if !open {
+        if !is_open {
             return Ok(());
         }
         if deeper == 0 {
@@ -149,14 +154,14 @@ impl Cover<'_, '_, '_, '_> {
             return Err(missed(largest.unwrap_or(Interval::WHOLE)));
         }
         for half in [Interval::new(part.low, middle.low), Interval::new(middle.low, part.high)] {
-            self.part((row, piece), half, (cell, ends), most, deeper - 1)?;
+            self.part(open, half, cell, ends, most, deeper - 1)?;
         }
         Ok(())
     }
 
     /// The members of a row for all motions of a cell, over a part of a piece.
-    fn evaluate(&self, row: usize, piece: usize, part: Interval, (cell, ends): (Cell, &Ends)) -> Vec<Rated> {
-        let Row { family, planes, .. } = &self.rows[row];
+    fn evaluate(&self, Open { row, piece }: Open, part: Interval, cell: Cell, ends: &Ends) -> Vec<Rated> {
+        let FamilyRow { family, planes, .. } = &self.rows[row];
         let state = self.tube.over(piece, part, cell, ends);
         let Some((held, planes)) = planes else {
             return (family.evaluate)(&state, &(0..family.members).collect::<Vec<usize>>());
@@ -222,7 +227,7 @@ impl Cover<'_, '_, '_, '_> {
     }
 
     /// By how much the bound of a row yields to the states in which the fault becomes known.
-    fn yields(&self, row: &Row, first: &State) -> f64 {
+    fn yields(&self, row: &FamilyRow, first: &State) -> f64 {
         let Some(held) = row.held else { return 0.0 };
         let members: Vec<usize> = (0..row.family.members).collect();
         let over = (row.family.evaluate)(first, &members).iter().map(|of| of.value.high).fold(0.0, f64::max);

@@ -96,7 +96,7 @@ impl<'a, 'i> Defaults<'a, 'i> {
         self.inherited(Kind::Actuator, actuator, actuator.attribute("class"), name)
     }
 
-    /// The same of a geom; `class` is the `childclass` around it.
+    /// The element that gives an attribute of a geom; `class` is the `childclass` around it.
     pub fn of_geom(&self, geom: Node<'a, 'i>, class: Option<&str>, name: &'static str) -> Option<Node<'a, 'i>> {
         self.inherited(Kind::Geom, geom, geom.attribute("class").or(class), name)
     }

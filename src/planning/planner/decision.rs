@@ -1,4 +1,4 @@
-//! The outcome of planning at one mission time, in either model.
+//! The decision of a planner on one mission time, in either model: a plan, a proof that there is none, or neither.
 
 use crate::motion::time_grid::TimeGrid;
 use crate::motion::wrench_model::WrenchModel;

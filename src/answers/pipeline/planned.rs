@@ -1,4 +1,4 @@
-//! The results of planning: a plan with what was tried, and why none was found.
+//! What planning gives (`tasks` plans): a plan with what was tried, and why none was found.
 
 use super::refusals::OtherSpec;
 use super::tasks::Task;
