@@ -41,7 +41,7 @@ def import_vehicle(source: str | os.PathLike[str], *, name: str | None = None, w
     """The spec of a vehicle, from parameters of PX4 or ArduPilot, from URDF, SDF or MJCF: what `mavc import vehicle` writes.
 
     A `str` with a line break, `<` or `{` is a text, any other one the name of a file. The vehicle is called after `name`, by default
-    the file's. Figures that the file does not give stand as `?`; `Imported.unknown` lists them. Warnings are issued as `SpecWarning`
+    the file's. Figures that the file does not give are `?`; `Imported.unknown` lists them. Warnings are issued as `SpecWarning`
     unless `warn` is false.
 
     Raises SpecError, with places in the file, if no vehicle can be made of it, and OSError if it cannot be read.

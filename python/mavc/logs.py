@@ -124,7 +124,7 @@ class Figure:
     field: str
     """As `set` of `mavc.compile` takes it: `vehicle.rotor.max_thrust`."""
     value: float | None
-    """`None` for one that stands as `?`."""
+    """`None` for one written as `?`."""
     interval: tuple[float, float] | None
     """The ends of the 95 % interval, if the flight gives one."""
     remark: str
@@ -201,7 +201,7 @@ def identify(
 ) -> Identified:
     """The spec of the vehicle that flew: what `mavc identify` writes. `mass` is in kg, `"1.5 kg"`, or a quantity of `pint`.
 
-    Figures that the flight does not show stand as `?`. The other arguments and the errors are those of `diagnose`; a log without
+    Figures that the flight does not show are `?`. The other arguments and the errors are those of `diagnose`; a log without
     a flight is a SpecError too.
     """
     found = _mavc.identify(_given(log), *job(threads, progress, cancel), written("vehicle.mass", mass))

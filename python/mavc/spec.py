@@ -244,7 +244,7 @@ def compile(
 
     A `str` with a line break or a brace is a text, any other one the name of a file. `name` is the text's name in messages; the
     files that it names are relative to the folder of this name. `set` has overrides, as `--set` (`["vehicle.mass = 2 kg"]`) or by
-    field, with the values of `Spec.set` (`{"vehicle.mass": 2.0}`); a figure that stands as `?` in the text is known then. Warnings
+    field, with the values of `Spec.set` (`{"vehicle.mass": 2.0}`); a figure written as `?` in the text is known then. Warnings
     are kept in `Spec.warnings`, and unless `warn` is false they are also issued as `SpecWarning`. Mistakes in the blocks `simulate`
     and `campaign` are such warnings, as in `mavc plan`, and errors of `Spec.simulate` and `Spec.campaign`.
 

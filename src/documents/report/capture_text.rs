@@ -11,7 +11,7 @@ use crate::text_table::{Table, indented};
 pub fn captures(model: &Model, all: &[Capture]) -> String {
     let mut out = format!("{}\n\n", vehicle_line(model));
     if all.is_empty() {
-        out.push_str("Yaw is given up in no mode that can hover: there is no height to be told.\n");
+        out.push_str("No mode that can hover gives up yaw, so there is no height to report.\n");
         return out;
     }
     let corners = corners(&model.vehicle).len();

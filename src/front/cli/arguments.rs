@@ -16,7 +16,7 @@ Exit codes:
   0  success
   1  the spec has errors
   2  wrong usage, or a file cannot be read or written
-  3  proved infeasible, or a mode that the plan must tolerate cannot hover
+  3  proved infeasible, or no hover in a mode that the plan must tolerate
   4  no plan was found, or none was attempted
   5  the certificate is rejected
   6  the simulated vehicle is lost, or enters a keep_out or leaves a keep_in
@@ -66,7 +66,7 @@ pub(super) enum Command {
     Plan(PlanArgs),
     /// Plan with RIP, RCP and RSP, and compare the plans
     Compare(CompareArgs),
-    /// Show the spec's plan in a browser, on a page that renews itself whenever the spec is saved
+    /// Show the spec's plan in a browser, on a page that updates whenever you save the spec
     View(ViewArgs),
     /// Check a certificate written by `plan --certificate`, without the planner
     Verify(VerifyArgs),
@@ -77,9 +77,9 @@ pub(super) enum Command {
     Simulate(SimulateArgs),
     /// Simulate flights of every planner's plan with every fault mode, at many instants and with many noise seeds
     Campaign(CampaignArgs),
-    /// Find in the log of a flight which motor lost thrust, when, and what that left of the vehicle
+    /// Find in the log of a flight which motor lost thrust, when, and what the vehicle could still do
     Diagnose(DiagnoseArgs),
-    /// Write the spec of the vehicle that flew, from the log of a flight; what the flight does not show stands as `?`
+    /// Write the spec of the vehicle that flew, from the log of a flight, with `?` for what the flight does not show
     Identify(IdentifyArgs),
     /// Format specs: indentation, spaces, columns
     Fmt(FmtArgs),
@@ -187,8 +187,8 @@ pub(super) struct AnalyzeArgs {
     /// Vary a field of the vehicle, gravity or a `let`, and print where the answer changes: mass=1.5..2.5kg
     #[arg(long, value_name = "FIELD=LOW..HIGH", value_hint = clap::ValueHint::Other)]
     pub sweep: Option<String>,
-    /// Simulate the height that is lost until the vehicle flies level again, where yaw is given up, for several
-    /// delays of detection
+    /// For modes that give up yaw, simulate the height lost until the vehicle flies level again, at several detection
+    /// delays
     #[arg(long, conflicts_with = "sweep")]
     pub capture: bool,
     /// Write the outcomes as one HTML page
@@ -250,15 +250,15 @@ pub(super) struct PlanArgs {
     /// Write the trajectory to this file; `-` for standard output
     #[arg(short, long, value_name = "TRAJ.CSV")]
     pub output: Option<PathBuf>,
-    /// Write the trajectory of -o for another tool (docs/exchange.md); without this the ending decides: mavc's table,
-    /// csv, unless it is .plan, .waypoints, .kml, .geojson or .mcap
+    /// Write the trajectory of -o for another tool (docs/exchange.md). Without --format the file's ending decides:
+    /// .plan, .waypoints, .kml, .geojson and .mcap choose a format; any other name means csv, mavc's table
     #[arg(long, value_name = "FORMAT", requires = "output", value_parser = trajectory::FORMATS.map(|(_, name)| name))]
     pub format: Option<String>,
     /// The frames of csv and rows: enu-flu (east, north, up; forward, left, up), the default, or ned-frd
     #[arg(long, value_name = "FRAME", requires = "output", value_parser = FRAMES)]
     pub frame: Option<String>,
-    /// The largest distance from the plan of the polynomials of crazyflie (by default 1cm, and as many radians of yaw),
-    /// or of straight lines in qgc-plan and wpl (50cm), kml and geojson (10cm)
+    /// How far the written path may be from the plan: the polynomials of crazyflie (by default 1cm, and as many radians
+    /// of yaw), the straight lines of qgc-plan and wpl (50cm) or of kml and geojson (10cm)
     #[arg(long, value_name = "LENGTH", requires = "output", value_hint = clap::ValueHint::Other)]
     pub tolerance: Option<String>,
     /// Write the report (JSON) to this file; `-` prints it instead of the text for people
@@ -271,10 +271,10 @@ pub(super) struct PlanArgs {
     /// How much work the search may take: quick, normal (the default) or thorough
     #[arg(long, value_name = "EFFORT", value_parser = EFFORTS)]
     pub effort: Option<String>,
-    /// After Ctrl-C, which ends the search with the best plan that it has, exit with 0 instead of 130
+    /// After Ctrl-C, exit with 0 instead of 130. Ctrl-C ends the search and writes its best plan
     #[arg(long)]
     pub accept_best: bool,
-    /// Treat a plan that does not cover every mode in `against` as none: exit code 4. It is written all the same
+    /// Exit with 4 if the plan does not cover every mode in `against`; the plan is still written
     #[arg(long, value_name = "unsafe", value_enum)]
     pub deny: Option<DenyOfPlan>,
     /// Look for a way out after every declared fault, at instants of the plan: back to the plan, to a landing site, or
@@ -328,7 +328,7 @@ pub(super) struct NewVehicleArgs {
     /// The label of the battery
     #[arg(long, requires = "vehicle", value_name = "4S5000mAh", value_parser = battery)]
     pub battery: Option<Battery>,
-    /// The full thrust of a motor; without it, all together are assumed to lift twice the mass
+    /// The full thrust of a motor; without it, all motors together are assumed to lift twice the mass
     #[arg(long, requires = "vehicle", value_name = "9N", value_parser = |text: &str| quantity(text, "N", "9N"))]
     pub thrust: Option<f64>,
 }
@@ -457,7 +457,7 @@ pub(super) enum ImportCommand {
 pub(super) struct ImportMissionArgs {
     #[command(flatten)]
     pub import: ImportArgs,
-    /// Begin the spec with `use` of this one, which has the vehicle
+    /// Begin the spec with `use` of this spec, which has the vehicle
     #[arg(long, value_name = "SPEC.MAV", value_hint = clap::ValueHint::FilePath)]
     pub vehicle: Option<PathBuf>,
 }

@@ -1,4 +1,4 @@
-//! `mavc view`: serves a page of the spec that renews itself.
+//! `mavc view`: serves a page that updates whenever the spec is saved.
 
 use super::progress::Watch;
 use super::spec::{self, Findings};
@@ -28,7 +28,7 @@ pub fn run(args: &ViewArgs, options: &Options) -> Result<u8, CommandError> {
         open(&address)?;
     }
     if !options.quiet {
-        files::eprint("The page renews itself whenever the spec is saved; press Ctrl-C to stop.\n");
+        files::eprint("The page updates whenever you save the spec; press Ctrl-C to stop.\n");
     }
     view.show(name, read)
 }

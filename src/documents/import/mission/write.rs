@@ -50,7 +50,7 @@ pub fn text(source: &Source, draft: &Draft, vehicle: Option<&str>, mission: &str
     draft.remarks.iter().for_each(|remark| writer.line(&format!("// {remark}"), None));
     if let Some(path) = vehicle {
         if path.contains(['"', '\n', '\r']) || path.chars().any(char::is_control) {
-            let error = Diagnostic::error(FORMAT, at(0..0), "the path of the vehicle cannot stand in a spec");
+            let error = Diagnostic::error(FORMAT, at(0..0), "the path of the vehicle cannot be written in a spec");
             return Err(Box::new(error.help("rename it without quotes and control characters")));
         }
         if FileKind::of(Path::new(path)) != Some(FileKind::Spec) {

@@ -184,7 +184,7 @@ fn draft(source: &Source, frame: &Frame, figures: &Figures) -> Draft {
                 "From parameters of ArduPilot: FRAME_CLASS {}, FRAME_TYPE {}, \"{}\".",
                 frame.class, frame.kind, frame.name
             ),
-            "Figures that they do not give stand as `?`. Motors have ArduPilot's numbers.".into(),
+            "Figures that they do not give are `?`. Motors have ArduPilot's numbers.".into(),
         ],
         title: None,
         lets,

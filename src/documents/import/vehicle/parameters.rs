@@ -93,7 +93,7 @@ impl<'s> Parameters<'s> {
 pub fn set_twice((name, first, last): (&str, Span, Span)) -> Diagnostic {
     let warning = Diagnostic::warning(ASSUMED, last, format!("`{name}` is set twice: the spec has this value"));
     let warning = warning.here("the last").also(first, "another value");
-    warning.help("if both stand under conditions, leave only the one that holds")
+    warning.help("if both are in conditional parts, keep only the one that applies")
 }
 
 /// Reads the parameters; lines of a script that set none are passed over.

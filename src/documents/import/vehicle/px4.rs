@@ -70,7 +70,7 @@ pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnos
             let message = format!("motor {} has no `CA_ROTOR{i}_CT`, although others have one", i + 1);
             found.push(
                 Diagnostic::warning(UNSUPPORTED, span, message)
-                    .here("its thrust stands as `?`")
+                    .here("its thrust becomes `?`")
                     .help("write it in the spec"),
             );
         }
@@ -239,7 +239,7 @@ impl Reader<'_, '_> {
             let span = (0..rotors.len()).find_map(|i| self.value(i, key)).map(|(_, span)| span);
             let message = format!("`{key}` of every motor is PX4's default, {default} {unit}, which nobody measured");
             let Some(span) = span else { return };
-            let warning = Diagnostic::warning(ASSUMED, span, message).here(format!("`{field}` stands as `?`"));
+            let warning = Diagnostic::warning(ASSUMED, span, message).here(format!("`{field}` becomes `?`"));
             found.push(warning.help("measure it on a thrust stand, or take it from the data of motor and propeller"));
         };
         let is_default = rotors.iter().all(|rotor| rotor.thrust == Some(DEFAULT_CT));
@@ -367,7 +367,7 @@ fn draft(source: &Source, rotors: Vec<Px4Rotor>, known: &Figures) -> Draft {
     Draft {
         name: name_from_file(&source.name),
         from: vec![
-            "From parameters of PX4. Figures that they do not give stand as `?`.".into(),
+            "From parameters of PX4. Figures that they do not give are `?`.".into(),
             "x forward, y left, z up from the centre of gravity; motors as PX4 numbers them, from 1.".into(),
         ],
         title: script::title(&source.text),

@@ -208,7 +208,7 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
     let draft = Draft {
         name: robot.name.as_deref().map_or_else(|| name_from_file(&source.name), name_from),
         from: vec![
-            format!("From {}. Figures that it does not give stand as `?`.", robot.format),
+            format!("From {}. Figures that it does not give are `?`.", robot.format),
             "x forward, y left, z up from the centre of gravity of all parts.".into(),
         ],
         title: None,

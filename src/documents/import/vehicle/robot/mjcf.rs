@@ -82,7 +82,7 @@ fn whole(
     masses.add(vehicle, &Isometry3::identity(), true, &mut robot.parts)?;
     if let Some(shape) = masses.unknown {
         let warning = Diagnostic::warning(UNSUPPORTED, tag(shape), "the mass of this shape is not computed");
-        robot.warnings.push(warning.here("mass and inertia stand as `?`").help(
+        robot.warnings.push(warning.here("mass and inertia become `?`").help(
             "write them in the spec, as MuJoCo computes them: `body_subtreemass` and the inertia about the centre",
         ));
         robot.parts.clear();
