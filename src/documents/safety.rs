@@ -248,6 +248,27 @@ impl<'a> Case<'a> {
         self.quantities.budget().is_some_and(|left| left < 0.0)
     }
 
+    /// The modes with the longest times without a way out, and how a plan that covers them can have such times.
+    fn without_a_way(&self) -> String {
+        let seconds = |mode: usize| self.evidence.modes[mode].with_outcome(evidence::NONE);
+        let mut modes: Vec<usize> = (0..self.not_sought.len()).collect();
+        modes.retain(|&mode| self.not_sought[mode].is_none() && seconds(mode) > 0.0);
+        if modes.is_empty() {
+            return String::new();
+        }
+        modes.sort_by(|a, b| seconds(*b).total_cmp(&seconds(*a)));
+        let named = |mode: &usize| format!("{} {} s", self.model().modes[*mode].name, fixed(seconds(*mode), 2));
+        let mut parts: Vec<String> = modes.iter().take(MOST_NAMED).map(named).collect();
+        parts.extend((modes.len() > MOST_NAMED).then(|| format!("{} more", plural(modes.len() - MOST_NAMED, "mode"))));
+        let delays = self.model().plan.recovery.detection.map(|delay| number(1e3 * delay));
+        let known = if delays[0] == delays[1] { delays[0].clone() } else { delays.join(" to ") };
+        format!(
+            "  no way out found: {}\n  A plan that stays inside a mode's set can lack a way out: until the fault is known, \
+             after {known} ms, the vehicle leaves the plan.\n",
+            parts.join(", ")
+        )
+    }
+
     /// The answer for people.
     pub fn text(&self) -> String {
         let q = &self.quantities;
@@ -290,6 +311,7 @@ impl<'a> Case<'a> {
                 String::new()
             }
         );
+        text += &self.without_a_way();
         for (why, modes) in self.not_sought_by_reason() {
             text += &format!("  after {}: {why}\n", self.names(&modes));
         }
@@ -303,7 +325,7 @@ impl<'a> Case<'a> {
         for (at, single) in q.by_contribution().into_iter().take(3) {
             let [seconds, p] = [fixed(single.seconds, 2), short(single.probability)];
             let mode = &self.model().modes[at].name;
-            text += &format!("  {mode} on {}: {seconds} s uncovered, {p}\n", single.phase.label());
+            text += &format!("  {mode} on {}: {seconds} s without a way out, {p}\n", single.phase.label());
         }
         text += &format!("  {}\n", self.flights());
         text += &format!("  certificate: {}\n", self.accepted.headline);
@@ -317,6 +339,9 @@ impl<'a> Case<'a> {
 fn has(count: usize) -> &'static str {
     if count == 1 { "has" } else { "have" }
 }
+
+/// Most modes that the answer names with their times.
+const MOST_NAMED: usize = 3;
 
 /// What is compared with `require risk`.
 const TARGET: &str = "`require risk` bounds strikes while the mission is committed; compared is the loss of control";

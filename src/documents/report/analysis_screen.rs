@@ -210,9 +210,13 @@ fn columns(model: &Model, modes: &[ModeAnalysis]) -> [String; 2] {
         true => "; least margin: hover nearest to the edge",
         false => "",
     };
+    let without_yaw = match modes.iter().skip(1).any(|mode| !holds_heading(mode)) {
+        true => ", without heading if it is not held",
+        false => "",
+    };
     [
         "climb: thrust left beyond hover; yaw: torque left, weaker/stronger direction".into(),
-        format!("max kg: the largest mass that hovers{weakest}"),
+        format!("max kg: the largest mass that hovers{without_yaw}{weakest}"),
     ]
 }
 
@@ -267,6 +271,19 @@ fn speeds(model: &Model, modes: &[ModeAnalysis]) -> Option<String> {
     ))
 }
 
+/// A torque below this share of the other direction's is none.
+const EXHAUSTED: f64 = 1e-6;
+
+/// `roll or pitch torque`: the torques of which hover leaves none in one direction; `None` if each is left, as where
+/// only several at once are not.
+fn exhausted_axes(mode: &ModeAnalysis) -> Option<String> {
+    let left = mode.headroom.as_ref().filter(|_| mode.outcome == Outcome::NoMargin)?;
+    let axes = [("roll", left.tau_x), ("pitch", left.tau_y), ("yaw", left.tau_z)];
+    let exhausted = axes.into_iter().filter(|(_, [less, more])| less.min(*more) <= EXHAUSTED * less.max(*more));
+    let names: Vec<&str> = exhausted.map(|(name, _)| name).collect();
+    (!names.is_empty()).then(|| format!("{} torque", names.join(" or ")))
+}
+
 /// What a reader must not overlook.
 pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     let all: Vec<String> = modes.iter().map(|mode| mode.name.clone()).collect();
@@ -286,8 +303,10 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     let known = diagnose_by(model, |mode| modes.get(mode.map_or(0, |mode| mode + 1)).cloned());
     let error = known.into_iter().flatten().find(|found| found.severity == Severity::Error);
     let unplannable = error.filter(|_| model.mission.is_some());
-    let mut remarks: Vec<String> =
-        unplannable.map(|error| format!("no plan of the mission can be made: {}", error.message)).into_iter().collect();
+    let mut remarks: Vec<String> = unplannable
+        .map(|error| format!("no plan of the mission can be made: {}; `mavc check` names remedies", error.message))
+        .into_iter()
+        .collect();
     let outcomes: Vec<Outcome> = modes.iter().map(|mode| mode.outcome).collect();
     remarks.extend(why_undecided(model, &outcomes));
     remarks.extend(
@@ -297,12 +316,20 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     remarks.extend(named(&|mode| mode.outcome == Outcome::Caught).map(|names| {
         format!("{names}: the vehicle loses height before it is caught; `mavc analyze --capture` simulates how much")
     }));
-    remarks.extend(named(&|mode| mode.outcome == Outcome::NoMargin).map(|names| {
-        format!(
-            "{names}: hover is on the edge of what the remaining rotors can give, so some disturbance cannot be \
-             countered"
-        )
-    }));
+    let mut exhausted: Vec<Option<String>> = modes.iter().map(exhausted_axes).collect();
+    exhausted.dedup();
+    for axes in exhausted {
+        let has_these = |mode: &ModeAnalysis| mode.outcome == Outcome::NoMargin && exhausted_axes(mode) == axes;
+        remarks.extend(named(&has_these).map(|names| match &axes {
+            Some(axes) => format!(
+                "{names}: in hover no {axes} is left in one direction, so a disturbance in the other cannot be countered"
+            ),
+            None => format!(
+                "{names}: hover is on the edge of what the remaining rotors can give, so some disturbance cannot be \
+                 countered"
+            ),
+        }));
+    }
     let faint = |mode: &ModeAnalysis| mode.nearest_rows.is_some_and(|rows| rows.angle < least_angle());
     remarks.extend(named(&faint).map(|names| {
         format!("{names}: nearly parallel rows of the actuation matrix, so the rotors can hardly tell two axes apart")

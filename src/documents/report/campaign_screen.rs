@@ -50,6 +50,7 @@ pub fn screen(design: &Design, shard: Shard, tally: &Tally) -> Screen {
     let plans: Vec<Survival> = (0..design.plans.len()).map(|p| Survival::of(design, tally, p)).collect();
     let (tone, text) = answer(&plans);
     screen.paragraph(tone, 2, 2, &text);
+    in_against(design, tally, &plans).iter().for_each(|text| screen.paragraph(Tone::Plain, 2, 2, text));
     missed(&plans).iter().for_each(|text| screen.paragraph(Tone::Plain, 2, 2, text));
     screen.paragraph(Tone::Plain, 2, 2, &headline_of(model, &outcomes(model)));
     screen.gap();
@@ -124,6 +125,24 @@ fn answer(plans: &[Survival]) -> (Tone, String) {
         .collect();
     let tone = if plans.iter().all(|plan| plan.lost() == 0) { Tone::Good } else { Tone::Warning };
     (tone, parts.join(", "))
+}
+
+/// `after faults in `against`: RIP none of 20, RSP none of 20`, if flights were lost and other modes struck too.
+fn in_against(design: &Design, tally: &Tally, plans: &[Survival]) -> Option<String> {
+    let against = &design.model.plan.against;
+    let is_planned = |mode: &usize| against.contains(mode);
+    let struck = 0..design.cases.modes;
+    if against.is_empty() || struck.clone().all(|mode| is_planned(&mode)) || plans.iter().all(|plan| plan.lost() == 0) {
+        return None;
+    }
+    let part = |plan: &Survival| {
+        let groups: Vec<&Group> = struck.clone().filter(is_planned).map(|mode| tally.mode(plan.plan, mode)).collect();
+        let flights: usize = groups.iter().map(|group| group.flights).sum();
+        let lost: usize = groups.iter().map(|group| group.flights - group.survived() - group.diverged).sum();
+        format!("{} {} of {flights}", plan.name, if lost == 0 { "none".into() } else { lost.to_string() })
+    };
+    let parts: Vec<String> = plans.iter().map(part).collect();
+    Some(format!("Lost after the modes in `against` alone: {}", parts.join(", ")))
 }
 
 /// `Waypoints missed after a fault: RIP 279 of 624, RSP 56 of 624`, if some were.

@@ -25,7 +25,7 @@ pub struct Caveat {
     pub limit: Option<String>,
     /// SI: by how much the limit is exceeded; the number of legs with fewer pieces; the highest speed, m/s; the
     /// largest tilt, rad; the smallest thrust, N; the share of the charge that is left; the time during which the
-    /// plan is too low, s; how far the plan climbs or strays, m; the largest violation of a set at an end of the
+    /// plan is too low, s; how far the plan climbs or strays or begins from the start, m; the largest violation of a set at an end of the
     /// interval of `drag`, in widths of the healthy set, negative where all hold.
     pub value: f64,
     /// The worst instant, s since the start.
@@ -62,6 +62,8 @@ pub enum CaveatKind {
     Climb,
     /// The plan strays from a straight leg although no volume is in the way.
     Deviation,
+    /// The plan begins away from the start, as the tolerance there allows.
+    Start,
 }
 
 impl CaveatKind {
@@ -182,6 +184,24 @@ fn one_drag(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     Some(Caveat { kind: CaveatKind::DragInterval, limit: None, value, at_s: 0.0, message })
 }
 
+/// Plans that begin farther from the start than this have a caveat, m: more than twice the tolerance of a waypoint
+/// without `within`. Chosen by hand.
+const AWAY_FROM_START: f64 = 0.1;
+
+/// The caveat of a plan that begins away from the start: flights and figures are those of a vehicle that is there.
+fn away_from_start(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
+    let start = model.mission.as_ref()?.waypoints.first()?.position;
+    let begins = solved.trajectory.nodes.first()?;
+    let distance = (0..3).map(|axis| (begins[axis][0] - start[axis]).powi(2)).sum::<f64>().sqrt();
+    let message = format!(
+        "The plan begins {} m from the start, as the tolerance there allows; the vehicle has to be there first. \
+         `within 5 cm` after `start` forbids it.",
+        significant(distance, 2)
+    );
+    let caveat = Caveat { kind: CaveatKind::Start, limit: None, value: distance, at_s: 0.0, message };
+    (distance > AWAY_FROM_START).then_some(caveat)
+}
+
 /// The speed of a state, m/s.
 fn speed(state: &NodeState) -> f64 {
     (0..3).map(|axis| state[axis][1].powi(2)).sum::<f64>().sqrt()
@@ -208,7 +228,8 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
         }
     });
     let all = exceeded.chain(coarser(model, solved)).chain(too_fast(model, solved));
-    let all = all.chain(without_air(model, solved)).chain(one_drag(model, solved)).chain(charge(model, solved));
+    let all = all.chain(away_from_start(model, solved)).chain(without_air(model, solved));
+    let all = all.chain(one_drag(model, solved)).chain(charge(model, solved));
     if solved.trajectory.model == WrenchModel::Exact {
         return all.collect();
     }

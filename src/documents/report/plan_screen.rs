@@ -177,7 +177,7 @@ impl Answer<'_> {
         if let Some(risk) = rated_risk(&rates(model), &solved.committed) {
             let text = match risk > 0.0 {
                 true => format!("probability {} of a fault while the plan is unsafe", significant(risk, DIGITS)),
-                false => "none from the modes planned against, which the plan covers".into(),
+                false => "none from the modes planned against: their rotors suffice; delays not counted".into(),
             };
             // A plan that exceeds it is not found.
             let allowed = model.plan.require_risk.map(|most| format!(" ({} allowed)", significant(most, DIGITS)));
@@ -191,15 +191,15 @@ impl Answer<'_> {
         lines
     }
 
-    /// The remarks, those first that a reader must not overlook; detours before all others, because a reader would not
-    /// expect them.
+    /// The remarks, those first that a reader must not overlook: what may lose the vehicle, then what the model or the
+    /// limits do not hold for, then detours.
     fn remarks(&self, model: &Model, solved: &MissionPlan) -> Vec<(Keep, String)> {
-        let detours = shape::remark(self.problem, solved, self.detours).map(|text| (Keep::Finding, text));
         let height = self.heights.and_then(|heights| CaptureRecord::new(model, heights));
         let height = height.and_then(|record| capture_height::caveat(&record, self.exposed));
-        let others = caveats(model, solved).into_iter().chain(height);
+        let caveats = height.into_iter().chain(caveats(model, solved));
+        let detours = shape::remark(self.problem, solved, self.detours).map(|text| (Keep::Finding, text));
         let mut all: Vec<(Keep, String)> =
-            detours.into_iter().chain(others.map(|caveat| (caveat.kind.keep(), caveat.message))).collect();
+            caveats.map(|caveat| (caveat.kind.keep(), caveat.message)).chain(detours).collect();
         all.sort_by_key(|(keep, _)| Reverse(*keep));
         all
     }

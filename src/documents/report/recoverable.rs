@@ -72,7 +72,7 @@ impl RecoverableRecord {
 }
 
 /// In words that nothing of the kind was attempted.
-const NOT_ATTEMPTED: &str = "Ways out after faults: not attempted (`require uncovered` in `plan` adds them).";
+const NOT_ATTEMPTED: &str = "Ways out after faults: not sought; `mavc plan --recovery` looks for them.";
 
 /// Digits of times.
 const DIGITS: usize = 4;

@@ -3,6 +3,7 @@
 
 use crate::number::plural;
 use crate::text_table::{Table, fitted, lines};
+use std::cmp::Reverse;
 use std::fmt;
 
 pub use crate::text_table::WIDTH;
@@ -68,6 +69,8 @@ pub enum Counted {
     Figure,
     /// A mode in a table that begins with the tightest.
     Mode,
+    /// A mode in a table that begins with the longest time without a way out.
+    Gap,
 }
 
 impl Counted {
@@ -77,6 +80,7 @@ impl Counted {
             Counted::Remark => plural(n, "remark"),
             Counted::Figure => plural(n, "figure"),
             Counted::Mode => format!("{}{MORE_TO_SPARE}", plural(n, "mode")),
+            Counted::Gap => format!("{} with shorter gaps", plural(n, "mode")),
         })
     }
 }
@@ -178,32 +182,38 @@ impl Screen {
         self.hidden.push((names, n));
     }
 
-    /// The last line, after parts were left out until the screen fits: of those to keep shortest the last.
+    /// The last line, after parts were left out until the screen fits: those to keep longest stay, the first of them
+    /// before the others, and of the rest what still fits.
     pub fn close(&mut self) {
-        let (mut remarks, mut figures) = (0, 0);
+        let mut order: Vec<usize> = (0..self.parts.len()).collect();
+        order.sort_by_key(|part| Reverse(self.parts[*part].keep));
+        let mut is_kept = vec![false; self.parts.len()];
+        for part in order {
+            is_kept[part] = true;
+            is_kept[part] = self.with(&is_kept).len() < LINES;
+        }
+        let (mut remarks, mut figures, mut gaps) = (0, 0, 0);
         let mut modes: usize = self.hidden.iter().map(|(_, n)| n).sum();
         let mut names: Vec<&str> = self.hidden.iter().rev().map(|(names, _)| names.as_str()).collect();
         let mut all_named = true;
-        while self.lines.len() >= LINES {
-            let last_of_least = |a: &usize, b: &usize| self.parts[*a].keep.cmp(&self.parts[*b].keep).then(b.cmp(a));
-            let Some(least) = self.lines.iter().filter_map(|line| line.part).min_by(last_of_least) else { break };
-            self.lines.retain(|line| line.part != Some(least));
-            // No two empty lines meet where all between them is left out.
-            self.lines.dedup_by(|line, before| line.text.is_empty() && before.text.is_empty());
-            let Part { counted, names: of_row, .. } = &self.parts[least];
+        for (Part { counted, names: of_row, .. }, _) in
+            self.parts.iter().zip(&is_kept).rev().filter(|(_, kept)| !**kept)
+        {
             names.extend(of_row.as_deref());
             all_named &= of_row.is_some() || !matches!(counted, Some((Counted::Mode, _)));
             match *counted {
                 Some((Counted::Remark, n)) => remarks += n,
                 Some((Counted::Figure, n)) => figures += n,
                 Some((Counted::Mode, n)) => modes += n,
+                Some((Counted::Gap, n)) => gaps += n,
                 None => {}
             }
         }
         names.reverse();
         let named = (modes > 0).then(|| format!("{}{MORE_TO_SPARE}", names.join(", ")));
         let line = |modes: Option<String>| {
-            let left = [Counted::Remark.words(remarks), Counted::Figure.words(figures), modes];
+            let left =
+                [Counted::Remark.words(remarks), Counted::Figure.words(figures), modes, Counted::Gap.words(gaps)];
             let left: Vec<String> = left.into_iter().flatten().collect();
             let left = if left.is_empty() { String::new() } else { format!("; not shown: {}", left.join(", ")) };
             format!("  {EVERY_TABLE}{left}")
@@ -213,7 +223,17 @@ impl Screen {
             .filter(|last| last.chars().count() > WIDTH)
             .for_each(|last| *last = last.replace(MORE_TO_SPARE, ""));
         let [named, counted] = all;
+        self.lines = self.with(&is_kept);
         self.line(Tone::Plain, if named.chars().count() <= WIDTH && all_named { &named } else { &counted });
+    }
+
+    /// The lines without the parts that are not kept.
+    fn with(&self, is_kept: &[bool]) -> Vec<Line> {
+        let kept = |line: &&Line| line.part.is_none_or(|part| is_kept[part]);
+        let mut lines: Vec<Line> = self.lines.iter().filter(kept).cloned().collect();
+        // No two empty lines meet where all between them is left out.
+        lines.dedup_by(|line, before| line.text.is_empty() && before.text.is_empty());
+        lines
     }
 
     /// The lines with their tones.

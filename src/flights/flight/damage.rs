@@ -59,6 +59,11 @@ fn class(limit: &Limit) -> Option<usize> {
     }
 }
 
+/// Whether flights are judged by the limit.
+pub fn is_judged(limit: &Limit) -> bool {
+    class(limit).is_some()
+}
+
 /// A set of broken limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct BrokenLimits(u16);

@@ -88,7 +88,7 @@ pub fn by_flight(t: &Contingency) -> String {
                 Strength::Moderate => "agrees moderately with the outcomes",
                 Strength::Strong => "agrees strongly with the outcomes",
             };
-            format!("Flight by flight, the prediction {what}{phi}.")
+            format!("Flight by flight, the prediction by the plan's sets {what}{phi}.")
         }
     }
 }

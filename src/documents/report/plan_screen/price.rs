@@ -151,6 +151,9 @@ impl PriceRecord {
                 let time = seconds(solved.time);
                 bare(Baseline::None, format!("no time at {time}; `mavc compare` finds the price of the shortest plan"))
             }
+            (false, PlannerKind::Rsp, _) if comparison.selected.is_empty() => {
+                bare(Baseline::None, "nothing: the plan that ignores faults is the same".into())
+            }
             (false, ..) => {
                 // The bound is about the limits alone, so it holds for every motion that ignores faults.
                 let least = least_time_within(answer.problem);

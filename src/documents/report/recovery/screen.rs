@@ -6,14 +6,18 @@ use crate::flight::equilibrium::outcome_of;
 use crate::model::Model;
 use crate::number::{fixed, number, percent, plural, significant};
 use crate::recovery::{Families, ModeRecovery, NotAttempted, Piece, Recovery, Way};
+use crate::report::mode_names::within;
 use crate::report::screen::{Counted, Keep, Screen, Tone};
 use crate::text_table::Table;
 
 /// Columns of a strip.
 const STRIP: usize = 40;
 
-/// The most modes that have a line on the screen.
+/// The most lines of modes on the screen.
 const MOST_MODES: usize = 10;
+
+/// Most columns of the names of modes.
+const NAMES: usize = 20;
 
 /// So many of them stay where a screen has no room.
 const ROWS: usize = 3;
@@ -57,30 +61,24 @@ pub fn write(screen: &mut Screen, model: &Model, recovery: &Recovery, verbose: b
         screen.paragraph(Tone::Plain, 2, 2, &longer.sentence(recovery.duration));
     }
     let mut table = Table::new(&["fault", &scale(recovery.duration), "no way out s"]);
-    let mut modes: Vec<&ModeRecovery> = recovery.modes.iter().collect();
-    modes.sort_by(|a, b| b.uncovered().total_cmp(&a.uncovered()));
-    let shown = if verbose { modes.len() } else { modes.len().min(MOST_MODES) };
-    for mode in &modes[..shown] {
-        let bar = match mode.not_attempted {
-            None => strip(mode, recovery.duration),
-            Some(NotAttempted::NoHover) => match outcome_of(model, mode.mode) {
-                Outcome::FliesOn => "not sought: heading not held (`yaw_drag`)".into(),
-                _ => "not sought: no margin to hover with".into(),
-            },
-            Some(NotAttempted::Caught) => "not sought: it has to be caught".into(),
-        };
-        table.row(vec![model.modes[mode.mode].name.clone(), bar, fixed(mode.uncovered(), 2)]);
+    let rows = rows(model, recovery);
+    let shown = if verbose { rows.len() } else { rows.len().min(MOST_MODES) };
+    for row in &rows[..shown] {
+        table.row(vec![row.names.clone(), row.bar.clone(), row.seconds.clone()]);
     }
     for (row, line) in table.render_left(2).lines().enumerate() {
         match row > ROWS {
             true => {
-                screen.part(Keep::Row, Some((Counted::Mode, 1)), |screen| screen.line(Tone::Plain, line));
+                // The first line has the headings.
+                let modes = rows[row - 1].modes;
+                screen.part(Keep::Row, Some((Counted::Gap, modes)), |screen| screen.line(Tone::Plain, line));
             }
             false => screen.line(Tone::Plain, line),
         }
     }
-    if shown < modes.len() {
-        screen.line(Tone::Plain, &format!("  {} more with shorter gaps: -v", plural(modes.len() - shown, "mode")));
+    let hidden: usize = rows[shown..].iter().map(|row| row.modes).sum();
+    if hidden > 0 {
+        screen.line(Tone::Plain, &format!("  {} more with shorter gaps: -v", plural(hidden, "mode")));
     }
     screen.line(Tone::Plain, &format!("  {}", legend(recovery)));
     let (gaps, rest) = gaps(model, recovery, if verbose { usize::MAX } else { 3 });
@@ -98,6 +96,49 @@ pub fn write(screen: &mut Screen, model: &Model, recovery: &Recovery, verbose: b
     let [basis, beside] = premise(&record, model.plan.reserve);
     screen.paragraph(if record.survived == record.flown { Tone::Plain } else { Tone::Warning }, 2, 2, &basis);
     screen.part(Keep::Reason, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &beside));
+}
+
+/// Modes with the same outcomes.
+struct Row {
+    names: String,
+    /// How many they are.
+    modes: usize,
+    /// The outcomes along the mission, or why none was sought.
+    bar: String,
+    /// For how long no way out was found.
+    seconds: String,
+}
+
+/// The outcomes of all modes, those with the longest gaps first; of these, modes for which ways out were sought before
+/// others.
+fn rows(model: &Model, recovery: &Recovery) -> Vec<Row> {
+    let mut modes: Vec<&ModeRecovery> = recovery.modes.iter().collect();
+    modes.sort_by(|a, b| {
+        let longer = b.uncovered().total_cmp(&a.uncovered());
+        longer.then(a.not_attempted.is_some().cmp(&b.not_attempted.is_some()))
+    });
+    let bar = |mode: &ModeRecovery| match mode.not_attempted {
+        None => strip(mode, recovery.duration),
+        Some(NotAttempted::NoHover) => match outcome_of(model, mode.mode) {
+            Outcome::FliesOn => "not sought: heading not held (`yaw_drag`)".into(),
+            _ => "not sought: no margin to hover with".into(),
+        },
+        Some(NotAttempted::Caught) => "not sought: it has to be caught".into(),
+    };
+    let mut grouped: Vec<(Vec<usize>, String, String)> = Vec::new();
+    for mode in modes {
+        let (bar, seconds) = (bar(mode), fixed(mode.uncovered(), 2));
+        match grouped.iter_mut().find(|(_, known, at)| *known == bar && *at == seconds) {
+            Some((of, ..)) => of.push(mode.mode),
+            None => grouped.push((vec![mode.mode], bar, seconds)),
+        }
+    }
+    let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
+    let row = |(mut modes, bar, seconds): (Vec<usize>, String, String)| {
+        modes.sort_unstable();
+        Row { names: within(&all, &modes, NAMES), modes: modes.len(), bar, seconds }
+    };
+    grouped.into_iter().map(row).collect()
 }
 
 /// `0 s                                20 s`

@@ -1,13 +1,13 @@
 //! The output of `mavc simulate`: how the flight ended, and what happened to it.
 
-use super::record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, WayOutRecord};
+use super::record::{FaultRecord, FlightRecord, Flown, OutcomeRecord, SpinRecord, WayOutRecord};
 use super::text::{
     DIVERGED, broken, duration, ending, heading, indistinguishable, landed, length, loss, manner, no_fault, tilt,
     to_its_end, trespass, waypoints,
 };
 use crate::admissible::outcome::Outcome;
 use crate::flight::equilibrium::outcome_of;
-use crate::model::{FaultMode, Strike};
+use crate::model::{FaultMode, LandingSite, Model, Strike};
 use crate::number::{fixed, number, plural, significant};
 use crate::report::battery;
 use crate::report::plan_screen::unsafe_until;
@@ -77,6 +77,7 @@ pub fn screen(flown: &Flown, verbose: bool) -> Screen {
             .map(|at| format!("yaw given up at {} s; from then on no heading error counts as a loss", fixed(at, 2))),
     );
     lines.extend(record.way_out.as_ref().map(WayOutRecord::words));
+    lines.extend(spin(&record).filter(|spin| is_calm(spin)).map(|spin| ending(spin, model)));
     lines.extend(record.regressor.as_ref().map(|regressor| {
         let refused = match record.refused_reconfigurations {
             0 => String::new(),
@@ -167,6 +168,27 @@ fn not_covered(flown: &Flown, record: &FlightRecord) -> Vec<String> {
     all
 }
 
+/// The spin in which a flight without yaw ended.
+fn spin(record: &FlightRecord) -> Option<&SpinRecord> {
+    record.gave_up_yaw_at_s.and(record.spin.as_ref()).filter(|_| record.outcome == OutcomeRecord::Flown)
+}
+
+/// Whether a spin has settled where the gyroscope measures it.
+fn is_calm(spin: &SpinRecord) -> bool {
+    spin.settled && !spin.beyond_gyroscope
+}
+
+/// A landing that is on no landing site, if the mission has some.
+fn beside_sites(model: &Model, record: &FlightRecord) -> Option<String> {
+    let OutcomeRecord::Landed { place_m, .. } = record.outcome else { return None };
+    let sites = model.mission.iter().flat_map(|mission| &mission.after_fault.sites);
+    let distance = |site: &LandingSite| (place_m[0] - site.at[0]).hypot(place_m[1] - site.at[1]);
+    let nearest = sites.min_by(|a, b| (distance(a) - a.radius).total_cmp(&(distance(b) - b.radius)))?;
+    let beyond = distance(nearest) - nearest.radius;
+    (beyond > 0.0)
+        .then(|| format!("the landing is {} m outside the nearest landing site, `{}`", fixed(beyond, 1), nearest.name))
+}
+
 /// The remarks, those first that a reader must not overlook.
 fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<(Keep, String)> {
     let model = flown.model;
@@ -179,8 +201,9 @@ fn remarks(flown: &Flown, record: &FlightRecord) -> Vec<(Keep, String)> {
                 .into(),
         );
     }
-    let spin = record.gave_up_yaw_at_s.and(record.spin.as_ref()).filter(|_| record.outcome == OutcomeRecord::Flown);
-    all.extend(spin.map(|spin| ending(spin, model).trim_start_matches("Warning: ").to_string()));
+    let restless = spin(record).filter(|spin| !is_calm(spin));
+    all.extend(restless.map(|spin| ending(spin, model).trim_start_matches("Warning: ").to_string()));
+    all.extend(beside_sites(model, record));
     if let Some(seconds) = record.gyroscope_saturated_s {
         all.push(format!(
             "a body rate was beyond the {} deg/s that the gyroscope measures for {} s",

@@ -1,9 +1,10 @@
 //! What is said of a simulated flight, on the terminal and the page.
 
 use super::record::{FlightRecord, Flown, OutcomeRecord, SpinRecord};
+use crate::flight::damage::{LIMIT_BROKEN, is_judged};
 use crate::flight::indistinguishable::listed;
 use crate::model::{
-    AfterFault, Allocation, Attitude, Controller, Detection, FlownVehicle, LimitKind, LostYaw, Model, Simulation,
+    AfterFault, Allocation, Attitude, Controller, Detection, FlownVehicle, Limit, LimitKind, LostYaw, Model, Simulation,
 };
 use crate::number::{fixed, number, significant};
 
@@ -175,10 +176,29 @@ fn met(model: &Model, record: &FlightRecord) -> String {
         parts.push(if record.waypoints_missed == 0 { "waypoints met" } else { "waypoints MISSED" }.to_string());
     }
     if model.mission.as_ref().is_some_and(|mission| !mission.limits.is_empty()) {
-        let word = if record.limits_broken.is_empty() { "limits kept within a tenth" } else { "limits BROKEN" };
-        parts.push(word.into());
+        parts.push(match record.limits_broken.is_empty() {
+            true => format!("limits kept within a tenth{}", wider_tolerances(model)),
+            false => "limits BROKEN".into(),
+        });
     }
     if parts.is_empty() { String::new() } else { format!(": {}", parts.join(", ")) }
+}
+
+/// ` (tilt: 5.7 degrees)`: what flights may exceed small limits by, which is more than a tenth of them.
+fn wider_tolerances(model: &Model) -> String {
+    let limits = model.mission.iter().flat_map(|mission| &mission.limits);
+    let is_small = |limit: &&Limit| {
+        let bound = limit.lower.into_iter().chain(limit.upper).map(f64::abs).fold(0.0, f64::max);
+        is_judged(limit) && !limit.kind.is_of_place() && bound < limit.size()
+    };
+    let words = |limit: &Limit| {
+        let description = limit.kind.describe();
+        let most = significant(LIMIT_BROKEN * limit.size() * description.factor(), 2);
+        format!("{}: {most} {}", limit.name(), description.unit)
+    };
+    let mut all: Vec<String> = limits.filter(is_small).map(words).collect();
+    all.dedup();
+    if all.is_empty() { String::new() } else { format!(" ({})", all.join(", ")) }
 }
 
 /// Which limits were broken; `None` if none was.

@@ -131,8 +131,8 @@ pub(in crate::spec::read) fn warn_unused(
         let mode = &modes.modes[first];
         let count = of_statement().count();
         let message = match count {
-            1 => format!("fault mode `{}` is not used", mode.name),
-            n => format!("none of these {n} fault modes is used"),
+            1 => format!("no plan covers fault mode `{}`", mode.name),
+            n => format!("no plan covers any of these {n} fault modes"),
         };
         let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not in `against`");
         // The suggested list keeps the modes already chosen.
@@ -142,10 +142,12 @@ pub(in crate::spec::read) fn warn_unused(
         let list = format!("as in `[{}]`", all.join(", "));
         cx.report(warning.help(match count {
             1 => format!(
-                "remove it, or add it to `against`, {list}; `mavc analyze` shows whether a plan can tolerate it"
+                "add it to `against`, {list}, if `mavc analyze` shows that a plan can tolerate it; flights and \
+                 `mavc safety` count it all the same"
             ),
             _ => format!(
-                "remove them, or add some to `against`, {list}; `mavc analyze` shows which ones a plan can tolerate"
+                "add some to `against`, {list}; `mavc analyze` shows which ones a plan can tolerate, and flights and \
+                 `mavc safety` count all of them"
             ),
         }));
     }
