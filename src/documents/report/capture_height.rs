@@ -163,8 +163,8 @@ pub fn worst(case: &Capture) -> String {
 pub fn text(record: &CaptureRecord, exposed: &[ExposedRecord]) -> String {
     let flights = record.captures.first().map_or(0, |case| case.flights);
     let head = format!(
-        "Height [m] that a fault costs until level flight is regained, {}. The most of {flights} flights each: \
-         simulated, not proved",
+        "Height [m] that a fault costs until level flight is regained, {}. The most of {flights} flights each, \
+         however far they drift: simulated, not proved",
         record.headline()
     );
     let wrap = |text: &str| format!("\n{}", indented(text));

@@ -73,7 +73,7 @@ fn legends(model: &Model, comparison: &Comparison) -> Vec<String> {
         return Vec::new();
     }
     let objective = match model.vehicle.battery {
-        None => "; objective: what planners minimise, errors and effort",
+        None => "; objective: errors and effort, minimised locally",
         Some(_) => "",
     };
     vec![

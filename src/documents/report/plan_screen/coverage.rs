@@ -135,8 +135,8 @@ pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec
         say(
             Covers::UnsafeUntil,
             format!(
-                "UNSAFE until {} s: after {} the remaining rotors cannot always give {wrench}{reserve}.{}",
-                fixed(until, 2),
+                "UNSAFE until {}: after {} the remaining rotors cannot always give {wrench}{reserve}.{}",
+                instant(solved, until),
                 named(answer, &unsafe_ones),
                 advice(answer, run)
             ),
@@ -222,6 +222,11 @@ pub(in crate::documents::report) fn unsafe_until(model: &Model, solved: &Mission
         AfterFault::Hold => solved.committed.get(i).copied().filter(|until| *until > 0.0),
         _ => solved.outside[i].last,
     }
+}
+
+/// `4.31 s`, or `the end`
+fn instant(solved: &MissionPlan, at: f64) -> String {
+    if at >= solved.trajectory.duration() { "the end".into() } else { format!("{} s", fixed(at, 2)) }
 }
 
 /// Whether a fault of some mode planned against meets a violation, or is not planned.
@@ -332,7 +337,7 @@ fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> ModeTable {
                 tenths(spare),
                 out.worst_at
                     .map_or("-".into(), |at| format!("{}{}", seconds(at), leg(answer.problem.mission(), solved, at))),
-                unsafe_until(model, solved, i).map_or("never".into(), |at| format!("until {}", seconds(at))),
+                unsafe_until(model, solved, i).map_or("never".into(), |at| format!("until {}", instant(solved, at))),
             ],
         };
         let rank = if is_captured { f64::NEG_INFINITY } else { spare };

@@ -131,8 +131,8 @@ pub(in crate::spec::read) fn warn_unused(
         let mode = &modes.modes[first];
         let count = of_statement().count();
         let message = match count {
-            1 => format!("no plan covers fault mode `{}`", mode.name),
-            n => format!("no plan covers any of these {n} fault modes"),
+            1 => format!("fault mode `{}` is neither planned against nor flown", mode.name),
+            n => format!("none of these {n} fault modes is planned against or flown"),
         };
         let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not in `against`");
         // The suggested list keeps the modes already chosen.
@@ -142,12 +142,12 @@ pub(in crate::spec::read) fn warn_unused(
         let list = format!("as in `[{}]`", all.join(", "));
         cx.report(warning.help(match count {
             1 => format!(
-                "add it to `against`, {list}, if `mavc analyze` shows that a plan can tolerate it; flights and \
-                 `mavc safety` count it all the same"
+                "add it to `against`, {list}, if `mavc analyze` shows that a plan can tolerate it; until then `mavc \
+                 plan` lists it as not covered"
             ),
             _ => format!(
-                "add some to `against`, {list}; `mavc analyze` shows which ones a plan can tolerate, and flights and \
-                 `mavc safety` count all of them"
+                "add to `against` those that `mavc analyze` shows a plan can tolerate, {list}; until then `mavc plan` \
+                 lists them as not covered"
             ),
         }));
     }
