@@ -32,8 +32,8 @@ impl Observer for Silent {}
 /// The names by which [`Observer::tries`] calls the planners.
 pub const PLANNERS: [&str; 3] = ["RIP", "RCP", "RSP"];
 
-/// A trial for a line of progress, in at most 80 columns with what surrounds it. A search for RSP begins with RCP's plan,
-/// which satisfies RSP's rows too.
+/// A trial for a line of progress, in at most 80 columns with what surrounds it. A search for RSP begins with RCP's
+/// plan, which satisfies RSP's rows too.
 pub fn trial_text(wanted: Option<&str>, planner: &str, trial: Trial) -> String {
     let other = wanted.filter(|wanted| *wanted != planner && PLANNERS.contains(&planner));
     let of = other.map_or(planner.to_string(), |wanted| format!("{wanted} begins with {planner}'s"));

@@ -263,8 +263,8 @@ impl<'a> Case<'a> {
         let delays = self.model().plan.recovery.detection.map(|delay| number(1e3 * delay));
         let known = if delays[0] == delays[1] { delays[0].clone() } else { delays.join(" to ") };
         format!(
-            "  no way out found: {}\n  A plan that stays inside a mode's set can lack a way out: until the fault is known, \
-             after {known} ms, the vehicle leaves the plan.\n",
+            "  no way out found: {}\n  A plan that stays inside a mode's set can lack a way out: until the fault is \
+             known, after {known} ms, the vehicle leaves the plan.\n",
             parts.join(", ")
         )
     }

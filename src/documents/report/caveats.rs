@@ -25,8 +25,8 @@ pub struct Caveat {
     pub limit: Option<String>,
     /// SI: by how much the limit is exceeded; the number of legs with fewer pieces; the highest speed, m/s; the
     /// largest tilt, rad; the smallest thrust, N; the share of the charge that is left; the time during which the
-    /// plan is too low, s; how far the plan climbs or strays or begins from the start, m; the largest violation of a set at an end of the
-    /// interval of `drag`, in widths of the healthy set, negative where all hold.
+    /// plan is too low, s; how far the plan climbs, strays or begins from the start, m; the largest violation
+    /// of a set at an end of the interval of `drag`, in widths of the healthy set, negative where all hold.
     pub value: f64,
     /// The worst instant, s since the start.
     #[cfg_attr(test, schemars(range(min = 0)))]

@@ -68,8 +68,8 @@ impl Setting<'_> {
         Ok(all)
     }
 
-    /// The cost of deciding one motion at its nodes against some number of whole sets and, under RSP, at most all facets
-    /// of the modes' sets, and of finding the facets that it selects.
+    /// The cost of deciding one motion at its nodes against some number of whole sets and, under RSP, at most all
+    /// facets of the modes' sets, and of finding the facets that it selects.
     fn estimate_of_motion(&self, record: &MotionRecord, sets: u64) -> Result<Estimate, Rejection> {
         let mut motion = self.motion(record)?;
         schedule::check(self.problem, &mut motion, self.premises)?;
