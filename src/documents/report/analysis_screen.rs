@@ -333,7 +333,7 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     }
     let faint = |mode: &ModeAnalysis| mode.nearest_rows.is_some_and(|rows| rows.angle < least_angle());
     remarks.extend(named(&faint).map(|names| {
-        format!("{names}: nearly parallel rows of the actuation matrix, so the rotors can hardly tell two axes apart")
+        format!("{names}: nearly parallel rows of the actuation matrix, so the rotors hardly separate two axes")
     }));
     let lowered = battery::full_thrust(model);
     remarks.extend((!lowered.is_empty()).then(|| lowered.trim_end().to_string()));

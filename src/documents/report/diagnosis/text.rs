@@ -20,7 +20,7 @@ pub fn screen(diagnosis: &Diagnosis) -> Screen {
     let mut screen = Screen::default();
     let losses = diagnosis.losses();
     match (losses, diagnosis.is_unknown()) {
-        ([], true) => screen.paragraph(Tone::Warning, 0, 2, "not identifiable: the log does not show what was asked"),
+        ([], true) => screen.paragraph(Tone::Warning, 0, 2, "the log does not show whether a motor lost thrust"),
         ([], false) => {
             screen.paragraph(Tone::Good, 0, 2, "no loss of thrust found: every motor follows its command to the end");
         }
