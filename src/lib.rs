@@ -27,7 +27,7 @@ pub use planning::{certify, explain, planner, qp, solve};
 pub use builder::Builder;
 pub use certificate::Certificate;
 pub use diagnostic::{Diagnostic, Severity};
-pub use observer::Observer;
+pub use observer::{Observer, Trial};
 pub use pipeline::{
     Explained, NoFlight, OtherSpec, Planning, Refusal, Rejected, Task, Uncertified, Unexplained, analyze, campaign,
     capture, certify, check, compare, compile, explain, fly, format, plan, verify,

@@ -11,6 +11,7 @@ use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
 use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Run, Scope, run_planners};
 use mavc::planner::timing::search::Hint;
+use mavc::planner::trial::Trial;
 use mavc::planner::working_set::WorkingSet;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
@@ -166,7 +167,7 @@ fn rsp_without_facets_is_rip() {
     model.plan.samples = 12;
     model.plan.time = MissionTime::Fixed(2.5);
     let told = std::sync::Mutex::new(Vec::new());
-    let tell = |name: &str, _: f64| told.lock().unwrap().push(name.to_string());
+    let tell = |name: &str, _: Trial| told.lock().unwrap().push(name.to_string());
     let all = run_planners(Problem::of(&model).unwrap(), Scope::Everything, Some(&tell));
     // Progress counts the runs that are in the end there: six with one mode.
     let told = told.into_inner().unwrap();
