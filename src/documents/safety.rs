@@ -259,7 +259,7 @@ impl<'a> Case<'a> {
         modes.sort_by(|a, b| seconds(*b).total_cmp(&seconds(*a)));
         let named = |mode: &usize| format!("{} {} s", self.model().modes[*mode].name, fixed(seconds(*mode), 2));
         let mut parts: Vec<String> = modes.iter().take(MOST_NAMED).map(named).collect();
-        parts.extend((modes.len() > MOST_NAMED).then(|| format!("{} more", plural(modes.len() - MOST_NAMED, "mode"))));
+        parts.extend((modes.len() > MOST_NAMED).then(|| plural(modes.len() - MOST_NAMED, "more mode")));
         let delays = self.model().plan.recovery.detection.map(|delay| number(1e3 * delay));
         let known = if delays[0] == delays[1] { delays[0].clone() } else { delays.join(" to ") };
         format!(
