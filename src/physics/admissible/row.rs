@@ -57,3 +57,22 @@ pub fn row<O>(facet: &Facet<4, O>, healthy: &AdmissibleSet, origin: Vec<FacetOf>
     let width = healthy.zonotope.width(&facet.normal);
     SetRow { normal: facet.normal / width, offset: facet.offset / width, equality: false, origin, core: None }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_a_number_violates_every_row() {
+        assert_eq!(largest([-1.0, f64::NAN, 0.5]), f64::INFINITY);
+        assert_eq!((largest([-1.0, 0.5]), largest([])), (0.5, f64::NEG_INFINITY));
+        let row = SetRow {
+            normal: Wrench::new(1.0, 0.0, 0.0, 0.0),
+            offset: 1.0,
+            equality: false,
+            origin: vec![],
+            core: None,
+        };
+        assert_eq!(row.worst(&[Wrench::zeros(), Wrench::from_element(f64::NAN)]), f64::INFINITY);
+    }
+}
