@@ -64,7 +64,7 @@ mod tests {
         let text = trial_text(Some("RSP"), "RSP", trial);
         assert_eq!(text, "RSP: trying 41.21 s; feasible 41.75, failed 40.90, budget left 62 %");
         // With a sign before it and the elapsed time after it.
-        let longest = Trial { time: 4121.21, feasible: Some(4141.75), failed: Some(4040.9), budget_left: Some(1.0) };
+        let longest = Trial { time: 412.21, feasible: Some(414.75), failed: Some(404.9), budget_left: Some(1.0) };
         assert!(trial_text(None, "RSP", longest).len() <= 80 - "* ".len() - "  [2m]".len());
     }
 }

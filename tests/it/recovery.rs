@@ -407,8 +407,8 @@ fn a_comparison_has_the_price_of_ways_out() {
     assert!(page.contains("With ways out after faults"), "the page has no row");
     let (report, text, page) = compared("compare", "");
     assert!(report.get("recoverable").is_none() && !text.contains(title), "{text}");
-    let words = "Ways out after faults: not attempted";
-    assert!(page.contains(words), "the page does not say that it was not attempted");
+    let words = "Ways out after faults: not sought";
+    assert!(page.contains(words), "the page does not say that none was sought");
 }
 
 /// On a map: the ground projections of ways out, landing sites as polygons and as rally points of a ground station.

@@ -130,7 +130,9 @@ fn a_flight_says_whether_it_met_its_waypoints_and_limits() {
     };
     let (text, record) = flown("speed <= 5 m/s; tilt <= 20 deg", "");
     assert!(
-        text.contains("to its end at 6.00 s: waypoints met, limits kept within a tenth; no fault simulated"),
+        text.contains(
+            "to its end at 6.00 s: waypoints met, limits kept within a tenth (tilt: 5.7 deg); no fault simulated"
+        ),
         "{text}"
     );
     assert!(!text.contains("! limits") && !text.contains("! largest tilt"), "{text}");

@@ -62,7 +62,7 @@ impl Task<'_> {
             observer.begins(&format!("planning for ways out{time}, with {} in reserve", percent(reserve)));
         };
         let share = |found: &Recovery| uncovered(self.model(), found).0;
-        let again = replanned(self.problem(), planning.comparison(), &found, (&share, required.uncovered), &tries);
+        let again = replanned(self.problem(), planning.comparison(), &found, &share, required.uncovered, &tries);
         let kept = match again.replanned {
             Some(replanned) => {
                 planning.replace(self, replanned.comparison);

@@ -186,7 +186,7 @@ fn one_drag(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
 
 /// Plans that begin farther from the start than this have a caveat, m: more than twice the tolerance of a waypoint
 /// without `within`. Chosen by hand.
-const AWAY_FROM_START: f64 = 0.1;
+pub(super) const AWAY_FROM_START: f64 = 0.1;
 
 /// The caveat of a plan that begins away from the start: flights and figures are those of a vehicle that is there.
 fn away_from_start(model: &Model, solved: &MissionPlan) -> Option<Caveat> {

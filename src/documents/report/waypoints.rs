@@ -1,5 +1,6 @@
 //! The error of a plan at each waypoint, compared with the tolerance.
 
+use super::caveats::AWAY_FROM_START;
 use crate::model::{Heading, Limit, Mission, Part, Waypoint};
 use crate::motion::checks::heading_error;
 use crate::motion::{NodeState, YAW};
@@ -183,7 +184,9 @@ pub fn headline(waypoints: &[WaypointRecord]) -> String {
         let (unit, per_metre) = length_unit(w.position_error_m);
         format!("; begins {} {unit} from the start", significant(per_metre * w.position_error_m, 2))
     };
-    let begins = start.first().filter(|w| w.position_error_m >= AT_THE_START).map_or(String::new(), begins);
+    // Of more there is a caveat.
+    let is_small = |w: &&WaypointRecord| (AT_THE_START..=AWAY_FROM_START).contains(&w.position_error_m);
+    let begins = start.first().filter(is_small).map_or(String::new(), begins);
     let tight = worst(later).filter(|w| !w.met || w.share() >= TIGHT);
     format!("{}{}{begins}", met_or_missed(waypoints), tight.map_or(String::new(), tightest))
 }

@@ -61,7 +61,8 @@ pub fn replanned(
     problem: Problem,
     first: &Comparison,
     found: &Recovery,
-    (uncovered, bound): (&dyn Fn(&Recovery) -> f64, f64),
+    uncovered: &dyn Fn(&Recovery) -> f64,
+    bound: f64,
     tries: &dyn Fn(f64, Option<f64>),
 ) -> ReplanningOutcome {
     let Some(before) = first.runs.last().and_then(|run| run.outcome.plan()) else {
