@@ -175,8 +175,8 @@ pub struct TighteningSettings {
     pub max_violation: f64,
     /// Parts of each interval between instants at which it is measured.
     pub parts: usize,
-    /// Rows are tightened by this many times the violation, at the instants on both sides; those on the commanded
-    /// wrench at all instants.
+    /// Rows are tightened by their slack and this many times the violation, at the instants on both sides; those on the
+    /// commanded wrench by this many times the violation, at all instants.
     pub factor: f64,
     /// Most rounds of evaluation, tightening and restoration. The result of the last restoration is not evaluated, so
     /// one restoration fewer can lead to a plan.
@@ -297,10 +297,6 @@ pub struct SearchSettings {
     pub ample: [f64; 4],
     /// How many ticks of 0.01 s later than the shortest time found a plan is tried.
     pub late: [f64; 6],
-    /// Factors of the shortest time found at which a plan is tried after these. Measured: of a mission with 24
-    /// waypoints and 45 volumes none of `late` has one, and without these factors its plan was the one in closed form,
-    /// four times as long.
-    pub later: [f64; 4],
     /// The relaxation is first solved at the first guess less this share of the flight after the last fixed time.
     pub first_proof: f64,
     /// After the last fixed time: the relative resolution of the bisection.

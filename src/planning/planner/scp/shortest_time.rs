@@ -81,8 +81,8 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// The plan of least cost from a feasible iterate, at its time rounded up to [`GRID`], or later by the first of
-    /// [`settings::SearchSettings::late`] or [`settings::SearchSettings::later`] at which there is one: a plan flown a
-    /// little slower is nearly always still one.
+    /// [`settings::SearchSettings::late`] at which there is one: a plan flown a little slower is nearly always still
+    /// one.
     fn rounded_up(
         &mut self,
         iterate: &Iterate,
@@ -92,11 +92,10 @@ impl ScpPlanner<'_, '_> {
         // Rows hold at nodes only, so that an iterate could be shorter than the bound.
         let least = kinematics::least_time_within(self.problem()).seconds;
         let ticks = ((iterate.grid.total + self.held()) / GRID - 1e-6).ceil().max((least / GRID).ceil());
-        let settings = self.settings.search;
-        let later = settings.later.map(|factor| (factor * ticks).ceil());
-        for ticks in settings.late.map(|late| ticks + late).into_iter().chain(later) {
-            let time = ticks / (1.0 / GRID).round();
+        for late in self.settings.search.late {
+            let time = (ticks + late) / (1.0 / GRID).round();
             let slower = self.lasting(iterate, time - self.held());
+            self.begins_trial(time);
             let planned = self.restored_plan(slower, time, rule, working_set);
             self.hover.trial.note(time, planned.is_some());
             if let Some(planned) = planned {

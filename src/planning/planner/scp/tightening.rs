@@ -3,7 +3,7 @@
 use super::iterate::Iterate;
 use super::{PARTS, ScpPlanner, settings};
 use crate::model::Limit;
-use crate::planner::transcription::{Row, RowAt};
+use crate::planner::transcription::{Row, RowAt, Transcription};
 use settings::StoppingRule;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -42,11 +42,11 @@ impl ScpPlanner<'_, '_> {
             if over.is_empty() && commands_over.iter().all(|violation| *violation <= settings.max_violation) {
                 return Some(joined);
             }
+            let form = self.transcription(&joined.grid, &[]);
             for (at, violation) in over {
                 let Some(place) = self.place(at.row) else { continue };
                 for instant in [at.instant, at.instant + 1] {
-                    *self.local_tightening.entry(instant).or_default().entry(place).or_default() +=
-                        settings.factor * violation;
+                    self.tighten_at(&form, &joined, instant, place, settings.factor * violation);
                     working_set.insert(RowAt { instant, ..at });
                 }
             }
@@ -57,6 +57,17 @@ impl ScpPlanner<'_, '_> {
             iterate = self.restore_feasibility(iterate, working_set)?;
         }
         None
+    }
+
+    /// Tightens the row at a place so that the iterate violates it by at least `by` at an instant: the tightening takes
+    /// the slack that the row has there, without which the iterate would stay as it is.
+    fn tighten_at(&mut self, form: &Transcription, iterate: &Iterate, instant: usize, place: usize, by: f64) {
+        let state = iterate.at(instant);
+        let mut all = self.violations_at(form, &state, instant, || f64::NEG_INFINITY);
+        let violation = all.find(|(at, _)| *at == place).map_or(0.0, |(_, violation)| violation);
+        drop(all);
+        let slack = if violation.is_finite() { (-violation).max(0.0) } else { 0.0 };
+        *self.local_tightening.entry(instant).or_default().entry(place).or_default() += slack + by;
     }
 
     /// The rows violated by more than the tightening accepts on the finer grid, each at the instant before, with its
@@ -83,5 +94,42 @@ impl ScpPlanner<'_, '_> {
         let is_place = |limit: &Limit| limit.kind.is_of_place() && !limit.kind.is_clearance();
         over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if is_place(&limits[limit])));
         over.into_iter().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::Problem;
+    use crate::motion::wrench_model::WrenchModel;
+    use crate::planner::hover::HoverPlanner;
+    use crate::planner::scp::ScpPlanner;
+    use crate::planner::selection::sets::PlanningSets;
+
+    /// Where a row has slack at the instants beside a violation, a tightening by the violation alone changes nothing.
+    #[test]
+    fn a_tightened_row_is_violated_at_its_instant() {
+        let spec = crate::compile(
+            "vehicle v { layout = \"PNPNPN\"; arm = 0.4 m; mass = 3 kg; inertia = [0.05, 0.06, 0.1] kg*m^2
+    rotor { max_thrust = 9 N; torque_per_thrust = 15 mm; max_speed = 900 rad/s } }
+mission m { start at [0, 0, 2] m; waypoint at [9, 0, 4] m; limits { speed <= 4 m/s } }
+plan { planner = rip; against = []; samples = 40 }",
+        );
+        let spec = spec.into_result().unwrap();
+        let sets = PlanningSets::of(spec.model());
+        let mut hover = HoverPlanner::new(Problem::of(spec.model()).unwrap(), &sets.healthy);
+        let mut planner = ScpPlanner::new(&mut hover, WrenchModel::Exact, &sets.rip);
+        let slow = planner.rest_to_rest(40).unwrap().slower(2.0);
+        let form = planner.transcription(&slow.grid, &[]);
+        let (instant, speed) = (slow.states.len() / 2 * super::PARTS, sets.rip.rows.len());
+        let violation = |planner: &ScpPlanner| {
+            let state = slow.at(instant);
+            let mut all = planner.violations_at(&form, &state, instant, || f64::NEG_INFINITY);
+            all.find(|(place, _)| *place == speed).unwrap().1
+        };
+        assert!(violation(&planner) < -0.1, "{}", violation(&planner));
+        for by in [1e-4, 3e-4] {
+            planner.tighten_at(&form, &slow, instant, speed, by);
+            assert!(violation(&planner) >= 0.99 * by, "{} {by}", violation(&planner));
+        }
     }
 }

@@ -97,7 +97,6 @@ impl ScpSettings {
             short_enough: 3e-3,
             ample: [1.0, 1.5, 2.5, 5.0],
             late: [0.0, 1.0, 2.0, 4.0, 8.0, 16.0],
-            later: [1.01, 1.03, 1.1, 1.3],
             first_proof: 0.75,
             resolution: 0.0025,
             first_stride: 0.25,
