@@ -17,6 +17,9 @@ const EVERY_TABLE: &str = "-v prints every table";
 /// Which modes are not shown.
 const MORE_TO_SPARE: &str = " with more to spare";
 
+/// Which modes are not shown of those without a way out.
+const SHORTER_GAPS: &str = " with shorter gaps";
+
 /// The fewest columns of names in a table.
 const NAMES: usize = 8;
 
@@ -80,7 +83,7 @@ impl Counted {
             Counted::Remark => plural(n, "remark"),
             Counted::Figure => plural(n, "figure"),
             Counted::Mode => format!("{}{MORE_TO_SPARE}", plural(n, "mode")),
-            Counted::Gap => format!("{} with shorter gaps", plural(n, "mode")),
+            Counted::Gap => format!("{}{SHORTER_GAPS}", plural(n, "mode")),
         })
     }
 }
@@ -221,7 +224,7 @@ impl Screen {
         let mut all = [named, Counted::Mode.words(modes)].map(line);
         all.iter_mut()
             .filter(|last| last.chars().count() > WIDTH)
-            .for_each(|last| *last = last.replace(MORE_TO_SPARE, ""));
+            .for_each(|last| *last = last.replace(MORE_TO_SPARE, "").replace(SHORTER_GAPS, ""));
         let [named, counted] = all;
         self.lines = self.with(&is_kept);
         self.line(Tone::Plain, if named.chars().count() <= WIDTH && all_named { &named } else { &counted });
