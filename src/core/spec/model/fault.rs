@@ -52,7 +52,7 @@ pub struct FaultMode {
     pub name: String,
     pub title: Option<String>,
     pub doc: Option<String>,
-    /// In the order of [`Vehicle::rotors`].
+    /// In the order of [`super::Vehicle::rotors`].
     pub rotors: Vec<RotorState>,
     /// FMEA numbers, 1..10.
     pub severity: Option<u8>,
@@ -62,11 +62,11 @@ pub struct FaultMode {
     pub rate: Option<f64>,
     /// The interval of the rate, relative to its middle.
     pub rate_spread: Spread,
-    /// The mode's own reaction to the fault, if it gives one: see [`Model::after_fault`].
+    /// The mode's own reaction to the fault, if it gives one: see [`super::Model::after_fault`].
     pub after_fault: Option<AfterFault>,
-    /// Whether yaw is given up after this fault, if the mode says so: see [`Model::gives_up_yaw`].
+    /// Whether yaw is given up after this fault, if the mode says so: see [`super::Model::gives_up_yaw`].
     pub without_yaw: Option<GiveUpYaw>,
-    /// The mode's own ways out after the fault, if it gives them: see [`Model::recovery`].
+    /// The mode's own ways out after the fault, if it gives them: see [`super::Model::recovery`].
     pub recovery: Option<Vec<Recovery>>,
     pub span: Span,
 }

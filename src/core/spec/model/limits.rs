@@ -68,7 +68,7 @@ pub enum Part {
 /// The leg to which a limit is restricted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OnLeg {
-    /// Index into [`Mission::legs`].
+    /// Index into [`super::Mission::legs`].
     pub leg: usize,
     pub part: Part,
     /// The limit as messages name it: `speed on the leg to waypoint 3`.
