@@ -85,7 +85,8 @@ pub fn vehicle(source: &Source, parameters: &Parameters, found: &mut Vec<Diagnos
         found.push(warning.help("add `FRAME_TYPE` if the vehicle has another"));
     }
     let names = ["FRAME_CLASS", "FRAME_TYPE"];
-    found.extend(parameters.repeated().filter(|(name, ..)| names.contains(name)).map(set_twice));
+    let read = parameters.repeated().filter(|(name, ..)| names.contains(name));
+    found.extend(read.map(|(name, first, last)| set_twice(name, first, last)));
     let figures = Figures::of(parameters);
     if let Some(hover) = parameters.get("MOT_THST_HOVER").filter(|_| figures.hover.is_some()) {
         let message = "full thrust is computed from the mass and the thrust with which the vehicle hovers";

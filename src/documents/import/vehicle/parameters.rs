@@ -90,7 +90,7 @@ impl<'s> Parameters<'s> {
 }
 
 /// The warning for a name that is set to different values, of those of [`Parameters::repeated`].
-pub fn set_twice((name, first, last): (&str, Span, Span)) -> Diagnostic {
+pub fn set_twice(name: &str, first: Span, last: Span) -> Diagnostic {
     let warning = Diagnostic::warning(ASSUMED, last, format!("`{name}` is set twice: the spec has this value"));
     let warning = warning.here("the last").also(first, "another value");
     warning.help("if both are in conditional parts, keep only the one that applies")

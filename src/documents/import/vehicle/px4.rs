@@ -185,7 +185,8 @@ impl Reader<'_, '_> {
                 .here("they are 0 or 1 along each axis, or 1 from the centre");
             found.push(warning.help("PX4 needs proportions only: measure the arms, and write them in the spec"));
         }
-        found.extend(self.parameters.repeated().filter(|(name, ..)| name.starts_with("CA_")).map(set_twice));
+        let of_rotors = self.parameters.repeated().filter(|(name, ..)| name.starts_with("CA_"));
+        found.extend(of_rotors.map(|(name, first, last)| set_twice(name, first, last)));
         self.warn_of_rotors_unlike_the_others(rotors, found);
         let is_placed = |i: &usize| ["PX", "PY"].iter().any(|key| self.value(*i, key).is_some());
         let span = self.parameters.get("CA_ROTOR_COUNT").map(|count| count.span);
