@@ -16,6 +16,7 @@ use crate::model::{Allocation, Model};
 use crate::number::{down, number, part_of_all, significant};
 use crate::report::battery;
 use crate::text_table::Table;
+use std::collections::BTreeSet;
 
 /// Most rows of modes; with more groups of modes each outcome has its weakest, and the others are counted.
 const MOST_ROWS: usize = 12;
@@ -316,8 +317,8 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
     remarks.extend(named(&|mode| mode.outcome == Outcome::Caught).map(|names| {
         format!("{names}: the vehicle loses height before it is caught; `mavc analyze --capture` simulates how much")
     }));
-    let mut exhausted: Vec<Option<String>> = modes.iter().map(exhausted_axes).collect();
-    exhausted.dedup();
+    // Alike modes need not follow each other.
+    let exhausted: BTreeSet<Option<String>> = modes.iter().map(exhausted_axes).collect();
     for axes in exhausted {
         let has_these = |mode: &ModeAnalysis| mode.outcome == Outcome::NoMargin && exhausted_axes(mode) == axes;
         remarks.extend(named(&has_these).map(|names| match &axes {

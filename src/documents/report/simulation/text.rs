@@ -7,6 +7,7 @@ use crate::model::{
     AfterFault, Allocation, Attitude, Controller, Detection, FlownVehicle, Limit, LimitKind, LostYaw, Model, Simulation,
 };
 use crate::number::{fixed, number, significant};
+use std::collections::BTreeSet;
 
 /// The modes that the estimator cannot tell apart along the plan, if there are some.
 pub(super) fn indistinguishable(flown: &Flown) -> Option<String> {
@@ -196,8 +197,8 @@ fn wider_tolerances(model: &Model) -> String {
         let most = significant(LIMIT_BROKEN * limit.size() * description.factor(), 2);
         format!("{}: {most} {}", limit.name(), description.unit)
     };
-    let mut all: Vec<String> = limits.filter(is_small).map(words).collect();
-    all.dedup();
+    let all: BTreeSet<String> = limits.filter(is_small).map(words).collect();
+    let all: Vec<String> = all.into_iter().collect();
     if all.is_empty() { String::new() } else { format!(" ({})", all.join(", ")) }
 }
 
