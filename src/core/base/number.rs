@@ -73,7 +73,7 @@ pub fn percent(x: f64) -> String {
 }
 
 /// A share that people compare with others as percent: three significant digits, at most one of them after the point.
-/// What rounds to zero is `0.0 %` if it is not zero; below zero it keeps one digit, because the sign matters.
+/// What rounds to zero is `0 %`; below zero it keeps one digit, because the sign matters.
 pub fn tenths(x: f64) -> String {
     let share = 100.0 * x;
     if share.abs() >= 1.0 || share == 0.0 || !share.is_finite() {
@@ -81,7 +81,7 @@ pub fn tenths(x: f64) -> String {
     }
     match fixed(share, 1) {
         zero if zero == "0.0" && share < 0.0 => format!("{} %", significant(share, 1)),
-        zero if zero == "0.0" => "0.0 %".into(),
+        zero if zero == "0.0" => "0 %".into(),
         shown => format!("{} %", trim(&shown)),
     }
 }
@@ -187,7 +187,7 @@ mod tests {
         let shares = [0.0, 0.146378, 0.995, 0.9995, 0.99951, 0.9996, 0.99999, 1.0 - 1.0 / 3e6, 1.0].map(part_of_all);
         assert_eq!(shares, ["0", "14.6", "99.5", "99.95", "99.95", "99.96", "99.999", "99.99996", "100"]);
         let tenth = [0.146378, 0.0872, 0.00437, 0.000111, 0.0, -0.000213, -0.0394].map(tenths);
-        assert_eq!(tenth, ["14.6 %", "8.72 %", "0.4 %", "0.0 %", "0 %", "-0.02 %", "-3.94 %"]);
+        assert_eq!(tenth, ["14.6 %", "8.72 %", "0.4 %", "0 %", "0 %", "-0.02 %", "-3.94 %"]);
         let pairs = [(0.0437, 20.0), (0.00623, 2.0), (20.0, 20.0), (1.66, 1.0), (0.0, 0.0), (30.04, 30.0)];
         assert_eq!(pairs.map(|(x, whole)| beside(x, whole, 3)), ["0", "0.01", "20", "1.66", "0", "30"]);
         assert_eq!([0.0, 0.0049, 0.005, 1.2].map(short_seconds), ["< 0.01", "< 0.01", "0.01", "1.20"]);

@@ -238,13 +238,14 @@ pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin
     lines
 }
 
-/// `plans are made against M1 .. M4, not M5, M6`; `None` without a mission, and if they are made against all modes.
+/// `planned against: M1 .. M4; not planned against: M5, M6`; `None` without a mission, and if they are made against all modes.
 pub fn planned_against(model: &Model) -> Option<String> {
     model.mission.as_ref()?;
     let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();
     let (yes, no): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|mode| model.plan.against.contains(mode));
     let names = |modes: &[usize]| if modes.is_empty() { "no mode".into() } else { within(&all, modes, NAMES) };
-    (!no.is_empty()).then(|| format!("plans are made against {}, not {} (`against`)", names(&yes), names(&no)))
+    (!no.is_empty())
+        .then(|| format!("planned against: {}; not planned against: {} (`against`)", names(&yes), names(&no)))
 }
 
 /// `steady airspeed with the reserve: 23.1 m/s without a fault, least after M2: 12.3 m/s`
@@ -323,8 +324,7 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
         let has_these = |mode: &ModeAnalysis| mode.outcome == Outcome::NoMargin && exhausted_axes(mode) == axes;
         remarks.extend(named(&has_these).map(|names| match &axes {
             Some(axes) => format!(
-                "{names}: in hover no {axes} is left in one direction, so a disturbance in the other cannot be \
-                 countered"
+                "{names}: hover leaves no {axes} to one side, so a disturbance towards the other cannot be countered"
             ),
             None => format!(
                 "{names}: hover is on the edge of what the remaining rotors can give, so some disturbance cannot be \

@@ -222,7 +222,8 @@ fn block(
         });
         if n > 0 {
             cells.push(format!("{} of {n}", covered(model, comparison, plan)));
-            let worst = violation(plan).map_or("-".into(), percent);
+            let worst =
+                violation(plan).map_or("-".into(), |worst| if worst > 1.0 { "> 100 %".into() } else { percent(worst) });
             let until =
                 unsafe_for_any(model, plan).map_or("never".into(), |last| format!("until {} s", fixed(last, 2)));
             cells.extend([worst, until]);

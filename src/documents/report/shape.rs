@@ -274,7 +274,7 @@ fn price(problem: Problem, solved: &MissionPlan, detour: &Detour, with: &str) ->
 /// The statement of one detour for [`price`].
 fn alone(detour: &Detour) -> &'static str {
     match detour.legs.len() {
-        2.. if !matches!(detour.forbids, Forbids::Altitude(_)) => "with such a statement for each of these legs",
+        2.. if !matches!(detour.forbids, Forbids::Altitude(_)) => "with it on each of these legs",
         _ => "with it",
     }
 }

@@ -46,7 +46,7 @@ pub enum Covers {
     UnsafeUntil,
     /// It is not planned for these modes, although they are in `against`.
     NotPlanned,
-    /// The modes are not in `against`, or none is declared.
+    /// The modes are not in `against`, or not declared.
     Not,
 }
 
@@ -170,7 +170,10 @@ pub fn sentences(answer: &Answer, run: &PlannerRun, solved: &MissionPlan) -> Vec
         );
     }
     without_yaw::not_planned(comparison, answer.heights).into_iter().for_each(|text| say(Covers::NotPlanned, text));
-    not_covered(model).into_iter().for_each(|text| say(Covers::Not, text));
+    match not_covered(model) {
+        Some(text) => say(Covers::Not, text),
+        None => say(Covers::Not, "Faults that the spec does not declare are NOT covered.".into()),
+    }
     found
 }
 
@@ -301,7 +304,7 @@ fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
         (PlannerKind::Rcp, true) => "Proved at every instant.".into(),
         (PlannerKind::Rcp, false) => "Checked on a grid of instants, not proved between them.".into(),
         (PlannerKind::Rsp, true) => {
-            "Proved for the constraints that RSP guards; for the rest sampled along the plan.".into()
+            "The constraints that RSP guards are proved at every instant, the others sampled along the plan.".into()
         }
         (PlannerKind::Rsp, false) => "Sampled along the plan, not proved.".into(),
         (PlannerKind::Rip, _) => "Sampled along the plan, not proved: RIP guards no mode.".into(),
@@ -311,6 +314,12 @@ fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
 /// What a plan leaves of a mode's set beyond the reserve, as a share of the healthy width; negative for a violation.
 pub(in crate::documents::report) fn spare(out: &Outside) -> f64 {
     if out.max_violation.abs() <= VIOLATED { 0.0 } else { -out.max_violation }
+}
+
+/// A [`spare`] for people, who learn nothing from the digits of a violation above the whole width, such as one of a
+/// core, whose constraints depend on the body rates.
+fn spare_words(spare: f64) -> String {
+    if spare < -1.0 { "< -100 %".into() } else { tenths(spare) }
 }
 
 /// Spare, the tightest instant and the last violation of each mode, alike modes together, the tightest first.
@@ -334,7 +343,7 @@ fn table(answer: &Answer, solved: &MissionPlan, names: usize) -> ModeTable {
         let cells = match is_captured {
             true => vec!["-".to_string(), "-".into(), "not planned".into()],
             false => vec![
-                tenths(spare),
+                spare_words(spare),
                 out.worst_at
                     .map_or("-".into(), |at| format!("{}{}", seconds(at), leg(answer.problem.mission(), solved, at))),
                 unsafe_until(model, solved, i).map_or("never".into(), |at| format!("until {}", instant(solved, at))),

@@ -149,7 +149,10 @@ impl PriceRecord {
             }
             (true, ..) => {
                 let time = seconds(solved.time);
-                bare(Baseline::None, format!("no time at {time}; `mavc compare` finds the price of the shortest plan"))
+                bare(
+                    Baseline::None,
+                    format!("no time, because the spec asks for {time}; `mavc compare` prices the shortest plan"),
+                )
             }
             (false, PlannerKind::Rsp, _) if comparison.selected.is_empty() => {
                 bare(Baseline::None, "nothing: the plan that ignores faults is the same".into())
@@ -165,8 +168,10 @@ impl PriceRecord {
                 // Rounded like the headline, so that a reader may subtract.
                 let bound = least_time::shown(least.seconds);
                 let sentence = format!(
-                    "at most {}, because no motion within the limits saves more; `mavc compare` finds the price",
-                    seconds(solved.time - bound)
+                    "at most {}: within the limits no motion is faster than {}, whether it covers faults or not; `mavc \
+                     compare` finds the price",
+                    seconds(solved.time - bound),
+                    seconds(bound)
                 );
                 timed(Baseline::LeastTime, bound, sentence)
             }

@@ -161,7 +161,7 @@ pub fn sentence(record: &RecoveryRecord) -> String {
         [least, most] => format!("{} to {} ms", number(1e3 * least), number(1e3 * most)),
         _ => format!("{} ms", number(1e3 * record.detection_s[0])),
     };
-    let of = if record.weighted { "of the failure rate" } else { "of time x fault" };
+    let of = if record.weighted { "of the failure rate" } else { "of all instants and faults" };
     let known = format!("known after {delays}, down or back on the plan within {} s", number(record.within_s));
     match record.uncovered == 0.0 {
         true => format!("{known}: a way out at every instant looked at"),
