@@ -49,6 +49,14 @@ pub struct Candidates {
     pub clear: Option<Change>,
 }
 
+/// A loss that is tried: the motor gives this share of its torques from a window on.
+#[derive(Clone, Copy)]
+struct Tried {
+    motor: usize,
+    start: usize,
+    capacity: f64,
+}
+
 /// Rows of the windows around an instant.
 struct Around<'s> {
     samples: &'s Samples,
@@ -63,9 +71,9 @@ struct Around<'s> {
 }
 
 impl Around<'_> {
-    fn torque(&self, i: usize, axis: usize, lost: Option<(usize, usize, f64)>) -> f64 {
+    fn torque(&self, i: usize, axis: usize, lost: Option<Tried>) -> f64 {
         let capacity = |k: usize| match lost {
-            Some((motor, start, capacity)) if motor == k && i >= start => capacity,
+            Some(lost) if lost.motor == k && i >= lost.start => lost.capacity,
             _ => 1.0,
         };
         let sum: f64 =
@@ -74,7 +82,7 @@ impl Around<'_> {
     }
 
     /// The squared error of the windows of `late`, the gains fitted to all until its end, with a rotor lost or none.
-    fn error(&self, late: std::ops::Range<usize>, lost: Option<(usize, usize, f64)>) -> f64 {
+    fn error(&self, late: std::ops::Range<usize>, lost: Option<Tried>) -> f64 {
         let mut total = 0.0;
         for axis in 0..3 {
             let weight = |turning: f64| 1.0 / (self.spread[axis].powi(2) + (MODEL_ERROR * turning).powi(2));
@@ -180,7 +188,8 @@ impl<'s> Around<'s> {
             return None;
         }
         let best_of = |k: usize| {
-            let all = CAPACITIES.map(|c| (self.error(start..end, Some((k, start, c))), c));
+            let lost = |capacity: f64| Tried { motor: k, start, capacity };
+            let all = CAPACITIES.map(|c| (self.error(start..end, Some(lost(c))), c));
             all.into_iter().fold((f64::INFINITY, 1.0), |best, one| if one.0 < best.0 { one } else { best })
         };
         let each: Vec<(f64, f64)> = (0..self.effects.len()).map(best_of).collect();

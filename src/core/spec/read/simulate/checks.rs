@@ -188,13 +188,15 @@ pub(super) fn rates<'a>(
         let given = fields.get("rate").map(|expr| expr.span);
         reported = report(cx, coarse_for(rate, control_rate, place("rate"), given, vehicle));
     }
-    if let (Some(rate), Some(control_rate), false) = (rate, control_rate, reported) {
-        let error = undivided(cx, fields, ("rate", rate), ("control_rate", control_rate), estimator_rate, block);
+    let rate = rate.map(|hz| Rate { name: "rate", hz });
+    let controls = control_rate.map(|hz| Rate { name: "control_rate", hz });
+    let estimates = estimator_rate.map(|hz| Rate { name: "estimator_rate", hz });
+    if let (Some(rate), Some(controls), false) = (&rate, &controls, reported) {
+        let error = undivided(cx, fields, rate, controls, estimator_rate, block);
         undecided = report(cx, error);
     }
-    if let (Some(control_rate), Some(estimator_rate), false) = (control_rate, estimator_rate, undecided) {
-        let error =
-            undivided(cx, fields, ("control_rate", control_rate), ("estimator_rate", estimator_rate), None, block);
+    if let (Some(controls), Some(estimates), false) = (&controls, &estimates, undecided) {
+        let error = undivided(cx, fields, controls, estimates, None, block);
         report(cx, error);
     }
     fine
@@ -208,28 +210,39 @@ fn written(fields: &Fields, name: &str, error: Diagnostic, corrected: String) ->
     }
 }
 
+/// A rate with its field.
+struct Rate {
+    name: &'static str,
+    hz: f64,
+}
+
 /// The error for a rate `part` that does not divide the faster rate `whole`. `slower` is a rate that must divide
 /// `part`.
 fn undivided(
     cx: &Context,
     fields: &Fields,
-    whole: (&str, f64),
-    part: (&str, f64),
+    whole: &Rate,
+    part: &Rate,
     slower: Option<f64>,
     block: Span,
 ) -> Option<Diagnostic> {
-    if divides(part.1, whole.1) {
+    if divides(part.hz, whole.hz) {
         return None;
     }
-    let message =
-        format!("`{}` of {} Hz does not divide `{}` of {} Hz", part.0, number(part.1), whole.0, number(whole.1));
-    let (part_given, whole_given) = (fields.get(part.0), fields.get(whole.0));
+    let message = format!(
+        "`{}` of {} Hz does not divide `{}` of {} Hz",
+        part.name,
+        number(part.hz),
+        whole.name,
+        number(whole.hz)
+    );
+    let (part_given, whole_given) = (fields.get(part.name), fields.get(whole.name));
     let span = |expr: Option<&Expr>| expr.map(|e| e.span);
     let error = Diagnostic::error(RATES, span(part_given.or(whole_given)).unwrap_or(block), message);
-    let ratio = format!("{} / {} is {}", number(whole.1), number(part.1), number(whole.1 / part.1));
-    let error = error.here(match part.1 > whole.1 {
-        true if part_given.is_some() => format!("faster than `{}`", whole.0),
-        true => format!("slower than `{}`", part.0),
+    let ratio = format!("{} / {} is {}", number(whole.hz), number(part.hz), number(whole.hz / part.hz));
+    let error = error.here(match part.hz > whole.hz {
+        true if part_given.is_some() => format!("faster than `{}`", whole.name),
+        true => format!("slower than `{}`", part.name),
         false => format!("{ratio}, not a whole number"),
     });
     let error = match (part_given, whole_given) {
@@ -237,17 +250,18 @@ fn undivided(
         _ => error,
     };
     // Where `part` is the default, a round number, `whole` is the one to change.
-    if let (None, Some(given), true) = (part_given, whole_given, whole.1 > part.1) {
-        let corrected = format!("{} Hz", number((whole.1 / part.1).round() * part.1));
-        let help = format!("write `{} = {corrected}`; `{}` is {} Hz by default", whole.0, part.0, number(part.1));
+    if let (None, Some(given), true) = (part_given, whole_given, whole.hz > part.hz) {
+        let corrected = format!("{} Hz", number((whole.hz / part.hz).round() * part.hz));
+        let help =
+            format!("write `{} = {corrected}`; `{}` is {} Hz by default", whole.name, part.name, number(part.hz));
         return Some(error.help(help).fix(given.span, corrected));
     }
-    let corrected = format!("{} Hz", number(nearest_part(part.1, whole.1, slower)));
+    let corrected = format!("{} Hz", number(nearest_part(part.hz, whole.hz, slower)));
     Some(match part_given {
-        Some(expr) => error.help(format!("write `{} = {corrected}`", part.0)).fix(expr.span, corrected),
+        Some(expr) => error.help(format!("write `{} = {corrected}`", part.name)).fix(expr.span, corrected),
         None => {
-            let error = error.help(format!("add `{} = {corrected}`; the default is {} Hz", part.0, number(part.1)));
-            fields.add(cx, error, &format!("{} = {corrected}", part.0))
+            let error = error.help(format!("add `{} = {corrected}`; the default is {} Hz", part.name, number(part.hz)));
+            fields.add(cx, error, &format!("{} = {corrected}", part.name))
         }
     })
 }
