@@ -239,7 +239,7 @@ fn a_plan_names_its_price() {
         let number = text.to_lowercase().split("unsafe until ").nth(1).unwrap().split(" s").next().unwrap().to_string();
         number.parse().unwrap()
     };
-    assert!(fixed.starts_with("no time: ignoring faults also takes 35 s, "), "{fixed}");
+    assert!(fixed.starts_with("no time: a plan that ignores faults also takes 35 s "), "{fixed}");
     // RSP selects from the plan before its second pass.
     assert!((until(&fixed) - until(&ignoring)).abs() < 0.1, "{fixed}\n{ignoring}");
     assert_eq!(price(&ignoring).as_deref(), Some("none, because this plan ignores faults; `mavc compare` finds what"));
@@ -276,7 +276,7 @@ fn every_table_is_a_flag_away() {
 fn what_is_not_known_is_explained() {
     let survey = "examples/survey_hexa.mav";
     let analysis = flat(&out(&mavc(&["analyze", survey])));
-    let masses = "max kg: the largest mass that hovers, without heading if it is not held; least margin: hover nearest \
+    let masses = "max kg: the largest mass that hovers, turning if the heading is not held; least margin: hover nearest \
                   to the edge";
     assert!(analysis.contains(masses), "{analysis}");
     let plan = planned(survey, |plan| out(&plan.output));

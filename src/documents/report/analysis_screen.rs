@@ -212,7 +212,7 @@ fn columns(model: &Model, modes: &[ModeAnalysis]) -> [String; 2] {
         false => "",
     };
     let without_yaw = match modes.iter().skip(1).any(|mode| !holds_heading(mode)) {
-        true => ", without heading if it is not held",
+        true => ", turning if the heading is not held",
         false => "",
     };
     [

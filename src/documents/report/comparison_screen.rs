@@ -3,7 +3,7 @@
 use super::battery;
 use super::caveats::caveats;
 use super::comparison_text::name_of;
-use super::plan_screen::{unsafe_until, warn_of_not_covered};
+use super::plan_screen::{instant, unsafe_until, warn_of_not_covered};
 use super::planner_names::planners_in_full;
 use super::record::rates;
 use super::recoverable::{self, RecoverableRecord};
@@ -14,7 +14,7 @@ use crate::admissible::without_yaw::planned::Provision;
 use crate::model::{Model, PlannerKind, Problem};
 use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
-use crate::number::{fixed, percent, plural, significant};
+use crate::number::{percent, plural, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlannerRun, Run};
 use crate::report::without_yaw;
 use crate::text_table::Table;
@@ -126,7 +126,7 @@ fn unsafe_for_any(model: &Model, plan: &MissionPlan) -> Option<f64> {
 }
 
 /// `At the shortest times, covering all 8 modes costs 10 % more time: 20.1 s with RCP; RIP, ignoring faults, takes
-/// 18.2 s, unsafe until 12.3 s`
+/// 18.2 s, unsafe until 12.30 s`
 fn answer(model: &Model, comparison: &Comparison) -> (Tone, String) {
     let n = comparison.modes.len();
     let planned = |which: Run| {
@@ -155,7 +155,7 @@ fn answer(model: &Model, comparison: &Comparison) -> (Tone, String) {
     }
     let ignoring = rip.map(|(_, plan)| {
         let unsafe_until =
-            unsafe_for_any(model, plan).map_or(String::new(), |last| format!(", unsafe until {} s", fixed(last, 2)));
+            unsafe_for_any(model, plan).map_or(String::new(), |last| format!(", unsafe until {}", instant(plan, last)));
         format!("RIP, ignoring faults, takes {}{unsafe_until}", seconds(plan.time))
     });
     let of_all: Vec<_> = plans.iter().copied().filter(|(_, plan)| covered(model, comparison, plan) == n).collect();
@@ -225,7 +225,7 @@ fn block(
             let worst =
                 violation(plan).map_or("-".into(), |worst| if worst > 1.0 { "> 100 %".into() } else { percent(worst) });
             let until =
-                unsafe_for_any(model, plan).map_or("never".into(), |last| format!("until {} s", fixed(last, 2)));
+                unsafe_for_any(model, plan).map_or("never".into(), |last| format!("until {}", instant(plan, last)));
             cells.extend([worst, until]);
         }
         cells.extend(rated_risk(&rates, &plan.committed).map(|risk| significant(risk, 3)));

@@ -4,7 +4,7 @@ mod coverage;
 mod price;
 
 pub use coverage::{CoverageRecord, Covers};
-pub(super) use coverage::{spare, unsafe_until, warn_of_not_covered};
+pub(super) use coverage::{instant, spare, unsafe_until, warn_of_not_covered};
 pub use price::PriceRecord;
 
 use super::battery;

@@ -116,6 +116,7 @@ fn shown_of_time(problem: Problem, comparison: &Comparison, run: &PlannerRun, so
             let gap = least_time::gap(problem, run).unwrap_or("a shorter one may exist".into());
             format!(", the shortest time found; {gap}")
         }
+        (Run::Common, _) if matches!(model.plan.time, MissionTime::Fixed(_)) => ", the spec's time".into(),
         (Run::Common, _) => String::new(),
     }
 }

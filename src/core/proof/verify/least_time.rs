@@ -5,8 +5,12 @@
 //! sum of `1/a` over its ends at rest, with a the largest acceleration in the direction for the first end, and against
 //! it for the last. If u is its largest rate, it takes at least `d/u + s u/2`, because the mean rate in the `u/a` s
 //! next to an end at rest is at most `u/2`. This decreases in u up to `sqrt(2 d/s)`, where it has its minimum `sqrt(2 d
-//! s)`; below that, u = v gives the bound. If the jerk is at most j and acceleration and rate start at zero, the
+//! s)`; below that, u = v gives the bound. Drag that slows the motion more at larger rates adds `k u` to the largest
+//! acceleration against the direction; from rest u is at most the largest acceleration in it times the time, so the
+//! bound is the fixed point of [`turns::fixed_point`]. If the jerk is at most j and acceleration and rate start at zero, the
 //! displacement is at most `j t^3/6`; if they also end at zero, at most `j T^3/32`, half of it in either half.
+
+mod turns;
 
 use super::Rejection;
 use super::cost::{self, Estimate};
@@ -27,8 +31,12 @@ struct RateBounds {
     rate: f64,
     /// In the direction.
     speeding: f64,
-    /// Against it.
+    /// Against it, at a rate of zero.
     slowing: f64,
+    /// What drag adds to that for each unit of the rate, 1/s.
+    drag: f64,
+    /// In either direction, by the limits.
+    acceleration: f64,
     jerk: f64,
 }
 
@@ -40,18 +48,37 @@ impl RateBounds {
             return 0.0;
         }
         let smoothly = self.smoothly(d.low, rests);
-        let (d, v, two) = (Interval::point(d.low), Interval::point(self.rate), Interval::point(2.0));
+        let at_rate = |rate: f64| self.least_at(Interval::point(d.low), rests, rate);
+        let of_limits = at_rate(self.rate);
+        if rests != [true; 2] || self.drag == 0.0 || !self.speeding.is_finite() {
+            return of_limits.max(smoothly);
+        }
+        let within = |most: f64| (Interval::point(self.speeding) * Interval::point(most)).high.min(self.rate);
+        turns::fixed_point(|most| at_rate(within(most))).max(of_limits).max(smoothly)
+    }
+
+    /// The least time for a displacement of at least `d` m between two instants at which the rate is zero, s.
+    fn between_turns(&self, d: f64) -> f64 {
+        RateBounds { jerk: f64::INFINITY, ..*self }.least(Interval::point(d), [true; 2])
+    }
+
+    /// The least time that follows from rates and accelerations, if no rate is above `fastest`, s.
+    fn least_at(&self, d: Interval, rests: [bool; 2], fastest: f64) -> f64 {
+        let (v, two) = (Interval::point(self.rate), Interval::point(2.0));
+        let dragged = if self.drag > 0.0 { (Interval::point(self.drag) * Interval::point(fastest)).high } else { 0.0 };
+        let slowing = (Interval::point(self.slowing) + Interval::point(dragged)).high.min(self.acceleration);
         // Where thrust cannot accelerate at all the vehicle never leaves; nothing is claimed of that.
         let bounded = |a: f64| a.is_finite() && a > 0.0;
-        let at_rest = rests.into_iter().zip([self.speeding, self.slowing]).filter(|&(rests, a)| rests && bounded(a));
+        let speeding = self.speeding.min(self.acceleration);
+        let at_rest = rests.into_iter().zip([speeding, slowing]).filter(|&(rests, a)| rests && bounded(a));
         let s = at_rest.fold(Interval::ZERO, |sum, (_, a)| sum + Interval::ONE / Interval::point(a));
         let whatever_the_rate = (two * d * s).sqrt().low;
         if !v.high.is_finite() {
-            return whatever_the_rate.max(smoothly);
+            return whatever_the_rate;
         }
         let at_that_rate = (d / v).low;
         let slowed = if (s * v * v).high <= (two * d).low { (d / v + s * v / two).low } else { 0.0 };
-        whatever_the_rate.max(at_that_rate).max(slowed).max(smoothly)
+        whatever_the_rate.max(at_that_rate).max(slowed)
     }
 
     /// The least time that follows from the bound on the jerk alone, s.
@@ -138,8 +165,7 @@ impl Thrust {
 /// The largest horizontal acceleration on a leg for a given force per mass and the limit on tilt, m/s^2.
 fn sideways(model: &Model, of_leg: &[&Limit], force: Interval) -> f64 {
     let tilt = most(of_leg, LimitKind::Tilt, Sense::Upwards);
-    let let_pass =
-        Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
+    let let_pass = slack_of_tilt(model);
     // A drag along the body's z axis of its own changes the size of the thrust, but not its direction: the limit on
     // tilt, which is checked up to an acceleration, then does not bound the thrust.
     let tilt = if model.environment().is_isotropic() { tilt } else { FRAC_PI_2 };
@@ -153,17 +179,27 @@ fn sideways(model: &Model, of_leg: &[&Limit], force: Interval) -> f64 {
     }
 }
 
-/// Bounds on rate and acceleration along some axes (m/s, m/s^2), for bounds on these without drag. With k = drag/m and
-/// the velocity w of the air, the rate u of a motion obeys `u' <= a + k |w| - k u`, where a is at most `most` at all
-/// times. So from rest u stays below most/k + |w|, and its rate of change below a + k (|w| + u).
+/// What drag leaves of bounds along some axes.
+struct Dragged {
+    /// m/s
+    rate: f64,
+    /// The largest acceleration at a rate of zero, m/s^2.
+    acceleration: f64,
+    /// What the drag adds to it for each unit of the rate where that slows the motion, 1/s.
+    drag: f64,
+}
+
+/// Bounds on rate and acceleration along some axes, for bounds on these without drag (m/s, m/s^2). With k = drag/m and
+/// the velocity w of the air, the rate u of a motion obeys `u' <= a + k |w| - k u` and `-u' <= a + k |w| + k u`, where
+/// a is at most `most` at all times. So from rest u stays below most/k + |w|.
 ///
 /// With a drag for each axis of the body, k is a symmetric matrix with eigenvalues from k0 to k1, the smallest and the
 /// largest rate: the speed obeys `u' <= a + k1 |w| - k0 u` and `|u'| <= a + k1 (|w| + u)`. As the matrix couples the
 /// axes of the world, this holds for all three axes alone.
-fn with_drag(problem: Problem, rate: f64, acceleration: f64, most: Interval, axes: &[usize]) -> (f64, f64) {
+fn with_drag(problem: Problem, rate: f64, acceleration: f64, most: Interval, axes: &[usize]) -> Dragged {
     let environment = problem.model().environment();
     if !environment.has_drag() {
-        return (rate, acceleration);
+        return Dragged { rate, acceleration, drag: 0.0 };
     }
     let [k0, k] = environment.extreme_rates().map(Interval::point);
     let a = Interval::point(acceleration);
@@ -175,9 +211,12 @@ fn with_drag(problem: Problem, rate: f64, acceleration: f64, most: Interval, axe
         false => f64::INFINITY,
     };
     let rate = rate.min(terminal);
-    match rate.is_finite() && acceleration.is_finite() {
-        true => (rate, (a + k * (wind + Interval::point(rate))).high),
-        false => (rate, f64::INFINITY),
+    match acceleration.is_finite() {
+        true if environment.is_isotropic() => Dragged { rate, acceleration: (a + k * wind).high, drag: k.high },
+        true if rate.is_finite() => {
+            Dragged { rate, acceleration: (a + k * (wind + Interval::point(rate))).high, drag: 0.0 }
+        }
+        _ => Dragged { rate, acceleration: f64::INFINITY, drag: 0.0 },
     }
 }
 
@@ -192,39 +231,50 @@ struct Bounds {
     left: RateBounds,
     /// Turns to smaller yaws.
     right: RateBounds,
+    /// In the exact model, unless the drag depends on the attitude: from one rest to the next.
+    level: Option<turns::Level>,
 }
 
-fn bounds(problem: Problem, leg: usize) -> Bounds {
-    let (model, mission) = (problem.model(), problem.mission());
+/// The bounds that some limits set together with the thrust.
+fn bounds(problem: Problem, of_leg: &[&Limit]) -> Bounds {
+    let model = problem.model();
     let is_isotropic = model.environment().is_isotropic();
     let (thrust, g) = (Thrust::of(model), Interval::point(model.gravity));
     let force = thrust.most;
-    // Looked for once: missions may have thousands of limits, each of one leg.
-    let of_leg: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.concerns(leg)).collect();
-    let turning = |kind, sense| most(&of_leg, kind, sense);
-    let most = |kind| most(&of_leg, kind, Sense::Upwards);
+    let turning = |kind, sense| most(of_leg, kind, sense);
+    let most = |kind| most(of_leg, kind, Sense::Upwards);
     let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
     let whole = most(LimitKind::Acceleration);
     // In the hover model the force is bounded only along z.
     let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
     let all = [0, 1, 2];
-    let (rate, in_all) = with_drag(problem, speed, in_all, force + g, &all);
+    let of_all = with_drag(problem, speed, in_all, force + g, &all);
     // With a drag for each axis of the body: a part of the velocity is at most the whole, and so is that of the drag.
     let of_part = |own: f64, acceleration: f64, most: Interval, axes: &[usize]| match is_isotropic {
         true => with_drag(problem, own, acceleration, most, axes),
-        false => (own.min(rate), with_drag(problem, rate, acceleration, force + g, &all).1),
+        false => {
+            let rate = of_all.rate;
+            Dragged { rate: own.min(rate), ..with_drag(problem, rate, acceleration, force + g, &all) }
+        }
     };
-    let both_ways =
-        |rate: f64, acceleration: f64| RateBounds { rate, speeding: acceleration, slowing: acceleration, jerk };
-    let along_line = both_ways(rate, whole.min(in_all));
+    let both_ways = |of: &Dragged, acceleration: f64| RateBounds {
+        rate: of.rate,
+        speeding: of.acceleration,
+        slowing: of.acceleration,
+        drag: of.drag,
+        acceleration,
+        jerk,
+    };
+    let along_line = both_ways(&of_all, whole);
     let across = speed.min(most(LimitKind::SpeedHorizontal));
-    let (rate_across, in_plane) = of_part(across, sideways(model, &of_leg, force), force, &[0, 1]);
-    let horizontal = both_ways(rate_across, whole.min(most(LimitKind::AccelerationHorizontal)).min(in_plane));
+    let in_plane = of_part(across, sideways(model, of_leg, force), force, &[0, 1]);
+    let level_acceleration = whole.min(most(LimitKind::AccelerationHorizontal));
+    let horizontal = both_ways(&in_plane, level_acceleration);
     let vertical = |kind: LimitKind, speeding: Interval, slowing: Interval| {
         let rate = speed.min(most(kind));
         let in_air = |acceleration: Interval| of_part(rate, acceleration.high, force + g, &[2]);
         let [speeding, slowing] = [in_air(speeding), in_air(slowing)];
-        RateBounds { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
+        RateBounds { speeding: speeding.acceleration, ..both_ways(&slowing, whole) }
     };
     let (rising, falling) = (force - g, thrust.falling(model));
     let [more, less] = [Sense::Upwards, Sense::Downwards];
@@ -232,8 +282,24 @@ fn bounds(problem: Problem, leg: usize) -> Bounds {
         rate: turning(LimitKind::YawRate, ahead),
         speeding: turning(LimitKind::YawAcceleration, ahead),
         slowing: turning(LimitKind::YawAcceleration, back),
+        drag: 0.0,
+        acceleration: f64::INFINITY,
         jerk: f64::INFINITY,
     };
+    let is_level = model.plan.model == PlanModel::Exact && is_isotropic;
+    let level = is_level.then(|| turns::Level {
+        force,
+        tilt: most(LimitKind::Tilt).min(FRAC_PI_2),
+        let_pass: slack_of_tilt(model),
+        down: falling - g,
+        gravity: g,
+        drag: Interval::point(model.environment().extreme_rates()[1]),
+        wind: {
+            let [x, y, z] = model.environment().wind.map(Interval::point);
+            [(x.square() + y.square()).sqrt(), z]
+        },
+        acceleration: level_acceleration,
+    });
     Bounds {
         along_line,
         horizontal,
@@ -241,20 +307,33 @@ fn bounds(problem: Problem, leg: usize) -> Bounds {
         down: vertical(LimitKind::Descent, falling, rising),
         left: turn(more, less),
         right: turn(less, more),
+        level,
     }
 }
 
-/// The cost of [`soonest`]: of each leg the limits that concern it.
+/// By how much the check of plans lets the thrust over the mass leave the cone of a limit on tilt, m/s^2.
+fn slack_of_tilt(model: &Model) -> Interval {
+    Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity)
+}
+
+/// The cost of [`soonest`]: of each leg the limits that concern it, and its turns in each direction.
 pub(super) fn cost(problem: Problem) -> Estimate {
     let (legs, limits) = (problem.mission().legs.len() as u64, problem.mission().limits.len() as u64);
-    Estimate { units: cost::times(legs, limits.div_ceil(cost::LIMITS_OF_A_UNIT)), bytes: 0 }
+    Estimate { units: cost::times(legs, limits.div_ceil(cost::LIMITS_OF_A_UNIT) + turns::DIRECTIONS as u64), bytes: 0 }
 }
 
 /// Lower bounds on when each waypoint is reached, s, in the order of flight.
 pub(super) fn soonest(problem: Problem) -> Vec<f64> {
     let mission = problem.mission();
-    // All legs have the same bounds unless some limit is of one leg.
-    let general = mission.limits.iter().all(Limit::is_general).then(|| bounds(problem, 0));
+    // Looked for once: missions may have thousands of limits, each of one leg.
+    let of_all: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.is_general()).collect();
+    let general = bounds(problem, &of_all);
+    let mut of_legs: Vec<Vec<&Limit>> = vec![Vec::new(); mission.legs.len()];
+    for limit in &mission.limits {
+        if let Some(own) = limit.leg.as_ref().and_then(|on| of_legs.get_mut(on.leg)) {
+            own.push(limit);
+        }
+    }
     let last = mission.waypoints.len().saturating_sub(1);
     let rests = |i: usize| {
         let point = &mission.waypoints[i];
@@ -269,7 +348,10 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
         let has_yaw = from.heading == Heading::Given && to.heading == Heading::Given;
         let turned = Interval::point(to.yaw) - Interval::point(from.yaw);
         let yaw_room = met_within(from.yaw_within, to.yaw_within);
-        let bounds = general.unwrap_or_else(|| bounds(problem, i));
+        let bounds = match &of_legs[i][..] {
+            [] => general,
+            own => bounds(problem, &[&of_all[..], own].concat()),
+        };
         let turn = |most: RateBounds, turned: Interval| if has_yaw { most.least(turned - yaw_room, ends) } else { 0.0 };
         [
             bounds.along_line.least(sum(&[0, 1, 2]) - room, ends),
@@ -284,12 +366,21 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
     };
     let mut now = Interval::ZERO;
     let mut reached = Vec::new();
+    // The last rest, and when the vehicle may leave it.
+    let mut left: Option<(usize, Interval)> = None;
     for (i, Waypoint { time, hold, .. }) in mission.waypoints.iter().enumerate() {
         if i > 0 {
             now = now + Interval::point(leg(i - 1));
         }
+        if let Some((rest, since)) = left.filter(|_| rests(i)) {
+            let by_turns = since + Interval::point(turns::least(&mission.waypoints[rest..=i], &general));
+            now = Interval::point(now.low.max(by_turns.low));
+        }
         reached.push(now.low);
         now = Interval::point(time.map_or(now.low, |due| earliest(due).max(now.low))) + Interval::point(*hold);
+        if rests(i) {
+            left = Some((i, now));
+        }
     }
     reached
 }

@@ -99,7 +99,10 @@ pub fn tabulate(answer: &Answer, screen: &mut Screen, solved: &MissionPlan) {
         return;
     }
     let reserve = if model.plan.reserve > 0.0 { " beyond the reserve" } else { "" };
-    let legend = format!("spare: what the plan leaves{reserve}, % of the healthy set's width");
+    let legend = format!(
+        "spare: what the plan leaves{reserve}, % of the healthy set's width; unsafe: not counting the delay until a \
+         fault is known"
+    );
     screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &legend));
 }
 
@@ -228,7 +231,7 @@ pub(in crate::documents::report) fn unsafe_until(model: &Model, solved: &Mission
 }
 
 /// `4.31 s`, or `the end`
-fn instant(solved: &MissionPlan, at: f64) -> String {
+pub(in crate::documents::report) fn instant(solved: &MissionPlan, at: f64) -> String {
     if at >= solved.trajectory.duration() { "the end".into() } else { format!("{} s", fixed(at, 2)) }
 }
 
@@ -283,7 +286,8 @@ fn not_covered(model: &Model) -> Option<String> {
         })
         .collect()
     };
-    Some(format!("NOT covered at any time, not in `against`: {}.", groups.join(", ")))
+    let groups = groups.join(", ");
+    Some(format!("NOT covered at any time, not in `against`: {groups}; nor faults that the spec does not declare."))
 }
 
 /// How it was shown that the plan stays inside the sets: only imposed rows are proved.
@@ -304,7 +308,7 @@ fn how_shown(answer: &Answer, run: &PlannerRun) -> String {
         (PlannerKind::Rcp, true) => "Proved at every instant.".into(),
         (PlannerKind::Rcp, false) => "Checked on a grid of instants, not proved between them.".into(),
         (PlannerKind::Rsp, true) => {
-            "The constraints that RSP guards are proved at every instant, the others sampled along the plan.".into()
+            "Constraints guarded by RSP are proved at every instant, the others sampled along the plan.".into()
         }
         (PlannerKind::Rsp, false) => "Sampled along the plan, not proved.".into(),
         (PlannerKind::Rip, _) => "Sampled along the plan, not proved: RIP guards no mode.".into(),

@@ -4,7 +4,7 @@ use super::{Answer, DIGITS, coverage};
 use crate::admissible::without_yaw::planned::Provision;
 use crate::model::PlannerKind;
 use crate::motion::time_grid::determined;
-use crate::number::{fixed, percent, significant};
+use crate::number::{percent, significant};
 use crate::planner::studies::{MissionPlan, PlannerRun, Run};
 use crate::planner::timing::kinematics::least_time_within;
 use crate::report::{battery, least_time};
@@ -135,9 +135,12 @@ impl PriceRecord {
                 let sentence = match comparison.selected.is_empty() {
                     true => "nothing: the plan that ignores faults is the same".to_string(),
                     false => format!(
-                        "no time: ignoring faults also takes {}{}{}",
+                        "no time: a plan that ignores faults also takes {}{}{}",
                         seconds(solved.time),
-                        last.map_or(String::new(), |last| format!(", unsafe until {} s", fixed(last, 2))),
+                        last.map_or(String::new(), |last| format!(
+                            " and is unsafe until {}",
+                            coverage::instant(rip, last)
+                        )),
                         energies.map_or(String::new(), |(ignoring, covering)| more_energy(ignoring, covering))
                     ),
                 };

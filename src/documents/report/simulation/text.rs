@@ -86,12 +86,12 @@ pub fn disturbed(s: &Simulation) -> String {
     parts.iter().map(|part| format!("; {part}")).collect()
 }
 
-/// `largest tilt 21.5 degrees (20 in the plan)`: the mission's limit applies to the plan and not to the flight.
+/// `largest tilt 21.5 degrees (limit of the plan: 20)`: the mission's limit applies to the plan and not to the flight.
 pub(super) fn tilt(flown: &Flown) -> String {
     let limits = flown.model.mission.iter().flat_map(|mission| &mission.limits);
     let of_all = limits.filter(|limit| limit.is_general() && limit.kind == LimitKind::Tilt);
     let most = of_all.filter_map(|limit| limit.upper).reduce(f64::min);
-    let in_plan = most.map_or(String::new(), |most| format!(" ({} in the plan)", number(most.to_degrees())));
+    let in_plan = most.map_or(String::new(), |most| format!(" (limit of the plan: {})", number(most.to_degrees())));
     format!("largest tilt {} degrees{in_plan}", fixed(flown.flight.max_tilt.to_degrees(), 1))
 }
 
@@ -168,7 +168,7 @@ pub(super) fn ending(spin: &SpinRecord, model: &Model) -> String {
     format!("Warning: the spin {settled} {rate} rad/s{beyond}")
 }
 
-/// `: waypoints met, limits kept within a tenth`: whether a flight met its waypoints and limits, since the first
+/// `: waypoints met, no limit exceeded by more than a tenth`: whether a flight met its waypoints and limits, since the first
 /// fault if one struck, up to what flights may exceed limits by ([`crate::flight::damage::LIMIT_BROKEN`]); empty if it
 /// had neither.
 fn met(model: &Model, record: &FlightRecord) -> String {
@@ -178,7 +178,7 @@ fn met(model: &Model, record: &FlightRecord) -> String {
     }
     if model.mission.as_ref().is_some_and(|mission| !mission.limits.is_empty()) {
         parts.push(match record.limits_broken.is_empty() {
-            true => format!("limits kept within a tenth{}", wider_tolerances(model)),
+            true => format!("no limit exceeded by more than a tenth{}", wider_tolerances(model)),
             false => "limits BROKEN".into(),
         });
     }

@@ -39,9 +39,23 @@ impl ScpPlanner<'_, '_> {
             self.refined_to_full(iterate, near)
         });
         refined.or_else(|| {
-            let full = self.rest_to_rest(self.model().plan.samples)?;
+            let full = self.rest_to_rest_in_full()?;
             Some(self.shortened_from_rest(full, near))
         })
+    }
+
+    /// The motion from rest to rest on the full grid, or, where some leg has too few intervals there for its moves and
+    /// turns, on a finer one.
+    pub(super) fn rest_to_rest_in_full(&mut self) -> Option<Iterate> {
+        let (full, settings) = (self.model().plan.samples, self.settings.grids);
+        let mut samples = full;
+        while samples as f64 <= settings.finest * full as f64 {
+            if let Some(iterate) = self.rest_to_rest(samples) {
+                return Some(iterate);
+            }
+            samples = (settings.growth * samples as f64).ceil() as usize;
+        }
+        None
     }
 
     /// A motion from rest to rest with free waypoint times, of about `near` s of flight or as short as the steps make

@@ -318,6 +318,9 @@ pub struct GridSettings {
     pub refinement: f64,
     /// Factor from one grid to the next while the motion from rest to rest has too few intervals.
     pub growth: f64,
+    /// That motion may have this many times the spec's samples: a leg with a turn at either end and a move needs eleven
+    /// intervals, and the language asks for five. Chosen by hand.
+    pub finest: f64,
     /// On a new grid of the same size, and after steps to shorter times, an iterate is slowed down by these factors in
     /// turn until it can be restored.
     pub slowdowns: [f64; 4],

@@ -70,7 +70,7 @@ impl ScpPlanner<'_, '_> {
     /// The plan in closed form ([`Self::rest_to_rest`]), which takes no program: where the budget ends before a shorter
     /// one is complete. `None` if there is no such motion on the full grid.
     fn at_rest_between(&mut self) -> Option<Shortest> {
-        let slow = self.rest_to_rest(self.model().plan.samples)?;
+        let slow = self.rest_to_rest_in_full()?;
         // It satisfies every row at the instants; between these it may need a little more time.
         let slower = self.settings.grids.slowdowns;
         let plan = |factor: f64| {

@@ -9,6 +9,7 @@
 //! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk
 //! of at most j needs `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
+use super::turns::{self, Level};
 use crate::model::{Heading, Limit, LimitKind, PlanModel, Problem, Waypoint};
 use crate::planner::transcription::UNBOUNDED;
 use crate::tolerance;
@@ -17,19 +18,23 @@ use std::ops::Range;
 
 /// Bounds on rates and accelerations of one displacement, SI; infinite where nothing bounds them.
 #[derive(Debug, Clone, Copy)]
-struct RateBounds {
+pub(super) struct RateBounds {
     rate: f64,
     /// In the direction of the displacement.
     speeding: f64,
-    /// Against it.
+    /// Against it, at a rate of zero.
     slowing: f64,
+    /// What drag adds to that for each unit of the rate, 1/s.
+    drag: f64,
+    /// In either direction, by the limits.
+    acceleration: f64,
     jerk: f64,
 }
 
 impl RateBounds {
     /// Bounds with one acceleration for both directions.
     fn both_ways(rate: f64, acceleration: f64, jerk: f64) -> Self {
-        RateBounds { rate, speeding: acceleration, slowing: acceleration, jerk }
+        RateBounds { rate, speeding: acceleration, slowing: acceleration, drag: 0.0, acceleration, jerk }
     }
 
     /// The least time for a displacement with rest at its first and its last end or not, s.
@@ -37,19 +42,36 @@ impl RateBounds {
         if displacement <= 0.0 {
             return 0.0;
         }
-        let RateBounds { rate, speeding, slowing, jerk } = self;
+        let factor = [0.0, 6.0, 32.0][rests.into_iter().filter(|rests| *rests).count()];
+        let smooth = (factor * displacement / self.jerk).cbrt();
+        let least = self.least_at(displacement, rests, self.rate).max(smooth);
+        if rests != [true; 2] || self.drag == 0.0 || !self.speeding.is_finite() {
+            return least;
+        }
+        // From rest no rate is above the acceleration times the time.
+        let within = |most: f64| (self.speeding * most).min(self.rate);
+        least.max(turns::fixed_point(|most| self.least_at(displacement, rests, within(most))))
+    }
+
+    /// The least time for a displacement between two instants at which the rate is zero, but not the acceleration, s.
+    pub(super) fn between_turns(self, displacement: f64) -> f64 {
+        RateBounds { jerk: f64::INFINITY, ..self }.least(displacement, [true; 2])
+    }
+
+    /// The least time that follows from rates and accelerations, if no rate is above `fastest`, s.
+    fn least_at(self, displacement: f64, rests: [bool; 2], fastest: f64) -> f64 {
+        let dragged = if self.drag > 0.0 { self.drag * fastest } else { 0.0 };
+        let slowing = (self.slowing + dragged).min(self.acceleration);
+        let (rate, speeding) = (self.rate, self.speeding.min(self.acceleration));
         // Where thrust cannot accelerate at all the vehicle never leaves; nothing is claimed of that.
         let at_rest = rests.into_iter().zip([speeding, slowing]).filter(|&(rests, a)| rests && a > 0.0);
         let s: f64 = at_rest.map(|(_, a)| 1.0 / a).sum();
         let unsaturated = (2.0 * displacement * s).sqrt();
-        let factor = [0.0, 6.0, 32.0][rests.into_iter().filter(|rests| *rests).count()];
-        let smooth = (factor * displacement / jerk).cbrt();
         // The rate is reached if `s v^2/2`, what starting and stopping take, is no more than the displacement.
-        let bounded = match rate.is_finite() && 0.5 * s * rate * rate <= displacement {
+        match rate.is_finite() && 0.5 * s * rate * rate <= displacement {
             true => displacement / rate + 0.5 * s * rate,
             false => unsaturated,
-        };
-        bounded.max(smooth)
+        }
     }
 }
 
@@ -71,22 +93,25 @@ impl Drag {
 
     /// Bounds on rate and acceleration along some axes, where thrust and gravity accelerate by at most `acceleration`
     /// and limits allow the rate `rate`. With k = drag/m the rate u obeys `u' <= most + k |wind| - k u`, where `most`
-    /// bounds what thrust and gravity give on any leg: from rest it stays below `most/k + |wind|`, and
-    /// `|u'| <= acceleration + k (|wind| + u)`.
+    /// bounds what thrust and gravity give on any leg: from rest it stays below `most/k + |wind|`. Likewise
+    /// `u' <= acceleration + k |wind| - k u` and `-u' <= acceleration + k |wind| + k u`.
     ///
     /// A drag for each axis of the body has the matrix K = R diag(k) R^T, whose eigenvalues lie between the smallest
     /// rate k0 and the largest k1: along all three axes `u' <= most + k1 |wind| - k0 u` and
     /// `|u'| <= acceleration + k1 (|wind| + u)`. It couples the axes, so that only `axes` of all three give a bound.
-    fn paced(&self, rate: f64, acceleration: f64, most: f64, axes: &[usize]) -> (f64, f64) {
+    fn paced(&self, rate: f64, acceleration: f64, most: f64, axes: &[usize]) -> Paced {
         let [least, largest] = self.rates;
         if largest == 0.0 {
-            return (rate, acceleration);
+            return Paced { rate, acceleration, drag: 0.0 };
         }
         let wind = axes.iter().map(|&axis| self.wind[axis].powi(2)).sum::<f64>().sqrt();
         let strength = if least == largest { wind } else { largest / least * wind };
         let terminal = if self.starts_at_rest && least > 0.0 { most / least + strength } else { f64::INFINITY };
         let rate = rate.min(terminal * (1.0 + ROUNDING));
-        (rate, acceleration + largest * (wind + rate))
+        match self.is_isotropic() {
+            true => Paced { rate, acceleration: acceleration + largest * wind, drag: largest },
+            false => Paced { rate, acceleration: acceleration + largest * (wind + rate), drag: 0.0 },
+        }
     }
 
     /// Whether the drag is the same along all axes of the body.
@@ -95,17 +120,29 @@ impl Drag {
     }
 }
 
+/// What drag leaves of bounds along some axes.
+struct Paced {
+    /// m/s
+    rate: f64,
+    /// The largest acceleration at a rate of zero, m/s^2.
+    acceleration: f64,
+    /// What the drag adds to it for each unit of the rate where that slows the motion, 1/s.
+    drag: f64,
+}
+
 /// The bounds that limits and thrust set for each displacement.
 #[derive(Debug, Clone, Copy)]
-struct LegRateBounds {
+pub(super) struct LegRateBounds {
     whole: RateBounds,
-    horizontal: RateBounds,
-    up: RateBounds,
-    down: RateBounds,
+    pub(super) horizontal: RateBounds,
+    pub(super) up: RateBounds,
+    pub(super) down: RateBounds,
     /// Turns to larger yaws.
     left: RateBounds,
     /// Turns to smaller yaws.
     right: RateBounds,
+    /// In the exact model, unless the drag depends on the attitude: from one rest to the next.
+    pub(super) level: Option<Level>,
 }
 
 /// A bound on a quantity towards larger values or towards smaller ones. Only limits on yaw have a lower side.
@@ -166,32 +203,54 @@ impl LegRateBounds {
         let rising = force - g;
         let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
         let across = speed.min(most(LimitKind::SpeedHorizontal));
-        let (rate, any) = air.paced(speed, any, force + g, &[0, 1, 2]);
+        let of_all = air.paced(speed, any, force + g, &[0, 1, 2]);
         // No part of the velocity is larger than the whole, nor is that of the drag.
         let part = |own: f64, acceleration: f64, most: f64, axes: &[usize]| match air.is_isotropic() {
             true => air.paced(own, acceleration, most, axes),
-            false => (own.min(rate), air.paced(rate, acceleration, force + g, &[0, 1, 2]).1),
+            false => {
+                let rate = of_all.rate;
+                Paced { rate: own.min(rate), ..air.paced(rate, acceleration, force + g, &[0, 1, 2]) }
+            }
+        };
+        let both_ways = |of: &Paced, most: f64| RateBounds {
+            drag: of.drag,
+            acceleration: most,
+            ..RateBounds::both_ways(of.rate, of.acceleration, jerk)
         };
         let vertical = |rate: LimitKind, speeding: f64, slowing: f64| {
             let rate = speed.min(most(rate));
             let [speeding, slowing] = [speeding, slowing].map(|most| part(rate, most, force + g, &[2]));
-            RateBounds { rate: speeding.0, speeding: speeding.1.min(whole), slowing: slowing.1.min(whole), jerk }
+            RateBounds { speeding: speeding.acceleration, ..both_ways(&slowing, whole) }
         };
-        let (rate_across, sideways) = part(across, sideways, force, &[0, 1]);
+        let in_plane = part(across, sideways, force, &[0, 1]);
         let turn = |ahead: Sense, back: Sense| RateBounds {
             rate: turning(LimitKind::YawRate, ahead),
             speeding: turning(LimitKind::YawAcceleration, ahead),
             slowing: turning(LimitKind::YawAcceleration, back),
+            drag: 0.0,
+            acceleration: f64::INFINITY,
             jerk: f64::INFINITY,
         };
-        let of_plane = whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways);
+        let of_plane = whole.min(most(LimitKind::AccelerationHorizontal));
+        let is_level = model.plan.model == PlanModel::Exact && air.is_isotropic();
+        let level = is_level.then(|| Level {
+            force,
+            tilt: tilt.min(FRAC_PI_2),
+            let_pass: out,
+            down: falling - g,
+            gravity: g,
+            drag: air.rates[1],
+            wind: [air.wind[0].hypot(air.wind[1]), air.wind[2]],
+            acceleration: of_plane,
+        });
         LegRateBounds {
-            whole: RateBounds::both_ways(rate, whole.min(any), jerk),
-            horizontal: RateBounds::both_ways(rate_across, of_plane, jerk),
+            whole: both_ways(&of_all, whole),
+            horizontal: both_ways(&in_plane, of_plane),
             up: vertical(LimitKind::Climb, rising, falling),
             down: vertical(LimitKind::Descent, falling, rising),
             left: turn(Sense::Upwards, Sense::Downwards),
             right: turn(Sense::Downwards, Sense::Upwards),
+            level,
         }
     }
 
@@ -297,8 +356,13 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
         }
     }
     let (mut soonest, mut too_early) = (0.0_f64, None);
+    // The last rest, and when the vehicle may leave it.
+    let mut left: Option<(usize, f64)> = None;
     for (i, point) in points.iter().enumerate() {
         soonest += i.checked_sub(1).map_or(0.0, |leg| legs[leg].seconds);
+        if let Some((rest, since)) = left.filter(|_| rests(i)) {
+            soonest = soonest.max(since + turns::least(&points[rest..=i], &general));
+        }
         if let Some(due) = point.time {
             if soonest > due + 2.0 * SAME_TIME * due.max(1.0) && too_early.is_none() {
                 too_early = Some((i, soonest));
@@ -307,6 +371,7 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
             soonest = soonest.max(due - 2.0 * SAME_TIME * due.max(1.0));
         }
         soonest += point.hold;
+        left = if rests(i) { Some((i, soonest)) } else { left };
     }
     LeastTime { seconds: (1.0 - ROUNDING) * soonest, legs, too_early }
 }

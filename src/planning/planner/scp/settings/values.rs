@@ -102,7 +102,13 @@ impl ScpSettings {
             first_stride: 0.25,
             stride_growth: 1.5,
         },
-        grids: GridSettings { medium: 100, refinement: 1.6, growth: 1.25, slowdowns: [1.0, 1.002, 1.005, 1.01] },
+        grids: GridSettings {
+            medium: 100,
+            refinement: 1.6,
+            growth: 1.25,
+            finest: 2.5,
+            slowdowns: [1.0, 1.002, 1.005, 1.01],
+        },
         budget: BudgetSettings {
             quick: 2.6e7,
             normal: 1.3e8,
