@@ -20,7 +20,7 @@ fn modes_without_rows_are_not_planned() {
     let told = flat(&told);
     assert_eq!(code, Some(0), "{told}");
     for expected in [
-        "RSP: found, 45 s; not planned for M1",
+        "RSP: found, 45 s, the spec's time; not planned for M1",
         "Not planned for M1: no torque is left in some direction",
         "m with the fault known after 100 ms (simulated); not proved.",
         "RSP guards nothing beyond RIP: no mode planned against has rows",

@@ -131,7 +131,8 @@ fn a_flight_says_whether_it_met_its_waypoints_and_limits() {
     let (text, record) = flown("speed <= 5 m/s; tilt <= 20 deg", "");
     assert!(
         text.contains(
-            "to its end at 6.00 s: waypoints met, no limit exceeded by more than a tenth (tilt: 5.7 deg); no fault simulated"
+            "to its end at 6.00 s: waypoints met, no limit exceeded by more than a tenth (tilt: 5.7 deg); no fault \
+             simulated"
         ),
         "{text}"
     );
@@ -144,7 +145,7 @@ fn a_flight_says_whether_it_met_its_waypoints_and_limits() {
     assert!(!broken.is_empty(), "{record}");
     let named = format!("! limits broken: {}", broken.join(", "));
     assert!(text.contains("limits BROKEN; no fault") && text.contains(&named), "{text}");
-    assert!(text.contains("largest tilt ") && text.contains(" degrees (4 in the plan)"), "{text}");
+    assert!(text.contains("largest tilt ") && text.contains(" degrees (limit of the plan: 4)"), "{text}");
     assert!(text.contains("! without a fault the controller does not keep what the plan keeps"), "{text}");
 
     let (text, record) = flown("speed <= 5 m/s", "fault M3 at 2 s; detection = 50 ms; after_fault = land");

@@ -238,7 +238,8 @@ pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin
     lines
 }
 
-/// `planned against: M1 .. M4; not planned against: M5, M6`; `None` without a mission, and if they are made against all modes.
+/// `planned against: M1 .. M4; not planned against: M5, M6`; `None` without a mission, and if plans are made against
+/// all modes.
 pub fn planned_against(model: &Model) -> Option<String> {
     model.mission.as_ref()?;
     let all: Vec<String> = model.modes.iter().map(|mode| mode.name.clone()).collect();

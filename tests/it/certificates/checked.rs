@@ -76,7 +76,10 @@ plan { model = hover; planner = rcp; against = [jam]; time = 4 s; samples = 20; 
     let Planned { code, text, report, is_written } = planned(spec, &[]);
     assert!(code == 0 && is_written, "{text}");
     let why = "the set of jam: it has fewer than three dimensions";
-    assert!(text.contains(&format!("RCP jam: found, 4 s; the check of plans could not decide: {why}")), "{text}");
+    assert!(
+        text.contains(&format!("RCP jam: found, 4 s, the spec's time; the check of plans could not decide: {why}")),
+        "{text}"
+    );
     let check = &report["planners"][0]["check"];
     assert_eq!((&check["outcome"], &check["undecided"]), (&"not_decided".into(), &why.into()));
     // The certificate of such a plan is weaker than the spec asks.

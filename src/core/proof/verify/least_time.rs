@@ -7,8 +7,9 @@
 //! next to an end at rest is at most `u/2`. This decreases in u up to `sqrt(2 d/s)`, where it has its minimum `sqrt(2 d
 //! s)`; below that, u = v gives the bound. Drag that slows the motion more at larger rates adds `k u` to the largest
 //! acceleration against the direction; from rest u is at most the largest acceleration in it times the time, so the
-//! bound is the fixed point of [`turns::fixed_point`]. If the jerk is at most j and acceleration and rate start at zero, the
-//! displacement is at most `j t^3/6`; if they also end at zero, at most `j T^3/32`, half of it in either half.
+//! bound is the fixed point of [`turns::fixed_point`]. If the jerk is at most j and acceleration and rate start at
+//! zero, the displacement is at most `j t^3/6`; if they also end at zero, at most `j T^3/32`, half of it in either
+//! half.
 
 mod turns;
 

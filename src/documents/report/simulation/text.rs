@@ -168,8 +168,8 @@ pub(super) fn ending(spin: &SpinRecord, model: &Model) -> String {
     format!("Warning: the spin {settled} {rate} rad/s{beyond}")
 }
 
-/// `: waypoints met, no limit exceeded by more than a tenth`: whether a flight met its waypoints and limits, since the first
-/// fault if one struck, up to what flights may exceed limits by ([`crate::flight::damage::LIMIT_BROKEN`]); empty if it
+/// `: waypoints met, no limit exceeded by more than a tenth`: whether a flight met its waypoints and limits, since the
+/// first fault if one struck, up to what flights may exceed limits by ([`crate::flight::damage::LIMIT_BROKEN`]); empty if it
 /// had neither.
 fn met(model: &Model, record: &FlightRecord) -> String {
     let mut parts = Vec::new();

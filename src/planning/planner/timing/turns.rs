@@ -1,8 +1,8 @@
 //! Lower bounds on the time from one rest to the next, from the waypoints between them at which the motion turns back.
 //!
 //! A motion that passes waypoints at which its component along a direction rises and falls in turn has no rate in this
-//! direction at its extremes, so that each displacement between turns is one from rest to rest, but for its jerk. In the exact model the
-//! thrust also holds the weight meanwhile, which bounds its part sideways further.
+//! direction at its extremes, so that each displacement between turns is one from rest to rest, but for its jerk. In
+//! the exact model the thrust also holds the weight meanwhile, which bounds its part sideways further.
 
 use super::kinematics::LegRateBounds;
 use crate::model::Waypoint;
@@ -78,8 +78,8 @@ pub(super) fn least(points: &[Waypoint], bounds: &LegRateBounds) -> f64 {
     most
 }
 
-/// What bounds motions between two rests in the exact model, where the thrust accelerates sideways and holds the weight.
-/// docs/certificates.md has the theorem.
+/// What bounds motions between two rests in the exact model, where the thrust accelerates sideways and holds the
+/// weight. docs/certificates.md has the theorem.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Level {
     /// The largest thrust over the mass, m/s^2.
@@ -99,8 +99,8 @@ pub(super) struct Level {
 }
 
 impl Level {
-    /// The least time, s, for the sum of the roots of displacements, m^(1/2). The vehicle climbs or sinks by `climbed` m
-    /// in all, and takes at least `known` s.
+    /// The least time, s, for the sum of the roots of displacements, m^(1/2). The vehicle climbs or sinks by `climbed`
+    /// m in all, and takes at least `known` s.
     fn least(&self, roots: f64, climbed: f64, known: f64) -> f64 {
         if roots <= 0.0 || known <= 0.0 || !climbed.is_finite() {
             return 0.0;

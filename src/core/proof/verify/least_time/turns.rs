@@ -118,9 +118,9 @@ pub(super) fn least(points: &[Waypoint], bounds: &Bounds) -> f64 {
 /// The bound on motions between two rests that follows from the thrust's two tasks, in the exact model: it accelerates
 /// sideways and holds the weight.
 ///
-/// With k = drag/m, w the velocity of the air and f the thrust over the mass, `u' = f_n - k (u - w_n)` for the rate u of
-/// p. A displacement d from rest to rest in T_j is the integral of `(1 - e^(k (t - c)))/k (f_n + k w_n)`, for every c;
-/// with c in the middle its weight is at most `E |t - c|`, `E = (e^x - 1)/x`, `x = k T_j/2`, and the wind adds at most
+/// With k = drag/m, w the velocity of the air and f the thrust over the mass, `u' = f_n - k (u - w_n)` for the rate u
+/// of p. A displacement d from rest to rest in T_j is the integral of `(1 - e^(k (t - c)))/k (f_n + k w_n)`, for every
+/// c; with c in the middle its weight is at most `E |t - c|`, `E = (e^x - 1)/x`, `x = k T_j/2`, and the wind adds at most
 /// `|w_n| k^2 T_j^3 cosh(x)/24`. From rest to rest the mean of f_z is g, but for the drag `k (z' - w_z)`. So for every
 /// mu the sum of `d_j/T_j` is at most `E phi T + |w_n| k^2 T^2 cosh(x)/24`, with x = k T/2 and
 /// `phi = 2 int_0^(1/2) sup(s f_n + mu f_z) ds - mu g + |mu| k (|w_z| + climbed/T)`, where the supremum is over all f
@@ -144,8 +144,8 @@ pub(super) struct Level {
 }
 
 impl Level {
-    /// The least time, s, for the sum of the roots of displacements, m^(1/2). The vehicle climbs or sinks by `climbed` m
-    /// in all, and takes at least `known` s.
+    /// The least time, s, for the sum of the roots of displacements, m^(1/2). The vehicle climbs or sinks by `climbed`
+    /// m in all, and takes at least `known` s.
     fn least(&self, roots: f64, climbed: f64, known: f64) -> f64 {
         if roots <= 0.0 || known <= 0.0 || !climbed.is_finite() {
             return 0.0;
