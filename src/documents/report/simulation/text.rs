@@ -169,8 +169,8 @@ pub(super) fn ending(spin: &SpinRecord, model: &Model) -> String {
 }
 
 /// `: waypoints met, no limit exceeded by more than a tenth`: whether a flight met its waypoints and limits, since the
-/// first fault if one struck, up to what flights may exceed limits by ([`crate::flight::damage::LIMIT_BROKEN`]); empty if it
-/// had neither.
+/// first fault if one struck, up to what flights may exceed limits by ([`crate::flight::damage::LIMIT_BROKEN`]); empty
+/// if it had neither.
 fn met(model: &Model, record: &FlightRecord) -> String {
     let mut parts = Vec::new();
     if record.waypoints_due > 0 {
