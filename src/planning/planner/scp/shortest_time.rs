@@ -64,7 +64,19 @@ impl ScpPlanner<'_, '_> {
         };
         iterate = self.on_its_own_grid(iterate, &mut working_set);
         let found = self.rounded_up(&iterate, rule, &mut working_set);
-        found.or_else(|none| self.at_rest_between().ok_or(none))
+        found.or_else(|none| self.flown_slower(&iterate).or_else(|| self.at_rest_between()).ok_or(none))
+    }
+
+    /// The plan along the motion of a feasible iterate, flown slower: where the budget ends before the iterate itself is
+    /// complete. Slower, its wrench is closer to that of hover, so that it may need no step. `None` if none of
+    /// [`settings::SlowingSettings::slowdowns`] is enough.
+    fn flown_slower(&mut self, iterate: &Iterate) -> Option<Shortest> {
+        let slower = self.settings.slowing.slowdowns;
+        let plan = |factor: f64| {
+            let mut working_set = BTreeSet::new();
+            self.rounded_up(&iterate.slower(factor), StoppingRule::NO_STEPS, &mut working_set).ok()
+        };
+        slower.into_iter().find_map(plan)
     }
 
     /// The plan in closed form ([`Self::rest_to_rest`]), which takes no program: where the budget ends before a shorter
