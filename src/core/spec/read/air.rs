@@ -35,7 +35,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Air> {
         cx.report(error.here("second density").also(first, "first density").help("remove one of the two"));
         is_whole = false;
     }
-    let density_ratio = match (density.optional()?, altitude.optional()?) {
+    let density_ratio = match (density.optional().ok()?, altitude.optional().ok()?) {
         (Some(density), _) => density / STANDARD_DENSITY,
         (None, Some(altitude)) => ratio_at(cx, altitude, fields.get("altitude").map_or(span, |expr| expr.span))?,
         (None, None) => 1.0,

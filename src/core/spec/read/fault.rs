@@ -320,16 +320,16 @@ impl Numbers {
         let after_fault = after_fault::read(cx, &fields);
         let without_yaw = without_yaw::read(cx, &fields);
         let recovery = fields.written("recovery", |expr| recovery::order(cx, "recovery", expr));
-        let rate = rate.optional()?;
+        let rate = rate.optional().ok()?;
         Some(Numbers {
-            after_fault: after_fault.optional()?,
-            without_yaw: without_yaw.optional()?,
-            recovery: recovery.optional()?,
+            after_fault: after_fault.optional().ok()?,
+            without_yaw: without_yaw.optional().ok()?,
+            recovery: recovery.optional().ok()?,
             rate: rate.map(|(rate, _)| rate),
             rate_spread: rate.map_or(Spread::NONE, |(_, spread)| spread),
-            severity: severity.optional()?,
-            occurrence: occurrence.optional()?,
-            detection: detection.optional()?,
+            severity: severity.optional().ok()?,
+            occurrence: occurrence.optional().ok()?,
+            detection: detection.optional().ok()?,
         })
     }
 

@@ -307,8 +307,8 @@ impl<'a> Body<'a> {
             limits,
             volumes: volumes?,
             air: air?,
-            ground: ground.optional()?,
-            origin: origin.optional()?,
+            ground: ground.optional().ok()?,
+            origin: origin.optional().ok()?,
             after_fault: after_fault?,
             span,
         })
@@ -429,13 +429,13 @@ fn read_stop<'a>(
     Some(Stop {
         name: clauses.name.as_ref().map(|n| n.value.clone()),
         position: position?,
-        yaw: yaw.optional()?,
+        yaw: yaw.optional().ok()?,
         within: own.within,
         yaw_within: own.yaw_within,
         weight: own.weight,
-        time: time.optional()?,
+        time: time.optional().ok()?,
         leg: Some(leg?),
-        heading: heading.optional()?,
+        heading: heading.optional().ok()?,
         span: clauses.head(),
     })
 }

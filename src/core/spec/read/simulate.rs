@@ -199,7 +199,7 @@ impl<'a> Reader<'a> {
             self.fine = false;
         }
         let simulation = Simulation {
-            duration: duration.optional()?,
+            duration: duration.optional().ok()?,
             rate: rate?,
             control_rate: control_rate?,
             estimator_rate: estimator_rate?,
@@ -211,7 +211,7 @@ impl<'a> Reader<'a> {
             threshold: threshold?,
             gyroscope_noise: gyroscope_noise?,
             gyroscope_range: gyroscope_range?,
-            assumed_gyroscope_noise: assumed_gyroscope_noise.optional()?,
+            assumed_gyroscope_noise: assumed_gyroscope_noise.optional().ok()?,
             attitude: attitude?,
             position_noise: position_noise?,
             drag: drag?,

@@ -134,14 +134,14 @@ impl<'a> Reader<'a> {
         let yaw_drag = yaw_drag::read(cx, &self.fields);
         let allocation = self.fields.choice_or(cx, &table::ALLOCATION, ALLOCATION, &ALLOCATIONS, Allocation::Bounded);
         let battery = self.battery(cx);
-        let (mut rotors, battery) = (rotors?, battery.optional()?);
+        let (mut rotors, battery) = (rotors?, battery.optional().ok()?);
         let measured = Measured {
-            mass: mass.optional()?.map(|(mass, spread)| (mass, spread, self.value_span("mass"))),
-            inertia: inertia.optional()?.map(|inertia| (inertia, self.value_span("inertia"))),
-            centre_of_gravity: centre.optional()?.map(|centre| (centre, self.value_span("centre_of_gravity"))),
+            mass: mass.optional().ok()?.map(|(mass, spread)| (mass, spread, self.value_span("mass"))),
+            inertia: inertia.optional().ok()?.map(|inertia| (inertia, self.value_span("inertia"))),
+            centre_of_gravity: centre.optional().ok()?.map(|centre| (centre, self.value_span("centre_of_gravity"))),
         };
         let Body { mass, mass_spread, mass_span, inertia, centre_of_gravity } =
-            self.body(cx, parts.optional()?, &measured, &rotors.list)?;
+            self.body(cx, parts.optional().ok()?, &measured, &rotors.list)?;
         let hover_thrust = mass * cx.gravity / rotors.list.len() as f64;
         let battery = match battery {
             Some(draft) => Some(draft.finish(cx, &self.table, rotors.list.len(), hover_thrust)?),
@@ -164,9 +164,9 @@ impl<'a> Reader<'a> {
             drag,
             drag_spread,
             drag_span: self.fields.span_of("drag"),
-            yaw_drag: yaw_drag.optional()?,
-            propeller_radius: propeller_radius.optional()?,
-            size: size.optional()?,
+            yaw_drag: yaw_drag.optional().ok()?,
+            propeller_radius: propeller_radius.optional().ok()?,
+            size: size.optional().ok()?,
             rotors: rotors.list,
             allocation: allocation?,
             battery: battery.as_ref().map(|read| read.battery.clone()),

@@ -11,6 +11,10 @@ pub enum Written<T> {
     Value(T),
 }
 
+/// A field is written with an error, which has been reported.
+#[derive(Debug)]
+pub struct Faulty;
+
 impl<T> Written<T> {
     /// A field that is there, with its value unless that had an error.
     pub fn of(value: Option<T>) -> Self {
@@ -34,12 +38,15 @@ impl<T> Written<T> {
         }
     }
 
-    /// The value, which a field that is not written does not have; `None` for a faulty one.
-    pub fn optional(self) -> Option<Option<T>> {
+    /// The value, which a field that is not written does not have.
+    ///
+    /// # Errors
+    /// [`Faulty`] for a faulty one.
+    pub fn optional(self) -> Result<Option<T>, Faulty> {
         match self {
-            Written::Absent => Some(None),
-            Written::Faulty => None,
-            Written::Value(value) => Some(Some(value)),
+            Written::Absent => Ok(None),
+            Written::Faulty => Err(Faulty),
+            Written::Value(value) => Ok(Some(value)),
         }
     }
 

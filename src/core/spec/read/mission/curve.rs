@@ -113,6 +113,6 @@ impl<'a> Curve<'a> {
         let z = z.and_then(|e| cx.number(Expected::of(&table::Z), e));
         let yaw = yaw.map_or(Written::Absent, |e| Written::of(cx.number(Expected::of(&table::YAW), e)));
         cx.parameter = None;
-        Some(([x?, y?, z?], yaw.optional()?))
+        Some(([x?, y?, z?], yaw.optional().ok()?))
     }
 }

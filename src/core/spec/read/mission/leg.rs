@@ -130,8 +130,8 @@ pub fn read<'a>(
         stop: stop_span.is_some(),
         stop_span,
         pass_span,
-        shape: shape.optional()?,
-        from: from.optional()?,
+        shape: shape.optional().ok()?,
+        from: from.optional().ok()?,
         limits,
     };
     (whole && !is_refused).then_some(leg)

@@ -85,7 +85,7 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block, defaults: &mut Vec<DefaultUse
         expr => cx.quantity(&table::DETECTION, expr, CODE),
     });
     defaults.append(&mut fields.used);
-    let required = Required { radius: radius?, detection: detection.optional()?, span };
+    let required = Required { radius: radius?, detection: detection.optional().ok()?, span };
     block.is_whole().then_some(required)
 }
 

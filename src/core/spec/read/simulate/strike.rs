@@ -91,7 +91,7 @@ fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, around: &Around, end: Op
         cx.report(checks::late_recovery(&name.value, until, until_span, end).also(span, why));
         fine = false;
     }
-    let until = until.optional()?.map(|(until, _)| until);
+    let until = until.optional().ok()?.map(|(until, _)| until);
     fine.then_some(Strike { mode: mode?, at, until, span: clauses.span, at_span })
 }
 

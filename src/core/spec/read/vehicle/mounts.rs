@@ -245,5 +245,5 @@ fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Moun
         }
     });
     let motor = own.count(cx, &placed_rotor::MOTOR, MOTOR).and_then(|motor| u32::try_from(motor).ok());
-    Some(Mount { position: position?, spin: spin?, motor: motor.optional()?, own: Some(own) })
+    Some(Mount { position: position?, spin: spin?, motor: motor.optional().ok()?, own: Some(own) })
 }

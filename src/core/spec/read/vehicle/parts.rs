@@ -90,7 +90,7 @@ fn one<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<VehiclePart> {
         cx.report(error.here(format!("contains {} m", number(bad))).help("write three lengths above zero"));
         None
     });
-    let shape = size.optional()?.map_or(PartShape::Point, PartShape::Box);
+    let shape = size.optional().ok()?.map_or(PartShape::Point, PartShape::Box);
     block.is_whole().then_some(VehiclePart { mass: mass?, centre: at?, shape })
 }
 

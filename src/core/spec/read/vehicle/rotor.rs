@@ -280,14 +280,14 @@ impl PartialRotor {
         let (max_speed, of_speed) = self.max_speed.value()?;
         let (square, slowest) = (of_speed.times(of_speed), of_speed.low);
         // Full thrust is b w_max^2: where the spec gives the thrust, b follows from it.
-        let (thrust_coefficient, full_thrust, of_coefficient) = match self.thrust_coefficient.optional()? {
+        let (thrust_coefficient, full_thrust, of_coefficient) = match self.thrust_coefficient.optional().ok()? {
             Some((b, spread)) => (b, spread.times(square), spread),
             None => {
                 let (thrust, spread) = self.max_thrust.value()?;
                 (thrust / (max_speed * max_speed), spread, spread.over(square))
             }
         };
-        let (drag_coefficient, torque_per_thrust) = match self.drag_coefficient.optional()? {
+        let (drag_coefficient, torque_per_thrust) = match self.drag_coefficient.optional().ok()? {
             Some((d, spread)) => (d, spread.over(of_coefficient)),
             None => {
                 let (ratio, spread) = self.torque_per_thrust.value()?;
@@ -295,7 +295,7 @@ impl PartialRotor {
             }
         };
         let spread = RotorSpread { full_thrust, idle_thrust: of_coefficient, torque_per_thrust };
-        let min_speed = match self.lowest.optional()? {
+        let min_speed = match self.lowest.optional().ok()? {
             Some((lowest, span)) => {
                 let speed = lowest.speed(thrust_coefficient, max_speed);
                 if let Some(error) = out_of_range(lowest, speed, max_speed * slowest, thrust_coefficient, span) {
@@ -309,7 +309,7 @@ impl PartialRotor {
             }
             None => 0.0,
         };
-        let time_constant = self.time_constant.optional()?;
+        let time_constant = self.time_constant.optional().ok()?;
         let (inertia, inertia_spread) = self.inertia.or_default(|| (0.0, Spread::NONE))?;
         Some(Rotor {
             position: mount.position,
