@@ -67,8 +67,8 @@ impl ScpPlanner<'_, '_> {
         found.or_else(|none| self.flown_slower(&iterate).or_else(|| self.at_rest_between()).ok_or(none))
     }
 
-    /// The plan along the motion of a feasible iterate, flown slower: where the budget ends before the iterate itself is
-    /// complete. Slower, its wrench is closer to that of hover, so that it may need no step. `None` if none of
+    /// The plan along the motion of a feasible iterate, flown slower: where the budget ends before the iterate itself
+    /// is complete. Slower, its wrench is closer to that of hover, so that it may need no step. `None` if none of
     /// [`settings::SlowingSettings::slowdowns`] is enough.
     fn flown_slower(&mut self, iterate: &Iterate) -> Option<Shortest> {
         let slower = self.settings.slowing.slowdowns;
