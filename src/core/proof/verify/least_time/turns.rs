@@ -121,8 +121,8 @@ pub(super) fn least(points: &[Waypoint], bounds: &Bounds) -> f64 {
 /// With k = drag/m, w the velocity of the air and f the thrust over the mass, `u' = f_n - k (u - w_n)` for the rate u
 /// of p. A displacement d from rest to rest in T_j is the integral of `(1 - e^(k (t - c)))/k (f_n + k w_n)`, for every
 /// c; with c in the middle its weight is at most `E |t - c|`, `E = (e^x - 1)/x`, `x = k T_j/2`, and the wind adds at
-/// most `|w_n| k^2 T_j^3 cosh(x)/24`. From rest to rest the mean of f_z is g, apart from the drag `k (z' - w_z)`. So for
-/// every mu the sum of `d_j/T_j` is at most `E phi T + |w_n| k^2 T^2 cosh(x)/24`, with x = k T/2 and `phi = 2
+/// most `|w_n| k^2 T_j^3 cosh(x)/24`. From rest to rest the mean of f_z is g, apart from the drag `k (z' - w_z)`. So
+/// for every mu the sum of `d_j/T_j` is at most `E phi T + |w_n| k^2 T^2 cosh(x)/24`, with x = k T/2 and `phi = 2
 /// int_0^(1/2) sup(s f_n + mu f_z) ds - mu g + |mu| k (|w_z| + climbed/T)`, where the supremum is over all f within the
 /// limits. By Cauchy's inequality `(sum of sqrt(d_j))^2 <= T sum of d_j/T_j`.
 #[derive(Clone, Copy)]
