@@ -278,8 +278,8 @@ fn every_table_is_a_flag_away() {
 fn what_is_not_known_is_explained() {
     let survey = "examples/survey_hexa.mav";
     let analysis = flat(&out(&mavc(&["analyze", survey])));
-    let masses = "max kg: the largest mass that hovers, turning if the heading is not held; least margin: hover nearest \
-                  to the edge";
+    let masses = "max kg: the largest mass that hovers, turning if the heading is not held; least margin: hover \
+                  nearest to the edge";
     assert!(analysis.contains(masses), "{analysis}");
     let plan = planned(survey, |plan| out(&plan.output));
     assert!(plan.contains("planner RSP (risk-sensitive)\n"), "{plan}");

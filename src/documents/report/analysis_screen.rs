@@ -325,7 +325,8 @@ pub(super) fn remarks(model: &Model, modes: &[ModeAnalysis]) -> Vec<String> {
         let has_these = |mode: &ModeAnalysis| mode.outcome == Outcome::NoMargin && exhausted_axes(mode) == axes;
         remarks.extend(named(&has_these).map(|names| match &axes {
             Some(axes) => format!(
-                "{names}: hover leaves no {axes} to one side, so a disturbance towards the other cannot be countered"
+                "{names}: in hover no {axes} remains to one side, so a disturbance to the other side cannot be \
+                 countered"
             ),
             None => format!(
                 "{names}: hover is on the edge of what the remaining rotors can give, so some disturbance cannot be \

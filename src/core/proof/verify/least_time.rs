@@ -232,8 +232,6 @@ struct Bounds {
     left: RateBounds,
     /// Turns to smaller yaws.
     right: RateBounds,
-    /// In the exact model, unless the drag depends on the attitude: from one rest to the next.
-    level: Option<turns::Level>,
 }
 
 /// The bounds that some limits set together with the thrust.
@@ -269,8 +267,7 @@ fn bounds(problem: Problem, of_leg: &[&Limit]) -> Bounds {
     let along_line = both_ways(&of_all, whole);
     let across = speed.min(most(LimitKind::SpeedHorizontal));
     let in_plane = of_part(across, sideways(model, of_leg, force), force, &[0, 1]);
-    let level_acceleration = whole.min(most(LimitKind::AccelerationHorizontal));
-    let horizontal = both_ways(&in_plane, level_acceleration);
+    let horizontal = both_ways(&in_plane, whole.min(most(LimitKind::AccelerationHorizontal)));
     let vertical = |kind: LimitKind, speeding: Interval, slowing: Interval| {
         let rate = speed.min(most(kind));
         let in_air = |acceleration: Interval| of_part(rate, acceleration.high, force + g, &[2]);
@@ -287,20 +284,6 @@ fn bounds(problem: Problem, of_leg: &[&Limit]) -> Bounds {
         acceleration: f64::INFINITY,
         jerk: f64::INFINITY,
     };
-    let is_level = model.plan.model == PlanModel::Exact && is_isotropic;
-    let level = is_level.then(|| turns::Level {
-        force,
-        tilt: most(LimitKind::Tilt).min(FRAC_PI_2),
-        let_pass: slack_of_tilt(model),
-        down: falling - g,
-        gravity: g,
-        drag: Interval::point(model.environment().extreme_rates()[1]),
-        wind: {
-            let [x, y, z] = model.environment().wind.map(Interval::point);
-            [(x.square() + y.square()).sqrt(), z]
-        },
-        acceleration: level_acceleration,
-    });
     Bounds {
         along_line,
         horizontal,
@@ -308,8 +291,26 @@ fn bounds(problem: Problem, of_leg: &[&Limit]) -> Bounds {
         down: vertical(LimitKind::Descent, falling, rising),
         left: turn(more, less),
         right: turn(less, more),
-        level,
     }
+}
+
+/// What bounds motions from one rest to the next under limits that hold everywhere: in the exact model, unless the drag
+/// depends on the attitude.
+fn level(problem: Problem, of_all: &[&Limit]) -> Option<turns::Level> {
+    let model = problem.model();
+    let environment = model.environment();
+    let (thrust, g) = (Thrust::of(model), Interval::point(model.gravity));
+    let most = |kind| most(of_all, kind, Sense::Upwards);
+    let force = turns::Force {
+        most: thrust.most,
+        tilt: most(LimitKind::Tilt).min(FRAC_PI_2),
+        let_pass: slack_of_tilt(model),
+        down: thrust.falling(model) - g,
+    };
+    let drag = Interval::point(environment.extreme_rates()[1]);
+    let acceleration = most(LimitKind::Acceleration).min(most(LimitKind::AccelerationHorizontal));
+    let is_bounded = model.plan.model == PlanModel::Exact && environment.is_isotropic();
+    is_bounded.then(|| turns::Level::new(&force, g, drag, environment.wind, acceleration))
 }
 
 /// By how much the check of plans lets the thrust over the mass leave the cone of a limit on tilt, m/s^2.
@@ -328,7 +329,7 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
     let mission = problem.mission();
     // Looked for once: missions may have thousands of limits, each of one leg.
     let of_all: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.is_general()).collect();
-    let general = bounds(problem, &of_all);
+    let (general, level) = (bounds(problem, &of_all), level(problem, &of_all));
     let mut of_legs: Vec<Vec<&Limit>> = vec![Vec::new(); mission.legs.len()];
     for limit in &mission.limits {
         if let Some(own) = limit.leg.as_ref().and_then(|on| of_legs.get_mut(on.leg)) {
@@ -374,7 +375,8 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
             now = now + Interval::point(leg(i - 1));
         }
         if let Some((rest, since)) = left.filter(|_| rests(i)) {
-            let by_turns = since + Interval::point(turns::least(&mission.waypoints[rest..=i], &general));
+            let by_turns =
+                since + Interval::point(turns::least(&mission.waypoints[rest..=i], &general, level.as_ref()));
             now = Interval::point(now.low.max(by_turns.low));
         }
         reached.push(now.low);

@@ -9,7 +9,7 @@
 //! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk
 //! of at most j needs `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
-use super::turns::{self, Level};
+use super::turns::{self, Force, Level};
 use crate::model::{Heading, Limit, LimitKind, PlanModel, Problem, Waypoint};
 use crate::planner::transcription::UNBOUNDED;
 use crate::tolerance;
@@ -141,8 +141,8 @@ pub(super) struct LegRateBounds {
     left: RateBounds,
     /// Turns to smaller yaws.
     right: RateBounds,
-    /// In the exact model, unless the drag depends on the attitude: from one rest to the next.
-    pub(super) level: Option<Level>,
+    /// In the exact model, unless the drag depends on the attitude.
+    force: Option<Force>,
 }
 
 /// A bound on a quantity towards larger values or towards smaller ones. Only limits on yaw have a lower side.
@@ -232,17 +232,9 @@ impl LegRateBounds {
             jerk: f64::INFINITY,
         };
         let of_plane = whole.min(most(LimitKind::AccelerationHorizontal));
-        let is_level = model.plan.model == PlanModel::Exact && air.is_isotropic();
-        let level = is_level.then(|| Level {
-            force,
-            tilt: tilt.min(FRAC_PI_2),
-            let_pass: out,
-            down: falling - g,
-            gravity: g,
-            drag: air.rates[1],
-            wind: [air.wind[0].hypot(air.wind[1]), air.wind[2]],
-            acceleration: of_plane,
-        });
+        let is_bounded = model.plan.model == PlanModel::Exact && air.is_isotropic();
+        let tilt = tilt.min(FRAC_PI_2);
+        let force = is_bounded.then_some(Force { most: force, tilt, let_pass: out, down: falling - g });
         LegRateBounds {
             whole: both_ways(&of_all, whole),
             horizontal: both_ways(&in_plane, of_plane),
@@ -250,7 +242,7 @@ impl LegRateBounds {
             down: vertical(LimitKind::Descent, falling, rising),
             left: turn(Sense::Upwards, Sense::Downwards),
             right: turn(Sense::Downwards, Sense::Upwards),
-            level,
+            force,
         }
     }
 
@@ -340,6 +332,10 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
     }
     // Legs without limits of their own, and legs together, have the bounds of the mission.
     let general = LegRateBounds::of(problem, &of_all);
+    let (air, gravity) = (problem.model().environment(), problem.model().gravity);
+    let of_level =
+        |force: Force| Level::new(&force, gravity, air.extreme_rates()[1], air.wind, general.horizontal.acceleration);
+    let level = general.force.map(of_level);
     let paces = |legs: Range<usize>| match &of_legs[legs.start][..] {
         own if legs.len() == 1 && !own.is_empty() => LegRateBounds::of(problem, &[&of_all[..], own].concat()),
         _ => general,
@@ -361,7 +357,7 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
     for (i, point) in points.iter().enumerate() {
         soonest += i.checked_sub(1).map_or(0.0, |leg| legs[leg].seconds);
         if let Some((rest, since)) = left.filter(|_| rests(i)) {
-            soonest = soonest.max(since + turns::least(&points[rest..=i], &general));
+            soonest = soonest.max(since + turns::least(&points[rest..=i], &general, level.as_ref()));
         }
         if let Some(due) = point.time {
             if soonest > due + 2.0 * SAME_TIME * due.max(1.0) && too_early.is_none() {

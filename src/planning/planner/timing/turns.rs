@@ -1,7 +1,7 @@
 //! Lower bounds on the time from one rest to the next, from the waypoints between them at which the motion turns back.
 //!
 //! A motion that passes waypoints at which its component along a direction rises and falls in turn has no rate in this
-//! direction at its extremes, so that each displacement between turns is one from rest to rest, but for its jerk. In
+//! direction at its extremes, so that each displacement between turns is one from rest to rest, apart from its jerk. In
 //! the exact model the thrust also holds the weight meanwhile, which bounds its part sideways further.
 
 use super::kinematics::LegRateBounds;
@@ -20,7 +20,7 @@ const PARTS: usize = 32;
 /// Steps of the search for the multiplier.
 const STEPS: usize = 40;
 
-/// A time below the least t with `t >= at_least(most)` for every most >= t, where `at_least` falls, s.
+/// A lower bound on every t with `t >= at_least(t)`, where `at_least` falls, s.
 pub(super) fn fixed_point(at_least: impl Fn(f64) -> f64) -> f64 {
     let (mut above, mut below) = (at_least(0.0), 0.0);
     for _ in 0..ROUNDS {
@@ -55,7 +55,7 @@ fn displacements(places: &[[f64; 2]]) -> Vec<(bool, f64)> {
 
 /// The least time from the rest at the first of some waypoints to that at the last, s, under bounds that hold on all
 /// legs between them.
-pub(super) fn least(points: &[Waypoint], bounds: &LegRateBounds) -> f64 {
+pub(super) fn least(points: &[Waypoint], bounds: &LegRateBounds, level: Option<&Level>) -> f64 {
     let [first, .., last] = points else { return 0.0 };
     let room = |point: &Waypoint| point.within + 2.0 * tolerance::MOST_MISS;
     let along = |direction: [f64; 3]| -> Vec<[f64; 2]> {
@@ -73,60 +73,44 @@ pub(super) fn least(points: &[Waypoint], bounds: &LegRateBounds) -> f64 {
         let turns = displacements(&along([cosine, sine, 0.0]));
         most = most.max(turns.iter().map(|(_, by)| bounds.horizontal.between_turns(*by)).sum());
         let roots: f64 = turns.iter().map(|(_, by)| by.max(0.0).sqrt()).sum();
-        most = most.max(bounds.level.map_or(0.0, |level| level.least(roots, climbed, most)));
+        most = most.max(level.map_or(0.0, |level| level.least(roots, climbed, most)));
     }
     most
 }
 
-/// What bounds motions between two rests in the exact model, where the thrust accelerates sideways and holds the
-/// weight. docs/certificates.md has the theorem.
+/// What the thrust can do, over the mass, in the exact model.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Level {
-    /// The largest thrust over the mass, m/s^2.
-    pub force: f64,
-    /// The largest angle of the thrust from the vertical, rad, at most a right angle.
+pub(super) struct Force {
+    /// m/s^2
+    pub most: f64,
+    /// The largest angle from the vertical, rad, at most a right angle.
     pub tilt: f64,
-    /// How far the thrust may leave the cone of this angle, and how far it may point down, m/s^2.
+    /// How far it may leave the cone of this angle, and how far it may point down, m/s^2.
     pub let_pass: f64,
     pub down: f64,
-    pub gravity: f64,
+}
+
+/// What bounds motions between two rests in the exact model, where the thrust accelerates sideways and holds the
+/// weight. docs/certificates.md has the theorem.
+pub(super) struct Level {
+    /// phi for mu = 0, m/s^2.
+    upright: f64,
+    /// Another mu, and phi for it without the drag of the wind's and the vehicle's vertical velocity, m/s^2.
+    mu: f64,
+    phi: f64,
     /// drag/m, 1/s
-    pub drag: f64,
-    /// The horizontal and the vertical component of the wind, m/s.
-    pub wind: [f64; 2],
+    drag: f64,
+    /// The sizes of the horizontal and the vertical component of the wind, m/s.
+    wind: [f64; 2],
     /// The largest horizontal acceleration by the limits, m/s^2.
-    pub acceleration: f64,
+    acceleration: f64,
 }
 
 impl Level {
-    /// The least time, s, for the sum of the roots of displacements, m^(1/2). The vehicle climbs or sinks by `climbed`
-    /// m in all, and takes at least `known` s.
-    fn least(&self, roots: f64, climbed: f64, known: f64) -> f64 {
-        if roots <= 0.0 || known <= 0.0 || !climbed.is_finite() {
-            return 0.0;
-        }
-        let phi = self.phi(self.drag * (self.wind[1].abs() + climbed / known));
-        let at_least = |most: f64| {
-            let x = 0.5 * self.drag * most;
-            if x >= 1.0 {
-                return 0.0;
-            }
-            let wind = self.wind[0].abs() * self.drag.powi(2) * most / 24.0;
-            let reach = (phi + wind * (1.0 + 0.5 * x)) / (1.0 - 0.5 * x);
-            2.0 * roots / (4.0 * reach).min(self.acceleration).sqrt()
-        };
-        fixed_point(at_least)
-    }
-
-    /// An upper bound on phi for the best mu found; `drift` multiplies |mu|, m/s^2.
-    fn phi(&self, drift: f64) -> f64 {
-        let of = |mu: f64| {
-            let at = |i: usize| self.support(0.5 * i as f64 / PARTS as f64, mu);
-            let inner: f64 = (1..PARTS).map(at).sum();
-            let integral = 0.5 / PARTS as f64 * (inner + 0.5 * (at(0) + at(PARTS)));
-            let out = self.let_pass * (0.25 + mu.abs()) + mu.abs() * (self.down + drift);
-            2.0 * (self.force + self.let_pass) * integral + out - mu * self.gravity
-        };
+    /// For a gravity (m/s^2), a drag over the mass (1/s), a wind (m/s) and a limit on the horizontal acceleration
+    /// (m/s^2).
+    pub fn new(force: &Force, gravity: f64, drag: f64, [x, y, z]: [f64; 3], acceleration: f64) -> Self {
+        let of = |mu: f64| force.phi(mu, gravity);
         // phi is convex in mu.
         let (mut low, mut high) = (-2.0, 4.0);
         for _ in 0..STEPS {
@@ -137,7 +121,39 @@ impl Level {
                 low = a;
             }
         }
-        of(0.5 * (low + high)).min(of(0.0))
+        let mu = 0.5 * (low + high);
+        Level { upright: of(0.0), mu, phi: of(mu), drag, wind: [x.hypot(y), z.abs()], acceleration }
+    }
+
+    /// The least time, s, for the sum of the roots of displacements, m^(1/2). The vehicle climbs or sinks by `climbed`
+    /// m in all, and takes at least `known` s.
+    fn least(&self, roots: f64, climbed: f64, known: f64) -> f64 {
+        if roots <= 0.0 || known <= 0.0 || !climbed.is_finite() {
+            return 0.0;
+        }
+        let drift = self.drag * (self.wind[1] + climbed / known);
+        let phi = (self.phi + self.mu.abs() * drift).min(self.upright);
+        let at_least = |most: f64| {
+            let x = 0.5 * self.drag * most;
+            if x >= 1.0 {
+                return 0.0;
+            }
+            let wind = self.wind[0] * self.drag.powi(2) * most / 24.0;
+            let reach = (phi + wind * (1.0 + 0.5 * x)) / (1.0 - 0.5 * x);
+            2.0 * roots / (4.0 * reach).min(self.acceleration).sqrt()
+        };
+        fixed_point(at_least)
+    }
+}
+
+impl Force {
+    /// An upper bound on phi without the drag of vertical velocities, m/s^2.
+    fn phi(&self, mu: f64, gravity: f64) -> f64 {
+        let at = |i: usize| self.support(0.5 * i as f64 / PARTS as f64, mu);
+        let inner: f64 = (1..PARTS).map(at).sum();
+        let integral = 0.5 / PARTS as f64 * (inner + 0.5 * (at(0) + at(PARTS)));
+        let out = self.let_pass * (0.25 + mu.abs()) + mu.abs() * self.down;
+        2.0 * (self.most + self.let_pass) * integral + out - mu * gravity
     }
 
     /// The largest `s sin a + mu cos a`, or 0 if that is more, for an angle a up to the tilt.
@@ -168,23 +184,17 @@ mod tests {
     /// `4 phi = g tan L (2 - g/(F cos L))`: F at full tilt at either end, and a fall between.
     #[test]
     fn phi_has_a_closed_form_under_a_limit_on_tilt() {
-        let level = |force: f64, tilt: f64| Level {
-            force,
-            tilt,
-            let_pass: 0.0,
-            down: 0.0,
-            gravity: 9.81,
-            drag: 0.0,
-            wind: [0.0; 2],
-            acceleration: f64::INFINITY,
+        let phi = |most: f64, tilt: f64| {
+            let force = Force { most, tilt, let_pass: 0.0, down: 0.0 };
+            Level::new(&force, 9.81, 0.0, [0.0; 3], f64::INFINITY).phi
         };
         for (force, tilt) in [(27.0, 0.5), (15.0, 0.4), (40.0, 1.0)] {
             let closed = 9.81 * f64::tan(tilt) * (2.0 - 9.81 / (force * f64::cos(tilt)));
-            let found = 4.0 * level(force, tilt).phi(0.0);
+            let found = 4.0 * phi(force, tilt);
             assert!(found >= (1.0 - 1e-9) * closed && found <= 1.01 * closed, "{found} {closed}");
         }
         // Level flight holds the weight all the time; a motion that falls between may do better, but not than F alone.
-        let free = 4.0 * level(15.0, FRAC_PI_2).phi(0.0);
+        let free = 4.0 * phi(15.0, FRAC_PI_2);
         assert!(free > f64::sqrt(15.0 * 15.0 - 9.81 * 9.81) && free < 15.0, "{free}");
     }
 }

@@ -22,7 +22,7 @@ const PARTS: usize = 32;
 /// Steps of the search for the multiplier.
 const STEPS: usize = 40;
 
-/// The least t with `t >= at_least(most)` for every most >= t, where `at_least` falls; s.
+/// A lower bound on every t with `t >= at_least(t)`, where `at_least` falls, s; 0 if none is shown.
 pub(super) fn fixed_point(at_least: impl Fn(f64) -> f64) -> f64 {
     let (mut above, mut below) = (at_least(0.0), 0.0);
     for _ in 0..ROUNDS {
@@ -82,7 +82,7 @@ fn displacements(places: &[At]) -> Vec<(bool, f64)> {
 
 /// The least time from the rest at the first of some waypoints to that at the last, s, under bounds that hold on all
 /// legs between them.
-pub(super) fn least(points: &[Waypoint], bounds: &Bounds) -> f64 {
+pub(super) fn least(points: &[Waypoint], bounds: &Bounds, level: Option<&Level>) -> f64 {
     let along = |[x, y, z]: [f64; 3]| -> Vec<At> {
         let [x, y, z] = [x, y, z].map(Interval::point);
         let length = (x.square() + y.square() + z.square()).sqrt();
@@ -110,9 +110,20 @@ pub(super) fn least(points: &[Waypoint], bounds: &Bounds) -> f64 {
         let turns = displacements(&along([cosine, sine, 0.0]));
         most = most.max(sum(&turns, &|_, by| bounds.horizontal.between_turns(by)));
         let roots = sum(&turns, &|_, by| Interval::point(by).positive_part().sqrt().low);
-        most = most.max(bounds.level.map_or(0.0, |level| level.least(roots, climbed, most)));
+        most = most.max(level.map_or(0.0, |level| level.least(roots, climbed, most)));
     }
     most
+}
+
+/// What the thrust can do, over the mass, in the exact model.
+pub(super) struct Force {
+    /// m/s^2
+    pub most: Interval,
+    /// The largest angle from the vertical, rad, at most a right angle.
+    pub tilt: f64,
+    /// How far it may leave the cone of this angle, and how far it may point down, m/s^2.
+    pub let_pass: Interval,
+    pub down: Interval,
 }
 
 /// The bound on motions between two rests that follows from the thrust's two tasks, in the exact model: it accelerates
@@ -122,37 +133,52 @@ pub(super) fn least(points: &[Waypoint], bounds: &Bounds) -> f64 {
 /// of p. A displacement d from rest to rest in T_j is the integral of `(1 - e^(k (t - c)))/k (f_n + k w_n)`, for every
 /// c; with c in the middle its weight is at most `E |t - c|`, `E = (e^x - 1)/x`, `x = k T_j/2`, and the wind adds at
 /// most `|w_n| k^2 T_j^3 cosh(x)/24`. From rest to rest the mean of f_z is g, apart from the drag `k (z' - w_z)`. So
-/// for every mu the sum of `d_j/T_j` is at most `E phi T + |w_n| k^2 T^2 cosh(x)/24`, with x = k T/2 and `phi = 2
-/// int_0^(1/2) sup(s f_n + mu f_z) ds - mu g + |mu| k (|w_z| + climbed/T)`, where the supremum is over all f within the
-/// limits. By Cauchy's inequality `(sum of sqrt(d_j))^2 <= T sum of d_j/T_j`.
-#[derive(Clone, Copy)]
+/// for every mu the sum of `d_j/T_j` is at most `E phi T + |w_n| k^2 T^2 cosh(x)/24`, with x = k T/2 and
+///
+/// `phi = 2 int_0^(1/2) sup(s f_n + mu f_z) ds - mu g + |mu| k (|w_z| + climbed/T)`,
+///
+/// where the supremum is over all f within the limits. It grows with s, so that the time after T_m adds no more than
+/// its share. By Cauchy's inequality `(sum of sqrt(d_j))^2 <= T sum of d_j/T_j`.
 pub(super) struct Level {
-    /// The largest thrust over the mass, m/s^2.
-    pub force: Interval,
-    /// The largest angle of the thrust from the vertical, rad, at most a right angle.
-    pub tilt: f64,
-    /// How far the thrust may leave the cone of this angle, and how far it may point down, m/s^2.
-    pub let_pass: Interval,
-    pub down: Interval,
-    pub gravity: Interval,
+    /// phi for mu = 0, m/s^2.
+    upright: Interval,
+    /// Another mu, and phi for it without the last term of phi.
+    mu: Interval,
+    phi: Interval,
     /// drag/m, 1/s
-    pub drag: Interval,
+    drag: Interval,
     /// The horizontal and the vertical component of the wind, m/s.
-    pub wind: [Interval; 2],
+    wind: [Interval; 2],
     /// The largest horizontal acceleration by the limits, m/s^2.
-    pub acceleration: f64,
+    acceleration: f64,
 }
 
 impl Level {
+    /// For a gravity (m/s^2), a drag over the mass (1/s), a wind (m/s) and a limit on the horizontal acceleration
+    /// (m/s^2).
+    pub fn new(force: &Force, gravity: Interval, drag: Interval, wind: [f64; 3], acceleration: f64) -> Self {
+        let of = |mu: f64| force.phi(Interval::point(mu), gravity);
+        // phi is convex in mu.
+        let (mut low, mut high) = (-2.0, 4.0);
+        for _ in 0..STEPS {
+            let [a, b] = [low + 0.382 * (high - low), low + 0.618 * (high - low)];
+            if of(a).high <= of(b).high { high = b } else { low = a }
+        }
+        let mu = 0.5 * (low + high);
+        let [x, y, z] = wind.map(Interval::point);
+        let wind = [(x.square() + y.square()).sqrt(), z.abs()];
+        Level { upright: of(0.0), mu: Interval::point(mu), phi: of(mu), drag, wind, acceleration }
+    }
+
     /// The least time, s, for the sum of the roots of displacements, m^(1/2). The vehicle climbs or sinks by `climbed`
     /// m in all, and takes at least `known` s.
     fn least(&self, roots: f64, climbed: f64, known: f64) -> f64 {
         if roots <= 0.0 || known <= 0.0 || !climbed.is_finite() {
             return 0.0;
         }
-        let drift = self.wind[1].abs() + Interval::point(climbed) / Interval::point(known);
-        let phi = self.phi((self.drag * drift).high);
         let two = Interval::point(2.0);
+        let drift = self.drag * (self.wind[1] + Interval::point(climbed) / Interval::point(known));
+        let phi = Interval::point((self.phi + self.mu.abs() * drift).high.min(self.upright.high));
         let at_least = |most: f64| {
             let x = self.drag * Interval::point(most) / two;
             if x.high >= 1.0 {
@@ -160,35 +186,25 @@ impl Level {
             }
             // (e^x - 1)/x <= 1/(1 - x/2) and cosh x <= (1 + x/2)/(1 - x/2) for x below 1.
             let less = Interval::ONE - x / two;
-            let wind = self.wind[0].abs() * self.drag.square() * Interval::point(most) / Interval::point(24.0);
+            let wind = self.wind[0] * self.drag.square() * Interval::point(most) / Interval::point(24.0);
             let reach = phi / less + wind * (Interval::ONE + x / two) / less;
             let reach = (Interval::point(4.0) * reach).high.min(self.acceleration);
             (two * Interval::point(roots) / Interval::point(reach).sqrt()).low
         };
         fixed_point(at_least)
     }
+}
 
-    /// An upper bound on phi for the best mu found, with `drift` for what multiplies |mu|, m/s^2.
-    fn phi(&self, drift: f64) -> Interval {
-        let of = |mu: f64| self.phi_of(mu, drift).high;
-        // phi is convex in mu.
-        let (mut low, mut high) = (-2.0, 4.0);
-        for _ in 0..STEPS {
-            let [a, b] = [low + 0.382 * (high - low), low + 0.618 * (high - low)];
-            if of(a) <= of(b) { high = b } else { low = a }
-        }
-        let best = 0.5 * (low + high);
-        Interval::point(of(best).min(of(0.0)))
-    }
-
-    fn phi_of(&self, mu: f64, drift: f64) -> Interval {
-        let [mu, half, parts] = [mu, 0.5, PARTS as f64].map(Interval::point);
+impl Force {
+    /// An upper bound on phi without its last term, m/s^2.
+    fn phi(&self, mu: Interval, gravity: Interval) -> Interval {
+        let [half, parts] = [0.5, PARTS as f64].map(Interval::point);
         let at = |i: usize| self.support(half * Interval::point(i as f64) / parts, mu);
         let inner = (1..PARTS).fold(Interval::ZERO, |sum, i| sum + at(i));
         let integral = half / parts * (inner + half * (at(0) + at(PARTS)));
-        let (outside, size) = (self.force + self.let_pass, mu.abs());
-        let out = self.let_pass * (half * half + size) + size * (self.down + Interval::point(drift));
-        Interval::point(2.0) * outside * integral + out - mu * self.gravity
+        let size = mu.abs();
+        let out = self.let_pass * (half * half + size) + size * self.down;
+        Interval::point(2.0) * (self.most + self.let_pass) * integral + out - mu * gravity
     }
 
     /// The largest `s sin a + mu cos a`, or 0 if that is more, for an angle a up to the tilt.
