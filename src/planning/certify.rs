@@ -11,7 +11,7 @@ use crate::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim
 use crate::model::{MissionTime, Model, PlanModel, Problem};
 use crate::motion::time_grid::determined;
 use crate::planner::studies::{Comparison, PlanOutcome, Proof, Verification};
-use crate::planner::timing::kinematics::{ROUNDING, least_time_within};
+use crate::planner::timing::kinematics::{ROUNDING, least_time_inside, least_time_within};
 use crate::verify::{self, Settings};
 
 pub use check::{check, is_plan};
@@ -24,14 +24,18 @@ pub use witness::{model_of, motion};
 pub fn of(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Result<Certificate, String> {
     let (model, mission) = (problem.model(), problem.mission());
     match comparison.runs.last().map(|run| (run, &run.outcome)) {
-        Some((_, PlanOutcome::Planned(solved))) => {
+        Some((run, PlanOutcome::Planned(solved))) => {
             let mut certificate =
                 witness::certificate(problem.model(), &solved.trajectory, &comparison.selected_by, spec_sha256);
             certificate.capture_height_m = height(model);
             if let Claim::Plan(claim) = &mut certificate.claim {
                 // A time that the spec fixes needs no bound.
                 let is_open = determined(mission).is_none();
-                claim.least_time_s = is_open.then(|| least_time_within(problem).seconds);
+                let most_thrust = run.set.most_thrust(&model.vehicle);
+                if is_open {
+                    let least = least_time_inside(problem, most_thrust);
+                    (claim.least_time_s, claim.weights) = (Some(least.seconds), least.weights);
+                }
             }
             // A plan that passed the check of plans is not verified again.
             if solved.verification == Verification::Passed {
@@ -76,13 +80,14 @@ fn has_one_time(problem: Problem) -> bool {
     matches!(model.plan.time, MissionTime::Fixed(_)) || mission.waypoints.last().is_some_and(|w| w.time.is_some())
 }
 
-/// The certificate that a waypoint is due before any motion within the limits can be there.
+/// The certificate that a waypoint is due before any motion within limits and thrust can be there.
 fn too_early(problem: Problem, spec_sha256: String) -> Result<Certificate, String> {
     let (model, mission) = (problem.model(), problem.mission());
     let least = least_time_within(problem);
     let hold = mission.waypoints.last().map_or(0.0, |w| w.hold);
     let (waypoint, soonest) = least.too_early.unwrap_or((mission.waypoints.len() - 1, least.seconds - hold));
-    let claim = Claim::TooEarly(TooEarlyClaim { waypoint: waypoint + 1, soonest_s: (1.0 - ROUNDING) * soonest });
+    let claim = TooEarlyClaim { waypoint: waypoint + 1, soonest_s: (1.0 - ROUNDING) * soonest, weights: least.weights };
+    let claim = Claim::TooEarly(claim);
     let kind = match model.plan.model {
         PlanModel::Hover => DynamicModel::Hover,
         PlanModel::Exact => DynamicModel::Exact,

@@ -336,6 +336,7 @@ pub fn certificate(motion: &Trajectory, selected_by: &[Trajectory]) -> Certifica
         selected_by: selected_by.iter().map(record).collect(),
         without_yaw: vec![],
         least_time_s: None,
+        weights: Vec::new(),
         recovery: None,
     };
     let model = if motion.model == WrenchModel::Exact { DynamicModel::Exact } else { DynamicModel::Hover };

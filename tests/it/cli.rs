@@ -201,7 +201,8 @@ fn no_plan_in_time_ends_with_3_and_a_report() {
     let ran = mavc_with(&args, HOP);
     assert_eq!(code(&ran), 3, "{}{}", out(&ran), err(&ran));
     assert!(
-        flat(&out(&ran)).contains("proved infeasible at 0.7 s: no motion within the limits takes less than 0.8464 s"),
+        flat(&out(&ran))
+            .contains("proved infeasible at 0.7 s: no motion within limits and thrust takes less than 0.8677 s"),
         "{}",
         out(&ran)
     );

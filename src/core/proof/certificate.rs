@@ -31,6 +31,9 @@ pub const MAX_SELECTIONS: usize = crate::model::MAX_ROUNDS;
 /// Most modes for which a plan gives up yaw.
 pub const MAX_FREED: usize = 10_000;
 
+/// Most records of weights, and most weights of one.
+pub const MAX_WEIGHTS: usize = crate::model::MAX_WAYPOINTS;
+
 /// The version of the records.
 pub const SCHEMA: u32 = 2;
 
@@ -76,7 +79,7 @@ pub enum Claim {
     Plan(PlanClaim),
     /// The spec has no plan on its grid of nodes.
     Infeasible(InfeasibleClaim),
-    /// The spec has no plan, because a waypoint is due before any motion within the limits can reach it.
+    /// The spec has no plan, because a waypoint is due before any motion within limits and thrust can reach it.
     TooEarly(TooEarlyClaim),
 }
 
@@ -99,6 +102,10 @@ pub struct PlanClaim {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub least_time_s: Option<f64>,
+    /// Weights that show it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_WEIGHTS, _, _>")]
+    #[cfg_attr(test, schemars(length(max = MAX_WEIGHTS)))]
+    pub weights: Vec<WeightsRecord>,
     /// Ways out after faults, with `--recovery`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub recovery: Option<RecoveryClaim>,
@@ -121,7 +128,7 @@ pub struct SpinRecord {
 }
 
 /// A waypoint is due before any motion that satisfies the spec's limits at every instant can reach it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TooEarlyClaim {
@@ -131,6 +138,30 @@ pub struct TooEarlyClaim {
     /// Lower bound on the time at which a motion that satisfies the limits reaches it, s.
     #[cfg_attr(test, schemars(range(min = 0)))]
     pub soonest_s: f64,
+    /// Weights that show it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_WEIGHTS, _, _>")]
+    #[cfg_attr(test, schemars(length(max = MAX_WEIGHTS)))]
+    pub weights: Vec<WeightsRecord>,
+}
+
+/// Weights on the acceleration from one rest to the next, from which a lower bound on the time follows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct WeightsRecord {
+    /// Numbers of waypoints, from 1, in order; the first and the last at rest.
+    #[serde(deserialize_with = "at_most::<MAX_WEIGHTS, _, _>")]
+    #[cfg_attr(test, schemars(length(min = 2, max = MAX_WEIGHTS)))]
+    pub waypoints: Vec<usize>,
+    /// The horizontal weights at these waypoints.
+    #[serde(deserialize_with = "at_most::<MAX_WEIGHTS, _, _>")]
+    #[cfg_attr(test, schemars(length(min = 2, max = MAX_WEIGHTS)))]
+    pub weights: Vec<[f64; 2]>,
+    /// The weight on the vertical thrust.
+    pub vertical: f64,
+    /// s^2/m
+    #[cfg_attr(test, schemars(range(min = 0)))]
+    pub price_s2_per_m: f64,
 }
 
 /// Node times and derivatives at the nodes. Inputs (the highest derivative of each axis) are linear between nodes; a

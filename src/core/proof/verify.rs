@@ -16,6 +16,7 @@ pub mod joints;
 pub mod lag;
 mod least_time;
 pub mod limits;
+pub mod most_thrust;
 pub mod motion;
 pub mod plan;
 mod premise;
@@ -351,17 +352,15 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
         Claim::Plan(claim) => {
             let mut found = setting.decide(claim, settings.budget, between)?;
             if settings.premises.has(Premise::LeastTime) {
-                least_time::not_beaten(problem, &claim.motion)?;
+                least_time::not_beaten(problem, &claim.motion, found.most_thrust, &claim.weights)?;
             }
             if let Some(least) = claim.least_time_s {
                 if settings.premises.has(Premise::LeastTime) {
-                    least_time::bound(problem, least)?;
+                    least_time::bound(problem, least, found.most_thrust, &claim.weights)?;
                 }
                 let least = down(least, 4);
-                let within = match problem.mission().waypoints.iter().skip(1).any(|w| w.time.is_some()) {
-                    true => "within the limits and at the fixed times",
-                    false => "within the limits",
-                };
+                let covers = model.plan.planner != PlannerKind::Rip && !model.plan.against.is_empty();
+                let within = problem.mission().bounded_within(covers);
                 let statement = format!("no motion {within} takes less than {least} s");
                 found.shown.push(Shown { statement, reach: None });
             }
@@ -371,7 +370,7 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
             Ok(Accepted { headline, shown: found.shown, weaker, undecided: found.undecided, ways_out: found.ways_out })
         }
         Claim::TooEarly(claim) => {
-            let (estimate, budget) = (least_time::cost(problem), settings.budget);
+            let (estimate, budget) = (least_time::cost(problem, &claim.weights), settings.budget);
             if !estimate.fits(budget) {
                 return Err(Refusal::Budget { estimate, budget });
             }

@@ -248,6 +248,21 @@ impl Mission {
         }
     }
 
+    /// Whether the spec fixes the time of some waypoint after the first.
+    pub fn has_fixed_times(&self) -> bool {
+        self.waypoints.iter().skip(1).any(|w| w.time.is_some())
+    }
+
+    /// The constraints under which a lower bound on the time holds, in words; with `faults` they leave less thrust.
+    pub fn bounded_within(&self, faults: bool) -> &'static str {
+        match (faults, self.has_fixed_times()) {
+            (false, false) => "within limits and thrust",
+            (false, true) => "within limits and thrust and at the fixed times",
+            (true, false) => "within limits and the thrust that faults leave",
+            (true, true) => "within limits and the thrust that faults leave and at the fixed times",
+        }
+    }
+
     /// Whether the vehicle is at rest when it reaches a waypoint.
     ///
     /// # Panics

@@ -1,11 +1,10 @@
-//! Lower bounds on mission times: no trajectory within the spec's limits is faster.
+//! Lower bounds on mission times: no trajectory within the spec's limits and sets is faster.
 
 use super::caveats::exceeded_limits;
 use crate::model::{Mission, Problem};
-use crate::motion::time_grid::has_fixed_times;
 use crate::number::{down, down_but_above, tenths};
 use crate::planner::studies::{PlanOutcome, PlannerRun};
-use crate::planner::timing::kinematics::{LeastTime, least_time, least_time_within};
+use crate::planner::timing::kinematics::{LeastTime, least_time, least_time_inside};
 
 /// Significant digits of the bound, which is rounded down.
 const DIGITS: usize = 4;
@@ -20,7 +19,7 @@ pub fn bound_for(problem: Problem, run: &PlannerRun) -> LeastTime {
             past[exceeded.limit] = exceeded.by;
         }
     }
-    least_time(problem, &past)
+    least_time(problem, &past, run.set.most_thrust(&model.vehicle))
 }
 
 /// The bound in words, for a mission of `total` s that has no plan because of it.
@@ -29,11 +28,11 @@ pub fn sentence(mission: &Mission, least: &LeastTime, total: f64) -> String {
         Some((waypoint, soonest)) if waypoint + 1 < mission.waypoints.len() => {
             let due = mission.waypoints[waypoint].time.unwrap_or(0.0);
             let seconds = down_but_above(soonest, DIGITS, due);
-            format!("no motion within the limits reaches waypoint {} before {seconds} s", waypoint + 1)
+            format!("no motion within limits and thrust reaches waypoint {} before {seconds} s", waypoint + 1)
         }
         _ => {
             let seconds = down_but_above(least.seconds, DIGITS, total);
-            format!("no motion {} takes less than {seconds} s", within(mission))
+            format!("no motion {} takes less than {seconds} s", mission.bounded_within(false))
         }
     }
 }
@@ -51,18 +50,12 @@ pub fn gap(problem: Problem, run: &PlannerRun) -> Option<String> {
     if least.seconds <= 0.0 || least.is_above(solved.time) {
         return None;
     }
-    let widened = match least.seconds < (1.0 - 1e-6) * least_time_within(problem).seconds {
+    let unwidened = least_time_inside(problem, run.set.most_thrust(&problem.model().vehicle));
+    let widened = match least.seconds < (1.0 - 1e-6) * unwidened.seconds {
         true => ", exceeded no further than by this plan between its nodes,",
         false => "",
     };
     let (seconds, gap) = (down(least.seconds, DIGITS), tenths(solved.time / least.seconds - 1.0));
-    Some(format!("no motion {}{widened} takes less than {seconds} s (gap {gap})", within(mission)))
-}
-
-/// The constraints under which the bound holds.
-fn within(mission: &Mission) -> &'static str {
-    match has_fixed_times(mission) {
-        true => "within the limits and at the fixed times",
-        false => "within the limits",
-    }
+    let within = mission.bounded_within(!run.against.is_empty());
+    Some(format!("no motion {within}{widened} takes less than {seconds} s (gap {gap})"))
 }

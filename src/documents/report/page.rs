@@ -101,7 +101,7 @@ pub fn plans(
         sections.extend(record.planners.last().and_then(|planner| binding_table::section(mission, planner)));
         sections.extend(capture::section(record, captures));
     } else {
-        sections.insert(0, Section::new("planners", "Planners", planners::section(comparison, record)));
+        sections.insert(0, Section::new("planners", "Planners", planners::section(mission, comparison, record)));
     }
     let picture = (!content.runs.is_empty()).then(|| document::picture(!comparison.modes.is_empty()));
     sections.extend(picture.is_some().then(document::motion));

@@ -222,11 +222,6 @@ pub fn earliest(mission: &Mission) -> f64 {
     at
 }
 
-/// Whether the spec fixes the time of some waypoint after the first.
-pub(crate) fn has_fixed_times(mission: &Mission) -> bool {
-    mission.waypoints.iter().skip(1).any(|w| w.time.is_some())
-}
-
 /// The grid of a mission over `total` seconds with `samples` intervals: one for each hold and at least one for each leg
 /// ([`Mission::least_intervals`] if there are enough).
 ///

@@ -20,6 +20,7 @@ pub(super) fn certificate(
         selected_by,
         without_yaw: without_yaw(model),
         least_time_s: None,
+        weights: Vec::new(),
         recovery: None,
     };
     let (model, claim) = (model_of(trajectory), Claim::Plan(claim));

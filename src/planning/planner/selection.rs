@@ -5,7 +5,13 @@ pub mod sets;
 
 use crate::admissible::row::{SetRow, row};
 use crate::admissible::{AdmissibleSet, intersection};
+use crate::model::Vehicle;
+use crate::tolerance;
+use crate::verify::most_thrust::multipliers;
 use std::fmt;
+
+/// Bounds on the thrust are raised by this share: the checker's planes differ from rows by rounding.
+const ROUNDING: f64 = 1e-8;
 
 /// The rows that a planner imposes on the wrench at every node, in widths of the healthy set.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -39,6 +45,29 @@ impl PlanningSet {
         });
         let facets = joint.facets.iter().map(|f| row(f, healthy, f.origin.clone()));
         PlanningSet { rows: equalities.chain(facets).collect() }
+    }
+
+    /// An upper bound on the thrust of wrenches in the set, N, which the tolerance of the check of plans widens. Rows
+    /// of cores depend on the motion, so that they bound nothing here.
+    pub fn most_thrust(&self, vehicle: &Vehicle) -> f64 {
+        let sides = |row: &SetRow| {
+            let plane = |sign: f64| ((sign * row.normal).into(), sign * row.offset + tolerance::MOST_OUTSIDE);
+            [Some(plane(1.0)), row.equality.then(|| plane(-1.0))].into_iter().flatten()
+        };
+        let rows = self.rows.iter().filter(|row| row.core.is_none());
+        let planes: Vec<([f64; 4], f64)> = rows.flat_map(sides).collect();
+        let sizes = vehicle.rotors.iter().fold([0.0; 4], |sizes: [f64; 4], rotor| {
+            let thrust = 2.0 * rotor.max_thrust() * rotor.spread.full_thrust.high;
+            let arms = [1.0, rotor.position[1], rotor.position[0], rotor.drag_coefficient / rotor.thrust_coefficient];
+            std::array::from_fn(|k| sizes[k] + thrust * arms[k].abs())
+        });
+        let mut left = [1.0, 0.0, 0.0, 0.0];
+        let mut most = 0.0;
+        for (i, weight) in multipliers(&planes, sizes.map(|size| if size > 0.0 { size } else { 1.0 })) {
+            most += weight * planes[i].1;
+            left = std::array::from_fn(|k| left[k] - weight * planes[i].0[k]);
+        }
+        (1.0 + ROUNDING) * (0..4).fold(most, |most, k| most + left[k].abs() * sizes[k])
     }
 
     /// This set with the given facets of other sets added; planes it already has are not added twice.

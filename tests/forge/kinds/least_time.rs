@@ -31,7 +31,7 @@ fn too_early(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
     let reached = spec.honest.times[nodes[waypoint - 1]];
     let soonest_s = (reached + numbers.magnitude(1e-6, 1.0)) * (1.0 + numbers.magnitude(1e-3, 10.0));
     let honest = spec.certificate();
-    Some(Certificate { claim: Claim::TooEarly(TooEarlyClaim { waypoint, soonest_s }), ..honest })
+    Some(Certificate { claim: Claim::TooEarly(TooEarlyClaim { waypoint, soonest_s, weights: Vec::new() }), ..honest })
 }
 
 /// The honest motion with a bound on its time, s.
@@ -44,6 +44,6 @@ pub(super) fn with_least_time(spec: &Spec, bound: f64) -> Option<Certificate> {
 
 /// A claim that a waypoint, from 0, is due before it can be reached at `soonest_s`.
 pub(super) fn due_too_early(spec: &Spec, waypoint: usize, soonest_s: f64) -> Certificate {
-    let claim = TooEarlyClaim { waypoint: waypoint + 1, soonest_s };
+    let claim = TooEarlyClaim { waypoint: waypoint + 1, soonest_s, weights: Vec::new() };
     Certificate { claim: Claim::TooEarly(claim), ..spec.certificate() }
 }

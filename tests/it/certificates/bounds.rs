@@ -160,7 +160,7 @@ fn is_too_early(model: &Model, seconds: f64) -> bool {
     model.plan.time = MissionTime::Fixed(0.5 * seconds);
     let hold = model.mission.as_ref().and_then(|m| m.waypoints.last()).map_or(0.0, |w| w.hold);
     let waypoint = model.mission.as_ref().map_or(0, |m| m.waypoints.len());
-    let claim = Claim::TooEarly(TooEarlyClaim { waypoint, soonest_s: seconds - hold });
+    let claim = Claim::TooEarly(TooEarlyClaim { waypoint, soonest_s: seconds - hold, weights: Vec::new() });
     let kind = if model.plan.model == PlanModel::Exact { DynamicModel::Exact } else { DynamicModel::Hover };
     let certificate =
         Certificate { schema: SCHEMA, spec_sha256: String::new(), model: kind, capture_height_m: None, claim };

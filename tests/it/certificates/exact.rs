@@ -100,7 +100,14 @@ fn certificate() -> Certificate {
         yaw: rest_to_rest(2, 0.2, 1.2).into_iter().map(|n| n.try_into().unwrap()).collect(),
         waypoint_nodes: vec![0, PIECES],
     };
-    let claim = PlanClaim { motion, selected_by: vec![], without_yaw: vec![], least_time_s: None, recovery: None };
+    let claim = PlanClaim {
+        motion,
+        selected_by: vec![],
+        without_yaw: vec![],
+        least_time_s: None,
+        weights: vec![],
+        recovery: None,
+    };
     Certificate {
         schema: SCHEMA,
         spec_sha256: SHA.into(),

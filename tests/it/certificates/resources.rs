@@ -251,7 +251,7 @@ fn least_times_are_in_the_estimate() {
     let mut flight = mission(points);
     flight.limits = vec![limit(LimitKind::Speed, 2.0); 1000];
     model.mission = Some(flight);
-    let claim = Claim::TooEarly(TooEarlyClaim { waypoint: 2, soonest_s: 0.1 });
+    let claim = Claim::TooEarly(TooEarlyClaim { waypoint: 2, soonest_s: 0.1, weights: Vec::new() });
     let certificate = Certificate {
         schema: SCHEMA,
         spec_sha256: SHA.into(),

@@ -17,6 +17,7 @@ fn with(certificate: &Certificate, motion: &MotionRecord, selected_by: &[MotionR
         selected_by: selected_by.to_vec(),
         without_yaw: vec![],
         least_time_s: None,
+        weights: Vec::new(),
         recovery: None,
     };
     Certificate { claim: Claim::Plan(claim), ..certificate.clone() }

@@ -50,7 +50,7 @@ fn what_no_attitude_could_do_is_proved() {
         assert!(text.contains(": proved infeasible at "), "{text}");
         assert!(
             text.contains(" s with 20 samples")
-                || flat(&text).contains(": no motion within the limits takes less than "),
+                || flat(&text).contains(": no motion within limits and thrust takes less than "),
             "{text}"
         );
     }
@@ -86,10 +86,12 @@ fn no_plan_at_any_time_tried_is_proved() {
     let mut early = planning(mission, PlannerKind::Rip, &[], MissionTime::Minimum);
     early.plan.samples = 40;
     up.plan.time = MissionTime::Minimum;
-    for (model, due) in [(&up, "at each of "), (&early, "at any mission time: no motion within the limits reaches")] {
+    for (model, due) in
+        [(&up, "at each of "), (&early, "at any mission time: no motion within limits and thrust reaches")]
+    {
         let (outcome, text) = told(model);
         assert!(matches!(outcome, PlanOutcome::Infeasible(Proof { .. })), "{text}");
-        assert!(text.contains(&format!("proved infeasible {due}")), "{text}");
+        assert!(flat(&text).contains(&format!("proved infeasible {due}")), "{text}");
     }
     up.mission.as_mut().unwrap().limits = vec![limit(LimitKind::Climb, 0.05)];
     let (outcome, text) = told(&up);
@@ -183,7 +185,7 @@ fn a_waypoint_due_too_early_is_proved_infeasible_at_any_mission_time() {
     for timing in ["optimal", "proportional"] {
         let (code, text) = plan(mission, &format!("time = minimum; timing = {timing}"));
         assert_eq!(code, 3, "{text}");
-        let due = "proved infeasible at any mission time: no motion within the limits reaches waypoint 3 before";
+        let due = "proved infeasible at any mission time: no motion within limits and thrust reaches waypoint 3 before";
         assert!(text.contains(due) && !text.contains("not found"), "{text}");
     }
 }

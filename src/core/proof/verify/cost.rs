@@ -41,6 +41,9 @@ pub const COST_PER_ROTOR: u64 = 100;
 /// Units of a row of which a core is made, with its share of the sorting.
 pub const COST_PER_CORE_ROW: u64 = 10;
 
+/// Units of a weight on the acceleration, with its share of a leg.
+pub const COST_PER_WEIGHT: u64 = 100;
+
 /// Units of a multiplier's row.
 pub const COST_PER_MULTIPLIER: u64 = 20;
 /// Units of expressing one node's derivatives by those of the node before.

@@ -12,16 +12,20 @@
 //! half.
 
 mod turns;
+mod weights;
 
 use super::Rejection;
 use super::cost::{self, Estimate};
 use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
-use crate::certificate::{MotionRecord, TooEarlyClaim};
+use super::sets::hover_thrust;
+use crate::certificate::{MotionRecord, TooEarlyClaim, WeightsRecord};
 use crate::model::{Heading, Limit, LimitKind, Model, PlanModel, Problem, Waypoint};
 use crate::number::{apart, down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
+use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
+use weights::Push;
 
 /// Instants with a smaller relative difference count as equal.
 const SAME_TIME: f64 = 1e-9;
@@ -128,13 +132,17 @@ fn most(of_leg: &[&Limit], kind: LimitKind, sense: Sense) -> f64 {
 /// The total thrust over the mass, m/s^2: `most` is an upper bound, and `reversed` one on its size where rotors that
 /// reverse make it negative. A healthy set widened by its tolerance is the set scaled about its centre, so that either
 /// end moves by this share of the thrust's whole range.
+///
+/// A reserve rho leaves `n.h + (1 - rho) (e - n.h)` of a plane `n.w <= e`, and all of it if hover h lies behind it: in
+/// either case at most `rho n.h + (1 - rho) e`. Nonnegative multiples of the planes add up to `T <= full`, so that the
+/// planes left add up to `T <= rho h + (1 - rho) full`.
 struct Thrust {
     most: Interval,
     reversed: Interval,
 }
 
 impl Thrust {
-    fn of(model: &Model) -> Self {
+    fn of(model: &Model, most_thrust: f64) -> Self {
         let vehicle = &model.vehicle;
         let (mut full, mut reversed) = (Interval::ZERO, Interval::ZERO);
         for rotor in &vehicle.rotors {
@@ -148,8 +156,16 @@ impl Thrust {
             }
         }
         let let_pass = Interval::point(MOST_OUTSIDE) * (full + reversed);
-        let lightest = Interval::point(vehicle.mass) * Interval::point(vehicle.mass_spread.low);
-        Thrust { most: (full + let_pass) / lightest, reversed: (reversed + let_pass) / lightest }
+        let mass = Interval::point(vehicle.mass);
+        let lightest = mass * Interval::point(vehicle.mass_spread.low);
+        let reserve = Interval::point(model.plan.reserve);
+        let hover = hover_thrust(vehicle, &model.environment()).enclosure() / mass;
+        let kept = reserve * hover + (Interval::ONE - reserve) * full / lightest;
+        let of_healthy = kept + let_pass / lightest;
+        // Planes bound the thrust at the nominal mass.
+        let of_sets = if most_thrust.is_finite() { Interval::point(most_thrust) / mass } else { of_healthy };
+        let most = if of_sets.high < of_healthy.high { of_sets } else { of_healthy };
+        Thrust { most, reversed: (reversed + let_pass) / lightest }
     }
 
     /// The largest acceleration downwards, m/s^2. In the exact model the thrust points along an axis of the body that
@@ -235,10 +251,10 @@ struct Bounds {
 }
 
 /// The bounds that some limits set together with the thrust.
-fn bounds(problem: Problem, of_leg: &[&Limit]) -> Bounds {
+fn bounds(problem: Problem, of_leg: &[&Limit], thrust: &Thrust) -> Bounds {
     let model = problem.model();
     let is_isotropic = model.environment().is_isotropic();
-    let (thrust, g) = (Thrust::of(model), Interval::point(model.gravity));
+    let g = Interval::point(model.gravity);
     let force = thrust.most;
     let turning = |kind, sense| most(of_leg, kind, sense);
     let most = |kind| most(of_leg, kind, Sense::Upwards);
@@ -296,10 +312,10 @@ fn bounds(problem: Problem, of_leg: &[&Limit]) -> Bounds {
 
 /// What bounds motions from one rest to the next under limits that hold everywhere: in the exact model, unless the drag
 /// depends on the attitude.
-fn level(problem: Problem, of_all: &[&Limit]) -> Option<turns::Level> {
+fn push(problem: Problem, of_all: &[&Limit], thrust: &Thrust, speed: f64) -> Option<Push> {
     let model = problem.model();
     let environment = model.environment();
-    let (thrust, g) = (Thrust::of(model), Interval::point(model.gravity));
+    let g = Interval::point(model.gravity);
     let most = |kind| most(of_all, kind, Sense::Upwards);
     let force = turns::Force {
         most: thrust.most,
@@ -307,10 +323,15 @@ fn level(problem: Problem, of_all: &[&Limit]) -> Option<turns::Level> {
         let_pass: slack_of_tilt(model),
         down: thrust.falling(model) - g,
     };
-    let drag = Interval::point(environment.extreme_rates()[1]);
-    let acceleration = most(LimitKind::Acceleration).min(most(LimitKind::AccelerationHorizontal));
     let is_bounded = model.plan.model == PlanModel::Exact && environment.is_isotropic();
-    is_bounded.then(|| turns::Level::new(&force, g, drag, environment.wind, acceleration))
+    is_bounded.then(|| Push {
+        force,
+        gravity: g,
+        drag: Interval::point(environment.extreme_rates()[1]),
+        wind: environment.wind.map(Interval::point),
+        acceleration: most(LimitKind::Acceleration).min(most(LimitKind::AccelerationHorizontal)),
+        speed,
+    })
 }
 
 /// By how much the check of plans lets the thrust over the mass leave the cone of a limit on tilt, m/s^2.
@@ -319,17 +340,29 @@ fn slack_of_tilt(model: &Model) -> Interval {
 }
 
 /// The cost of [`soonest`]: of each leg the limits that concern it, and its turns in each direction.
-pub(super) fn cost(problem: Problem) -> Estimate {
+pub(super) fn cost(problem: Problem, records: &[WeightsRecord]) -> Estimate {
+    let weights = records.iter().map(|record| record.weights.len() as u64).fold(0, u64::saturating_add);
     let (legs, limits) = (problem.mission().legs.len() as u64, problem.mission().limits.len() as u64);
-    Estimate { units: cost::times(legs, limits.div_ceil(cost::LIMITS_OF_A_UNIT) + turns::DIRECTIONS as u64), bytes: 0 }
+    let of_legs = cost::times(legs, limits.div_ceil(cost::LIMITS_OF_A_UNIT) + turns::DIRECTIONS as u64);
+    Estimate { units: of_legs.saturating_add(cost::times(weights, cost::COST_PER_WEIGHT)), bytes: 0 }
 }
 
-/// Lower bounds on when each waypoint is reached, s, in the order of flight.
-pub(super) fn soonest(problem: Problem) -> Vec<f64> {
+/// Lower bounds on when each waypoint is reached, s, in the order of flight, by motions whose sets leave a thrust of at
+/// most `most_thrust` N.
+pub(super) fn soonest(problem: Problem, most_thrust: f64, records: &[WeightsRecord]) -> Vec<f64> {
     let mission = problem.mission();
     // Looked for once: missions may have thousands of limits, each of one leg.
     let of_all: Vec<&Limit> = mission.limits.iter().filter(|limit| limit.is_general()).collect();
-    let (general, level) = (bounds(problem, &of_all), level(problem, &of_all));
+    let thrust = Thrust::of(problem.model(), most_thrust);
+    let general = bounds(problem, &of_all, &thrust);
+    let push = push(problem, &of_all, &thrust, general.horizontal.rate);
+    let level = push.as_ref().map(turns::Level::new);
+    let mut of_rests: BTreeMap<(usize, usize), Vec<&WeightsRecord>> = BTreeMap::new();
+    for record in records {
+        if let [first, .., last] = record.waypoints[..] {
+            of_rests.entry((first, last)).or_default().push(record);
+        }
+    }
     let mut of_legs: Vec<Vec<&Limit>> = vec![Vec::new(); mission.legs.len()];
     for limit in &mission.limits {
         if let Some(own) = limit.leg.as_ref().and_then(|on| of_legs.get_mut(on.leg)) {
@@ -352,7 +385,7 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
         let yaw_room = met_within(from.yaw_within, to.yaw_within);
         let bounds = match &of_legs[i][..] {
             [] => general,
-            own => bounds(problem, &[&of_all[..], own].concat()),
+            own => bounds(problem, &[&of_all[..], own].concat(), &thrust),
         };
         let turn = |most: RateBounds, turned: Interval| if has_yaw { most.least(turned - yaw_room, ends) } else { 0.0 };
         [
@@ -366,18 +399,22 @@ pub(super) fn soonest(problem: Problem) -> Vec<f64> {
         .into_iter()
         .fold(0.0, f64::max)
     };
+    let legs: Vec<f64> = (0..last).map(leg).collect();
+    let points = &mission.waypoints;
     let mut now = Interval::ZERO;
     let mut reached = Vec::new();
     // The last rest, and when the vehicle may leave it.
     let mut left: Option<(usize, Interval)> = None;
-    for (i, Waypoint { time, hold, .. }) in mission.waypoints.iter().enumerate() {
+    for (i, Waypoint { time, hold, .. }) in points.iter().enumerate() {
         if i > 0 {
-            now = now + Interval::point(leg(i - 1));
+            now = now + Interval::point(legs[i - 1]);
         }
         if let Some((rest, since)) = left.filter(|_| rests(i)) {
-            let by_turns =
-                since + Interval::point(turns::least(&mission.waypoints[rest..=i], &general, level.as_ref()));
-            now = Interval::point(now.low.max(by_turns.low));
+            let by_turns = turns::least(&points[rest..=i], &general, level.as_ref());
+            let records = of_rests.get(&(rest + 1, i + 1)).into_iter().flatten();
+            let by_weights = records.filter_map(|record| Some(weights::least(points, &legs, record, push.as_ref()?)));
+            let least = by_weights.fold(by_turns, f64::max);
+            now = Interval::point(now.low.max((since + Interval::point(least)).low));
         }
         reached.push(now.low);
         now = Interval::point(time.map_or(now.low, |due| earliest(due).max(now.low))) + Interval::point(*hold);
@@ -398,16 +435,21 @@ fn earliest(due: f64) -> f64 {
 ///
 /// # Errors
 /// It does.
-pub(super) fn not_beaten(problem: Problem, motion: &MotionRecord) -> Result<(), Rejection> {
+pub(super) fn not_beaten(
+    problem: Problem,
+    motion: &MotionRecord,
+    most_thrust: f64,
+    records: &[WeightsRecord],
+) -> Result<(), Rejection> {
     let arrivals = motion.waypoint_nodes.iter().map(|&node| motion.times_s.get(node).copied().unwrap_or(f64::NAN));
     let is_beaten = |(_, (least, at)): &(usize, (f64, f64))| exceeds(earliest(*least), *at);
-    let beaten = soonest(problem).into_iter().zip(arrivals).enumerate().find(is_beaten);
+    let beaten = soonest(problem, most_thrust, records).into_iter().zip(arrivals).enumerate().find(is_beaten);
     match beaten {
         Some((i, (least, reached))) => {
             let [least, at] = apart(least, reached);
             let why = format!(
-                "waypoint {} is reached after {at} s, but motions within the limits take at least {least} s; the gaps \
-                 and tolerances of this one add up",
+                "waypoint {} is reached after {at} s, but motions within limits and thrust take at least {least} s; \
+                 the gaps and tolerances of this one add up",
                 i + 1
             );
             Err(Rejection { at: Some(reached), ..Rejection::new("the least time", why) })
@@ -425,20 +467,26 @@ fn met_within(from: f64, to: f64) -> Interval {
 ///
 /// # Errors
 /// The claim is stronger than the bound computed here.
-pub(super) fn bound(problem: Problem, claimed: f64) -> Result<(), Rejection> {
+pub(super) fn bound(
+    problem: Problem,
+    claimed: f64,
+    most_thrust: f64,
+    records: &[WeightsRecord],
+) -> Result<(), Rejection> {
     let mission = problem.mission();
     if claimed < 0.0 {
         let why = format!("{} s is claimed, which is negative", number(claimed));
         return Err(Rejection::new("the least time", why));
     }
     let end = mission.waypoints.last();
-    let (own, hold) = (soonest(problem).last().copied().unwrap_or(0.0), end.map_or(0.0, |w| w.hold));
+    let (own, hold) =
+        (soonest(problem, most_thrust, records).last().copied().unwrap_or(0.0), end.map_or(0.0, |w| w.hold));
     // A last waypoint with a fixed time is reached at that time.
     let reached = end.and_then(|w| w.time).map_or(own, |due| earliest(due).max(own));
     let own = (Interval::point(reached) + Interval::point(hold)).low;
     if exceeds(claimed, own) {
         let [claimed, own] = apart(claimed, own);
-        let why = format!("{claimed} s is claimed, but distances and limits give {own} s");
+        let why = format!("{claimed} s is claimed, but distances, limits and thrust give {own} s");
         return Err(Rejection::new("the least time", why));
     }
     Ok(())
@@ -460,10 +508,10 @@ pub(super) fn too_early(problem: Problem, claim: &TooEarlyClaim) -> Result<Strin
     let Some(due) = point.time.or(at_the_end) else {
         return Err(Rejection::new(name, format!("the spec does not fix the time of waypoint {}", claim.waypoint)));
     };
-    let own = soonest(problem)[claim.waypoint - 1];
+    let own = soonest(problem, f64::INFINITY, &claim.weights)[claim.waypoint - 1];
     if exceeds(claim.soonest_s, own) {
         let [claimed, own] = apart(claim.soonest_s, own);
-        let why = format!("{claimed} s is claimed, but distances and limits give {own} s");
+        let why = format!("{claimed} s is claimed, but distances, limits and thrust give {own} s");
         return Err(Rejection::new(format!("the earliest arrival at waypoint {}", claim.waypoint), why));
     }
     if !exceeds(claim.soonest_s, due + SAME_TIME * due.max(1.0)) {
@@ -471,8 +519,8 @@ pub(super) fn too_early(problem: Problem, claim: &TooEarlyClaim) -> Result<Strin
         return Err(Rejection::new(name, why));
     }
     Ok(format!(
-        "mission {} has no plan: waypoint {} is due at {} s, but motions within the limits take at least {} s to reach \
-         it, however the time is divided",
+        "mission {} has no plan: waypoint {} is due at {} s, but motions within limits and thrust take at least {} s \
+         to reach it, however the time is divided",
         mission.name,
         claim.waypoint,
         number(due),

@@ -9,6 +9,7 @@ mod waypoints;
 
 use super::core::{Core, WithoutYaw};
 use super::cost::{Budget, WorkLeft};
+use super::most_thrust::most_thrust;
 use super::motion::Motion;
 use super::premise::{Premise, Premises};
 use super::proof::Family;
@@ -312,6 +313,8 @@ pub(super) struct Found {
     pub ways_out: Vec<Covered>,
     /// Mission time, s.
     pub total: f64,
+    /// An upper bound on the thrust of every motion inside the sets, N.
+    pub most_thrust: f64,
 }
 
 impl Checked<'_> {
@@ -342,7 +345,18 @@ impl Checked<'_> {
             weaker.push("`require uncovered` is not checked: a certificate need not contain every way out".into());
         }
         let total = self.motion.times[self.motion.times.len() - 1];
-        Found { shown, weaker, undecided: self.undecided.clone(), ways_out: Vec::new(), total }
+        let undecided = self.undecided.clone();
+        Found { shown, weaker, undecided, ways_out: Vec::new(), total, most_thrust: self.most_thrust() }
+    }
+}
+
+impl Checked<'_> {
+    /// An upper bound on the thrust of every motion inside the sets, N.
+    fn most_thrust(&self) -> f64 {
+        let Ok(healthy) = self.setting.sets.generators(HEALTHY) else { return f64::INFINITY };
+        // Far more than the tolerance on sets adds.
+        let sizes = healthy.extent().map(|extent| 2.0 * extent.magnitude());
+        most_thrust(&all_planes(&self.groups), sizes)
     }
 }
 

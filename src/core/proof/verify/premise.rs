@@ -46,7 +46,7 @@ pub enum Premise {
     Facets,
     /// Inputs that the multipliers do not cancel count with their bounds.
     Inputs,
-    /// No least time is above the bound from distances and limits.
+    /// No least time is above the bound from distances, limits and thrust.
     LeastTime,
     /// The families of ways out of a mode follow each other, and take in every delay.
     WayFollows,

@@ -184,6 +184,20 @@ fn thrust_at_rest(environment: &Environment) -> f64 {
     dot(cross(b1, b2), gamma)
 }
 
+/// The thrust of hover, N, about which the reserve is taken.
+pub(super) fn hover_thrust(vehicle: &Vehicle, environment: &Environment) -> Dyadic {
+    match environment.has_drag() {
+        true if !environment.is_isotropic() => Dyadic::of(vehicle.mass * thrust_at_rest(environment)),
+        // |m g e_z - drag wind|, rounded: the reserve is taken about this number.
+        true => {
+            let [x, y, z] = environment.wind.map(|w| vehicle.drag[0] * w);
+            let up = vehicle.mass * environment.gravity - z;
+            Dyadic::of((x * x + y * y + up * up).sqrt())
+        }
+        false => Dyadic::of(vehicle.mass).times(&Dyadic::of(environment.gravity)),
+    }
+}
+
 impl Generators {
     /// The generators of `healthy` or of a fault mode, by name.
     ///
@@ -224,16 +238,7 @@ impl Generators {
             own.push(range);
         }
         let mut hover = zero();
-        hover[0] = match environment.has_drag() {
-            true if !environment.is_isotropic() => Dyadic::of(vehicle.mass * thrust_at_rest(environment)),
-            // |m g e_z - drag wind|, rounded: the reserve is taken about this number.
-            true => {
-                let [x, y, z] = environment.wind.map(|w| vehicle.drag[0] * w);
-                let up = vehicle.mass * environment.gravity - z;
-                Dyadic::of((x * x + y * y + up * up).sqrt())
-            }
-            false => Dyadic::of(vehicle.mass).times(&Dyadic::of(environment.gravity)),
-        };
+        hover[0] = hover_thrust(vehicle, environment);
         Generators {
             offset,
             own,

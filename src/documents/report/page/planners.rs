@@ -4,6 +4,7 @@ use super::motion::signed_percent;
 use super::prose::{terms, unbroken};
 use super::table::{Frame, counts, numbers, table, words};
 use super::verdicts::violation_cells;
+use crate::model::Mission;
 use crate::number::{down, number, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run};
 use crate::report::record::{PlannerRecord, Record};
@@ -12,7 +13,7 @@ use crate::report::without_yaw;
 use maud::{Markup, html};
 
 /// The tables of the paper's section 5.4: each planner at its own shortest time, and all planners at one time.
-pub fn section(comparison: &Comparison, record: &Record) -> Markup {
+pub fn section(mission: &Mission, comparison: &Comparison, record: &Record) -> Markup {
     let runs: Vec<(&PlannerRun, &PlannerRecord)> = comparison.runs.iter().zip(&record.planners).collect();
     let has_modes = !comparison.modes.is_empty();
     let has_risk = record.planners.iter().any(|p| p.risk.is_some());
@@ -23,7 +24,7 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
         (Run::Common, None) => "All planners at one time".to_string(),
     };
     let found = record.planners.iter().filter(|planner| planner.time_s.is_some());
-    let bound = { found }.find_map(|planner| planner.time_lower_bound_s);
+    let bound = found.filter_map(|planner| planner.time_lower_bound_s).reduce(f64::min);
     let heads = || {
         let mut heads = vec![words("Planner"), numbers("Time", "s")];
         if has_modes {
@@ -49,7 +50,7 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     html! {
         h2 { (headline(comparison)) }
         @if let Some(bound) = bound {
-            p.note { "No motion within the limits and at the fixed times takes less than " (down(bound, 4)) " s." }
+            p.note { "No motion " (mission.bounded_within(false)) " takes less than " (down(bound, 4)) " s." }
         }
         @for which in [Run::Common, Run::Own] { @if has_solved(which) { (of_runs(which)) } }
         p.note { (unbroken(&recoverable::sentence(record.recoverable.as_ref()))) }

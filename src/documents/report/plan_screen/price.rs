@@ -22,7 +22,7 @@ const SAME_ENERGY: f64 = 5e-4;
 pub enum Baseline {
     /// The plan that ignores faults, by which RSP selects its constraints; it takes the same time.
     IgnoringFaults,
-    /// The lower bound on the time of all motions within the limits, whether they cover faults or not.
+    /// The lower bound on the time of all motions within limits and thrust, whether they cover faults or not.
     LeastTime,
     /// With `require risk`: the plan without protection.
     Unprotected,
@@ -171,8 +171,8 @@ impl PriceRecord {
                 // Rounded like the headline, so that a reader may subtract.
                 let bound = least_time::shown(least.seconds);
                 let sentence = format!(
-                    "at most {}: within the limits no motion is faster than {}, whether it covers faults or not; `mavc \
-                     compare` finds the price",
+                    "at most {}: no motion within limits and thrust is faster than {}, whether it covers faults or \
+                     not; `mavc compare` finds the price",
                     seconds(solved.time - bound),
                     seconds(bound)
                 );

@@ -4,7 +4,6 @@
 use super::iterate::Iterate;
 use super::{PARTS, ScpPlanner};
 use crate::motion::NodeState;
-use crate::motion::time_grid::has_fixed_times;
 use crate::planner::Planned;
 use crate::planner::timing::MAX_MISSION_TIME;
 use crate::planner::transcription::RowAt;
@@ -104,7 +103,7 @@ impl ScpPlanner<'_, '_> {
     /// a first feasible iterate. `None` where waypoints have fixed times, because no motion can then be slowed down as
     /// a whole.
     pub(super) fn by_continuation(&mut self, total: f64, initial_guesses: &[&Planned]) -> Option<Planned> {
-        if has_fixed_times(self.mission()) {
+        if self.mission().has_fixed_times() {
             return None;
         }
         let warm_start = self.warm_start(initial_guesses, &mut BTreeSet::new());

@@ -6,7 +6,6 @@ use super::subproblem::Objective;
 use super::{Durations, ProximalWeight, ScpPlanner, Weights};
 use crate::model::Problem;
 use crate::motion::time_grid::TimeGrid;
-use crate::motion::time_grid::has_fixed_times;
 use crate::planner::Planned;
 use crate::planner::hover::HoverPlanner;
 use crate::planner::transcription::RowAt;
@@ -168,6 +167,6 @@ impl ScpPlanner<'_, '_> {
 
     /// Whether the planner chooses the durations between fixed times.
     pub(super) fn divides_spans(&self) -> bool {
-        self.chooses_times() && has_fixed_times(self.mission())
+        self.chooses_times() && self.mission().has_fixed_times()
     }
 }

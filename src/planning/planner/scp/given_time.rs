@@ -3,8 +3,8 @@
 use super::iterate::Iterate;
 use super::{ScpPlanner, settings};
 use crate::model::{Leg, Mission};
+use crate::motion::time_grid::time_grid;
 use crate::motion::time_grid::{LegGrid, Segment, TimeGrid};
-use crate::motion::time_grid::{has_fixed_times, time_grid};
 use crate::planner::scp::relaxation::RelaxationOutcome;
 use crate::planner::timing::kinematics;
 use crate::planner::transcription::RowAt;
@@ -139,7 +139,7 @@ impl ScpPlanner<'_, '_> {
     /// are seldom cheaper.
     pub(super) fn on_grid(&mut self, full: &TimeGrid, initial_guesses: &[&Planned]) -> Option<Planned> {
         let flown = full.total - self.held();
-        let fixed = has_fixed_times(self.mission());
+        let fixed = self.mission().has_fixed_times();
         let mut working_set = BTreeSet::new();
         let close = self.settings.cost.close;
         let smooth = self.minimum_snap(&full.flown());

@@ -2,7 +2,7 @@
 
 use super::iterate::Iterate;
 use super::{ScpPlanner, settings};
-use crate::motion::time_grid::{determined, earliest, has_fixed_times};
+use crate::motion::time_grid::{determined, earliest};
 use crate::planner::scp::given_time::NOT_FOUND;
 use crate::planner::scp::relaxation::RelaxationOutcome;
 use crate::planner::timing::kinematics;
@@ -40,7 +40,7 @@ impl ScpPlanner<'_, '_> {
             let time = (self.hover.guess() / GRID).ceil() / (1.0 / GRID).round();
             return Err(NoTime::Infeasible { times: vec![time] });
         }
-        if has_fixed_times(self.mission()) {
+        if self.mission().has_fixed_times() {
             return match self.chooses_times() {
                 true => self.shortest_about_fixed_times(initial_guesses),
                 false => self.shortest_after_fixed_times(initial_guesses),

@@ -3,7 +3,7 @@
 
 use super::{Comparison, Progress, Scope, with_times};
 use crate::model::{Leg, Mission, MissionTime, Model, PlannerKind, Problem};
-use crate::motion::time_grid::{determined, has_fixed_times};
+use crate::motion::time_grid::determined;
 use crate::motion::wrench_model::WrenchModel;
 use crate::planner::finds_local_optima;
 use crate::planner::hover::HoverPlanner;
@@ -71,7 +71,7 @@ fn better(first: Comparison, second: Comparison) -> Comparison {
 
 /// The comparison in the hover model with waypoint times chosen before any planner runs.
 pub(super) fn with_times_before(problem: Problem, scope: Scope, progress: Progress) -> Comparison {
-    if has_fixed_times(problem.mission()) {
+    if problem.mission().has_fixed_times() {
         return about_fixed_times(problem, scope, progress);
     }
     if scope == Scope::Plan && matches!(problem.model().plan.time, MissionTime::Fixed(_)) {

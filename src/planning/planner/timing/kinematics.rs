@@ -10,6 +10,9 @@
 //! of at most j needs `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
 use super::turns::{self, Force, Level};
+use super::weights::{self, Push};
+use crate::admissible;
+use crate::certificate::WeightsRecord;
 use crate::model::{Heading, Limit, LimitKind, PlanModel, Problem, Waypoint};
 use crate::planner::transcription::UNBOUNDED;
 use crate::tolerance;
@@ -156,7 +159,9 @@ impl LegRateBounds {
     /// The bounds that limits set under the vehicle's full thrust, with intervals at the ends that allow most. Each
     /// limit is widened by the number beside it, in its SI unit, and by the tolerance of the check of plans
     /// ([`tolerance`]).
-    fn of(problem: Problem, limits: &[(&Limit, f64)]) -> Self {
+    ///
+    /// The sets leave a thrust of at most `most_thrust` N.
+    fn of(problem: Problem, limits: &[(&Limit, f64)], most_thrust: f64) -> Self {
         let model = problem.model();
         let turning = |kind: LimitKind, sense: Sense| {
             let of_kind = limits.iter().filter(|(limit, _)| limit.kind == kind);
@@ -178,8 +183,10 @@ impl LegRateBounds {
         // Sets are kept to a share of the whole range of the thrust.
         let per_mass = |thrust: f64| thrust / (vehicle.mass * vehicle.mass_spread.low);
         let let_pass = tolerance::MOST_OUTSIDE * (thrust + reversed);
-        // |(x'', y'', z'' + g)| is at most this.
-        let force = per_mass(thrust + let_pass);
+        // |(x'', y'', z'' + g)| is at most this. The reserve keeps its share of the way from hover to full thrust.
+        let (reserve, hover) = (model.plan.reserve, admissible::hover(model)[0] / vehicle.mass);
+        let of_healthy = reserve * hover + (1.0 - reserve) * per_mass(thrust) + per_mass(let_pass);
+        let force = of_healthy.min(most_thrust / vehicle.mass);
         // Tilt is kept up to an acceleration: `|(x'', y'')| cos L - (z'' + g) sin L` is at most this share of g.
         let out = tolerance::MOST_PAST_LIMIT * FRAC_PI_2 * g;
         let tilt = most(LimitKind::Tilt);
@@ -306,6 +313,8 @@ pub struct LeastTime {
     /// Of the whole mission with its holds, s.
     pub seconds: f64,
     pub legs: Vec<LeastLeg>,
+    /// What shows it between rests, where that is more than the legs and turns show.
+    pub weights: Vec<WeightsRecord>,
     /// The first waypoint that cannot be reached by its fixed time, and the earliest time at which it can, s.
     pub too_early: Option<(usize, f64)>,
 }
@@ -318,7 +327,8 @@ const SAME_TIME: f64 = 1e-9;
 
 /// A lower bound on the time of every motion that meets the mission's waypoints, fixed times and holds and keeps its
 /// limits at every instant, for every division of the time among the legs. `past` widens each limit, in its SI unit.
-pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
+/// The wrench stays in the healthy set, and the thrust below `most_thrust` N.
+pub fn least_time(problem: Problem, past: &[f64], most_thrust: f64) -> LeastTime {
     let mission = problem.mission();
     let points = &mission.waypoints;
     let last = points.len().saturating_sub(1);
@@ -331,13 +341,21 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
         }
     }
     // Legs without limits of their own, and legs together, have the bounds of the mission.
-    let general = LegRateBounds::of(problem, &of_all);
-    let (air, gravity) = (problem.model().environment(), problem.model().gravity);
-    let of_level =
-        |force: Force| Level::new(&force, gravity, air.extreme_rates()[1], air.wind, general.horizontal.acceleration);
-    let level = general.force.map(of_level);
+    let general = LegRateBounds::of(problem, &of_all, most_thrust);
+    let air = problem.model().environment();
+    let push = general.force.map(|force| Push {
+        force,
+        gravity: problem.model().gravity,
+        drag: air.extreme_rates()[1],
+        wind: air.wind,
+        acceleration: general.horizontal.acceleration,
+        speed: general.horizontal.rate,
+    });
+    let level = push.as_ref().map(Level::new);
     let paces = |legs: Range<usize>| match &of_legs[legs.start][..] {
-        own if legs.len() == 1 && !own.is_empty() => LegRateBounds::of(problem, &[&of_all[..], own].concat()),
+        own if legs.len() == 1 && !own.is_empty() => {
+            LegRateBounds::of(problem, &[&of_all[..], own].concat(), most_thrust)
+        }
         _ => general,
     };
     let rests = |i: usize| mission.rests_at(i);
@@ -345,19 +363,28 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
     let mut from = 0;
     for to in 1..=last {
         // A waypoint that requires nothing does not end a leg.
-        let is_required = points[to].within < UNBOUNDED || points[to].time.is_some() || mission.rests_at(to);
+        let is_required = is_required(&points[to]) || points[to].time.is_some() || mission.rests_at(to);
         if is_required || to == last {
             legs[to - 1] = paces(from..to).leg(&points[from], &points[to], [rests(from), rests(to)]);
             from = to;
         }
     }
+    let floors: Vec<f64> = legs.iter().map(|leg| leg.seconds).collect();
+    let mut weights = Vec::new();
     let (mut soonest, mut too_early) = (0.0_f64, None);
     // The last rest, and when the vehicle may leave it.
     let mut left: Option<(usize, f64)> = None;
     for (i, point) in points.iter().enumerate() {
         soonest += i.checked_sub(1).map_or(0.0, |leg| legs[leg].seconds);
         if let Some((rest, since)) = left.filter(|_| rests(i)) {
-            soonest = soonest.max(since + turns::least(&points[rest..=i], &general, level.as_ref()));
+            let between = &points[rest..=i];
+            soonest = soonest.max(since + turns::least(between, &general, level.as_ref()));
+            let found =
+                push.as_ref().and_then(|push| weights::search(between, &floors[rest..i], rest + 1, is_required, push));
+            if let Some((least, record)) = found.filter(|(least, _)| since + least > soonest) {
+                soonest = since + least;
+                weights.push(record);
+            }
         }
         if let Some(due) = point.time {
             if soonest > due + 2.0 * SAME_TIME * due.max(1.0) && too_early.is_none() {
@@ -369,7 +396,12 @@ pub fn least_time(problem: Problem, past: &[f64]) -> LeastTime {
         soonest += point.hold;
         left = if rests(i) { Some((i, soonest)) } else { left };
     }
-    LeastTime { seconds: (1.0 - ROUNDING) * soonest, legs, too_early }
+    LeastTime { seconds: (1.0 - ROUNDING) * soonest, legs, weights, too_early }
+}
+
+/// Whether a motion has to be near a waypoint.
+fn is_required(point: &Waypoint) -> bool {
+    point.within < UNBOUNDED
 }
 
 impl LeastTime {
@@ -379,9 +411,14 @@ impl LeastTime {
     }
 }
 
-/// The least time with the spec's limits, none of them relaxed.
+/// The least time of all plans, whichever faults they tolerate, with the spec's limits, none of them relaxed.
 pub fn least_time_within(problem: Problem) -> LeastTime {
-    least_time(problem, &vec![0.0; problem.mission().limits.len()])
+    least_time_inside(problem, f64::INFINITY)
+}
+
+/// The least time with the spec's limits of motions with a thrust of at most `most_thrust` N.
+pub fn least_time_inside(problem: Problem, most_thrust: f64) -> LeastTime {
+    least_time(problem, &vec![0.0; problem.mission().limits.len()], most_thrust)
 }
 
 /// The initial duration of a leg is at least this many times its least duration. Chosen by hand.

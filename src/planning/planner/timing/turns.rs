@@ -5,6 +5,7 @@
 //! the exact model the thrust also holds the weight meanwhile, which bounds its part sideways further.
 
 use super::kinematics::LegRateBounds;
+use super::weights::Push;
 use crate::model::Waypoint;
 use crate::tolerance;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -107,9 +108,8 @@ pub(super) struct Level {
 }
 
 impl Level {
-    /// For a gravity (m/s^2), a drag over the mass (1/s), a wind (m/s) and a limit on the horizontal acceleration
-    /// (m/s^2).
-    pub fn new(force: &Force, gravity: f64, drag: f64, [x, y, z]: [f64; 3], acceleration: f64) -> Self {
+    pub fn new(push: &Push) -> Self {
+        let Push { force, gravity, drag, wind: [x, y, z], acceleration, .. } = *push;
         let of = |mu: f64| force.phi(mu, gravity);
         // phi is convex in mu.
         let (mut low, mut high) = (-2.0, 4.0);
@@ -149,11 +149,16 @@ impl Level {
 impl Force {
     /// An upper bound on phi without the drag of vertical velocities, m/s^2.
     fn phi(&self, mu: f64, gravity: f64) -> f64 {
-        let at = |i: usize| self.support(0.5 * i as f64 / PARTS as f64, mu);
+        let at = |i: usize| self.most_along(0.5 * i as f64 / PARTS as f64, mu);
         let inner: f64 = (1..PARTS).map(at).sum();
         let integral = 0.5 / PARTS as f64 * (inner + 0.5 * (at(0) + at(PARTS)));
-        let out = self.let_pass * (0.25 + mu.abs()) + mu.abs() * self.down;
-        2.0 * (self.most + self.let_pass) * integral + out - mu * gravity
+        2.0 * integral - mu * gravity
+    }
+
+    /// An upper bound on `s f_n + mu f_z` for a nonnegative s, m/s^2; convex in s.
+    pub fn most_along(&self, s: f64, mu: f64) -> f64 {
+        let out = self.let_pass * (s + mu.abs()) + mu.abs() * self.down;
+        (self.most + self.let_pass) * self.support(s, mu) + out
     }
 
     /// The largest `s sin a + mu cos a`, or 0 if that is more, for an angle a up to the tilt.
@@ -186,7 +191,8 @@ mod tests {
     fn phi_has_a_closed_form_under_a_limit_on_tilt() {
         let phi = |most: f64, tilt: f64| {
             let force = Force { most, tilt, let_pass: 0.0, down: 0.0 };
-            Level::new(&force, 9.81, 0.0, [0.0; 3], f64::INFINITY).phi
+            let (speed, acceleration) = (f64::INFINITY, f64::INFINITY);
+            Level::new(&Push { force, gravity: 9.81, drag: 0.0, wind: [0.0; 3], acceleration, speed }).phi
         };
         for (force, tilt) in [(27.0, 0.5), (15.0, 0.4), (40.0, 1.0)] {
             let closed = 9.81 * f64::tan(tilt) * (2.0 - 9.81 / (force * f64::cos(tilt)));

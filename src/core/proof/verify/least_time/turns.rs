@@ -7,6 +7,7 @@
 //! except for the last, which is at rest. So the time is at least the sum of the times that the displacements d_j take
 //! from rest to rest. A turn has an acceleration, so that a bound on the jerk from rest to rest says nothing of it.
 
+use super::weights::Push;
 use super::{Bounds, met_within};
 use crate::model::Waypoint;
 use crate::verify::interval::{Interval, exceeds};
@@ -154,10 +155,9 @@ pub(super) struct Level {
 }
 
 impl Level {
-    /// For a gravity (m/s^2), a drag over the mass (1/s), a wind (m/s) and a limit on the horizontal acceleration
-    /// (m/s^2).
-    pub fn new(force: &Force, gravity: Interval, drag: Interval, wind: [f64; 3], acceleration: f64) -> Self {
-        let of = |mu: f64| force.phi(Interval::point(mu), gravity);
+    pub fn new(push: &Push) -> Self {
+        let Push { force, gravity, drag, wind, acceleration, .. } = push;
+        let of = |mu: f64| force.phi(Interval::point(mu), *gravity);
         // phi is convex in mu.
         let (mut low, mut high) = (-2.0, 4.0);
         for _ in 0..STEPS {
@@ -165,9 +165,9 @@ impl Level {
             if of(a).high <= of(b).high { high = b } else { low = a }
         }
         let mu = 0.5 * (low + high);
-        let [x, y, z] = wind.map(Interval::point);
+        let [x, y, z] = *wind;
         let wind = [(x.square() + y.square()).sqrt(), z.abs()];
-        Level { upright: of(0.0), mu: Interval::point(mu), phi: of(mu), drag, wind, acceleration }
+        Level { upright: of(0.0), mu: Interval::point(mu), phi: of(mu), drag: *drag, wind, acceleration: *acceleration }
     }
 
     /// The least time, s, for the sum of the roots of displacements, m^(1/2). The vehicle climbs or sinks by `climbed`
@@ -199,12 +199,17 @@ impl Force {
     /// An upper bound on phi without its last term, m/s^2.
     fn phi(&self, mu: Interval, gravity: Interval) -> Interval {
         let [half, parts] = [0.5, PARTS as f64].map(Interval::point);
-        let at = |i: usize| self.support(half * Interval::point(i as f64) / parts, mu);
+        let at = |i: usize| self.most_along(half * Interval::point(i as f64) / parts, mu);
         let inner = (1..PARTS).fold(Interval::ZERO, |sum, i| sum + at(i));
         let integral = half / parts * (inner + half * (at(0) + at(PARTS)));
+        Interval::point(2.0) * integral - mu * gravity
+    }
+
+    /// An upper bound on `s f_n + mu f_z` for a nonnegative s, m/s^2; convex in s.
+    pub fn most_along(&self, s: Interval, mu: Interval) -> Interval {
         let size = mu.abs();
-        let out = self.let_pass * (half * half + size) + size * self.down;
-        Interval::point(2.0) * (self.most + self.let_pass) * integral + out - mu * gravity
+        let out = self.let_pass * (s + size) + size * self.down;
+        (self.most + self.let_pass) * self.support(s, mu) + out
     }
 
     /// The largest `s sin a + mu cos a`, or 0 if that is more, for an angle a up to the tilt.

@@ -20,7 +20,7 @@ impl Setting<'_> {
         // Where cores are imposed, the healthy set takes the place of those of their modes.
         let of_motion = self.estimate_of_motion(&claim.motion, imposed.len() as u64 + 1)?;
         all.add(of_motion.units, of_motion.bytes);
-        all.add(least_time::cost(self.problem).units, 0);
+        all.add(least_time::cost(self.problem, &claim.weights).units, 0);
         let branches = claim.recovery.iter().flat_map(|recovery| &recovery.branches);
         let nodes: u64 = branches.map(|branch| branch.nodes() as u64).sum();
         all.add(times(nodes, cost::COST_PER_JOINT), times(nodes, cost::BYTES_OF_A_BRANCH_NODE));
