@@ -100,8 +100,8 @@ pub fn tabulate(answer: &Answer, screen: &mut Screen, solved: &MissionPlan) {
     }
     let reserve = if model.plan.reserve > 0.0 { " beyond the reserve" } else { "" };
     let legend = format!(
-        "spare: what the plan leaves{reserve}, % of the healthy set's width; unsafe: not counting the delay until a \
-         fault is known"
+        "spare: what the plan leaves{reserve}, % of the healthy set's width; unsafe: as if faults were known at \
+         once"
     );
     screen.part(Keep::Legend, None, |screen| screen.paragraph(Tone::Plain, 2, 2, &legend));
 }

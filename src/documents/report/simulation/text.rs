@@ -185,7 +185,7 @@ fn met(model: &Model, record: &FlightRecord) -> String {
     if parts.is_empty() { String::new() } else { format!(": {}", parts.join(", ")) }
 }
 
-/// ` (tilt: 5.7 degrees)`: what flights may exceed small limits by, which is more than a tenth of them.
+/// ` (tilt: 5.7 deg allowed)`: what flights may exceed small limits by, which is more than a tenth of them.
 fn wider_tolerances(model: &Model) -> String {
     let limits = model.mission.iter().flat_map(|mission| &mission.limits);
     let is_small = |limit: &&Limit| {
@@ -199,7 +199,7 @@ fn wider_tolerances(model: &Model) -> String {
     };
     let all: BTreeSet<String> = limits.filter(is_small).map(words).collect();
     let all: Vec<String> = all.into_iter().collect();
-    if all.is_empty() { String::new() } else { format!(" ({})", all.join(", ")) }
+    if all.is_empty() { String::new() } else { format!(" ({} allowed)", all.join(", ")) }
 }
 
 /// Which limits were broken; `None` if none was.
