@@ -131,8 +131,8 @@ fn a_flight_says_whether_it_met_its_waypoints_and_limits() {
     let (text, record) = flown("speed <= 5 m/s; tilt <= 20 deg", "");
     assert!(
         text.contains(
-            "to its end at 6.00 s: waypoints met, no limit exceeded by more than a tenth (tilt: 5.7 deg allowed); no fault \
-             simulated"
+            "to its end at 6.00 s: waypoints met, no limit exceeded by more than a tenth (tilt: 5.7 deg allowed); \
+             no fault simulated"
         ),
         "{text}"
     );

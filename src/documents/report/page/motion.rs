@@ -184,11 +184,12 @@ pub fn nearest(solved: &MissionPlan) -> Option<usize> {
 
 /// A spare in percent with its sign: `+3.2 %`, `−14.6 %`.
 pub fn signed_percent(share: f64) -> String {
+    let digits = tenths(share.abs());
     match share {
-        // Smaller than what counts as a violation.
-        s if s.abs() < VIOLATED / 2.0 => "0 %".into(),
-        s if s < 0.0 => format!("\u{2212}{}", tenths(s).trim_start_matches('-')),
-        s => format!("+{}", tenths(s)),
+        // Smaller than what counts as a violation, or than the digits show.
+        s if s.abs() < VIOLATED / 2.0 || digits == tenths(0.0) => tenths(0.0),
+        s if s < 0.0 => format!("\u{2212}{digits}"),
+        _ => format!("+{digits}"),
     }
 }
 

@@ -63,7 +63,8 @@ pub(super) fn least(points: &[Waypoint], legs: &[f64], record: &WeightsRecord, p
     let Some(at) = at else { return 0.0 };
     let has_shape = at.len() == record.weights.len() && at.is_sorted_by(|a, b| a.1 < b.1);
     let (mu, price) = (record.vertical, record.price_s2_per_m);
-    if !has_shape || !(mu.is_finite() && price >= 0.0) || record.weights.iter().flatten().any(|w| !w.is_finite()) {
+    let are_finite = mu.is_finite() && record.weights.iter().flatten().all(|w| w.is_finite());
+    if !(has_shape && are_finite && price >= 0.0) {
         return 0.0;
     }
     let (mu, price) = (Interval::point(mu), Interval::point(price));
