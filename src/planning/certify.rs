@@ -31,7 +31,7 @@ pub fn of(problem: Problem, comparison: &Comparison, spec_sha256: String) -> Res
             if let Claim::Plan(claim) = &mut certificate.claim {
                 // A time that the spec fixes needs no bound.
                 let is_open = determined(mission).is_none();
-                let most_thrust = run.set.most_thrust(&model.vehicle);
+                let most_thrust = run.most_thrust(model);
                 if is_open {
                     let least = least_time_inside(problem, most_thrust);
                     (claim.least_time_s, claim.weights) = (Some(least.seconds), least.weights);

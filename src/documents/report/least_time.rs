@@ -19,7 +19,7 @@ pub fn bound_for(problem: Problem, run: &PlannerRun) -> LeastTime {
             past[exceeded.limit] = exceeded.by;
         }
     }
-    least_time(problem, &past, run.set.most_thrust(&model.vehicle))
+    least_time(problem, &past, run.most_thrust(model))
 }
 
 /// The bound in words, for a mission of `total` s that has no plan because of it.
@@ -50,7 +50,7 @@ pub fn gap(problem: Problem, run: &PlannerRun) -> Option<String> {
     if least.seconds <= 0.0 || least.is_above(solved.time) {
         return None;
     }
-    let unwidened = least_time_inside(problem, run.set.most_thrust(&problem.model().vehicle));
+    let unwidened = least_time_inside(problem, run.most_thrust(problem.model()));
     let widened = match least.seconds < (1.0 - 1e-6) * unwidened.seconds {
         true => ", exceeded no further than by this plan between its nodes,",
         false => "",

@@ -3,10 +3,10 @@
 //! planner or by the checker, and none may exist where none is said to exist.
 
 use super::Numbers;
-use mavc::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
+use mavc::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim, WeightsRecord};
 use mavc::model::{MissionTime, Model, PlanModel, Problem};
 use mavc::planner::studies::PlanOutcome;
-use mavc::planner::timing::kinematics::least_time_within;
+use mavc::planner::timing::kinematics::{LeastTime, least_time_within};
 use mavc::verify::{self, Settings};
 use mavc::{Compiler, Spec};
 use rayon::prelude::*;
@@ -155,12 +155,12 @@ fn at(text: &str, seconds: f64) -> Option<PlanOutcome> {
 }
 
 /// Whether the checker takes a claim that the last waypoint is reached no sooner than `seconds`, at a time well below.
-fn is_too_early(model: &Model, seconds: f64) -> bool {
+fn is_too_early(model: &Model, seconds: f64, weights: Vec<WeightsRecord>) -> bool {
     let mut model = model.clone();
     model.plan.time = MissionTime::Fixed(0.5 * seconds);
     let hold = model.mission.as_ref().and_then(|m| m.waypoints.last()).map_or(0.0, |w| w.hold);
     let waypoint = model.mission.as_ref().map_or(0, |m| m.waypoints.len());
-    let claim = Claim::TooEarly(TooEarlyClaim { waypoint, soonest_s: seconds - hold, weights: Vec::new() });
+    let claim = Claim::TooEarly(TooEarlyClaim { waypoint, soonest_s: seconds - hold, weights });
     let kind = if model.plan.model == PlanModel::Exact { DynamicModel::Exact } else { DynamicModel::Hover };
     let certificate =
         Certificate { schema: SCHEMA, spec_sha256: String::new(), model: kind, capture_height_m: None, claim };
@@ -176,7 +176,7 @@ fn compare(seed: u64) -> Seen {
     let Ok(spec) = Compiler::new().text("random.mav", text.as_bytes()).into_result() else { return Seen::default() };
     let Some(outcome) = planned(&spec) else { return Seen::default() };
     let problem = Problem::of(spec.model()).unwrap();
-    let least = least_time_within(problem).seconds;
+    let LeastTime { seconds: least, weights, .. } = least_time_within(problem);
     let mut seen = Seen { tried: true, ..Seen::default() };
     let mut shortest: Option<f64> = None;
     let mut proofs: Vec<f64> = Vec::new();
@@ -201,7 +201,10 @@ fn compare(seed: u64) -> Seen {
     if let Some(time) = shortest {
         assert!(time >= least * (1.0 - 1e-9), "seed {seed}: a plan of {time} s below the bound of {least} s\n{text}");
         let more = time * (1.0 + 1e-6);
-        assert!(!is_too_early(spec.model(), more), "seed {seed}: the checker's bound is above {more} s\n{text}");
+        assert!(
+            !is_too_early(spec.model(), more, weights),
+            "seed {seed}: the checker's bound is above {more} s\n{text}"
+        );
         assert!(proofs.iter().all(|at| *at != time), "seed {seed}: a plan and a proof at {time} s\n{text}");
         seen.found = Some([time, least]);
     }

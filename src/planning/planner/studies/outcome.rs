@@ -2,7 +2,7 @@
 
 use crate::admissible::row::SetRow;
 use crate::admissible::without_yaw::planned::Provision;
-use crate::model::{MissionTime, PlanModel, PlannerKind, Problem};
+use crate::model::{MissionTime, Model, PlanModel, PlannerKind, Problem};
 use crate::motion::Trajectory;
 use crate::motion::outside::Outside;
 use crate::motion::time_grid::determined;
@@ -197,6 +197,17 @@ pub struct PlannerRun {
     pub set: PlanningSet,
     /// The plan before its second pass, until plans are checked.
     pub plainer: Option<Box<MissionPlan>>,
+}
+
+impl PlannerRun {
+    /// An upper bound on the thrust of the run's plans that a certificate shows, N: infinite with `require risk`,
+    /// because a certificate does not contain what the plan protects.
+    pub fn most_thrust(&self, model: &Model) -> f64 {
+        match model.plan.require_risk {
+            Some(_) => f64::INFINITY,
+            None => self.set.most_thrust(&model.vehicle),
+        }
+    }
 }
 
 /// All runs of one spec.

@@ -432,7 +432,10 @@ const LEAST_SHARE: f64 = 0.05;
 /// Initial durations of the legs, s: by the distance, turn and limits of each leg.
 pub fn initial(problem: Problem) -> Vec<f64> {
     let (model, mission) = (problem.model(), problem.mission());
-    let least = least_time_within(problem).legs;
+    // At full thrust: the reserve would only make them longer.
+    let mut full = model.clone();
+    full.plan.reserve = 0.0;
+    let least = Problem::of(&full).map_or_else(Vec::new, |problem| least_time_within(problem).legs);
     let half = RateBounds::both_ways(f64::INFINITY, 0.5 * model.gravity, f64::INFINITY);
     let legs = mission.waypoints.windows(2).zip(least).map(|(pair, least)| {
         let apart = (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt();
