@@ -258,8 +258,8 @@ impl Mission {
         match (faults, self.has_fixed_times()) {
             (false, false) => "within limits and thrust",
             (false, true) => "within limits and thrust and at the fixed times",
-            (true, false) => "within limits and the thrust that faults leave",
-            (true, true) => "within limits and the thrust that faults leave and at the fixed times",
+            (true, false) => "within limits and remaining thrust",
+            (true, true) => "within limits and remaining thrust and at the fixed times",
         }
     }
 
