@@ -242,7 +242,6 @@ fn no_plan_is_below_its_bound() {
 }
 
 mod thorough {
-    /// The figures are those of docs/certificates.md.
     #[test]
     #[ignore = "takes an hour"]
     fn no_plan_of_two_thousand_specs_is_below_its_bound() {
