@@ -227,7 +227,7 @@ fn fault_modes_raise_the_bound() {
 /// Turns are looked for between all rests, but what the thrust can do is computed once: with a stop at each of 3,000
 /// waypoints the bound once took a minute.
 #[test]
-fn many_rests_cost_little() {
+fn thousands_of_rests_are_bounded() {
     let mut model = hop([10.0, 0.0, 2.0], 0.0, &[]);
     let flight = model.mission.as_mut().unwrap();
     for i in 2..3000 {

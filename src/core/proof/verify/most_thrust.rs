@@ -5,7 +5,7 @@
 //! 5.2). The search for multipliers is not trusted: what they show is computed in interval arithmetic.
 
 use super::interval::Interval;
-use super::sets::Plane;
+use super::sets::{Plane, along};
 use crate::tolerance::MOST_OUTSIDE;
 use nalgebra::{Matrix4, Vector4};
 
@@ -55,15 +55,25 @@ pub fn multipliers(planes: &[([f64; 4], f64)], extents: [f64; 4]) -> Vec<(usize,
 pub(super) fn most_thrust(planes: &[&Plane], sizes: [f64; 4]) -> f64 {
     let rows: Vec<([f64; 4], f64)> =
         planes.iter().map(|plane| (plane.normal.map(Interval::middle), plane.offset.middle() + MOST_OUTSIDE)).collect();
-    let mut left = [Interval::ONE, Interval::ZERO, Interval::ZERO, Interval::ZERO];
+    let weighted = multipliers(&rows, sizes).into_iter().map(|(i, weight)| (weight, planes[i]));
+    shown(weighted, MOST_OUTSIDE, &sizes.map(Interval::around_zero)).high
+}
+
+/// The thrust that nonnegative multiples of planes leave, N, if none is violated by more than `tolerance`. What the
+/// multiples do not add up to is bounded by `reach`, which encloses every wrench.
+pub(super) fn shown<'p>(
+    weighted: impl Iterator<Item = (f64, &'p Plane)>,
+    tolerance: f64,
+    reach: &[Interval; 4],
+) -> Interval {
+    let mut rest = [Interval::ONE, Interval::ZERO, Interval::ZERO, Interval::ZERO];
     let mut most = Interval::ZERO;
-    for (i, weight) in multipliers(&rows, sizes) {
+    for (weight, plane) in weighted {
         let weight = Interval::point(weight);
-        most = most + weight * (planes[i].offset + Interval::point(MOST_OUTSIDE));
-        left = std::array::from_fn(|k| left[k] - weight * planes[i].normal[k]);
+        most = most + weight * (plane.offset + Interval::point(tolerance));
+        rest = std::array::from_fn(|k| rest[k] - weight * plane.normal[k]);
     }
-    // What the multipliers do not add up to.
-    (0..4).fold(most, |most, k| most + left[k].abs() * Interval::point(sizes[k])).high
+    most + along(&rest, reach)
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use super::super::Rejection;
 use super::super::interval::Interval;
+use super::super::most_thrust;
 use super::super::motion::{X, Y, Z};
-use super::super::sets::along;
 use super::Rows;
 use crate::certificate::DynamicModel;
 use crate::model::LimitKind;
@@ -117,20 +117,15 @@ impl Rows<'_> {
     /// bounded by the set of a mode in which every plan stays.
     pub(super) fn most_thrust(&self) -> Result<Interval, Rejection> {
         let wrong = |why: &str| Err(Rejection::new("the largest thrust", why));
-        let mut rest = [Interval::ONE, Interval::ZERO, Interval::ZERO, Interval::ZERO];
-        let mut most = Interval::ZERO;
+        let mut weighted = Vec::new();
         for entry in &self.claim.thrust {
             let Some(plane) = self.planes.get(entry.facet) else { return wrong("a weighted facet is not listed") };
             if !(entry.weight.is_finite() && entry.weight >= 0.0) {
                 return wrong("a weight is negative or not finite");
             }
-            let weight = Interval::point(entry.weight);
-            most = most + weight * plane.offset;
-            for (left, normal) in rest.iter_mut().zip(&plane.normal) {
-                *left = *left - weight * *normal;
-            }
+            weighted.push((entry.weight, plane));
         }
         let Some(reach) = self.extent else { return wrong("the planner imposes no set") };
-        Ok(most + along(&rest, &reach))
+        Ok(most_thrust::shown(weighted.into_iter(), 0.0, &reach))
     }
 }
