@@ -51,11 +51,12 @@ pub const CERTIFICATE: &str = "certificate.json";
 
 /// Outcomes with their effect and a word for how severe they are: mavc's own proposal, in the order of
 /// [`crate::report::recovery::OUTCOMES`], with [`evidence::FAILED`] before the last.
-pub const SEVERITIES: [(&str, &str, &str); 6] = [
+pub const SEVERITIES: [(&str, &str, &str); 7] = [
     ("continue", "flies on along the plan to its end", "minor"),
     ("continue spinning", "flies on along the plan; the heading is lost", "major"),
     ("land at site", "lands at a prepared site; the mission is lost", "major"),
     ("land here", "lands where it comes to rest, outside the areas to keep off", "hazardous"),
+    ("caught", "falls until its spin catches it, then lands near there, in simulated flights", "hazardous"),
     (
         "flight failed",
         "a way out was found, but its simulated flight did not end as planned: counted as loss of control",
@@ -238,7 +239,7 @@ impl<'a> Case<'a> {
             count => format!(", {count} of them where the certificate proves a way out"),
         };
         match (e.flown, e.flown - e.survived) {
-            (0, _) => "no way out was found, so none was flown in simulation".into(),
+            (0, _) => "no trajectory of a way out was found, so none was flown".into(),
             (flown, failed) => format!("{failed} of {flown} simulated flights failed{where_proved}"),
         }
     }

@@ -6,6 +6,7 @@
 //! the instants that were looked at; between them nothing is claimed.
 
 pub mod carry;
+mod caught;
 pub mod flown;
 pub mod replanning;
 mod search;
@@ -36,6 +37,8 @@ pub enum Way {
     LandAt(usize),
     /// Down near the place of the fault.
     LandHere,
+    /// Caught by its spin and down where that leads, in simulated flights: no branch.
+    Caught,
 }
 
 /// A branch that was found.
@@ -129,7 +132,7 @@ impl Families {
 pub enum NotAttempted {
     /// Hover is outside the mode's set, or inside without a margin.
     NoHover,
-    /// It has to be caught: see the captures.
+    /// It has to be caught, and the spec has no ground or no landing among the ways out.
     Caught,
 }
 
@@ -197,11 +200,12 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
         let families = between.then(Families::default);
         ModeRecovery { mode, not_attempted, pieces: vec![piece], instants: 0, families }
     };
-    let why: Vec<Option<NotAttempted>> = sets.iter().map(|(set, provision)| why_none(model, set, provision)).collect();
+    let why_none = |mode: usize| why_none(model, mode, &sets[mode].0, &sets[mode].1);
+    let why: Vec<Option<NotAttempted>> = modes.clone().map(why_none).collect();
     let look = |mode: usize| {
         cancel::checkpoint();
         let (set, provision) = &sets[mode];
-        if why[mode].is_some() {
+        if why[mode].is_some() || *provision == Provision::Capture {
             return (None, Vec::new());
         }
         let mut search = Search::new(problem, plan, SoughtMode { mode, set, provision }, &healthy, &delays, between);
@@ -224,9 +228,13 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
         .into_par_iter()
         .zip(outcomes)
         .enumerate()
-        .map(|(mode, (search, found))| match search {
-            Some((search, fresh)) => search.result(found, fresh),
-            None => (none(mode, why[mode]), Vec::new(), Effort::default()),
+        .map(|(mode, (search, found))| match (search, why[mode]) {
+            (Some((search, fresh)), _) => search.result(found, fresh),
+            (None, Some(why)) => (none(mode, Some(why)), Vec::new(), Effort::default()),
+            (None, None) => {
+                let caught = caught::caught(problem, plan, mode, &delays);
+                (ModeRecovery { families: between.then(Families::default), ..caught }, Vec::new(), Effort::default())
+            }
         })
         .collect();
     let mut found = Recovery {
@@ -254,12 +262,12 @@ pub fn recovery(problem: Problem, plan: &Trajectory, between: bool) -> Recovery 
 /// Why no way out is sought after the faults of a mode, if none is.
 pub fn not_attempted(model: &Model, mode: usize) -> Option<NotAttempted> {
     let (set, provision) = of_one_mode(model, mode, &AdmissibleSet::healthy(model));
-    why_none(model, &set, &provision)
+    why_none(model, mode, &set, &provision)
 }
 
-fn why_none(model: &Model, set: &PlanningSet, provision: &Provision) -> Option<NotAttempted> {
+fn why_none(model: &Model, mode: usize, set: &PlanningSet, provision: &Provision) -> Option<NotAttempted> {
     match provision {
-        Provision::Capture => Some(NotAttempted::Caught),
+        Provision::Capture => (!caught::may_land(model, mode)).then_some(NotAttempted::Caught),
         Provision::WithYaw | Provision::WithoutYaw(_) => {
             search::cannot_hover(model, set).then_some(NotAttempted::NoHover)
         }
@@ -272,7 +280,7 @@ pub fn way_out(problem: Problem, plan: &Trajectory, mode: usize, at: f64, delay:
     let model = problem.model();
     let healthy = AdmissibleSet::healthy(model);
     let (set, provision) = of_one_mode(model, mode, &healthy);
-    if why_none(model, &set, &provision).is_some() {
+    if why_none(model, mode, &set, &provision).is_some() || provision == Provision::Capture {
         return None;
     }
     let sought = SoughtMode { mode, set: &set, provision: &provision };
@@ -281,13 +289,17 @@ pub fn way_out(problem: Problem, plan: &Trajectory, mode: usize, at: f64, delay:
 
 /// The way out for a flight that takes it, with its words.
 pub fn flown_way_out(problem: Problem, plan: &Trajectory, mode: usize, at: f64, known: f64) -> Option<WayOut> {
+    let (model, healthy) = (problem.model(), AdmissibleSet::healthy(problem.model()));
+    if of_one_mode(model, mode, &healthy).1 == Provision::Capture && caught::may_land(model, mode) {
+        return Some(WayOut::Stop { words: "caught by its spin, stopping and landing".into() });
+    }
     let FoundBranch { way, motion, .. } = way_out(problem, plan, mode, at, known - at)?;
     let (returns, words) = match way {
         Way::Continue | Way::ContinueSpinning => (true, "back to the plan and along it".to_string()),
         Way::LandAt(site) => (false, format!("landing at {}", problem.mission().after_fault.sites[site].name)),
-        Way::LandHere => (false, "landing near the place of the fault".into()),
+        Way::LandHere | Way::Caught => (false, "landing near the place of the fault".into()),
     };
-    Some(WayOut { motion, returns, words })
+    Some(WayOut::Branch { motion, returns, words })
 }
 
 impl Recovery {

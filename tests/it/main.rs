@@ -7,6 +7,7 @@ mod battery;
 mod building;
 mod campaigns;
 mod capture_height;
+mod caught;
 mod certificates;
 mod claims;
 mod cli;

@@ -89,7 +89,7 @@ fn is_a_way_out(model: &Model, set: &PlanningSet, plan: &Trajectory, branch: &Fo
                 assert!((end[axis][0] - joined[axis][0]).abs() < 1e-4 && (end[axis][1] - joined[axis][1]).abs() < 1e-3);
             }
         }
-        Way::LandAt(_) | Way::LandHere => {
+        Way::LandAt(_) | Way::LandHere | Way::Caught => {
             assert!(speed(end) < 1e-4 && (0.0..0.03).contains(&(end[Z][0] + 1e-3)), "{end:?}");
             assert!(motion.duration() <= model.plan.recovery.within + 1e-9);
         }

@@ -114,7 +114,7 @@ pub struct ModeRecoveryRecord {
     /// The name of the mode.
     pub name: String,
     /// Why no way out was sought: `no hover`, hover has no margin inside the mode's set; `caught`, the vehicle has to
-    /// be caught, which `capture_height` is about. Omitted if one was sought.
+    /// be caught, and the spec has no ground or no landing among the ways out. Omitted if one was sought.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, schemars(extend("enum" = ["no hover", "caught"])))]
     pub not_attempted: Option<&'static str>,
@@ -141,7 +141,7 @@ pub struct PieceRecord {
     /// The landing site of `land at site`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub site: Option<String>,
-    /// The branch in the middle of the piece, a file name of `--branches`; null if there is none.
+    /// The branch in the middle of the piece, a file name of `--branches`; null if there is none, as for `caught`.
     pub branch: Option<String>,
     /// All branches of the piece.
     pub branches: Vec<String>,
@@ -179,11 +179,17 @@ pub struct NearMissRecord {
 }
 
 /// The words of outcomes.
-pub const OUTCOMES: [&str; 5] = ["continue", "continue spinning", "land at site", "land here", "none"];
+pub const OUTCOMES: [&str; 6] = ["continue", "continue spinning", "land at site", "land here", "caught", "none"];
 
 /// The words for people, in the order of [`OUTCOMES`].
-pub const WORDS: [&str; 5] =
-    ["back on the plan", "back on the plan, spinning", "lands at a site", "lands where it is", "none found"];
+pub const WORDS: [&str; 6] = [
+    "back on the plan",
+    "back on the plan, spinning",
+    "lands at a site",
+    "lands where it is",
+    "caught by its spin, lands",
+    "none found",
+];
 
 /// The word of an outcome.
 pub(super) fn outcome(way: Option<Way>) -> &'static str {
@@ -192,7 +198,8 @@ pub(super) fn outcome(way: Option<Way>) -> &'static str {
         Some(Way::ContinueSpinning) => OUTCOMES[1],
         Some(Way::LandAt(_)) => OUTCOMES[2],
         Some(Way::LandHere) => OUTCOMES[3],
-        None => OUTCOMES[4],
+        Some(Way::Caught) => OUTCOMES[4],
+        None => OUTCOMES[5],
     }
 }
 
@@ -215,7 +222,7 @@ fn site_name(model: &Model, site: usize) -> &str {
 pub(super) fn site_of(model: &Model, way: Way) -> Option<&str> {
     match way {
         Way::LandAt(site) => Some(site_name(model, site)),
-        Way::Continue | Way::ContinueSpinning | Way::LandHere => None,
+        Way::Continue | Way::ContinueSpinning | Way::LandHere | Way::Caught => None,
     }
 }
 

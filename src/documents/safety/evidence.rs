@@ -130,6 +130,9 @@ impl Share<'_> {
     }
 }
 
+/// A vehicle that is caught and lands, in simulated flights, an index into [`SEVERITIES`](super::SEVERITIES).
+pub const CAUGHT: usize = FAILED - 1;
+
 /// A way out that was found and whose simulated flight failed, an index into [`SEVERITIES`](super::SEVERITIES). From
 /// here on outcomes count as a loss of control.
 pub const FAILED: usize = OUTCOMES.len() - 1;

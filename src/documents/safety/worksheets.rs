@@ -1,6 +1,6 @@
 //! The FMEA worksheet and the list of functional hazards, as CSV (RFC 4180).
 
-use super::evidence::{FAILED, NONE, Phase, Share};
+use super::evidence::{CAUGHT, FAILED, NONE, Phase, Share};
 use super::quantities::{exponential, hours, rounded};
 use super::{Case, SEVERITIES, item, local_effect};
 use crate::admissible::outcome::Outcome;
@@ -113,6 +113,7 @@ fn basis<'a>(not_sought: Option<&'a str>, share: &Share) -> &'a str {
         (Some(why), _) => why,
         (None, Share { outcome: NONE, .. }) => "not found at the instants looked at",
         (None, Share { outcome: FAILED, .. }) => "found at an instant, but its simulated flight failed",
+        (None, Share { outcome: CAUGHT, .. }) => "simulated at the instants looked at",
         (None, Share { is_proved: true, .. }) => "proved at every instant, and simulated",
         (None, Share { is_proved: false, .. }) => "checked at the instants looked at, and simulated",
     }

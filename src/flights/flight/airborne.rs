@@ -13,7 +13,7 @@ use super::sample::{Inertial, Sample, View};
 use super::sensors::Sensors;
 use super::sortie::Sortie;
 use super::spin::Spin;
-use super::way_out::TakenWay;
+use super::way_out::{TakenWay, WayOut};
 use super::{CONDITION_RATE, Flight, LANDING_MARGIN, Outcome, control, regressor, variation};
 use crate::actuation::Wrench;
 use crate::model::{AfterFault, Environment, FlownVehicle, Strike, Vehicle};
@@ -87,6 +87,8 @@ pub(super) struct Airborne<'s, 'a> {
     duration: f64,
     gave_up_yaw_at: Option<f64>,
     way_out: Option<TakenWay>,
+    /// Whether the way out is to stop and descend.
+    descends: bool,
     /// Samples of the regressor.
     conditions: Vec<(usize, f64)>,
 }
@@ -143,6 +145,7 @@ impl<'s, 'a> Airborne<'s, 'a> {
             duration: sortie.duration,
             gave_up_yaw_at: None,
             way_out: None,
+            descends: false,
             // One entry for each sample of the regressor; only long landings need more room.
             conditions: Vec::with_capacity((sortie.duration.min(1e4) * CONDITION_RATE) as usize + 400),
         }
@@ -234,14 +237,21 @@ impl<'s, 'a> Airborne<'s, 'a> {
         }
         let (Some(ways), Some(strike)) = (self.sortie.ways_out, self.sortie.strikes.first()) else { return };
         let found = (ways.find)(strike.mode, strike.at, t);
-        self.way_out = Some(TakenWay { at: t, words: found.as_ref().map(|way| way.words.clone()) });
-        let (Some(way), Course::Plan(plan)) = (found, &self.course) else { return };
-        let ends = t + way.motion.duration();
-        let (plan, motion) = (*plan, Cow::Owned(way.motion));
-        let branch = Branching { plan, begins: t, motion, returns: way.returns, sink: SINK };
+        self.way_out = Some(TakenWay { at: t, words: found.as_ref().map(|way| way.words().into()) });
+        let (motion, returns) = match found {
+            Some(WayOut::Branch { motion, returns, .. }) => (motion, returns),
+            Some(WayOut::Stop { .. }) => {
+                self.descends = true;
+                return;
+            }
+            None => return,
+        };
+        let Course::Plan(plan) = &self.course else { return };
+        let ends = t + motion.duration();
+        let branch = Branching { plan, begins: t, motion: Cow::Owned(motion), returns, sink: SINK };
         self.follow(Course::Branch(Box::new(branch)), t);
         self.watch.volumes.widen();
-        if way.returns {
+        if returns {
             self.duration = self.duration.max(ends);
         } else {
             self.watch.land(t, ends, self.course.at(ends).position.z);
@@ -255,6 +265,7 @@ impl<'s, 'a> Airborne<'s, 'a> {
         let descends = match simulation.after_fault {
             AfterFault::Hold => false,
             AfterFault::Land => true,
+            AfterFault::Recovery if self.descends => true,
             AfterFault::Continue | AfterFault::Recovery => return,
         };
         if !self.knowledge.fault_known || self.watch.is_stopping || t < self.next_try {

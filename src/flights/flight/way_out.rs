@@ -3,14 +3,27 @@
 use crate::motion::Trajectory;
 use std::fmt;
 
-/// A motion that leaves a plan after a fault, from the vehicle's state when the fault becomes known.
+/// What a vehicle does after a fault, from its state when the fault becomes known.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WayOut {
-    pub motion: Trajectory,
-    /// Whether it ends in the plan, which is followed then; otherwise it ends at rest on the ground.
-    pub returns: bool,
-    /// `lands at depot`
-    pub words: String,
+pub enum WayOut {
+    /// It leaves the plan along a motion.
+    Branch {
+        motion: Trajectory,
+        /// Whether the motion ends in the plan, which is followed then; otherwise it ends at rest on the ground.
+        returns: bool,
+        /// `lands at depot`
+        words: String,
+    },
+    /// It stops and descends.
+    Stop { words: String },
+}
+
+impl WayOut {
+    pub fn words(&self) -> &str {
+        match self {
+            WayOut::Branch { words, .. } | WayOut::Stop { words } => words,
+        }
+    }
 }
 
 /// Finds a way out after a fault: `None` if none was found.

@@ -23,7 +23,7 @@ pub fn fly_branch(model: &Model, plan: &Trajectory, branch: &FoundBranch, seed: 
     let (returns, spins) = match way {
         Way::Continue => (true, false),
         Way::ContinueSpinning => (true, true),
-        Way::LandAt(_) | Way::LandHere => (false, false),
+        Way::LandAt(_) | Way::LandHere | Way::Caught => (false, false),
     };
     let rest = plan.part(*fault_at, (plan.duration() - fault_at).max(delay + motion.duration()));
     let simulation = Simulation {

@@ -87,8 +87,12 @@ impl Found {
         WayAt { at: self.at, way: self.way }
     }
 
-    fn none(at: f64) -> Self {
-        Found { at, way: None, branches: Vec::new(), iterates: Vec::new() }
+    pub fn none(at: f64) -> Self {
+        Found::without_branch(at, None)
+    }
+
+    pub fn without_branch(at: f64, way: Option<Way>) -> Self {
+        Found { at, way, branches: Vec::new(), iterates: Vec::new() }
     }
 }
 
@@ -166,17 +170,7 @@ impl<'a> Search<'a> {
     /// The outcomes at instants that are [`super::apart`] from each other, and at those at which they change to
     /// [`RESOLUTION`].
     pub fn all(&mut self) -> Vec<Found> {
-        let duration = self.plan.duration();
-        let count = steps(duration);
-        let mut found: Vec<Found> = Vec::new();
-        for k in 0..=count as usize {
-            let next = self.at(duration * k as f64 / count);
-            if let Some(before) = found.last().map(Found::way_at) {
-                self.changes(before, next.way_at(), &mut found);
-            }
-            found.push(next);
-        }
-        found
+        at_instants(self.plan.duration(), &mut |at| self.at(at))
     }
 
     /// What the outcomes are, and what [`Search::again`] found later, say of the mode.
@@ -184,31 +178,7 @@ impl<'a> Search<'a> {
         let found = self.mended(found, fresh);
         let instants = found.len();
         let families = self.families(&found);
-        let (mut pieces, mut branches): (Vec<Piece>, Vec<FoundBranch>) = (Vec::new(), Vec::new());
-        for Found { at, way, branches: of_delays, .. } in found {
-            let index = of_delays.into_iter().next_back().map(|branch| {
-                branches.push(branch);
-                branches.len() - 1
-            });
-            match pieces.last_mut().filter(|piece| piece.way == way) {
-                Some(piece) => {
-                    piece.to = at;
-                    piece.branches.extend(index);
-                }
-                None => {
-                    // A change counts for the worse outcome: a gap reaches to the instants around it.
-                    let from = match (pieces.last_mut(), way) {
-                        (Some(before), None) => before.to,
-                        (Some(before), Some(_)) if before.way.is_none() => {
-                            before.to = at;
-                            at
-                        }
-                        _ => at,
-                    };
-                    pieces.push(Piece { from, to: at, way, branches: index.into_iter().collect(), near_miss: None });
-                }
-            }
-        }
+        let (mut pieces, branches) = pieces(found);
         self.look_for_near_misses(&mut pieces);
         let mut effort = self.tight.effort;
         effort += self.roomy.map_or_else(Effort::default, |roomy| roomy.effort);
@@ -219,18 +189,6 @@ impl<'a> Search<'a> {
     /// The first way out after a fault at one instant, for the longest delay.
     pub fn first(mut self, at: f64) -> Option<FoundBranch> {
         self.at(at).branches.pop()
-    }
-
-    /// Adds outcomes between two instants until those of neighbours are the same or [`RESOLUTION`] apart.
-    fn changes(&mut self, before: WayAt, after: WayAt, found: &mut Vec<Found>) {
-        if before.way == after.way || after.at - before.at <= RESOLUTION {
-            return;
-        }
-        let middle = self.at(0.5 * (before.at + after.at));
-        let between = middle.way_at();
-        self.changes(before, between, found);
-        found.push(middle);
-        self.changes(between, after, found);
     }
 
     /// Which sites would be reached from the middles of the longest gaps, given more time.
@@ -441,7 +399,7 @@ impl<'a> Search<'a> {
             };
             let (mode, deviation, motion) = (self.mode, carried.deviation, found.trajectory());
             let whole = match way {
-                Way::LandAt(_) | Way::LandHere => motion.clone(),
+                Way::LandAt(_) | Way::LandHere | Way::Caught => motion.clone(),
                 // The battery holds the rest of the plan too.
                 Way::Continue | Way::ContinueSpinning => {
                     self.plan.part(at + delay, (self.plan.duration() - at - delay).max(RESOLUTION))
@@ -460,10 +418,67 @@ impl<'a> Search<'a> {
     }
 }
 
+/// The outcomes at instants of a plan that are [`super::apart`] from each other, and at those at which they change to
+/// [`RESOLUTION`]. `at` gives that of one instant.
+pub(super) fn at_instants(duration: f64, at: &mut dyn FnMut(f64) -> Found) -> Vec<Found> {
+    let count = steps(duration);
+    let mut found: Vec<Found> = Vec::new();
+    for k in 0..=count as usize {
+        let next = at(duration * k as f64 / count);
+        if let Some(before) = found.last().map(Found::way_at) {
+            changes([before, next.way_at()], at, &mut found);
+        }
+        found.push(next);
+    }
+    found
+}
+
+/// Adds outcomes between two instants until those of neighbours are the same or [`RESOLUTION`] apart.
+fn changes([before, after]: [WayAt; 2], at: &mut dyn FnMut(f64) -> Found, found: &mut Vec<Found>) {
+    if before.way == after.way || after.at - before.at <= RESOLUTION {
+        return;
+    }
+    let middle = at(0.5 * (before.at + after.at));
+    let between = middle.way_at();
+    changes([before, between], at, found);
+    found.push(middle);
+    changes([between, after], at, found);
+}
+
+/// The times of each outcome, and the branches for the longest delay.
+pub(super) fn pieces(found: Vec<Found>) -> (Vec<Piece>, Vec<FoundBranch>) {
+    let (mut pieces, mut branches): (Vec<Piece>, Vec<FoundBranch>) = (Vec::new(), Vec::new());
+    for Found { at, way, branches: of_delays, .. } in found {
+        let index = of_delays.into_iter().next_back().map(|branch| {
+            branches.push(branch);
+            branches.len() - 1
+        });
+        match pieces.last_mut().filter(|piece| piece.way == way) {
+            Some(piece) => {
+                piece.to = at;
+                piece.branches.extend(index);
+            }
+            None => {
+                // A change counts for the worse outcome: a gap reaches to the instants around it.
+                let from = match (pieces.last_mut(), way) {
+                    (Some(before), None) => before.to,
+                    (Some(before), Some(_)) if before.way.is_none() => {
+                        before.to = at;
+                        at
+                    }
+                    _ => at,
+                };
+                pieces.push(Piece { from, to: at, way, branches: index.into_iter().collect(), near_miss: None });
+            }
+        }
+    }
+    (pieces, branches)
+}
+
 fn key(way: Way) -> usize {
     match way {
         Way::Continue | Way::ContinueSpinning => 0,
-        Way::LandHere => 1,
+        Way::LandHere | Way::Caught => 1,
         Way::LandAt(site) => 2 + site,
     }
 }

@@ -149,7 +149,8 @@ fn kept_family(
     violation: impl Fn(usize, &NodeState) -> f64,
 ) -> Between {
     let mut left = WorkLeft(share * WORK.max(WORK_EACH * (imposed * trajectory.intervals()) as u64));
-    let proved = throughout(family, motion, MOST_OUTSIDE, &mut left).into_iter().filter(|&proved| proved).count();
+    let proved =
+        throughout(family, motion, MOST_OUTSIDE, &mut left).proved.into_iter().filter(|&proved| proved).count();
     let (shown, points, violation) = match proved == imposed {
         true => (Shown::Proved, None, MOST_OUTSIDE),
         false => (Shown::Checked, Some(GRID), seen(trajectory, violation)),
@@ -209,7 +210,7 @@ fn kept_limit(setting: &Setting, motion: &Motion, limit: &Limit, trajectory: &Tr
         .map(|share| share * limit.size())
         .into_iter()
         .filter(|bound| is_between && seen <= *bound)
-        .find(|&violation| throughout(&family, motion, violation, &mut WorkLeft(work)).iter().all(|&kept| kept));
+        .find(|&violation| throughout(&family, motion, violation, &mut WorkLeft(work)).is_proved());
     match proved {
         Some(violation) => Between { rows, shown: Shown::Proved, points: None, imposed: 1, proved: 1, violation },
         None => Between { rows, shown: Shown::Checked, points: Some(GRID), imposed: 1, proved: 0, violation: seen },

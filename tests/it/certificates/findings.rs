@@ -245,12 +245,13 @@ fn a_proof_with_a_claimed_height_is_conditional() {
     assert!(verdict.weaker.iter().any(|weaker| weaker.contains("are required after a fault")), "{:?}", verdict.weaker);
 }
 
-/// The grid steps over a wall of 1 cm, so that the bound on another part of the volume bounds nothing here.
+/// The grid steps over a wall of 1 cm, so that its bound on another part of the volume, 0.201 m, bounds nothing here;
+/// an instant at which the proof fails does.
 #[test]
 fn a_bound_on_a_part_of_a_volume_does_not_bound_the_whole() {
     let verdict = decide(&forged("between_walls"), &spec("between_walls")).unwrap();
     let of_walls = verdict.weaker.iter().find(|weaker| weaker.starts_with("keep_out walls")).unwrap();
-    assert!(of_walls.contains("exceeded between the nodes by 0.201") && !of_walls.contains("at most"), "{of_walls}");
+    assert!(of_walls.contains("exceeded between the nodes by at most 0.600"), "{of_walls}");
 }
 
 #[test]

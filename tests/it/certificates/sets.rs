@@ -6,7 +6,7 @@ use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
 use mavc::model::{Allocation, Model, RotorState, Spread};
 use mavc::verify::interval::Interval;
-use mavc::verify::sets::{Generators, Plane};
+use mavc::verify::sets::{Generators, Plane, innermost, innermost_at_most};
 
 fn excess(planes: &[Plane], w: &Wrench) -> f64 {
     let w: [Interval; 4] = std::array::from_fn(|i| Interval::point(w[i]));
@@ -100,6 +100,41 @@ fn other_vehicles_sets_are_the_planners() {
             assert_same(&model, mode, 0.0, &mut numbers);
             assert_same(&model, mode, 0.1, &mut numbers);
         }
+    }
+}
+
+/// Modes have parallel planes, whatever capacities they leave; the innermost of them say of a wrench what all say.
+#[test]
+fn innermost_planes_say_what_all_say() {
+    let mut numbers = Numbers(21);
+    for change in [|_: &mut Model| (), doubt] {
+        let mut model = octocopter("PPNNPPNN");
+        model.modes = vec![lost(&model, &[3]), lost(&model, &[2]), lost(&model, &[4])];
+        model.modes[1].rotors[1] = RotorState::Reduced(0.7);
+        model.modes[2].rotors[3] = RotorState::Stuck(0.4);
+        change(&mut model);
+        let of = |mode: Option<usize>| {
+            let mode = mode.map(|i| &model.modes[i]);
+            Generators::new(&model.vehicle, &model.environment(), mode, 0.1).planes().unwrap()
+        };
+        let planes: Vec<Plane> = [None, Some(0), Some(1), Some(2)].into_iter().flat_map(of).collect();
+        let all: Vec<&Plane> = planes.iter().collect();
+        let inner = innermost(&all);
+        let kept: Vec<usize> = (0..planes.len()).filter(|&i| inner[i] == i).collect();
+        assert!(kept.len() as u64 <= innermost_at_most(&model.vehicle, 4) && kept.len() < planes.len() / 3, "{kept:?}");
+        let scale = AdmissibleSet::healthy(&model).zonotope.scale();
+        for _ in 0..300 {
+            let wrench: [Interval; 4] = std::array::from_fn(|i| Interval::point(2.0 * numbers.unit() * scale[i]));
+            let violation = |i: usize| planes[i].violation(&wrench).high;
+            let worst = |members: &[usize]| members.iter().map(|&i| violation(i)).fold(f64::NEG_INFINITY, f64::max);
+            assert_eq!(worst(&kept), worst(&(0..planes.len()).collect::<Vec<_>>()));
+            assert!((0..planes.len()).all(|i| violation(i) <= violation(inner[i])));
+        }
+        // A plane that is not one stands for none and is hidden by none.
+        let mut broken = planes.clone();
+        broken[kept[0]].offset = Interval { low: f64::NAN, high: f64::NAN };
+        let inner = innermost(&broken.iter().collect::<Vec<_>>());
+        assert!((0..planes.len()).all(|i| (inner[i] == kept[0]) == (i == kept[0])));
     }
 }
 

@@ -149,6 +149,13 @@ fn at_each_state(family: &Family, motion: &Motion, mut look: impl FnMut(&State, 
     }
 }
 
+/// The larger of two.
+pub fn worse(a: Option<Failure>, b: Option<Failure>) -> Option<Failure> {
+    let mut worst = a;
+    keep_worst(&mut worst, b);
+    worst
+}
+
 /// The largest value of any of `members` on a grid of `points` between the ends of every piece, and at them.
 pub fn largest_on_grid(family: &Family, motion: &Motion, members: &[usize], points: usize) -> Option<Failure> {
     let mut worst: Option<Failure> = None;
@@ -205,10 +212,27 @@ fn above(family: &Family, members: &[usize], state: &State, at: f64, most: f64) 
     worst
 }
 
-/// For each member whether it is proved to stay at or below `most` at every instant. A member for which the remaining
-/// work does not suffice is not proved.
-pub fn throughout(family: &Family, motion: &Motion, most: f64, purse: &mut WorkLeft) -> Vec<bool> {
-    let mut proof = Proof { family, motion, most, proved: vec![true; family.members], purse };
+/// What is shown of a bound at every instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Throughout {
+    /// For each member whether it is proved to stay at or below the bound. One for which the remaining work does not
+    /// suffice is not proved.
+    pub proved: Vec<bool>,
+    /// Where members are surely above the bound between the nodes, at most one instant of each.
+    pub refuted: Vec<Failure>,
+}
+
+impl Throughout {
+    /// Whether every member is proved.
+    pub fn is_proved(&self) -> bool {
+        self.proved.iter().all(|&proved| proved)
+    }
+}
+
+/// Whether the members stay at or below `most` at every instant.
+pub fn throughout(family: &Family, motion: &Motion, most: f64, purse: &mut WorkLeft) -> Throughout {
+    let found = Throughout { proved: vec![true; family.members], refuted: Vec::new() };
+    let mut proof = Proof { family, motion, most, found, purse };
     if let Some((node, piece)) = family.only_node() {
         let members = proof.open();
         proof.at_nodes([node], piece, &members);
@@ -225,25 +249,25 @@ pub fn throughout(family: &Family, motion: &Motion, most: f64, purse: &mut WorkL
             proof.over(piece, whole, members, DEEPEST);
         }
     }
-    proof.proved
+    proof.found
 }
 
 struct Proof<'p> {
     family: &'p Family<'p>,
     motion: &'p Motion,
     most: f64,
-    proved: Vec<bool>,
+    found: Throughout,
     purse: &'p mut WorkLeft,
 }
 
 impl Proof<'_> {
     /// The members that are not yet given up.
     fn open(&self) -> Vec<usize> {
-        (0..self.proved.len()).filter(|&member| self.proved[member]).collect()
+        (0..self.family.members).filter(|&member| self.found.proved[member]).collect()
     }
 
     fn give_up(&mut self, members: &[usize]) {
-        members.iter().for_each(|&member| self.proved[member] = false);
+        members.iter().for_each(|&member| self.found.proved[member] = false);
     }
 
     fn at_nodes(&mut self, nodes: impl IntoIterator<Item = usize>, piece: usize, members: &[usize]) {
@@ -254,7 +278,7 @@ impl Proof<'_> {
             let found = (self.family.evaluate)(&self.motion.node_in(node, piece), members);
             for (&member, found) in members.iter().zip(&found) {
                 if exceeds(found.value.high, self.most) {
-                    self.proved[member] = false;
+                    self.found.proved[member] = false;
                 }
             }
         }
@@ -262,7 +286,7 @@ impl Proof<'_> {
 
     /// Bisects a part of a piece until the mean value form bounds every member: f(t) lies in f(m) + f'(T)(T - m).
     fn over(&mut self, piece: usize, part: Interval, mut members: Vec<usize>, deeper: u32) {
-        members.retain(|&member| self.proved[member]);
+        members.retain(|&member| self.found.proved[member]);
         if members.is_empty() {
             return;
         }
@@ -279,8 +303,13 @@ impl Proof<'_> {
             if !exceeds(value.high, self.most) {
                 continue;
             }
-            match there.value.low > self.most || deeper == 0 {
-                true => self.proved[member] = false,
+            let is_refuted = there.value.low > self.most;
+            if is_refuted {
+                let at = self.motion.times[piece] + middle.low;
+                self.found.refuted.push(Failure { member, at, violation: there.value.high });
+            }
+            match is_refuted || deeper == 0 {
+                true => self.found.proved[member] = false,
                 false => left.push(member),
             }
         }

@@ -219,7 +219,7 @@ impl<'s, 'a> Recovering<'s, 'a> {
             self.setting.held().into_iter().all(|held| {
                 let all = wrench_family(self.setting.dynamics(), held, planes.iter().collect());
                 let family = Family { within: Some((*piece, *piece + 1)), ..all };
-                throughout(&family, self.plan, MOST_OUTSIDE, purse).iter().all(|&kept| kept)
+                throughout(&family, self.plan, MOST_OUTSIDE, purse).is_proved()
             })
         };
         let inside = (0..pieces).rev().take_while(is_inside).count();

@@ -17,6 +17,7 @@ use super::interval::{Interval, exceeds};
 use super::{Rejection, mode_named};
 use crate::model::{Allocation, Environment, FaultMode, Model, Rotor, RotorState, Spin, Vehicle};
 use std::cmp::Ordering;
+use std::collections::HashMap;
 
 pub use once::Sets;
 
@@ -80,6 +81,26 @@ impl Plane {
     }
 }
 
+/// For each plane the innermost one that is parallel to it, possibly itself: what stays inside that one by some bound
+/// stays inside this one. Normals count as parallel if they have the same enclosure, because a bound is computed for
+/// all vectors of an enclosure.
+pub fn innermost(planes: &[&Plane]) -> Vec<usize> {
+    let direction = |plane: &Plane| plane.normal.map(|part| [part.low, part.high].map(f64::to_bits));
+    let mut innermost: HashMap<_, usize> = HashMap::new();
+    for (index, plane) in planes.iter().enumerate() {
+        let known = innermost.entry(direction(plane)).or_insert(index);
+        if plane.offset.low < planes[*known].offset.low {
+            *known = index;
+        }
+    }
+    // A plane whose offset is not a number is its own.
+    let is_outside = |index: usize, inner: usize| planes[inner].offset.low <= planes[index].offset.low;
+    let of_plane = |(index, plane): (usize, &&Plane)| {
+        innermost.get(&direction(plane)).copied().filter(|&inner| is_outside(index, inner)).unwrap_or(index)
+    };
+    planes.iter().enumerate().map(of_plane).collect()
+}
+
 /// Distances up to this, in widths of the healthy set, are rounding.
 pub const ROUNDING: f64 = 1e-9;
 
@@ -100,8 +121,24 @@ pub fn planes_at_most(vehicle: &Vehicle) -> u64 {
     let n = vehicle.rotors.len() as u64;
     match vehicle.allocation {
         Allocation::PseudoInverse => 2 * n + 1,
-        _ => n * n.saturating_sub(1) * n.saturating_sub(2) / 3 + n * n.saturating_sub(1) + 1,
+        _ => through_three_at_most(n) + n * n.saturating_sub(1) + 1,
     }
+}
+
+/// Most planes through three of `n` generators.
+fn through_three_at_most(n: u64) -> u64 {
+    n * n.saturating_sub(1) * n.saturating_sub(2) / 3
+}
+
+/// Most planes of some modes' sets that [`innermost`] leaves: those through three generators are parallel.
+pub fn innermost_at_most(vehicle: &Vehicle, sets: u64) -> u64 {
+    let all = planes_at_most(vehicle);
+    let n = vehicle.rotors.len() as u64;
+    let parallel = match vehicle.allocation {
+        Allocation::PseudoInverse => 0,
+        _ => through_three_at_most(n),
+    };
+    (all - parallel).saturating_mul(sets).saturating_add(parallel)
 }
 
 /// Most planes of the shadow of a mode's set.
@@ -116,6 +153,9 @@ pub struct Generators {
     offset: Exact,
     /// One per rotor; zero if it cannot vary.
     own: Vec<Exact>,
+    /// Each parallel to that of `own`, as long as with the rotor's full capacity: the planes of all modes get the same
+    /// normals, not only parallel ones.
+    directions: Vec<Exact>,
     /// Generators of the healthy vehicle.
     healthy: Vec<Exact>,
     /// The extent of the healthy set along each axis, in units of which a set's thickness is measured.
@@ -222,19 +262,19 @@ impl Generators {
         // Along an axis of none every unit is as good: rotors in a line give no roll torque.
         let extents = std::array::from_fn(|axis| Some(reach(axis)).filter(|extent| *extent > 0.0).unwrap_or(1.0));
         let mut offset = zero();
-        let mut own = Vec::new();
+        let (mut own, mut directions) = (Vec::new(), Vec::new());
         for (k, rotor) in vehicle.rotors.iter().enumerate() {
             let known = RotorWrenches::of(rotor);
             // From the lowest speed to the highest, or at one speed, times the capacity.
+            let whole = difference(&known.full, &known.idle);
             let (at, range) = match mode.map_or(RotorState::Sound, |mode| mode.rotors[k]) {
-                RotorState::Sound => (known.idle.clone(), difference(&known.full, &known.idle)),
-                RotorState::Reduced(capacity) => {
-                    (scaled(&known.idle, capacity), scaled(&difference(&known.full, &known.idle), capacity))
-                }
+                RotorState::Sound => (known.idle, whole.clone()),
+                RotorState::Reduced(capacity) => (scaled(&known.idle, capacity), scaled(&whole, capacity)),
                 RotorState::Stuck(share) => (scaled(&known.middle, share), zero()),
                 RotorState::Lost => (zero(), zero()),
             };
             offset = sum(&offset, &at);
+            directions.push(if is_zero(&range) { zero() } else { whole });
             own.push(range);
         }
         let mut hover = zero();
@@ -242,6 +282,7 @@ impl Generators {
         Generators {
             offset,
             own,
+            directions,
             healthy,
             extents,
             hover,
@@ -266,7 +307,7 @@ impl Generators {
             return Some(self.facet(&normal, &offset, rotors, false));
         }
         let &[a, b, c] = rotors else { return None };
-        let [a, b, c] = [a, b, c].map(|k| k.checked_sub(1).and_then(|k| self.own.get(k)));
+        let [a, b, c] = [a, b, c].map(|k| k.checked_sub(1).and_then(|k| self.directions.get(k)));
         let (a, b, c) = (a?, b?, c?);
         let normal = orthogonal(a, b, c);
         let is_facet = self.is_facet([a, b, c], &self.side(normal.clone(), Vec::new())?);
@@ -333,7 +374,8 @@ impl Generators {
             let thin = thinnest.normal.clone();
             let used = self.used();
             let pairs = used.iter().enumerate().flat_map(|(i, &a)| used[i + 1..].iter().map(move |&b| [a, b]));
-            let normal_of = |[a, b]: [usize; 2]| (orthogonal(&self.own[a], &self.own[b], &thin), vec![a + 1, b + 1]);
+            let normal_of =
+                |[a, b]: [usize; 2]| (orthogonal(&self.directions[a], &self.directions[b], &thin), vec![a + 1, b + 1]);
             let across: Vec<Side> =
                 pairs.map(normal_of).filter_map(|(normal, rotors)| self.side(normal, rotors)).collect();
             if across.is_empty() || across.iter().any(|side| side.share < THIN) {
@@ -356,9 +398,10 @@ impl Generators {
         for (i, &a) in used.iter().enumerate() {
             for (j, &b) in used.iter().enumerate().skip(i + 1) {
                 for &c in &used[j + 1..] {
-                    let normal = orthogonal(&self.own[a], &self.own[b], &self.own[c]);
+                    let through = [a, b, c].map(|k| &self.directions[k]);
+                    let normal = orthogonal(through[0], through[1], through[2]);
                     let Some(mut side) = self.side(normal, vec![a + 1, b + 1, c + 1]) else { continue };
-                    side.is_facet = self.is_facet([&self.own[a], &self.own[b], &self.own[c]], &side);
+                    side.is_facet = self.is_facet(through, &side);
                     sides.push(side);
                 }
             }
@@ -398,7 +441,7 @@ impl Generators {
         let mut sides: Vec<Side> = Vec::new();
         for (i, &a) in used.iter().enumerate() {
             for &b in &used[i + 1..] {
-                let normal = orthogonal(&self.own[a], &self.own[b], &along_yaw);
+                let normal = orthogonal(&self.directions[a], &self.directions[b], &along_yaw);
                 sides.extend(self.side(normal, vec![a + 1, b + 1]));
             }
         }
@@ -406,7 +449,7 @@ impl Generators {
         if thinnest.share < THIN {
             // Thin, as in `spanned`: rotors in a line.
             let thin = thinnest.normal.clone();
-            let across = used.iter().map(|&a| (orthogonal(&self.own[a], &thin, &along_yaw), vec![a + 1]));
+            let across = used.iter().map(|&a| (orthogonal(&self.directions[a], &thin, &along_yaw), vec![a + 1]));
             let across: Vec<Side> = across.filter_map(|(normal, rotors)| self.side(normal, rotors)).collect();
             sides.extend(across);
         }

@@ -29,7 +29,8 @@ fn sign(way: Option<Way>) -> (usize, char) {
         Some(Way::ContinueSpinning) => (1, '~'),
         Some(Way::LandAt(_)) => (2, 'L'),
         Some(Way::LandHere) => (3, 'h'),
-        None => (4, 'x'),
+        Some(Way::Caught) => (4, 'c'),
+        None => (5, 'x'),
     }
 }
 
@@ -123,7 +124,7 @@ fn rows(model: &Model, recovery: &Recovery) -> Vec<Row> {
             Outcome::FliesOn => "not sought: heading not held (`yaw_drag`)".into(),
             _ => "not sought: no margin to hover with".into(),
         },
-        Some(NotAttempted::Caught) => "not sought: it has to be caught".into(),
+        Some(NotAttempted::Caught) => "not sought: caught, but no place to land".into(),
     };
     let mut grouped: Vec<(Vec<usize>, String, String)> = Vec::new();
     for mode in modes {
@@ -171,11 +172,18 @@ pub fn sentence(record: &RecoveryRecord) -> String {
 
 /// On what the outcomes rest: what was computed, and what was flown.
 pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
-    let basis = format!(
-        "Looked at {} instants, not between them. Delays are simulated without noise; with the noise and gusts of \
-         `simulate`, or its defaults, {} of {} simulated branches end as planned.",
-        record.instants, record.survived, record.flown
-    );
+    let mut basis = format!("Looked at {} instants, not between them.", record.instants);
+    if record.flown > 0 {
+        basis.push_str(&format!(
+            " Delays are simulated without noise; with the noise and gusts of `simulate`, or its defaults, {} of {} \
+             simulated branches end as planned.",
+            record.survived, record.flown
+        ));
+    }
+    let mut pieces = record.modes.iter().flat_map(|mode| &mode.pieces);
+    if pieces.any(|piece| piece.outcome == super::outcome(Some(Way::Caught))) {
+        basis.push_str(" Where caught, the vehicle landed in two simulated flights, with and without these.");
+    }
     // A plan can be covered at an instant from which no way out is found.
     let strayed = match record.uncovered > 0.0 {
         true => " When the fault is known, the vehicle has left the plan. Where none was found, a flight may survive.",

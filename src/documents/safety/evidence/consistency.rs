@@ -2,7 +2,7 @@
 //! the ways out: a report that was forged with care agrees too.
 
 use super::reading::{ModeOutcomes, NAMED, PieceOfReport, ROUNDING, Recovery};
-use super::struck_at;
+use super::{CAUGHT, struck_at};
 use crate::certificate::MotionRecord;
 use crate::model::{Mission, Model};
 use crate::number::number;
@@ -115,6 +115,7 @@ fn of_mode(mode: &ModeOutcomes, delay: f64, duration: f64) -> Result<(), String>
         let [from, to] = [piece.from_s, piece.to_s].map(number);
         let instants: Vec<f64> = match is_open(&piece) {
             true if piece.branches.is_empty() => continue,
+            false if piece.outcome == OUTCOMES[CAUGHT] && piece.branches.is_empty() => continue,
             true => return Err(format!("it names a way out after {name} from {from} to {to} s, where none was found")),
             false => {
                 let known = format!("_{:.0}ms.csv", 1e3 * delay);

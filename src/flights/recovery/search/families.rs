@@ -145,7 +145,7 @@ impl Builder<'_, '_, '_> {
         let record_of_way = match way {
             Way::Continue | Way::ContinueSpinning => WayRecord::Continue,
             Way::LandAt(site) => WayRecord::LandAt(sites[site].name.clone()),
-            Way::LandHere => WayRecord::LandHere,
+            Way::LandHere | Way::Caught => WayRecord::LandHere,
         };
         for (part, tolerance) in tolerances.into_iter().enumerate() {
             let last = (part + 1).min(rows.len() - 1);
@@ -212,7 +212,7 @@ impl Builder<'_, '_, '_> {
                 let site = &search.problem.mission().after_fault.sites[site];
                 Goal::Ground { at: site.at, radius: site.radius }
             }
-            Way::LandHere => {
+            Way::LandHere | Way::Caught => {
                 let end = &like.states[like.states.len() - 1];
                 Goal::Ground { at: [end[X][0], end[Y][0], search.problem.mission().ground?], radius: HERE }
             }

@@ -111,7 +111,7 @@ impl Search<'_> {
     fn about(&mut self, at: f64, known: &Found) -> Option<Found> {
         let (mission, order) = (self.problem.mission(), self.problem.model().recovery(self.mode));
         let way = match known.way? {
-            Way::LandHere => return None,
+            Way::LandHere | Way::Caught => return None,
             Way::LandAt(site) => {
                 order.iter().any(|of| mission.sites_of(*of).contains(&site)).then_some(Way::LandAt(site))
             }

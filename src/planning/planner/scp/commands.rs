@@ -3,6 +3,7 @@
 //! flat set are not repeated: where w stays in a plane, w' does too.
 
 use super::iterate::Iterate;
+use super::tightening::peaks;
 use super::{PARTS, ScpPlanner};
 use crate::actuation::Wrench;
 use crate::flatness::CommandFlatState;
@@ -134,19 +135,18 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// The largest violation of each row by the commanded wrench on the finer grid of
-    /// `TighteningSettings::parts`, without tightening.
+    /// `TighteningSettings::parts` and between its points, without tightening.
     pub(super) fn commands_between_instants(&self, iterate: &Iterate) -> Vec<f64> {
         let Some(lag) = &self.lag else { return Vec::new() };
         let mut worst = vec![f64::NEG_INFINITY; self.set.rows.len()];
         let parts = PARTS * self.settings.tightening.parts;
         for interval in 0..iterate.grid.intervals() {
-            for part in 0..=parts {
-                let state = iterate.inside(interval, part as f64 / parts as f64);
-                let violations = self.command_violations(lag, &self.sloped(iterate, interval, &state));
-                for ((worst, violation), tightening) in worst.iter_mut().zip(violations).zip(&lag.local_tightening) {
-                    *worst = worst.max(violation - tightening);
-                }
-            }
+            let violations = |part: usize| -> Vec<f64> {
+                let state = self.sloped(iterate, interval, &iterate.inside(interval, part as f64 / parts as f64));
+                let untightened = self.command_violations(lag, &state).zip(&lag.local_tightening).map(|(v, by)| v - by);
+                untightened.collect()
+            };
+            peaks(parts, violations, |facet, _, violation| worst[facet] = worst[facet].max(violation));
         }
         worst
     }

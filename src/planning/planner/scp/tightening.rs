@@ -70,30 +70,59 @@ impl ScpPlanner<'_, '_> {
         *self.local_tightening.entry(instant).or_default().entry(place).or_default() += slack + by;
     }
 
-    /// The rows violated by more than the tightening accepts on the finer grid, each at the instant before, with its
-    /// largest violation until the next instant.
+    /// The rows violated by more than the tightening accepts on the finer grid or, by [`peak`], between its points,
+    /// each at the instant before, with its largest violation until the next instant.
     fn between_instants(&self, iterate: &Iterate) -> Vec<(RowAt, f64)> {
         let form = self.transcription(&iterate.grid, &[]);
         let mut over: BTreeMap<RowAt, f64> = BTreeMap::new();
         let settings = self.settings.tightening;
         let parts = PARTS * settings.parts;
         for interval in 0..iterate.grid.intervals() {
-            for part in 0..parts {
+            let holds = |limit: &Limit| form.covers_interval(limit, interval);
+            let violations = |part: usize| -> Vec<f64> {
                 let state = iterate.inside(interval, part as f64 / parts as f64);
-                let instant = interval * PARTS + part / settings.parts;
-                let holds = |limit: &Limit| form.covers_interval(limit, interval);
-                let violations = self.violations_of_state(&form, &state, holds, || settings.max_violation).enumerate();
-                for (place, violation) in violations.filter(|(_, e)| *e > settings.max_violation) {
+                self.violations_of_state(&form, &state, holds, || settings.max_violation).collect()
+            };
+            peaks(parts, violations, |place, part, violation| {
+                if violation > settings.max_violation {
+                    let instant = interval * PARTS + part / settings.parts;
                     let entry = over.entry(RowAt { row: self.row(place), instant }).or_default();
                     *entry = entry.max(violation);
                 }
-            }
+            });
         }
         // Limits on places have no width for a tightening, except distances from bodies.
         let limits = &self.mission().limits;
         let is_place = |limit: &Limit| limit.kind.is_of_place() && !limit.kind.is_clearance();
         over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if is_place(&limits[limit])));
         over.into_iter().collect()
+    }
+}
+
+/// The largest values of quantities over an interval, at the ends of its `parts` and, by [`peak`], between them: calls
+/// `found` with the quantity, the part and the value. `values` gives all quantities at a point, from 0 to `parts`.
+pub(super) fn peaks(parts: usize, values: impl Fn(usize) -> Vec<f64>, mut found: impl FnMut(usize, usize, f64)) {
+    let (mut before, mut now) = (values(0), values(1));
+    for part in 1..parts {
+        let after = values(part + 1);
+        for (quantity, ((&a, &b), &c)) in before.iter().zip(&now).zip(&after).enumerate() {
+            let (top, largest) = peak([a, b, c]);
+            found(quantity, ((part as f64 + top) as usize).min(parts - 1), largest);
+        }
+        (before, now) = (now, after);
+    }
+    now.iter().enumerate().for_each(|(quantity, &last)| found(quantity, parts - 1, last));
+}
+
+/// Where a quantity is largest, in parts from the second of three values at equal distances, and that value: the top of
+/// the parabola through them, or else the larger of the first two.
+fn peak([before, at, after]: [f64; 3]) -> (f64, f64) {
+    let (slope, bend) = (after - before, 2.0 * at - before - after);
+    let top = slope / (2.0 * bend);
+    match bend > 0.0 && top.abs() <= 1.0 {
+        true => (top, at + slope * top / 4.0),
+        false if before > at => (-1.0, before),
+        false => (0.0, at),
     }
 }
 
@@ -104,6 +133,16 @@ mod tests {
     use crate::planner::hover::HoverPlanner;
     use crate::planner::scp::ScpPlanner;
     use crate::planner::selection::sets::PlanningSets;
+
+    #[test]
+    fn a_peak_between_points_is_found() {
+        let parabola = |t: f64| 3.0 - 2.0 * (t - 0.3).powi(2);
+        let (top, most) = super::peak([-1.0, 0.0, 1.0].map(parabola));
+        assert!((top - 0.3).abs() < 1e-12 && (most - 3.0).abs() < 1e-12);
+        assert_eq!(super::peak([1.0, 0.5, 0.25]), (-1.0, 1.0));
+        assert_eq!(super::peak([0.0, 1.0, 4.0]), (0.0, 1.0));
+        assert_eq!(super::peak([f64::NEG_INFINITY, 1.0, 0.0]), (0.0, 1.0));
+    }
 
     /// Where a row has slack at the instants beside a violation, a tightening by the violation alone changes nothing.
     #[test]

@@ -8,10 +8,11 @@ use super::super::limits;
 use super::super::motion::{Motion, State, YAW, series};
 use super::super::premise::Premise;
 use super::super::proof::{
-    Failure, Family, Measure, Rated, above_at_nodes, cost_at_nodes, cost_of_grid, largest_on_grid, throughout,
+    Failure, Family, Measure, Rated, Throughout, above_at_nodes, cost_at_nodes, cost_of_grid, largest_on_grid,
+    throughout, worse,
 };
 use super::super::series::Series;
-use super::super::sets::{Plane, along};
+use super::super::sets::{Plane, along, innermost};
 use super::super::wind;
 use super::super::wrench::{Dynamics, Held, thrust_over_mass};
 use super::super::{Reach, Rejection, Scope, Shown, schedule};
@@ -83,9 +84,12 @@ impl<'a> Setting<'a> {
     /// Checks that the wrench and, if rotors lag, the commanded wrench are inside every group's planes.
     pub(super) fn inside_at_nodes(&self, motion: &Motion, groups: &[Group]) -> Result<(), Rejection> {
         let planes = all_planes(groups);
+        let innermost = innermost(&planes);
+        let members: Vec<usize> = (0..planes.len()).filter(|&member| innermost[member] == member).collect();
         for held in self.held() {
-            let family = of_groups(self, held, planes.clone());
+            let family = of_groups(self, held, members.iter().map(|&member| planes[member]).collect());
             if let Some(failure) = above_at_nodes(&family, motion, MOST_OUTSIDE) {
+                let failure = Failure { member: members[failure.member], ..failure };
                 return Err(self.outside(groups, &failure, held));
             }
         }
@@ -224,10 +228,8 @@ impl Checked<'_> {
                 ));
             }
         }
-        let planes = all_planes(&self.groups);
         for held in [Some(Held::Wrench), setting.commands].into_iter().flatten() {
-            let family = of_groups(setting, held, planes.clone());
-            self.groups_between(&family, held, purse, found);
+            self.groups_between(held, purse, found);
         }
         self.cores_between(purse, found);
         if purse.0 == 0 && before > 0 {
@@ -275,16 +277,44 @@ impl Checked<'_> {
         }
     }
 
-    fn groups_between(&self, family: &Family, held: Held, purse: &mut WorkLeft, found: &mut Found) {
-        let proved = throughout(family, &self.motion, MOST_OUTSIDE, purse);
+    fn groups_between(&self, held: Held, purse: &mut WorkLeft, found: &mut Found) {
+        let planes = all_planes(&self.groups);
+        let Throughout { proved, refuted } = self.planes_throughout(&planes, held, purse);
+        let family = of_groups(self.setting, held, planes);
         let mut first = 0;
         for group in &self.groups {
             let members: Vec<usize> = (first..first + group.planes.len()).collect();
             first += group.planes.len();
             let open: Vec<usize> = members.iter().copied().filter(|&member| !proved[member]).collect();
-            let reach = self.on_grid(family, &open, MOST_OUTSIDE, purse);
+            let reach = self.on_grid(&family, &open, &refuted, MOST_OUTSIDE, purse);
             found.add(self.statement(group, held), reach);
         }
+    }
+
+    /// Whether the quantity `held` stays within each plane. Most planes of a mode are parallel to those of others, and
+    /// only the innermost of parallel planes is proved; if that fails, the others are tried.
+    fn planes_throughout(&self, planes: &[&Plane], held: Held, purse: &mut WorkLeft) -> Throughout {
+        let innermost = innermost(planes);
+        let mut all = Throughout { proved: vec![false; planes.len()], refuted: Vec::new() };
+        let mut try_these = |members: &[usize], all: &mut Throughout| {
+            let family = of_groups(self.setting, held, members.iter().map(|&member| planes[member]).collect());
+            let found = throughout(&family, &self.motion, MOST_OUTSIDE, purse);
+            for (&member, proved) in members.iter().zip(found.proved) {
+                all.proved[member] = proved;
+            }
+            let named = |failure: Failure| Failure { member: members[failure.member], ..failure };
+            all.refuted.extend(found.refuted.into_iter().map(named));
+        };
+        let (first, others): (Vec<usize>, Vec<usize>) =
+            (0..planes.len()).partition(|&member| innermost[member] == member);
+        try_these(&first, &mut all);
+        let (within, open): (Vec<usize>, Vec<usize>) =
+            others.into_iter().partition(|&member| all.proved[innermost[member]]);
+        within.into_iter().for_each(|member| all.proved[member] = true);
+        if !open.is_empty() {
+            try_these(&open, &mut all);
+        }
+        all
     }
 
     /// Whether a limit that another one follows from is proved, with a small part of the remaining work: if it is not,
@@ -293,36 +323,37 @@ impl Checked<'_> {
         let family = self.setting.family_of(limit, &self.motion);
         let share = purse.0.min(cost_at_nodes(&family, &self.motion).saturating_mul(TRIED));
         let mut own = WorkLeft(share);
-        let kept = throughout(&family, &self.motion, most, &mut own).iter().all(|&kept| kept);
+        let kept = throughout(&family, &self.motion, most, &mut own).is_proved();
         purse.spend(share - own.0);
         kept
     }
 
     pub(super) fn reach(&self, family: &Family, most: f64, size: f64, purse: &mut WorkLeft) -> Reach {
-        let proved = throughout(family, &self.motion, most, purse);
+        let Throughout { proved, refuted } = throughout(family, &self.motion, most, purse);
         let open: Vec<usize> = (0..family.members).filter(|&member| !proved[member]).collect();
-        let mut reach = self.on_grid(family, &open, most, purse);
+        let mut reach = self.on_grid(family, &open, &refuted, most, purse);
         // A violation between nodes is bounded at every instant, if that can be proved.
         if let Some(beyond) = reach.beyond.as_mut() {
             let violation = beyond.violation + MISSED * size;
-            if throughout(family, &self.motion, violation, purse).iter().all(|&kept| kept) {
+            if throughout(family, &self.motion, violation, purse).is_proved() {
                 (beyond.violation, beyond.throughout) = (violation, true);
             }
         }
         reach
     }
 
-    /// The result on a grid for members that are not proved.
-    fn on_grid(&self, family: &Family, open: &[usize], most: f64, purse: &mut WorkLeft) -> Reach {
+    /// The result on a grid for members that are not proved, of which some may be `refuted` between its points.
+    fn on_grid(&self, family: &Family, open: &[usize], refuted: &[Failure], most: f64, purse: &mut WorkLeft) -> Reach {
         if open.is_empty() {
             return Reach::EVERY_INSTANT;
         }
-        if !purse.spend(cost_of_grid(family, &self.motion, open.len(), POINTS_OF_A_GRID)) {
-            return Reach::NODES;
-        }
-        match largest_on_grid(family, &self.motion, open, POINTS_OF_A_GRID) {
+        let is_paid = purse.spend(cost_of_grid(family, &self.motion, open.len(), POINTS_OF_A_GRID));
+        let on_grid = is_paid.then(|| largest_on_grid(family, &self.motion, open, POINTS_OF_A_GRID)).flatten();
+        let between = refuted.iter().copied().filter(|failure| open.contains(&failure.member));
+        match between.map(Some).fold(on_grid, worse) {
             Some(worst) if exceeds(worst.violation, most) => Reach::violated(worst, family.measure),
-            _ => Reach { scope: Scope::Grid, beyond: None },
+            _ if is_paid => Reach { scope: Scope::Grid, beyond: None },
+            _ => Reach::NODES,
         }
     }
 }

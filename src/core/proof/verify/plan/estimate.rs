@@ -3,7 +3,7 @@
 use super::super::core::{self, WithoutYaw};
 use super::super::cost::{self, Estimate, times};
 use super::super::proof::cost_at_nodes;
-use super::super::sets::{HEALTHY, planes_at_most};
+use super::super::sets::{HEALTHY, innermost_at_most, planes_at_most};
 use super::super::{Rejection, least_time, limits, required, schedule, wind};
 use super::{Setting, selection};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
@@ -77,7 +77,7 @@ impl Setting<'_> {
         let mut all = Estimate::default();
         all.add(times(nodes, cost::COST_PER_JOINT), times(nodes, cost::BYTES_OF_A_NODE));
         let selectable = if selection::selects(self.model()) { self.model().plan.against.len() as u64 } else { 0 };
-        let planes = times(planes_at_most(&self.model().vehicle), sets.saturating_add(selectable));
+        let planes = innermost_at_most(&self.model().vehicle, sets.saturating_add(selectable));
         // Commands jump at nodes, which are looked at from both sides.
         let of_state = if self.commands.is_some() { 3 } else { 1 };
         all.add(times(times(checkpoints, self.units_of(planes)), of_state), 0);
