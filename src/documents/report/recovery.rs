@@ -187,7 +187,7 @@ pub const WORDS: [&str; 6] = [
     "back on the plan, spinning",
     "lands at a site",
     "lands where it is",
-    "caught by its spin, lands",
+    "caught, lands",
     "none found",
 ];
 

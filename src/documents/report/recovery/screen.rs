@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::number::{fixed, number, percent, plural, significant};
 use crate::recovery::{Families, ModeRecovery, NotAttempted, Piece, Recovery, Way};
 use crate::report::mode_names::within;
-use crate::report::screen::{Counted, Keep, Screen, Tone};
+use crate::report::screen::{Counted, Keep, Screen, Tone, WIDTH};
 use crate::text_table::Table;
 
 /// Columns of a strip.
@@ -81,7 +81,9 @@ pub fn write(screen: &mut Screen, model: &Model, recovery: &Recovery, verbose: b
     if hidden > 0 {
         screen.line(Tone::Plain, &format!("  {} more with shorter gaps: -v", plural(hidden, "mode")));
     }
-    screen.line(Tone::Plain, &format!("  {}", legend(recovery)));
+    for line in legend(recovery) {
+        screen.line(Tone::Plain, &format!("  {line}"));
+    }
     let (gaps, rest) = gaps(model, recovery, if verbose { usize::MAX } else { 3 });
     for gap in gaps {
         screen.part(Keep::Reason, Some((Counted::Remark, 1)), |screen| screen.paragraph(Tone::Warning, 2, 2, &gap));
@@ -148,12 +150,21 @@ fn scale(duration: f64) -> String {
     format!("0 s{end:>width$}", width = STRIP - 3)
 }
 
-fn legend(recovery: &Recovery) -> String {
+/// The signs that the strips have, in lines.
+fn legend(recovery: &Recovery) -> Vec<String> {
     let mut signs: Vec<(usize, char)> =
         recovery.modes.iter().flat_map(|mode| &mode.pieces).map(|piece| sign(piece.way)).collect();
     signs.sort_unstable();
     signs.dedup();
-    signs.iter().map(|(order, sign)| format!("{sign} {}", WORDS[*order])).collect::<Vec<_>>().join("   ")
+    let mut lines: Vec<String> = Vec::new();
+    for (order, sign) in signs {
+        let entry = format!("{sign} {}", WORDS[order]);
+        match lines.last_mut().filter(|line| line.chars().count() + entry.chars().count() + 5 <= WIDTH) {
+            Some(line) => line.push_str(&format!("   {entry}")),
+            None => lines.push(entry),
+        }
+    }
+    lines
 }
 
 /// The outcome of all faults in one sentence.
