@@ -21,7 +21,8 @@ pub struct RecoveryRecord {
     pub detection_s: Vec<f64>,
     /// The longest time of a branch, s.
     pub within_s: f64,
-    /// How the outcomes were found: at instants, each with branches that were checked at the instants of their grids.
+    /// How the outcomes were found: at instants, each with branches that were checked at the instants of their grids;
+    /// `caught` by simulated flights.
     #[cfg_attr(test, schemars(extend("const" = BASIS)))]
     pub basis: &'static str,
     /// The number of pairs of a mode and an instant that were looked at.

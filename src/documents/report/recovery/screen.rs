@@ -193,7 +193,7 @@ pub fn premise(record: &RecoveryRecord, reserve: f64) -> [String; 2] {
     }
     let mut pieces = record.modes.iter().flat_map(|mode| &mode.pieces);
     if pieces.any(|piece| piece.outcome == super::outcome(Some(Way::Caught))) {
-        basis.push_str(" Where caught, the vehicle landed in two simulated flights, with and without these.");
+        basis.push_str(" Where caught, simulated flights with and without noise and gusts landed.");
     }
     // A plan can be covered at an instant from which no way out is found.
     let strayed = match record.uncovered > 0.0 {
