@@ -52,6 +52,25 @@ fn an_output_that_is_off_or_held_is_told_from_a_motor_that_fails() {
     assert_eq!((held[0].motor + 1, held[0].kind, held[0].evidence), (2, Kind::Held, Evidence::Output), "{held:?}");
 }
 
+/// A motor that turns on at one speed, in a log that has its output and in one where that is not looked at: then its
+/// command follows from the demands of the controller, also where two motors of six are hidden.
+#[test]
+fn a_motor_that_is_stuck_is_told_from_one_that_is_weak() {
+    for (motor, others) in [(2, &[][..]), (5, &[5, 4][..]), (6, &[6][..]), (1, &[1, 2, 6][..])] {
+        for rate in [10.0, 50.0] {
+            let bytes = log(Fault::Stuck(motor, 12.0, 0.2), 20.0, rate, 50.0, 9);
+            let Ok(found) = diagnose(&mut &bytes[..], None, others, &mut []) else { panic!("the log can be read") };
+            let losses = found.diagnosis.losses();
+            assert_eq!((losses[0].motor + 1, losses[0].evidence), (motor, Evidence::Motion), "{others:?}: {losses:?}");
+            assert!((losses[0].time - 17.0).abs() < 0.2, "{losses:?}");
+            // Slow outputs do not always show which; the command is about 0.6 then.
+            assert!(losses[0].kind == Kind::Held || rate < 50.0, "{others:?} {rate} Hz: {losses:?}");
+            let share = if losses[0].kind == Kind::Held { 0.2 } else { 0.33 };
+            assert!((losses[0].capacity - share).abs() < 0.08, "{others:?} {rate} Hz: {losses:?}");
+        }
+    }
+}
+
 #[test]
 fn the_answer_its_record_and_its_exit_codes() {
     let folder = tempfile::tempdir().unwrap();

@@ -153,6 +153,7 @@ impl Collector {
                 record.force.push(time, turned([*ax, *ay, *az]));
                 is_in_order
             }
+            ("RATE", [thrust, roll, pitch, yaw]) => record.demands.push(time, [*thrust, *roll, -*pitch, -*yaw]),
             ("ATT", [roll, pitch, yaw, wanted @ ..]) => {
                 let all = [*roll, -*pitch, -*yaw, wanted[0], -wanted[1], -wanted[2]];
                 record.attitude.push(time, all.map(radians))

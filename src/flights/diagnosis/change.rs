@@ -34,7 +34,9 @@ pub struct Change {
     pub time: f64,
     /// 95 % interval of the time, s.
     pub interval: [f64; 2],
-    /// Share of thrust that is left, and its 95 % interval.
+    /// Whether the rotor gives the same thrust whatever its command.
+    pub is_held: bool,
+    /// Share of thrust that is left, of a held rotor the share of full thrust that it gives, and its 95 % interval.
     pub capacity: f64,
     pub capacity_interval: [f64; 2],
     /// How many variances of the squared error it explains.
@@ -47,6 +49,11 @@ pub struct Change {
 const SAME: f64 = 0.3;
 
 impl Change {
+    /// What the rotor gives after it, as a share of full thrust.
+    pub fn given(&self, command: f64) -> f64 {
+        if self.is_held { self.capacity } else { self.capacity * command }
+    }
+
     /// Keeps only those alternatives that another finding of the same change names too, if it agrees in the motor.
     pub fn narrow(&mut self, other: &Change) {
         let names = |motor: usize| motor == other.motor || other.alternatives.contains(&motor);
@@ -128,7 +135,7 @@ impl<'s> Scan<'s> {
         };
         let scatter = |means: &[f64], k: usize, windows: usize| {
             let square = means[4 + self.motors + k] - means[k] * means[k];
-            CORRELATED * square.max(0.0) / windows as f64
+            CORRELATED * square.max(0.0) / (self.samples.share * windows as f64)
         };
         Some(Jump {
             difference: std::array::from_fn(|k| post[k] - pre[k]),
@@ -209,6 +216,7 @@ pub fn strongest(
     let half = 1.96 * deviation;
     Some(Change {
         motor,
+        is_held: false,
         time,
         interval,
         capacity: 1.0 - lost,

@@ -125,20 +125,19 @@ impl Fit {
         }
         let mut fit = best.expect("there is a time constant");
         let n = samples.samples.len();
-        fit.residuals = (0..n).map(|i| fit.residual(samples, effects, i, &vec![1.0; effects.len()])).collect();
+        fit.residuals = (0..n).map(|i| fit.residual(samples, effects, i, &fit.commands[i])).collect();
         fit
     }
 
-    /// What the commands of window `i` leave unexplained if each rotor has a capacity.
-    pub fn residual(&self, samples: &Samples, effects: &[Effect], i: usize, capacity: &[f64]) -> [f64; 4] {
+    /// What is unexplained in window `i` if each rotor gives this share of its full thrust.
+    pub fn residual(&self, samples: &Samples, effects: &[Effect], i: usize, given: &[f64]) -> [f64; 4] {
         let s = &samples.samples[i];
         let turns = |axis: usize| self.gains[axis].is_none() && s.turning[axis].abs() > self.quiet[axis];
         if !s.is_valid || (0..3).any(turns) {
             return [f64::NAN; 4];
         }
-        let real: Vec<f64> = self.commands[i].iter().zip(capacity).map(|(u, c)| u * c).collect();
         std::array::from_fn(|axis| {
-            let wanted = torque(&real, effects, axis);
+            let wanted = torque(given, effects, axis);
             match axis {
                 0 => self.thrust.map_or(0.0, |gain| s.force / gain - wanted),
                 _ => self.gains[axis - 1].map_or(0.0, |gain| s.turning[axis - 1] / gain) - wanted,

@@ -45,6 +45,8 @@ const SHARE_ERROR: f64 = 0.06;
 /// A loss is taken if it lowers the squared error of the healthy vehicle by so many variances. In the same flights true
 /// losses lower it by 112 or more, and everything else by at most 35.
 const THRESHOLD: f64 = 80.0;
+/// A rotor is taken as held if that lowers the squared error below that of a lower capacity by so many variances.
+const CLEARLY: f64 = 9.0;
 /// How often the search begins again from an instant at its edge.
 const AGAIN: usize = 3;
 
@@ -151,7 +153,7 @@ fn near(
     let instants: Vec<f64> = (first..=(at + windows(LATER, 1)).min(end.saturating_sub(2)))
         .flat_map(|start| (0..PARTS).map(move |part| start as f64 + part as f64 / PARTS as f64))
         .collect();
-    let mut profiles: Vec<Profile> = (0..effects.len())
+    let mut profiles: Vec<Profile> = (0..2 * effects.len())
         .map(|_| Profile {
             errors: [f64::INFINITY; PERCENTS],
             best: f64::INFINITY,
@@ -178,28 +180,34 @@ fn near(
         });
         for (number, instant) in instants.iter().enumerate() {
             let share: Vec<f64> = rows[early..].iter().map(|i| lost_share(*i, *instant)).collect();
-            for (motor, profile) in profiles.iter_mut().enumerate() {
+            for (number_of, profile) in profiles.iter_mut().enumerate() {
+                let (motor, is_held) = (number_of % effects.len(), number_of >= effects.len());
                 let late: [Products; 4] = std::array::from_fn(|axis| {
                     let mut sums = Products::default();
                     for (r, share) in (early..rows.len()).zip(&share) {
-                        let lost = share * commands[rows[r]][motor] * effects[motor][axis];
-                        axes[axis].add(&mut sums, r, inputs[axis][r], lost);
+                        let all = share * effects[motor][axis];
+                        let lost = commands[rows[r]][motor] * all;
+                        let [command, lost] =
+                            if is_held { [inputs[axis][r] - lost, all] } else { [inputs[axis][r], lost] };
+                        axes[axis].add(&mut sums, r, command, lost);
                     }
                     sums
                 });
-                profile.take(&before, &late, number, *instant);
+                profile.take(&before, &late, number, *instant, is_held);
             }
         }
     }
-    let motor = (0..profiles.len()).min_by(|a, b| profiles[*a].best.total_cmp(&profiles[*b].best))?;
-    let profile = &profiles[motor];
-    let healthy = profile.errors[PERCENTS - 1];
-    let is_explained = healthy - profile.best > THRESHOLD && profile.best < explains * healthy;
+    let strongest = (0..profiles.len()).min_by(|a, b| profiles[*a].best.total_cmp(&profiles[*b].best))?;
+    let (motor, least) = (strongest % effects.len(), profiles[strongest].best);
+    let healthy = profiles[0].errors[PERCENTS - 1];
+    let is_explained = healthy - least > THRESHOLD && least < explains * healthy;
     if !is_explained {
         return None;
     }
-    let freedom = (4 * (rows.len() - early)).max(1) as f64;
-    let noise = (profile.best / freedom).max(1.0);
+    let freedom = samples.share * (4 * (rows.len() - early)).max(1) as f64;
+    let noise = (least / freedom).max(1.0);
+    let is_held = strongest >= effects.len() && profiles[motor].best > least + CLEARLY * noise;
+    let profile = &profiles[if is_held { strongest } else { motor }];
     let is_near = |error: &f64| *error < profile.best + 3.84 * CORRELATED * noise;
     let percent = |k: Option<usize>| k.map(|k| 0.01 * k as f64);
     let capacity = percent((0..PERCENTS).min_by(|a, b| profile.errors[*a].total_cmp(&profile.errors[*b])))?;
@@ -208,8 +216,10 @@ fn near(
     let time_of = |window: f64| samples.samples[0].time + (window - 0.5) * samples.step;
     let sooner = profile.by_instant.iter().position(is_near).map(|k| time_of(instants[k]))?;
     let later = profile.by_instant.iter().rposition(is_near).map(|k| time_of(instants[k]))?;
+    let best = |k: usize| profiles[k].best.min(profiles[k + effects.len()].best);
     let change = Change {
         motor,
+        is_held,
         time: time_of(profile.instant),
         interval: [sooner - samples.step, later + samples.step],
         capacity,
@@ -218,9 +228,7 @@ fn near(
             (capacity + (high - capacity).hypot(SHARE_ERROR)).min(1.0),
         ],
         strength: healthy - profile.best,
-        alternatives: (0..profiles.len())
-            .filter(|k| *k != motor && profiles[*k].best < profile.best + 9.0 * noise)
-            .collect(),
+        alternatives: (0..effects.len()).filter(|k| *k != motor && best(*k) < profile.best + 9.0 * noise).collect(),
     };
     Some((change, profile.instant < instants[0] + 1.0))
 }
@@ -243,7 +251,7 @@ impl Axis {
         let middle = median(&mut healthy).unwrap_or(0.0);
         let mut sizes: Vec<f64> = healthy.iter().map(|y| (y - middle).abs()).collect();
         let spread = (1.4826 * median(&mut sizes).unwrap_or(0.0)).max(FLOORS[axis]);
-        let weight = |y: f64| 1.0 / (spread.powi(2) + (MODEL_ERROR * (y - middle)).powi(2));
+        let weight = |y: f64| samples.share / (spread.powi(2) + (MODEL_ERROR * (y - middle)).powi(2));
         // Thrust is proportional to its command; a turn only to what differs from the trim.
         let zero = if axis == 0 { 0.0 } else { middle };
         Axis {
@@ -261,10 +269,11 @@ impl Axis {
 
 impl Profile {
     /// Takes the errors of an instant: the gains are those of all windows, the errors those of the neighbourhood.
-    fn take(&mut self, before: &[Products; 4], late: &[Products; 4], number: usize, instant: f64) {
+    fn take(&mut self, before: &[Products; 4], late: &[Products; 4], number: usize, instant: f64, is_held: bool) {
         let all: [Products; 4] = std::array::from_fn(|axis| before[axis].plus(&late[axis]));
         for (percent, least) in self.errors.iter_mut().enumerate() {
-            let lost = 1.0 - 0.01 * percent as f64;
+            let share = 0.01 * percent as f64;
+            let lost = if is_held { -share } else { 1.0 - share };
             let mut error = 0.0;
             for axis in 0..4 {
                 let [square, product] = all[axis].response(lost);

@@ -124,6 +124,9 @@ pub struct Record {
     pub is_pulses: bool,
     /// Whether outputs are in the order of the spec's rotors, and not of the numbers of motors.
     pub is_by_rotor: bool,
+    /// Thrust, roll, pitch and yaw that ArduPilot's controller demands of its mixer: of the thrust the share, of the
+    /// others what the mixer adds to the motors of the largest factor, doubled.
+    pub demands: Series<4>,
     /// rad/s.
     pub rates: Series<3>,
     /// Specific force, m/s^2.
@@ -150,6 +153,7 @@ impl Record {
             outputs: Series::default(),
             is_pulses: true,
             is_by_rotor: false,
+            demands: Series::default(),
             rates: Series::default(),
             force: Series::default(),
             attitude: Series::default(),

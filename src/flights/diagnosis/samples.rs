@@ -1,13 +1,16 @@
 //! A record cut into windows of equal length: mean commands, rates, angular acceleration and thrust of each.
 
+use super::change::Change;
 use super::record::Record;
 
 /// The shortest and the longest window, s. Longer ones hide what a vehicle does after a fault.
 const SHORTEST: f64 = 0.02;
 const LONGEST: f64 = 0.25;
+/// Windows are at least so long, as a share of the time between two samples of the outputs.
+const FINER: f64 = 0.2;
 /// The most windows: longer records get longer windows.
 const MOST: f64 = 400_000.0;
-/// A gap of a series that is not filled, in windows.
+/// A gap of a series that is not filled, in windows or in samples, whichever is longer.
 const GAP: f64 = 2.5;
 
 /// One window.
@@ -32,6 +35,9 @@ pub struct Sample {
 pub struct Samples {
     /// Length of a window, s.
     pub step: f64,
+    /// How much a window counts: the windows between two samples of the outputs are one observation, because what the
+    /// commands are between them is assumed.
+    pub share: f64,
     pub samples: Vec<Sample>,
 }
 
@@ -45,15 +51,17 @@ impl Samples {
         if slowest.is_nan() || slowest > LONGEST || times.len() < 20 {
             return None;
         }
-        let step = slowest.max(SHORTEST).max((last - first) / MOST);
+        // Turns are logged more often than outputs: between two samples of these the commands are known.
+        let step = record.rates.period().max(FINER * record.outputs.period()).max(SHORTEST).max((last - first) / MOST);
+        let gaps = [record.outputs.period(), record.rates.period(), record.force.period()].map(|p| GAP * step.max(p));
         let count = ((last - first) / step).floor() as usize;
         let mut samples: Vec<Sample> = (0..count)
             .map(|i| {
                 let (from, to) = (first + i as f64 * step, first + (i + 1) as f64 * step);
                 let time = 0.5 * (from + to);
-                let commands = mean_command(times, command, from, to, motors);
-                let rates = mean(record.rates.within(from, to)).or(record.rates.at(time, GAP * step));
-                let force = mean(record.force.within(from, to)).or(record.force.at(time, GAP * step));
+                let commands = mean_command(times, gaps[0], command, [from, to], motors);
+                let rates = mean(record.rates.within(from, to)).or(record.rates.at(time, gaps[1]));
+                let force = mean(record.force.within(from, to)).or(record.force.at(time, gaps[2]));
                 let is_valid = rates.is_some() && commands.iter().all(|u| u.is_finite());
                 Sample {
                     time,
@@ -70,7 +78,19 @@ impl Samples {
             samples[i].turning = turning;
         }
         samples.iter_mut().for_each(|s| s.is_valid &= s.turning.iter().all(|x| x.is_finite()));
-        Some(Samples { step, samples })
+        Some(Samples { step, share: (step / slowest).min(1.0), samples })
+    }
+
+    /// What each rotor gives of its command if some of them changed, as commands.
+    pub fn with(&self, changes: &[Change]) -> Self {
+        let mut changed = self.clone();
+        for change in changes {
+            for sample in changed.samples.iter_mut().filter(|sample| sample.time > change.time) {
+                let command = &mut sample.commands[change.motor];
+                *command = change.given(*command);
+            }
+        }
+        changed
     }
 
     /// The commands as the rotors follow them with a time constant (s), averaged as the angular acceleration is.
@@ -102,14 +122,36 @@ fn mean(values: &[[f32; 3]]) -> Option<[f64; 3]> {
     (!values.is_empty()).then(|| std::array::from_fn(|k| values.iter().map(|v| f64::from(v[k])).sum::<f64>() / count))
 }
 
-/// The mean of the commands in a window: of those in it, or else the last before it if that is not long ago.
-fn mean_command(times: &[f64], command: &dyn Fn(usize, usize) -> f64, from: f64, to: f64, motors: usize) -> Vec<f64> {
+/// The mean of the commands in a window, of every motor. A sample of the outputs is their value at its time; between two
+/// samples they are taken as linear. NaN where samples are missing.
+fn mean_command(
+    times: &[f64],
+    gap: f64,
+    command: &dyn Fn(usize, usize) -> f64,
+    [from, to]: [f64; 2],
+    motors: usize,
+) -> Vec<f64> {
     let [a, b] = [from, to].map(|t| times.partition_point(|x| *x < t));
-    if b > a {
-        return (0..motors).map(|k| (a..b).map(|row| command(row, k)).sum::<f64>() / (b - a) as f64).collect();
-    }
-    match a.checked_sub(1).filter(|row| from - times[*row] < GAP * (to - from)) {
-        Some(row) => (0..motors).map(|k| command(row, k)).collect(),
-        None => vec![f64::NAN; motors],
-    }
+    // The instants inside, and those at which the window begins and ends, as a row and a share of the next.
+    let at = |t: f64, next: usize| match next {
+        0 => None,
+        n if n == times.len() => (t - times[n - 1] < gap).then_some((n - 1, 0.0)),
+        n if times[n] - times[n - 1] > gap => (t - times[n - 1] < gap).then_some((n - 1, 0.0)),
+        n => Some((n - 1, (t - times[n - 1]) / (times[n] - times[n - 1]))),
+    };
+    let first = at(from, a).map(|place| (from, place)).or((b > a).then(|| (from, (a, 0.0))));
+    let Some((first, last)) = first.zip(at(to, b).map(|place| (to, place))) else { return vec![f64::NAN; motors] };
+    let inside = (a..b).map(|row| (times[row], (row, 0.0)));
+    let points: Vec<(f64, (usize, f64))> = [first].into_iter().chain(inside).chain([last]).collect();
+    let value = |motor: usize, (row, share): (usize, f64)| match share {
+        0.0 => command(row, motor),
+        _ => (1.0 - share) * command(row, motor) + share * command(row + 1, motor),
+    };
+    let area = |motor: usize| {
+        let part = |pair: &[(f64, (usize, f64))]| {
+            0.5 * (pair[1].0 - pair[0].0) * (value(motor, pair[0].1) + value(motor, pair[1].1))
+        };
+        points.windows(2).map(part).sum::<f64>()
+    };
+    (0..motors).map(|motor| area(motor) / (to - from)).collect()
 }

@@ -4,13 +4,13 @@ use super::capacity::{Capacity, capacities};
 use super::change::{Change, strongest};
 use super::ending::{Flight, flights};
 use super::fit::{Effect, Fit};
+use super::hidden::{DETERMINED, Mixed};
 use super::onset::onset;
 use super::outputs::{Frozen, frozen};
 use super::record::{Commands, MOTORS, Record, median};
 use super::samples::Samples;
 use super::transient::sudden;
 use crate::cancel;
-use nalgebra::DMatrix;
 
 /// The most losses that are looked for in one flight.
 const MOST_LOSSES: usize = 4;
@@ -35,7 +35,8 @@ pub enum Kind {
     Lost,
     /// Less thrust than commanded.
     Reduced,
-    /// The autopilot's output is held at one value.
+    /// The same thrust whatever the command: the autopilot's output is held at one value, or, by the motion, the motor
+    /// is.
     Held,
     /// The autopilot's output is off.
     Off,
@@ -60,8 +61,8 @@ pub struct Loss {
     /// s, in the time of the log, with a 95 % interval.
     pub time: f64,
     pub interval: [f64; 2],
-    /// Share of full thrust that follows the command, with a 95 % interval; of a held output the share that it is held
-    /// at.
+    /// Share of full thrust that follows the command, with a 95 % interval; if held, the share of full thrust that it
+    /// is held at.
     pub capacity: f64,
     pub capacity_interval: [f64; 2],
     pub kind: Kind,
@@ -93,11 +94,14 @@ pub struct Study {
 /// `hidden` outputs (motors from 0) are not looked at. `None` if commands or rates are logged too slowly for any
 /// answer.
 pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &[usize]) -> Option<Study> {
-    let mixed = Mixed::of(effects, hidden);
+    let seen = |row: usize, motor: usize| commands(row, motor).0;
+    let mixed = Mixed::of(record, effects, hidden);
     let command = |row: usize, motor: usize| match &mixed {
-        Some(mixed) if hidden.contains(&motor) => mixed.command(motor, |k| commands(row, k).0),
-        _ => commands(row, motor).0,
+        Some(mixed) if hidden.contains(&motor) => mixed.command(row, motor, &seen),
+        _ => seen(row, motor),
     };
+    // Otherwise a torque or the thrust is open, so that the commands of hidden motors do not follow.
+    let can_search = mixed.as_ref().map_or(effects.len() >= DETERMINED, Mixed::is_determined);
     let samples = Samples::of(record, effects.len(), &command)?;
     let flights = flights(record, &samples);
     let mut study = Study {
@@ -110,13 +114,13 @@ pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &
         is_searched: false,
     };
     for flight in study.flights.clone() {
-        let found = losses_of(record, commands, effects, hidden, &samples, &flight);
+        let found = losses_of(record, commands, effects, hidden, &samples, &flight, can_search);
         let was_off = |loss: &Loss| {
             loss.kind == Kind::Off && study.losses.iter().any(|l| l.kind == Kind::Off && l.motor == loss.motor)
         };
         let new: Vec<Loss> = found.into_iter().filter(|loss| !was_off(loss)).collect();
         study.losses.extend(new);
-        study.is_searched |= effects.len() - hidden.len() >= 4 && flight.to - flight.from > 2.0 * TAKE_OFF;
+        study.is_searched |= can_search && flight.to - flight.from > 2.0 * TAKE_OFF;
     }
     study.losses.sort_by(|a, b| a.time.total_cmp(&b.time));
     if let Some(flight) = study.flights.iter().max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from))) {
@@ -132,28 +136,6 @@ pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &
     Some(study)
 }
 
-/// What the mixer would command hidden motors: the combination of thrust and torques nearest to the others' commands.
-struct Mixed {
-    seen: Vec<usize>,
-    /// For each motor the share of each seen command in its own.
-    shares: DMatrix<f64>,
-}
-
-impl Mixed {
-    /// `None` if no motor is hidden.
-    fn of(effects: &[Effect], hidden: &[usize]) -> Option<Self> {
-        let seen: Vec<usize> = (0..effects.len()).filter(|k| !hidden.contains(k)).collect();
-        let of_seen = DMatrix::from_fn(seen.len(), 4, |row, axis| effects[seen[row]][axis]);
-        let of_all = DMatrix::from_fn(effects.len(), 4, |motor, axis| effects[motor][axis]);
-        let inverse = of_seen.pseudo_inverse(1e-6).ok().filter(|_| !hidden.is_empty())?;
-        Some(Mixed { seen, shares: of_all * inverse })
-    }
-
-    fn command(&self, motor: usize, of_seen: impl Fn(usize) -> f64) -> f64 {
-        self.seen.iter().enumerate().map(|(i, k)| self.shares[(motor, i)] * of_seen(*k)).sum::<f64>().clamp(0.0, 1.0)
-    }
-}
-
 fn losses_of(
     record: &Record,
     commands: &Commands,
@@ -161,6 +143,7 @@ fn losses_of(
     hidden: &[usize],
     samples: &Samples,
     flight: &Flight,
+    can_search: bool,
 ) -> Vec<Loss> {
     let motors = effects.len();
     let mut losses: Vec<Loss> = Vec::new();
@@ -191,17 +174,29 @@ fn losses_of(
     let range = window(range[0])..window(range[1]);
     let mut fit = Fit::of(samples, effects, in_air);
     let mut moved: Vec<Change> = Vec::new();
-    // Fewer than four commands leave a torque or the thrust open, so that those of the others do not follow.
-    if motors - hidden.len() < 4 {
+    if !can_search {
         return losses;
     }
-    let candidates = sudden(samples, effects, range.clone());
-    let found = candidates.strongest.iter().filter_map(|one| onset(samples, effects, range.clone(), one.time));
-    let mut found = found.max_by(|a, b| a.strength.total_cmp(&b.strength));
-    if let (Some(found), Some(clear)) = (&mut found, &candidates.clear) {
-        found.narrow(clear);
+    for round in 0..MOST_LOSSES {
+        cancel::checkpoint();
+        let samples = samples.with(&moved);
+        let candidates = sudden(&samples, effects, range.clone());
+        let found = candidates.strongest.iter().filter_map(|one| onset(&samples, effects, range.clone(), one.time));
+        // What is left of a change that is known is not another one, and a disturbed flight shows only whole losses.
+        let is_new = |one: &Change| {
+            moved.iter().all(|known| (known.time - one.time).abs() > SAME && one.capacity < LOST && !one.is_held)
+        };
+        let mut found = found.filter(is_new).max_by(|a, b| a.strength.total_cmp(&b.strength));
+        if round == 0 {
+            if let (Some(found), Some(clear)) = (&mut found, &candidates.clear) {
+                found.narrow(clear);
+            }
+            found = found.or(candidates.clear);
+        }
+        let Some(found) = found else { break };
+        moved.push(found);
+        moved.sort_by(|a, b| a.time.total_cmp(&b.time));
     }
-    moved.extend(found.or(candidates.clear));
     for round in 0..=MOST_LOSSES {
         cancel::checkpoint();
         let residuals = residuals_after(&fit, samples, effects, &moved);
@@ -219,10 +214,13 @@ fn losses_of(
             moved.push(change);
         }
     }
-    let taken: Vec<f64> =
-        losses.iter().filter(|loss| loss.evidence == Evidence::Output).map(|loss| loss.time).collect();
-    let is_unsettled = |time: f64| taken.iter().any(|t| time > t - SAME && time < t + UNSETTLED);
-    for change in moved.into_iter().filter(|change| change.capacity < 0.5 || !is_unsettled(change.time)) {
+    let taken: Vec<(usize, f64)> =
+        losses.iter().filter(|loss| loss.evidence == Evidence::Output).map(|loss| (loss.motor, loss.time)).collect();
+    let is_doubtful = |change: &Change| {
+        let is_weak = |motor: usize| change.capacity >= 0.5 || change.is_held || change.motor == motor;
+        taken.iter().any(|(motor, t)| change.time > t - SAME && change.time < t + UNSETTLED && is_weak(*motor))
+    };
+    for change in moved.into_iter().filter(|change| !is_doubtful(change)) {
         add(
             &mut losses,
             Loss {
@@ -231,7 +229,11 @@ fn losses_of(
                 interval: change.interval,
                 capacity: change.capacity,
                 capacity_interval: change.capacity_interval,
-                kind: if change.capacity < LOST { Kind::Lost } else { Kind::Reduced },
+                kind: match change.capacity {
+                    c if c < LOST => Kind::Lost,
+                    _ if change.is_held => Kind::Held,
+                    _ => Kind::Reduced,
+                },
                 evidence: Evidence::Motion,
                 alternatives: change.alternatives,
             },
@@ -248,16 +250,16 @@ fn add(losses: &mut Vec<Loss>, loss: Loss) {
     }
 }
 
-/// The residuals with the capacities of the changes that are known.
+/// The residuals with what the rotors give after the changes that are known.
 fn residuals_after(fit: &Fit, samples: &Samples, effects: &[Effect], changes: &[Change]) -> Vec<[f64; 4]> {
     let n = samples.samples.len();
     (0..n)
         .map(|i| {
-            let mut capacity = vec![1.0; effects.len()];
+            let mut given = fit.commands[i].clone();
             for change in changes.iter().filter(|change| samples.samples[i].time > change.time) {
-                capacity[change.motor] = change.capacity;
+                given[change.motor] = change.given(given[change.motor]);
             }
-            fit.residual(samples, effects, i, &capacity)
+            fit.residual(samples, effects, i, &given)
         })
         .collect()
 }

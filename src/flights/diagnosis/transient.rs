@@ -85,7 +85,8 @@ impl Around<'_> {
     fn error(&self, late: std::ops::Range<usize>, lost: Option<Tried>) -> f64 {
         let mut total = 0.0;
         for axis in 0..3 {
-            let weight = |turning: f64| 1.0 / (self.spread[axis].powi(2) + (MODEL_ERROR * turning).powi(2));
+            let weight =
+                |turning: f64| self.samples.share / (self.spread[axis].powi(2) + (MODEL_ERROR * turning).powi(2));
             let turning = |i: usize| self.samples.samples[i].turning[axis] - self.offset[axis];
             let (mut xx, mut xy) = (1e-9, 0.0);
             for &i in self.rows.iter().take_while(|i| **i < late.end) {
@@ -198,11 +199,12 @@ impl<'s> Around<'s> {
         if healthy - error < THRESHOLD || error > EXPLAINS * healthy {
             return None;
         }
-        let noise = (error / (3 * (end - start)) as f64).max(1.0);
+        let noise = (error / (self.samples.share * (3 * (end - start)) as f64)).max(1.0);
         let step = self.samples.step;
         let time = self.samples.samples[start].time - 0.5 * step;
         let change = Change {
             motor,
+            is_held: false,
             time,
             interval: [time - 2.0 * step, time + step],
             capacity,

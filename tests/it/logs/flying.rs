@@ -17,6 +17,8 @@ pub enum Fault {
     Off(usize, f64),
     /// Its output stays at this pulse.
     Held(usize, f64, u16),
+    /// It gives this share of full thrust whatever its output.
+    Stuck(usize, f64, f64),
 }
 
 /// Numbers from a linear congruence: roughly normal, the same on every machine.
@@ -77,6 +79,7 @@ pub fn log(fault: Fault, seconds: f64, outputs: f64, rates: f64, seed: u64) -> V
     let mut log = Log(Vec::new());
     log.format(1, 31, "PARM", "QNf", "TimeUS,Name,Value");
     log.format(2, 23, "RCOU", "QHHHHHH", "TimeUS,C1,C2,C3,C4,C5,C6");
+    log.format(4, 27, "RATE", "Qffff", "TimeUS,ROut,POut,YOut,AOut");
     log.format(3, 36, "IMU", "QBffffff", "TimeUS,I,GyrX,GyrY,GyrZ,AccX,AccY,AccZ");
     for (name, value) in [("FRAME_CLASS", 2.0), ("FRAME_TYPE", 1.0), ("MOT_PWM_MIN", 1000.0), ("MOT_PWM_MAX", 2000.0)] {
         log.parameter(name, value);
@@ -84,6 +87,7 @@ pub fn log(fault: Fault, seconds: f64, outputs: f64, rates: f64, seed: u64) -> V
     (1..=6).for_each(|k| log.parameter(&format!("SERVO{k}_FUNCTION"), 32.0 + k as f32));
     let place = |(angle, spin): (f64, f64)| [-angle.to_radians().sin(), -angle.to_radians().cos(), spin];
     let effects = MOTORS.map(place);
+    let largest: [f64; 3] = std::array::from_fn(|k| effects.iter().map(|e| e[k].abs()).fold(0.0, f64::max));
     let (mut angles, mut turns, mut thrusts) = ([0.0; 3], [0.0; 3], [HOVER; 6]);
     let mut gust = [0.0; 3];
     let (mut due_outputs, mut due_rates) = (0.0, 0.0);
@@ -99,14 +103,17 @@ pub fn log(fault: Fault, seconds: f64, outputs: f64, rates: f64, seed: u64) -> V
             pulse(HOVER + torque)
         });
         let mut capacity = [1.0; 6];
+        let mut stuck = [None; 6];
         match fault {
+            Fault::Stuck(m, at, share) if t >= at => stuck[m - 1] = Some(share),
             Fault::Capacity(m, at, c) if t >= at => capacity[m - 1] = c,
             Fault::Off(m, at) if t >= at => pulses[m - 1] = 1000,
             Fault::Held(m, at, output) if t >= at => pulses[m - 1] = output,
             _ => {}
         }
+        let given: [f64; 6] = std::array::from_fn(|m| stuck[m].unwrap_or(capacity[m] * share(f64::from(pulses[m]))));
         for m in 0..6 {
-            thrusts[m] += STEP / 0.04 * (capacity[m] * share(f64::from(pulses[m])) - thrusts[m]);
+            thrusts[m] += STEP / 0.04 * (given[m] - thrusts[m]);
         }
         for k in 0..3 {
             gust[k] += -STEP * gust[k] + 0.05 * STEP.sqrt() * noise.normal();
@@ -117,6 +124,10 @@ pub fn log(fault: Fault, seconds: f64, outputs: f64, rates: f64, seed: u64) -> V
         let time = 5.0 + t;
         if t >= due_outputs {
             due_outputs += 1.0 / outputs;
+            // What the mixer adds to the motors of the largest effect, doubled; forward, right, down.
+            let demand = [2.0 / 3.0, -2.0 / 3.0, -2.0 / 6.0];
+            let demands = (0..3).map(|k| demand[k] * largest[k] * wanted[k]).chain([HOVER]);
+            log.message(4, time, &demands.flat_map(|x| (x as f32).to_le_bytes()).collect::<Vec<u8>>());
             log.message(2, time, &pulses.iter().flat_map(|p| p.to_le_bytes()).collect::<Vec<u8>>());
         }
         if t >= due_rates {

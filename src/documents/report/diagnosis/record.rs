@@ -51,13 +51,14 @@ struct LossRecord {
     time_s: f64,
     /// 95 % interval of the time, s.
     interval_s: [f64; 2],
-    /// The share of its thrust that the rotor gives after it; of a held output the share of full thrust at which it is
-    /// held.
+    /// The share of its thrust that the rotor gives after it; if it is held, the share of full thrust at which
+    /// it is.
     #[cfg_attr(test, schemars(range(min = 0, max = 1)))]
     capacity: f64,
     /// 95 % interval of the capacity.
     capacity_interval: [f64; 2],
-    /// `lost`, `reduced`; `off` or `held` if the autopilot's own output was off or held at one value.
+    /// `lost`, `reduced`; `off` or `held` if the autopilot's own output was off or held at one value; `held` by the
+    /// motion if the rotor gives the same thrust whatever its command.
     kind: &'static str,
     /// What shows it: `motion` of the vehicle, `output` of the autopilot, or `speed` of the rotor.
     evidence: &'static str,

@@ -75,9 +75,15 @@ fn headline(diagnosis: &Diagnosis, loss: &Loss, after: &ModeAnalysis) -> String 
             percent(loss.capacity_interval[1])
         ),
         (Kind::Off, _) => format!("{motor}: its output is off from {time} on"),
-        (Kind::Held, _) => {
+        (Kind::Held, Evidence::Output) => {
             format!("{motor}: its output is held at {} % of full thrust from {time} on", percent(loss.capacity))
         }
+        (Kind::Held, _) => format!(
+            "{motor} gives {} % of full thrust ({} to {} %) whatever its command from {time} on",
+            percent(loss.capacity),
+            percent(loss.capacity_interval[0]),
+            percent(loss.capacity_interval[1])
+        ),
     };
     format!("{what}; after it the {}: {}", layout(diagnosis), after.outcome.word())
 }
