@@ -1,10 +1,11 @@
 """Recorded logs, diagnosed and compared with what is known of them.
 
-    python3 benches/diagnosis/recorded.py target/release/mavc FOLDER
+    python3 benches/diagnosis/recorded.py target/release/mavc FOLDER [GOOD.bin ...]
 
 FOLDER has logs and `truth.csv`: log, motor, taken_s (when the output of the motor was taken away), held_us, off_s (when
 it was switched off). A log without a row had no loss. Logs with a row are diagnosed a second time with the outputs of
-their motors hidden, as if the motors themselves had failed.
+their motors hidden, as if the motors themselves had failed, and the motor of which the mean output over the flight
+deviates most is printed beside it (with the package pymavlink). Those without one are compared with the logs GOOD.
 """
 
 import collections
@@ -20,8 +21,24 @@ def diagnose(mavc, log, *options):
     return json.loads(run.stdout) if run.stdout else {"answer": run.stderr.strip().splitlines()[0], "losses": []}
 
 
+def deviates_most(log, motors, hidden):
+    """The motor whose mean pulse in flight is farthest from that of all, of those that are not hidden, and how far, us."""
+    try:
+        from pymavlink.DFReader import DFReader_binary
+    except ImportError:
+        return "unknown: no pymavlink"
+    reader, rows = DFReader_binary(str(log)), []
+    while (message := reader.recv_match(type="RCOU")) is not None:
+        rows.append([getattr(message, f"C{k + 1}") for k in range(motors)])
+    rows = [row for row in rows if sum(row) > 1300 * motors]
+    means = [sum(row[k] for row in rows) / len(rows) for k in range(motors)]
+    apart = [mean - sum(means) / motors for mean in means]
+    motor = max((k for k in range(motors) if k + 1 not in hidden), key=lambda k: abs(apart[k]))
+    return motor + 1, round(apart[motor])
+
+
 def main():
-    mavc, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+    mavc, folder, good = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3:]
     truth = collections.defaultdict(list)
     with open(folder / "truth.csv") as lines:
         for row in csv.DictReader(lines):
@@ -42,6 +59,12 @@ def main():
             losses = diagnose(mavc, log, *[part for motor in motors for part in ("--hide", motor)])["losses"]
             named = [([loss["motor"], *loss["alternatives"]], round(loss["time_s"] - first[1], 2)) for loss in losses]
             print(f"    hidden: the first is motor {first[0]}; named, s after it: {named}")
+            mean = deviates_most(log, len(answer["capacities"]), [motor for motor, *_ in truth[log.name]])
+            print(f"    mean outputs: the motor that deviates most, us: {mean}")
+        elif good and log.suffix == ".bin" and str(log) not in good:
+            compared = diagnose(mavc, log, "--baseline", *good)
+            marked = [one["motor"] for one in compared["capacities"] if one.get("is_significant")]
+            print(f"    changed against the good flights: motors {marked}")
     print(f"{found} of {changes} changes of outputs found")
 
 

@@ -246,9 +246,30 @@ fn moments_of_the_whole_body_are_not_called_rotors() {
     assert!(error.message.contains("a moment of the whole body"), "{error:?}");
 }
 
-/// No file has a drag: the estimates stand in comments, change nothing there, and are fields when the slashes go.
+/// Rotors of the motor model have an inertia, slowed down in the simulation, and a drag across their axes.
+#[test]
+fn the_inertia_and_the_drag_of_rotors_are_read() {
+    let text = file("flat.sdf");
+    let inertia = |text: &str| vehicle(text).rotors.iter().map(|rotor| rotor.inertia).collect::<Vec<_>>();
+    assert_eq!(inertia(&text), [2e-7; 4]);
+    let real = text.replace("<motorType>", "<rotorVelocitySlowdownSim>1</rotorVelocitySlowdownSim><motorType>");
+    assert_eq!(inertia(&real), [2e-6; 4]);
+    let dragged = text.replace("<motorType>", "<rotorDragCoefficient>1e-4</rotorDragCoefficient><motorType>");
+    // Four rotors at sqrt(m g/(4 k)) rad/s.
+    let due = 4.0 * 1e-4 * (1.64 * 9.81 / (4.0 * 8e-6_f64)).sqrt();
+    let drag = vehicle(&dragged).drag;
+    assert!((drag[0] / due - 1.0).abs() < 1e-3 && drag[1] == drag[0] && drag[2] == 0.0, "{drag:?}, {due}");
+    let said = read(&dragged).text.unwrap();
+    assert!(!said.contains("// drag") && said.contains("// yaw_drag"), "{said}");
+    assert_eq!(read(&text).dropped, ["timeConstantDown"]);
+    let world = "<sdf version='1.9'><world name='w'><include><uri>x500</uri></include></world></sdf>";
+    assert!(read(world).diagnostics.pop().unwrap().message.contains("the world includes its vehicles"));
+}
+
+/// Without figures of the file the estimates stand in comments, change nothing there, and are fields when the slashes go.
 #[test]
 fn estimates_stand_in_comments() {
+    let file = |name: &str| file(name).replace("<izz>2e-6</izz>", "");
     let text = read(&file("flat.sdf")).text.unwrap();
     let plain = vehicle(&file("flat.sdf"));
     assert!(plain.yaw_drag.is_none() && !plain.has_rotor_inertia() && plain.drag == [0.0; 3]);

@@ -22,11 +22,14 @@ pub enum Foreign {
     Result(&'static str),
 }
 
+const PX4_LOG: &str = "a log of PX4";
+const ARDUPILOT_LOG: &str = "a log of ArduPilot";
+
 /// First bytes of logs. Sources: ULog file format of PX4; `AP_Logger` of ArduPilot (`HEAD_BYTE1`, `HEAD_BYTE2`); MCAP
 /// and rosbag specifications.
 const LOGS: [(&[u8], &str); 5] = [
-    (b"ULog\x01\x12\x35", "a log of PX4"),
-    (b"\xa3\x95", "a log of ArduPilot"),
+    (b"ULog\x01\x12\x35", PX4_LOG),
+    (b"\xa3\x95", ARDUPILOT_LOG),
     (b"\x89MCAP0\r\n", "an MCAP recording"),
     (b"#ROSBAG V2.0", "a ROS bag"),
     (b"SQLite format 3\0", "a database, such as a ROS 2 bag"),
@@ -49,7 +52,10 @@ pub fn of_text(text: &str) -> Option<Foreign> {
     }
     if start.starts_with('<') {
         let roots = [("<mujoco", "a model of MuJoCo"), ("<robot", "a URDF"), ("<sdf", "an SDF")];
-        return roots.into_iter().find(|(root, _)| start.contains(root)).map(|(_, what)| Foreign::Vehicle(what));
+        let found = roots.into_iter().find(|(root, _)| start.contains(root)).map(|(_, what)| Foreign::Vehicle(what));
+        // An expression of a template stands where XML has none: between tags, or as a whole value.
+        let is_template = found.is_some() && [">{{", "\"{{"].iter().any(|mark| start.contains(mark));
+        return if is_template { Some(Foreign::Template("Jinja")) } else { found };
     }
     if start.starts_with('{') {
         let has = |key: &str| start.contains(key);
@@ -151,8 +157,12 @@ impl Foreign {
             Foreign::Template(_) => {
                 format!("expand it first with its own program, then: `mavc import vehicle {stem}.sdf`")
             }
+            Foreign::Log(PX4_LOG | ARDUPILOT_LOG) => format!(
+                "make a spec of the vehicle that flew: `mavc identify {path} --mass 1.5kg -o {stem}.mav`; or look for a \
+                 failed motor: `mavc diagnose {path}`"
+            ),
             Foreign::Log(_) => {
-                "mavc reads no logs: name a spec, or save the vehicle's parameters and use `mavc import vehicle`".into()
+                "mavc reads logs of PX4 (`.ulg`) and ArduPilot (`.bin`): `mavc identify LOG --mass 1.5kg`".into()
             }
             Foreign::Certificate => format!("check it with its spec: `mavc verify {path} spec.mav`"),
             Foreign::Result(_) => "name the spec from which it was made".into(),
@@ -185,6 +195,7 @@ mod tests {
             ("<robot xmlns:xacro='a'><xacro:macro/></robot>", Some(Template("xacro"))),
             ("{# a #}\n<sdf/>", Some(Template("Jinja"))),
             ("<?xml version='1.0'?>{%- set a = 1 -%}<sdf/>", Some(Template("Jinja"))),
+            ("<sdf><mass>{{ mass }}</mass></sdf>", Some(Template("Jinja"))),
             ("<%= a %><sdf/>", Some(Template("ERB"))),
             ("<mujoco/>", Some(Vehicle("a model of MuJoCo"))),
             ("{\"fileType\": \"Plan\"}", Some(Mission("a plan of QGroundControl"))),

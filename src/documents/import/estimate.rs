@@ -16,7 +16,7 @@ pub use label::{Battery, Estimated, Label, battery, propeller, quantity};
 use std::f64::consts::TAU;
 
 /// m/s^2, and kg/m^3 at sea level.
-const GRAVITY: f64 = 9.81;
+pub const GRAVITY: f64 = 9.81;
 const AIR_DENSITY: f64 = 1.225;
 /// Static thrust coefficient C_T = T/(rho n^2 D^4). APC's 10x4.7 has 0.104 to 0.127 (UIUC propeller data), the vehicles
 /// of the sources have 0.067 to 0.13.
@@ -60,6 +60,8 @@ pub struct Known {
     pub radius: f64,
     /// Of a propeller, m.
     pub diameter: f64,
+    /// Drag over speed, if it is known, N s/m.
+    pub drag: Option<f64>,
 }
 
 impl Known {
@@ -75,7 +77,7 @@ impl Known {
     /// Drag of the vehicle divided by its speed, N s/m: that of rotors that move across their axes.
     pub fn drag(&self) -> f64 {
         let tips = 0.5 * self.diameter * self.speed(self.hover_thrust());
-        SIDEWAYS * self.mass * GRAVITY / tips
+        self.drag.unwrap_or(SIDEWAYS * self.mass * GRAVITY / tips)
     }
 
     /// Yaw drag, N m s/rad: the same drag, as a turn about z moves every rotor across its axis.
@@ -164,21 +166,21 @@ mod tests {
     const SOURCES: [(&str, Known, f64, f64, [f64; 2]); 3] = [
         (
             "Mueller and D'Andrea",
-            Known { mass: 0.5, rotors: 4, radius: 0.17, diameter: 0.2 },
+            Known { mass: 0.5, rotors: 4, radius: 0.17, diameter: 0.2, drag: None },
             6.41e-6,
             1.69e-2,
             [3.2e-3, 5.5e-3],
         ),
         (
             "RotorPy's Hummingbird",
-            Known { mass: 0.5, rotors: 4, radius: 0.17, diameter: 0.2 },
+            Known { mass: 0.5, rotors: 4, radius: 0.17, diameter: 0.2, drag: None },
             5.57e-6,
             1.36e-7 / 5.57e-6,
             [3.65e-3, 7.03e-3],
         ),
         (
             "RotorS's Neo 11",
-            Known { mass: 3.42, rotors: 6, radius: 0.2895, diameter: 0.2794 },
+            Known { mass: 3.42, rotors: 6, radius: 0.2895, diameter: 0.2794, drag: None },
             1.269e-5,
             0.016754,
             [6.0887e-2, 0.148916],
@@ -224,7 +226,7 @@ mod tests {
 
     #[test]
     fn the_rules_by_hand() {
-        let known = Known { mass: 1.5, rotors: 6, radius: 0.275, diameter: 0.254 };
+        let known = Known { mass: 1.5, rotors: 6, radius: 0.275, diameter: 0.254, drag: None };
         // T = 2.4525 N of each rotor at n = sqrt(T/(0.1 rho D^4)) = 69.4 1/s.
         let turns = (2.4525_f64 / (0.1 * 1.225 * 0.254_f64.powi(4))).sqrt();
         assert!((known.speed(2.4525) - TAU * turns).abs() < 1e-9 && (turns - 69.36).abs() < 0.01, "{turns}");

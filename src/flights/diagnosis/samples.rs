@@ -122,8 +122,8 @@ fn mean(values: &[[f32; 3]]) -> Option<[f64; 3]> {
     (!values.is_empty()).then(|| std::array::from_fn(|k| values.iter().map(|v| f64::from(v[k])).sum::<f64>() / count))
 }
 
-/// The mean of the commands in a window, of every motor. A sample of the outputs is their value at its time; between two
-/// samples they are taken as linear. NaN where samples are missing.
+/// The mean of the commands in a window: of those in it, or else at its middle between the one before and the one after,
+/// or the last if that is not long ago.
 fn mean_command(
     times: &[f64],
     gap: f64,
@@ -132,26 +132,13 @@ fn mean_command(
     motors: usize,
 ) -> Vec<f64> {
     let [a, b] = [from, to].map(|t| times.partition_point(|x| *x < t));
-    // The instants inside, and those at which the window begins and ends, as a row and a share of the next.
-    let at = |t: f64, next: usize| match next {
-        0 => None,
-        n if n == times.len() => (t - times[n - 1] < gap).then_some((n - 1, 0.0)),
-        n if times[n] - times[n - 1] > gap => (t - times[n - 1] < gap).then_some((n - 1, 0.0)),
-        n => Some((n - 1, (t - times[n - 1]) / (times[n] - times[n - 1]))),
+    if b > a {
+        return (0..motors).map(|k| (a..b).map(|row| command(row, k)).sum::<f64>() / (b - a) as f64).collect();
+    }
+    let Some(before) = a.checked_sub(1).filter(|row| from - times[*row] < gap) else { return vec![f64::NAN; motors] };
+    let share = match times.get(a) {
+        Some(after) if after - times[before] < gap => (0.5 * (from + to) - times[before]) / (after - times[before]),
+        _ => return (0..motors).map(|k| command(before, k)).collect(),
     };
-    let first = at(from, a).map(|place| (from, place)).or((b > a).then(|| (from, (a, 0.0))));
-    let Some((first, last)) = first.zip(at(to, b).map(|place| (to, place))) else { return vec![f64::NAN; motors] };
-    let inside = (a..b).map(|row| (times[row], (row, 0.0)));
-    let points: Vec<(f64, (usize, f64))> = [first].into_iter().chain(inside).chain([last]).collect();
-    let value = |motor: usize, (row, share): (usize, f64)| match share {
-        0.0 => command(row, motor),
-        _ => (1.0 - share) * command(row, motor) + share * command(row + 1, motor),
-    };
-    let area = |motor: usize| {
-        let part = |pair: &[(f64, (usize, f64))]| {
-            0.5 * (pair[1].0 - pair[0].0) * (value(motor, pair[0].1) + value(motor, pair[1].1))
-        };
-        points.windows(2).map(part).sum::<f64>()
-    };
-    (0..motors).map(|motor| area(motor) / (to - from)).collect()
+    (0..motors).map(|k| (1.0 - share) * command(before, k) + share * command(a, k)).collect()
 }

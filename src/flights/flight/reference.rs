@@ -153,9 +153,9 @@ impl Course<'_> {
     }
 }
 
-/// A stop: the velocity on each axis goes to zero along a polynomial of fifth degree that continues velocity,
-/// acceleration and jerk. A descent may follow. If the stop would use up the height above the ground, the vertical
-/// velocity goes to zero sooner.
+/// A stop: the velocity on each axis goes to zero along a polynomial of fifth degree that continues velocity and
+/// acceleration, and the jerk unless that needs much acceleration. A descent may follow. If the stop would use up the
+/// height above the ground, the vertical velocity goes to zero sooner.
 #[derive(Debug, Clone)]
 pub struct Stop {
     begin: f64,

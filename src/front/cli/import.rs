@@ -56,7 +56,7 @@ fn remarks(imported: &Imported, args: &ImportArgs) -> String {
             &imported.dropped.join(" "),
             textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  "),
         );
-        out.push_str(&format!("Left out of {}, because a spec has no word for it:\n{list}\n", shown(&args.file)));
+        out.push_str(&format!("Left out of {}, because no spec has or needs it:\n{list}\n", shown(&args.file)));
     }
     let text = imported.text.as_deref().unwrap_or_default();
     let unknown = text.lines().filter(|line| line.split("//").next().is_some_and(|code| code.contains('?'))).count();
@@ -69,7 +69,9 @@ fn remarks(imported: &Imported, args: &ImportArgs) -> String {
         };
         out.push_str(&format!("{lines} a `?` for a figure that the file does not give.\n{next}\n"));
     } else if let Some(to) = to.filter(|to| to != "-") {
-        out.push_str(&format!("{to} written. Next: mavc check {to}\n"));
+        let has_vehicle = text.lines().any(|line| line.starts_with("vehicle ") || line.starts_with("use "));
+        let first = if has_vehicle { "" } else { "begin it with `use \"v.mav\"`, your vehicle's spec, then: " };
+        out.push_str(&format!("{to} written. Next: {first}mavc check {to}\n"));
     }
     out
 }

@@ -57,7 +57,7 @@ fn a_landing_ends_on_the_ground_whatever_its_altitude() {
     assert!(remarks[0].2.contains("20 m above home"), "{remarks:?}");
     let lower = text.replace("8.5405\t20\t", "8.5405\t-7\t");
     assert_eq!(heights(&mission("a.txt", &lower)).last(), Some(&-7.0));
-    assert_eq!(found(&lower), []);
+    assert!(found(&lower)[0].2.contains("7 m below the planned home"), "{:?}", found(&lower));
     let level = text.replace("8.5405\t20\t", "8.5405\t0\t");
     assert_eq!((heights(&mission("a.txt", &level)), found(&level).len()), (heights(&flown), 0));
     // A landing where the vehicle is.
@@ -70,7 +70,7 @@ fn a_landing_ends_on_the_ground_whatever_its_altitude() {
 fn vertical_speeds_are_those_of_the_autopilot() {
     let px4 = file("slow_landing.plan");
     let ardupilot = px4.replace("\"firmwareType\": 12", "\"firmwareType\": 3");
-    for (text, climb, take_off, land) in [(&px4, 3.0, 1.5, 0.7), (&ardupilot, 2.5, 2.5, 0.5)] {
+    for (text, level, climb, take_off, land) in [(&px4, 5.0, 3.0, 1.5, 0.7), (&ardupilot, 10.0, 2.5, 2.5, 0.5)] {
         let flown = mission("a.plan", text);
         assert_eq!(heights(&flown), [0.0, 20.0, 20.0, 20.0, 10.0, 0.0]);
         // The least of the limits on each leg, by the leg's waypoint.
@@ -84,15 +84,86 @@ fn vertical_speeds_are_those_of_the_autopilot() {
         };
         assert_eq!([2, 3].map(|leg| least("climb", leg)), [take_off, climb]);
         assert_eq!([3, 5, 6].map(|leg| least("descent", leg)), [1.5, 1.5, land]);
-        assert_eq!(least("horizontal speed", 3), 5.0, "hoverSpeed");
+        assert_eq!(least("horizontal speed", 3), level);
     }
     let text = spec("a.plan", &px4);
-    for name in ["PX4's default MPC_Z_V_AUTO_UP", "PX4's default MPC_Z_V_AUTO_DN", "hoverSpeed"] {
+    for name in ["PX4's default MPC_Z_V_AUTO_UP", "PX4's default MPC_Z_V_AUTO_DN"] {
         assert!(text.contains(name), "{name}\n{text}");
     }
-    let without = px4.replace("\"hoverSpeed\": 5", "\"hover\": 5");
-    assert!(spec("a.plan", &without).contains("speed_horizontal <= 5 m/s    // PX4's default MPC_XY_CRUISE"));
+    // With it QGroundControl estimates the duration; the autopilot does not get it.
+    let faster = px4.replace("\"hoverSpeed\": 5", "\"hoverSpeed\": 7");
+    assert!(spec("a.plan", &faster).contains("speed_horizontal <= 5 m/s    // PX4's default MPC_XY_CRUISE"));
     assert!(spec("a.txt", &file("loiter_here.txt")).contains("speed_horizontal <= 10 m/s   // ArduPilot's default"));
+}
+
+/// PX4, `RtlDirect::on_activation`, and ArduCopter, `rtl_start`: a return has the default speed, whatever was set before.
+/// Both return to a rally point that is nearer than home.
+#[test]
+fn a_return_is_at_the_default_speed_and_may_go_to_a_rally_point() {
+    let text = HOME.to_string()
+        + &line(1, 3, 22, [0.0; 4], [0.0, 0.0, 25.0])
+        + &line(2, 3, 178, [1.0, 17.0, -1.0, 0.0], [0.0; 3])
+        + &line(3, 3, 16, [0.0; 4], [47.402, 8.54, 25.0])
+        + &line(4, 3, 20, [0.0; 4], [0.0; 3]);
+    let lines: Vec<String> = spec("a.txt", &text).lines().map(String::from).collect();
+    let has = |item: &str, speed: &str| lines.iter().any(|line| line.contains(item) && line.contains(speed));
+    assert!(has("item 2", "speed_horizontal <= 17 m/s"), "{lines:#?}");
+    assert!(
+        ["to above the landing", "land at home"].iter().all(|leg| has(leg, "speed_horizontal <= 10 m/s")),
+        "{lines:#?}"
+    );
+    assert!(found(&text).iter().all(|(.., message)| !message.contains("rally")));
+    let rally = text.clone() + &line(5, 3, 5100, [0.0; 4], [47.402, 8.5401, 20.0]);
+    let said = found(&rally);
+    assert!(said.iter().any(|(.., message)| message.contains("ArduPilot returns to a rally point")), "{said:?}");
+}
+
+/// ArduCopter, `takeoff_start`: never below the present height. PX4, `handleTakeoff` and `handleLanding`: no heading.
+#[test]
+fn take_offs_in_the_air_and_headings_of_take_offs_and_landings() {
+    let text = HOME.to_string()
+        + &line(1, 3, 22, [0.0; 4], [0.0, 0.0, 25.0])
+        + &line(2, 3, 22, [0.0; 4], [0.0, 0.0, 20.0])
+        + &line(3, 3, 22, [0.0; 4], [0.0, 0.0, 30.0])
+        + &line(4, 3, 16, [0.0; 4], [47.401, 8.54, 30.0]);
+    assert_eq!(heights(&mission("a.txt", &text)), [0.0, 25.0, 30.0, 30.0]);
+    assert!(found(&text)[0].2.contains("item 2") && found(&text)[0].2.contains("does not descend"));
+    let plan = file("slow_landing.plan");
+    let turned = plan.replacen("null,", "90,", 9);
+    assert_ne!(plan, turned);
+    let yaws = spec("a.plan", &turned);
+    let with = |word: &str| yaws.lines().filter(|line| line.contains(word)).any(|line| line.contains("yaw 0 deg"));
+    assert!(!with("take-off") && !with("land"), "{yaws}");
+}
+
+/// One warning for items after the end, and one for each command without an effect on the flight.
+#[test]
+fn what_repeats_is_said_once() {
+    let servo = |number| line(number, 3, 183, [3.0, 1500.0, 0.0, 0.0], [0.0; 3]);
+    let text = HOME.to_string()
+        + &line(1, 3, 22, [0.0; 4], [0.0, 0.0, 25.0])
+        + &(2..5).map(servo).collect::<String>()
+        + &line(5, 3, 16, [0.0; 4], [47.401, 8.54, 25.0])
+        + &line(6, 3, 17, [0.0; 4], [47.401, 8.54, 25.0])
+        + &(7..12).map(servo).collect::<String>();
+    let said: Vec<String> = found(&text).into_iter().map(|(.., message)| message).collect();
+    assert_eq!(said.len(), 2, "{said:?}");
+    assert!(said[0].starts_with("item 2: command 183 (DO_SET_SERVO)"), "{said:?}");
+    assert!(said[0].ends_with("here and in 2 more items"), "{said:?}");
+    assert_eq!(said[1], "item 7 to item 11 come after item 6, which ends the mission");
+    // A first line that is not a home.
+    let homeless = text.replacen("0\t1\t0\t16", "1\t1\t3\t16", 1);
+    assert!(found(&homeless)[0].2.starts_with("the first line is taken for the planned home"));
+}
+
+/// A table without a header: degrees are not metres.
+#[test]
+fn a_table_of_degrees_is_refused() {
+    let refused = |text: &str| read("a.csv", text).diagnostics.iter().any(|d| d.severity == Error);
+    assert!(refused("47.397742,8.545594,10\n47.398742,8.545594,10\n47.398742,8.546594,10\n"));
+    assert!(!refused("47.397,8.545,10\n47.397,8.545,12\n"), "straight up");
+    assert!(!refused("0.0012345,0.0012345,1\n0.1234567,0.1234567,1\n"), "a small flight");
+    assert!(!refused("10.123456,8.123456,10\n14.123456,8.123456,10\n"), "a flight");
 }
 
 /// The command turns on the way to the next place, and holds for that place alone.

@@ -20,7 +20,7 @@ fn a_plan_of_qgroundcontrol() {
         .collect();
     let item = |n: u8| format!("item {n}:");
     assert_eq!(codes, [("mavc::import::left_out", Warning, item(3)), ("mavc::import::assumed", Warning, item(7))]);
-    assert_eq!(read("", PLAN).dropped, ["cruiseSpeed"]);
+    assert_eq!(read("", PLAN).dropped, ["cruiseSpeed", "hoverSpeed"]);
 }
 
 #[test]

@@ -63,8 +63,13 @@ impl Label {
     /// # Errors
     /// The first message of a spec with these figures, such as a number of motors that is odd.
     pub fn spec(&self) -> Result<Estimated, String> {
-        let known =
-            Known { mass: self.mass, rotors: self.motors, radius: 0.5 * self.diagonal, diameter: self.propeller };
+        let known = Known {
+            mass: self.mass,
+            rotors: self.motors,
+            radius: 0.5 * self.diagonal,
+            diameter: self.propeller,
+            drag: None,
+        };
         let full = self.thrust.unwrap_or(THRUST_TO_WEIGHT * known.hover_thrust());
         let text = format(FileId(0), &Source::new("", self.text(&known, full)));
         let text = text.value.unwrap_or_default();

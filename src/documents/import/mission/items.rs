@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::geodesy::{Geodetic, TangentPlane};
 use crate::import::{SYNTAX, UNSUPPORTED, at};
 use crate::model::MAX_WAYPOINTS;
-use crate::number::number;
+use crate::number::{number, plural};
 use std::ops::Range;
 
 /// An item as the file has it.
@@ -35,20 +35,17 @@ pub struct FileSettings {
     pub home: Home,
     /// The autopilot is ArduPilot, otherwise PX4.
     pub is_ardupilot: bool,
-    /// Speeds before the first item.
-    pub speeds: Speeds,
 }
 
 impl FileSettings {
     /// The speeds of the autopilot that flies the mission.
     pub fn of(home: Home, is_ardupilot: bool) -> Self {
-        let speeds = autopilot(is_ardupilot).speeds(&home.span);
-        FileSettings { home, is_ardupilot, speeds }
+        FileSettings { home, is_ardupilot }
     }
-}
 
-fn autopilot(is_ardupilot: bool) -> &'static Autopilot {
-    if is_ardupilot { &ARDUPILOT } else { &PX4 }
+    pub fn autopilot(&self) -> &'static Autopilot {
+        if self.is_ardupilot { &ARDUPILOT } else { &PX4 }
+    }
 }
 
 /// How far an item may be from home, m: the bound of a spec, less what rounding adds.
@@ -59,6 +56,8 @@ const HEIGHTS: (f64, f64) = (-10e3, 100e3);
 const FRAMES: [f64; 7] = [0.0, 2.0, 3.0, 5.0, 6.0, 10.0, 11.0];
 /// m
 const CENTIMETRE: f64 = 0.01;
+/// The remark of a landing that ends a return.
+pub(super) const LANDS_AT_HOME: &str = "land at home";
 /// A take-off or landing nearer than this to the place above or below it is vertical, m.
 const SAME_PLACE: f64 = 0.5;
 
@@ -69,8 +68,11 @@ struct Follow<'f> {
     speeds: Speeds,
     stops: Vec<Stop>,
     found: &'f mut Vec<Diagnostic>,
-    /// The item after which nothing more is flown.
+    /// The item after which nothing more is flown, and those that come after it.
     ended: Option<Mark>,
+    late: Vec<Mark>,
+    /// Commands without an effect on the flight: the place of the warning in `found`, and how many items have it.
+    left_out: Vec<(u32, usize, usize)>,
     /// The last waypoint is of a spline, on which the vehicle leaves too.
     was_spline: bool,
     /// The yaw (deg, counter-clockwise from east) of the next place, which `MAV_CMD_CONDITION_YAW` sets.
@@ -110,10 +112,12 @@ pub fn follow(items: &[Item], setting: &FileSettings, draft: &mut Draft, found: 
     let mut follow = Follow {
         setting,
         plane,
-        speeds: setting.speeds.clone(),
+        speeds: setting.autopilot().speeds(&setting.home.span),
         stops: Vec::new(),
         found,
         ended: None,
+        late: Vec::new(),
+        left_out: Vec::new(),
         was_spline: false,
         turn: None,
         region: None,
@@ -128,16 +132,25 @@ pub fn follow(items: &[Item], setting: &FileSettings, draft: &mut Draft, found: 
             return Err(Box::new(error.help("divide it into several missions")));
         }
     }
+    if let (Some(end), [first, rest @ ..]) = (&follow.ended, &follow.late[..]) {
+        let all = rest.last().map_or(String::new(), |last| format!(" to {}", last.name));
+        let come = if rest.is_empty() { "comes" } else { "come" };
+        let message = format!("{}{all} {come} after {}, which ends the mission", first.name, end.name);
+        let warning = Diagnostic::warning(LEFT_OUT, at(first.span.clone()), message);
+        follow.found.push(warning.here("left out").also(at(end.span.clone()), "ends the mission"));
+    }
+    for (_, at, count) in follow.left_out.iter().filter(|(_, _, count)| *count > 1) {
+        let warning = &mut follow.found[*at];
+        warning.message = format!("{}, here and in {}", warning.message, plural(count - 1, "more item"));
+    }
     draft.stops = follow.stops;
     faults.end(found)
 }
 
 impl Follow<'_> {
     fn item(&mut self, item: &Item) -> Step {
-        if let Some(end) = &self.ended {
-            let message = format!("{} comes after {}, which ends the mission", item.mark.name, end.name);
-            let warning = Diagnostic::warning(LEFT_OUT, at(item.mark.span.clone()), message);
-            self.found.push(warning.here("left out").also(at(end.span.clone()), "ends the mission"));
+        if self.ended.is_some() {
+            self.late.push(item.mark.clone());
             return Ok(());
         }
         if item.command.fract() != 0.0 || !(0.0..=65535.0).contains(&item.command) {
@@ -206,7 +219,13 @@ impl Follow<'_> {
             Effect::None => {
                 let message =
                     format!("command {command}{named} is left out: it does not change where the vehicle flies");
-                self.warn(LEFT_OUT, item, &message, "left out");
+                match self.left_out.iter_mut().find(|(known, ..)| *known == command) {
+                    None => {
+                        self.left_out.push((command, self.found.len(), 1));
+                        self.warn(LEFT_OUT, item, &message, "left out");
+                    }
+                    Some((_, _, count)) => *count += 1,
+                }
             }
             Effect::Unsure => {
                 let message = format!("command {command}{named} is left out, and may change where the vehicle flies");
@@ -280,14 +299,20 @@ impl Follow<'_> {
             let message = format!("{}: no vehicle flies at {} m above mean sea level", item.mark.name, number(height));
             return refuse(SYNTAX, &item.spans[6], &message, "too high or too low");
         }
-        if height < home - 0.01 && matches!(item.command, 16.0 | 19.0 | 82.0) {
-            let message = format!(
-                "it is {} m below the planned home; check that the ground is lower there",
-                number(home - height)
-            );
-            self.warn(ASSUMED, item, &message, "below the ground at home");
+        if matches!(item.command, 16.0 | 19.0 | 82.0) {
+            self.warn_below_home(item, height);
         }
         Ok(height)
+    }
+
+    /// A height above sea, m.
+    fn warn_below_home(&mut self, item: &Item, height: f64) {
+        let below = self.setting.home.place.height - height;
+        if below > CENTIMETRE {
+            let message =
+                format!("it is {} m below the planned home; check that the ground is lower there", number(below));
+            self.warn(ASSUMED, item, &message, "below the ground at home");
+        }
     }
 
     fn push(&mut self, item: &Item, position: [f64; 3], remark: &'static str) -> &mut Stop {
@@ -349,6 +374,7 @@ impl Follow<'_> {
 
     /// The planned home as the start, straight up, and on to the item's place.
     fn take_off(&mut self, item: &Item) -> Step {
+        let is_in_the_air = !self.stops.is_empty() && !self.stops.last().is_some_and(|last| last.stops);
         if self.stops.is_empty() {
             let name = if self.setting.home.has_height { "planned home" } else { "below the take-off" };
             let home = Mark { name: name.into(), span: self.setting.home.span.clone() };
@@ -359,6 +385,12 @@ impl Follow<'_> {
         let apart = (there[0] - x).hypot(there[1] - y);
         let above = self.plane.place([x, y, 0.0]);
         let up = self.plane.local(&Geodetic { height: self.plane.place(there).height, ..above })[2];
+        if is_in_the_air && self.setting.is_ardupilot && self.stops.last().is_some_and(|last| last.position[2] > up) {
+            // `ArduCopter/mode_auto.cpp`, `takeoff_start`.
+            let message = "ArduPilot does not descend to a take-off below the present height: it is left out";
+            self.warn(LEFT_OUT, item, message, "left out");
+            return Ok(());
+        }
         let yaw = self.yaw(item);
         let climb = self.autopilot().marked(self.autopilot().take_off, &item.mark.span);
         let stop = self.push(item, [x, y, up], "take-off");
@@ -383,7 +415,7 @@ impl Follow<'_> {
     }
 
     fn autopilot(&self) -> &'static Autopilot {
-        autopilot(self.setting.is_ardupilot)
+        self.setting.autopilot()
     }
 
     /// To above the place at the present height, and straight down to the ground, whatever the item's altitude is.
@@ -408,6 +440,7 @@ impl Follow<'_> {
             );
             self.warn(ASSUMED, item, &message, "autopilots descend to the ground");
         }
+        self.warn_below_home(item, ground);
         let mut on_ground = Item { frame: 0.0, ..item.clone() };
         on_ground.params[6] = Some(ground);
         let there = self.position(&on_ground)?;
@@ -448,7 +481,9 @@ impl Follow<'_> {
             number(*height)
         );
         self.warn(ASSUMED, item, &message, "no height given");
-        self.down(item, [0.0; 3], Yaw::Free, "land at home")?;
+        // Both autopilots return at their default speed (PX4: `RtlDirect::on_activation`; ArduCopter: `RTL_SPEED` 0).
+        self.speeds = self.autopilot().speeds(&item.mark.span);
+        self.down(item, [0.0; 3], Yaw::Free, LANDS_AT_HOME)?;
         self.ended = Some(item.mark.clone());
         Ok(())
     }

@@ -36,10 +36,7 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     let home = home(mission)?;
     let firmware = mission.get("firmwareType").and_then(Json::number);
     check_vehicle(mission, found);
-    let mut setting = FileSettings::of(home.clone(), firmware == Some(ARDUPILOT));
-    if let Some(speed) = hover_speed(mission)? {
-        setting.speeds.horizontal = Some(speed);
-    }
+    let setting = FileSettings::of(home.clone(), firmware == Some(ARDUPILOT));
     let mut items = Vec::new();
     let list = member(mission, "items")?;
     let mut faults = Faults::default();
@@ -63,10 +60,10 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
         rally::of_plan(points, &setting, &mut draft)?;
         rally::set_ground(&setting, &mut draft, found);
     }
-    // Without an effect on the flight of a multirotor.
-    if mission.get("cruiseSpeed").is_some() {
-        draft.dropped.push("cruiseSpeed".into());
-    }
+    // With them QGroundControl estimates how long the mission takes; the autopilot does not get them.
+    let unused = ["cruiseSpeed", "hoverSpeed"].into_iter().filter(|name| mission.get(name).is_some());
+    draft.dropped.extend(unused.map(String::from));
+    rally::warn_of_return(&draft, &setting, found);
     Ok(draft)
 }
 
@@ -133,14 +130,6 @@ fn check_vehicle(mission: &Json, found: &mut Vec<Diagnostic>) {
         let warning = Diagnostic::warning(super::ASSUMED, at(kind.span.clone()), message);
         found.push(warning.here("not a multirotor (`MAV_TYPE`)").help("check each item in the spec"));
     }
-}
-
-/// The speed with which QGroundControl plans multirotors, until an item changes it.
-fn hover_speed(mission: &Json) -> Read<Option<(f64, Mark)>> {
-    let Some(speed) = mission.get("hoverSpeed") else { return Ok(None) };
-    let mark = Mark { name: "hoverSpeed".into(), span: speed.span.clone() };
-    let value = numeric(speed, "hoverSpeed")?;
-    Ok((value > 0.0).then_some((value, mark)))
 }
 
 /// Adds an item, or those that a survey consists of.

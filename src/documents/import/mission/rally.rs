@@ -1,7 +1,7 @@
 //! Rally points, to which an autopilot returns instead of home, as landing sites on the ground below them.
 
 use super::draft::{Draft, Mark, Site, Stop};
-use super::items::{FARTHEST, FileSettings, Item, place, refuse};
+use super::items::{FARTHEST, FileSettings, Item, LANDS_AT_HOME, place, refuse};
 use super::qgc_plan::{listed, numeric};
 use super::wpl::cells;
 use crate::diagnostic::Diagnostic;
@@ -127,6 +127,21 @@ pub fn set_ground(setting: &FileSettings, draft: &mut Draft, found: &mut Vec<Dia
         let warning = Diagnostic::warning(ASSUMED, at(lowest.mark.span.clone()), message).here("the lowest place");
         found.push(warning.help("write the heights of `ground` and of each `landing_site` into the spec"));
     }
+}
+
+/// Warns of a return that an autopilot may fly to a rally point (PX4: `RTL_TYPE` 0, its default; ArduCopter:
+/// `compute_return_target`).
+pub fn warn_of_return(draft: &Draft, setting: &FileSettings, found: &mut Vec<Diagnostic>) {
+    let Some(last) = draft.stops.last().filter(|stop| stop.remark == LANDS_AT_HOME && !draft.sites.is_empty()) else {
+        return;
+    };
+    let message = format!(
+        "{}: the spec lands at home; {} returns to a rally point if one is nearer",
+        last.mark.name,
+        setting.autopilot().name
+    );
+    let warning = Diagnostic::warning(ASSUMED, at(last.mark.span.clone()), message).here("a return");
+    found.push(warning.help("if it does, write a waypoint above that landing site, and land there"));
 }
 
 /// A length in m, rounded to the millimetre that is written.

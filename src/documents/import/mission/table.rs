@@ -18,6 +18,9 @@ const NAMES: [&str; 5] = ["x", "y", "z", "heading", "t"];
 const HEADING: usize = 3;
 const TIME: usize = 4;
 const FARTHEST: f64 = 999e3;
+/// Rows nearer together than this, but farther than [`FAR`] from the origin, are not those of a flight in metres.
+const DEGREES_APART: f64 = 1.0;
+const FAR: f64 = 5.0;
 
 /// The lines that count: not empty, not a comment.
 fn rows(text: &str) -> impl Iterator<Item = (&str, Range<usize>)> {
@@ -72,6 +75,13 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
     if draft.stops.len() < 2 {
         return refuse(UNSUPPORTED, &(0..source.text.len().min(1)), "the table has fewer than two rows", "no mission");
     }
+    if header.is_none() && is_of_degrees(&draft.stops) {
+        let message = "the rows seem to be latitudes and longitudes in degrees: as metres all are within a metre";
+        let error = Diagnostic::error(UNSUPPORTED, at(draft.stops[0].mark.span.clone()), message).here("no metres");
+        return Err(Box::new(error.help(
+            "write x (east), y (north) and z (up) in metres; a plan of QGroundControl (`.plan`) has places on the Earth",
+        )));
+    }
     if columns[HEADING].is_some() {
         let header = header.iter().flatten().find(|(cell, _)| cell.eq_ignore_ascii_case("heading"));
         let span = header.map_or(0..0, |(_, span)| span.clone());
@@ -79,6 +89,20 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
         found.push(Diagnostic::warning(ASSUMED, at(span), message).here("the file does not give its unit or zero"));
     }
     Ok(draft)
+}
+
+/// Whether positions are places on the Earth rather than metres: far from the origin, and with steps of millimetres.
+fn is_of_degrees(stops: &[Stop]) -> bool {
+    let spread = |axis: usize| {
+        let of = || stops.iter().map(|stop| stop.position[axis]);
+        [of().fold(f64::INFINITY, f64::min), of().fold(f64::NEG_INFINITY, f64::max)]
+    };
+    let [[west, east], [south, north]] = [spread(0), spread(1)];
+    let (size, far) =
+        ((east - west).hypot(north - south), west.abs().max(east.abs()).hypot(south.abs().max(north.abs())));
+    let is_fine = |x: f64| (x * 1e3).fract() != 0.0;
+    let fine = stops.iter().filter(|stop| is_fine(stop.position[0]) && is_fine(stop.position[1])).count();
+    size > 0.0 && size < DEGREES_APART && far > FAR && 2 * fine > stops.len()
 }
 
 /// Whether a row only says that the vehicle is still where the row before was, which then holds until that time.

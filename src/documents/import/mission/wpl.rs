@@ -48,6 +48,12 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
         TAKE_OFF => (under_take_off(first, &items, found)?, &items[..]),
         _ => (home(first)?, rest),
     };
+    if home.has_height && !matches!(first.frame, 0.0 | 5.0) {
+        let message = "the first line is taken for the planned home, but its height is above home: a mission whose home \
+                       was left out would lose its first item";
+        let warning = Diagnostic::warning(ASSUMED, at(first.mark.span.clone()), message).here("taken for the home");
+        found.push(warning.help("write the home into the first line, as `0 1 0 16 0 0 0 0` and its place"));
+    }
     let mut draft =
         Draft { format: "a mission of MAVLink (`QGC WPL 110`)", home: Some(home.clone()), ..Draft::default() };
     // Files of this format are ArduPilot's.
@@ -69,6 +75,7 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
         rally::of_line(text, span, &setting, &mut draft)?;
     }
     rally::set_ground(&setting, &mut draft, found);
+    rally::warn_of_return(&draft, &setting, found);
     Ok(draft)
 }
 

@@ -86,25 +86,31 @@ pub struct Part {
     pub inertia: Matrix3<f64>,
 }
 
-/// A rotor in the frame of the whole; `None` where the file does not say. N s^2/rad^2, m, rad/s, N, N, s.
+/// A rotor in the frame of the whole; `None` where the file does not say. N s^2/rad^2, m, rad/s, N, N, s, kg m^2.
 #[derive(Default, Clone)]
 pub struct RobotRotor {
     pub place: Vector3<f64>,
     /// Whether it turns counter-clockwise seen from above.
     pub is_ccw: Option<bool>,
     pub motor: usize,
-    pub figures: [Option<f64>; 6],
+    pub figures: [Option<f64>; 7],
+    /// The force of the air across its axis, for each unit of its speed (rad/s) and of the air's (m/s), N s^2/m.
+    pub drag: Option<f64>,
 }
 
 /// The fields of [`RobotRotor::figures`] and their units.
-const FIGURES: [(&str, &str); 6] = [
+const FIGURES: [(&str, &str); 7] = [
     ("thrust_coefficient", "N*s^2/rad^2"),
     ("torque_per_thrust", "m"),
     ("max_speed", "rad/s"),
     ("max_thrust", "N"),
     ("min_thrust", "N"),
     ("time_constant", "s"),
+    ("rotor_inertia", "kg*m^2"),
 ];
+
+/// The place of `rotor_inertia` in [`FIGURES`].
+const ROTOR_INERTIA: usize = 6;
 
 /// The vehicle of an XML file.
 pub fn vehicle(source: &Source, found: &mut Vec<Diagnostic>) -> Outcome {
@@ -145,8 +151,8 @@ fn not_xml(source: &Source, error: &roxmltree::Error) -> Diagnostic {
     error.here("here").help("save the file again, or mend this place")
 }
 
-fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnostic>) -> Outcome {
-    found.extend(robot.warnings);
+fn robot_text(source: &Source, mut robot: Robot, root: Span, found: &mut Vec<Diagnostic>) -> Outcome {
+    found.append(&mut robot.warnings);
     if !ROTORS.contains(&robot.rotors.len()) {
         let message = match robot.rotors.len() {
             0 => "no rotor was found in the file".to_string(),
@@ -200,11 +206,17 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
             remark: None,
         }
     });
-    let estimates =
-        whole.as_ref().map_or_else(Vec::new, |whole| estimates(whole.mass, centre, &robot.rotors, robot.radius));
+    let drag = whole.as_ref().and_then(|whole| drag(whole.mass, &robot.rotors));
+    let mut estimates = whole.as_ref().map_or_else(Vec::new, |whole| estimates(whole.mass, centre, &robot, drag));
+    let has_inertia = robot.rotors.iter().any(|rotor| rotor.figures[ROTOR_INERTIA].is_some());
+    estimates.retain(|(name, ..)| !(*name == "drag" && drag.is_some() || *name == "rotor_inertia" && has_inertia));
     let mut fields = vec![Field::new("mass", mass), Field::new("inertia", inertia)];
     let radius = robot.radius.map(|radius| Figure::Known(format!("{} m", shortest(radius))));
     fields.extend(radius.map(|radius| Field::new("propeller_radius", radius)));
+    fields.extend(drag.map(|drag| {
+        let figure = Figure::Known(format!("[{0}, {0}, 0] N*s/m", shortest(drag)));
+        Field::new("drag", figure).remark("rotorDragCoefficient, at the speeds of hover")
+    }));
     let draft = Draft {
         name: robot.name.as_deref().map_or_else(|| name_from_file(&source.name), name_from),
         from: vec![
@@ -222,13 +234,22 @@ fn robot_text(source: &Source, robot: Robot, root: Span, found: &mut Vec<Diagnos
     Ok((draft.text(), robot.dropped))
 }
 
-/// Drag, yaw drag and rotor inertia, which no file has, from the mass (kg) and the rotors about the centre of gravity;
+/// The drag across the vertical axis of a vehicle of `mass` kg, N s/m, by rotors that hover at equal speeds; `None` if a
+/// rotor has no coefficient of it, or of thrust.
+fn drag(mass: f64, rotors: &[RobotRotor]) -> Option<f64> {
+    let sum = |of: fn(&RobotRotor) -> Option<f64>| rotors.iter().map(of).sum::<Option<f64>>();
+    let speed = (mass * estimate::GRAVITY / sum(|rotor| rotor.figures[0])?).sqrt();
+    let drag: f64 = format!("{:.3e}", sum(|rotor| rotor.drag)? * speed).parse().ok()?;
+    (drag.is_finite() && drag > 0.0).then_some(drag)
+}
+
+/// Drag, yaw drag and rotor inertia, where the file has none, from the mass (kg) and the rotors about the centre of gravity;
 /// nothing if the file does not give their thrust and speed.
 fn estimates(
     mass: f64,
     centre: Vector3<f64>,
-    rotors: &[RobotRotor],
-    propeller_radius: Option<f64>,
+    Robot { rotors, radius: propeller_radius, .. }: &Robot,
+    drag: Option<f64>,
 ) -> Vec<(&'static str, String, String)> {
     let thrust = |rotor: &RobotRotor| {
         let [coefficient, _, speed, thrust, ..] = rotor.figures;
@@ -236,13 +257,13 @@ fn estimates(
     };
     let from_thrust = |rotor: &RobotRotor| thrust(rotor).map(|(thrust, speed)| estimate::diameter(thrust, speed));
     let all: Option<Vec<f64>> = match propeller_radius {
-        Some(radius) => Some(vec![2.0 * radius]),
+        Some(radius) => Some(vec![2.0 * *radius]),
         None => rotors.iter().map(from_thrust).collect(),
     };
     let distance = |rotor: &RobotRotor| (rotor.place - centre).xy().norm();
     let radius = rotors.iter().map(distance).sum::<f64>() / rotors.len() as f64;
     let diameter = all.map(|all| all.iter().sum::<f64>() / all.len() as f64);
-    let known = diameter.map(|diameter| estimate::Known { mass, rotors: rotors.len(), radius, diameter });
+    let known = diameter.map(|diameter| estimate::Known { mass, rotors: rotors.len(), radius, diameter, drag });
     let is_usable = |known: &estimate::Known| {
         [known.mass, known.radius, known.diameter].iter().all(|x| x.is_finite() && *x > 0.0)
             && known.yaw_drag().is_finite()

@@ -9,7 +9,9 @@ use crate::import::mission::{ASSUMED, LEFT_OUT};
 impl Follow<'_> {
     /// The yaw with which the vehicle arrives at the place of an item.
     pub(super) fn yaw(&mut self, item: &Item) -> Yaw {
-        let heading = item.params[3].filter(|_| matches!(item.command, 16.0 | 21.0 | 22.0));
+        // PX4 takes none from take-offs and landings (`mission.cpp`, `handleTakeoff`, `handleLanding`, 1.16).
+        let has_heading = item.command == 16.0 || self.setting.is_ardupilot && matches!(item.command, 21.0 | 22.0);
+        let heading = item.params[3].filter(|_| has_heading);
         if self.setting.is_ardupilot && heading.is_some_and(|heading| heading != 0.0) {
             let message = "parameter 4 is left out: ArduCopter takes no heading from it";
             self.warn_with(

@@ -226,6 +226,8 @@ fn motor(
             ends.and_then(|[_, most]| thrust(most)),
             ends.and_then(|[least, _]| thrust(least)),
             lag,
+            None,
         ],
+        drag: None,
     })
 }

@@ -5,7 +5,7 @@
 mod frames;
 
 use super::xml::{child, children, content, is_upright, sdf_pose, symmetric, tag, text, turned};
-use super::{Joint, MOST_ROTORS, Part, Robot, RobotError, RobotRotor, turning_arm};
+use super::{Joint, MOST_ROTORS, Part, ROTOR_INERTIA, Robot, RobotError, RobotRotor, turning_arm};
 use crate::diagnostic::Diagnostic;
 use crate::import::{ASSUMED, SYNTAX, UNSUPPORTED};
 use frames::{Frames, key};
@@ -13,11 +13,20 @@ use nalgebra::Isometry3;
 use roxmltree::Node;
 use std::collections::HashMap;
 
+/// The default of `rotorVelocitySlowdownSim`, in RotorS and Gazebo.
+const SLOWDOWN: f64 = 10.0;
+/// Elements of the motor model that a spec has no word for.
+const UNUSED: [&str; 2] = ["timeConstantDown", "rollingMomentCoefficient"];
+
 pub fn read(root: Node) -> Result<Robot, RobotError> {
     let worlds = children(root, "world").flat_map(|world| children(world, "model"));
     let models: Vec<Node> = children(root, "model").chain(worlds).collect();
     // A world has a ground and other models beside the vehicle.
     let flies = |model: &&Node| model.descendants().any(|node| node.tag_name().name() == "motorConstant");
+    let included = children(root, "world").flat_map(|world| children(world, "include"));
+    if let (None, Some(include)) = (models.iter().find(flies), included.into_iter().next()) {
+        return Err(elsewhere(include, "the world includes its vehicles, which are not models of this file"));
+    }
     let Some(model) = models.iter().find(flies).or(models.first()).copied() else {
         let error = Diagnostic::error(UNSUPPORTED, tag(root), "the file has no model").here("no `model` in it");
         return Err(Box::new(error.help("name the file of a model")));
@@ -27,11 +36,15 @@ pub fn read(root: Node) -> Result<Robot, RobotError> {
     let scopes = frames::scopes(model);
     let frames = Frames::of(&scopes)?;
     let joints = joints(&scopes);
+    let links: HashMap<String, Node> = scopes
+        .iter()
+        .flat_map(|(scope, model)| {
+            children(*model, "link").map(move |link| (key(scope, link.attribute("name").unwrap_or_default()), link))
+        })
+        .collect();
     for (scope, model) in &scopes {
         if let Some(include) = child(*model, "include") {
-            let message = "the model includes another, whose mass and rotors are not in this file";
-            let error = Diagnostic::error(UNSUPPORTED, tag(include), message).here("another file");
-            return Err(Box::new(error.help("name a file with all links, such as `gz sdf -p model.sdf` prints")));
+            return Err(elsewhere(include, "the model includes another, whose mass and rotors are not in this file"));
         }
         for link in children(*model, "link") {
             let at = frames.pose(&key(scope, link.attribute("name").unwrap_or_default()))?;
@@ -45,7 +58,7 @@ pub fn read(root: Node) -> Result<Robot, RobotError> {
                 let key = key(scope, link);
                 frames.has(&key).then(|| frames.pose(&key)).transpose()
             };
-            let Some(rotor) = motor(plugin, &find)? else {
+            let Some(mut rotor) = motor(plugin, &find)? else {
                 robot.warnings.extend(lift(plugin));
                 continue;
             };
@@ -53,6 +66,8 @@ pub fn read(root: Node) -> Result<Robot, RobotError> {
             if robot.rotors.len() < MOST_ROTORS {
                 turning_arm(&link, &joints, plugin)?;
             }
+            let spinning = links.get(&link).map(|link| spinning(*link, plugin)).transpose()?.flatten();
+            rotor.figures[ROTOR_INERTIA] = spinning;
             robot.rotors.push(rotor);
         }
     }
@@ -61,10 +76,21 @@ pub fn read(root: Node) -> Result<Robot, RobotError> {
         let warning = Diagnostic::warning(ASSUMED, tag(*first), message).here("a link without a mass");
         robot.warnings.push(warning.help("the spec leaves them out: give every link its mass and inertia"));
     }
+    let plugins: Vec<Node> = scopes.iter().flat_map(|(_, model)| children(*model, "plugin")).collect();
+    for name in UNUSED {
+        if plugins.iter().any(|plugin| text(*plugin, name).is_some()) {
+            robot.dropped.push(name.into());
+        }
+    }
     let kept = ["link", "plugin", "joint", "pose", "static", "self_collide", "frame", "model"];
     let other = model.children().filter(|c| c.is_element() && !kept.contains(&c.tag_name().name()));
     robot.dropped.extend(other.map(|c| c.tag_name().name().to_string()));
     Ok(robot)
+}
+
+fn elsewhere(include: Node, message: &str) -> RobotError {
+    let error = Diagnostic::error(UNSUPPORTED, tag(include), message).here("another file");
+    Box::new(error.help("name a file with all links, such as `gz sdf -p model.sdf` prints"))
 }
 
 /// The joint that holds each link, of all scopes.
@@ -112,6 +138,17 @@ fn part(link: Node, at: &Isometry3<f64>) -> Result<Option<Part>, RobotError> {
     Ok(Some(Part { mass, centre: whole.translation.vector, inertia: turned(&whole, symmetric(inertia)) }))
 }
 
+/// The moment of inertia of a rotor about its axis, kg m^2, with which its real speed gives the angular momentum of the
+/// simulation: there the rotor turns slower, by `rotorVelocitySlowdownSim`.
+fn spinning(link: Node, plugin: Node) -> Result<Option<f64>, RobotError> {
+    let Some(inertia) = child(link, "inertial").and_then(|inertial| child(inertial, "inertia")) else {
+        return Ok(None);
+    };
+    let izz = content::<1>(inertia, "izz")?.map(|[izz]| izz);
+    let slower = content::<1>(plugin, "rotorVelocitySlowdownSim")?.map_or(SLOWDOWN, |[slower]| slower);
+    Ok(izz.map(|izz| izz / slower).filter(|inertia| *inertia > 0.0 && inertia.is_finite()))
+}
+
 /// The pose of a link in the whole; `None` if there is no such link.
 type Found = Result<Option<Isometry3<f64>>, RobotError>;
 
@@ -156,6 +193,8 @@ pub fn motor(plugin: Node, find: &dyn Fn(&str) -> Found) -> Result<Option<RobotR
             None,
             None,
             one("timeConstantUp")?,
+            None,
         ],
+        drag: one("rotorDragCoefficient")?,
     }))
 }

@@ -161,8 +161,8 @@ fn of_properties(
         }
         let place = part(link, &frame)?.map_or(frame.translation.vector, |(part, _)| part.centre);
         let figures =
-            [Some(kf / (RPM * RPM)), Some(km / kf), most.filter(|w| w.is_finite() && *w > 0.0), None, None, None];
-        rotors.push(RobotRotor { place, is_ccw: None, motor: k + 1, figures });
+            [Some(kf / (RPM * RPM)), Some(km / kf), most.filter(|w| w.is_finite() && *w > 0.0), None, None, None, None];
+        rotors.push(RobotRotor { place, is_ccw: None, motor: k + 1, figures, drag: None });
     }
     Ok(rotors)
 }
