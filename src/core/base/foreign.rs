@@ -158,8 +158,8 @@ impl Foreign {
                 format!("expand it first with its own program, then: `mavc import vehicle {stem}.sdf`")
             }
             Foreign::Log(PX4_LOG | ARDUPILOT_LOG) => format!(
-                "make a spec of the vehicle that flew: `mavc identify {path} --mass 1.5kg -o {stem}.mav`; or look for a \
-                 failed motor: `mavc diagnose {path}`"
+                "make a spec of the vehicle that flew: `mavc identify {path} --mass 1.5kg -o {stem}.mav`; or look \
+                 for a failed motor: `mavc diagnose {path}`"
             ),
             Foreign::Log(_) => {
                 "mavc reads logs of PX4 (`.ulg`) and ArduPilot (`.bin`): `mavc identify LOG --mass 1.5kg`".into()

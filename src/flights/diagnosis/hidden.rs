@@ -1,14 +1,14 @@
 //! The commands of motors whose outputs are not looked at.
 //!
-//! A mixer adds up what the controller demands: motor k is commanded `e_k d`, d the thrust and the torques. So d follows
-//! from the outputs that are seen, and, if they leave it open, from the demands that the log has.
+//! A mixer adds up what the controller demands: motor k is commanded `e_k d`, d the thrust and the torques. So d
+//! follows from the outputs that are seen, and, if they leave it open, from the demands that the log has.
 
 use super::fit::Effect;
 use super::record::{Record, Series};
 use nalgebra::{DMatrix, Matrix4, Vector4};
 
-/// Weights of the demands of thrust, roll, pitch and yaw against those of the commands that are seen: a mixer that saturates gives up
-/// yaw and thrust before it gives up roll and pitch.
+/// Weights of the demands of thrust, roll, pitch and yaw against those of the commands that are seen: a mixer that
+/// saturates gives up yaw and thrust before it gives up roll and pitch.
 const WEIGHTS: [f64; 4] = [1e-3, 0.1, 0.1, 1e-3];
 /// Demands are not filled in over gaps of more than this, s.
 const GAP: f64 = 0.3;

@@ -122,8 +122,8 @@ fn mean(values: &[[f32; 3]]) -> Option<[f64; 3]> {
     (!values.is_empty()).then(|| std::array::from_fn(|k| values.iter().map(|v| f64::from(v[k])).sum::<f64>() / count))
 }
 
-/// The mean of the commands in a window: of those in it, or else at its middle between the one before and the one after,
-/// or the last if that is not long ago.
+/// The mean of the commands in a window: of those in it, or else at its middle between the one before and the one
+/// after, or the last if that is not long ago.
 fn mean_command(
     times: &[f64],
     gap: f64,

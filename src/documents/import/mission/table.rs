@@ -79,7 +79,7 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
         let message = "the rows seem to be latitudes and longitudes in degrees: as metres all are within a metre";
         let error = Diagnostic::error(UNSUPPORTED, at(draft.stops[0].mark.span.clone()), message).here("no metres");
         return Err(Box::new(error.help(
-            "write x (east), y (north) and z (up) in metres; a plan of QGroundControl (`.plan`) has places on the Earth",
+            "write x (east), y (north) and z (up) in metres; a plan of QGroundControl (`.plan`) takes degrees",
         )));
     }
     if columns[HEADING].is_some() {

@@ -49,8 +49,8 @@ pub fn read(source: &Source, found: &mut Vec<Diagnostic>) -> Read<Draft> {
         _ => (home(first)?, rest),
     };
     if home.has_height && !matches!(first.frame, 0.0 | 5.0) {
-        let message = "the first line is taken for the planned home, but its height is above home: a mission whose home \
-                       was left out would lose its first item";
+        let message = "the first line is taken for the planned home, but its height is above home: a mission whose \
+                       home was left out would lose its first item";
         let warning = Diagnostic::warning(ASSUMED, at(first.mark.span.clone()), message).here("taken for the home");
         found.push(warning.help("write the home into the first line, as `0 1 0 16 0 0 0 0` and its place"));
     }

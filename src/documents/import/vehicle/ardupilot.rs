@@ -58,8 +58,8 @@ pub fn other_vehicle(parameters: &Parameters) -> Option<Diagnostic> {
     }
     let kind = of("FRAME").filter(|_| of("FRAME_CLASS").is_none())?;
     let message = "these are parameters of ArduCopter before 3.5, whose firmware has the class of the frame";
-    let help = "write a line `FRAME_CLASS,1` for a quadcopter, 2 for a hexa-, 3 for an octocopter, 4 for an X8 or 5 for \
-                a Y6, and `FRAME_TYPE` with this value, into a copy of the file";
+    let help = "write a line `FRAME_CLASS,1` for a quadcopter, 2 for a hexa-, 3 for an octocopter, 4 for an X8 or 5 \
+                for a Y6, and `FRAME_TYPE` with this value, into a copy of the file";
     Some(Diagnostic::error(UNSUPPORTED, kind.span, message).here("its type").help(help))
 }
 

@@ -234,8 +234,8 @@ fn robot_text(source: &Source, mut robot: Robot, root: Span, found: &mut Vec<Dia
     Ok((draft.text(), robot.dropped))
 }
 
-/// The drag across the vertical axis of a vehicle of `mass` kg, N s/m, by rotors that hover at equal speeds; `None` if a
-/// rotor has no coefficient of it, or of thrust.
+/// The drag across the vertical axis of a vehicle of `mass` kg, N s/m, by rotors that hover at equal speeds; `None` if
+/// a rotor has no coefficient of it, or of thrust.
 fn drag(mass: f64, rotors: &[RobotRotor]) -> Option<f64> {
     let sum = |of: fn(&RobotRotor) -> Option<f64>| rotors.iter().map(of).sum::<Option<f64>>();
     let speed = (mass * estimate::GRAVITY / sum(|rotor| rotor.figures[0])?).sqrt();
@@ -243,8 +243,8 @@ fn drag(mass: f64, rotors: &[RobotRotor]) -> Option<f64> {
     (drag.is_finite() && drag > 0.0).then_some(drag)
 }
 
-/// Drag, yaw drag and rotor inertia, where the file has none, from the mass (kg) and the rotors about the centre of gravity;
-/// nothing if the file does not give their thrust and speed.
+/// Drag, yaw drag and rotor inertia, where the file has none, from the mass (kg) and the rotors about the centre of
+/// gravity; nothing if the file does not give their thrust and speed.
 fn estimates(
     mass: f64,
     centre: Vector3<f64>,
