@@ -12,6 +12,26 @@ fn metres(expression: &str) -> f64 {
     model(&text).mission.unwrap().waypoints[1].position[0]
 }
 
+/// A mission with more legs than the usual 200 samples is no mistake: as many are taken as its legs leave free.
+#[test]
+fn samples_that_are_not_given_suffice_for_the_legs() {
+    let samples = |legs: usize, plan: &str| {
+        let waypoints: String = (1..=legs).map(|k| format!("waypoint at [{}, 0, 3] m\n", 3 * k)).collect();
+        let vehicle = "vehicle v { layout = \"PPNNPN\"; arm = 0.3 m; mass = 2 kg; inertia = [0.02, 0.02, 0.04] kg*m^2
+            rotor { max_thrust = 8 N; torque_per_thrust = 16 mm; max_speed = 800 rad/s } }";
+        let text = format!("{vehicle}\nmission m {{ start at [0, 0, 3] m\n{waypoints} }}\nplan {{ {plan} }}\n");
+        let compiled = mavc::compile(&text);
+        let codes: Vec<&str> = compiled.diagnostics.iter().map(|d| d.code).collect();
+        let spec = compiled.spec.unwrap_or_else(|| panic!("{legs} legs: {codes:?}"));
+        assert!(!codes.iter().any(|code| code.contains("samples") || code.contains("coarse")), "{legs}: {codes:?}");
+        spec.model().plan.samples
+    };
+    assert_eq!(samples(20, "planner = rip"), 200);
+    // Two legs are from or to rest, and need 5.
+    assert_eq!(samples(300, "planner = rip"), (308.0_f64 / 0.6).ceil() as usize);
+    assert_eq!(samples(300, "planner = rip; samples = 700"), 700);
+}
+
 #[test]
 fn expressions() {
     let cases = [

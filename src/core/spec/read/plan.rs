@@ -171,7 +171,9 @@ impl<'a> Draft<'a> {
             None => {}
         }
         let time = self.time(cx);
-        let samples = self.fields.count_or_default(cx, &table::SAMPLES, "mavc::plan::samples");
+        let usual = mission.map_or(table::SAMPLES.value() as usize, fit::usual_samples);
+        let samples = self.fields.count(cx, &table::SAMPLES, "mavc::plan::samples");
+        let samples = samples.or_default(|| self.fields.default(&table::SAMPLES, usual));
         let rounds = self.fields.count_or_default(cx, &table::ROUNDS, "mavc::plan::rounds");
         let after_fault = after_fault::read(cx, &self.fields);
         let after_fault = after_fault.or_default(|| self.fields.default(&table::AFTER_FAULT, AfterFault::Continue));

@@ -2,7 +2,8 @@
 
 use super::super::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::model::Mission;
+use crate::language::table::plan as table;
+use crate::model::{MAX_SAMPLES, Mission};
 use crate::number::{number, plural};
 use crate::source::Span;
 use crate::syntax::ast::Expr;
@@ -17,6 +18,14 @@ pub struct Samples<'e> {
     /// The value that gives them, where it is written.
     pub given: Option<&'e Expr>,
     pub span: Span,
+}
+
+/// The samples of a plan that gives none: as many as do not limit its times, if a search allows them.
+pub fn usual_samples(mission: &Mission) -> usize {
+    let needed = mission.samples_needed();
+    let enough = (needed as f64 / MOST_NEEDED).ceil() as usize;
+    let usual = enough.min(crate::model::MAX_SAMPLES_OF_A_SEARCH).max(table::SAMPLES.value() as usize);
+    usual.max(needed).min(MAX_SAMPLES)
 }
 
 impl Samples<'_> {
@@ -34,7 +43,7 @@ impl Samples<'_> {
             let legs = mission.legs.len();
             let message = format!("{samples} samples are fewer than the mission's {legs} legs{and_holds}");
             let error = Diagnostic::error("mavc::plan::samples", span, message).here("too few");
-            let enough = least.max(200);
+            let enough = usual_samples(mission).max(least);
             let error = error.also(mission.span, "this mission").help(format!("write `samples = {enough}`"));
             cx.report(match given {
                 Some(expr) => error.fix(expr.span, enough.to_string()),
@@ -49,11 +58,12 @@ impl Samples<'_> {
                 format!("{samples} may be too few for a mission with {legs}")
             };
             let warning = Diagnostic::warning("mavc::plan::few_samples", span, message).here("few samples");
+            let enough = usual_samples(mission);
             let warning = warning.also(mission.span, "this mission").help(format!(
-                "write `samples = {needed}` or more: a leg from rest to rest needs 10 of them, a leg from or to rest 5"
+                "write `samples = {enough}` or more: a leg from rest to rest needs 10 of them, a leg from or to rest 5"
             ));
             cx.report(match given {
-                Some(expr) => warning.fix(expr.span, needed.to_string()),
+                Some(expr) => warning.fix(expr.span, enough.to_string()),
                 None => warning,
             });
         }
