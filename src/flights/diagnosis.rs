@@ -8,6 +8,7 @@ pub mod change;
 pub mod ending;
 pub mod fit;
 pub mod hidden;
+pub mod lasting;
 pub mod onset;
 pub mod outputs;
 pub mod record;

@@ -43,6 +43,23 @@ fn a_healthy_flight_has_no_loss() {
     }
 }
 
+/// Steps of pitch turn the vehicle between two outputs, so that no command explains the turn; but the commands are the
+/// same before and after.
+#[test]
+fn a_quick_manoeuvre_is_no_loss() {
+    for seed in 1..9 {
+        assert_eq!(losses(&log(Fault::Steps, 40.0, 10.0, 25.0, seed)), [], "{seed}");
+    }
+}
+
+/// Without a single output nothing is searched.
+#[test]
+fn every_output_may_be_hidden() {
+    let bytes = log(Fault::Capacity(3, 12.0, 0.0), 20.0, 10.0, 25.0, 3);
+    let Ok(found) = diagnose(&mut &bytes[..], None, &[1, 2, 3, 4, 5, 6], &mut []) else { panic!("an answer") };
+    assert!(found.diagnosis.losses().len() <= 1);
+}
+
 #[test]
 fn an_output_that_is_off_or_held_is_told_from_a_motor_that_fails() {
     let off = losses(&log(Fault::Off(4, 12.0), 20.0, 25.0, 50.0, 1));

@@ -421,8 +421,8 @@ group! {
         "the yaw tolerance of each waypoint".bounds(1e-9, 1e9).family(Family::Tolerance);
     SAMPLES "samples", Whole(1, 3_000), Value(200.0, "200", "intervals of the whole mission"),
         "the number of intervals of the whole mission, by default more if its legs need more than 120. Every waypoint \
-         lies on a node. A hold takes one interval; legs share the others, with at least 10 from rest to rest and 5 from or to rest \
-         ([grid](#grid))";
+         lies on a node. A hold takes one interval; legs share the others, with at least 10 from rest to rest and 5 \
+         from or to rest ([grid](#grid))";
     RESERVE "reserve", Share, Value(0.1, "10 %", "share of each set kept for feedback"),
         "the share of each set that is kept for feedback: sets are shrunk about hover; below 100 %";
     SNAP "snap", Quantity("1", NotNegative),

@@ -40,8 +40,11 @@ impl<'r> Mixed<'r> {
     /// `None` if no motor is hidden.
     pub fn of(record: &'r Record, effects: &'r [Effect], hidden: &[usize]) -> Option<Self> {
         let seen: Vec<usize> = (0..effects.len()).filter(|k| !hidden.contains(k)).collect();
+        if hidden.is_empty() {
+            return None;
+        }
         let matrix = DMatrix::from_fn(seen.len(), 4, |row, axis| effects[seen[row]][axis]);
-        let of_seen = matrix.pseudo_inverse(1e-6).ok().filter(|_| !hidden.is_empty() && !seen.is_empty())?;
+        let of_seen = if seen.is_empty() { DMatrix::zeros(4, 0) } else { matrix.pseudo_inverse(1e-6).ok()? };
         let demands = Demands::of(record, effects, &seen);
         Some(Mixed { effects, seen, of_seen, demands })
     }

@@ -5,6 +5,7 @@ use super::change::{Change, strongest};
 use super::ending::{Flight, flights};
 use super::fit::{Effect, Fit};
 use super::hidden::{DETERMINED, Mixed};
+use super::lasting::lasts;
 use super::onset::onset;
 use super::outputs::{Frozen, frozen};
 use super::record::{Commands, MOTORS, Record, median};
@@ -148,7 +149,7 @@ fn losses_of(
     let motors = effects.len();
     let mut losses: Vec<Loss> = Vec::new();
     let range = [flight.from + TAKE_OFF, flight.to];
-    for found in frozen(&record.outputs.times, &record.outputs.values, commands, range, motors) {
+    for found in frozen(&record.outputs.times, &record.outputs.values, commands, range, effects) {
         if !hidden.contains(&found.motor) {
             losses.push(of_output(&found, record.outputs.period()));
         }
@@ -186,12 +187,15 @@ fn losses_of(
         let is_new = |one: &Change| {
             moved.iter().all(|known| (known.time - one.time).abs() > SAME && one.capacity < LOST && !one.is_held)
         };
-        let mut found = found.filter(is_new).max_by(|a, b| a.strength.total_cmp(&b.strength));
+        let mut found = found
+            .filter(is_new)
+            .filter(|one| lasts(&samples, effects, one))
+            .max_by(|a, b| a.strength.total_cmp(&b.strength));
         if round == 0 {
             if let (Some(found), Some(clear)) = (&mut found, &candidates.clear) {
                 found.narrow(clear);
             }
-            found = found.or(candidates.clear);
+            found = found.or(candidates.clear.filter(|one| lasts(&samples, effects, one)));
         }
         let Some(found) = found else { break };
         moved.push(found);
@@ -267,7 +271,7 @@ fn residuals_after(fit: &Fit, samples: &Samples, effects: &[Effect], changes: &[
 fn of_output(found: &Frozen, period: f64) -> Loss {
     Loss {
         motor: found.motor,
-        time: found.from,
+        time: found.from - 0.5 * period,
         interval: [found.from - period, found.from],
         capacity: if found.is_off { 0.0 } else { found.share },
         capacity_interval: [if found.is_off { 0.0 } else { found.share }; 2],

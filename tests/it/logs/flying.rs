@@ -19,6 +19,8 @@ pub enum Fault {
     Held(usize, f64, u16),
     /// It gives this share of full thrust whatever its output.
     Stuck(usize, f64, f64),
+    /// None: quick steps of pitch, faster than outputs at 10 Hz show.
+    Steps,
 }
 
 /// Numbers from a linear congruence: roughly normal, the same on every machine.
@@ -94,7 +96,14 @@ pub fn log(fault: Fault, seconds: f64, outputs: f64, rates: f64, seed: u64) -> V
     for i in 0..(seconds / STEP) as usize {
         let t = i as f64 * STEP;
         let wanted: [f64; 3] = std::array::from_fn(|k| {
-            let aim = if k < 2 { 0.1 * (0.7 * t + k as f64).sin() } else { 0.0 };
+            let step = matches!(fault, Fault::Steps) && k == 1 && (6.0..9.0).contains(&(t % 12.0));
+            let aim = if step {
+                0.3
+            } else if k < 2 {
+                0.1 * (0.7 * t + k as f64).sin()
+            } else {
+                0.0
+            };
             let stiff = [60.0, 60.0, 4.0][k];
             (stiff * (aim - angles[k]) - 1.5 * f64::sqrt(stiff) * turns[k]) / GAINS[k]
         });

@@ -145,6 +145,12 @@ fn collect(item: &Json, items: &mut Vec<Item>, found: &mut Vec<Diagnostic>) -> R
             let inner = item.get("TransectStyleComplexItem").and_then(|inner| inner.get("Items")).and_then(Json::list);
             let Some(inner) = inner else {
                 let name = item.get("complexItemType").unwrap_or(kind);
+                if item.get("TransectStyleComplexItem").is_some() {
+                    let error =
+                        Diagnostic::error(UNSUPPORTED, at(name.span.clone()), "the file lacks the items of a survey");
+                    let error = error.here("only its area");
+                    return Err(Box::new(error.help("open the plan in QGroundControl, and save it again")));
+                }
                 let message = "a spec has no word for this complex item";
                 return refuse(UNSUPPORTED, &name.span, message, "not a survey of waypoints");
             };

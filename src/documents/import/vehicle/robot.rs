@@ -161,7 +161,7 @@ fn robot_text(source: &Source, mut robot: Robot, root: Span, found: &mut Vec<Dia
         let error = Diagnostic::error(UNSUPPORTED, root, message).here(format!("this {} file", robot.format));
         return Err(Box::new(error.help(
             "rotors are plugins of a motor model (SDF, URDF), links `prop0_link` beside `properties` (URDF), or \
-             motors at sites (MJCF)",
+             motors at sites (MJCF); without them, `mavc new --vehicle` makes a spec from mass, size and propellers",
         )));
     }
     let whole = Part::whole(&robot.parts);
@@ -203,7 +203,7 @@ fn robot_text(source: &Source, mut robot: Robot, root: Span, found: &mut Vec<Dia
             spin: rotor.is_ccw.map_or(Figure::Unknown, |ccw| Figure::Known(if ccw { "P" } else { "N" }.into())),
             motor,
             own,
-            remark: None,
+            remark: rotor.is_ccw.is_none().then(|| "spin seen from above: P counter-clockwise, N clockwise".into()),
         }
     });
     let drag = whole.as_ref().and_then(|whole| drag(whole.mass, &robot.rotors));

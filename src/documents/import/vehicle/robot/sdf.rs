@@ -71,6 +71,16 @@ pub fn read(root: Node) -> Result<Robot, RobotError> {
             robot.rotors.push(rotor);
         }
     }
+    let is_ardupilots =
+        |plugin: &Node| plugin.attribute("filename").is_some_and(|name| name.contains("ArduPilotPlugin"));
+    let all = scopes.iter().flat_map(|(_, model)| children(*model, "plugin"));
+    if let (true, Some(plugin)) = (robot.rotors.is_empty(), all.into_iter().find(is_ardupilots)) {
+        let message = "the rotors of ArduPilot's plugin are blades with lift and drag, without figures of a rotor";
+        let error = Diagnostic::error(UNSUPPORTED, tag(plugin), message).here("the motors");
+        return Err(Box::new(
+            error.help("read the vehicle's parameters, as ArduPilot's `.parm` or `.param` file has them"),
+        ));
+    }
     if let (Some(first), false) = (massless.first(), robot.rotors.is_empty()) {
         let message = format!("{} of the model have no `inertial`: Gazebo takes 1 kg for each", massless.len());
         let warning = Diagnostic::warning(ASSUMED, tag(*first), message).here("a link without a mass");
