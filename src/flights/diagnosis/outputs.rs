@@ -82,8 +82,8 @@ fn works(commands: &Commands, rows: Range<usize>, motor: usize, motors: usize, b
     2 * moving.count() >= motors - 1
 }
 
-/// Whether a mixer that commands the others what it does would move this motor by so much too: a step of pitch leaves those beside
-/// the centre as they are. True if its command does not follow from the others'.
+/// Whether a mixer that commands the others what it does would move this motor by so much too: a step of pitch leaves
+/// those beside the centre as they are. True if its command does not follow from the others'.
 fn is_asked(commands: &Commands, rows: Range<usize>, motor: usize, effects: &[Effect], by: f64) -> bool {
     let all: Vec<Vector4<f64>> = effects.iter().map(|effect| Vector4::from(*effect)).collect();
     let normal: Matrix4<f64> = all.iter().map(|e| e * e.transpose()).sum();
