@@ -69,9 +69,17 @@ pub fn corpus() -> Vec<Log> {
     let mut px4 = Log { kind: Kind::Ulog, messages: simulated.messages.clone() };
     // Without mavc's own topic it is a log of PX4.
     px4.messages.retain(|message| !String::from_utf8_lossy(message).contains("mavc_"));
-    let faults = [Fault::None, Fault::Capacity(3, 4.0, 0.0), Fault::Off(2, 4.0), Fault::Held(2, 4.0, 1500)];
+    let faults = [
+        Fault::None,
+        Fault::Capacity(3, 4.0, 0.0),
+        Fault::Off(2, 4.0),
+        Fault::Held(2, 4.0, 1500),
+        Fault::Stuck(1, 4.0, 0.2),
+        Fault::Steps,
+    ];
     // Each autopilot equally often.
-    let repeated = [&simulated, &px4].map(|log| Log { kind: log.kind, messages: log.messages.clone() });
+    let repeated =
+        [&simulated, &px4, &simulated, &px4].map(|log| Log { kind: log.kind, messages: log.messages.clone() });
     faults.map(dataflash).into_iter().chain([simulated, px4]).chain(repeated).collect()
 }
 
