@@ -266,7 +266,8 @@ fn the_inertia_and_the_drag_of_rotors_are_read() {
     assert!(read(world).diagnostics.pop().unwrap().message.contains("the world includes its vehicles"));
 }
 
-/// Without figures of the file the estimates stand in comments, change nothing there, and are fields when the slashes go.
+/// Without figures of the file the estimates stand in comments, change nothing there, and are fields when the
+/// slashes go.
 #[test]
 fn estimates_stand_in_comments() {
     let file = |name: &str| file(name).replace("<izz>2e-6</izz>", "");

@@ -96,7 +96,8 @@ fn vertical_speeds_are_those_of_the_autopilot() {
     assert!(spec("a.txt", &file("loiter_here.txt")).contains("speed_horizontal <= 10 m/s   // ArduPilot's default"));
 }
 
-/// PX4, `RtlDirect::on_activation`, and ArduCopter, `rtl_start`: a return has the default speed, whatever was set before.
+/// PX4, `RtlDirect::on_activation`, and ArduCopter, `rtl_start`: a return has the default speed, whatever was
+/// set before.
 /// Both return to a rally point that is nearer than home.
 #[test]
 fn a_return_is_at_the_default_speed_and_may_go_to_a_rally_point() {
