@@ -41,9 +41,18 @@ _CAPACITIES = {
     "change": float,
     "is_significant": bool,
 }
-_FLIGHTS = dict.fromkeys(
-    ("from_s", "to_s", "impact_s", "impact_m_per_s", "tilt_deg", "yaw_rate_deg_per_s"), float
-)
+_FLIGHTS = {
+    "from_s": float,
+    "to_s": float,
+    "end": str,
+    "searched_from_s": float,
+    "impact_s": float,
+    "impact_m_per_s": float,
+    "impact_interval_m_per_s_low": float,
+    "impact_interval_m_per_s_high": float,
+    "tilt_deg": float,
+    "yaw_rate_deg_per_s": float,
+}
 _FIGURES = {"field": str, "value": float, "low": float, "high": float, "remark": str}
 
 
@@ -52,7 +61,7 @@ class Diagnosis:
     """Which motors lost thrust in a flight. Motors have the autopilot's numbers, from 1."""
 
     answer: str
-    """`loss`, `none`, or `unknown` if the log does not show it."""
+    """`loss`, `weaker` if a motor gives less thrust than in the baseline, `none`, or `unknown` if the log does not show it."""
     losses: tuple[Record, ...] = field(repr=False)
     """Motors that lost thrust, in the order of time, under the names of docs/schema/diagnose.schema.json."""
     capacities: tuple[Record, ...] = field(repr=False)
@@ -110,7 +119,7 @@ def _flat(record: Record) -> Record:
     for name, value in record.items():
         if name == "alternatives":
             flat[name] = " ".join(map(str, value)) or None
-        elif isinstance(value, list):
+        elif isinstance(value, list):  # an interval; without one both columns are empty
             flat[f"{name}_low"], flat[f"{name}_high"] = value
         else:
             flat[name] = value

@@ -5,7 +5,7 @@ use crate::held::{Compiled, Held};
 use crate::job::Job;
 use crate::{Arguments, Value, object};
 use mavc::diagnostic::Diagnostic;
-use mavc::pipeline::{self, Diagnosed, Figure, Identified, Undiagnosed};
+use mavc::pipeline::{self, Diagnosed, Figure, Identified, Undiagnosed, Why};
 use mavc::report::diagnosis::{DiagnosisRecord, screen};
 use mavc::source::{Source, SourceMap};
 use pyo3::prelude::*;
@@ -34,10 +34,10 @@ fn about(name: &str, found: &[Diagnostic]) -> Shown {
 ///
 /// # Errors
 /// The log could not be read.
-fn refused(name: &str, why: Undiagnosed) -> io::Result<Shown> {
+fn refused(name: &str, why: Why) -> io::Result<Shown> {
     match why {
-        Undiagnosed::Not(found) => Ok(about(name, &found)),
-        Undiagnosed::Io(error) => Err(error),
+        Why::Not(found) => Ok(about(name, &found)),
+        Why::Io(error) => Err(error),
     }
 }
 
@@ -50,6 +50,7 @@ pub fn diagnose(arguments: Arguments) -> Value {
         (arguments.get_item(5)?.extract()?, arguments.get_item(6)?.extract()?);
     let found = Job::of(arguments, 1)?.run(arguments.py(), move |_| {
         let name = log.0.clone();
+        let good: Vec<String> = baseline.iter().map(|(name, _)| name.clone()).collect();
         let mut log = open(log)?;
         let mut baseline = baseline.into_iter().map(open).collect::<io::Result<Vec<_>>>()?;
         match pipeline::diagnose(&mut log, spec.as_ref().map(|of| &of.spec), &hidden, &mut baseline) {
@@ -57,7 +58,10 @@ pub fn diagnose(arguments: Arguments) -> Value {
                 let record = json_line(&DiagnosisRecord::new(&diagnosis));
                 Ok((Some(record), screen(&diagnosis).to_string(), about(&name, &diagnostics)))
             }
-            Err(why) => refused(&name, why).map(|shown| (None, String::new(), shown)),
+            Err(Undiagnosed { baseline, why }) => {
+                let name = baseline.map_or(&name, |k| &good[k]);
+                refused(name, why).map(|shown| (None, String::new(), shown))
+            }
         }
     })?;
     object(arguments.py(), found.map_err(|e: io::Error| PyErr::from(e))?)
@@ -81,7 +85,7 @@ pub fn identify(arguments: Arguments) -> Value {
                 let figures: Vec<Row> = figures.into_iter().map(row).collect();
                 Ok((Some(text), figures, about(&name, &diagnostics)))
             }
-            Err(why) => refused(&name, why).map(|shown| (None, Vec::new(), shown)),
+            Err(Undiagnosed { why, .. }) => refused(&name, why).map(|shown| (None, Vec::new(), shown)),
         }
     })?;
     object(arguments.py(), found.map_err(|e: io::Error| PyErr::from(e))?)

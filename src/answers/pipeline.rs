@@ -1,5 +1,6 @@
 //! The pipeline: one function for each question about a [`Spec`]. The crate's root re-exports the functions.
 
+mod baseline;
 mod capture_height;
 mod certificates;
 mod diagnosis;
@@ -16,7 +17,7 @@ mod sweep;
 mod tasks;
 
 pub use certificates::{Rejected, Uncertified, certify, verify, verify_within, with_ways_out};
-pub use diagnosis::{Diagnosed, Undiagnosed, diagnose};
+pub use diagnosis::{Diagnosed, Undiagnosed, Why, diagnose};
 pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict};
 pub use identification::{Figure, Identified, identify};
 pub use planned::{Explained, Planning};

@@ -5,7 +5,7 @@ mod own;
 
 use flying::{Fault, Noise, log};
 use mavc::diagnosis::study::{Evidence, Kind, Loss};
-use mavc::pipeline::{Undiagnosed, diagnose, identify};
+use mavc::pipeline::{Undiagnosed, Why, diagnose, identify};
 use serde_json::Value;
 use std::process::{Command, Output};
 
@@ -88,6 +88,58 @@ fn a_motor_that_is_stuck_is_told_from_one_that_is_weak() {
     }
 }
 
+/// An output that no longer follows the mixer says nothing of the command of a hidden motor.
+#[test]
+fn a_hidden_motor_is_not_accused_for_another_that_stops() {
+    for (fault, motor) in [(Fault::Off(4, 12.0), 4), (Fault::Held(2, 12.0, 1500), 2)] {
+        for hidden in (1..=6).filter(|hidden| *hidden != motor) {
+            let bytes = log(fault, 20.0, 10.0, 25.0, 1);
+            let Ok(found) = diagnose(&mut &bytes[..], None, &[hidden], &mut []) else { panic!("an answer") };
+            let losses = found.diagnosis.losses();
+            assert!(!losses.is_empty() && losses.iter().all(|loss| loss.motor + 1 == motor), "{hidden}: {losses:?}");
+        }
+    }
+}
+
+/// A motor that fades within 3 s is named, with what is left of it; one that takes 20 s is not seen, and no other is
+/// named for it.
+#[test]
+fn a_motor_that_fades_is_found_if_it_fades_fast() {
+    let mut found = Vec::new();
+    for lasts in [1.0, 3.0, 10.0, 20.0] {
+        for (capacity, rate) in [(0.0, 10.0), (0.0, 100.0), (0.3, 10.0), (0.3, 100.0), (0.6, 10.0), (0.6, 100.0)] {
+            let losses = losses(&log(Fault::Fades(3, 10.0, capacity, lasts), 40.0, rate, 2.5 * rate, 5));
+            let own = losses.iter().find(|loss| loss.motor + 1 == 3);
+            if lasts < 5.0 {
+                let own = own.unwrap_or_else(|| panic!("{lasts} s to {capacity} at {rate} Hz: {losses:?}"));
+                assert!((own.capacity - capacity).abs() < 0.2, "{lasts} s to {capacity} at {rate} Hz: {own:?}");
+                assert!(own.time > 15.0 && own.time < 15.0 + lasts, "{own:?}");
+            }
+            found.push((lasts, own.is_some(), losses.len()));
+        }
+    }
+    let slow = |lasts: f64| found.iter().filter(move |(other, ..)| *other == lasts);
+    assert_eq!(slow(10.0).filter(|(_, is_found, _)| *is_found).count(), 5);
+    assert!(slow(20.0).all(|(_, _, losses)| *losses == 0));
+}
+
+/// Before 3.5 ArduCopter's parameters had no class: the outputs that move say how many motors there are.
+#[test]
+fn an_old_log_has_the_motors_whose_outputs_move() {
+    let mut old = log(Fault::Capacity(3, 12.0, 0.0), 20.0, 10.0, 25.0, 3);
+    let mut rename = |from: &[u8], to: &[u8; 16], value: f32| {
+        let at = old.windows(from.len()).position(|window| window == from).unwrap();
+        old[at..at + 16].copy_from_slice(to);
+        old[at + 16..at + 20].copy_from_slice(&value.to_le_bytes());
+    };
+    rename(b"FRAME_CLASS\0", b"FRAME\0\0\0\0\0\0\0\0\0\0\0", 1.0);
+    rename(b"FRAME_TYPE\0", b"OTHER\0\0\0\0\0\0\0\0\0\0\0", 1.0);
+    let Ok(found) = diagnose(&mut &old[..], None, &[], &mut []) else { panic!("an answer") };
+    assert_eq!(found.diagnosis.losses()[0].motor + 1, 3);
+    let said: Vec<&str> = found.diagnostics.iter().map(|d| d.message.as_str()).collect();
+    assert!(said.iter().any(|said| said.contains("a hexacopter, by its six outputs that move")), "{said:?}");
+}
+
 #[test]
 fn the_answer_its_record_and_its_exit_codes() {
     let folder = tempfile::tempdir().unwrap();
@@ -122,9 +174,96 @@ fn the_answer_its_record_and_its_exit_codes() {
     let ran = run(&["diagnose", &named("flight.mcap", b"\x89MCAP0\r\n\x01")]);
     let said = String::from_utf8(ran.stderr).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(ran.status.code() == Some(1) && said.contains("mavc simulate -o flight.ulg"), "{said}");
-    let baseline = named("other.bin", &log(Fault::None, 30.0, 50.0, 100.0, 4));
-    let compared = run(&["diagnose", &good, "--baseline", &baseline, &baseline]);
-    assert!(String::from_utf8(compared.stdout).unwrap().contains("change"));
+    let others = [4, 5].map(|seed| named(&format!("other{seed}.bin"), &log(Fault::None, 30.0, 50.0, 100.0, seed)));
+    let compare = |log: &str, baseline: [&str; 2]| {
+        let ran = run(&["diagnose", log, "--baseline", baseline[0], baseline[1]]);
+        let said = [ran.stdout, ran.stderr].map(|text| String::from_utf8(text).unwrap()).join("\n");
+        (ran.status.code(), said.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    let (code, said) = compare(&good, [&others[0], &others[1]]);
+    assert!(code == Some(0) && said.contains("change"), "{said}");
+    // A motor that was weak before the flight is no loss in it.
+    let weak = named("weak.bin", &log(Fault::Capacity(2, -1.0, 0.6), 30.0, 50.0, 100.0, 6));
+    let (code, said) = compare(&weak, [&others[0], &others[1]]);
+    assert!(code == Some(10) && said.starts_with("motor 2 gives less thrust than in the baseline flights"), "{said}");
+    let record = run(&["diagnose", &weak, "--baseline", &others[0], &others[1], "--format", "json"]).stdout;
+    let record: Value = serde_json::from_slice(&record).unwrap();
+    crate::schemas::schema("diagnose").assert_valid(&record);
+    assert_eq!((&record["answer"], record["losses"].as_array().unwrap().len()), (&"weaker".into(), 0));
+    // What cannot be a baseline is named.
+    let short = named("short.bin", &log(Fault::None, 3.0, 50.0, 100.0, 4));
+    for (other, why) in [
+        (&good, "the baseline is the log itself"),
+        (&others[0], "the baseline names this flight twice"),
+        (&lost, "the baseline is not of a good flight: motor 3 loses thrust at 17.0 s"),
+        (&short, "the baseline has no quiet flight of 4 s"),
+    ] {
+        let (code, said) = compare(&good, [&others[0], other]);
+        let name = std::path::Path::new(other).file_name().unwrap().to_str().unwrap();
+        assert!(code == Some(1) && said.contains(why) && said.contains(name), "{said}");
+    }
+    // Nothing is found in a flight that was not searched.
+    let ran = run(&["diagnose", &short]);
+    assert_eq!(ran.status.code(), Some(11));
+    assert!(String::from_utf8(ran.stdout).unwrap().contains("too short to search the motion"));
+}
+
+/// A spec of another vehicle than the one that flew.
+#[test]
+fn a_spec_that_contradicts_the_log_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    std::fs::write(path("a.bin"), log(Fault::None, 20.0, 50.0, 100.0, 3)).unwrap();
+    let spec = |rotors: &str| {
+        format!(
+            "vehicle hexa {{
+    mass = 1.8 kg; inertia = [0.02, 0.02, 0.04] kg*m^2
+    rotor {{ max_thrust = 8 N; torque_per_thrust = 16 mm; max_speed = 8000 rpm }}
+    rotors {{
+{rotors}    }}
+}}
+"
+        )
+    };
+    let places = [(0, -1, 'N'), (0, 1, 'P'), (1, 1, 'N'), (-1, -1, 'P'), (1, -1, 'P'), (-1, 1, 'N')];
+    let rotors = |turned: usize| -> String {
+        let rotor = |(k, (x, y, spin)): (usize, &(i32, i32, char))| {
+            let (x, y) = if x * y == 0 { (0.0, *y as f64 * 0.3) } else { (*x as f64 * 0.26, *y as f64 * 0.15) };
+            let spin = if (k + 1 == turned) == (*spin == 'P') { 'N' } else { 'P' };
+            format!("        rotor at [{x}, {y}, 0] m  spin {spin}  motor {}\n", k + 1)
+        };
+        places.iter().enumerate().map(rotor).collect()
+    };
+    for (turned, warned) in [(0, None), (4, Some("have motor 4 elsewhere than the spec, or turning the"))] {
+        std::fs::write(path("v.mav"), spec(&rotors(turned))).unwrap();
+        let ran = run(&["diagnose", &path("a.bin"), &path("v.mav")]);
+        let said = String::from_utf8(ran.stderr).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(ran.status.code(), Some(0), "{said}");
+        assert_eq!(said.contains("mavc::log::assumed"), warned.is_some(), "{said}");
+        assert!(warned.is_none_or(|warned| said.contains(warned)), "{said}");
+    }
+}
+
+/// One time that is far ahead, and one rate that no gyroscope measures, take nothing else with them.
+#[test]
+fn one_damaged_sample_is_left_out() {
+    let whole = log(Fault::Capacity(3, 12.0, 0.0), 20.0, 50.0, 100.0, 3);
+    let head = |at: &usize| whole[*at..*at + 3] == [0xa3, 0x95, 3];
+    let gyroscope: Vec<usize> = (0..whole.len() - 3).filter(head).collect();
+    for at in [gyroscope[200], *gyroscope.last().unwrap()] {
+        let mut late = whole.clone();
+        late[at + 9] |= 1;
+        assert_eq!(losses(&late).first().map(|loss| loss.motor + 1), Some(3), "{at}");
+    }
+    let mut wild = whole.clone();
+    wild[gyroscope[200] + 12..gyroscope[200] + 16].copy_from_slice(&1e30_f32.to_le_bytes());
+    let Ok(found) = diagnose(&mut &wild[..], None, &[], &mut []) else { panic!("an answer") };
+    assert_eq!(found.diagnosis.losses()[0].motor + 1, 3);
+    assert!(
+        found.diagnostics.iter().any(|d| d.message.contains("1 samples of the gyroscope")),
+        "{:?}",
+        found.diagnostics
+    );
 }
 
 #[test]
@@ -164,6 +303,24 @@ fn a_spec_is_identified_and_has_the_thrust_that_flew() {
     let checked = mavc::compile(&found.text);
     let others: Vec<_> = checked.diagnostics.iter().filter(|d| d.code != "mavc::value::unknown").collect();
     assert!(others.iter().all(|d| d.severity != mavc::Severity::Error), "{others:?}\n{}", found.text);
+}
+
+/// Steps in calm air show the inertia by its ratio to the arm, a hover in gusts does not.
+#[test]
+fn a_flight_of_quick_steps_shows_the_inertia() {
+    let remark = |fault: Fault| {
+        let bytes = log(fault, 60.0, 100.0, 100.0, 3);
+        let Ok(found) = identify(&mut &bytes[..], "2 kg") else { panic!("a spec") };
+        found.figures.into_iter().find(|figure| figure.field == "vehicle.inertia").unwrap().remark
+    };
+    assert!(remark(Fault::None).contains("fly quick steps of roll and pitch"));
+    let said = remark(Fault::Steps);
+    // Full thrust and the mean lever of a hexacopter in arms; `flying` turns with 50 rad/s^2 for each unit of lever.
+    let thrust = 2.0 * 9.81 / (6.0 * 0.4);
+    let words: Vec<f64> = said.split(' ').filter_map(|word| word.parse().ok()).collect();
+    let [low, high] = words[..] else { panic!("{said}") };
+    let truth = thrust / 50.0;
+    assert!(low < truth && truth < high && high < 1.15 * low, "{said}: {truth}");
 }
 
 /// A simulated flight begins in the air, so its first height is not the ground: the loss is found although the vehicle is
@@ -206,7 +363,7 @@ fn damaged_logs_end_in_an_answer_or_a_diagnostic() {
                 *byte = (noise.uniform() * 256.0) as u8;
             }
         }
-        if let Err(Undiagnosed::Not(found)) = diagnose(&mut &bytes[..], None, &[], &mut []) {
+        if let Err(Undiagnosed { why: Why::Not(found), .. }) = diagnose(&mut &bytes[..], None, &[], &mut []) {
             assert!(!found.is_empty());
         }
     }

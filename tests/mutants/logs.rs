@@ -9,7 +9,7 @@ use crate::mutate::Numbers;
 use mavc::exchange::flight::{Format, Recorder};
 use mavc::flight::Sample;
 use mavc::observer::Silent;
-use mavc::pipeline::{Undiagnosed, diagnose, fly_plan, identify};
+use mavc::pipeline::{Undiagnosed, Why, diagnose, fly_plan, identify};
 use mavc::report::diagnosis::{DiagnosisRecord, screen};
 
 /// A quadcopter that loses half of a rotor's thrust, in the frame of the parameters of [`ulog`].
@@ -360,11 +360,11 @@ pub fn check(bytes: &[u8], index: u64) -> bool {
             assert!(record.len() < 1 << 16 && lines.len() < 60, "{lines:#?}");
             true
         }
-        Err(Undiagnosed::Not(found)) => {
+        Err(Undiagnosed { why: Why::Not(found), .. }) => {
             assert!(!found.is_empty());
             false
         }
-        Err(Undiagnosed::Io(error)) => panic!("{error}"),
+        Err(Undiagnosed { why: Why::Io(error), .. }) => panic!("{error}"),
     };
     if !index.is_multiple_of(4) {
         return is_diagnosed;
@@ -374,8 +374,8 @@ pub fn check(bytes: &[u8], index: u64) -> bool {
             let compiled = mavc::compile(&found.text);
             assert!(compiled.diagnostics.iter().all(|d| !d.code.starts_with("mavc::syntax")), "{}", found.text);
         }
-        Err(Undiagnosed::Not(found)) => assert!(!found.is_empty()),
-        Err(Undiagnosed::Io(error)) => panic!("{error}"),
+        Err(Undiagnosed { why: Why::Not(found), .. }) => assert!(!found.is_empty()),
+        Err(Undiagnosed { why: Why::Io(error), .. }) => panic!("{error}"),
     }
     is_diagnosed
 }

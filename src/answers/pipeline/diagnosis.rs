@@ -1,9 +1,9 @@
 //! `diagnose`: a log, the vehicle that it is of, and what the losses in it leave of the vehicle.
 
+use super::baseline::Baseline;
 use crate::admissible::AdmissibleSet;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnosis::aftermath::Aftermath;
-use crate::diagnosis::capacity::{Capacity, student};
 use crate::diagnosis::fit::{Effect, effects};
 use crate::diagnosis::record::{Autopilot, MOTORS, Record};
 use crate::diagnosis::study::{Kind, Loss, Study, study};
@@ -11,7 +11,8 @@ use crate::diagnostic::Diagnostic;
 use crate::flight::equilibrium::analyze_each;
 use crate::log::{self, MISSING, Unreadable};
 use crate::model::{FaultMode, Model, RotorState, Spread};
-use crate::report::diagnosis::{Against, Diagnosis};
+use crate::number::fixed;
+use crate::report::diagnosis::Diagnosis;
 use crate::source::Span;
 use crate::spec::Spec;
 use std::io::{self, Read};
@@ -24,11 +25,23 @@ pub struct Diagnosed {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Why there is no diagnosis.
-pub enum Undiagnosed {
+/// Why there is no diagnosis, and of which log: one of the baseline (from 0), or the log itself.
+pub struct Undiagnosed {
+    pub baseline: Option<usize>,
+    pub why: Why,
+}
+
+/// Why nothing can be said of a log.
+pub enum Why {
     /// The first is the error.
     Not(Vec<Diagnostic>),
     Io(io::Error),
+}
+
+impl From<Why> for Undiagnosed {
+    fn from(why: Why) -> Self {
+        Undiagnosed { baseline: None, why }
+    }
 }
 
 /// Figures of a vehicle that no log has, by field: they do not change what is asked.
@@ -41,6 +54,9 @@ pub(super) const FIGURES: [(&str, &str); 7] = [
     ("max_speed", "8000 rpm"),
     ("spin", "P"),
 ];
+/// A motor is where a log has it if the cosine of the angle between the axes about which it turns the vehicle is so
+/// large: 26 degrees, half of the angle between the motors of an octocopter.
+const SAME_PLACE: f64 = 0.9;
 /// The share of full thrust in hover where the log shows none.
 const HOVER: f64 = 0.5;
 
@@ -56,25 +72,18 @@ pub fn diagnose(
     baseline: &mut [Box<dyn Read>],
 ) -> Result<Diagnosed, Undiagnosed> {
     let (record, mut diagnostics) = read(log)?;
-    let vehicle =
-        Vehicle::of(&record, spec).map_err(|error| Undiagnosed::Not([vec![*error], diagnostics.clone()].concat()))?;
+    let vehicle = Vehicle::of(&record, spec).map_err(|error| Why::Not([vec![*error], diagnostics.clone()].concat()))?;
     diagnostics.extend(vehicle.warnings.iter().cloned());
-    let found = vehicle.study(&record, hidden).map_err(|error| Undiagnosed::Not(vec![*error]))?;
+    let found = vehicle.study(&record, hidden).map_err(|error| Why::Not(vec![*error]))?;
     let model = vehicle.model(found.as_ref());
     let losses = found.as_ref().map_or(&[][..], |study| &study.losses);
     let (after, sets) = (1..=losses.len()).map(|n| analysis(&model, &vehicle.motors, &losses[..n])).unzip();
-    let mut good: Vec<Vec<Capacity>> = Vec::new();
-    for other in baseline.iter_mut() {
-        let (record, _) = read(other.as_mut())?;
-        let study = vehicle.study(&record, &[]).map_err(|error| Undiagnosed::Not(vec![*error]))?;
-        good.extend(study.and_then(|study| study.capacities));
+    let mut good = Baseline::new(&record, found.as_ref());
+    for (k, other) in baseline.iter_mut().enumerate() {
+        good.take(&vehicle, other.as_mut()).map_err(|why| Undiagnosed { baseline: Some(k), why })?;
     }
-    let own = found.as_ref().and_then(|study| study.capacities.as_ref());
-    let against = own.filter(|_| !baseline.is_empty()).map(|own| compare(own, &good));
-    let rate = |period: f64| if period.is_finite() { 1.0 / period } else { 0.0 };
-    let rates = [rate(record.outputs.period()), rate(record.rates.period())];
-    let mut unknown = too_slow(&record, found.as_ref(), rates);
-    if !baseline.is_empty() && good.len() < 2 {
+    let mut unknown = unknown_of(&record, found.as_ref());
+    if baseline.len() == 1 {
         unknown.push("one baseline flight gives no spread: name two or more, of the same load".into());
     }
     let flights = found.as_ref().map_or(&[][..], |study| &study.flights);
@@ -88,17 +97,17 @@ pub fn diagnose(
         sets,
         aftermath,
         unknown,
-        rates,
-        baseline: against.filter(|_| good.len() >= 2),
+        rates: rates(&record),
+        baseline: good.against(),
     };
     Ok(Diagnosed { diagnosis, record, diagnostics })
 }
 
-pub(super) fn read(log: &mut dyn Read) -> Result<(Record, Vec<Diagnostic>), Undiagnosed> {
+pub(super) fn read(log: &mut dyn Read) -> Result<(Record, Vec<Diagnostic>), Why> {
     match log::read(log) {
         Ok(log) => Ok((log.record, log.diagnostics)),
-        Err(Unreadable::Not(error)) => Err(Undiagnosed::Not(vec![*error])),
-        Err(Unreadable::Io(error)) => Err(Undiagnosed::Io(error)),
+        Err(Unreadable::Not(error)) => Err(Why::Not(vec![*error])),
+        Err(Unreadable::Io(error)) => Err(Why::Io(error)),
     }
 }
 
@@ -119,7 +128,7 @@ pub(super) fn missing(message: impl Into<String>, help: &str) -> Box<Diagnostic>
 impl Vehicle {
     pub fn of(record: &Record, spec: Option<&Spec>) -> Result<Self, Box<Diagnostic>> {
         let (frame, spec, warnings) = match spec {
-            Some(spec) => (None, spec.clone(), Vec::new()),
+            Some(spec) => (None, spec.clone(), contradiction(record, &spec.model().vehicle).into_iter().collect()),
             None => {
                 let (text, warnings) = log::frame(record)?;
                 let figures: Vec<(&str, String)> = FIGURES.map(|(name, value)| (name, value.to_string())).into();
@@ -142,12 +151,17 @@ impl Vehicle {
         Ok(Vehicle { frame, spec, motors, warnings })
     }
 
+    /// The mean lever of the rotors' thrusts about the axis of roll or pitch, in arms.
+    pub fn mean_lever(&self, axis: usize) -> f64 {
+        let rotors = &self.spec.model().vehicle.rotors;
+        let longest = rotors.iter().map(|rotor| rotor.position[0].hypot(rotor.position[1])).fold(0.0, f64::max);
+        let sum: f64 = rotors.iter().map(|rotor| rotor.position[1 - axis].abs()).sum();
+        sum / rotors.len() as f64 / longest
+    }
+
     /// Effects in the order of the log's motors.
-    fn effects(&self) -> Vec<Effect> {
-        let of_rotors = effects(&self.spec.model().vehicle);
-        let mut of_motors = of_rotors.clone();
-        self.motors.iter().zip(of_rotors).for_each(|(motor, effect)| of_motors[*motor] = effect);
-        of_motors
+    pub fn effects(&self) -> Vec<Effect> {
+        in_order(effects(&self.spec.model().vehicle), &self.motors)
     }
 
     /// What the log says; `hidden` are motors from 1.
@@ -190,6 +204,44 @@ impl Vehicle {
     }
 }
 
+/// What rotors have, in the order of their motors (from 0).
+fn in_order<T: Clone>(of_rotors: Vec<T>, motors: &[usize]) -> Vec<T> {
+    let mut of_motors = of_rotors.clone();
+    motors.iter().zip(of_rotors).for_each(|(motor, of_rotor)| of_motors[*motor] = of_rotor);
+    of_motors
+}
+
+/// A warning if a spec has its motors elsewhere than the parameters of the log, or turning the other way.
+fn contradiction(record: &Record, spec: &crate::model::Vehicle) -> Option<Diagnostic> {
+    let (text, assumed) = log::frame(record).ok()?;
+    let figures: Vec<(&str, String)> = FIGURES.map(|(name, value)| (name, value.to_string())).into();
+    let frame = log::filled(&text, &figures).ok().filter(|_| assumed.is_empty() && !record.is_by_rotor)?;
+    let help = "the spec counts; name that of the vehicle that flew, with the numbers of its motors";
+    let warning = |message: String| Some(Diagnostic::warning(log::ASSUMED, Span::default(), message).help(help));
+    let [own, logged] = [spec, &frame.model().vehicle].map(|vehicle| {
+        let n = vehicle.rotors.len();
+        let motors = vehicle.motors().unwrap_or_else(|| (1..=n as u32).collect());
+        let motors: Vec<usize> = motors.iter().map(|m| (*m as usize).wrapping_sub(1)).collect();
+        let is_whole = motors.iter().all(|motor| *motor < n);
+        if is_whole { in_order(effects(vehicle), &motors) } else { Vec::new() }
+    });
+    if own.len() != logged.len() {
+        return warning(format!("the spec has {} motors, and the log's parameters {}", own.len(), logged.len()));
+    }
+    let differs = |k: &usize| {
+        let [a, b] = [own[*k], logged[*k]];
+        let along = a[1] * b[1] + a[2] * b[2];
+        along < SAME_PLACE * (a[1].hypot(a[2]) * b[1].hypot(b[2])) || a[3] * b[3] < 0.0
+    };
+    let others: Vec<String> = (0..own.len()).filter(differs).map(|k| (k + 1).to_string()).collect();
+    let message = format!(
+        "the log's parameters have {} {} elsewhere than the spec, or turning the other way",
+        if others.len() == 1 { "motor" } else { "motors" },
+        others.join(", ")
+    );
+    (!others.is_empty()).then(|| warning(message))?
+}
+
 /// What some losses leave of a vehicle, and its set of wrenches.
 fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> (ModeAnalysis, AdmissibleSet) {
     let state = |motor: &usize| {
@@ -218,28 +270,15 @@ fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> (ModeAnalysis, 
     (analyze_each(&model).pop().expect("healthy and one mode"), AdmissibleSet::of_mode(&model, 0))
 }
 
-/// Capacities against those of good flights. The spread between flights is taken as that of all rotors alike, because a
-/// few flights show too little of each.
-fn compare(own: &[Capacity], good: &[Vec<Capacity>]) -> Vec<Against> {
-    let (n, flights) = (own.len(), good.len() as f64);
-    let means: Vec<f64> = (0..n).map(|k| good.iter().map(|flight| flight[k].value).sum::<f64>() / flights).collect();
-    let squares: f64 =
-        good.iter().flat_map(|flight| flight.iter().zip(&means)).map(|(c, m)| (c.value - m).powi(2)).sum();
-    let freedom = n * good.len().saturating_sub(1);
-    let variance = squares / freedom.max(1) as f64;
-    let half = student(freedom) * (variance * (1.0 + 1.0 / flights)).sqrt();
-    let against = |(motor, capacity): (usize, &Capacity)| Against {
-        motor,
-        mean: means[motor],
-        change: capacity.value - means[motor],
-        half,
-    };
-    own.iter().enumerate().map(against).collect()
+/// How often outputs of motors and rates of turn are logged, Hz; 0 where they are not.
+fn rates(record: &Record) -> [f64; 2] {
+    [record.outputs.period(), record.rates.period()].map(|period| if period.is_finite() { 1.0 / period } else { 0.0 })
 }
 
 /// What the log does not show, with the parameter to set. Sources: ArduPilot's documentation of `LOG_BITMASK`, PX4's of
 /// `SDLOG_PROFILE`.
-fn too_slow(record: &Record, study: Option<&Study>, [outputs, rates]: [f64; 2]) -> Vec<String> {
+pub(super) fn unknown_of(record: &Record, study: Option<&Study>) -> Vec<String> {
+    let [outputs, rates] = rates(record);
     let mut found = Vec::new();
     let set = match record.autopilot {
         Autopilot::ArduPilot => "set bits 10 (motor outputs) and 7 (IMU) of LOG_BITMASK, and bit 0 (fast attitude)",
@@ -256,10 +295,16 @@ fn too_slow(record: &Record, study: Option<&Study>, [outputs, rates]: [f64; 2]) 
     } else if let Some(study) = study {
         if study.flights.is_empty() {
             found.push("the log has no flight of 2 s or more".into());
-        } else if !study.is_searched {
-            found.push(
-                "the motion was not searched: the flight is too short, or fewer than four outputs are known".into(),
-            );
+        } else if !study.is_determined {
+            found.push("fewer than four outputs are known, so that the motion cannot be searched for losses".into());
+        }
+        let short = study.flights.iter().zip(&study.searched).filter(|(_, searched)| searched.is_none());
+        let short: Vec<String> =
+            short.map(|(flight, _)| format!("from {} to {} s", fixed(flight.from, 1), fixed(flight.to, 1))).collect();
+        if study.is_determined && !short.is_empty() {
+            let flights = if short.len() == 1 { "flight" } else { "flights" };
+            let which = short.join(", ");
+            found.push(format!("too short to search the motion, which takes 4.5 s: {flights} {which}"));
         }
     }
     found

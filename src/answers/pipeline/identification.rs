@@ -1,6 +1,6 @@
 //! `identify`: the spec of the vehicle that flew, from the frame and the flight of a log.
 
-use super::diagnosis::{FIGURES, Undiagnosed, Vehicle, missing, read};
+use super::diagnosis::{FIGURES, Undiagnosed, Vehicle, Why, missing, read, unknown_of};
 use crate::diagnosis::capacity::student;
 use crate::diagnosis::fit::Fit;
 use crate::diagnosis::record::Record;
@@ -37,9 +37,10 @@ const PART: f64 = 2.0;
 /// Half of the relative interval of full thrust by the thrust curve alone: `MOT_THST_EXPO` and `THR_MDL_FAC` are
 /// seldom measured better.
 const CURVE: f64 = 0.03;
-/// Windows of at most this length show the time constant of rotors, s, on axes that are explained so well.
+/// Windows of at most this length show the time constant of rotors and the inertia, s, on axes of which the commands
+/// explain so much: with less, gusts that the autopilot counters and noise that it follows bias both.
 const FAST_WINDOWS: f64 = 0.03;
-const WELL: f64 = 0.6;
+const WELL: f64 = 0.9;
 
 /// Writes the spec of the vehicle of a log. `mass` is a quantity as in a spec: `1.5 kg`.
 ///
@@ -47,7 +48,7 @@ const WELL: f64 = 0.6;
 /// The log cannot be read or is not one, nothing says where the motors are, it has no flight, or the mass is not one.
 pub fn identify(source: &mut dyn Read, mass: &str) -> Result<Identified, Undiagnosed> {
     let (record, mut diagnostics) = read(source)?;
-    let not = |error: Box<Diagnostic>| Undiagnosed::Not(vec![*error]);
+    let not = |error: Box<Diagnostic>| Undiagnosed::from(Why::Not(vec![*error]));
     let vehicle = Vehicle::of(&record, None).map_err(not)?;
     diagnostics.extend(vehicle.warnings.iter().cloned());
     let frame = vehicle.frame.clone().unwrap_or_default();
@@ -57,10 +58,12 @@ pub fn identify(source: &mut dyn Read, mass: &str) -> Result<Identified, Undiagn
         .map_err(|why| not(missing(format!("--mass {mass}: {why}"), "give a mass with its unit: `--mass 1.5kg`")))?;
     let kilograms = weighed.model().vehicle.mass;
     let study = vehicle.study(&record, &[]).map_err(not)?;
-    let Some(study) = study.filter(|study| study.fit.is_some()) else {
-        return Err(not(missing("the log shows no flight of 2 s or more", "name the log of a flight with a hover")));
+    let Some(study) = study.as_ref().filter(|study| study.fit.is_some()) else {
+        let why = unknown_of(&record, study.as_ref()).into_iter().next();
+        let why = why.unwrap_or("the log shows no flight of 2 s or more".into());
+        return Err(not(missing(why, "name the log of a flight with a hover")));
     };
-    let (text, figures) = written(&frame, &record, &vehicle, &study, mass, kilograms);
+    let (text, figures) = written(&frame, &record, &vehicle, study, mass, kilograms);
     Ok(Identified { text, figures, diagnostics })
 }
 
@@ -101,8 +104,10 @@ fn written(
     let fit = study.fit.as_ref();
     let thrust = samples.as_ref().zip(fit).and_then(|(samples, fit)| thrust_per_command(samples, fit, study));
     let thrust = thrust.map(|(mean, half)| (mean * kilograms, (half / mean).hypot(CURVE)));
-    let lag =
-        fit.filter(|fit| study.step <= FAST_WINDOWS && fit.explained[..2].iter().all(|e| *e > WELL) && fit.lag > 0.0);
+    let quick = fit.zip(samples.as_ref()).filter(|_| study.step <= FAST_WINDOWS);
+    let quick = quick.map(|(fit, samples)| fit.refined(samples, &vehicle.effects(), study.range));
+    let quick = quick.as_ref();
+    let lag = quick.filter(|fit| fit.lag > 0.0 && fit.explained[..2].iter().all(|e| *e > WELL));
     let figure = |name: &str| match name {
         "mass" => Some((mass.to_string(), (kilograms, None), "as given".to_string())),
         "max_thrust" => thrust.map(|(newton, relative)| {
@@ -114,7 +119,8 @@ fn written(
         _ => None,
     };
     let hint = |name: &str| match name {
-        "inertia" | "arm" => Some(turning(fit)),
+        "arm" => Some("measure it: from the middle of the frame to a motor".into()),
+        "inertia" => Some(turning(quick, thrust, vehicle)),
         "torque_per_thrust" => {
             Some("not from one flight: a turn shows only its ratio to Izz; measure on a stand".into())
         }
@@ -157,15 +163,19 @@ fn written(
     (out, figures)
 }
 
-/// What the flight shows of the inertia.
-fn turning(fit: Option<&Fit>) -> String {
-    let gains = fit.map_or([None; 3], |fit| fit.gains);
-    match gains {
-        [Some(roll), Some(pitch), _] => format!(
-            "roll and pitch turn by {} and {} rad/s^2 for one motor's full thrust: with the arm this is the inertia",
-            significant(roll, 2),
-            significant(pitch, 2)
-        ),
-        _ => "fly quick steps of roll and pitch, with outputs and rates logged at 100 Hz or more".into(),
-    }
+/// What the flight shows of the inertia: its ratio to the arm. The commands that explain a share r of a turn bias its
+/// gain g down, those that the turn explains bias it up: the truth is between g and g / r (errors in variables; also
+/// where the autopilot counters a part of what disturbs the vehicle).
+fn turning(fit: Option<&Fit>, thrust: Option<(f64, f64)>, vehicle: &Vehicle) -> String {
+    let manoeuvre = "fly quick steps of roll and pitch in calm air, with outputs and rates logged at 100 Hz or more";
+    let Some((fit, (thrust, relative))) = fit.zip(thrust) else { return manoeuvre.into() };
+    let ratio = |(axis, name): (usize, &str)| {
+        let gain = fit.gains[axis].filter(|_| fit.explained[axis] > WELL)?;
+        let lever = vehicle.mean_lever(axis);
+        let of = |gain: f64, thrust: f64| significant(thrust * lever / gain, 3);
+        let ends = [of(gain / fit.explained[axis], thrust * (1.0 - relative)), of(gain, thrust * (1.0 + relative))];
+        Some(format!("{name} is {} to {} kg*m times the arm", ends[0], ends[1]))
+    };
+    let ratios: Vec<String> = [(0, "Ixx"), (1, "Iyy")].into_iter().filter_map(ratio).collect();
+    if ratios.is_empty() { manoeuvre.into() } else { ratios.join(", ") }
 }

@@ -4,6 +4,7 @@ use super::DAMAGED;
 use crate::diagnosis::record::{Autopilot, MOTORS, Record};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
+use std::collections::BTreeSet;
 
 /// The most parameters of a log, each with a name of at most [`LONGEST_NAME`] bytes.
 const MOST_PARAMETERS: usize = 8192;
@@ -13,9 +14,11 @@ const LONGEST_NAME: usize = 64;
 const FIRST_FUNCTION: f64 = 33.0;
 const NINTH: f64 = 82.0;
 
-/// ArduPilot's events of arming and disarming.
-const ARMED: f64 = 10.0;
-const DISARMED: f64 = 11.0;
+/// Parameters that say what vehicle it is.
+const FRAMES: [&str; 5] = ["FRAME", "FRAME_CLASS", "FRAME_TYPE", "CA_AIRFRAME", "CA_ROTOR_COUNT"];
+
+/// Faster turns than this no gyroscope of an autopilot measures (ranges end at 4000 deg/s), rad/s.
+const FASTEST: f64 = 100.0;
 
 /// What could not be read.
 #[derive(Debug, Default)]
@@ -27,6 +30,10 @@ pub struct Damage {
     pub cut: u64,
     /// Samples whose time is before that of an earlier one.
     pub late: u64,
+    /// Samples of the gyroscope that none can measure.
+    pub wild: u64,
+    /// Parameters of the frame that change.
+    pub frames: BTreeSet<String>,
 }
 
 impl Damage {
@@ -42,6 +49,14 @@ impl Damage {
             let advice = Diagnostic::advice(DAMAGED, Span::default(), message);
             found.push(advice.help("copy the log again; if the power was cut, its end was never written"));
         }
+        if let Some(name) = self.frames.first() {
+            let message = format!("`{name}` changes within the log, as if it held those of two vehicles");
+            found.push(warning(message).help("the last value counts; split the log where the autopilot was started"));
+        }
+        if self.wild > 0 {
+            let message = format!("{} samples of the gyroscope are beyond any range and were left out", self.wild);
+            found.push(warning(message));
+        }
         if self.late > 100 {
             let message = format!("{} samples have times before those of earlier ones and were left out", self.late);
             found.push(warning(message).help("if the log has several flights, split it at its reboots"));
@@ -56,6 +71,8 @@ pub struct Collector {
     pub damage: Damage,
     /// ArduPilot: the motor of each servo output, and whether the parameters that say it changed.
     motor_of: [Option<usize>; 32],
+    /// Outputs with another function.
+    is_other: [bool; 32],
     /// Whether a more exact source of a series was seen.
     has_ekf: bool,
     /// PX4 and mavc: whether the log has the commands of motors.
@@ -83,6 +100,7 @@ impl Collector {
             record: Record::new(autopilot),
             damage: Damage::default(),
             motor_of: [None; 32],
+            is_other: [false; 32],
             has_ekf: false,
             has_commands: false,
             is_measured: false,
@@ -112,6 +130,10 @@ impl Collector {
             if motor.is_some() {
                 self.motor_of[output - 1] = motor;
             }
+            self.is_other[output - 1] = motor.is_none() && value != 0.0;
+        }
+        if FRAMES.contains(&name) && self.record.parameters.get(name).is_some_and(|known| *known != value) {
+            self.damage.frames.insert(name.to_string());
         }
         if self.record.parameters.len() < MOST_PARAMETERS {
             self.record.parameters.insert(name.to_string(), value);
@@ -122,7 +144,7 @@ impl Collector {
     fn motor(&self, output: usize) -> Option<usize> {
         match self.motor_of.iter().any(Option::is_some) {
             true => self.motor_of[output],
-            false => (output < 8).then_some(output),
+            false => (output < 8 && !self.is_other[output]).then_some(output),
         }
     }
 
@@ -132,6 +154,15 @@ impl Collector {
                 self.outputs[motor] = *pulse;
             }
         }
+    }
+
+    /// What the gyroscope measured about forward, right, down, rad/s. Returns whether it was in order.
+    fn rates(&mut self, time: f64, rates: [f64; 3]) -> bool {
+        if rates.iter().any(|rate| rate.abs() > FASTEST) {
+            self.damage.wild += 1;
+            return true;
+        }
+        self.record.rates.push(time, turned(rates))
     }
 
     /// A message of ArduPilot: the fields of `dataflash::WANTED`.
@@ -149,16 +180,20 @@ impl Collector {
                 true
             }
             ("IMU", [instance, gyro @ .., ax, ay, az]) if is_first(*instance) => {
-                let is_in_order = record.rates.push(time, turned([gyro[0], gyro[1], gyro[2]]));
                 record.force.push(time, turned([*ax, *ay, *az]));
-                is_in_order
+                self.rates(time, [gyro[0], gyro[1], gyro[2]])
             }
             ("RATE", [thrust, roll, pitch, yaw]) => record.demands.push(time, [*thrust, *roll, -*pitch, -*yaw]),
             ("ATT", [roll, pitch, yaw, wanted @ ..]) => {
                 let all = [*roll, -*pitch, -*yaw, wanted[0], -wanted[1], -wanted[2]];
                 record.attitude.push(time, all.map(radians))
             }
-            ("BARO", [instance, height]) if is_first(*instance) && !self.has_ekf => record.height.push(time, [*height]),
+            ("BARO", [instance, height]) if is_first(*instance) => {
+                if !self.has_ekf {
+                    record.height.push(time, [*height]);
+                }
+                record.pressure_height.push(time, [*height])
+            }
             ("XKF1" | "NKF1" | "EKF1", [core, _, _, down, _, _, place]) if is_first(*core) => {
                 if !self.has_ekf {
                     record.height = Default::default();
@@ -166,9 +201,6 @@ impl Collector {
                 }
                 record.climb.push(time, [-*down]);
                 record.height.push(time, [-*place])
-            }
-            ("BAT" | "CURR", [instance, volts, amperes]) if is_first(*instance) => {
-                record.battery.push(time, [*volts, *amperes])
             }
             ("ESC", [instance, rpm]) if *instance >= 0.0 && *instance < MOTORS as f64 => {
                 if let Some(motor) = self.motor(*instance as usize) {
@@ -178,12 +210,12 @@ impl Collector {
                 self.record.speeds.push(time, speeds);
                 true
             }
-            ("EV", [event]) if [ARMED, DISARMED].contains(event) => {
-                record.armed.push(time, [f64::from(u8::from(*event == ARMED))]);
-                true
-            }
-            ("ARM", [state]) => {
-                record.armed.push(time, [f64::from(u8::from(*state != 0.0))]);
+            ("ESC1" | "ESC2" | "ESC3" | "ESC4" | "ESC5" | "ESC6" | "ESC7" | "ESC8", [rpm]) => {
+                if let Some(motor) = self.motor(usize::from(name.as_bytes()[3] - b'1')) {
+                    self.speeds[motor] = *rpm;
+                }
+                let speeds = self.speeds;
+                self.record.speeds.push(time, speeds);
                 true
             }
             _ => true,
@@ -217,7 +249,7 @@ impl Collector {
                     record.rates = Default::default();
                     self.has_ekf = true;
                 }
-                record.rates.push(time, turned([*x, *y, *z]))
+                self.rates(time, [*x, *y, *z])
             }
             ("sensor_combined", [x, y, z, ax, ay, az]) => {
                 // The filtered rates of PX4 are better; those of a simulated flight are true, as no sensor's are.
@@ -225,10 +257,9 @@ impl Collector {
                     record.rates = Default::default();
                     self.is_measured = true;
                 }
-                if !self.has_ekf || self.is_measured {
-                    record.rates.push(time, turned([*x, *y, *z]));
-                }
-                record.force.push(time, turned([*ax, *ay, *az]))
+                let is_in_order = record.force.push(time, turned([*ax, *ay, *az]));
+                let is_used = !self.has_ekf || self.is_measured;
+                (!is_used || self.rates(time, [*x, *y, *z])) && is_in_order
             }
             ("vehicle_attitude", [w, x, y, z]) => {
                 let [roll, pitch, yaw] = angles([*w, *x, *y, *z]);
@@ -238,7 +269,7 @@ impl Collector {
                 record.climb.push(time, [-*vz]);
                 record.height.push(time, [-*z])
             }
-            ("battery_status", [volts, amperes]) => record.battery.push(time, [*volts, *amperes]),
+            ("vehicle_air_data", [height]) => record.pressure_height.push(time, [*height]),
             ("esc_status", speeds) => record.speeds.push(time, motors(speeds)),
             ("mavc_rotors", speeds) => {
                 record.autopilot = Autopilot::Mavc;
@@ -250,7 +281,6 @@ impl Collector {
                 }
                 true
             }
-            ("actuator_armed", [armed]) => record.armed.push(time, [*armed]),
             _ => true,
         };
         self.count(is_in_order);
@@ -258,6 +288,7 @@ impl Collector {
 
     /// Ends the log: outputs that are shares although their topic has pulses in other logs (simulators).
     pub fn finish(&mut self) {
+        self.record.finish();
         let outputs = &self.record.outputs;
         let largest = outputs.values.iter().flatten().filter(|v| v.is_finite()).fold(0.0_f32, |a, b| a.max(*b));
         if self.record.is_pulses && largest > 0.0 && largest <= 1.5 {

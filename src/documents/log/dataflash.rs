@@ -14,26 +14,25 @@ const FMT_LENGTH: usize = 89;
 
 /// The messages that are read, with their fields; a missing field is NaN. The first name of a field that the log has
 /// counts.
-const WANTED: [(&str, &[&str]); 20] = [
+const WANTED: [(&str, &[&str]); 19] = [
     ("RCOU", &["C1", "C2", "C3", "C4", "C5", "C6", "C7", "C8", "C9", "C10", "C11", "C12", "C13", "C14"]),
     ("RCO2", &["C15", "C16", "C17", "C18"]),
     ("IMU", &["I", "GyrX", "GyrY", "GyrZ", "AccX", "AccY", "AccZ"]),
     ("RATE", &["AOut", "ROut", "POut", "YOut"]),
     ("ATT", &["Roll", "Pitch", "Yaw", "DesRoll", "DesPitch", "DesYaw"]),
-    ("CTUN", &["Alt|BarAlt|BAlt", "CRt"]),
     ("BARO", &["I", "Alt"]),
     ("XKF1", &["C", "VN", "VE", "VD", "PN", "PE", "PD"]),
     ("NKF1", &["C", "VN", "VE", "VD", "PN", "PE", "PD"]),
     ("EKF1", &["C", "VN", "VE", "VD", "PN", "PE", "PD"]),
-    ("BAT", &["Instance|Inst|I", "Volt", "Curr"]),
-    ("CURR", &["Instance|Inst|I", "Volt", "Curr"]),
     ("ESC", &["Instance|Inst|I", "RPM"]),
-    ("EV", &["Id"]),
-    ("ARM", &["ArmState"]),
     ("ESC1", &["RPM"]),
     ("ESC2", &["RPM"]),
     ("ESC3", &["RPM"]),
     ("ESC4", &["RPM"]),
+    ("ESC5", &["RPM"]),
+    ("ESC6", &["RPM"]),
+    ("ESC7", &["RPM"]),
+    ("ESC8", &["RPM"]),
     ("PARM", &["Value"]),
 ];
 

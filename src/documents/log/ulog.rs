@@ -19,16 +19,15 @@ const DEEPEST: usize = 6;
 
 /// The topics that are read, with their fields; a missing field is NaN. The first name of a field that the log has
 /// counts. `name[3]` is three fields.
-const WANTED: [(&str, &[&str]); 10] = [
+const WANTED: [(&str, &[&str]); 9] = [
     ("actuator_motors", &["control[12]"]),
     ("actuator_outputs", &["noutputs", "output[16]"]),
     ("vehicle_angular_velocity", &["xyz[3]"]),
     ("sensor_combined", &["gyro_rad[3]", "accelerometer_m_s2[3]"]),
     ("vehicle_attitude", &["q[4]"]),
     ("vehicle_local_position", &["z", "vz"]),
-    ("battery_status", &["voltage_v", "current_a"]),
+    ("vehicle_air_data", &["baro_alt_meter"]),
     ("esc_status", &["esc.esc_rpm[8]"]),
-    ("actuator_armed", &["armed"]),
     // Of simulated flights of mavc.
     (
         "mavc_rotors",

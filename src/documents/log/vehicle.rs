@@ -5,7 +5,7 @@
 //! the frame.
 
 use super::{ASSUMED, MISSING};
-use crate::diagnosis::record::{Autopilot, Record};
+use crate::diagnosis::record::{Autopilot, MOTORS, Record};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::import::{unknown, vehicle};
 use crate::source::Span;
@@ -16,8 +16,24 @@ use std::fmt::Write;
 const TYPES: [(f64, u32, &str); 3] =
     [(2.0, 1, "a quadcopter X"), (13.0, 2, "a hexacopter X"), (14.0, 3, "an octocopter X")];
 
+/// ArduCopter's `FRAME` of a Y6B before 3.5.
+const Y6B: f64 = 10.0;
+/// A motor's output moves by so much in a flight, us.
+const MOVES: f32 = 30.0;
+
 /// Figures of a vehicle that stand as `?` in the spec of its frame: the last part of a path, and a value of it.
 pub type FrameFigures<'f> = &'f [(&'f str, String)];
+
+/// Outputs of an old log that move as those of motors do: by pulses within the range of motors.
+fn moving(record: &Record) -> usize {
+    let moves = |motor: &usize| {
+        let pulses =
+            record.outputs.values.iter().map(|row| row[*motor]).filter(|pulse| (900.0..2200.0).contains(pulse));
+        let [least, most] = pulses.fold([f32::INFINITY, 0.0], |[least, most], x| [least.min(x), most.max(x)]);
+        most - least > MOVES
+    };
+    (0..MOTORS).filter(moves).count()
+}
 
 /// The parameters of a log that place its motors, as a text that `import vehicle` reads; and whether the frame is
 /// assumed.
@@ -32,10 +48,17 @@ fn parameters(record: &Record) -> Option<(String, Option<&'static str>)> {
     }
     match record.autopilot {
         Autopilot::ArduPilot if record.parameters.contains_key("FRAME_CLASS") => Some((text, None)),
-        // Before 3.5 the firmware had the class: four outputs are those of a quadcopter.
+        // Before 3.5 the firmware had the class; of six motors the type Y6B has a number of its own.
         Autopilot::ArduPilot => {
             let kind = record.parameters.get("FRAME")?;
-            Some((format!("FRAME_CLASS,1\nFRAME_TYPE,{kind}\n"), Some("a quadcopter, as the log has no `FRAME_CLASS`")))
+            let (class, what) = match (moving(record), *kind == Y6B) {
+                (6, true) => (5, "a Y6B, by its six outputs that move and `FRAME`"),
+                (4, false) => (1, "a quadcopter, by its four outputs that move"),
+                (6, false) => (2, "a hexacopter, by its six outputs that move"),
+                (8, false) => (3, "an octocopter, by its eight outputs that move"),
+                _ => return None,
+            };
+            Some((format!("FRAME_CLASS,{class}\nFRAME_TYPE,{kind}\n"), Some(what)))
         }
         _ if record.parameter("CA_ROTOR_COUNT", 0.0) > 0.0 => Some((text, None)),
         _ => {

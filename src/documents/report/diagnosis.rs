@@ -14,6 +14,7 @@ pub use text::screen;
 use crate::admissible::AdmissibleSet;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnosis::aftermath::Aftermath;
+use crate::diagnosis::ending::End;
 use crate::diagnosis::record::Autopilot;
 use crate::diagnosis::study::Study;
 use crate::model::Model;
@@ -65,8 +66,36 @@ impl Diagnosis {
         self.study.as_ref().map_or(&[], |study| &study.losses)
     }
 
-    /// Whether nothing can be said of losses.
-    pub fn is_unknown(&self) -> bool {
-        self.study.as_ref().is_none_or(|study| study.flights.is_empty() || !study.is_searched)
+    /// Motors that give less than in the baseline flights by more than the 95 % interval.
+    pub fn weaker(&self) -> impl Iterator<Item = &Against> {
+        self.baseline.iter().flatten().filter(|one| one.change < -one.half)
     }
+
+    pub fn answer(&self) -> Answer {
+        let study = self.study.as_ref();
+        let flights = || study.into_iter().flat_map(|study| study.flights.iter().zip(&study.searched));
+        let is_searched = flights().any(|(_, searched)| searched.is_some());
+        let is_open = flights().any(|(flight, searched)| searched.is_none() && matches!(flight.end, End::Impact(_)));
+        match () {
+            () if !self.losses().is_empty() => Answer::Loss,
+            () if self.weaker().next().is_some() => Answer::Weaker,
+            () if !is_searched || is_open => Answer::Unknown,
+            () => Answer::None,
+        }
+    }
+}
+
+/// The answer in one word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Answer {
+    /// A rotor lost thrust, or an output was off or held in flight.
+    Loss,
+    /// No loss was found, but a rotor gives less thrust than in the baseline flights.
+    Weaker,
+    /// No loss was found.
+    None,
+    /// The log does not show it.
+    Unknown,
 }

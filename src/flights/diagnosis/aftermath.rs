@@ -1,6 +1,6 @@
 //! What a log shows between the first loss of a flight and its end.
 
-use super::ending::Flight;
+use super::ending::{End, Flight};
 use super::record::Record;
 use super::study::Loss;
 use std::ops::Range;
@@ -23,12 +23,12 @@ pub struct Aftermath {
     pub last: usize,
     /// The end of the flight, s.
     pub to: f64,
-    /// Time (s) and speed (m/s) of an impact.
-    pub impact: Option<(f64, f64)>,
+    pub end: End,
     /// When the vehicle began to turn faster than 90 deg/s one way for 0.3 s or longer, s, and which way: 1
     /// counter-clockwise seen from above, -1 clockwise.
     pub fast_from: Option<(f64, f64)>,
-    /// The fastest turn about the vertical axis of the body either way, rad/s; `None` without rates.
+    /// The fastest turn about the vertical axis of the body the way of `fast_from`, else either way, rad/s; `None`
+    /// without rates.
     pub yaw_rate: Option<f64>,
     /// The greatest tilt, rad; `None` without attitudes.
     pub tilt: Option<f64>,
@@ -48,7 +48,8 @@ impl Aftermath {
         let in_force = |loss: &Loss| is_in(flight, loss) && fast_from.is_none_or(|(fast, _)| loss.time <= fast);
         let count = losses[first..].iter().take_while(|loss| in_force(loss)).count();
         let last = losses.iter().rposition(|loss| is_in(flight, loss))?;
-        let yaw_rates = record.rates.within(from, to).iter().map(|rates| f64::from(rates[2]).abs());
+        let that_way = |rate: f64| fast_from.map_or(rate.abs(), |(_, sign)| sign * rate);
+        let yaw_rates = record.rates.within(from, to).iter().map(|rates| that_way(f64::from(rates[2])));
         let attitudes = record.attitude.within(from, to);
         let largest = |angles: &mut dyn Iterator<Item = f64>| angles.filter(|x| x.is_finite()).max_by(f64::total_cmp);
         let up = |roll: f32, pitch: f32| {
@@ -61,7 +62,7 @@ impl Aftermath {
             // At least the loss itself.
             losses: first..first + count.max(1),
             to,
-            impact: flight.impact,
+            end: flight.end,
             fast_from,
             last,
             yaw_rate: yaw_rates.max_by(f64::total_cmp),
@@ -104,8 +105,8 @@ mod tests {
         Loss { motor, time, interval, capacity: 0.0, capacity_interval, kind, evidence, alternatives }
     }
 
-    fn flight(from: f64, to: f64, impact: Option<(f64, f64)>) -> Flight {
-        Flight { from, to, impact, tilt: 0.0, yaw_rate: 0.0 }
+    fn flight(from: f64, to: f64, end: End) -> Flight {
+        Flight { from, to, end, tilt: None, yaw_rate: None }
     }
 
     /// A record with a rate of yaw (rad/s) and a roll (rad) at 50 Hz.
@@ -124,7 +125,7 @@ mod tests {
         let jolts = |t: f64| if (10.0..10.2).contains(&t) { 5.0 } else { 0.0 };
         let swings = |t: f64| 4.0 * (20.0 * t).sin();
         let turns = |t: f64| if t > 14.0 { -2.0 } else { 0.0 };
-        let flights = [flight(1.0, 20.0, Some((20.0, 9.0)))];
+        let flights = [flight(1.0, 20.0, End::Impact(Some([8.0, 9.0])))];
         let of =
             |rate: &dyn Fn(f64) -> f64| Aftermath::of(&record(rate, |_| 0.0, 0.0), &flights, &[loss(0, 8.0)]).unwrap();
         assert_eq!(of(&jolts).fast_from, None);
@@ -132,7 +133,7 @@ mod tests {
         let found = of(&turns);
         let (time, way) = found.fast_from.unwrap();
         assert!((time - 14.0).abs() < 0.03 && way == -1.0, "{found:?}");
-        assert_eq!((found.yaw_rate, found.impact, found.from, found.to), (Some(2.0), Some((20.0, 9.0)), 8.0, 20.0));
+        assert_eq!((found.yaw_rate, found.end, found.from, found.to), (Some(2.0), flights[0].end, 8.0, 20.0));
         // A turn before the loss is not its consequence.
         assert_eq!(of(&|t| if t < 7.9 { 3.0 } else { 0.0 }).fast_from, None);
     }
@@ -141,7 +142,7 @@ mod tests {
     /// flight.
     #[test]
     fn later_losses_do_not_explain_an_earlier_turn() {
-        let flights = [flight(1.0, 9.0, None), flight(11.0, 25.0, None)];
+        let flights = [flight(1.0, 9.0, End::Landed), flight(11.0, 25.0, End::Open)];
         let losses = [loss(2, 5.0), loss(0, 12.0), loss(1, 16.0), loss(3, 26.0)];
         let turning = record(|t| if t > 14.0 { 2.0 } else { 0.0 }, |_| 0.0, 0.0);
         let still = record(|_| 0.0, |_| 0.0, 0.0);
@@ -154,7 +155,7 @@ mod tests {
 
     #[test]
     fn tilt_and_the_angle_to_the_command() {
-        let flights = [flight(1.0, 25.0, None)];
+        let flights = [flight(1.0, 25.0, End::Open)];
         let rolls = |t: f64| if t > 20.0 { 0.7 } else { 0.1 };
         let found = Aftermath::of(&record(|_| 0.0, rolls, 0.0), &flights, &[loss(0, 12.0)]).unwrap();
         assert!((found.tilt.unwrap() - 0.7).abs() < 1e-6 && (found.off.unwrap() - 0.7).abs() < 1e-6, "{found:?}");

@@ -8,6 +8,8 @@ use crate::model::Vehicle;
 
 /// Time constants of rotors that are tried, s.
 const LAGS: [f64; 8] = [0.0, 0.01, 0.02, 0.03, 0.05, 0.08, 0.12, 0.2];
+/// How many steps a finer search of them has between two neighbours.
+const FINER: usize = 20;
 /// Faster turns than this are left out of the fit, rad/s: torques that the model lacks grow with them.
 pub const FAST: f64 = 2.0;
 /// An axis whose commands explain less than this share of the variance gets no gain.
@@ -81,9 +83,22 @@ fn slope(pairs: &[(f64, f64)]) -> (f64, f64) {
 
 impl Fit {
     /// The fit of the windows in `[from, until)`, s, in which the vehicle flies.
-    pub fn of(samples: &Samples, effects: &[Effect], [from, until]: [f64; 2]) -> Self {
+    pub fn of(samples: &Samples, effects: &[Effect], range: [f64; 2]) -> Self {
+        Fit::with(&LAGS, samples, effects, range)
+    }
+
+    /// The fit with a finer time constant of the rotors.
+    pub fn refined(&self, samples: &Samples, effects: &[Effect], range: [f64; 2]) -> Self {
+        let at = LAGS.iter().position(|lag| *lag == self.lag).unwrap_or(0);
+        let [low, high] = [LAGS[at.saturating_sub(1)], LAGS[(at + 1).min(LAGS.len() - 1)]];
+        let finer: Vec<f64> = (0..=FINER).map(|k| low + (high - low) * k as f64 / FINER as f64).collect();
+        Fit::with(&finer, samples, effects, range)
+    }
+
+    /// The fit with that of some time constants (s) that explains most.
+    fn with(lags: &[f64], samples: &Samples, effects: &[Effect], [from, until]: [f64; 2]) -> Self {
         let mut best: Option<Fit> = None;
-        for lag in LAGS {
+        for &lag in lags {
             let commands = samples.followed(lag);
             let used: Vec<usize> = (0..samples.samples.len())
                 .filter(|i| {

@@ -4,6 +4,7 @@
 //! follows from the outputs that are seen, and, if they leave it open, from the demands that the log has.
 
 use super::fit::Effect;
+use super::outputs::Frozen;
 use super::record::{Record, Series};
 use nalgebra::{DMatrix, Matrix4, Vector4};
 
@@ -20,6 +21,14 @@ pub const DETERMINED: usize = 4;
 /// What the mixer would command hidden motors.
 pub struct Mixed<'r> {
     effects: &'r [Effect],
+    times: &'r [f64],
+    /// From the start of the record on, and anew from each output on that no longer follows the mixer.
+    stages: Vec<Stage<'r>>,
+}
+
+/// What commands follow from, from a time (s) on.
+struct Stage<'r> {
+    from: f64,
     seen: Vec<usize>,
     /// d from the commands that are seen alone: the shortest, 4 x seen.
     of_seen: DMatrix<f64>,
@@ -37,36 +46,45 @@ struct Demands<'r> {
 }
 
 impl<'r> Mixed<'r> {
-    /// `None` if no motor is hidden.
-    pub fn of(record: &'r Record, effects: &'r [Effect], hidden: &[usize]) -> Option<Self> {
-        let seen: Vec<usize> = (0..effects.len()).filter(|k| !hidden.contains(k)).collect();
+    /// `None` if no motor is hidden. Outputs say nothing of the mixer from when on they are `frozen`.
+    pub fn of(record: &'r Record, effects: &'r [Effect], hidden: &[usize], frozen: &[Frozen]) -> Option<Self> {
         if hidden.is_empty() {
             return None;
         }
-        let matrix = DMatrix::from_fn(seen.len(), 4, |row, axis| effects[seen[row]][axis]);
-        let of_seen = if seen.is_empty() { DMatrix::zeros(4, 0) } else { matrix.pseudo_inverse(1e-6).ok()? };
-        let demands = Demands::of(record, effects, &seen);
-        Some(Mixed { effects, seen, of_seen, demands })
+        let begins = std::iter::once(f64::NEG_INFINITY).chain(frozen.iter().map(|one| one.from));
+        let stage = |from: f64| {
+            let follows =
+                |k: &usize| !hidden.contains(k) && !frozen.iter().any(|one| one.motor == *k && one.from <= from);
+            let seen: Vec<usize> = (0..effects.len()).filter(follows).collect();
+            let matrix = DMatrix::from_fn(seen.len(), 4, |row, axis| effects[seen[row]][axis]);
+            let of_seen = if seen.is_empty() { DMatrix::zeros(4, 0) } else { matrix.pseudo_inverse(1e-6).ok()? };
+            let demands = Demands::of(record, effects, &seen);
+            Some(Stage { from, seen, of_seen, demands })
+        };
+        let mut stages: Vec<Stage> = begins.map(stage).collect::<Option<_>>()?;
+        stages.sort_by(|a, b| a.from.total_cmp(&b.from));
+        Some(Mixed { effects, times: &record.outputs.times, stages })
     }
 
-    /// Whether the commands follow from what is seen.
+    /// Whether the commands follow from what is seen while no output is frozen.
     pub fn is_determined(&self) -> bool {
-        self.seen.len() >= DETERMINED || self.demands.is_some()
+        self.stages[0].seen.len() >= DETERMINED || self.stages[0].demands.is_some()
     }
 
     /// The command of a hidden motor in a row of the outputs, from those that are seen in it.
     pub fn command(&self, row: usize, motor: usize, commands: &dyn Fn(usize, usize) -> f64) -> f64 {
         let effect = Vector4::from(self.effects[motor]);
-        let with_demands = self.demands.as_ref().and_then(|demands| {
+        let stage = &self.stages[self.stages.partition_point(|stage| stage.from <= self.times[row]).max(1) - 1];
+        let with_demands = stage.demands.as_ref().and_then(|demands| {
             let wanted = demands.at(row)?;
             let mut sum = wanted.component_mul(&demands.weights);
-            self.seen.iter().for_each(|k| sum += Vector4::from(self.effects[*k]) * commands(row, *k));
+            stage.seen.iter().for_each(|k| sum += Vector4::from(self.effects[*k]) * commands(row, *k));
             Some(effect.dot(&(demands.inverse * sum)))
         });
         let of_seen = || {
-            let columns = self.seen.iter().enumerate();
+            let columns = stage.seen.iter().enumerate();
             let part =
-                |(i, k): (usize, &usize)| effect.dot(&self.of_seen.fixed_rows::<4>(0).column(i)) * commands(row, *k);
+                |(i, k): (usize, &usize)| effect.dot(&stage.of_seen.fixed_rows::<4>(0).column(i)) * commands(row, *k);
             columns.map(part).sum::<f64>()
         };
         with_demands.unwrap_or_else(of_seen).clamp(0.0, 1.0)

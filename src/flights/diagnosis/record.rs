@@ -7,6 +7,11 @@ use std::collections::BTreeMap;
 /// 1 GB.
 const MOST: usize = 1 << 20;
 
+/// A time further ahead of the next one than this is damaged, s.
+const FAR: f64 = 1.0;
+/// So long after all others nothing is of the same flight, s.
+const LONG: f64 = 3600.0;
+
 /// Samples of `N` numbers in time, in their order.
 #[derive(Debug, Clone)]
 pub struct Series<const N: usize> {
@@ -24,14 +29,24 @@ impl<const N: usize> Default for Series<N> {
 }
 
 impl<const N: usize> Series<N> {
-    /// Adds a sample (s); one that is not finite or not after the last is left out. Returns whether it was in order.
+    /// Adds a sample (s); one that is not finite or not after the last is left out. A last sample far ahead of its
+    /// neighbours has a damaged time and is taken back. Returns whether all were in order.
     pub fn push(&mut self, time: f64, values: [f64; N]) -> bool {
+        let mut is_in_order = time.is_finite();
+        if let Some(last) = self.times.last().filter(|last| time <= **last) {
+            let before = self.times.len().checked_sub(2).map_or(f64::NEG_INFINITY, |k| self.times[k]);
+            if time > before && last - time > FAR {
+                self.times.pop();
+                self.values.pop();
+            }
+            is_in_order = false;
+        }
         if !time.is_finite() || self.times.last().is_some_and(|last| time <= *last) {
             return false;
         }
         self.seen += 1;
         if !(self.seen - 1).is_multiple_of(self.stride) {
-            return true;
+            return is_in_order;
         }
         self.times.push(time);
         self.values.push(values.map(|v| v as f32));
@@ -48,7 +63,17 @@ impl<const N: usize> Series<N> {
             });
             self.stride *= 2;
         }
-        true
+        is_in_order
+    }
+
+    /// Ends the series: a last sample long after the others has a damaged time.
+    pub fn finish(&mut self) {
+        if let [.., before, last] = self.times[..]
+            && last - before > LONG
+        {
+            self.times.pop();
+            self.values.pop();
+        }
     }
 
     pub fn len(&self) -> usize {
@@ -135,14 +160,12 @@ pub struct Record {
     pub attitude: Series<6>,
     /// Height, m.
     pub height: Series<1>,
+    /// Height by air pressure, m: where the estimate of `height` is wrong in a fast turn, this is not.
+    pub pressure_height: Series<1>,
     /// Velocity upwards, m/s.
     pub climb: Series<1>,
-    /// Volts and amperes.
-    pub battery: Series<2>,
     /// Speed of each motor, rpm.
     pub speeds: Series<MOTORS>,
-    /// 1 where armed, else 0.
-    pub armed: Series<1>,
 }
 
 impl Record {
@@ -158,11 +181,23 @@ impl Record {
             force: Series::default(),
             attitude: Series::default(),
             height: Series::default(),
+            pressure_height: Series::default(),
             climb: Series::default(),
-            battery: Series::default(),
             speeds: Series::default(),
-            armed: Series::default(),
         }
+    }
+
+    /// Ends all series.
+    pub fn finish(&mut self) {
+        self.outputs.finish();
+        self.demands.finish();
+        self.rates.finish();
+        self.force.finish();
+        self.attitude.finish();
+        self.height.finish();
+        self.pressure_height.finish();
+        self.climb.finish();
+        self.speeds.finish();
     }
 
     /// A parameter, or its default.

@@ -95,7 +95,9 @@ impl Samples {
 
     /// The commands as the rotors follow them with a time constant (s), averaged as the angular acceleration is.
     pub fn followed(&self, lag: f64) -> Vec<Vec<f64>> {
+        // What a rotor approaches of a constant command in a window, and its mean distance from it on the way.
         let share = if lag > 0.0 { 1.0 - (-self.step / lag).exp() } else { 1.0 };
+        let distance = lag / self.step * share;
         let mut state: Vec<f64> = Vec::new();
         let lagged: Vec<Vec<f64>> = self
             .samples
@@ -104,8 +106,9 @@ impl Samples {
                 if state.iter().any(|x| !x.is_finite()) || state.is_empty() {
                     state.clone_from(&sample.commands);
                 }
+                let mean = state.iter().zip(&sample.commands).map(|(x, u)| u + distance * (x - u)).collect();
                 state.iter_mut().zip(&sample.commands).for_each(|(x, u)| *x += share * (u - *x));
-                state.clone()
+                mean
             })
             .collect();
         let n = lagged.len();

@@ -17,6 +17,9 @@ use crate::cancel;
 const MOST_LOSSES: usize = 4;
 /// Take-off and landing are left out of the search: seconds at the start of a flight.
 const TAKE_OFF: f64 = 1.5;
+/// Then the search needs so much of the flight before an instant, and is worth so much of it at least, s.
+const WARMS_UP: f64 = 2.0;
+const LEAST_SEARCHED: f64 = 1.0;
 /// A rotor that is lost has less than this of its thrust.
 const LOST: f64 = 0.15;
 /// After an output of one motor was off or held, so long (s) no reduced thrust of another is taken from the motion,
@@ -82,12 +85,16 @@ pub struct Study {
     pub capacities: Option<Vec<Capacity>>,
     /// The fit before the first loss; `None` without a flight.
     pub fit: Option<Fit>,
+    /// The time of that fit, s.
+    pub range: [f64; 2],
     /// Share of full thrust in hover: the median of the mean command.
     pub hover: Option<f64>,
     /// Length of the windows, s.
     pub step: f64,
-    /// Whether the motion was searched for losses in some flight.
-    pub is_searched: bool,
+    /// From when on the motion of each flight was searched for losses, s; `None` if it is too short.
+    pub searched: Vec<Option<f64>>,
+    /// Whether the commands of all rotors are known, without which the motion says nothing.
+    pub is_determined: bool,
 }
 
 /// Studies a record.
@@ -96,32 +103,51 @@ pub struct Study {
 /// answer.
 pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &[usize]) -> Option<Study> {
     let seen = |row: usize, motor: usize| commands(row, motor).0;
-    let mixed = Mixed::of(record, effects, hidden);
-    let command = |row: usize, motor: usize| match &mixed {
+    let mixed = Mixed::of(record, effects, hidden, &[]);
+    // Otherwise a torque or the thrust is open, so that the commands of hidden motors do not follow.
+    let can_search = mixed.as_ref().map_or(effects.len() >= DETERMINED, Mixed::is_determined);
+    let command = |mixed: Option<&Mixed>, row: usize, motor: usize| match mixed {
         Some(mixed) if hidden.contains(&motor) => mixed.command(row, motor, &seen),
         _ => seen(row, motor),
     };
-    // Otherwise a torque or the thrust is open, so that the commands of hidden motors do not follow.
-    let can_search = mixed.as_ref().map_or(effects.len() >= DETERMINED, Mixed::is_determined);
-    let samples = Samples::of(record, effects.len(), &command)?;
-    let flights = flights(record, &samples);
+    let first = Samples::of(record, effects.len(), &|row, motor| command(mixed.as_ref(), row, motor))?;
+    let flights = flights(record, &first);
+    let known = |row: usize, motor: usize| match hidden.contains(&motor) {
+        true => (command(mixed.as_ref(), row, motor), false),
+        false => commands(row, motor),
+    };
+    let stopped = |flight: &Flight| -> Vec<Frozen> {
+        let range = [flight.from + TAKE_OFF, flight.to];
+        let found = frozen(&record.outputs.times, &record.outputs.values, &known, range, effects);
+        found.into_iter().filter(|one| !hidden.contains(&one.motor)).collect()
+    };
+    let stopped: Vec<Vec<Frozen>> = flights.iter().map(stopped).collect();
+    // Once more without the outputs that no longer follow the mixer.
+    let mixed = Mixed::of(record, effects, hidden, &stopped.concat());
+    let samples = match &mixed {
+        Some(mixed) => Samples::of(record, effects.len(), &|row, motor| command(Some(mixed), row, motor))?,
+        None => first,
+    };
     let mut study = Study {
         flights,
         losses: Vec::new(),
         capacities: None,
         fit: None,
+        range: [0.0; 2],
         hover: None,
         step: samples.step,
-        is_searched: false,
+        searched: Vec::new(),
+        is_determined: can_search,
     };
-    for flight in study.flights.clone() {
-        let found = losses_of(record, commands, effects, hidden, &samples, &flight, can_search);
+    for (flight, stopped) in study.flights.clone().into_iter().zip(&stopped) {
+        let found = losses_of(record, stopped, hidden, effects, &samples, &flight, can_search);
         let was_off = |loss: &Loss| {
             loss.kind == Kind::Off && study.losses.iter().any(|l| l.kind == Kind::Off && l.motor == loss.motor)
         };
         let new: Vec<Loss> = found.into_iter().filter(|loss| !was_off(loss)).collect();
         study.losses.extend(new);
-        study.is_searched |= can_search && flight.to - flight.from > 2.0 * TAKE_OFF;
+        let begins = flight.from + TAKE_OFF + WARMS_UP;
+        study.searched.push(Some(begins).filter(|begins| can_search && flight.to - begins > LEAST_SEARCHED));
     }
     study.losses.sort_by(|a, b| a.time.total_cmp(&b.time));
     if let Some(flight) = study.flights.iter().max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from))) {
@@ -133,27 +159,23 @@ pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &
         let mut means: Vec<f64> = inside.map(|s| s.commands.iter().sum::<f64>() / effects.len() as f64).collect();
         study.hover = median(&mut means).filter(|h| h.is_finite());
         study.fit = Some(fit);
+        study.range = range;
     }
     Some(study)
 }
 
 fn losses_of(
     record: &Record,
-    commands: &Commands,
-    effects: &[Effect],
+    stopped: &[Frozen],
     hidden: &[usize],
+    effects: &[Effect],
     samples: &Samples,
     flight: &Flight,
     can_search: bool,
 ) -> Vec<Loss> {
     let motors = effects.len();
-    let mut losses: Vec<Loss> = Vec::new();
+    let mut losses: Vec<Loss> = stopped.iter().map(|found| of_output(found, record.outputs.period())).collect();
     let range = [flight.from + TAKE_OFF, flight.to];
-    for found in frozen(&record.outputs.times, &record.outputs.values, commands, range, effects) {
-        if !hidden.contains(&found.motor) {
-            losses.push(of_output(&found, record.outputs.period()));
-        }
-    }
     for (motor, time) in standing(record, range, motors) {
         let interval = [time - record.speeds.period(), time];
         add(
@@ -220,9 +242,14 @@ fn losses_of(
     }
     let taken: Vec<(usize, f64)> =
         losses.iter().filter(|loss| loss.evidence == Evidence::Output).map(|loss| (loss.motor, loss.time)).collect();
+    // With a hidden motor and no more than four outputs that follow the mixer, nothing shows whether the mixer is
+    // saturated, so that the command of the hidden one is doubtful to the end.
+    let follow = (0..motors).filter(|k| !hidden.contains(k) && stopped.iter().all(|one| one.motor != *k)).count();
+    let is_open = !hidden.is_empty() && follow <= DETERMINED;
+    let [most, lasts] = if is_open { [LOST, f64::INFINITY] } else { [0.5, UNSETTLED] };
     let is_doubtful = |change: &Change| {
-        let is_weak = |motor: usize| change.capacity >= 0.5 || change.is_held || change.motor == motor;
-        taken.iter().any(|(motor, t)| change.time > t - SAME && change.time < t + UNSETTLED && is_weak(*motor))
+        let is_weak = |motor: usize| change.capacity >= most || change.is_held || change.motor == motor;
+        taken.iter().any(|(motor, t)| change.time > t - SAME && change.time < t + lasts && is_weak(*motor))
     };
     for change in moved.into_iter().filter(|change| !is_doubtful(change)) {
         add(

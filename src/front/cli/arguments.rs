@@ -208,7 +208,7 @@ pub(super) struct DiagnoseArgs {
     #[arg(long, value_name = "LOG", num_args = 1.., value_hint = clap::ValueHint::FilePath)]
     pub baseline: Vec<String>,
     /// Do not look at the logged output of this motor, and infer its command from the others'
-    #[arg(long, value_name = "MOTOR")]
+    #[arg(long, value_name = "MOTOR", value_delimiter = ',')]
     pub hide: Vec<usize>,
     /// Write a page with curves of the flight, and the torques that the vehicle can give before and after each loss
     #[arg(long, value_name = "PAGE.HTML", value_hint = clap::ValueHint::FilePath)]

@@ -7,9 +7,9 @@ use super::{CommandError, DiagnoseArgs, FINE, Format, LOSS, NOT_IDENTIFIABLE, Op
 use super::{files, spec};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::log::commands;
-use crate::pipeline::{Diagnosed, Undiagnosed, diagnose};
+use crate::pipeline::{Diagnosed, Undiagnosed, Why, diagnose};
 use crate::read::FlightBlocks;
-use crate::report::diagnosis::{DiagnosisRecord, page, screen};
+use crate::report::diagnosis::{Answer, DiagnosisRecord, page, screen};
 use crate::report::screen::Screen;
 use crate::source::{Source, SourceMap};
 use std::io::Read;
@@ -32,11 +32,7 @@ pub fn run(args: &DiagnoseArgs, options: &Options) -> Result<u8, CommandError> {
     let mut log = open(&args.log)?;
     let mut baseline = args.baseline.iter().map(|name| open(name)).collect::<Result<Vec<_>, _>>()?;
     match diagnose(&mut log, vehicle.as_ref(), &args.hide, &mut baseline) {
-        Err(Undiagnosed::Io(e)) => Err(files::cannot_read(Path::new(&args.log), &e)),
-        Err(Undiagnosed::Not(found)) => {
-            eprint(&args.log, found, options);
-            Ok(SPEC_ERRORS)
-        }
+        Err(Undiagnosed { baseline, why }) => refused(baseline.map_or(&args.log, |k| &args.baseline[k]), why, options),
         Ok(Diagnosed { diagnosis, record, diagnostics }) => {
             eprint(&args.log, diagnostics, options);
             let mut results = Results::new(&places);
@@ -51,11 +47,22 @@ pub fn run(args: &DiagnoseArgs, options: &Options) -> Result<u8, CommandError> {
             if args.format == Format::Human {
                 results.note_page(options)?;
             }
-            Ok(match () {
-                () if !diagnosis.losses().is_empty() => LOSS,
-                () if diagnosis.is_unknown() => NOT_IDENTIFIABLE,
-                () => FINE,
+            Ok(match diagnosis.answer() {
+                Answer::Loss | Answer::Weaker => LOSS,
+                Answer::Unknown => NOT_IDENTIFIABLE,
+                Answer::None => FINE,
             })
+        }
+    }
+}
+
+/// Says why a log has no answer.
+pub fn refused(name: &str, why: Why, options: &Options) -> Result<u8, CommandError> {
+    match why {
+        Why::Io(e) => Err(files::cannot_read(Path::new(name), &e)),
+        Why::Not(found) => {
+            eprint(name, found, options);
+            Ok(SPEC_ERRORS)
         }
     }
 }

@@ -1,10 +1,9 @@
 //! `mavc identify`: the spec of the vehicle that flew.
 
-use super::diagnose::{eprint, open};
+use super::diagnose::{eprint, open, refused};
 use super::target::{Target, write};
-use super::{CommandError, FINE, IdentifyArgs, Options, SPEC_ERRORS, files};
+use super::{CommandError, FINE, IdentifyArgs, Options, files};
 use crate::pipeline::{Identified, Undiagnosed, identify};
-use std::path::Path;
 
 pub fn run(args: &IdentifyArgs, options: &Options) -> Result<u8, CommandError> {
     let target = args.output.as_deref().map(Target::new).transpose()?;
@@ -16,11 +15,7 @@ pub fn run(args: &IdentifyArgs, options: &Options) -> Result<u8, CommandError> {
         }
     }
     match identify(&mut open(&args.log)?, &args.mass) {
-        Err(Undiagnosed::Io(e)) => Err(files::cannot_read(Path::new(&args.log), &e)),
-        Err(Undiagnosed::Not(found)) => {
-            eprint(&args.log, found, options);
-            Ok(SPEC_ERRORS)
-        }
+        Err(Undiagnosed { why, .. }) => refused(&args.log, why, options),
         Ok(Identified { text, diagnostics, .. }) => {
             eprint(&args.log, diagnostics, options);
             match &target {

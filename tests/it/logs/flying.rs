@@ -13,6 +13,8 @@ pub enum Fault {
     None,
     /// It gives this share of its thrust.
     Capacity(usize, f64, f64),
+    /// Its share falls from 1 to this one in so many seconds.
+    Fades(usize, f64, f64, f64),
     /// Its output is switched off.
     Off(usize, f64),
     /// Its output stays at this pulse.
@@ -116,6 +118,7 @@ pub fn log(fault: Fault, seconds: f64, outputs: f64, rates: f64, seed: u64) -> V
         match fault {
             Fault::Stuck(m, at, share) if t >= at => stuck[m - 1] = Some(share),
             Fault::Capacity(m, at, c) if t >= at => capacity[m - 1] = c,
+            Fault::Fades(m, at, c, lasts) if t >= at => capacity[m - 1] = 1.0 - (1.0 - c) * ((t - at) / lasts).min(1.0),
             Fault::Off(m, at) if t >= at => pulses[m - 1] = 1000,
             Fault::Held(m, at, output) if t >= at => pulses[m - 1] = output,
             _ => {}

@@ -109,6 +109,6 @@ fn the_end_is_explained_by_the_set_and_the_log() {
     // Six of eight rotors hold all that the eight do: nothing explains an end, and nothing is claimed.
     let said = why(&spec("layout = \"PPNNPPNN\"; arm = 0.25 m;", "lost"));
     assert!(said.contains("can hold height, attitude and heading"), "{said}");
-    assert!(said.contains("no fast turn") && said.contains("in the air for"), "{said}");
+    assert!(said.contains("no fast turn") && said.contains("in the air until the log ends"), "{said}");
     assert_eq!(why(&spec("layout = \"PPNNPPNN\"; arm = 0.25 m;", "")), "");
 }

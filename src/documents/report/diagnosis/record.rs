@@ -1,8 +1,9 @@
 //! The record of `mavc diagnose --format json`.
 
 use super::why::why;
-use super::{Against, Diagnosis};
+use super::{Against, Answer, Diagnosis};
 use crate::admissible::outcome::Outcome;
+use crate::diagnosis::ending::End;
 use crate::diagnosis::record::Autopilot;
 use crate::diagnosis::study::{Evidence, Kind};
 use serde::Serialize;
@@ -19,9 +20,7 @@ pub struct DiagnosisRecord {
     schema: u32,
     /// The autopilot that wrote the log: `ArduPilot`, `PX4` or `mavc`.
     autopilot: &'static str,
-    /// The answer: `loss` if a rotor lost thrust or an output was off or held in flight, `none` if not, `unknown` if
-    /// the log does not show it.
-    answer: &'static str,
+    answer: Answer,
     /// Rotors that lost thrust, in the order of time.
     losses: Vec<LossRecord>,
     /// The capacity of each rotor relative to the strongest before the first loss, in quiet flight; empty if no part of
@@ -95,14 +94,21 @@ struct FlightRecord {
     from_s: f64,
     /// Landing, impact or end of the log, s.
     to_s: f64,
+    /// How it ended: `impact` on the ground, `landed`, or `open` if the log ends before.
+    end: &'static str,
+    /// From when on the motion was searched for losses, s; null if the flight is too short for that.
+    searched_from_s: Option<f64>,
     /// When it hit the ground, s; null if it did not.
     impact_s: Option<f64>,
-    /// Speed downwards just before, m/s; null if it did not.
+    /// Speed downwards just before, m/s: the middle of `impact_interval_m_per_s`; null if there is no impact or no
+    /// height is logged.
     impact_m_per_s: Option<f64>,
-    /// The greatest tilt, degrees.
-    tilt_deg: f64,
-    /// The fastest turn about the vertical axis of the body, degrees/s.
-    yaw_rate_deg_per_s: f64,
+    /// The least and the greatest speed that the heights before the impact show, m/s.
+    impact_interval_m_per_s: Option<[f64; 2]>,
+    /// The greatest tilt by the autopilot's estimate of its attitude, degrees; null if it is not logged.
+    tilt_deg: Option<f64>,
+    /// The fastest turn about the vertical axis of the body, degrees/s; null if rates are not logged.
+    yaw_rate_deg_per_s: Option<f64>,
 }
 
 /// The word of a kind of loss.
@@ -161,23 +167,30 @@ impl DiagnosisRecord {
                 is_significant: against.map(Against::is_significant),
             }
         });
-        let flights = study.map_or(&[][..], |study| &study.flights).iter().map(|flight| FlightRecord {
-            from_s: seconds(flight.from),
-            to_s: seconds(flight.to),
-            impact_s: flight.impact.map(|(time, _)| seconds(time)),
-            impact_m_per_s: flight.impact.map(|(_, speed)| rounded(speed, 1)),
-            tilt_deg: rounded(flight.tilt.to_degrees(), 0),
-            yaw_rate_deg_per_s: rounded(flight.yaw_rate.to_degrees(), 0),
+        let flights = study.into_iter().flat_map(|study| study.flights.iter().zip(&study.searched));
+        let flights = flights.map(|(flight, searched)| {
+            let speed = if let End::Impact(speed) = flight.end { speed } else { None };
+            FlightRecord {
+                from_s: seconds(flight.from),
+                to_s: seconds(flight.to),
+                end: match flight.end {
+                    End::Impact(_) => "impact",
+                    End::Landed => "landed",
+                    End::Open => "open",
+                },
+                searched_from_s: searched.map(seconds),
+                impact_s: matches!(flight.end, End::Impact(_)).then(|| seconds(flight.to)),
+                impact_m_per_s: speed.map(|[least, most]| rounded(0.5 * (least + most), 1)),
+                impact_interval_m_per_s: speed.map(|ends| ends.map(|v| rounded(v, 1))),
+                tilt_deg: flight.tilt.map(|tilt| rounded(tilt.to_degrees(), 0)),
+                yaw_rate_deg_per_s: flight.yaw_rate.map(|rate| rounded(rate.to_degrees(), 0)),
+            }
         });
         let rate = |hz: f64| (hz > 0.0).then(|| rounded(hz, 1));
         DiagnosisRecord {
             schema: SCHEMA,
             autopilot: name(diagnosis.autopilot),
-            answer: match () {
-                () if !diagnosis.losses().is_empty() => "loss",
-                () if diagnosis.is_unknown() => "unknown",
-                () => "none",
-            },
+            answer: diagnosis.answer(),
             losses: losses.collect(),
             capacities: capacities.collect(),
             flights: flights.collect(),

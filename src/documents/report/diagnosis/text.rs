@@ -1,9 +1,11 @@
 //! The answer for people, on one screen.
 
-use super::Diagnosis;
 use super::record::name;
-use super::why::why;
+use super::why::{speeds, why};
+use super::{Against, Answer, Diagnosis};
+use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::ModeAnalysis;
+use crate::diagnosis::ending::End;
 use crate::diagnosis::study::{Evidence, Kind, Loss};
 use crate::model::Spin;
 use crate::number::{fixed, plural, significant};
@@ -12,6 +14,8 @@ use crate::text_table::Table;
 
 /// A capacity below this beside stronger motors is worth a remark.
 const WEAK: f64 = 0.8;
+/// A loss that fits so many other motors as well does not name them.
+const MOST_NAMED: usize = 3;
 /// At most so many rows of flights.
 const MOST_FLIGHTS: usize = 3;
 
@@ -19,16 +23,28 @@ const MOST_FLIGHTS: usize = 3;
 pub fn screen(diagnosis: &Diagnosis) -> Screen {
     let mut screen = Screen::default();
     let losses = diagnosis.losses();
-    match (losses, diagnosis.is_unknown()) {
-        ([], true) => screen.paragraph(Tone::Warning, 0, 2, "the log does not show whether a motor lost thrust"),
-        ([], false) => {
-            screen.paragraph(Tone::Good, 0, 2, "no loss of thrust found: every motor follows its command to the end");
+    match diagnosis.answer() {
+        Answer::Unknown => {
+            screen.paragraph(Tone::Warning, 0, 2, "the log does not show whether a motor lost thrust");
         }
-        _ => {
+        Answer::None => screen.paragraph(Tone::Good, 0, 2, &format!("no loss of thrust found{}", searched(diagnosis))),
+        Answer::Weaker => {
+            for one in diagnosis.weaker() {
+                screen.paragraph(Tone::Bad, 0, 2, &weaker(one));
+            }
+            screen.paragraph(Tone::Plain, 0, 2, &format!("no sudden loss of thrust found{}", searched(diagnosis)));
+        }
+        Answer::Loss => {
             for (loss, after) in losses.iter().zip(&diagnosis.after) {
                 screen.paragraph(Tone::Bad, 0, 2, &headline(diagnosis, loss, after));
             }
         }
+    }
+    if diagnosis.after.iter().any(|after| after.outcome == Outcome::Undecided) {
+        screen.remark(
+            Keep::Finding,
+            "undecided: what is left depends on the drag of rotors and body in a spin, which no log has; name the spec",
+        );
     }
     why(diagnosis).iter().for_each(|why| screen.paragraph(Tone::Strong, 0, 2, why));
     diagnosis.unknown.iter().for_each(|why| screen.remark(Keep::Finding, why));
@@ -41,7 +57,28 @@ pub fn screen(diagnosis: &Diagnosis) -> Screen {
     screen
 }
 
-/// The letters of the rotors' spins counter-clockwise from the nose, if they are a ring.
+/// Which part of the flights was searched.
+fn searched(diagnosis: &Diagnosis) -> &'static str {
+    match diagnosis.study.iter().flat_map(|study| &study.searched).any(Option::is_some) {
+        true => ", from 3.5 s after each take-off on; one of less than a third can be missed",
+        false => "",
+    }
+}
+
+/// `motor 1 gives less thrust than in the baseline flights: 0.75 against 0.97`.
+fn weaker(one: &Against) -> String {
+    format!(
+        "motor {} gives less thrust than in the baseline flights: {} against {}, a change of {} (95 % of sound motors: \
+         +- {})",
+        one.motor + 1,
+        fixed(one.mean + one.change, 2),
+        fixed(one.mean, 2),
+        fixed(one.change, 2),
+        fixed(one.half, 2)
+    )
+}
+
+/// The vehicle by the letters of its rotors' spins counter-clockwise from the nose, if they are a ring.
 fn layout(diagnosis: &Diagnosis) -> String {
     let rotors = &diagnosis.model.vehicle.rotors;
     let angle = |p: [f64; 3]| p[1].atan2(p[0]).rem_euclid(std::f64::consts::TAU);
@@ -49,18 +86,20 @@ fn layout(diagnosis: &Diagnosis) -> String {
     ring.sort_by(|a, b| a.0.total_cmp(&b.0));
     match ring.windows(2).any(|pair| pair[1].0 - pair[0].0 < 1e-3) {
         true => format!("vehicle with {} rotors", rotors.len()),
-        false => ring.iter().map(|(_, spin)| if *spin == Spin::P { 'P' } else { 'N' }).collect(),
+        false => {
+            let letters: String = ring.iter().map(|(_, spin)| if *spin == Spin::P { 'P' } else { 'N' }).collect();
+            format!("{letters} vehicle")
+        }
     }
 }
 
 /// `motor 3 lost at 21.4 s; after it a PNPNPN: no margin`.
 fn headline(diagnosis: &Diagnosis, loss: &Loss, after: &ModeAnalysis) -> String {
-    let motor = match &loss.alternatives[..] {
+    let others: Vec<String> = loss.alternatives.iter().map(|k| (k + 1).to_string()).collect();
+    let motor = match &others[..] {
         [] => format!("motor {}", loss.motor + 1),
-        others => {
-            let others: Vec<String> = others.iter().map(|k| (k + 1).to_string()).collect();
-            format!("motor {} (or {})", loss.motor + 1, others.join(" or "))
-        }
+        _ if others.len() < MOST_NAMED => format!("motor {} (or {})", loss.motor + 1, others.join(" or ")),
+        _ => format!("one of {} motors, most likely {},", others.len() + 1, loss.motor + 1),
     };
     let percent = |x: f64| fixed(100.0 * x, 0);
     let half = 0.5 * (loss.interval[1] - loss.interval[0]);
@@ -93,27 +132,27 @@ fn flights(diagnosis: &Diagnosis, screen: &mut Screen) {
     let Some(study) = &diagnosis.study else { return };
     for flight in study.flights.iter().take(MOST_FLIGHTS) {
         let last = diagnosis.losses().iter().rfind(|loss| loss.time >= flight.from && loss.time <= flight.to);
-        let end = match (flight.impact, last) {
-            (Some((time, speed)), Some(loss)) => {
-                let after = fixed(time - loss.time, 1);
-                format!("hit the ground at {} m/s, {after} s after the last of it", fixed(speed, 0))
+        let after = last.map(|loss| flight.to - loss.time);
+        let end = match flight.end {
+            End::Impact(speed) => {
+                let speed = speed.map_or(" (no height is logged)".into(), |speed| format!(" at {}", speeds(speed)));
+                let after = after.map_or(String::new(), |s| format!(", {} s after the last loss", fixed(s, 1)));
+                format!("hit the ground{speed}{after}")
             }
-            (Some((_, speed)), None) => format!("hit the ground at {} m/s", fixed(speed, 0)),
-            (None, Some(loss)) => {
-                format!(
-                    "in the air for {} s after it, until it landed or the log ends",
-                    fixed(flight.to - loss.time, 0)
-                )
+            End::Landed => {
+                after.map_or("landed".into(), |s| format!("its motors at rest {} s after the last loss", fixed(s, 0)))
             }
-            (None, None) => "landed, or the log ends".into(),
+            End::Open => {
+                let after = after.map_or(String::new(), |s| format!(", {} s after the last loss", fixed(s, 0)));
+                format!("in the air when the log ends{after}")
+            }
         };
-        let text = format!(
-            "flight from {} to {} s: yaw up to {} deg/s, tilt up to {} deg; {end}",
-            fixed(flight.from, 1),
-            fixed(flight.to, 1),
-            fixed(flight.yaw_rate.to_degrees(), 0),
-            fixed(flight.tilt.to_degrees(), 0)
-        );
+        let degrees = |angle: f64| fixed(angle.to_degrees(), 0);
+        let yaw = flight.yaw_rate.map(|rate| format!("yaw up to {} deg/s", degrees(rate)));
+        let tilt = flight.tilt.map(|tilt| format!("tilt up to {} deg (estimated)", degrees(tilt)));
+        let parts: Vec<String> = yaw.into_iter().chain(tilt).collect();
+        let parts = if parts.is_empty() { String::new() } else { format!("{}; ", parts.join(", ")) };
+        let text = format!("flight from {} to {} s: {parts}{end}", fixed(flight.from, 1), fixed(flight.to, 1));
         screen.paragraph(Tone::Plain, 0, 2, &text);
     }
     let more = study.flights.len().saturating_sub(MOST_FLIGHTS);

@@ -5,6 +5,7 @@ use super::Diagnosis;
 use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnosis::aftermath::Aftermath;
+use crate::diagnosis::ending::End;
 use crate::diagnosis::study::{Kind, Loss};
 use crate::number::fixed;
 
@@ -18,7 +19,7 @@ pub fn why(diagnosis: &Diagnosis) -> Option<String> {
     let after = diagnosis.after.get(aftermath.losses.end - 1)?;
     let losses = &diagnosis.losses()[aftermath.losses.clone()];
     let missing = Missing::of(after);
-    let is_unexplained = after.outcome == Outcome::FullControl && aftermath.impact.is_some();
+    let is_unexplained = after.outcome == Outcome::FullControl && matches!(aftermath.end, End::Impact(_));
     let not = if is_unexplained { ", so that the losses alone do not explain the end" } else { "" };
     Some(format!(
         "why: {} the other motors {}{}{}{not}; {}{}",
@@ -156,15 +157,21 @@ fn log(aftermath: &Aftermath, missing: Missing) -> String {
 }
 
 fn end(aftermath: &Aftermath) -> String {
-    match aftermath.impact {
-        Some((time, speed)) => format!(
-            ", then the impact at {} m/s, {} s after the first loss",
-            fixed(speed, 0),
-            fixed(time - aftermath.from, 1)
-        ),
-        None => format!(
-            ", and the vehicle in the air for {} s after the first loss, until it landed or the log ends",
-            fixed(aftermath.to - aftermath.from, 0)
-        ),
+    let seconds = aftermath.to - aftermath.from;
+    match aftermath.end {
+        End::Impact(speed) => {
+            let speed = speed.map_or(String::new(), |speed| format!(" at {}", speeds(speed)));
+            format!(", then the impact{speed}, {} s after the first loss", fixed(seconds, 1))
+        }
+        End::Landed => format!(", and the vehicle in the air for {} s after the first loss", fixed(seconds, 0)),
+        End::Open => {
+            format!(", and the vehicle in the air until the log ends, {} s after the first loss", fixed(seconds, 0))
+        }
     }
+}
+
+/// `14 to 18 m/s`, or one number if both are the same.
+pub(super) fn speeds(ends: [f64; 2]) -> String {
+    let [least, most] = ends.map(|v| fixed(v, 0));
+    if least == most { format!("{least} m/s") } else { format!("{least} to {most} m/s") }
 }
