@@ -72,8 +72,13 @@ pub fn import(name: &str, bytes: &[u8], read: impl FnOnce(&Source, &mut Vec<Diag
 }
 
 fn decoded(name: &str, bytes: &[u8], read: impl FnOnce(&Source) -> Outcome) -> (Source, Outcome) {
-    if let Some(log @ Foreign::Log(what)) = foreign::of_bytes(bytes.get(..64).unwrap_or(bytes)) {
-        let error = Diagnostic::error(FORMAT, Span::default(), format!("this is {what}")).help(log.help(name));
+    if bytes.is_empty() {
+        let error = Diagnostic::error(FORMAT, Span::default(), "the file is empty");
+        return (Source::new(name, ""), Err(Box::new(error.help("export or copy it again"))));
+    }
+    if let Some(other) = foreign::of_first_bytes(bytes) {
+        let error = Diagnostic::error(FORMAT, Span::default(), format!("this is {}", other.what()));
+        let error = error.help(other.help(name));
         return (Source::new(name, ""), Err(Box::new(error)));
     }
     if bytes.len() > MAX_BYTES {

@@ -84,6 +84,28 @@ fn logs_results_and_specs_are_recognised() {
     }
 }
 
+/// Archives and pictures are named, and `import` without the word for the kind of file says which one it is.
+#[test]
+fn files_that_nothing_reads_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let named = |name: &str, bytes: &[u8]| {
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+        folder.path().join(name).to_str().unwrap().to_string()
+    };
+    let archive = named("logs.zip", b"PK\x03\x04\x14\0\xff\xfe");
+    for command in [&["check"][..], &["import", "mission"], &["import", "vehicle"], &["diagnose"], &["import"]] {
+        let ran = mavc(&[command, &[&archive]].concat());
+        let said = out(&ran) + &err(&ran);
+        assert!(said.contains("a ZIP archive"), "{command:?}: {said}");
+    }
+    let plan = format!("{FILES}/{}", files().iter().find(|(name, _)| name.ends_with(".plan")).unwrap().0);
+    let ran = mavc(&["import", &plan]);
+    let said = err(&ran);
+    assert!(ran.status.code() == Some(2) && said.contains("`mavc import mission"), "{said}");
+    assert!(err(&mavc(&["import", "misson"])).contains("expected `vehicle` or `mission`, found `misson`"));
+    assert!(err(&mavc(&["import", "mission", &named("empty.plan", b"")])).contains("the file is empty"));
+}
+
 #[test]
 fn a_vehicle_that_is_no_spec_is_refused_beside_a_mission() {
     let (plan, parameters) = (format!("{FILES}/house.plan"), format!("{FILES}/px4_defaults.params"));

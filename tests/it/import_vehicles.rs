@@ -247,7 +247,7 @@ fn urdf_of_gym_pybullet_drones_leaves_only_the_spins_open() {
 #[test]
 fn wrong_files_get_a_placed_error() {
     let cases: &[(&str, &str, &str)] = &[
-        ("", "mavc::import::format", "no vehicle"),
+        ("", "mavc::import::format", "the file is empty"),
         ("QGC WPL 110\n", "mavc::import::format", "`mavc import mission`"),
         ("x,y,z\n0,0,1\n", "mavc::import::format", "`mavc import mission`"),
         ("FRAME_CLASS,0\n", "mavc::import::unsupported", "choose the frame"),

@@ -76,10 +76,11 @@ pub fn corpus() -> Vec<Log> {
         Fault::Held(2, 4.0, 1500),
         Fault::Stuck(1, 4.0, 0.2),
         Fault::Steps,
+        Fault::Fades(3, 3.0, 0.2, 2.0),
     ];
     // Each autopilot equally often.
-    let repeated =
-        [&simulated, &px4, &simulated, &px4].map(|log| Log { kind: log.kind, messages: log.messages.clone() });
+    let repeated = [&simulated, &px4, &simulated, &px4, &simulated]
+        .map(|log| Log { kind: log.kind, messages: log.messages.clone() });
     faults.map(dataflash).into_iter().chain([simulated, px4]).chain(repeated).collect()
 }
 

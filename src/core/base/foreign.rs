@@ -20,6 +20,8 @@ pub enum Foreign {
     Certificate,
     /// A trajectory or a report that mavc wrote.
     Result(&'static str),
+    /// A file that mavc never reads, and what to do with it.
+    Other(&'static str, &'static str),
 }
 
 const PX4_LOG: &str = "a log of PX4";
@@ -35,13 +37,35 @@ const LOGS: [(&[u8], &str); 5] = [
     (b"SQLite format 3\0", "a database, such as a ROS 2 bag"),
 ];
 
+const UNPACK: &str = "unpack it, and name a file in it";
+const NO_PICTURE: &str = "name a spec, a vehicle, a mission or a log";
+
+/// First bytes of files that mavc never reads, and what to do with them.
+const OTHERS: [(&[u8], &str, &str); 9] = [
+    (b"PK\x03\x04", "a ZIP archive", UNPACK),
+    (b"\x1f\x8b", "a file compressed by gzip", "expand it: `gunzip FILE`"),
+    (b"\xfd7zXZ\0", "a file compressed by xz", "expand it: `unxz FILE`"),
+    (b"7z\xbc\xaf\x27\x1c", "a 7z archive", UNPACK),
+    (b"\x89PNG\r\n", "a picture", NO_PICTURE),
+    (b"\xff\xd8\xff", "a picture", NO_PICTURE),
+    (b"GIF8", "a picture", NO_PICTURE),
+    (b"%PDF-", "a PDF", NO_PICTURE),
+    (b"\x7fELF", "a program", NO_PICTURE),
+];
+
 /// How many lines of a text are looked at.
 const LINES: usize = 400;
 
 /// What kind of file these bytes are; `None` if they may be a spec.
 pub fn of_bytes(bytes: &[u8]) -> Option<Foreign> {
+    of_first_bytes(bytes).or_else(|| std::str::from_utf8(bytes).ok().and_then(of_text))
+}
+
+/// What kind of file it is that begins with these bytes, if they say so.
+pub fn of_first_bytes(bytes: &[u8]) -> Option<Foreign> {
     let log = LOGS.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|(_, what)| Foreign::Log(what));
-    log.or_else(|| std::str::from_utf8(bytes).ok().and_then(of_text))
+    let other = || OTHERS.iter().find(|(magic, ..)| bytes.starts_with(magic));
+    log.or_else(|| other().map(|(_, what, help)| Foreign::Other(what, help)))
 }
 
 /// What kind of file a text is; `None` if it may be a spec.
@@ -132,7 +156,8 @@ impl Foreign {
     /// `parameters of ArduPilot`
     pub fn what(self) -> String {
         match self {
-            Foreign::Vehicle(what) | Foreign::Mission(what) | Foreign::Log(what) | Foreign::Result(what) => what.into(),
+            Foreign::Vehicle(what) | Foreign::Mission(what) | Foreign::Log(what) => what.into(),
+            Foreign::Result(what) | Foreign::Other(what, _) => what.into(),
             Foreign::Template(program) => format!("a template of {program}"),
             Foreign::Certificate => "a certificate".into(),
         }
@@ -166,6 +191,7 @@ impl Foreign {
             }
             Foreign::Certificate => format!("check it with its spec: `mavc verify {path} spec.mav`"),
             Foreign::Result(_) => "name the spec from which it was made".into(),
+            Foreign::Other(_, help) => help.into(),
         }
     }
 
@@ -216,5 +242,7 @@ mod tests {
         }
         assert_eq!(of_bytes(b"ULog\x01\x12\x35\x01\xff\xff"), Some(Log("a log of PX4")));
         assert_eq!(of_bytes(b"\xa3\x95\x80\xff"), Some(Log("a log of ArduPilot")));
+        assert_eq!(of_bytes(b"PK\x03\x04\x14\0").map(Foreign::what).as_deref(), Some("a ZIP archive"));
+        assert_eq!(of_bytes(b"\x89PNG\r\n\x1a\n").map(Foreign::what).as_deref(), Some("a picture"));
     }
 }

@@ -451,6 +451,9 @@ pub(super) enum ImportCommand {
     Vehicle(ImportArgs),
     /// A mission: a plan of QGroundControl, a mission of MAVLink (`QGC WPL 110`) or a table of waypoints
     Mission(ImportMissionArgs),
+    /// A file without the word for what it is
+    #[command(external_subcommand)]
+    Unsaid(Vec<String>),
 }
 
 #[derive(Args)]

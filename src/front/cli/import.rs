@@ -4,11 +4,16 @@ use super::spec::{human, shown};
 use super::target::{Target, write};
 use super::{CommandError, FINE, ImportArgs, ImportCommand, ImportMissionArgs, Options, SPEC_ERRORS, files};
 use crate::diagnostic::Severity;
+use crate::foreign;
 use crate::import::{Imported, MAX_BYTES, mission, vehicle};
 use crate::input::FileKind;
 use crate::spec::Compiler;
 use crate::text_table::WIDTH;
+use std::io::Read;
 use std::path::{Component, Path, PathBuf};
+
+/// So many bytes are enough to tell what a file is.
+const FIRST_BYTES: u64 = 1 << 16;
 
 pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, CommandError> {
     match what {
@@ -19,7 +24,26 @@ pub fn run(what: &ImportCommand, options: &Options) -> Result<u8, CommandError> 
             let taken = path.map_or(Vec::new(), |path| mission::names_in(&path, &Compiler::new()));
             one(import, |name, bytes| mission::import_beside(name, bytes, used.as_deref(), &taken), options)
         }
+        ImportCommand::Unsaid(words) => Err(unsaid(&words[0])),
     }
+}
+
+/// The error for a file without `vehicle` or `mission` before it.
+fn unsaid(file: &str) -> CommandError {
+    let named = shown(file);
+    let mut bytes = Vec::new();
+    // What a file is, its first bytes say.
+    let read = std::fs::File::open(file).and_then(|file| file.take(FIRST_BYTES).read_to_end(&mut bytes));
+    if read.is_err() {
+        return format!("expected `vehicle` or `mission`, found `{named}`: mavc import mission FILE");
+    }
+    let kind = foreign::of_bytes(&bytes);
+    let found = kind.map_or(String::new(), |kind| format!(", {}", kind.what()));
+    let help = match kind {
+        Some(kind) => kind.help(file),
+        None => format!("`mavc import vehicle {named}` or `mavc import mission {named}`"),
+    };
+    format!("expected `vehicle` or `mission` before {named}{found}: {help}")
 }
 
 fn one(args: &ImportArgs, read: impl Fn(&str, &[u8]) -> Imported, options: &Options) -> Result<u8, CommandError> {

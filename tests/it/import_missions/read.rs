@@ -104,6 +104,23 @@ fn loiters_and_delays_hold_and_speeds_bound_their_legs() {
     assert_eq!(speeds.iter().map(|(_, speed)| *speed).collect::<Vec<_>>(), due, "{speeds:?}");
 }
 
+/// `FlightTaskAuto` bounds the speed of a mission by `MPC_XY_VEL_MAX`.
+#[test]
+fn px4_flies_no_faster_than_its_bound() {
+    let fast = r#""command":178,"frame":2,"params":[1,17,0,0,0,0,0]"#;
+    let text = plan(&[A, fast, B]);
+    let speeds = |text: &str| {
+        let limits = mission(text).limits;
+        let of_legs = limits.iter().filter(|limit| limit.volume.is_none());
+        of_legs.filter_map(|limit| limit.upper).filter(|upper| *upper > 5.0).collect::<Vec<_>>()
+    };
+    assert_eq!(speeds(&text), [12.0]);
+    let warned = |text: &str| found(text).iter().any(|(_, _, message)| message.contains("MPC_XY_VEL_MAX"));
+    assert!(warned(&text));
+    let ardupilot = text.replace("\"firmwareType\":12", "\"firmwareType\":3");
+    assert!(speeds(&ardupilot).contains(&17.0) && !warned(&ardupilot));
+}
+
 #[test]
 fn landings_go_straight_down_and_home() {
     let take_off = r#""command":22,"frame":3,"params":[0,0,0,null,47,8,20]"#;

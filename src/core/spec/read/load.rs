@@ -9,16 +9,13 @@ use super::near_files::List;
 use super::overrides::{OVERRIDE, Override};
 use super::unreadable::{refused_by_name, unreadable};
 use crate::diagnostic::{Diagnostic, Severity, sort};
-use crate::foreign::{self, Foreign};
+use crate::foreign;
 use crate::input::MAX_FILE_BYTES;
 use crate::input::{FileKind, MAX_TABLE_BYTES};
 use crate::language::table::rotor;
 use crate::source::{FileId, Source, SourceMap, Span, Spanned, visible};
 use crate::syntax::ast::{ExprKind, Field, Item, SpecFile, Statement};
 use crate::syntax::{not_utf8, parse, too_large};
-
-/// Bytes at the beginning of a file that identify a log.
-const LONGEST_MAGIC: usize = 32;
 
 /// The most spec files, and the most tables, of one file set.
 pub const MAX_FILES: usize = 256;
@@ -137,9 +134,9 @@ impl<'r> Loader<'r> {
         let path = normal(Path::new(&name));
         self.seen.insert(path.clone(), ());
         let id = FileId(self.set.sources.iter().count() as u32);
-        if let Some(log @ Foreign::Log(_)) = foreign::of_bytes(bytes.get(..LONGEST_MAGIC).unwrap_or(bytes)) {
+        if let Some(other) = foreign::of_first_bytes(bytes) {
             let source = Source::new(&name, "");
-            self.fail(log.error(id, &source));
+            self.fail(other.error(id, &source));
             self.set.sources.add(source);
             return;
         }

@@ -1,8 +1,8 @@
 //! What autopilots do where a mission leaves it open: the speeds of their parameters, by default.
 //!
 //! Sources: ArduCopter 4.5, `AC_WPNav.cpp` (`WPNAV_SPEED`, `_UP`, `_DN`) and `ArduCopter/config.h` (`LAND_SPEED`,
-//! `LAND_ALT_LOW`); PX4 1.15, `mc_pos_control` (`MPC_XY_CRUISE`, `MPC_Z_V_AUTO_UP`, `_DN`, `MPC_TKO_SPEED`,
-//! `MPC_LAND_SPEED`, `MPC_LAND_ALT1`).
+//! `LAND_ALT_LOW`); PX4 1.15, `mc_pos_control` and `FlightTaskAuto` (`MPC_XY_CRUISE`, `MPC_XY_VEL_MAX`,
+//! `MPC_Z_V_AUTO_UP`, `_DN`, `MPC_TKO_SPEED`, `MPC_LAND_SPEED`, `MPC_LAND_ALT1`).
 
 use super::draft::{Mark, Speeds};
 use std::ops::Range;
@@ -15,6 +15,8 @@ pub struct Autopilot {
     pub name: &'static str,
     /// In level flight.
     pub horizontal: Speed,
+    /// The fastest level flight whatever a mission asks for, if there is a bound.
+    pub fastest: Option<Speed>,
     pub climb: Speed,
     pub descent: Speed,
     pub take_off: Speed,
@@ -29,6 +31,7 @@ pub struct Autopilot {
 pub const ARDUPILOT: Autopilot = Autopilot {
     name: "ArduPilot",
     horizontal: (10.0, "WPNAV_SPEED"),
+    fastest: None,
     climb: (2.5, "WPNAV_SPEED_UP"),
     descent: (1.5, "WPNAV_SPEED_DN"),
     take_off: (2.5, "WPNAV_SPEED_UP"),
@@ -40,6 +43,7 @@ pub const ARDUPILOT: Autopilot = Autopilot {
 pub const PX4: Autopilot = Autopilot {
     name: "PX4",
     horizontal: (5.0, "MPC_XY_CRUISE"),
+    fastest: Some((12.0, "MPC_XY_VEL_MAX")),
     climb: (3.0, "MPC_Z_V_AUTO_UP"),
     descent: (1.5, "MPC_Z_V_AUTO_DN"),
     take_off: (1.5, "MPC_TKO_SPEED"),
