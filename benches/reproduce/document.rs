@@ -20,8 +20,8 @@ const INTRODUCTION: &str = "\
 
 The paper is N. Osmic, A. Tahirovic and I. Petrovic, *Risk-sensitive motion planning for MAVs based on mission-related
 fault-tolerant analysis*, Automatika 61:2 (2020), doi 10.1080/00051144.2020.1733324. The command
-`cargo bench --bench reproduce -- --write` writes this page from the specs in `specs/`. The tests compare its numbers
-with a new computation (those of the last table, which takes minutes, with cheaper ones).
+`cargo bench --bench reproduce -- --write` writes this page from the specs in `specs/`. The tests recompute its
+numbers (the last table takes minutes, so they check it in cheaper ways).
 
 Each row has a judgement: **agrees**, **differs** (and why), or **not comparable** (and what the paper does not give).
 Rows in which only an order can be compared say so. Numbers of the paper are as printed.

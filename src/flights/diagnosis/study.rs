@@ -205,10 +205,13 @@ fn losses_of(
         let samples = samples.with(&moved);
         let candidates = sudden(&samples, effects, range.clone());
         let found = candidates.strongest.iter().filter_map(|one| onset(&samples, effects, range.clone(), one.time));
-        // What is left of a change that is known is not another one, and a disturbed flight shows only whole losses.
-        let is_new = |one: &Change| {
-            moved.iter().all(|known| (known.time - one.time).abs() > SAME && one.capacity < LOST && !one.is_held)
+        // What is left of a change that is known is not another one, and a disturbed flight shows only whole losses, or
+        // those whose outputs are not seen to be held.
+        let is_whole = |one: &Change| match one.is_held {
+            true => hidden.contains(&one.motor),
+            false => one.capacity < LOST,
         };
+        let is_new = |one: &Change| moved.iter().all(|known| (known.time - one.time).abs() > SAME && is_whole(one));
         let mut found = found
             .filter(is_new)
             .filter(|one| lasts(&samples, effects, one))
