@@ -190,6 +190,12 @@ fn the_answer_its_record_and_its_exit_codes() {
     let record: Value = serde_json::from_slice(&record).unwrap();
     crate::schemas::schema("diagnose").assert_valid(&record);
     assert_eq!((&record["answer"], record["losses"].as_array().unwrap().len()), (&"weaker".into(), 0));
+    // Two logs in one file: the second is not read, so that nothing is said to be found.
+    let both = [std::fs::read(&good).unwrap(), std::fs::read(&lost).unwrap()].concat();
+    let ran = run(&["diagnose", &named("both.bin", &both)]);
+    assert_eq!(ran.status.code(), Some(11));
+    let said = String::from_utf8(ran.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("split the log where the autopilot was started"), "{said}");
     // What cannot be a baseline is named.
     let short = named("short.bin", &log(Fault::None, 3.0, 50.0, 100.0, 4));
     for (other, why) in [
@@ -259,8 +265,13 @@ fn one_damaged_sample_is_left_out() {
     wild[gyroscope[200] + 12..gyroscope[200] + 16].copy_from_slice(&1e30_f32.to_le_bytes());
     let Ok(found) = diagnose(&mut &wild[..], None, &[], &mut []) else { panic!("an answer") };
     assert_eq!(found.diagnosis.losses()[0].motor + 1, 3);
+    // A pulse that no output has.
+    let outputs: Vec<usize> = (0..whole.len() - 3).filter(|at| whole[*at..*at + 3] == [0xa3, 0x95, 2]).collect();
+    let mut long = whole.clone();
+    long[outputs[600] + 11..outputs[600] + 13].copy_from_slice(&u16::MAX.to_le_bytes());
+    assert_eq!(losses(&long).first().map(|loss| loss.motor + 1), Some(3));
     assert!(
-        found.diagnostics.iter().any(|d| d.message.contains("1 samples of the gyroscope")),
+        found.diagnostics.iter().any(|d| d.message.contains("1 sample of the gyroscope")),
         "{:?}",
         found.diagnostics
     );

@@ -2,11 +2,13 @@
 
 use super::baseline::Baseline;
 use crate::admissible::AdmissibleSet;
+use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnosis::aftermath::Aftermath;
+use crate::diagnosis::ending::{End, Flight};
 use crate::diagnosis::fit::{Effect, effects};
 use crate::diagnosis::record::{Autopilot, MOTORS, Record};
-use crate::diagnosis::study::{Kind, Loss, Study, study};
+use crate::diagnosis::study::{Evidence, Kind, Loss, Study, study};
 use crate::diagnostic::Diagnostic;
 use crate::flight::equilibrium::analyze_each;
 use crate::log::{self, MISSING, Unreadable};
@@ -57,6 +59,10 @@ pub(super) const FIGURES: [(&str, &str); 7] = [
 /// A motor is where a log has it if the cosine of the angle between the axes about which it turns the vehicle is so
 /// large: 26 degrees, half of the angle between the motors of an octocopter.
 const SAME_PLACE: f64 = 0.9;
+/// A vehicle that turns more slowly than this hardly turns, rad/s.
+const LEVEL: f32 = 0.7;
+/// More samples than this with times before those of earlier ones are those of another flight.
+const MANY: u64 = 100;
 /// The share of full thrust in hover where the log shows none.
 const HOVER: f64 = 0.5;
 
@@ -74,8 +80,11 @@ pub fn diagnose(
     let (record, mut diagnostics) = read(log)?;
     let vehicle = Vehicle::of(&record, spec).map_err(|error| Why::Not([vec![*error], diagnostics.clone()].concat()))?;
     diagnostics.extend(vehicle.warnings.iter().cloned());
-    let found = vehicle.study(&record, hidden).map_err(|error| Why::Not(vec![*error]))?;
+    let mut found = vehicle.study(&record, hidden).map_err(|error| Why::Not(vec![*error]))?;
     let model = vehicle.model(found.as_ref());
+    if let Some(study) = &mut found {
+        withdraw(study, &record, &model, &vehicle.motors);
+    }
     let losses = found.as_ref().map_or(&[][..], |study| &study.losses);
     let (after, sets) = (1..=losses.len()).map(|n| analysis(&model, &vehicle.motors, &losses[..n])).unzip();
     let mut good = Baseline::new(&record, found.as_ref());
@@ -98,6 +107,7 @@ pub fn diagnose(
         aftermath,
         unknown,
         rates: rates(&record),
+        is_partial: record.late > MANY,
         baseline: good.against(),
     };
     Ok(Diagnosed { diagnosis, record, diagnostics })
@@ -242,6 +252,34 @@ fn contradiction(record: &Record, spec: &crate::model::Vehicle) -> Option<Diagno
     (!others.is_empty()).then(|| warning(message))?
 }
 
+/// Takes back losses that only the motion shows, after which the vehicle could not hover but flew on level.
+fn withdraw(study: &mut Study, record: &Record, model: &Model, motors: &[usize]) {
+    let mut kept: Vec<Loss> = Vec::new();
+    for loss in std::mem::take(&mut study.losses) {
+        let is_refuted = loss.evidence == Evidence::Motion && flies_level_after(record, &study.flights, loss.time) && {
+            let all: Vec<Loss> = kept.iter().cloned().chain([loss.clone()]).collect();
+            !matches!(analysis(model, motors, &all).0.outcome, Outcome::FullControl | Outcome::FliesOn)
+        };
+        if !is_refuted {
+            kept.push(loss);
+        }
+    }
+    study.losses = kept;
+}
+
+/// Whether a vehicle flew on for 3 s after a time, s, or until the log ends, hardly turning.
+fn flies_level_after(record: &Record, flights: &[Flight], time: f64) -> bool {
+    let Some(flight) = flights.iter().find(|flight| flight.from < time && flight.to > time) else { return false };
+    let [from, to] = [time + 0.2, flight.to.min(time + 3.0)];
+    if to - from < 0.5 || to == flight.to && flight.end != End::Open {
+        return false;
+    }
+    let rates = record.rates.within(from, to);
+    let turns = |rates: &[f32; 3]| rates.iter().any(|rate| rate.abs() > LEVEL);
+    let many = rates.iter().filter(|rates| turns(rates)).count();
+    !rates.is_empty() && 20 * many < rates.len()
+}
+
 /// What some losses leave of a vehicle, and its set of wrenches.
 fn analysis(model: &Model, motors: &[usize], losses: &[Loss]) -> (ModeAnalysis, AdmissibleSet) {
     let state = |motor: &usize| {
@@ -280,6 +318,12 @@ fn rates(record: &Record) -> [f64; 2] {
 pub(super) fn unknown_of(record: &Record, study: Option<&Study>) -> Vec<String> {
     let [outputs, rates] = rates(record);
     let mut found = Vec::new();
+    if record.late > MANY {
+        found.push(format!(
+            "{} samples have times before those of earlier ones: split the log where the autopilot was started",
+            record.late
+        ));
+    }
     let set = match record.autopilot {
         Autopilot::ArduPilot => "set bits 10 (motor outputs) and 7 (IMU) of LOG_BITMASK, and bit 0 (fast attitude)",
         _ => "set SDLOG_PROFILE to 16 (high rate) beside 1 (default)",
@@ -297,6 +341,13 @@ pub(super) fn unknown_of(record: &Record, study: Option<&Study>) -> Vec<String> 
             found.push("the log has no flight of 2 s or more".into());
         } else if !study.is_determined {
             found.push("fewer than four outputs are known, so that the motion cannot be searched for losses".into());
+        }
+        let spins = study.flights.iter().find(|flight| flight.has_crashed_in_a_spin());
+        if let Some(flight) = spins.filter(|_| study.losses.is_empty()) {
+            let time = fixed(flight.to, 1);
+            found.push(format!(
+                "the flight ends at {time} s in a fast turn and an impact, which no loss of one motor explains"
+            ));
         }
         let short = study.flights.iter().zip(&study.searched).filter(|(_, searched)| searched.is_none());
         let short: Vec<String> =

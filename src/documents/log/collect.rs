@@ -1,8 +1,9 @@
 //! What the messages of both autopilots mean: into one [`Record`], in SI units, body x forward, y left, z up.
 
 use super::DAMAGED;
-use crate::diagnosis::record::{Autopilot, MOTORS, Record};
+use crate::diagnosis::record::{Autopilot, MOTORS, Record, Series};
 use crate::diagnostic::Diagnostic;
+use crate::number::plural;
 use crate::source::Span;
 use std::collections::BTreeSet;
 
@@ -13,6 +14,9 @@ const LONGEST_NAME: usize = 64;
 /// The function of a servo output that drives ArduPilot's motor 1; motors 9 to 12 are from [`NINTH`] on.
 const FIRST_FUNCTION: f64 = 33.0;
 const NINTH: f64 = 82.0;
+
+/// No output has longer pulses, us.
+const LONGEST_PULSE: f64 = 3000.0;
 
 /// Parameters that say what vehicle it is.
 const FRAMES: [&str; 5] = ["FRAME", "FRAME_CLASS", "FRAME_TYPE", "CA_AIRFRAME", "CA_ROTOR_COUNT"];
@@ -30,7 +34,7 @@ pub struct Damage {
     pub cut: u64,
     /// Samples whose time is before that of an earlier one.
     pub late: u64,
-    /// Samples of the gyroscope that none can measure.
+    /// Samples of the gyroscope and of outputs beyond any range.
     pub wild: u64,
     /// Parameters of the frame that change.
     pub frames: BTreeSet<String>,
@@ -54,7 +58,8 @@ impl Damage {
             found.push(warning(message).help("the last value counts; split the log where the autopilot was started"));
         }
         if self.wild > 0 {
-            let message = format!("{} samples of the gyroscope are beyond any range and were left out", self.wild);
+            let samples = plural(self.wild as usize, "sample");
+            let message = format!("{samples} of the gyroscope or the outputs beyond any range, left out");
             found.push(warning(message));
         }
         if self.late > 100 {
@@ -82,6 +87,8 @@ pub struct Collector {
     /// The speeds of motors that were last reported.
     speeds: [f64; MOTORS],
     outputs: [f64; MOTORS],
+    /// ArduPilot: the rates that its controller takes, for logs without an IMU.
+    spare_rates: Series<3>,
 }
 
 /// Whether a message is of the first of several sensors: old logs do not number them.
@@ -106,6 +113,7 @@ impl Collector {
             is_measured: false,
             speeds: [f64::NAN; MOTORS],
             outputs: [f64::NAN; MOTORS],
+            spare_rates: Series::default(),
         }
     }
 
@@ -170,6 +178,10 @@ impl Collector {
         let radians = f64::to_radians;
         let record = &mut self.record;
         let is_in_order = match (name, v) {
+            ("RCOU", pulses) if pulses.iter().any(|pulse| *pulse > LONGEST_PULSE) => {
+                self.damage.wild += 1;
+                true
+            }
             ("RCOU", pulses) => {
                 self.put_outputs(0, pulses);
                 let outputs = self.outputs;
@@ -183,7 +195,13 @@ impl Collector {
                 record.force.push(time, turned([*ax, *ay, *az]));
                 self.rates(time, [gyro[0], gyro[1], gyro[2]])
             }
-            ("RATE", [thrust, roll, pitch, yaw]) => record.demands.push(time, [*thrust, *roll, -*pitch, -*yaw]),
+            ("RATE", [thrust, roll, pitch, yaw, rates @ ..]) => {
+                let rates = [rates[0], rates[1], rates[2]].map(radians);
+                if rates.iter().all(|rate| rate.abs() < FASTEST) {
+                    self.spare_rates.push(time, turned(rates));
+                }
+                record.demands.push(time, [*thrust, *roll, -*pitch, -*yaw])
+            }
             ("ATT", [roll, pitch, yaw, wanted @ ..]) => {
                 let all = [*roll, -*pitch, -*yaw, wanted[0], -wanted[1], -wanted[2]];
                 record.attitude.push(time, all.map(radians))
@@ -228,6 +246,10 @@ impl Collector {
         let record = &mut self.record;
         let motors = |v: &[f64]| std::array::from_fn(|k| v.get(k).copied().unwrap_or(f64::NAN));
         let is_in_order = match (name, v) {
+            ("actuator_motors", shares) if shares.iter().any(|share| share.abs() > 1.001) => {
+                self.damage.wild += 1;
+                true
+            }
             // Thrusts of motors as the allocation demands them: better than pulses.
             ("actuator_motors", shares) => {
                 if !self.has_commands {
@@ -288,6 +310,10 @@ impl Collector {
 
     /// Ends the log: outputs that are shares although their topic has pulses in other logs (simulators).
     pub fn finish(&mut self) {
+        if self.record.rates.is_empty() {
+            self.record.rates = std::mem::take(&mut self.spare_rates);
+        }
+        self.record.late = self.damage.late;
         self.record.finish();
         let outputs = &self.record.outputs;
         let largest = outputs.values.iter().flatten().filter(|v| v.is_finite()).fold(0.0_f32, |a, b| a.max(*b));

@@ -18,7 +18,7 @@ const WANTED: [(&str, &[&str]); 19] = [
     ("RCOU", &["C1", "C2", "C3", "C4", "C5", "C6", "C7", "C8", "C9", "C10", "C11", "C12", "C13", "C14"]),
     ("RCO2", &["C15", "C16", "C17", "C18"]),
     ("IMU", &["I", "GyrX", "GyrY", "GyrZ", "AccX", "AccY", "AccZ"]),
-    ("RATE", &["AOut", "ROut", "POut", "YOut"]),
+    ("RATE", &["AOut", "ROut", "POut", "YOut", "R", "P", "Y"]),
     ("ATT", &["Roll", "Pitch", "Yaw", "DesRoll", "DesPitch", "DesYaw"]),
     ("BARO", &["I", "Alt"]),
     ("XKF1", &["C", "VN", "VE", "VD", "PN", "PE", "PD"]),

@@ -39,6 +39,8 @@ pub struct Diagnosis {
     pub unknown: Vec<String>,
     /// Rates at which the log has outputs of motors, and rates of turn, Hz.
     pub rates: [f64; 2],
+    /// Whether a part of the log was left out, because its times are before those of another part.
+    pub is_partial: bool,
     /// Changes against other flights.
     pub baseline: Option<Vec<Against>>,
 }
@@ -75,11 +77,14 @@ impl Diagnosis {
         let study = self.study.as_ref();
         let flights = || study.into_iter().flat_map(|study| study.flights.iter().zip(&study.searched));
         let is_searched = flights().any(|(_, searched)| searched.is_some());
-        let is_open = flights().any(|(flight, searched)| searched.is_none() && matches!(flight.end, End::Impact(_)));
+        // An impact that no loss explains is not a flight without a loss.
+        let is_open = flights().any(|(flight, searched)| {
+            flight.has_crashed_in_a_spin() || searched.is_none() && matches!(flight.end, End::Impact(_))
+        });
         match () {
             () if !self.losses().is_empty() => Answer::Loss,
             () if self.weaker().next().is_some() => Answer::Weaker,
-            () if !is_searched || is_open => Answer::Unknown,
+            () if !is_searched || is_open || self.is_partial => Answer::Unknown,
             () => Answer::None,
         }
     }

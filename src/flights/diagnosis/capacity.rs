@@ -64,7 +64,8 @@ pub fn capacities(samples: &Samples, fit: &Fit, effects: &[Effect], range: [f64;
         parts.extend(balanced(&mean, effects));
     }
     let count = parts.len() as f64;
-    if parts.is_empty() {
+    // One part has no spread.
+    if parts.len() < 2 {
         return None;
     }
     Some(
@@ -72,7 +73,7 @@ pub fn capacities(samples: &Samples, fit: &Fit, effects: &[Effect], range: [f64;
             .map(|k| {
                 let mean = parts.iter().map(|p| p[k]).sum::<f64>() / count;
                 let variance = parts.iter().map(|p| (p[k] - mean).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
-                let half = if parts.len() < 2 { 1.0 } else { student(parts.len() - 1) * (variance / count).sqrt() };
+                let half = student(parts.len() - 1) * (variance / count).sqrt();
                 Capacity { value: mean, low: (mean - half).max(0.0), high: (mean + half).min(1.0) }
             })
             .collect(),

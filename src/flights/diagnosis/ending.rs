@@ -6,6 +6,9 @@ use nalgebra::{DMatrix, DVector};
 
 /// Thrust commands above this share of those of typical flight are those of flight.
 const FLYING: f64 = 0.5;
+/// Motors work at all above this share of it. A vehicle sinks above this speed, m/s.
+const WORKS: f64 = 0.1;
+const SINKS: f64 = 1.0;
 /// A flight lasts at least so long, s.
 const SHORTEST: f64 = 2.0;
 /// Two parts of a flight with less than this between them are one, s.
@@ -23,6 +26,8 @@ const CUT: f64 = 1.0;
 /// Heights from the second, or for a parabola the third, of these times until the first before an instant show its
 /// speed, s.
 const SPAN: [f64; 3] = [0.02, 0.65, 1.5];
+/// Faster turns about the vertical are not flown, rad/s.
+const SPIN: f64 = std::f64::consts::PI;
 /// How late heights are logged, s: ten a second, and then filtered.
 const LATE: f64 = 0.3;
 
@@ -50,6 +55,13 @@ pub struct Flight {
     pub yaw_rate: Option<f64>,
 }
 
+impl Flight {
+    /// Whether it hit the ground after a turn about the vertical that no pilot flies.
+    pub fn has_crashed_in_a_spin(&self) -> bool {
+        matches!(self.end, End::Impact(_)) && self.yaw_rate > Some(SPIN)
+    }
+}
+
 /// The flights of a record.
 pub fn flights(record: &Record, samples: &Samples) -> Vec<Flight> {
     let total = |commands: &[f64]| commands.iter().filter(|u| u.is_finite()).sum::<f64>();
@@ -73,7 +85,14 @@ pub fn flights(record: &Record, samples: &Samples) -> Vec<Flight> {
             i += 1;
             continue;
         }
-        let end = (i..samples.samples.len()).find(|j| !flies(*j)).unwrap_or(samples.samples.len());
+        // A vehicle that has lost motors falls with few that work.
+        let falls = |j: usize| {
+            let s = &samples.samples[j];
+            let high = record.height.at(s.time, 1.5).is_some_and(|h| h[0] - ground > 2.0 * ABOVE);
+            let sinks = || descent(record, s.time).is_some_and(|[least, _]| least > SINKS);
+            has_height && high && (total(&s.commands) > WORKS * typical || sinks())
+        };
+        let end = (i..samples.samples.len()).find(|j| !flies(*j) && !falls(*j)).unwrap_or(samples.samples.len());
         let (from, to) = (samples.samples[i].time, samples.samples[end - 1].time);
         match found.last_mut() {
             Some(last) if from - last.to < JOINED => last.to = to,
@@ -117,7 +136,9 @@ fn end(record: &Record, flight: &mut Flight, ground: Option<f64>) {
             flight.end = End::Impact(speed);
         }
     }
-    flight.tilt = largest(&mut record.attitude.within(flight.from, flight.to).iter().map(tilt));
+    // Of two neighbours the lower: one damaged sample is no tilt.
+    let attitudes = record.attitude.within(flight.from, flight.to);
+    flight.tilt = largest(&mut attitudes.windows(2).map(|pair| tilt(&pair[0]).min(tilt(&pair[1]))));
     let rates = record.rates.within(flight.from, flight.to);
     flight.yaw_rate = largest(&mut rates.iter().map(|w| f64::from(w[2]).abs()));
 }

@@ -164,6 +164,8 @@ pub struct Record {
     pub pressure_height: Series<1>,
     /// Velocity upwards, m/s.
     pub climb: Series<1>,
+    /// How many samples were left out, because their time is before that of an earlier one.
+    pub late: u64,
     /// Speed of each motor, rpm.
     pub speeds: Series<MOTORS>,
 }
@@ -184,6 +186,7 @@ impl Record {
             pressure_height: Series::default(),
             climb: Series::default(),
             speeds: Series::default(),
+            late: 0,
         }
     }
 

@@ -13,6 +13,8 @@ use super::samples::Samples;
 use super::transient::sudden;
 use crate::cancel;
 
+/// The earliest change that has this share of the strength of the strongest is taken first.
+const FIRST: f64 = 0.5;
 /// The most losses that are looked for in one flight.
 const MOST_LOSSES: usize = 4;
 /// Take-off and landing are left out of the search: seconds at the start of a flight.
@@ -212,15 +214,16 @@ fn losses_of(
             false => one.capacity < LOST,
         };
         let is_new = |one: &Change| moved.iter().all(|known| (known.time - one.time).abs() > SAME && is_whole(one));
-        let mut found = found
-            .filter(is_new)
-            .filter(|one| lasts(&samples, effects, one))
-            .max_by(|a, b| a.strength.total_cmp(&b.strength));
+        let found: Vec<Change> = found.filter(is_new).filter(|one| lasts(&samples, effects, one, flight.to)).collect();
+        let strongest = found.iter().map(|one| one.strength).fold(0.0, f64::max);
+        // What follows a change that is not known yet is disturbed by it.
+        let found = found.into_iter().filter(|one| one.strength > FIRST * strongest);
+        let mut found = found.min_by(|a, b| a.time.total_cmp(&b.time));
         if round == 0 {
             if let (Some(found), Some(clear)) = (&mut found, &candidates.clear) {
                 found.narrow(clear);
             }
-            found = found.or(candidates.clear.filter(|one| lasts(&samples, effects, one)));
+            found = found.or(candidates.clear.filter(|one| lasts(&samples, effects, one, flight.to)));
         }
         let Some(found) = found else { break };
         moved.push(found);
@@ -252,7 +255,8 @@ fn losses_of(
     let [most, lasts] = if is_open { [LOST, f64::INFINITY] } else { [0.5, UNSETTLED] };
     let is_doubtful = |change: &Change| {
         let is_weak = |motor: usize| change.capacity >= most || change.is_held || change.motor == motor;
-        taken.iter().any(|(motor, t)| change.time > t - SAME && change.time < t + lasts && is_weak(*motor))
+        let is_near = |t: f64| change.time > t - SAME && change.time < t + lasts;
+        taken.iter().any(|(motor, t)| is_near(*t) && (is_weak(*motor) || is_open && change.time < t + SAME))
     };
     for change in moved.into_iter().filter(|change| !is_doubtful(change)) {
         add(

@@ -43,7 +43,7 @@ pub fn screen(diagnosis: &Diagnosis) -> Screen {
     if diagnosis.after.iter().any(|after| after.outcome == Outcome::Undecided) {
         screen.remark(
             Keep::Finding,
-            "undecided: what is left depends on the drag of rotors and body in a spin, which no log has; name the spec",
+            "undecided: what is left depends on the drag in a spin, which no log has; name a spec with `yaw_drag`",
         );
     }
     why(diagnosis).iter().for_each(|why| screen.paragraph(Tone::Strong, 0, 2, why));
@@ -60,7 +60,7 @@ pub fn screen(diagnosis: &Diagnosis) -> Screen {
 /// Which part of the flights was searched.
 fn searched(diagnosis: &Diagnosis) -> &'static str {
     match diagnosis.study.iter().flat_map(|study| &study.searched).any(Option::is_some) {
-        true => ", from 3.5 s after each take-off on; one of less than a third can be missed",
+        true => ", from 3.5 s after each take-off on; small and slow losses can be missed",
         false => "",
     }
 }
@@ -73,8 +73,8 @@ fn weaker(one: &Against) -> String {
         one.motor + 1,
         fixed(one.mean + one.change, 2),
         fixed(one.mean, 2),
-        fixed(one.change, 2),
-        fixed(one.half, 2)
+        fixed(one.change, 3),
+        fixed(one.half, 3)
     )
 }
 
@@ -130,7 +130,11 @@ fn headline(diagnosis: &Diagnosis, loss: &Loss, after: &ModeAnalysis) -> String 
 /// What happened in each flight.
 fn flights(diagnosis: &Diagnosis, screen: &mut Screen) {
     let Some(study) = &diagnosis.study else { return };
-    for flight in study.flights.iter().take(MOST_FLIGHTS) {
+    let earlier = study.flights.len().saturating_sub(MOST_FLIGHTS);
+    if earlier > 0 {
+        screen.line(Tone::Plain, &format!("{}, then:", plural(earlier, "flight")));
+    }
+    for flight in &study.flights[earlier..] {
         let last = diagnosis.losses().iter().rfind(|loss| loss.time >= flight.from && loss.time <= flight.to);
         let after = last.map(|loss| flight.to - loss.time);
         let end = match flight.end {
@@ -155,10 +159,6 @@ fn flights(diagnosis: &Diagnosis, screen: &mut Screen) {
         let text = format!("flight from {} to {} s: {parts}{end}", fixed(flight.from, 1), fixed(flight.to, 1));
         screen.paragraph(Tone::Plain, 0, 2, &text);
     }
-    let more = study.flights.len().saturating_sub(MOST_FLIGHTS);
-    if more > 0 {
-        screen.line(Tone::Plain, &format!("and {}", plural(more, "more flight")));
-    }
 }
 
 /// The capacities in one row for each motor.
@@ -182,8 +182,9 @@ fn capacities(diagnosis: &Diagnosis, screen: &mut Screen) {
     }
     screen.line(Tone::Strong, "thrust for the same command in quiet flight, relative to the strongest motor");
     screen.table(&table);
-    let is_weak = capacities.iter().any(|capacity| capacity.high < WEAK);
-    if is_weak || against.is_some() {
+    if against.is_some() {
+        screen.paragraph(Tone::Plain, 2, 2, "a change can be a weaker motor, or a centre of gravity that moved");
+    } else if capacities.iter().any(|capacity| capacity.high < WEAK) {
         screen.paragraph(
             Tone::Plain,
             2,
