@@ -13,11 +13,11 @@ use std::io::Read;
 /// A change of less than this is none: a thrust curve is not known better.
 const LEAST: f64 = 0.02;
 
-/// What tells whether two logs are of one flight: when its outputs begin and end, how many there are, and the frame.
+/// A log: one flight has the same times, number and last row of outputs. Baselines are of one frame.
 struct Identity {
     times: Option<(f64, f64)>,
     outputs: usize,
-    first: Vec<f32>,
+    last: Vec<f32>,
     frame: Option<String>,
 }
 
@@ -27,13 +27,13 @@ impl Identity {
         Identity {
             times: outputs.times.first().copied().zip(outputs.times.last().copied()),
             outputs: outputs.len(),
-            first: outputs.values.last().map_or(Vec::new(), |row| row.iter().map(|v| v.max(0.0)).collect()),
+            last: outputs.values.last().map_or(Vec::new(), |row| row.iter().map(|v| v.max(0.0)).collect()),
             frame: log::frame(record).ok().map(|(text, _)| text),
         }
     }
 
     fn is_same(&self, other: &Identity) -> bool {
-        self.times == other.times && self.outputs == other.outputs && self.first == other.first
+        self.times == other.times && self.outputs == other.outputs && self.last == other.last
     }
 }
 
@@ -85,7 +85,10 @@ impl Baseline {
             return not("the baseline is not of a good flight: it ends with an impact".into(), help);
         }
         let Some(capacities) = study.and_then(|study| study.capacities) else {
-            return not("the baseline has no quiet flight of 4 s".into(), "name flights with a hover of 15 s or more");
+            return not(
+                "the baseline has less than 8 s of quiet flight".into(),
+                "name flights with a hover of 15 s or more",
+            );
         };
         self.logs.push(identity);
         self.good.push(capacities);

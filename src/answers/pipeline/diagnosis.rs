@@ -8,7 +8,7 @@ use crate::diagnosis::aftermath::Aftermath;
 use crate::diagnosis::ending::{End, Flight};
 use crate::diagnosis::fit::{Effect, effects};
 use crate::diagnosis::record::{Autopilot, MOTORS, Record};
-use crate::diagnosis::study::{Evidence, Kind, Loss, Study, study};
+use crate::diagnosis::study::{Evidence, Kind, Loss, SHORTEST, Study, study};
 use crate::diagnostic::Diagnostic;
 use crate::flight::equilibrium::analyze_each;
 use crate::log::{self, MISSING, Unreadable};
@@ -355,7 +355,8 @@ pub(super) fn unknown_of(record: &Record, study: Option<&Study>) -> Vec<String> 
         if study.is_determined && !short.is_empty() {
             let flights = if short.len() == 1 { "flight" } else { "flights" };
             let which = short.join(", ");
-            found.push(format!("too short to search the motion, which takes 4.5 s: {flights} {which}"));
+            let least = fixed(SHORTEST, 1);
+            found.push(format!("too short to search the motion, which takes {least} s: {flights} {which}"));
         }
     }
     found

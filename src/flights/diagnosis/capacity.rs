@@ -42,7 +42,7 @@ fn balanced(commands: &[f64], effects: &[Effect]) -> Option<Vec<f64>> {
     (strongest > 0.0).then(|| c.iter().map(|c| (c / strongest).max(0.0)).collect())
 }
 
-/// The capacities of the rotors in the quiet parts between two times (s); `None` if there are none.
+/// The capacities of the rotors in the quiet parts between two times (s); `None` if fewer than two are.
 pub fn capacities(samples: &Samples, fit: &Fit, effects: &[Effect], range: [f64; 2]) -> Option<Vec<Capacity>> {
     let n = effects.len();
     let windows = ((PART / samples.step).round() as usize).max(4);

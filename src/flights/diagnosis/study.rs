@@ -22,6 +22,9 @@ const TAKE_OFF: f64 = 1.5;
 /// Then the search needs so much of the flight before an instant, and is worth so much of it at least, s.
 const WARMS_UP: f64 = 2.0;
 const LEAST_SEARCHED: f64 = 1.0;
+/// How long after a take-off the search begins, and the shortest flight that is searched, s.
+pub const BEGINS: f64 = TAKE_OFF + WARMS_UP;
+pub const SHORTEST: f64 = BEGINS + LEAST_SEARCHED;
 /// A rotor that is lost has less than this of its thrust.
 const LOST: f64 = 0.15;
 /// After an output of one motor was off or held, so long (s) no reduced thrust of another is taken from the motion,
@@ -83,7 +86,8 @@ pub struct Study {
     pub flights: Vec<Flight>,
     /// In the order of time.
     pub losses: Vec<Loss>,
-    /// Of each rotor relative to the strongest, before the first loss; `None` if no part of a flight is quiet.
+    /// Of each rotor relative to the strongest, before the first loss; `None` if fewer than two parts of the flight
+    /// are quiet.
     pub capacities: Option<Vec<Capacity>>,
     /// The fit before the first loss; `None` without a flight.
     pub fit: Option<Fit>,
@@ -148,8 +152,8 @@ pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &
         };
         let new: Vec<Loss> = found.into_iter().filter(|loss| !was_off(loss)).collect();
         study.losses.extend(new);
-        let begins = flight.from + TAKE_OFF + WARMS_UP;
-        study.searched.push(Some(begins).filter(|begins| can_search && flight.to - begins > LEAST_SEARCHED));
+        let is_long = flight.to - flight.from > SHORTEST;
+        study.searched.push((can_search && is_long).then_some(flight.from + BEGINS));
     }
     study.losses.sort_by(|a, b| a.time.total_cmp(&b.time));
     if let Some(flight) = study.flights.iter().max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from))) {

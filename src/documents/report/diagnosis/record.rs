@@ -23,8 +23,8 @@ pub struct DiagnosisRecord {
     answer: Answer,
     /// Rotors that lost thrust, in the order of time.
     losses: Vec<LossRecord>,
-    /// The capacity of each rotor relative to the strongest before the first loss, in quiet flight; empty if no part of
-    /// the flight is quiet.
+    /// The capacity of each rotor relative to the strongest before the first loss, in quiet flight; empty if less than
+    /// 8 s of it are quiet.
     capacities: Vec<CapacityRecord>,
     /// The flights of the log.
     flights: Vec<FlightRecord>,

@@ -6,7 +6,7 @@ use super::{Against, Answer, Diagnosis};
 use crate::admissible::outcome::Outcome;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::diagnosis::ending::End;
-use crate::diagnosis::study::{Evidence, Kind, Loss};
+use crate::diagnosis::study::{BEGINS, Evidence, Kind, Loss};
 use crate::model::Spin;
 use crate::number::{fixed, plural, significant};
 use crate::report::screen::{Keep, Screen, Tone};
@@ -43,7 +43,7 @@ pub fn screen(diagnosis: &Diagnosis) -> Screen {
     if diagnosis.after.iter().any(|after| after.outcome == Outcome::Undecided) {
         screen.remark(
             Keep::Finding,
-            "undecided: what is left depends on the drag in a spin, which no log has; name a spec with `yaw_drag`",
+            "undecided: the drag in a spin decides, and no log shows it; name a spec that gives `yaw_drag`",
         );
     }
     why(diagnosis).iter().for_each(|why| screen.paragraph(Tone::Strong, 0, 2, why));
@@ -58,10 +58,10 @@ pub fn screen(diagnosis: &Diagnosis) -> Screen {
 }
 
 /// Which part of the flights was searched.
-fn searched(diagnosis: &Diagnosis) -> &'static str {
+fn searched(diagnosis: &Diagnosis) -> String {
     match diagnosis.study.iter().flat_map(|study| &study.searched).any(Option::is_some) {
-        true => ", from 3.5 s after each take-off on; small and slow losses can be missed",
-        false => "",
+        true => format!(", from {} s after each take-off on; small and slow losses can be missed", fixed(BEGINS, 1)),
+        false => String::new(),
     }
 }
 
