@@ -161,6 +161,9 @@ pub enum RowOrigin {
     /// the stop.
     #[cfg_attr(test, schemars(skip))]
     Stop { node: usize, axis: usize, derivative: usize },
+    /// An equation of variables for the wrench, at a node or after it.
+    #[cfg_attr(test, schemars(skip))]
+    Wrench { node: usize },
     /// A row of the planning set at a node.
     Facet {
         /// Row of the set, from 0.
@@ -240,6 +243,7 @@ impl RowOrigin {
             RowOrigin::Dynamics { .. } => "dynamics",
             RowOrigin::Rest { .. } => "rest",
             RowOrigin::Stop { .. } => "stop",
+            RowOrigin::Wrench { .. } => "wrench",
             RowOrigin::Facet { .. } => "facets",
             RowOrigin::Lag { .. } => "lag",
             RowOrigin::Limit { .. } => "limits",

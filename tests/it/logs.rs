@@ -159,7 +159,7 @@ fn the_answer_its_record_and_its_exit_codes() {
     assert_eq!((&record["answer"], &record["losses"][0]["motor"]), (&"loss".into(), &3.into()));
     let why = record["why"].as_str().unwrap();
     let shown = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(why.starts_with("why: without motor 3") && shown.contains(why), "{why}");
+    assert!(why.starts_with("without motor 3") && shown.contains(why), "{why}");
 
     let good = named("good.bin", &log(Fault::None, 30.0, 50.0, 100.0, 3));
     assert_eq!(run(&["diagnose", &good]).status.code(), Some(0));

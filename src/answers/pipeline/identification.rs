@@ -42,6 +42,10 @@ const CURVE: f64 = 0.03;
 const FAST_WINDOWS: f64 = 0.03;
 const WELL: f64 = 0.9;
 
+/// What to do where the log does not say the frame.
+const FRAME: &str =
+    "identify takes the frame from the log's parameters, FRAME_CLASS and FRAME_TYPE or CA_ROTOR*: log them";
+
 /// Writes the spec of the vehicle of a log. `mass` is a quantity as in a spec: `1.5 kg`.
 ///
 /// # Errors
@@ -49,7 +53,8 @@ const WELL: f64 = 0.9;
 pub fn identify(source: &mut dyn Read, mass: &str) -> Result<Identified, Undiagnosed> {
     let (record, mut diagnostics) = read(source)?;
     let not = |error: Box<Diagnostic>| Undiagnosed::from(Why::Not(vec![*error]));
-    let vehicle = Vehicle::of(&record, None).map_err(not)?;
+    let of_frame = |error: Box<Diagnostic>| not(Box::new(error.help(FRAME)));
+    let vehicle = Vehicle::of(&record, None).map_err(of_frame)?;
     diagnostics.extend(vehicle.warnings.iter().cloned());
     let frame = vehicle.frame.clone().unwrap_or_default();
     let mut figures: Vec<(&str, String)> = FIGURES.map(|(name, value)| (name, value.to_string())).into();

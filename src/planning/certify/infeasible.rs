@@ -200,7 +200,10 @@ fn multipliers(overshoot: &Overshoot, z: &[f64], mission: &Mission) -> Option<Ve
             let row = match program.row_origin[first] {
                 RowOrigin::Dynamics { .. } | RowOrigin::Overshoot | RowOrigin::Violation => continue,
                 // Rows of the exact model's linearised subproblems, which are not a relaxation of it, and of stops.
-                RowOrigin::Upright { .. } | RowOrigin::Duration { .. } | RowOrigin::Stop { .. } => return None,
+                RowOrigin::Upright { .. }
+                | RowOrigin::Duration { .. }
+                | RowOrigin::Stop { .. }
+                | RowOrigin::Wrench { .. } => return None,
                 RowOrigin::Lag { facet, node, after } => {
                     let interval = if after { node } else { node.checked_sub(1)? };
                     RowRecord::Commands { facet, node, interval }

@@ -164,6 +164,7 @@ impl<'a> Branches<'a> {
     ) -> Option<Iterate> {
         let mut settings = ScpSettings::DEFAULT;
         settings.subproblem.slack_of_working_set = settings.stops.slack_of_working_set;
+        settings.subproblem.many_facets = settings.stops.many_facets;
         let course = self.course(from, goal, duration, &settings.stops)?;
         let model = self.problem.with_mission(course.mission);
         let problem = Problem::of(&model)?;

@@ -56,12 +56,14 @@ pub(super) struct Widening {
     growth: [Growth; 5],
     /// How much further inside the bounds of volumes the position stays, m; see [`Transcription::room`].
     room: f64,
+    /// How much further inside bounds on places it stays, m and rad: their tightening.
+    inset: f64,
 }
 
 impl Widening {
     /// Each bound wider by this share of itself, the duration unchanged.
     pub fn by(share: &Affine) -> Self {
-        Widening { share: share.clone(), growth: Default::default(), room: 0.0 }
+        Widening { share: share.clone(), growth: Default::default(), room: 0.0, inset: 0.0 }
     }
 
     /// This widening with a change of the duration.
@@ -72,6 +74,11 @@ impl Widening {
     /// This widening with volumes kept by this much more, m.
     pub fn with_room(self, room: f64) -> Self {
         Widening { room, ..self }
+    }
+
+    /// This widening with bounds on places, which no share widens, kept by this much more, m and rad.
+    pub fn with_inset(self, inset: f64) -> Self {
+        Widening { inset, ..self }
     }
 
     /// A bound on a derivative of the given order; `side` is 1 for upper bounds, -1 for lower ones.
@@ -148,7 +155,9 @@ impl Transcription<'_> {
         if !self.covers(limit, instant) {
             return;
         }
-        let room = room_of(limit, widening.room);
+        // Distances from bodies have their share of the tightening.
+        let inset = if limit.kind.is_of_place() && !limit.kind.is_clearance() { widening.inset } else { 0.0 };
+        let room = room_of(limit, widening.room) + inset;
         let (lower, upper) = (limit.lower.map(|bound| bound + room), limit.upper.map(|bound| bound - room));
         let origin = RowOrigin::Limit { limit: index, node: instant / self.parts };
         let quantity = limit.kind.describe().quantity;

@@ -33,6 +33,7 @@ mod subproblem;
 mod tightening;
 mod violation;
 mod way_around;
+mod wrench_variables;
 
 pub use exact::ExactPlanner;
 pub use given_time::NOT_FOUND;
@@ -158,6 +159,8 @@ pub struct ScpPlanner<'e, 'a> {
     enough_at: Cell<Option<u64>>,
     /// What counts beside (48) in the cost of a second pass.
     comfort: Option<Comfort>,
+    /// The solver's work in the last step, by interval of its grid.
+    work_by_interval: f64,
 }
 
 /// The solution of one subproblem.
@@ -223,6 +226,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             splines: None,
             enough_at: Cell::new(None),
             comfort: None,
+            work_by_interval: 0.0,
         }
     }
 
@@ -360,6 +364,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let (program, places) = form.step_program(&step, &chosen);
         let (solved, effort) = solve_step(&program, &form.variables_of(&iterate.states, &program));
         self.hover.effort += effort;
+        self.work_by_interval = effort.work as f64 / iterate.grid.intervals() as f64;
         let Solution { x, z, .. } = solved?;
         let row = program.row_origin.iter().position(|o| *o == RowOrigin::Violation);
         let price = weights.penalty - row.map_or(0.0, |row| z[row]);

@@ -103,7 +103,7 @@ fn why(text: &str) -> String {
 fn the_end_is_explained_by_the_set_and_the_log() {
     let ring = "layout = \"PNPNPN\"; arm = 0.25 m;";
     let said = why(&spec(ring, "lost"));
-    assert!(said.starts_with("why: without motor 3 the other motors can hold height, roll and pitch, but "), "{said}");
+    assert!(said.starts_with("without motor 3 the other motors can hold height, roll and pitch, but "), "{said}");
     assert!(said.contains("have no yaw torque against a counter-clockwise turn"), "{said}");
     assert!(said.contains("the log shows ") && said.contains("deg/s") && said.contains("tilt of up to"), "{said}");
     // Six of eight rotors hold all that the eight do: nothing explains an end, and nothing is claimed.

@@ -46,7 +46,7 @@ pub fn screen(diagnosis: &Diagnosis) -> Screen {
             "undecided: the drag in a spin decides, and no log shows it; name a spec that gives `yaw_drag`",
         );
     }
-    why(diagnosis).iter().for_each(|why| screen.paragraph(Tone::Strong, 0, 2, why));
+    why(diagnosis).iter().for_each(|why| screen.paragraph(Tone::Strong, 0, 2, &format!("why: {why}")));
     diagnosis.unknown.iter().for_each(|why| screen.remark(Keep::Finding, why));
     screen.gap();
     flights(diagnosis, &mut screen);

@@ -22,7 +22,7 @@ pub fn why(diagnosis: &Diagnosis) -> Option<String> {
     let is_unexplained = after.outcome == Outcome::FullControl && matches!(aftermath.end, End::Impact(_));
     let not = if is_unexplained { ", so that the losses alone do not explain the end" } else { "" };
     Some(format!(
-        "why: {} the other motors {}{}{}{not}; {}{}",
+        "{} the other motors {}{}{}{not}; {}{}",
         state(losses),
         can(after, missing),
         later(diagnosis, aftermath, after),

@@ -37,6 +37,13 @@ impl ScpPlanner<'_, '_> {
         (work - enough_at) as f64 >= (share - settings.until_coarse_grid) * settings.quick
     }
 
+    /// Whether a plan on the full grid, made of what the search has, needs what is left of the budget.
+    pub(super) fn has_to_finish(&self) -> bool {
+        let settings = self.settings.budget;
+        let step = self.work_by_interval * self.model().plan.samples as f64;
+        self.hover.effort.work as f64 + settings.finishing_steps * step > settings.at_most * self.budget()
+    }
+
     /// The share of the budget at which steps to shorter times end on a grid: finer grids come after it, and the cost
     /// phase of the plan.
     pub(super) fn share_until(&self, intervals: usize) -> f64 {

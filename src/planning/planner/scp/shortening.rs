@@ -131,7 +131,10 @@ impl ScpPlanner<'_, '_> {
         let (mut slow, mut hopeless, mut was_repeated, mut saves, mut price) = (0, 0, false, false, 0.0_f64);
         steps.pace.radius = steps.pace.radius.max(settings.least_first_radius);
         // Short steps that still save time may become longer again.
-        while (steps.pace.radius >= settings.min_radius || saves) && steps.left > 0 && !self.has_spent(share_of_budget)
+        while (steps.pace.radius >= settings.min_radius || saves)
+            && steps.left > 0
+            && !self.has_spent(share_of_budget)
+            && !self.has_to_finish()
         {
             if violation <= 0.0 {
                 steps.keep();

@@ -4,9 +4,11 @@
 //! whose duration may change. With its relative change delta, (1 + delta)^4 = 1 + 4 epsilon (69), so delta = epsilon to
 //! first order. A derivative of order m in the new time is D (1 + delta)^-m, so the wrench along the leg changes by -m
 //! dw/dD D epsilon to first order (70). Rows are multiplied by 1 + 4 epsilon (71); by this factor the snap, whose
-//! torques bind first, enters without linearisation error.
+//! torques bind first, enters without linearisation error. Where many facets hold at an instant, these rows have
+//! variables of their own for the wrench ([`super::wrench_variables`]).
 
 use super::settings::ScpSettings;
+use super::wrench_variables::WrenchVariables;
 use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
 use crate::flatness::FlatState;
@@ -96,8 +98,9 @@ impl Transcription<'_> {
     pub(super) fn step_program(&self, step: &Step, chosen: &[RowAt]) -> (QuadraticProgram, Vec<Option<usize>>) {
         let sigma = self.variables();
         let violation = Affine::term(sigma, 1.0);
-        let mut builder =
-            Builder::new(sigma + 1 + self.changes() * if step.to_first_order { 1 } else { 1 + ORDERS_OF_BOUNDS });
+        let before = sigma + 1 + self.changes() * if step.to_first_order { 1 } else { 1 + ORDERS_OF_BOUNDS };
+        let variables = WrenchVariables::of(chosen, self.set, step.settings.subproblem.many_facets, before);
+        let mut builder = Builder::new(variables.end());
         self.dynamics(&mut builder);
         self.rest(&mut builder);
         self.waypoints(&mut builder, &Affine::constant(0.0));
@@ -110,6 +113,9 @@ impl Transcription<'_> {
         let mut wrenches: BTreeMap<usize, WrenchExpression> = BTreeMap::new();
         let mut commands: BTreeMap<CommandAt, Option<WrenchExpression>> = BTreeMap::new();
         let mut slack = |instant: usize, row: &SetRow| {
+            if let Some(slack) = self.slack_in(&variables, step, instant, row) {
+                return slack;
+            }
             let wrench = wrenches.entry(instant).or_insert_with(|| self.wrench_expression(instant));
             let mut slack = wrench.along(&-row.normal).plus_constant(row.offset);
             let free = row.offset - row.normal.dot(&step.wrenches[instant]);
@@ -133,7 +139,7 @@ impl Transcription<'_> {
             let first = instant / self.parts;
             let beside = step.from[first..].iter().take(2);
             let room = beside.map(|state| self.room(instant, state)).fold(0.0, f64::max);
-            Widening::by(&free).with_growth(growth).with_room(room)
+            Widening::by(&free).with_growth(growth).with_room(room).with_inset(tightening)
         };
         let mut places = Vec::with_capacity(chosen.len());
         for (&RowAt { row, instant }, &local) in chosen.iter().zip(step.local_tightening) {
@@ -172,6 +178,7 @@ impl Transcription<'_> {
                 }
             }
         }
+        self.wrench_equations(&mut builder, &variables, step);
         self.durations(&mut builder, step);
         self.add_proximal_term(&mut builder, step);
         builder.linear(sigma, step.penalty);

@@ -34,13 +34,21 @@ impl ScpPlanner<'_, '_> {
     ) -> Option<Iterate> {
         let settings = self.settings.tightening;
         let mut iterate = self.minimise_cost(iterate, rule, working_set);
+        // A motion that leaves limits on places between instants, and nothing else: a plan if none is found without.
+        let mut kept = None;
         for _ in 0..settings.max_rounds {
             // The iterate whose pieces join is the one that is reported and checked.
             let joined = iterate.with_joined_pieces();
             let over = self.between_instants(&joined);
             let commands_over = self.commands_between_instants(&joined);
+            let (of_places, others): (Vec<_>, Vec<_>) = over.into_iter().partition(|(at, _)| self.is_of_place(*at));
+            let mut over = others;
             if over.is_empty() && commands_over.iter().all(|violation| *violation <= settings.max_violation) {
-                return Some(joined);
+                if of_places.is_empty() {
+                    return Some(joined);
+                }
+                kept = Some(joined.clone());
+                over = of_places;
             }
             let form = self.transcription(&joined.grid, &[]);
             for (at, violation) in over {
@@ -54,9 +62,19 @@ impl ScpPlanner<'_, '_> {
             for (tightening, violation) in command_tightening.zip(&commands_over) {
                 *tightening += settings.factor * violation.max(0.0);
             }
-            iterate = self.restore_feasibility(iterate, working_set)?;
+            match self.restore_feasibility(iterate, working_set) {
+                Some(restored) => iterate = restored,
+                None => break,
+            }
         }
-        None
+        kept
+    }
+
+    /// Whether a row is of a limit on places other than the distance from a body. Waypoints may lie on its bound, so
+    /// that nothing can be tightened there.
+    fn is_of_place(&self, at: RowAt) -> bool {
+        let limits = &self.mission().limits;
+        matches!(at.row, Row::Limit(limit) if limits[limit].kind.is_of_place() && !limits[limit].kind.is_clearance())
     }
 
     /// Tightens the row at a place so that the iterate violates it by at least `by` at an instant: the tightening takes
@@ -91,10 +109,6 @@ impl ScpPlanner<'_, '_> {
                 }
             });
         }
-        // Limits on places have no width for a tightening, except distances from bodies.
-        let limits = &self.mission().limits;
-        let is_place = |limit: &Limit| limit.kind.is_of_place() && !limit.kind.is_clearance();
-        over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if is_place(&limits[limit])));
         over.into_iter().collect()
     }
 }
