@@ -37,7 +37,7 @@ impl ScpPlanner<'_, '_> {
         (work - enough_at) as f64 >= (share - settings.until_coarse_grid) * settings.quick
     }
 
-    /// Whether a plan on the full grid, made of what the search has, needs what is left of the budget.
+    /// Whether the rest of the budget is needed to finish a plan on the full grid.
     pub(super) fn has_to_finish(&self) -> bool {
         let settings = self.settings.budget;
         let step = self.work_by_interval * self.model().plan.samples as f64;
