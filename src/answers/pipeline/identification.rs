@@ -42,9 +42,8 @@ const CURVE: f64 = 0.03;
 const FAST_WINDOWS: f64 = 0.03;
 const WELL: f64 = 0.9;
 
-/// What to do where the log does not say the frame.
-const FRAME: &str =
-    "identify takes the frame from the log's parameters, FRAME_CLASS and FRAME_TYPE or CA_ROTOR*: log them";
+/// Help where the frame is missing or cannot be used.
+const FRAME: &str = "identify takes the frame from the log's parameters, FRAME_CLASS and FRAME_TYPE or CA_ROTOR*";
 
 /// Writes the spec of the vehicle of a log. `mass` is a quantity as in a spec: `1.5 kg`.
 ///

@@ -37,6 +37,12 @@ pub(super) fn room_of(limit: &Limit, room: f64) -> f64 {
     limit.volume.as_ref().map_or(0.0, |volume| volume.half_width.map_or(room, |half| room.min(0.25 * half)))
 }
 
+/// Whether a limit is tightened by a distance or an angle: it bounds a place, and is no distance from a body, which the
+/// share widens. Waypoints may lie on its bound, so that it cannot always be tightened.
+pub(super) fn has_inset(limit: &Limit) -> bool {
+    limit.kind.is_of_place() && !limit.kind.is_clearance()
+}
+
 /// The share (1 + delta)^m - 1 by which a bound on a derivative of order m grows with the relative change delta of a
 /// duration, in a program.
 #[derive(Debug, Clone, Default)]
@@ -155,8 +161,7 @@ impl Transcription<'_> {
         if !self.covers(limit, instant) {
             return;
         }
-        // Distances from bodies have their share of the tightening.
-        let inset = if limit.kind.is_of_place() && !limit.kind.is_clearance() { widening.inset } else { 0.0 };
+        let inset = if has_inset(limit) { widening.inset } else { 0.0 };
         let room = room_of(limit, widening.room) + inset;
         let (lower, upper) = (limit.lower.map(|bound| bound + room), limit.upper.map(|bound| bound - room));
         let origin = RowOrigin::Limit { limit: index, node: instant / self.parts };

@@ -64,7 +64,7 @@ impl Shortening {
 
 impl ScpPlanner<'_, '_> {
     /// How the durations of legs change: each by itself where the planner chooses the waypoint times, else all alike.
-    fn durations_to_shorten(&self, radius: f64) -> Durations {
+    pub(super) fn durations_to_shorten(&self, radius: f64) -> Durations {
         let range = (-radius, radius);
         match self.chooses_times() {
             true => {

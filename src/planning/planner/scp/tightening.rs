@@ -3,6 +3,7 @@
 use super::iterate::Iterate;
 use super::{PARTS, ScpPlanner, settings};
 use crate::model::Limit;
+use crate::planner::limits::has_inset;
 use crate::planner::transcription::{Row, RowAt, Transcription};
 use settings::StoppingRule;
 use std::collections::{BTreeMap, BTreeSet};
@@ -36,12 +37,14 @@ impl ScpPlanner<'_, '_> {
         let mut iterate = self.minimise_cost(iterate, rule, working_set);
         // A motion that leaves limits on places between instants, and nothing else: a plan if none is found without.
         let mut kept = None;
+        let limits = &self.mission().limits;
+        let of_place = |(at, _): &(RowAt, f64)| matches!(at.row, Row::Limit(limit) if has_inset(&limits[limit]));
         for _ in 0..settings.max_rounds {
             // The iterate whose pieces join is the one that is reported and checked.
             let joined = iterate.with_joined_pieces();
             let over = self.between_instants(&joined);
             let commands_over = self.commands_between_instants(&joined);
-            let (of_places, others): (Vec<_>, Vec<_>) = over.into_iter().partition(|(at, _)| self.is_of_place(*at));
+            let (of_places, others): (Vec<_>, Vec<_>) = over.into_iter().partition(of_place);
             let mut over = others;
             if over.is_empty() && commands_over.iter().all(|violation| *violation <= settings.max_violation) {
                 if of_places.is_empty() {
@@ -68,13 +71,6 @@ impl ScpPlanner<'_, '_> {
             }
         }
         kept
-    }
-
-    /// Whether a row is of a limit on places other than the distance from a body. Waypoints may lie on its bound, so
-    /// that nothing can be tightened there.
-    fn is_of_place(&self, at: RowAt) -> bool {
-        let limits = &self.mission().limits;
-        matches!(at.row, Row::Limit(limit) if limits[limit].kind.is_of_place() && !limits[limit].kind.is_clearance())
     }
 
     /// Tightens the row at a place so that the iterate violates it by at least `by` at an instant: the tightening takes

@@ -90,3 +90,44 @@ impl Transcription<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::model::Problem;
+    use crate::motion::wrench_model::WrenchModel;
+    use crate::planner::hover::HoverPlanner;
+    use crate::planner::scp::subproblem::Objective;
+    use crate::planner::scp::{ProximalWeight, ScpPlanner, ScpSettings, Weights};
+    use crate::planner::selection::sets::PlanningSets;
+    use std::collections::BTreeSet;
+
+    /// A step takes the same durations with variables for the wrench as without.
+    #[test]
+    fn variables_for_the_wrench_leave_the_step_as_it_is() {
+        let spec = crate::compile(
+            "vehicle v { layout = \"PNPNPN\"; arm = 0.4 m; mass = 3 kg; inertia = [0.05, 0.06, 0.1] kg*m^2
+    rotor { max_thrust = 9 N; torque_per_thrust = 15 mm; max_speed = 900 rad/s } }
+mission m { start at [0, 0, 2] m; waypoint at [9, 0, 4] m  yaw 60 deg; waypoint at [9, 5, 4] m }
+plan { planner = rip; against = []; samples = 60 }",
+        );
+        let spec = spec.into_result().unwrap();
+        let sets = PlanningSets::of(spec.model());
+        let step = |many_facets: usize| {
+            let mut settings = ScpSettings::DEFAULT;
+            settings.subproblem.many_facets = many_facets;
+            settings.subproblem.slack_of_working_set = 1.0;
+            let mut hover = HoverPlanner::new(Problem::of(spec.model()).unwrap(), &sets.healthy);
+            let mut planner = ScpPlanner::with_settings(&mut hover, WrenchModel::Exact, &sets.rip, settings);
+            let from = planner.rest_to_rest(60).unwrap();
+            let durations = planner.durations_to_shorten(0.2);
+            let weights = Weights { objective: Objective::Time, penalty: 100.0, cost_weight: 0.05, input_weight: 1e-3 };
+            let stepped =
+                planner.step(&from, &durations, ProximalWeight { weight: 0.1 }, weights, &mut BTreeSet::new());
+            (stepped.unwrap().changes, planner.hover.effort.work)
+        };
+        let ((with, little), (without, much)) = (step(1), step(usize::MAX));
+        assert!(little < much, "{little} {much}");
+        assert!(with.iter().any(|change| change.abs() > 0.01), "{with:?}");
+        assert!(with.iter().zip(&without).all(|(a, b)| (a - b).abs() < 1e-3), "{with:?} {without:?}");
+    }
+}
