@@ -4,7 +4,7 @@
 
 Each vehicle loses rotor 1 in hover, and the controller of flight_controller.py stops it on the spot. `mavc analyze` gives the spin in
 which it settles, and `mavc analyze --capture` whether the flight counts as regained. Prints a table for docs/flight.md; exits with 1 where
-a vehicle that mavc captures is off its place in the last 10 s, or settles at another spin (by 3 %).
+a vehicle that mavc captures is off its place in the last 10 s, or settles at another spin (by 5 %: a rotor at its limit moves it).
 """
 
 import copy
@@ -72,7 +72,7 @@ def main():
         for (name, delay, is_captured, spin), (outcome, end, lost, away, rates) in zip(known, pool.imap(flown, cases)):
             rate = np.copysign(np.linalg.norm(rates), rates[2])
             is_kept = outcome == "flown" and away < 1.0
-            is_wrong = is_captured and not (is_kept and abs(rate / spin - 1.0) < 0.03)
+            is_wrong = is_captured and not (is_kept and abs(rate / spin - 1.0) < 0.05)
             broken += is_wrong
             verdict = f"{'yes' if is_captured else 'no'}, {spin:.1f} rad/s"
             print(f"| {name}, {1e3 * delay:g} ms | {verdict} | {lost:.1f} m | {end:.0f} s ({outcome}) | {away:.2f} m | {rate:.1f} rad/s |"

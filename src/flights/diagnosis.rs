@@ -9,6 +9,7 @@ pub mod ending;
 pub mod fit;
 pub mod hidden;
 pub mod lasting;
+pub mod mixer;
 pub mod onset;
 pub mod outputs;
 pub mod record;

@@ -468,6 +468,40 @@ fn a_bound_on_what_is_uncovered_decides_the_exit_code() {
     }
 }
 
+/// A hexacopter PNPNPN that loses a rotor, and with it yaw, in flight: after 0.1 to 0.2 s it is brought back to the plan
+/// while it begins to spin, and simulated flights follow every branch.
+#[test]
+fn a_vehicle_that_begins_to_spin_flies_on() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("hexa.mav"), SPINNING).unwrap();
+    let (code, text, errors) = mavc_in(folder.path(), &["plan", "hexa.mav", "--recovery", "--report", "-"]);
+    assert_eq!(code, 0, "{text}{errors}");
+    let report: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let recovery = &report["recovery"];
+    assert_eq!(recovery["uncovered"], 0.0, "{recovery}");
+    let pieces = recovery["modes"].as_array().unwrap().iter().flat_map(|mode| mode["pieces"].as_array().unwrap());
+    pieces.for_each(|piece| assert_eq!(piece["outcome"], "continue spinning", "{piece}"));
+    assert!(recovery["flown"].as_u64().unwrap() > 8 && recovery["flown"] == recovery["survived"], "{recovery}");
+}
+
+const SPINNING: &str = r#"
+vehicle hexa {
+    layout = "PNPNPN"; arm = 0.3 m; mass = 2.4 kg; inertia = [0.041, 0.044, 0.078] kg*m^2
+    yaw_drag = 4e-3 N*m*s/rad +- 50 %; propeller_radius = 13 cm
+    rotor { max_thrust = 10.5 N; torque_per_thrust = 16 mm; max_speed = 7400 rpm }
+}
+faults { mode L1 { rotor 1 lost }; mode L4 { rotor 4 lost } }
+mission hop {
+    ground = 0 m
+    start at [0, 0, 10] m  yaw 0 deg
+    waypoint there at [4, 0, 11] m
+}
+plan {
+    planner = rcp; against = all; without_yaw = where_needed; reserve = 10 %; time = 4 s; samples = 24
+    recovery { order = [continue]; detection = 100 ms .. 200 ms }
+}
+"#;
+
 /// Very long tests; see CONTRIBUTING.
 mod thorough {
     use super::*;

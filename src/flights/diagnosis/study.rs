@@ -109,9 +109,8 @@ pub struct Study {
 /// answer.
 pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &[usize]) -> Option<Study> {
     let seen = |row: usize, motor: usize| commands(row, motor).0;
-    let mixed = Mixed::of(record, effects, hidden, &[]);
-    // Otherwise a torque or the thrust is open, so that the commands of hidden motors do not follow.
-    let can_search = mixed.as_ref().map_or(effects.len() >= DETERMINED, Mixed::is_determined);
+    let mixed = Mixed::of(record, &seen, effects, hidden, None);
+    let can_search = is_determined(mixed.as_ref(), effects);
     let command = |mixed: Option<&Mixed>, row: usize, motor: usize| match mixed {
         Some(mixed) if hidden.contains(&motor) => mixed.command(row, motor, &seen),
         _ => seen(row, motor),
@@ -129,7 +128,7 @@ pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &
     };
     let stopped: Vec<Vec<Frozen>> = flights.iter().map(stopped).collect();
     // Once more without the outputs that no longer follow the mixer.
-    let mixed = Mixed::of(record, effects, hidden, &stopped.concat());
+    let mixed = Mixed::of(record, &seen, effects, hidden, Some(&stopped.concat()));
     let samples = match &mixed {
         Some(mixed) => Samples::of(record, effects.len(), &|row, motor| command(Some(mixed), row, motor))?,
         None => first,
@@ -146,7 +145,7 @@ pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &
         is_determined: can_search,
     };
     for (flight, stopped) in study.flights.clone().into_iter().zip(&stopped) {
-        let found = losses_of(record, stopped, hidden, effects, &samples, &flight, can_search);
+        let found = losses_of(record, stopped, hidden, effects, &samples, &flight, mixed.as_ref());
         let was_off = |loss: &Loss| {
             loss.kind == Kind::Off && study.losses.iter().any(|l| l.kind == Kind::Off && l.motor == loss.motor)
         };
@@ -170,6 +169,11 @@ pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &
     Some(study)
 }
 
+/// Whether the commands of all rotors are known: otherwise a torque or the thrust is open.
+fn is_determined(mixed: Option<&Mixed>, effects: &[Effect]) -> bool {
+    mixed.map_or(effects.len() >= DETERMINED, Mixed::is_determined)
+}
+
 fn losses_of(
     record: &Record,
     stopped: &[Frozen],
@@ -177,7 +181,7 @@ fn losses_of(
     effects: &[Effect],
     samples: &Samples,
     flight: &Flight,
-    can_search: bool,
+    mixed: Option<&Mixed>,
 ) -> Vec<Loss> {
     let motors = effects.len();
     let mut losses: Vec<Loss> = stopped.iter().map(|found| of_output(found, record.outputs.period())).collect();
@@ -203,7 +207,7 @@ fn losses_of(
     let range = window(range[0])..window(range[1]);
     let mut fit = Fit::of(samples, effects, in_air);
     let mut moved: Vec<Change> = Vec::new();
-    if !can_search {
+    if !is_determined(mixed, effects) {
         return losses;
     }
     for round in 0..MOST_LOSSES {
@@ -252,15 +256,19 @@ fn losses_of(
     }
     let taken: Vec<(usize, f64)> =
         losses.iter().filter(|loss| loss.evidence == Evidence::Output).map(|loss| (loss.motor, loss.time)).collect();
-    // With a hidden motor and no more than four outputs that follow the mixer, nothing shows whether the mixer is
-    // saturated, so that the command of the hidden one is doubtful to the end.
+    // With a hidden motor, no demands and no more than four outputs that follow the mixer, nothing shows whether the
+    // mixer is saturated, so that the command of the hidden one is doubtful to the end.
     let follow = (0..motors).filter(|k| !hidden.contains(k) && stopped.iter().all(|one| one.motor != *k)).count();
-    let is_open = !hidden.is_empty() && follow <= DETERMINED;
+    let is_open = mixed.is_some_and(|mixed| !mixed.is_demanded()) && follow <= DETERMINED;
     let [most, lasts] = if is_open { [LOST, f64::INFINITY] } else { [0.5, UNSETTLED] };
     let is_doubtful = |change: &Change| {
-        let is_weak = |motor: usize| change.capacity >= most || change.is_held || change.motor == motor;
+        let is_known = hidden.contains(&change.motor) && !is_open;
+        let is_weak = |motor: usize| match change.is_held {
+            true => !is_known || change.motor == motor,
+            false => change.capacity >= most || change.motor == motor,
+        };
         let is_near = |t: f64| change.time > t - SAME && change.time < t + lasts;
-        taken.iter().any(|(motor, t)| is_near(*t) && (is_weak(*motor) || is_open && change.time < t + SAME))
+        taken.iter().any(|(motor, t)| is_near(*t) && (is_weak(*motor) || change.time < t + SAME))
     };
     for change in moved.into_iter().filter(|change| !is_doubtful(change)) {
         add(

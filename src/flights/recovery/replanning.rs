@@ -1,7 +1,7 @@
 //! Planning again until faults have ways out: the plan keeps more room inside the sets of the modes than the spec asks
 //! of it, so that a vehicle that has strayed from it, when a fault becomes known, can come back within the sets.
 
-use super::{Recovery, recovery};
+use super::{Recovery, Way, recovery};
 use crate::certify;
 use crate::model::{MissionTime, Model, PlannerKind, Problem};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, adopted, run_planners};
@@ -55,7 +55,7 @@ pub struct ReplanningOutcome {
 }
 
 /// Plans again with more and more room, and then in more and more time, until at most a share `bound` of the time has
-/// no way out, as `uncovered` measures it. A plan in more time is taken only if the spec leaves the time open. `tries`
+/// no way out, as `uncovered` measures it, or as little as the modes leave in which none is sought. A plan in more time is taken only if the spec leaves the time open. `tries`
 /// receives each reserve, and the time where it is given, s, before they are tried.
 pub fn replanned(
     problem: Problem,
@@ -69,6 +69,7 @@ pub fn replanned(
         return ReplanningOutcome::default();
     };
     let uncovered_before = uncovered(found);
+    let bound = bound.max(uncovered(&all_covered(found)));
     let mut best = Best { share: uncovered_before, replanned: None };
     let attempt = |reserve: f64, time: Option<f64>, best: &mut Best| {
         tries(reserve, time);
@@ -114,6 +115,14 @@ pub fn replanned(
         }
     }
     ReplanningOutcome { longer, replanned: best.replanned }
+}
+
+/// What was found, with ways out wherever they are sought: no plan leaves less without one.
+fn all_covered(found: &Recovery) -> Recovery {
+    let mut covered = found.clone();
+    let sought = covered.modes.iter_mut().filter(|mode| mode.not_attempted.is_none());
+    sought.flat_map(|mode| &mut mode.pieces).for_each(|piece| piece.way = Some(Way::LandHere));
+    covered
 }
 
 /// The ways out along a plan in another time than the spec's, s, which is a plan of another spec; `None` if none is

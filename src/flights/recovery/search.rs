@@ -5,14 +5,14 @@ mod gaps;
 
 use super::carry::{Carried, carry, quiet};
 use super::{FoundBranch, ModeRecovery, NearMiss, Piece, RESOLUTION, Way, steps};
-use crate::admissible::without_yaw::planned::Provision;
+use crate::admissible::without_yaw::planned::{PlannedCore, Provision};
 use crate::admissible::{AdmissibleSet, trimmed};
 use crate::cancel;
 use crate::energy::Power;
 use crate::model::{HeldLimit, LandingSite, Model, Problem, Recovery, Simulation};
 use crate::motion::outside::{outside, violation_intervals};
 use crate::motion::{NodeState, Trajectory, X, Y};
-use crate::planner::branch::{Branches, Goal, Room};
+use crate::planner::branch::{Branches, Goal, Room, early_set};
 use crate::planner::scp::Iterate;
 use crate::planner::selection::PlanningSet;
 use crate::solve::Effort;
@@ -56,7 +56,8 @@ pub(super) struct Search<'a> {
     plan: &'a Trajectory,
     mode: usize,
     set: &'a PlanningSet,
-    spins: bool,
+    /// The mode's core, if it gives up yaw.
+    core: Option<&'a PlannedCore>,
     /// The last instant at which the plan is outside the mode's set, s; minus infinity without one.
     last_outside: f64,
     /// The limits on places that the vehicle may not violate before the fault is known.
@@ -149,10 +150,16 @@ impl<'a> Search<'a> {
         let last_outside = intervals.map(|interval| interval.to).fold(f64::NEG_INFINITY, f64::max);
         let held = problem.mission().limits_after_fault();
         let places = held.iter().filter(|held| held.limit.volume.is_some()).cloned().collect();
+        let core = match provision {
+            Provision::WithoutYaw(core) => Some(core),
+            Provision::WithYaw | Provision::Capture => None,
+        };
+        let branches =
+            |room: Room| Branches::new(problem, healthy, set, room, plan.model, held.clone()).with_core(core);
         Search {
-            roomy: between.then(|| Branches::new(problem, healthy, set, Room::WIDE, plan.model, held.clone())),
-            tight: Branches::new(problem, healthy, set, Room::LITTLE, plan.model, held),
-            spins: matches!(provision, Provision::WithoutYaw(_)),
+            roomy: between.then(|| branches(Room::WIDE)),
+            tight: branches(Room::LITTLE),
+            core,
             simulation: quiet(model),
             power: if model.plan.recovery.keep > 0.0 { Power::of(model) } else { None },
             last: BTreeMap::new(),
@@ -225,7 +232,10 @@ impl<'a> Search<'a> {
     /// Whether a motion is outside the set at some instant, also between those at which its rows were imposed.
     fn leaves_the_set(&self, motion: &Trajectory) -> bool {
         let model = self.problem.model();
-        outside(motion, &model.vehicle, &model.environment(), &self.set.rows).max_violation > MOST_OUTSIDE
+        let early =
+            self.core.and_then(|core| early_set(model, motion.model, core, &motion.nodes[0], motion.duration()));
+        let rows = &early.as_ref().unwrap_or(self.set).rows;
+        outside(motion, &model.vehicle, &model.environment(), rows).max_violation > MOST_OUTSIDE
     }
 
     /// Whether too little charge is left after a motion that follows the plan up to a time.
@@ -257,7 +267,7 @@ impl<'a> Search<'a> {
 
     /// How the vehicle goes on to the end of the plan.
     fn back(&self) -> Way {
-        if self.spins { Way::ContinueSpinning } else { Way::Continue }
+        if self.core.is_some() { Way::ContinueSpinning } else { Way::Continue }
     }
 
     fn way(&mut self, recovery: Recovery, at: f64, carried: &[Carried]) -> Option<Found> {

@@ -7,10 +7,11 @@
 mod ends;
 
 use crate::admissible::AdmissibleSet;
+use crate::admissible::without_yaw::planned::{Begins, PlannedCore};
 use crate::model::grid::Spacing;
 use crate::model::{
-    DistanceFrom, Heading, HeldLimit, Leg, Limit, LimitKind, Mission, OnLeg, Part, Problem, STOPS_TURNING, TOUCHDOWN,
-    Waypoint,
+    DistanceFrom, Heading, HeldLimit, Leg, Limit, LimitKind, Mission, Model, OnLeg, Part, Problem, STOPS_TURNING,
+    TOUCHDOWN, Waypoint,
 };
 use crate::motion::checks::violation;
 use crate::motion::time_grid::{LegGrid, TimeGrid};
@@ -104,6 +105,12 @@ impl Room {
     /// Hardly any. Between instants branches were seen up to 3.5e-4 outside the set. Chosen by hand.
     pub const LITTLE: Room = Room { of_set: 1e-3, of_limits: -LEEWAY, of_places: -LEEWAY, of_ground: 0.0 };
 
+    /// A set with this room.
+    fn of(self, mut set: PlanningSet) -> PlanningSet {
+        set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset -= self.of_set);
+        set
+    }
+
     /// What families of branches need, whose motions are shown to hold limits at every instant. Chosen by hand.
     pub const WIDE: Room = Room { of_set: 0.03, of_limits: 0.02, of_places: 0.05, of_ground: 0.25 * TOUCHDOWN };
 }
@@ -115,6 +122,8 @@ pub struct Branches<'a> {
     healthy: &'a AdmissibleSet,
     /// The admissible set of the fault mode, as far as branches may use it.
     set: PlanningSet,
+    /// The mode's core, if it gives up yaw.
+    core: Option<&'a PlannedCore>,
     /// The wrench model of the plan, and of branches.
     wrench: WrenchModel,
     /// The limits that hold on branches.
@@ -135,9 +144,13 @@ impl<'a> Branches<'a> {
     ) -> Self {
         let within = |held: HeldLimit| HeldLimit { limit: room.within(&held.limit), ..held };
         let limits = limits.into_iter().map(within).collect();
-        let mut set = set.clone();
-        set.rows.iter_mut().filter(|row| !row.equality).for_each(|row| row.offset -= room.of_set);
-        Branches { problem, healthy, set, wrench, limits, room, effort: Effort::default() }
+        let set = room.of(set.clone());
+        Branches { problem, healthy, set, core: None, wrench, limits, room, effort: Effort::default() }
+    }
+
+    /// With the core of the mode, whose rows are wider for short branches: yaw has just been given up.
+    pub fn with_core(self, core: Option<&'a PlannedCore>) -> Self {
+        Branches { core, ..self }
     }
 
     /// A branch of `duration` s from a state to a goal; `None` if none is found.
@@ -173,9 +186,12 @@ impl<'a> Branches<'a> {
             Goal::Rejoin(state) => Ending::Joins(*state),
             Goal::Rest | Goal::Ground { .. } => Ending::Rest,
         };
+        let early = self.core.and_then(|core| early_set(problem.model(), self.wrench, core, from, duration));
+        let early = early.map(|set| self.room.of(set));
+        let set = early.as_ref().unwrap_or(&self.set);
         let mut hover = HoverPlanner::new(problem, self.healthy);
         hover.branch = Some(Branch { from: *from, to });
-        let found = steps(&mut ScpPlanner::with_settings(&mut hover, self.wrench, &self.set, settings), &grid);
+        let found = steps(&mut ScpPlanner::with_settings(&mut hover, self.wrench, set, settings), &grid);
         self.effort += hover.effort;
         found
     }
@@ -303,6 +319,18 @@ impl<'a> Branches<'a> {
             }
         }
     }
+}
+
+/// The set of a core for a branch of `duration` s from a state; `None` if it is not wider than the core's own.
+pub fn early_set(
+    model: &Model,
+    wrench: WrenchModel,
+    core: &PlannedCore,
+    from: &NodeState,
+    duration: f64,
+) -> Option<PlanningSet> {
+    let begins = Begins::of(&wrench.turning(&model.vehicle, &model.environment(), from));
+    Some(PlanningSet { rows: core.rows_for(model, begins, duration)? })
 }
 
 /// By how much a vehicle tilts further before its turning is stopped, rad, at about the rate at which its thrust turns.

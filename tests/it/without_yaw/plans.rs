@@ -3,7 +3,8 @@
 
 use super::without;
 use mavc::admissible::AdmissibleSet;
-use mavc::admissible::without_yaw::planned::{PlannedCore, Provision, Turning};
+use mavc::admissible::row::SetRow;
+use mavc::admissible::without_yaw::planned::{Begins, CoreRow, PlannedCore, Provision, Turning};
 use mavc::certificate::{Certificate, Claim, PlanClaim};
 use mavc::model::{Environment, Model, Spread, YawDrag};
 use mavc::motion::turning::TurningMap;
@@ -52,7 +53,7 @@ fn rows_are_what_every_heading_leaves() {
         let inertia = model.vehicle.inertia[0];
         let worst = |thrust: f64, torque: f64| {
             let at = turning(thrust, torque / inertia);
-            let of = |row: &mavc::admissible::row::SetRow| row.normal[0] * at[0] - row.offset + row.of_core(Some(&at));
+            let of = |row: &SetRow| row.normal[0] * at[0] - row.offset + row.of_core(Some(&at));
             core.rows.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
         };
         let mut seen = [0, 0];
@@ -277,4 +278,56 @@ fn the_largest_inertia_of_an_interval_counts() {
     let high = Spread { low: 0.5, high: 1e6 };
     let [interval, largest] = [decided(1e-9, high), decided(1e-3, Spread::NONE)];
     assert!(interval.is_err() && largest.is_err() && decided(1e-9, Spread::NONE).is_ok(), "{interval:?} {largest:?}");
+}
+
+/// Just after a fault the spin is slow: rows for a short motion reach only as far as yaw torques and the coupling of
+/// turns can bring it, and never less far; where that leaves the core's own rates, they are the core's own.
+#[test]
+fn rows_for_a_short_motion_reach_as_far_as_the_spin() {
+    let model = without("hexa", "PNPNPN", &[1]);
+    let (uneven, core) = {
+        let mut uneven = model.clone();
+        uneven.vehicle.inertia[0] *= 1.15;
+        let core = core(&uneven);
+        (uneven, core)
+    };
+    let [jx, jy, jz] = uneven.vehicle.inertia;
+    let (begins, lasts) = (Begins { spin: 0.3, turning: 2.5 }, 0.5);
+    let rows = core.rows_for(&uneven, begins, lasts).expect("inside the core's rates");
+    let bound = rows.iter().filter_map(|row| row.core).find(CoreRow::bounds_turning).unwrap();
+    let fastest = 1.0 / bound.torque;
+    assert!(fastest >= begins.turning, "{fastest}");
+    let spins = |rows: &[SetRow]| {
+        let cores = rows.iter().filter_map(|row| row.core).filter(|core| core.torque > 0.0 && !core.bounds_turning());
+        cores.map(|core| core.spin).fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], r| [a.min(r), b.max(r)])
+    };
+    let [slowest, most] = spins(&rows);
+    assert!(most < 0.2 * spins(&core.rows)[1], "{most} of {:?}", spins(&core.rows));
+    // Momenta follow the spin: without rotors' inertia, H = Jz r.
+    for row in rows.iter().filter_map(|row| row.core).filter(|core| core.torque > 0.0 && !core.bounds_turning()) {
+        assert!((row.momentum - jz * row.spin).abs() < 1e-12, "{row:?}");
+    }
+    // Euler's equation with yaw torques at either end, or drawn, and turns at the bound in every direction.
+    let [drag, _] = uneven.vehicle.yaw_drag.unwrap().ends();
+    let [least, greatest] = core.yaw_torque_n_m;
+    let mut random = Pcg64Mcg::seed_from_u64(7);
+    let mut share = || f64::from(random.next_u32()) / f64::from(u32::MAX);
+    let mut reached = [f64::INFINITY, f64::NEG_INFINITY];
+    for case in 0..300 {
+        let (steps, mut spin) = (500, begins.spin);
+        for _ in 0..steps {
+            let [torque, angle] = match case {
+                0 => [greatest, 0.25],
+                1 => [least, 0.75],
+                _ => [least + share() * (greatest - least), share()],
+            };
+            let coupling = (jx - jy) * 0.5 * fastest.powi(2) * (std::f64::consts::TAU * angle).sin();
+            spin += (torque - spin.signum() * drag.torque(spin).abs() + coupling) / jz * lasts / f64::from(steps);
+            reached = [reached[0].min(spin), reached[1].max(spin)];
+        }
+    }
+    assert!(slowest <= reached[0] && reached[1] <= most, "{reached:?} of {slowest} to {most}");
+    assert!(reached[1] > 0.8 * most, "{reached:?} of {most}");
+    assert!(core.rows_for(&uneven, begins, 1e3).is_none());
+    assert!(core.rows_for(&uneven, Begins { spin: 1e3, ..begins }, lasts).is_none());
 }

@@ -86,7 +86,7 @@ impl<'a> Search<'a> {
     /// sought for modes without yaw, whose sets have no planes for the yaw torque.
     pub(super) fn families(&mut self, found: &[Found]) -> Option<Families> {
         self.roomy.as_ref()?;
-        if self.spins {
+        if self.core.is_some() {
             return Some(Families::default());
         }
         let setting = Setting::new(self.problem, model_of(self.plan), Premises::default());
