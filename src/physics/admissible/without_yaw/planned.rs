@@ -218,7 +218,8 @@ impl PlannedCore {
     }
 }
 
-/// How a motion begins: the rate of the body about the thrust and that at which the direction of the thrust turns, rad/s.
+/// How a motion begins: the rate of the body about the thrust, and that at which the direction of the thrust turns,
+/// rad/s.
 #[derive(Debug, Clone, Copy)]
 pub struct Begins {
     pub spin: f64,
