@@ -1,7 +1,7 @@
 //! The commands of motors whose outputs are not looked at.
 //!
-//! A mixer adds up what the controller demands: motor k is commanded `e_k d`, d the thrust and the torques. So d follows
-//! from the outputs that are seen, and what they leave open from the demands that ArduPilot logs and its
+//! A mixer adds up what the controller demands: motor k is commanded `e_k d`, d the thrust and the torques. So d
+//! follows from the outputs that are seen, and what they leave open from the demands that ArduPilot logs and its
 //! [mixer](super::mixer).
 
 use super::fit::Effect;
@@ -90,8 +90,8 @@ impl<'r> Mixed<'r> {
         self.stages[0].seen.len() >= DETERMINED || self.is_demanded()
     }
 
-    /// The command of a hidden motor in a row of the outputs, from those that are seen in it: as demanded, if what is seen is
-    /// nearly as demanded too.
+    /// The command of a hidden motor in a row of the outputs, from those that are seen in it: as demanded, if what is
+    /// seen is nearly as demanded too.
     pub fn command(&self, row: usize, motor: usize, commands: &dyn Fn(usize, usize) -> f64) -> f64 {
         let stage = &self.stages[self.stages.partition_point(|stage| stage.from <= self.times[row]).max(1) - 1];
         let demanded = self.demanded.as_ref().and_then(|demanded| Some(demanded.given(row)?.0));
@@ -138,8 +138,8 @@ impl<'r> Demanded<'r> {
         (known > 0 && close as f64 > MOSTLY * known as f64).then_some(found)
     }
 
-    /// The thrust and torques d that the mixer makes of the demands in a row of the outputs, and whether all of them fit;
-    /// `None` where the log does not say.
+    /// The thrust and torques d that the mixer makes of the demands in a row of the outputs, and whether all of them
+    /// fit; `None` where the log does not say.
     fn given(&self, row: usize) -> Option<(Vector4<f64>, bool)> {
         let demands = self.record.demands.at(self.record.outputs.times[row], GAP)?;
         let (given, fits) = self.mixer.mix(demands.map(|demand| f64::from(self.compensation[row]) * demand));

@@ -33,7 +33,8 @@ impl Mixer {
         })
     }
 
-    /// What the outputs give of demands of thrust, roll, pitch and yaw, in units of effects, and whether all of them fit.
+    /// What the outputs give of demands of thrust, roll, pitch and yaw, in units of effects, and whether all of them
+    /// fit.
     pub fn mix(&self, [thrust, roll, pitch, yaw]: [f64; 4]) -> (Effect, bool) {
         let thrust_in = thrust.clamp(0.0, 1.0);
         let level: Vec<f64> = self.factors.iter().map(|[r, p, _]| roll * r + pitch * p).collect();

@@ -55,8 +55,9 @@ pub struct ReplanningOutcome {
 }
 
 /// Plans again with more and more room, and then in more and more time, until at most a share `bound` of the time has
-/// no way out, as `uncovered` measures it, or as little as the modes leave in which none is sought. A plan in more time is taken only if the spec leaves the time open. `tries`
-/// receives each reserve, and the time where it is given, s, before they are tried.
+/// no way out, as `uncovered` measures it, or as little as the modes leave in which none is sought. A plan in more time
+/// is taken only if the spec leaves the time open. `tries` receives each reserve, and the time where it is given, s,
+/// before they are tried.
 pub fn replanned(
     problem: Problem,
     first: &Comparison,

@@ -130,19 +130,13 @@ fn the_torque_of_a_spinning_body_is_the_rows() {
         let torque = inertia.component_mul(&change) + w.cross(&inertia.component_mul(&w));
         let model = without("hexa", "PNPNPN", &[1]);
         let turning = WrenchModel::Exact.turning(&model.vehicle, &model.environment(), &state);
-        let row = mavc::admissible::without_yaw::planned::CoreRow {
-            torque: 1.0,
-            inertia: 0.017,
-            unevenness: 0.0,
-            momentum: 0.031 * spin,
-            spin,
-        };
+        let row = CoreRow { torque: 1.0, inertia: 0.017, unevenness: 0.0, momentum: 0.031 * spin, spin };
         let (across, rho) = (torque.xy().norm(), row.share(&turning));
         assert!((w.z - spin).abs() < 1e-3 && (across - rho).abs() < 2e-3 * (1.0 + rho), "{across} {rho}");
         // Unequal moments: never more than the row says, and as much at some heading.
         let uneven = Vector3::new(0.019, 0.015, 0.031);
         let torque = uneven.component_mul(&change) + w.cross(&uneven.component_mul(&w));
-        let bound = mavc::admissible::without_yaw::planned::CoreRow { unevenness: 0.002, ..row }.share(&turning);
+        let bound = CoreRow { unevenness: 0.002, ..row }.share(&turning);
         assert!(torque.xy().norm() < bound + 2e-3 * (1.0 + bound), "{} {bound}", torque.xy().norm());
     }
 }
