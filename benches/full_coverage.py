@@ -68,7 +68,7 @@ def main():
     print("| mission | sought for | ways out | mission time | processor time | exit code |\n|---|---|---|---|---|---|")
     for spec in (spec.resolve() for spec in options.specs):
         text = spec.read_text()
-        required = re.sub(r"^plan \{", "plan {\n    require uncovered <= 0 %", text, count=1, flags=re.MULTILINE)
+        required = re.sub(r"^plan \{", "plan {\n    require uncovered <= 0 %\n", text, count=1, flags=re.MULTILINE)
         for kind, text in [("as it is", text), ("without gaps", required)]:
             report, code, spent = run(mavc, spec, text)
             if options.kept:
