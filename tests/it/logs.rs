@@ -101,8 +101,8 @@ fn a_hidden_motor_is_not_accused_for_another_that_stops() {
     }
 }
 
-/// A motor that fades within 3 s is named with what is left of it. One that fades over 20 s is not found, and no other
-/// motor is named in its place.
+/// mavc names a motor that fades within 3 s, with what is left of it. It misses one that fades over 20 s, but names no
+/// other motor in its place.
 #[test]
 fn a_motor_that_fades_is_found_if_it_fades_fast() {
     let mut found = Vec::new();

@@ -12,7 +12,8 @@ use mavc::planner::selection::PlanningSet;
 use mavc::planner::selection::sets::of_one_mode;
 use mavc::planner::studies::{PlanOutcome, Scope, run_planners};
 use mavc::recovery::carry::{carry, quiet};
-use mavc::recovery::{FoundBranch, Way, recovery};
+use mavc::recovery::replanning::replanned;
+use mavc::recovery::{FoundBranch, ModeRecovery, Way, recovery};
 use mavc::source::Span;
 use nalgebra::Vector3;
 
@@ -358,6 +359,27 @@ fn gaps_are_closed_by_planning_again() {
     assert!(text.contains("Planned again for ways out, with ") && text.contains("the time is the same"), "{text}");
 }
 
+/// A mode that cannot hover has no way out along any plan: with it planning again ends where all others have one.
+#[test]
+fn planning_again_ends_where_only_modes_that_cannot_hover_are_left() {
+    let spec = with_gaps("").replace("faults {", "faults {\n    mode none { rotors [1, 2, 3, 4, 5, 6, 7, 8] lost }");
+    let spec = mavc::compile(&spec).into_result().unwrap();
+    let problem = Problem::of(spec.model()).unwrap();
+    let first = run_planners(problem, Scope::Plan, None);
+    let plan = first.runs.last().unwrap().outcome.plan().unwrap();
+    let found = recovery(problem, &plan.trajectory, false);
+    let uncovered = |found: &mavc::recovery::Recovery| {
+        let all = found.duration * found.modes.len() as f64;
+        found.modes.iter().map(ModeRecovery::uncovered).sum::<f64>() / all
+    };
+    let least = 1.0 / found.modes.len() as f64;
+    assert!(uncovered(&found) > least + 0.01, "{}", uncovered(&found));
+    let tried = std::cell::Cell::new(0);
+    let again = replanned(problem, &first, &found, &uncovered, 0.0, &|_, _| tried.set(tried.get() + 1));
+    let left = uncovered(&again.replanned.unwrap().recovery);
+    assert!((left - least).abs() < 1e-9 && tried.get() <= 4, "{left} of {least} after {} plans", tried.get());
+}
+
 /// If a fixed time leaves no room for ways out, the screen names a longer time that does; the plan stays as it is.
 #[test]
 fn a_fixed_time_that_is_too_short_has_a_nearest_miss() {
@@ -468,8 +490,8 @@ fn a_bound_on_what_is_uncovered_decides_the_exit_code() {
     }
 }
 
-/// A hexacopter PNPNPN that loses a rotor, and with it yaw, in flight: after 0.1 to 0.2 s it is brought back to the plan
-/// while it begins to spin, and simulated flights follow every branch.
+/// A hexacopter PNPNPN that loses a rotor loses yaw too. After 0.1 to 0.2 s it is brought back to the plan while it
+/// begins to spin, and simulated flights follow every branch.
 #[test]
 fn a_vehicle_that_begins_to_spin_flies_on() {
     let folder = tempfile::tempdir().unwrap();

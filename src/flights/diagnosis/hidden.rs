@@ -29,6 +29,8 @@ pub const DETERMINED: usize = 4;
 pub struct Mixed<'r> {
     effects: &'r [Effect],
     times: &'r [f64],
+    /// The motors whose outputs are looked at.
+    visible: Vec<usize>,
     demanded: Option<Demanded<'r>>,
     /// From the start of the record on, and anew from each output on that no longer follows the mixer.
     stages: Vec<Stage>,
@@ -50,34 +52,43 @@ struct Demanded<'r> {
     compensation: Vec<f32>,
 }
 
+impl Stage {
+    fn of(from: f64, seen: Vec<usize>, effects: &[Effect]) -> Option<Self> {
+        let matrix = DMatrix::from_fn(seen.len(), 4, |row, axis| effects[seen[row]][axis]);
+        let of_seen = if seen.is_empty() { DMatrix::zeros(4, 0) } else { matrix.pseudo_inverse(1e-6).ok()? };
+        Some(Stage { from, seen, of_seen })
+    }
+}
+
 impl<'r> Mixed<'r> {
-    /// `None` if no motor is hidden. `commands` are those of outputs, which say nothing of the mixer from when on they
-    /// are `frozen`; with `None`, it is not known which are, and demands are preferred to all of them.
+    /// `None` if no motor is hidden. `commands` are those of outputs. Until it is known which of these are frozen,
+    /// demands are preferred to all of them.
     pub fn of(
         record: &'r Record,
         commands: &dyn Fn(usize, usize) -> f64,
         effects: &'r [Effect],
         hidden: &[usize],
-        frozen: Option<&[Frozen]>,
     ) -> Option<Self> {
         if hidden.is_empty() {
             return None;
         }
         let visible: Vec<usize> = (0..effects.len()).filter(|k| !hidden.contains(k)).collect();
         let demanded = Demanded::of(record, commands, effects, &visible);
-        let is_preferred = demanded.is_some() && frozen.is_none();
-        let frozen = frozen.unwrap_or_default();
+        let seen = if demanded.is_some() { Vec::new() } else { visible.clone() };
+        let stages = vec![Stage::of(f64::NEG_INFINITY, seen, effects)?];
+        Some(Mixed { effects, times: &record.outputs.times, visible, demanded, stages })
+    }
+
+    /// With outputs that say nothing of the mixer from when on they are `frozen`.
+    pub fn without(self, frozen: &[Frozen]) -> Option<Self> {
         let begins = std::iter::once(f64::NEG_INFINITY).chain(frozen.iter().map(|one| one.from));
         let stage = |from: f64| {
-            let follows = |k: &usize| !is_preferred && !frozen.iter().any(|one| one.motor == *k && one.from <= from);
-            let seen: Vec<usize> = visible.iter().copied().filter(follows).collect();
-            let matrix = DMatrix::from_fn(seen.len(), 4, |row, axis| effects[seen[row]][axis]);
-            let of_seen = if seen.is_empty() { DMatrix::zeros(4, 0) } else { matrix.pseudo_inverse(1e-6).ok()? };
-            Some(Stage { from, seen, of_seen })
+            let follows = |k: &usize| !frozen.iter().any(|one| one.motor == *k && one.from <= from);
+            Stage::of(from, self.visible.iter().copied().filter(follows).collect(), self.effects)
         };
         let mut stages: Vec<Stage> = begins.map(stage).collect::<Option<_>>()?;
         stages.sort_by(|a, b| a.from.total_cmp(&b.from));
-        Some(Mixed { effects, times: &record.outputs.times, demanded, stages })
+        Some(Mixed { stages, ..self })
     }
 
     /// Whether the commands follow from the demands that are logged.
@@ -87,7 +98,7 @@ impl<'r> Mixed<'r> {
 
     /// Whether the commands follow from what is seen while no output is frozen.
     pub fn is_determined(&self) -> bool {
-        self.stages[0].seen.len() >= DETERMINED || self.is_demanded()
+        self.visible.len() >= DETERMINED || self.is_demanded()
     }
 
     /// The command of a hidden motor in a row of the outputs, from those that are seen in it: as demanded, if what is
@@ -142,7 +153,8 @@ impl<'r> Demanded<'r> {
     /// fit; `None` where the log does not say.
     fn given(&self, row: usize) -> Option<(Vector4<f64>, bool)> {
         let demands = self.record.demands.at(self.record.outputs.times[row], GAP)?;
-        let (given, fits) = self.mixer.mix(demands.map(|demand| f64::from(self.compensation[row]) * demand));
-        demands.iter().all(|demand| demand.is_finite()).then(|| (Vector4::from(given), fits))
+        let demands = demands.map(|demand| f64::from(self.compensation[row]) * demand);
+        let (given, fits) = demands.iter().all(|demand| demand.is_finite()).then(|| self.mixer.mix(demands))?;
+        Some((Vector4::from(given), fits))
     }
 }

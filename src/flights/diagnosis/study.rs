@@ -109,7 +109,7 @@ pub struct Study {
 /// answer.
 pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &[usize]) -> Option<Study> {
     let seen = |row: usize, motor: usize| commands(row, motor).0;
-    let mixed = Mixed::of(record, &seen, effects, hidden, None);
+    let mixed = Mixed::of(record, &seen, effects, hidden);
     let can_search = is_determined(mixed.as_ref(), effects);
     let command = |mixed: Option<&Mixed>, row: usize, motor: usize| match mixed {
         Some(mixed) if hidden.contains(&motor) => mixed.command(row, motor, &seen),
@@ -128,7 +128,7 @@ pub fn study(record: &Record, commands: &Commands, effects: &[Effect], hidden: &
     };
     let stopped: Vec<Vec<Frozen>> = flights.iter().map(stopped).collect();
     // Once more without the outputs that no longer follow the mixer.
-    let mixed = Mixed::of(record, &seen, effects, hidden, Some(&stopped.concat()));
+    let mixed = mixed.and_then(|mixed| mixed.without(&stopped.concat()));
     let samples = match &mixed {
         Some(mixed) => Samples::of(record, effects.len(), &|row, motor| command(Some(mixed), row, motor))?,
         None => first,

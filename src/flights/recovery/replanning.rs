@@ -14,6 +14,8 @@ const LONGER: [f64; 4] = [1.05, 1.1, 1.2, 1.4];
 const WITH_TIME: f64 = 0.1;
 /// The search ends after so many rooms in turn that leave no smaller share without a way out. Chosen by hand.
 const PATIENCE: usize = 3;
+/// Shares of plans of other durations differ by rounding.
+const ROUNDING: f64 = 1e-9;
 /// No reserve reaches this.
 const MOST: f64 = 0.95;
 
@@ -70,7 +72,7 @@ pub fn replanned(
         return ReplanningOutcome::default();
     };
     let uncovered_before = uncovered(found);
-    let bound = bound.max(uncovered(&all_covered(found)));
+    let bound = bound.max(uncovered(&all_covered(found)) + ROUNDING);
     let mut best = Best { share: uncovered_before, replanned: None };
     let attempt = |reserve: f64, time: Option<f64>, best: &mut Best| {
         tries(reserve, time);

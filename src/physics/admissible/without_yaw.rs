@@ -3,6 +3,7 @@
 
 mod controllability;
 pub mod core;
+pub mod early;
 pub mod planned;
 pub mod relaxed_hover;
 

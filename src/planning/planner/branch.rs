@@ -7,7 +7,8 @@
 mod ends;
 
 use crate::admissible::AdmissibleSet;
-use crate::admissible::without_yaw::planned::{Begins, PlannedCore};
+use crate::admissible::without_yaw::early::Begins;
+use crate::admissible::without_yaw::planned::PlannedCore;
 use crate::model::grid::Spacing;
 use crate::model::{
     DistanceFrom, Heading, HeldLimit, Leg, Limit, LimitKind, Mission, Model, OnLeg, Part, Problem, STOPS_TURNING,
@@ -321,7 +322,8 @@ impl<'a> Branches<'a> {
     }
 }
 
-/// The set of a core for a branch of `duration` s from a state; `None` if it is not wider than the core's own.
+/// The set of a core for a branch of `duration` s from a state; `None` where the
+/// core's own holds.
 pub fn early_set(
     model: &Model,
     wrench: WrenchModel,

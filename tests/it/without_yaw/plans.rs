@@ -4,7 +4,8 @@
 use super::without;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::row::SetRow;
-use mavc::admissible::without_yaw::planned::{Begins, CoreRow, PlannedCore, Provision, Turning};
+use mavc::admissible::without_yaw::early::Begins;
+use mavc::admissible::without_yaw::planned::{CoreRow, PlannedCore, Provision, Turning};
 use mavc::certificate::{Certificate, Claim, PlanClaim};
 use mavc::model::{Environment, Model, Spread, YawDrag};
 use mavc::motion::turning::TurningMap;
