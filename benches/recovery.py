@@ -12,12 +12,13 @@ A way out is lost if its evaluation finds a wrench outside the fault's set, a ke
 (away from areas to keep off) or not on the plan, or a plan that is outside the set after the return. Nothing of mavc's search is used:
 sets are sums of segments (`missions/sets.py`), wrenches come from differences of rotation matrices (`missions/dense.py`); in the hover
 model they are those of the linear model, because that is what is claimed. Places, limits and cylinders are read from the text of the spec
-by patterns, which fit the shipped missions: in still air, with the nominal mass. Modes without yaw are not evaluated: they are open.
+by patterns, which fit the shipped missions: in still air, with the nominal mass. Where yaw is given up, the spin is integrated along the
+branch and the rest of the plan, with every end of the interval of `yaw_drag` (`spinning.py`).
 What takes from the reserve, which ways out are to keep too, is counted by itself, with the largest share of the healthy set's width.
 
-Measured with seed 1 and 20,000 triples each on tower_hexa, inspection_octo, parcel_quad and ridge_hexa: of 40,152 that were claimed none
-was lost, and 39,848 were open, all of those of ridge_hexa among them; ways out of 469 triples took up to 0.74 % from the reserve, between
-the instants at which mavc looks. parcel_x8 was not measured.
+Measured with seed 1 and 20,000 triples each on tower_hexa, inspection_octo, parcel_quad and ridge_hexa: of 59,206 that were claimed none
+was lost, and 20,794 were open; ways out of 469 triples took up to 0.74 % from the reserve, between the instants at which mavc looks.
+parcel_x8 was not measured.
 
 Prints one line for each spec. Exit code 1 if anything that was claimed is lost. Needs numpy.
 """
@@ -36,6 +37,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "missions"))
 import sets
+import spinning
 
 GRAVITY = sets.GRAVITY
 STEP = 0.02  # between instants that are evaluated, s
@@ -105,7 +107,7 @@ class Vehicle:
 
     def __init__(self, model, reserve):
         vehicle = model["vehicle"]
-        self.mass, self.inertia = vehicle["mass_kg"], np.array(vehicle["inertia_kg_m2"])
+        self.mass, self.inertia, self.gravity = vehicle["mass_kg"], np.array(vehicle["inertia_kg_m2"]), GRAVITY
         self.drag = np.array(vehicle["drag_n_s_per_m"])
         full = [r["thrust_coefficient_n_s2_per_rad2"] * r["max_speed_rad_per_s"] ** 2 for r in vehicle["rotors"]]
         ratio = [r["drag_coefficient_n_m_s2_per_rad2"] / r["thrust_coefficient_n_s2_per_rad2"] for r in vehicle["rotors"]]
@@ -134,6 +136,17 @@ class Vehicle:
             thrust = self.mass * (z[:, 2] + GRAVITY)
             torques = self.inertia * np.column_stack([-y[:, 4] / GRAVITY, x[:, 4] / GRAVITY, yaw[:, 2]])
             return np.column_stack([thrust, torques])
+        thrust, rate, acceleration = self._rates(motion, t)
+        torques = self.inertia * acceleration + np.cross(rate, self.inertia * rate)
+        return np.column_stack([thrust, torques])
+
+    def turning(self, motion, t):
+        """Thrust, p, q, r and the derivatives of p and q (m, 6) in the exact model."""
+        thrust, rate, acceleration = self._rates(motion, t)
+        return np.column_stack([thrust, rate, acceleration[:, :2]])
+
+    def _rates(self, motion, t):
+        """Thrust (m,), angular rates and accelerations (m, 3) in the body."""
         step = 1e-4
         inside = np.clip(t, step, max(motion.duration - step, step))
         now, early, late = (self._attitude(motion, inside + d) for d in (0.0, -step, step))
@@ -141,8 +154,7 @@ class Vehicle:
         back = now[1].transpose(0, 2, 1)
         rate = odd(back @ (late[1] - early[1])) / (2 * step)
         acceleration = odd(back @ (late[1] - 2 * now[1] + early[1])) / step**2
-        torques = self.inertia * acceleration + np.cross(rate, self.inertia * rate)
-        return np.column_stack([self.mass * now[0], torques])
+        return self.mass * now[0], rate, acceleration
 
     def _attitude(self, motion, t):
         import dense
@@ -223,7 +235,7 @@ class Judge:
         self.claims, self.places = claims, places
         self.vehicle = Vehicle(claims.model, claims.report["reserve"])
         self.within = claims.recovery["within_s"]
-        self.inside_from = {}
+        self.inside_from, self.spun = {}, {}
         # The deepest that any way out goes into the reserve, and whether the last one does.
         self.into_reserve, self.takes_reserve = 0.0, False
 
@@ -239,7 +251,8 @@ class Judge:
         apart = math.dist([x[0, 0], y[0, 0], z[0, 0]], [a[0, 0] for a in there[:3]])
         if apart > 1.01 * vehicle.full / vehicle.mass * delay**2 + 1e-3:
             return f"it begins {apart:.3f} m from the plan"
-        over, into_reserve = vehicle.outside(mode, motion, t, claims.exact)
+        spins = outcome == "continue spinning"
+        over, into_reserve = self.while_spinning(mode, at, delay) if spins else vehicle.outside(mode, motion, t, claims.exact)
         self.into_reserve = max(self.into_reserve, into_reserve)
         self.takes_reserve = into_reserve > OUTSIDE
         if over > OUTSIDE:
@@ -252,7 +265,7 @@ class Judge:
             ends = [abs(a[-1, k] - b[0, k]) for a, b in zip(motion.at([motion.duration]), claims.plan.at([joined])) for k in range(2)]
             if max(ends) > PAST:
                 return f"it ends {max(ends):.3f} beside the plan"
-            if joined < claims.plan.duration and joined < self.inside(mode) - 0.02:
+            if not spins and joined < claims.plan.duration and joined < self.inside(mode) - 0.02:
                 return "the plan is outside the set after the return"
         else:
             moving = max(abs(a[-1, 1]) for a in (x, y, z))
@@ -264,10 +277,16 @@ class Judge:
                 return "it ends in an area to keep off"
         return None
 
-    def holds_yaw(self, mode):
-        """Whether hover is inside a mode's set less the reserve, as far as the set without yaw is not meant."""
-        normals, limits, _, _ = self.vehicle.rows[mode]
-        return bool((normals[:, 0] * self.vehicle.mass * GRAVITY <= limits).all())
+    def while_spinning(self, mode, at, delay):
+        """By how much a way out without yaw leaves the set of its mode, and the set less the reserve, to the end of the plan."""
+        if mode not in self.spun:
+            claims = self.claims
+            rows = [row for row in claims.index.values() if row["mode"] == mode and row["outcome"] == "continue spinning"]
+            of_row = lambda row: (float(row["fault_s"]), float(row["delay_s"]))
+            branches = [(of_table(claims.folder / row["file"], claims.exact), sum(of_row(row))) for row in rows]
+            found = spinning.follow(self.vehicle, mode, branches, claims.plan, claims.exact, self.places.yaw_drags)
+            self.spun[mode] = {of_row(row): each for row, each in zip(rows, zip(*found))}
+        return self.spun[mode][at, delay]
 
     def inside(self, mode):
         """From when on the plan is inside a mode's set, s."""
@@ -318,6 +337,11 @@ class Places:
                 self.limits["top"] = float(ceiling[1]) + self.buffer
             if floor:
                 self.limits["floor"] = float(floor[1]) - self.buffer
+        drag = model["vehicle"].get("yaw_drag") or {"linear_n_m_s_per_rad": 0.0, "quadratic_n_m_s2_per_rad2": 0.0}
+        spread = re.search(rf"\byaw_drag\s*=[^\n]*\+-\s*({numbers})\s*%", strip)
+        ends = (-1, 1) if spread else (0,)
+        factors = [1 + sign * float(spread[1]) / 100 if spread else 1.0 for sign in ends]
+        self.yaw_drags = [(f * drag["linear_n_m_s_per_rad"], f * drag["quadratic_n_m_s2_per_rad2"]) for f in factors]
         propeller = re.search(rf"propeller_radius\s*=\s*({numbers})\s*cm", strip)
         arms = [math.dist(r["position_m"], [0.0, 0.0, 0.0]) for r in model["vehicle"]["rotors"]]
         self.size = max(arms) + (float(propeller[1]) / 100 if propeller else 0.0)
@@ -381,7 +405,7 @@ def judged(claims, places, count, seed):
             kind, why = "proved", judge.why_lost(mode, motion, outcome, site, at, delay)
         else:
             row = claims.nearest(mode, at)
-            if row is None or not judge.holds_yaw(mode):
+            if row is None:
                 counts["open"] += 1
                 continue
             name = row["file"]

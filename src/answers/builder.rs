@@ -358,8 +358,7 @@ impl Builder {
                 names.iter().for_each(|name| self.name(&path, name));
                 format!("[{}]", names.iter().map(|name| word(name)).collect::<Vec<_>>().join(", "))
             }
-            // No other field takes points.
-            (Value::Points(points), Takes::Names(_)) if matches!(group, Group::Volume | Group::KeepOff) => {
+            (Value::Points(points), Takes::Points) => {
                 points.iter().for_each(|point| self.finite(&path, point));
                 let points: Vec<String> = points.iter().map(|p| format!("[{}]", p.map(digits).join(", "))).collect();
                 format!("[{}] m", points.join(", "))

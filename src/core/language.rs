@@ -96,6 +96,8 @@ pub enum Takes {
     Names(&'static [&'static str]),
     /// A list of names, explained by the documentation line; words that are accepted as well.
     NameList(&'static [&'static str]),
+    /// A list of points in the plane, in m.
+    Points,
 }
 
 /// The allowed values of a quantity.
@@ -325,7 +327,8 @@ impl Entry {
             | Takes::Text
             | Takes::Nothing
             | Takes::Names(_)
-            | Takes::NameList(_) => None,
+            | Takes::NameList(_)
+            | Takes::Points => None,
         }
     }
 

@@ -198,6 +198,8 @@ fn batteries_are_read() {
     assert!((battery.capacity - 36000.0).abs() < 1e-6 && (battery.voltage - 6.0 * 3.7).abs() < 1e-6, "{battery:?}");
     let known = ardupilot("BATT_CAPACITY,5200\nMOT_BAT_VOLT_MAX,16.8\n").text.unwrap();
     assert!(known.contains("capacity    = 5200 mA*h") && known.contains("voltage     = 14.8 V"), "{known}");
+    assert!(ardupilot("BATT_CAPACITY,5200\nMOT_BAT_VOLT_MAX,16.8\n").dropped.is_empty());
+    assert_eq!(ardupilot("MOT_BAT_VOLT_MAX,16.8\n").dropped, ["MOT_BAT_VOLT_MAX"]);
     let open = ardupilot("BATT_CAPACITY,5200\n").text.unwrap();
     assert!(open.contains("voltage     = ?"), "{open}");
     for text in [

@@ -105,5 +105,6 @@ pub(super) fn taken(entry: &Entry) -> String {
         Takes::Text => "a text without quotes and control characters".into(),
         Takes::Names(_) => "a name or a list of names".into(),
         Takes::NameList(_) => "a list of names".into(),
+        Takes::Points => "a list of points".into(),
     }
 }

@@ -89,6 +89,7 @@ fn grouped(number: u64) -> String {
 fn takes(entry: &Entry) -> String {
     match entry.takes {
         Takes::Quantity(..) | Takes::Bound(..) => unit(entry),
+        Takes::Vector(..) if unit(entry) == "number" => "three numbers".into(),
         Takes::Vector(..) => format!("three in {}", unit(entry)),
         Takes::PlanePoint(_) => format!("two or three in {}", unit(entry)),
         Takes::QuantityOrVector(..) => format!("one or three in {}", unit(entry)),
@@ -103,6 +104,7 @@ fn takes(entry: &Entry) -> String {
         Takes::Names([]) => "name".into(),
         Takes::Names(words) => format!("names, {}", listed(words)),
         Takes::NameList(words) => format!("list of names, {}", listed(words)),
+        Takes::Points => "list of points".into(),
     }
 }
 

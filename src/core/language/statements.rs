@@ -207,7 +207,7 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
             statement(
                 "keep_off",
                 "keep_off NAME { }",
-                "an area where no damaged vehicle lands; it may fly over it ([after a fault](#after-a-fault))",
+                "an area that a damaged vehicle may fly over, but not land on ([after a fault](#after-a-fault))",
             ),
             statement(
                 "after_fault_limits",

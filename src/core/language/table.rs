@@ -3,8 +3,8 @@
 use super::Absent::{Needed, Otherwise, Value, Written};
 use super::Range::{Any, NotNegative, Positive};
 use super::Takes::{
-    Bound, NameList, Names, Nothing, PlanePoint, Quantity, QuantityOr, QuantityOrShare, QuantityOrVector, Share, Text,
-    Vector, Whole, WordList, Words,
+    Bound, NameList, Names, Nothing, PlanePoint, Points, Quantity, QuantityOr, QuantityOrShare, QuantityOrVector,
+    Share, Text, Vector, Whole, WordList, Words,
 };
 use super::{Absent, Entry, Family, Sizes, Takes};
 pub use after_fault::{WAYS, after_fault_limits, keep_off, landing_site, recovery};
@@ -92,11 +92,11 @@ group! {
          along the axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`. Plans hold for the middle of an \
          interval".sweepable();
     YAW_DRAG "yaw_drag", Quantity("N*m*s/rad", Positive), Otherwise("unknown"),
-        "the torque of the air about z divided by the rate at which the body turns about z. It ends the spin of a \
+        "the torque of the air about z divided by the rate at which the body turns about z. It limits the spin of a \
          vehicle that [gives up yaw](#without-yaw)".sweepable().bounds(1e-12, 1e6);
     YAW_DRAG_QUADRATIC "yaw_drag_quadratic", Quantity("N*m*s^2/rad^2", NotNegative),
         Value(0.0, "0 N*m*s^2/rad^2", "the drag is linear"),
-        "a torque about z in addition to `yaw_drag`, divided by the square of that rate".bounds(0.0, 1e6);
+        "a further torque of the air about z, divided by the square of the turning rate".bounds(0.0, 1e6);
     SIZE "size", Quantity("m", Positive), Otherwise("the largest arm plus the propeller's radius"),
         "the radius about the centre of gravity within which the whole vehicle stays; [volumes](#volumes) keep this \
          distance"
@@ -115,7 +115,7 @@ group! {
     /// The fields of `rotor { }`.
     rotor:
     TABLE "table", Text, Otherwise("none"),
-        "the motor maker's thrust table, a CSV file: for the numbers that are not written";
+        "the motor maker's thrust table, a CSV file, for the numbers that the spec omits";
     THRUST_COEFFICIENT "thrust_coefficient", Quantity("N*s^2/rad^2", Positive), Otherwise("required, or `max_thrust`"),
         "a rotor's thrust divided by the square of its speed"
         .excludes(&["max_thrust"]).sweepable().family(Family::Thrust);
@@ -135,7 +135,7 @@ group! {
         .excludes(&["min_thrust"]).sweepable().bounds(0.0, 1e6).likely(SPEEDS);
     MIN_THRUST "min_thrust", QuantityOrShare("N", Any), Otherwise("0, or that of `min_speed`"),
         "the lowest thrust instead of the lowest speed, in newtons or as a share of the thrust at full speed: `-60 %` \
-         for a rotor that reverses with up to 60 % of it".sweepable().bounds(0.0, 1e9);
+         for a rotor that gives up to 60 % in reverse".sweepable().bounds(0.0, 1e9);
     MAX_SPEED "max_speed", Quantity("rad/s", Positive), Otherwise("required, or `table`"),
         "the full speed, the highest at which a rotor turns".sweepable().bounds(0.1, 1e6).likely(SPEEDS);
     TIME_CONSTANT "time_constant", Quantity("s", Positive), Otherwise("20 ms in simulations"),
@@ -163,7 +163,7 @@ pub mod placed_rotor {
         "motor",
         Whole(1, 32),
         Otherwise("that of the rotor"),
-        "the number of its motor at the autopilot, where rotors are numbered in another order here",
+        "the autopilot's number for its motor, if it differs from the rotor's",
     );
     const OWN: [&Entry; 3] = [&AT, &SPIN, &MOTOR];
     const SHARED: &[&Entry] = rotor::ENTRIES.split_at(1).1;
@@ -186,14 +186,14 @@ group! {
     CAPACITY "capacity", Quantity("A*h", Positive), Needed, "the charge that the full battery gives until it is empty"
         .bounds(1e-3, MOST).likely(CHARGES);
     VOLTAGE "voltage", Quantity("V", Positive), Needed,
-        "its mean voltage meanwhile: for lithium polymer about 3.7 V for each cell in series".bounds(1e-3, 1e6);
+        "the mean voltage from full to empty: for lithium polymer about 3.7 V per cell in series".bounds(1e-3, 1e6);
     HOVER_POWER "hover_power", Quantity("W", Positive), Otherwise("required, or `table` of `rotor`"),
         "the electrical power that the whole vehicle takes in hover at its `mass`, as measured".bounds(1e-6, 1e9);
     KEEP "keep", Share, Value(0.2, "20 %", "a fifth of the charge stays in reserve"),
         "the share of the charge that a plan should leave; below 100 %".sweepable();
     THRUST_AT_EMPTY "thrust_at_empty", Share, Value(1.0, "100 %", "full thrust does not depend on the charge"),
-        "the share of full thrust that remains with an empty battery; from the full battery to the empty one the full \
-         thrust falls along a straight line".sweepable();
+        "the share of full thrust that remains with an empty battery; from full to empty, full thrust falls linearly \
+         with the charge".sweepable();
 }
 
 group! {
@@ -221,17 +221,17 @@ group! {
     /// The fields of `mode { }` and `every { }`.
     mode:
     RATE "rate", Quantity("1/h", NotNegative), NO_DEFAULT,
-        "the failure rate; one that is known roughly is an interval, `1e-5 1/h +- 50 %`, which `mavc safety` uses";
+        "the failure rate; if known only roughly, an interval, `1e-5 1/h +- 50 %`, which `mavc safety` uses";
     SEVERITY "severity", Whole(1, 10), NO_DEFAULT,
         "the FMEA severity; its product with `occurrence` and `detection` is `rpn`";
     OCCURRENCE "occurrence", Whole(1, 10), NO_DEFAULT, "the FMEA occurrence";
     DETECTION "detection", Whole(1, 10), NO_DEFAULT, "the FMEA detection";
     AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Otherwise("as in `plan`"),
-        "the reaction to this fault that the risk of the mission assumes";
+        "the reaction that the mission's risk assumes after this fault";
     WITHOUT_YAW "without_yaw", Words(&["never", "where_needed", "always"]), Otherwise("as in `plan`"),
         "whether plans and flights give up yaw after this fault";
     RECOVERY "recovery", NameList(WAYS), Otherwise("that of `recovery` in `plan`"),
-        "the ways out [after this fault](#after-a-fault) in the order of preference, a list";
+        "the list of ways out [after this fault](#after-a-fault), in order of preference";
 }
 
 group! {
@@ -278,10 +278,10 @@ group! {
         "the leg that arrives here is a `corridor` whose radius is the larger `within` of its two waypoints \
          ([legs](#legs))"
         .excludes(&["vertical", "corridor"]);
-    VERTICAL "vertical", Nothing, NO_DEFAULT, "the same for a leg whose waypoints are above each other, which it checks"
+    VERTICAL "vertical", Nothing, NO_DEFAULT, "as `straight`, but an error unless one waypoint is above the other"
         .excludes(&["corridor"]);
     CORRIDOR "corridor", Quantity("m", Positive), NO_DEFAULT,
-        "the radius about the line from the previous waypoint within which the leg that arrives here stays";
+        "how far the leg that arrives here may be from the line through both waypoints";
     ARRIVE "arrive", Vector("1", Any), NO_DEFAULT,
         "after `from`: the direction `[x, y, z]` from which the vehicle comes, as in `arrive from [0, 0, 1]`";
     STOP "stop", Nothing, Otherwise("`pass`"), "comes to rest here, without a `hold`".excludes(&["pass"]);
@@ -300,7 +300,7 @@ group! {
     Z "z", Bound("m", COORDINATE), NO_DEFAULT, "bounds the height";
     ALTITUDE "altitude", Bound("m", COORDINATE), NO_DEFAULT, "bounds the height; the same as `z`";
     YAW "yaw", Bound("deg", COORDINATE), NO_DEFAULT,
-        "bounds the yaw, which continues through full turns from the start";
+        "bounds the yaw, unwrapped from the start";
     SPEED "speed", Bound("m/s", NORM), NO_DEFAULT, "bounds the magnitude of the velocity"
         .bounds(LEAST_RATE, MOST).family(Family::Motion);
     SPEED_HORIZONTAL "speed_horizontal", Bound("m/s", NORM), NO_DEFAULT,
@@ -338,14 +338,14 @@ group! {
     RADIUS "radius", Quantity("m", Positive), Otherwise("required for a cylinder or sphere"),
         "the radius of a cylinder or sphere";
     HEIGHT "height", Quantity("m", Positive), Otherwise("required for a cylinder"), "the height of a cylinder";
-    CORNERS "corners", Names(&[]), Otherwise("required for a polygon"),
+    CORNERS "corners", Points, Otherwise("required for a polygon"),
         "the corners `[[x, y], [x, y], ...] m` of a polygon, in order along its edge";
     BOTTOM "bottom", Quantity("m", Any), Otherwise("required for a polygon"),
         "the height of the lower end of a polygon";
     TOP "top", Quantity("m", Any), Otherwise("required for a polygon"), "the height of the upper end of a polygon";
     POINT "point", Vector("m", Any), Otherwise("required for a half space"), "a point on the boundary of a half space";
     NORMAL "normal", Vector("1", Any), Otherwise("required for a half space"),
-        "the direction `[x, y, z]` from the boundary out of a half space";
+        "the outward normal `[x, y, z]` of a half space";
     CLEARANCE "clearance", Quantity("m", NotNegative), Value(0.0, "0 m", "the vehicle's `size` alone is kept"),
         "the distance from the boundary that the vehicle keeps, in addition to its `size`";
 }
@@ -357,13 +357,13 @@ group! {
         "the velocity of the air, x east, y north, z up. With `+- 2 m/s`, or `+- [2, 2, 0] m/s`, every constant wind \
          of this interval is possible; it acts only through `drag`".bounds(0.0, 1e4);
     GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "no gusts"),
-        "the standard deviation of the gusts on each axis, in flights alone: plans do not take gusts into account"
+        "the standard deviation of the gusts on each axis, in flights only: plans ignore gusts"
         .bounds(0.0, 1e4);
     DENSITY "density", Quantity("kg/m^3", Positive), Otherwise("1.225 kg/m^3"),
         "the density of the air: thrust, torque and drag are proportional to it, and are given for 1.225 kg/m^3"
         .excludes(&["altitude"]).sweepable().bounds(1e-3, 1e3);
     ALTITUDE "altitude", Quantity("m", Any), Otherwise("0 m"),
-        "the height of the site above sea level, for the density of the standard atmosphere; instead of `density`"
+        "instead of `density`: the site's height above sea level, which gives the density of the standard atmosphere"
         .sweepable();
 }
 
@@ -371,16 +371,15 @@ group! {
     /// The fields of `mission { }`, beside its statements.
     mission:
     GROUND "ground", Quantity("m", Any), Otherwise("unknown"),
-        "the height of the ground, not above any waypoint; if a waypoint is on it, flights have it 1 m lower. \
-         [`require capture_height`](#capture-height) counts from it, and flights have it unless `simulate` gives \
-         another";
+        "the height of the ground, not above any waypoint. [`require capture_height`](#capture-height) counts from it. \
+         Flights use it, 1 m lower if a waypoint is on it, unless `simulate` gives another";
     ORIGIN_LATITUDE "origin_latitude", Quantity("deg", Any), Otherwise("unknown"),
-        "the latitude of the point `[0, 0, 0] m` on the ellipsoid WGS 84, north positive; needs the other two. \
-         Missions for [ground stations](missions.md) are written from it, and it changes no plan";
+        "the latitude of the point `[0, 0, 0] m` on the ellipsoid WGS 84, north positive; needs `origin_longitude` and \
+         `origin_altitude`. Missions for [ground stations](missions.md) use it; plans do not";
     ORIGIN_LONGITUDE "origin_longitude", Quantity("deg", Any), Otherwise("unknown"), "its longitude, east positive";
     ORIGIN_ALTITUDE "origin_altitude", Quantity("m", Any), Otherwise("unknown"), "its height above mean sea level";
     BUFFER "buffer", Quantity("m", NotNegative), Value(0.0, "0 m", "the same places before and after a fault"),
-        "how far beyond every `keep_in` and every limit on a place the vehicle may be [after a fault](#after-a-fault)"
+        "how far outside a `keep_in` or position limit the vehicle may be [after a fault](#after-a-fault)"
         .bounds(1e-9, 1e6);
 }
 
@@ -388,8 +387,8 @@ group! {
     /// The fields of `plan { }`.
     plan:
     MODEL "model", Words(&["hover", "exact"]), Written("exact", "how the required thrust and torques are computed"),
-        "how the thrust and torques that a motion requires are computed: `exact`, at any tilt, or `hover`, the paper's \
-         model, linear about hover";
+        "the model of the thrust and torques that a motion requires: `exact`, at any tilt, or `hover`, the paper's, \
+         linear about hover";
     ROTORS "rotors", Words(&["instant", "lagging"]), Written("instant", "thrusts follow their commands at once"),
         "how rotors follow their commands: `instant`, at once, or `lagging`, with a `time_constant`, which each rotor \
          then needs";
@@ -397,15 +396,14 @@ group! {
         "`rip` uses the healthy set alone. `rcp` stays inside the sets of all modes at all times. `rsp` uses the \
          healthy set and those facets of the modes' sets that the `rip` plan would violate";
     ROUNDS "rounds", Whole(0, 100), Value(1.0, "1", "how often rsp selects facets"),
-        "how often `rsp` selects facets, all at one mission time: 0 is `rip`, 1 the paper's `rsp`. Each further round \
-         adds the facets that the plan of the previous round would violate";
+        "how often `rsp` selects facets, always at the same mission time: 0 is `rip`, 1 the paper's `rsp`. Each \
+         further round adds the facets that the plan of the previous round would violate";
     AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Written("continue", "the mission continues"),
-        "the reaction to a fault that the risk of the mission assumes: `continue`, or `hold`, that is, come to rest \
-         and stay";
+        "the reaction that the mission's risk assumes after a fault: `continue`, or `hold` (come to rest and stay)";
     WITHOUT_YAW "without_yaw", Words(&["never", "where_needed", "always"]),
         Written("where_needed", "yaw is given up where a fault leaves no control of it"),
-        "whether plans and flights [give up yaw](#without-yaw) after a fault: `never`, `where_needed`, that is, where \
-         the rotors that are left do not control all axes about hover, or `always`";
+        "whether plans and flights [give up yaw](#without-yaw) after a fault: `never`, `always`, or `where_needed` \
+         (where the remaining rotors do not control all axes about hover)";
     AGAINST "against", Names(&["all"]), Written("all", "every declared fault mode"),
         "the modes to tolerate: `all`; a mode `M1`; all modes `M` of `every ... as M`; a range of them, `M1 .. M4`; a \
          list of these, `[M1 .. M4, worn]`; or `where FIELD RELATION VALUE` with `rpn`, `severity`, `occurrence`, \
@@ -420,9 +418,9 @@ group! {
     YAW_WITHIN "yaw_within", Quantity("deg", Positive), Value(PI / 90.0, "2 deg", "yaw tolerance of each waypoint"),
         "the yaw tolerance of each waypoint".bounds(1e-9, 1e9).family(Family::Tolerance);
     SAMPLES "samples", Whole(1, 3_000), Value(200.0, "200", "intervals of the whole mission"),
-        "the number of intervals of the whole mission, by default more if its legs need more than 120. Every waypoint \
-         lies on a node. A hold takes one interval; legs share the others, with at least 10 from rest to rest and 5 \
-         from or to rest ([grid](#grid))";
+        "the number of pieces of the whole mission; above 200 by default if its legs need more than 120. Every \
+         waypoint lies on a node. A hold takes one piece; legs share the others, with at least 10 from rest to rest \
+         and 5 from or to rest ([grid](#grid))";
     RESERVE "reserve", Share, Value(0.1, "10 %", "share of each set kept for feedback"),
         "the share of each set that is kept for feedback: sets are shrunk about hover; below 100 %";
     SNAP "snap", Quantity("1", NotNegative),
@@ -441,8 +439,8 @@ group! {
          `proportional`: legs share the time as described under [mission](#mission). `uniform`: all legs take the same \
          time. `distance`: each leg takes time in proportion to its length, on curves too";
     EFFORT "effort", Words(&["quick", "normal", "thorough"]), Written("normal", "how much work a search may take"),
-        "how much of the solver's work a search for a plan in the exact model may take, on whatever machine: `quick` a \
-         fifth of `normal`, `thorough` ten times as much";
+        "how much work the solver may spend on a search for a plan in the exact model, whatever the machine: `quick` a \
+         fifth of `normal`, `thorough` ten times `normal`";
     VEHICLE "vehicle", Names(&[]), Otherwise("the only one"), "the name of the vehicle to use, if the spec has several";
     MISSION "mission", Names(&[]), Otherwise("the spec's only one"),
         "the name of the mission to plan, if the spec has several";
@@ -452,8 +450,7 @@ group! {
     /// The fields of `require capture_height { }`.
     requirement:
     RADIUS "radius", Quantity("m", Positive), Value(5.0, "5 m", "room to take off and to land"),
-        "the horizontal distance from start and end within which the height is not required: the way up and the way \
-         down";
+        "the horizontal distance from start and end within which the height is not required, for the way up and down";
     DETECTION "detection", Quantity("s", NotNegative), Otherwise("that of `simulate`"),
         "the delay after which a fault is known; required unless `simulate` gives a delay".likely(DELAYS);
 }
@@ -480,7 +477,7 @@ group! {
     AFTER_FAULT "after_fault", Words(&["continue", "hold", "land", "recovery"]),
         Written("continue", "flies on as planned"),
         "the reaction to a detected fault: `continue` the plan, `hold` where the vehicle comes to rest, `land` there, \
-         or take the way out that `recovery` of the plan orders first";
+         or `recovery`: take the first way out found in the plan's `order`";
     POSITION_GAIN "position_gain", Quantity("1/s^2", Positive),
         Value(4.0, "4 1/s^2", "gain on the deviation in x and y"),
         "gain on the deviation in x and y";
@@ -508,14 +505,14 @@ group! {
         "the forgetting factor of the estimator per sample, between 0 and 1";
     THRESHOLD "threshold", Quantity("1", Positive),
         Value(6.0, "6", "standard deviations beyond which the estimator uses a sample"),
-        "the estimator uses a sample whose residual is beyond this many standard deviations of the torque noise, and \
-         those that follow".bounds(1e-3, 1e6);
+        "the estimator uses a sample, and those that follow, if its residual exceeds this many standard deviations of \
+         the torque noise".bounds(1e-3, 1e6);
     GYROSCOPE_NOISE "gyroscope_noise", Quantity("rad/s", NotNegative),
         Value(0.005, "0.005 rad/s", "standard deviation of a sample of a small MEMS gyroscope"),
         "the standard deviation of a sample of the body rates on each axis";
     GYROSCOPE_RANGE "gyroscope_range", Quantity("deg/s", Positive),
         Value(34.906_585_039_886_59, "2000 deg/s", "range of the gyroscopes of most flight controllers"),
-        "the largest body rate on each axis that the gyroscope measures; larger ones are measured as this";
+        "the largest body rate on each axis that the gyroscope measures; larger rates read as this rate";
     ASSUMED_GYROSCOPE_NOISE "assumed_gyroscope_noise", Quantity("rad/s", NotNegative), Otherwise("`gyroscope_noise`"),
         "the standard deviation that the estimator assumes, for sensors that are worse than assumed";
     ATTITUDE "attitude", Words(&["exact", "estimated"]), Written("exact", "the controller knows the attitude"),
@@ -525,14 +522,14 @@ group! {
         Value(0.01, "1 cm", "standard deviation of a sample on each axis"),
         "the standard deviation of a sample of the position on each axis";
     DRAG "drag", QuantityOrVector("N*s/m", NotNegative), Value(0.0, "0 N*s/m", "as in the paper's model"),
-        "the drag force divided by the speed through the air, one number or `[x, y, z]` along the axes of the body; \
-         the vehicle's, if that has one";
+        "the drag force divided by the speed through the air, one number or `[x, y, z]` along the axes of the body; by \
+         default the vehicle's, if any";
     WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
-        "the velocity of the air, x east, y north, z up; that of the mission's [air](#air), if it has any. It acts \
+        "the velocity of the air, x east, y north, z up; by default that of the mission's [air](#air), if any. It acts \
          only through `drag`"
         .bounds(0.0, 1e4);
     GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "still air"),
-        "the standard deviation of the gusts on each axis; that of the mission's [air](#air), if it has any"
+        "the standard deviation of the gusts on each axis; by default that of the mission's [air](#air), if any"
         .bounds(0.0, 1e4);
     GUST_LENGTH "gust_length", Quantity("m", Positive), Value(50.0, "50 m", "length scale of gusts"),
         "the length scale of the gusts (Dryden)".bounds(1e-6, 1e9);
@@ -543,8 +540,8 @@ group! {
          drawn evenly from them by the seed";
     CENTRE_OFFSET "centre_offset", Quantity("m", NotNegative),
         Value(0.0, "0 m", "the centre of gravity is where the spec places it"),
-        "the centre of gravity is off by up to this along x and y of the body, drawn evenly by the seed; the \
-         controller does not know it".bounds(0.0, 1e4);
+        "the largest offset of the centre of gravity along x and y of the body, drawn evenly by the seed and unknown \
+         to the controller".bounds(0.0, 1e4);
     SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "seed of noise and gusts"),
         "the seed of noise and gusts: the same seed gives the same flight";
     LOST_BEYOND "lost_beyond", Quantity("m", Positive),
@@ -562,8 +559,8 @@ group! {
         "how long the heading error may exceed `lost_yaw` ([how it is \
          counted](flight.md#5-after-a-fault-and-when-the-vehicle-is-lost))";
     GROUND "ground", Quantity("m", Any), Value(0.0, "0 m", "height of the ground"),
-        "the height of the ground, below every waypoint; that of the [mission](#mission), if it gives one; 1 m below \
-         the lowest waypoint if that is not above 0 m";
+        "the height of the ground, below every waypoint; by default the [mission](#mission)'s, if any, or else 1 m \
+         below the lowest waypoint if that is not above 0 m";
 }
 
 group! {

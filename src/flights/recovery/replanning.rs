@@ -1,13 +1,17 @@
 //! Planning again until faults have ways out: the plan keeps more room inside the sets of the modes than the spec asks
-//! of it, so that a vehicle that has strayed from it, when a fault becomes known, can come back within the sets.
+//! of it, and below the limits on speeds that hold after a fault too. So a vehicle that has strayed from it, when a
+//! fault becomes known, can come back within both.
 
 use super::{Recovery, Way, recovery};
 use crate::certify;
-use crate::model::{MissionTime, Model, PlannerKind, Problem};
+use crate::model::{HeldLimit, Limit, Mission, MissionTime, Model, PlannerKind, Problem};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, adopted, run_planners};
 
 /// Shares of the sets kept in addition to the reserve, in the order tried. Chosen by hand.
 const ROOMS: [f64; 4] = [0.05, 0.1, 0.2, 0.4];
+/// A plan stays below the limits on speeds that hold after a fault by this many times the share of the sets. Chosen by
+/// hand.
+const BELOW_LIMITS: f64 = 0.5;
 /// Where the spec leaves the time open: multiples of the time of the first plan, and the share kept with them in
 /// addition to the reserve. Chosen by hand.
 const LONGER: [f64; 4] = [1.05, 1.1, 1.2, 1.4];
@@ -148,8 +152,22 @@ struct Best {
     replanned: Option<Replanned>,
 }
 
-/// The plan of RCP with a larger reserve, against the modes of the spec and those with gaps; where there is none,
-/// against those of the spec. `time` is the mission time, s, if it is not the spec's.
+/// Lets a mission keep a share of the limits on speeds that hold after a fault.
+fn slow_down(mission: &mut Mission, share: f64) {
+    for HeldLimit { limit: held, .. } in mission.limits_after_fault() {
+        let Some(upper) = held.upper.filter(|_| held.kind.is_speed()).map(|upper| (1.0 - share) * upper) else {
+            continue;
+        };
+        match mission.limits.iter_mut().find(|own| own.kind == held.kind && own.is_general()) {
+            Some(own) => own.upper = Some(own.upper.map_or(upper, |own| own.min(upper))),
+            None => mission.limits.push(Limit { lower: None, upper: Some(upper), ..held }),
+        }
+    }
+}
+
+/// The plan of RCP with a larger reserve and below the limits on speeds, against the modes of the spec and those with
+/// gaps; where there is none, one that may reach these limits, and at last one against those of the spec. `time` is the
+/// mission time, s, if it is not the spec's.
 fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f64>) -> Option<MissionPlan> {
     let own = &problem.model().plan.against;
     let has_gap = |mode: usize| {
@@ -158,7 +176,8 @@ fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f
     };
     let gaps: Vec<usize> = (0..problem.model().modes.len()).filter(|&mode| has_gap(mode)).collect();
     let more: Vec<usize> = own.iter().copied().chain(gaps.iter().copied().filter(|mode| !own.contains(mode))).collect();
-    let with = |against: &[usize]| {
+    let slower = BELOW_LIMITS * (reserve - problem.model().plan.reserve);
+    let with = |against: &[usize], slower: f64| {
         let own = problem.model().clone();
         let mut model = match time {
             Some(time) => in_time(own, time),
@@ -167,6 +186,7 @@ fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f
         model.plan.planner = PlannerKind::Rcp;
         model.plan.reserve = reserve;
         model.plan.against = against.to_vec();
+        slow_down(model.mission.as_mut()?, slower);
         let variant = Problem::of(&model)?;
         let mut comparison = run_planners(variant, Scope::Plan, None);
         certify::check(variant, &mut comparison);
@@ -175,5 +195,6 @@ fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f
             _ => None,
         }
     };
-    with(&more).or_else(|| (more.len() > own.len()).then(|| with(own)).flatten())
+    let first = with(&more, slower).or_else(|| with(&more, 0.0));
+    first.or_else(|| (more.len() > own.len()).then(|| with(own, 0.0)).flatten())
 }

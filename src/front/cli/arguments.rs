@@ -251,7 +251,7 @@ pub(super) struct PlanArgs {
     #[arg(short, long, value_name = "TRAJ.CSV")]
     pub output: Option<PathBuf>,
     /// Write the trajectory of -o for another tool (docs/exchange.md). Without --format the file's ending decides:
-    /// .plan, .waypoints, .kml, .geojson and .mcap choose a format; any other name means csv, mavc's table
+    /// .plan, .waypoints, .kml, .geojson and .mcap choose a format; otherwise csv, mavc's table
     #[arg(long, value_name = "FORMAT", requires = "output", value_parser = trajectory::FORMATS.map(|(_, name)| name))]
     pub format: Option<String>,
     /// The frames of csv and rows: enu-flu (east, north, up; forward, left, up), the default, or ned-frd

@@ -22,19 +22,19 @@ pub mod keep_off {
         "shape",
         Words(&["box", "cylinder", "polygon"]),
         Needed,
-        "the shape of the area, of which only the outline seen from above counts",
+        "the shape of the area; only its outline from above counts",
     );
     pub const FROM: Entry = Entry::new(
         "from",
         PlanePoint("m"),
         Otherwise("required for a box"),
-        "the corner `[x, y]` of a box with the lowest coordinates",
+        "the box corner `[x, y]` with the lowest coordinates",
     );
     pub const TO: Entry = Entry::new(
         "to",
         PlanePoint("m"),
         Otherwise("required for a box"),
-        "the corner `[x, y]` of a box with the highest coordinates",
+        "the box corner `[x, y]` with the highest coordinates",
     );
     pub const TURN: Entry = volume::TURN;
     pub const CENTRE: Entry =
@@ -81,7 +81,7 @@ group! {
         "the delay after which a fault is known, or the shortest and the longest, as in `100 ms .. 200 ms`"
         .likely(DELAYS);
     WITHIN "within", Quantity("s", Positive), Value(30.0, "30 s", "from the fault's detection to the end of a way out"),
-        "the longest time from the fault's detection to the touchdown, or back to the plan".bounds(1e-3, ANY);
+        "the longest time from the fault's detection to the touchdown or the return to the plan".bounds(1e-3, ANY);
     KEEP "keep", Share, Value(0.0, "0 %", "no charge is kept"),
         "the share of the battery's charge that is left after the touchdown; needs a `battery`";
 }

@@ -240,6 +240,11 @@ impl LimitKind {
         self.describe().quantity.is_of_yaw()
     }
 
+    /// Whether it bounds the velocity of the vehicle.
+    pub fn is_speed(&self) -> bool {
+        matches!(self, LimitKind::Speed | LimitKind::SpeedHorizontal | LimitKind::Climb | LimitKind::Descent)
+    }
+
     /// Whether it is the distance from a body to keep out of.
     pub fn is_clearance(&self) -> bool {
         matches!(self, LimitKind::Clearance(_))

@@ -114,8 +114,13 @@ impl Figures {
         let capacity = value("BATT_CAPACITY").filter(|x| *x != DEFAULT_CAPACITY);
         let cells = value("MOT_BAT_VOLT_MAX").map(|volts| (volts / FULL_CELL).round()).filter(|cells| *cells >= 1.0);
         let voltage = cells.map(|n| (CELL * n, format!("{n} cells of {CELL} V, from MOT_BAT_VOLT_MAX")));
+        let voltage_used = capacity.is_some() && voltage.is_some();
         let battery = capacity.map_or(Vec::new(), |capacity| battery(capacity, "BATT_CAPACITY", voltage));
-        let used = [("MOT_THST_HOVER", hover.is_some()), ("BATT_CAPACITY", capacity.is_some())];
+        let used = [
+            ("MOT_THST_HOVER", hover.is_some()),
+            ("BATT_CAPACITY", capacity.is_some()),
+            ("MOT_BAT_VOLT_MAX", voltage_used),
+        ];
         let used = used.into_iter().filter(|(_, is_used)| *is_used).map(|(name, _)| name).collect();
         Figures { hover, battery, used }
     }

@@ -5,7 +5,8 @@
 //! a family, if it passes the checker.
 
 use super::super::{Families, NotProved, Way};
-use super::{Found, HERE, Search};
+use super::landings::HERE;
+use super::{Found, Search};
 use crate::certificate::{FamilyRecord, StateTolerance, WayRecord};
 use crate::certify::{self, model_of};
 use crate::motion::wrench_model::WrenchModel;
