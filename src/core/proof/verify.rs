@@ -115,7 +115,7 @@ impl Refusal {
                 let message = format!("the certificate is rejected: {}", rejection.sentence());
                 let error = Diagnostic::error(REJECTED, rejection.span.unwrap_or(model.plan.span), message);
                 let open = match claim {
-                    Claim::Plan(_) => "the motion is not a plan of this spec",
+                    Claim::Plan(_) => "the plan is not proved",
                     Claim::Infeasible(_) | Claim::TooEarly(_) => "it is open whether there is a plan",
                 };
                 error.here("this plan is not proved").help(format!(

@@ -323,6 +323,27 @@ fn random_motions_stay_above_their_bounds() {
     assert!(shown[1] >= 20, "{shown:?}");
 }
 
+/// The checker accepts the bound where a leg is vertical: it is flown through, so that it takes no least time of its
+/// own, and its weights add nothing, exactly.
+#[test]
+fn vertical_legs_that_are_flown_through_add_nothing() {
+    let mut model = hop([10.0, 0.0, 2.0], 0.0, &[(LimitKind::Tilt, 0.4)]);
+    let flight = model.mission.as_mut().unwrap();
+    for to in [[10.0, 0.0, 5.0], [10.0, 8.0, 5.0], [0.0, 8.0, 5.0]] {
+        flight.waypoints.push(waypoint(to, 0.0));
+        flight.legs.push(flight.legs[0]);
+    }
+    flight.waypoints[1..3].iter_mut().for_each(|point| point.within = 0.5);
+    let least = least_time_within(Problem::of(&model).unwrap());
+    let [record] = &least.weights[..] else { panic!("{:?}", least.weights) };
+    assert_eq!((record.weights[1], least.legs[1].seconds), (record.weights[2], 0.0));
+    model.plan.time = MissionTime::Fixed(0.9 * least.seconds);
+    let mut certificate = claiming(&model, 5, least.seconds);
+    let Claim::TooEarly(claim) = &mut certificate.claim else { panic!() };
+    claim.weights = least.weights.clone();
+    assert!(decide(&certificate, &model).is_ok());
+}
+
 /// Malformed and foreign weights show nothing, whatever they claim.
 #[test]
 fn weights_are_not_trusted() {

@@ -153,7 +153,10 @@ impl Add for Interval {
         if other == Interval::ZERO {
             return self;
         }
-        Interval::outward(self.low + other.low, self.high + other.high)
+        // A rounded sum is zero only where the exact one is, because sums never underflow.
+        let exact_zero = |sum: f64, rounded: f64| if sum == 0.0 { 0.0 } else { rounded };
+        let (low, high) = (self.low + other.low, self.high + other.high);
+        Interval::new(exact_zero(low, low.next_down()), exact_zero(high, high.next_up()))
     }
 }
 
